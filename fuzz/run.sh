@@ -3,7 +3,7 @@
 #
 #   fuzz/run.sh [INPUTS [SECONDS [TARGET…]]]
 #
-# At most INPUTS inputs (100000) and SECONDS seconds (600) for each target (parse, solve, draw). An input that panics, takes
+# At most INPUTS inputs (100000) and SECONDS seconds (600) for each target (parse, solve, draw, runs). An input that panics, takes
 # longer than 2 s or more than 1 GB ends its target; it stays in fuzz/artifacts. The last lines are the figures.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,7 +12,7 @@ inputs=${1:-100000}
 seconds=${2:-600}
 shift $(($# < 2 ? $# : 2))
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(parse solve draw)
+[ ${#targets[@]} -gt 0 ] || targets=(parse solve draw runs)
 
 if ! command -v c++ >/dev/null; then
   echo "libFuzzer is written in C++: a compiler is installed" >&2
@@ -43,7 +43,7 @@ done
 find examples tests -name '*.mech' -exec cat {} + | sed 's/^ *//' | grep -avE '^(//|$)' | awk 'length < 100' | sort -u |
   split -a 4 -l 1 - "$seeds/line-"
 
-# Lines of `parse` stay lines; `solve` and `draw` need files.
+# Lines of `parse` stay lines; the others need files.
 longest() { if [ "$1" = parse ]; then echo 100; else echo 2000; fi; }
 
 status=0

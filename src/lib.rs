@@ -46,6 +46,7 @@ pub mod internals {
     pub use assur_solve::{answer, measure, measure::accuracy, message, reference, solve};
     pub use assur_syntax as syntax;
     pub use assur_text::{diagnostic, language, source, units};
+    pub use assur_worked as worked;
 }
 
 // the examples of the page run as tests

@@ -198,7 +198,7 @@ fn a_row_of_variants_allocates_nothing() {
         assert!(problems.is_empty());
         let written = answers.get_or_insert_with(|| AnswerColumns::of(&solved.model));
         let whole = written.whole_if_any(&solved);
-        solved.poses().for_each(|pose| written.write_beside(&solved, pose, &whole, (15, false), &mut out));
+        solved.poses().for_each(|pose| written.write_beside(&solved, pose, &whole, (15, None), &mut out));
     };
     (0..20).for_each(&mut solve);
     let counted = allocation_counter::measure(|| (20..200).for_each(&mut solve));

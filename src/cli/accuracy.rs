@@ -12,8 +12,10 @@ use super::screen::Screen;
 use crate::pipeline::{Solved, solve_source};
 use crate::report::{self, AccuracyShown, Precision};
 use assur_check::Overrides;
-use assur_solve::measure::accuracy::{AccuracyStudy, out_of_reach, study};
-use assur_solve::measure::micros;
+use assur_solve::measure::accuracy::{self, AccuracyError, AccuracyStudy, study};
+use assur_solve::measure::{RunStudy, micros, study_runs};
+use assur_solve::message;
+use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
 /// Prints what accuracy costs in time.
@@ -32,34 +34,82 @@ pub fn run(args: &Accuracy, screen: &Screen) -> Status {
         let Some(solved) = solved.filter(|_| !problems.has_errors()) else {
             return Reply::new(String::new(), &problems, source, screen);
         };
-        let model = solved.compiled.model();
-        let measured = study(&model, &solved.solution, args.wanted, seconds);
-        if measured.recommendation.is_none() {
-            problems.push(out_of_reach(&measured, model.mechanism));
-        }
-        let results = printed(args, source, &overrides, &solved, &measured, screen);
+        let measured = match Measured::of(&solved, args.wanted) {
+            Ok(measured) => measured,
+            Err(failed) => {
+                problems.append(*failed);
+                return Reply::new(String::new(), &problems, source, screen);
+            }
+        };
+        problems.extend(measured.out_of_reach(&solved));
+        let results = measured.printed(args, source, &overrides, &solved, screen);
         let reply = Reply::new(results, &problems, source, screen);
         match &args.plot {
-            Some(path) => drawn(path, source, &solved, &measured, reply, screen),
+            Some(path) => drawn(path, measured.picture(source, &solved), reply, screen),
             None => reply,
         }
     })
 }
 
-fn printed(
-    args: &Accuracy,
-    source: &Source,
-    overrides: &Overrides,
-    solved: &Solved,
-    measured: &AccuracyStudy,
-    screen: &Screen,
-) -> String {
-    if matches!(args.format, Format::Json | Format::Jsonl) {
-        return report::study_json(&source.name, measured) + "\n";
+/// What was measured: positions, or a motion under loads.
+enum Measured {
+    Positions(Box<AccuracyStudy>),
+    Runs(Box<RunStudy>),
+}
+
+impl Measured {
+    fn of(solved: &Solved, wanted: f64) -> Result<Self, Box<Problems>> {
+        let model = solved.compiled.model();
+        let told = |failure| Box::new(Problems::of([message::failure(&model, &failure)]));
+        Ok(match study_runs(&model, &solved.solution, wanted, seconds).map_err(told)? {
+            Some(runs) => Self::Runs(Box::new(runs)),
+            None => Self::Positions(Box::new(study(&model, &solved.solution, wanted, seconds))),
+        })
     }
-    let whole = micros(seconds, || drop(std::hint::black_box(whole(source, overrides))));
-    let report = report::of_study(&source.name, &solved.compiled.model(), measured, whole);
-    args.format.page(screen.look()).render(&report)
+
+    fn out_of_reach(&self, solved: &Solved) -> Option<AccuracyError> {
+        let mechanism = &solved.compiled.mechanism;
+        match self {
+            Self::Positions(study) => {
+                study.recommendation.is_none().then(|| accuracy::out_of_reach(study, mechanism))
+            }
+            Self::Runs(study) => {
+                study.recommendation.is_none().then(|| accuracy::run_out_of_reach(study, mechanism))
+            }
+        }
+    }
+
+    fn printed(
+        &self,
+        args: &Accuracy,
+        source: &Source,
+        overrides: &Overrides,
+        solved: &Solved,
+        screen: &Screen,
+    ) -> String {
+        if matches!(args.format, Format::Json | Format::Jsonl) {
+            return match self {
+                Self::Positions(study) => report::study_json(&source.name, study),
+                Self::Runs(study) => report::run_study_json(&source.name, study),
+            } + "\n";
+        }
+        let whole = micros(seconds, || drop(std::hint::black_box(whole(source, overrides))));
+        let model = solved.compiled.model();
+        let report = match self {
+            Self::Positions(study) => report::of_study(&source.name, &model, study, whole),
+            Self::Runs(study) => report::of_run_study(&source.name, &model, study, whole),
+        };
+        args.format.page(screen.look()).render(&report)
+    }
+
+    fn picture(&self, source: &Source, solved: &Solved) -> Option<String> {
+        let title = &solved.compiled.mechanism.title;
+        let title = if title.is_empty() { &source.name } else { title };
+        match self {
+            Self::Positions(study) => report::diagram::svg(title, study),
+            Self::Runs(study) => report::diagram::of_runs(title, study),
+        }
+    }
 }
 
 /// All that `assur solve` does, but for reading the file and writing to the screen.
@@ -71,17 +121,8 @@ fn whole(source: &Source, overrides: &Overrides) -> String {
     report.map(|r| report::text::render(&r, report::text::Look::PLAIN)).unwrap_or_default()
 }
 
-fn drawn(
-    path: &str,
-    source: &Source,
-    solved: &Solved,
-    measured: &AccuracyStudy,
-    reply: Reply,
-    screen: &Screen,
-) -> Reply {
-    let title = &solved.compiled.mechanism.title;
-    let title = if title.is_empty() { &source.name } else { title };
-    let Some(svg) = report::diagram::svg(title, measured) else {
+fn drawn(path: &str, picture: Option<String>, reply: Reply, screen: &Screen) -> Reply {
+    let Some(svg) = picture else {
         let why = "nothing can be set in this problem".to_owned();
         let complaint = complaint(CliError::Unwritable { name: path.to_owned(), why }, screen);
         return Reply { diagnostics: reply.diagnostics + &complaint, status: Status::Unusable, ..reply };

@@ -3,10 +3,12 @@
 mod draw;
 mod format;
 mod pages;
+mod report;
 
 pub use draw::{Draw, LoadsArg, Picture, ThemeArg};
 pub use format::{Format, ProfileFormat, SolveFormat};
 pub use pages::{Explain, Help, New, StartKind};
+pub use report::{Report, ReportFormat};
 
 use clap::{Parser, Subcommand, ValueEnum};
 
@@ -47,6 +49,7 @@ Examples:
   assur test 'homework/**/*.mech'           compare with the answer key
   assur profile cam.mech --format dxf       a cam as a drawing
   assur draw engine.mech -o engine.svg      the kinematic scheme, to scale
+  assur report engine.mech -o engine.html   the worked solution
   assur batch engine.mech --variants T.csv --out answers.csv
   assur batch homework --key key.csv        solve an exercise set and write its answer key
   assur grade key.csv answers.csv           grade answers
@@ -81,6 +84,8 @@ pub enum Command {
     Profile(Profile),
     /// Draw a mechanism: its scheme and what the course draws next to it, as SVG
     Draw(Draw),
+    /// Write the worked solution: formulas with numbers, plans and polygons
+    Report(Report),
     /// Explain a diagnostic by its code
     Explain(Explain),
     /// Write a file to start from

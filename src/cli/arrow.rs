@@ -1,13 +1,14 @@
 //! `assur solve --format arrow`: positions as a stream of columns.
 
 use super::error::CliError;
+use super::motion::OnTheWay;
 use super::reply::{Printer, Reply, Status, complaint};
 use super::screen::Screen;
 use super::threads::Threads;
 use crate::pipeline::{Compiled, Sink};
 use crate::report::Answers;
 use crate::report::arrow::ArrowRows;
-use assur_solve::solve::{Ahead, Block, Pose};
+use assur_solve::solve::{Ahead, Block, Conduct, Pose, Watch};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use std::io::IsTerminal;
@@ -37,7 +38,9 @@ pub fn positions(
         Err(error) => return unprinted(error.to_string()),
     };
     let angles = rows.reads_angles(&compiled.model());
-    let mut out = Out { rows, angles, error: None, failed: false, printer, threads };
+    let way = OnTheWay::of(&source.name, &compiled.mechanism);
+    let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
+    let mut out = Out { rows, angles, error: None, failed: false, printer, threads, watch: &watch };
     let (_, found) = crate::pipeline::solve_each(compiled, &mut out);
     problems.append(found);
     let ended = out.rows.end();
@@ -50,7 +53,7 @@ pub fn positions(
     }
 }
 
-struct Out<'p, 'o> {
+struct Out<'p, 'o, 'w> {
     rows: ArrowRows,
     /// Columns show angles.
     angles: bool,
@@ -58,9 +61,14 @@ struct Out<'p, 'o> {
     failed: bool,
     printer: &'p mut Printer<'o>,
     threads: &'p Threads,
+    watch: &'w Watch<'w>,
 }
 
-impl Sink for Out<'_, '_> {
+impl Sink for Out<'_, '_, '_> {
+    fn conduct(&self) -> Conduct<'_> {
+        Conduct { watch: Some(self.watch), ..Conduct::default() }
+    }
+
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {
         self.error = self.rows.add(answers, pose).err().map(|error| error.to_string());
         self.print();
@@ -82,11 +90,12 @@ impl Sink for Out<'_, '_> {
     fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
         let angles = self.angles;
         self.threads.each(blocks, |(_, block)| ahead.answer(block, angles));
-        blocks.iter().all(|block| block.poses().iter().all(|pose| self.add(answers, pose)))
+        let mut poses = blocks.iter().flat_map(Block::poses).filter(|pose| pose.is_position());
+        poses.all(|pose| self.add(answers, pose))
     }
 }
 
-impl Out<'_, '_> {
+impl Out<'_, '_, '_> {
     fn print(&mut self) {
         let written = self.rows.take();
         self.failed |= !written.is_empty() && !self.printer.print(written);

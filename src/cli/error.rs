@@ -66,6 +66,20 @@ pub enum CliError {
         /// The place.
         name: String,
     },
+    /// Several worked solutions, one place.
+    #[error("`{name}` can contain one worked solution only, but there are several files")]
+    #[diagnostic(help("write one at a time: `assur report engine.mech -o engine.html`"))]
+    OneReport {
+        /// The place.
+        name: String,
+    },
+    /// A name that says no format.
+    #[error("the ending of `{name}` is not a format of worked solutions")]
+    #[diagnostic(help("write `.html`, `.md`, `.typ` or `.txt`, or add `--format html`"))]
+    ReportFormat {
+        /// As given.
+        name: String,
+    },
     /// The other poses of a list.
     #[error("pose {first} is drawn, the first of {count}")]
     #[diagnostic(

@@ -13,10 +13,12 @@ mod explain;
 mod files;
 mod grade;
 mod help;
+mod motion;
 mod new;
 mod profile;
 #[doc(hidden)]
 pub mod reply;
+mod report;
 #[doc(hidden)]
 pub mod screen;
 mod solve;
@@ -53,6 +55,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Accuracy(args) => accuracy::run(&args, &screen),
         Command::Profile(args) => profile::run(&args, &screen),
         Command::Draw(args) => draw::run(&args, &screen),
+        Command::Report(args) => report::run(&args, &screen),
         Command::Explain(args) => explain::run(&args, &screen),
         Command::New(args) => new::run(&args, &screen),
         Command::Help(args) => help::run(&args, &screen),

@@ -144,6 +144,10 @@ pub fn for_each_input(
         }
         printer.before |= printer.begun;
         printer.begun = false;
+        // a motion was ended by it
+        if super::batch::signal().is_some() {
+            break;
+        }
     }
     status
 }

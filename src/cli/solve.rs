@@ -6,6 +6,7 @@ use super::args::{Format, Solve};
 #[cfg(feature = "arrow")]
 use super::error::CliError;
 use super::files;
+use super::motion::OnTheWay;
 #[cfg(feature = "arrow")]
 use super::reply::complaint;
 use super::reply::{Printer, Reply, Status, for_each_input};
@@ -18,6 +19,7 @@ use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::json::Variant;
 use crate::report::{self, AccuracyShown, Answers, Precision};
 use assur_check::{ColumnUse, Overrides, RowColumn};
+use assur_solve::solve::Conduct;
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -96,7 +98,10 @@ impl Printing<'_> {
         };
         let solved = match compiled {
             Some(compiled) if !problems.has_errors() => {
-                let (solved, found) = crate::pipeline::solve_within(compiled, self.args.within);
+                let way = OnTheWay::of(&source.name, &compiled.mechanism);
+                let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
+                let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+                let (solved, found) = crate::pipeline::solve_conducted(compiled, self.args.within, &conduct);
                 problems.append(found);
                 solved.map_err(Some)
             }

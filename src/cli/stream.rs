@@ -2,6 +2,7 @@
 //! on several threads, in their order.
 
 use super::args::Format;
+use super::motion::OnTheWay;
 use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
 use super::threads::Threads;
@@ -9,7 +10,7 @@ use crate::pipeline::{Compiled, Sink, Solved};
 use crate::report::json::JsonLines;
 use crate::report::lines::CsvLines;
 use crate::report::{Answers, Precision};
-use assur_solve::solve::{Ahead, Block, Pose};
+use assur_solve::solve::{Ahead, Block, Conduct, Pose, Watch};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -35,8 +36,10 @@ pub fn positions(
         Lines::Json(_) => true,
     };
     let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
+    let way = OnTheWay::of(&source.name, &compiled.mechanism);
+    let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
     let (begun, any, failed, texts) = (false, false, false, Vec::new());
-    let mut out = Out { lines, angles, text, texts, begun, any, failed, printer, threads };
+    let mut out = Out { lines, angles, text, texts, begun, any, failed, printer, threads, watch: &watch };
     let (solved, found) = crate::pipeline::solve_each(compiled, &mut out);
     problems.append(found);
     if let Ok(solved) = &solved {
@@ -81,7 +84,7 @@ impl Lines {
     }
 }
 
-struct Out<'p, 'o> {
+struct Out<'p, 'o, 'w> {
     lines: Lines,
     /// The lines show angles.
     angles: bool,
@@ -94,9 +97,14 @@ struct Out<'p, 'o> {
     failed: bool,
     printer: &'p mut Printer<'o>,
     threads: &'p Threads,
+    watch: &'w Watch<'w>,
 }
 
-impl Sink for Out<'_, '_> {
+impl Sink for Out<'_, '_, '_> {
+    fn conduct(&self) -> Conduct<'_> {
+        Conduct { watch: Some(self.watch), ..Conduct::default() }
+    }
+
     /// `false` where nothing more can be written.
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {
         self.any = true;
@@ -136,7 +144,8 @@ impl Sink for Out<'_, '_> {
             ahead.answer(block, angles);
             text.clear();
             let mut row = Vec::new();
-            block.poses().iter().for_each(|pose| lines.add(answers, pose, &mut row, text));
+            let poses = block.poses().iter().filter(|pose| pose.is_position());
+            poses.for_each(|pose| lines.add(answers, pose, &mut row, text));
         });
         self.flush();
         for text in &self.texts {
@@ -146,7 +155,7 @@ impl Sink for Out<'_, '_> {
     }
 }
 
-impl Out<'_, '_> {
+impl Out<'_, '_, '_> {
     /// Writes what is left; what needs no pose where there is none.
     fn end(&mut self, solved: &Solved) {
         if !self.any {

@@ -1,6 +1,6 @@
 //! Why a value does not exist.
 
-use assur_model::model::{Expr, Query, Value};
+use assur_model::model::{Bound, Expr, Query, Value};
 use assur_solve::message::undefined;
 use assur_solve::solve::{Model, PoseAnswers, Solution, compare};
 use assur_text::units::Dimension;
@@ -68,7 +68,13 @@ pub(super) fn without_cycle(model: &Model<'_>, solution: &Solution, expr: &Expr)
             }
             Expr::Query(Query::Cycle(index)) => {
                 let why = solution.statics.cycles.get(*index).and_then(|c| c.why);
-                why.map(|why| undefined(model, why))
+                let part = model.mechanism.cycles.get(*index).map(|cycle| cycle.part);
+                let bounds = part.into_iter().flat_map(|part| [part.after, part.before]).flatten();
+                let mut missing = bounds.filter_map(|bound| match bound {
+                    Bound::Event(event, which) => not_happened(model, solution, event, which),
+                    Bound::At(_) => None,
+                });
+                why.map(|why| undefined(model, why)).or_else(|| missing.next())
             }
             Expr::Query(Query::EventTime(event, which)) => not_happened(model, solution, *event, *which),
             _ => None,

@@ -7,7 +7,7 @@ use super::open_sizes::open_sizes;
 use crate::report::{Answers, Precision};
 use assur_model::model::{At, Mechanism, Positions, Relation};
 use assur_solve::message::{self, failure};
-use assur_solve::solve::{Ahead, BLOCK, Block, Following, Model, Pose, PoseOrigin, Solution};
+use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Following, Model, Pose, PoseOrigin, Solution};
 use assur_text::diagnostic::Problems;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -25,6 +25,11 @@ const TOLD: usize = 1000;
 pub trait Sink {
     /// Takes a position.
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool;
+
+    /// How a motion under loads is integrated.
+    fn conduct(&self) -> Conduct<'_> {
+        Conduct::default()
+    }
 
     /// Whether positions need not be kept, even if they are few.
     fn forgets(&self) -> bool {
@@ -101,14 +106,20 @@ pub fn is_long(model: &Model<'_>) -> bool {
 }
 
 /// Solves all positions of a file. Without something that is done with each, all of them are kept, or it is an error that
-/// they are too many. `None` where it was stopped.
+/// they are too many. `None` where it was stopped. `conduct` holds where there is no sink with one of its own.
 ///
 /// # Errors
 /// What makes all positions meaningless.
-pub fn followed(model: &Model<'_>, origin: Option<&Origin>, sink: Option<&mut dyn Sink>) -> Followed {
+pub fn followed(
+    model: &Model<'_>,
+    origin: Option<&Origin>,
+    sink: Option<&mut dyn Sink>,
+    conduct: &Conduct<'_>,
+) -> Followed {
     let critical = origin.map(|o| criticals(model, o)).unwrap_or_default();
     let Some(mut following) =
-        Following::new(model, critical).map_err(|all| Problems::of(message::failures(model, &all)))?
+        Following::conducted(model, critical, &sink.as_ref().map_or(*conduct, |sink| sink.conduct()))
+            .map_err(|all| Problems::of(message::failures(model, &all)))?
     else {
         return Ok(Some((Solution::default(), Problems::new())));
     };

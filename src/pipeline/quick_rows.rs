@@ -7,7 +7,7 @@ use super::solved::Solved;
 use crate::exercise;
 use assur_check::{Row, RowPatches};
 use assur_position::plan;
-use assur_solve::solve::{Again, Solution};
+use assur_solve::solve::{Again, Conduct, Solution};
 use assur_text::diagnostic::Problems;
 
 /// What rows with the same columns have in common.
@@ -47,12 +47,12 @@ impl QuickRows {
     }
 
     /// The solution of the row that was compiled last, and all that was found on the way.
-    pub fn solve(&mut self) -> (Option<&Solved>, Problems) {
+    pub fn solve(&mut self, conduct: &Conduct<'_>) -> (Option<&Solved>, Problems) {
         let Solved { compiled, solution, outcomes, .. } = &mut self.solved;
         let model = compiled.model();
         let mut problems = Problems::new();
         if !self.again.as_mut().is_some_and(|again| again.solve(&model, solution)) {
-            match followed(&model, None, None) {
+            match followed(&model, None, None, conduct) {
                 Ok(Some((found, said))) => (*solution, problems) = (found, said),
                 Ok(None) => return (None, problems),
                 Err(problems) => return (None, problems),

@@ -6,7 +6,7 @@ use crate::exercise::{self, Outcome};
 use crate::report;
 use assur_check::Overrides;
 use assur_solve::measure::accuracy::{self, AchievedAccuracy};
-use assur_solve::solve::Solution;
+use assur_solve::solve::{Conduct, Solution};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -38,14 +38,18 @@ impl Solved {
 /// Solves a compiled file and compares it with its answer key. A failed expectation is an outcome, not a problem; one
 /// that cannot be evaluated is a problem, and so are more positions than can be kept: see [`solve_each`].
 pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
-    let found = followed(&compiled.model(), compiled.origin.as_ref(), None);
+    solve_so(compiled, &Conduct::default())
+}
+
+fn solve_so(compiled: Compiled, conduct: &Conduct<'_>) -> (Result<Solved, Compiled>, Problems) {
+    let found = followed(&compiled.model(), compiled.origin.as_ref(), None, conduct);
     evaluated(compiled, found)
 }
 
 /// As [`solve()`], however many positions there are: each is handed out, with the answers to what needs none, and of many
 /// those alone are kept that an expectation names. There is no result and no message if `sink` stops it.
 pub fn solve_each(compiled: Compiled, sink: &mut dyn Sink) -> (Result<Solved, Compiled>, Problems) {
-    let found = followed(&compiled.model(), compiled.origin.as_ref(), Some(sink));
+    let found = followed(&compiled.model(), compiled.origin.as_ref(), Some(sink), &Conduct::default());
     evaluated(compiled, found)
 }
 
@@ -64,12 +68,21 @@ fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, 
 
 /// As [`solve()`], with the fastest settings that reach a wanted accuracy, see [`accuracy::candidates`]. If none
 /// does, the result is the most accurate answer with an error.
-pub fn solve_within(mut compiled: Compiled, within: Option<f64>) -> (Result<Solved, Compiled>, Problems) {
-    let Some(wanted) = within else { return solve(compiled) };
+pub fn solve_within(compiled: Compiled, within: Option<f64>) -> (Result<Solved, Compiled>, Problems) {
+    solve_conducted(compiled, within, &Conduct::default())
+}
+
+/// As [`solve_within()`]; a motion under loads is integrated as `conduct` says.
+pub fn solve_conducted(
+    mut compiled: Compiled,
+    within: Option<f64>,
+    conduct: &Conduct<'_>,
+) -> (Result<Solved, Compiled>, Problems) {
+    let Some(wanted) = within else { return solve_so(compiled, conduct) };
     if let Some(simulation) = &mut compiled.mechanism.simulation {
         // a run keeps the accuracy that it is asked for by itself
         simulation.within = Some(wanted);
-        return solve(compiled);
+        return solve_so(compiled, conduct);
     }
     let mut candidates = accuracy::candidates(&compiled.model(), wanted);
     candidates.reverse();

@@ -49,8 +49,6 @@ fn in_time(compiled: &Compiled, count: usize) -> Vec<Pose> {
     mechanism.cycles.clear();
     mechanism.criticals.clear();
     mechanism.powers = None;
-    // a run that is ended by a condition ends there
-    mechanism.events.retain(|event| event.ends);
     let plan = plan(&mechanism, &compiled.structure);
     let model = Model { mechanism: &mechanism, structure: &compiled.structure, plan: &plan };
     solve(&model).map(|solution| solution.poses).unwrap_or_default()
@@ -87,20 +85,24 @@ impl Way {
         if let [drive] = mechanism.drives.as_mut_slice() {
             drive.positions = Positions::Range { from: self.from.clone(), to: self.to.clone(), steps };
         }
-        // only positions are asked
-        mechanism.finds.clear();
-        mechanism.expects.clear();
-        mechanism.quantities.clear();
-        mechanism.poses.clear();
-        mechanism.loads.clear();
-        mechanism.cycles.clear();
-        mechanism.flywheels.clear();
-        mechanism.criticals.clear();
-        mechanism.powers = None;
+        only_positions(&mut mechanism);
         let Effects { moving, timed, .. } = compiled.plan.effects;
         let effects = Effects { moving, timed, ..Effects::default() };
         let plan = plan_with(&mechanism, &compiled.structure, effects);
         let model = Model { mechanism: &mechanism, structure: &compiled.structure, plan: &plan };
         solve(&model).map(|solution| solution.poses).unwrap_or_default()
     }
+}
+
+/// Nothing but positions is asked.
+pub(super) fn only_positions(mechanism: &mut Mechanism) {
+    mechanism.finds.clear();
+    mechanism.expects.clear();
+    mechanism.quantities.clear();
+    mechanism.poses.clear();
+    mechanism.loads.clear();
+    mechanism.cycles.clear();
+    mechanism.flywheels.clear();
+    mechanism.criticals.clear();
+    mechanism.powers = None;
 }

@@ -2,10 +2,11 @@
 
 use super::compile::{Compiled, Origin, plan_mechanism};
 use super::quick_rows::QuickRows;
-use super::solved::{Solved, solve_within};
+use super::solved::{Solved, solve_conducted};
 use assur_check as check;
 use assur_check::{Overrides, Row, Template};
 use assur_model::structure::Structure;
+use assur_solve::solve::{Conduct, Watch};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use std::sync::Arc;
@@ -19,6 +20,8 @@ pub struct VariantSolver<'a> {
     structure: Option<Structure>,
     /// The accuracy that is wanted.
     within: Option<f64>,
+    /// How motions under loads are integrated.
+    conduct: Conduct<'a>,
     /// What rows have in common where they differ in numbers alone.
     quick: Quick,
     /// The last row that was solved as a whole.
@@ -44,13 +47,20 @@ impl<'a> VariantSolver<'a> {
     pub fn new(document: &'a Arc<Document>, overrides: &'a Overrides) -> Self {
         let template = Template::new(document, overrides);
         let (structure, within, quick, last) = (None, None, Quick::After(0), None);
-        Self { document, overrides, template, structure, within, quick, last }
+        let conduct = Conduct::default();
+        Self { document, overrides, template, structure, within, conduct, quick, last }
     }
 
     /// With settings that keep an accuracy, row by row.
     #[must_use]
     pub fn within(self, within: Option<f64>) -> Self {
         Self { within, ..self }
+    }
+
+    /// With motions under loads that are told of.
+    #[must_use]
+    pub fn watched(self, watch: &'a Watch<'a>) -> Self {
+        Self { conduct: Conduct { watch: Some(watch), ..self.conduct }, ..self }
     }
 
     /// The mechanism of a row with its structure and its plan, and all that was found on the way.
@@ -88,7 +98,7 @@ impl<'a> VariantSolver<'a> {
             return (self.last.as_ref(), problems);
         }
         match &mut self.quick {
-            Quick::Rows(quick) => quick.solve(),
+            Quick::Rows(quick) => quick.solve(&self.conduct),
             Quick::After(_) | Quick::None => (None, Problems::new()),
         }
     }
@@ -125,7 +135,7 @@ impl<'a> VariantSolver<'a> {
     pub fn solve(&mut self, row: &Row) -> (Option<Solved>, Problems) {
         let (compiled, mut problems) = self.compile(row);
         let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
-        let (solved, found) = solve_within(compiled, self.within);
+        let (solved, found) = solve_conducted(compiled, self.within, &self.conduct);
         problems.append(found);
         (solved.ok(), problems)
     }

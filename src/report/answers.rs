@@ -51,6 +51,11 @@ pub(super) const NONE: &str = "—";
 impl<'a> Answers<'a> {
     /// The poses that are reported: all but those that an `expect` adds.
     pub fn poses(&self) -> impl Iterator<Item = &'a Pose> + use<'a> {
+        self.asked_for().filter(|pose| pose.is_position())
+    }
+
+    /// The same with what says that a motion missed its accuracy.
+    pub fn asked_for(&self) -> impl Iterator<Item = &'a Pose> + use<'a> {
         self.solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)))
     }
 

@@ -1,8 +1,10 @@
-//! Error against time, both logarithmic, one line per kind of setting: a drawing in SVG.
+//! Error against time, both logarithmic, one line per kind of setting or method: a drawing in SVG.
 
 use assur_drawing::{Drawing, Label, Level, Shape, Style, Text, Theme};
 use assur_math::math::Vec2;
 use assur_solve::measure::accuracy::{AccuracyStudy, Kind, Setting};
+use assur_solve::measure::{MethodStudy, RunRow, RunStudy};
+use assur_solve::solve::Method;
 use assur_text::units::significant;
 
 /// The frame of the axes, mm; y of paper points down.
@@ -84,43 +86,144 @@ const fn line_of(kind: Kind) -> Option<Style> {
     }
 }
 
-/// A sign of its own for each kind, about a place.
-fn sign(drawing: &mut Drawing, kind: Kind, at: Vec2) {
+/// The shape of a sign.
+#[derive(Clone, Copy)]
+enum Sign {
+    Circle,
+    Up,
+    Down,
+    Square,
+    Diamond,
+}
+
+/// What a kind of setting is drawn with.
+const fn sign_of(kind: Kind) -> (Style, Sign) {
+    match kind {
+        Kind::Scalar => (Style::BlueDot, Sign::Circle),
+        Kind::Friction => (Style::VermilionDot, Sign::Up),
+        Kind::Newton => (Style::GreenDot, Sign::Square),
+        Kind::Triad => (Style::Solid, Sign::Diamond),
+        Kind::Samples => (Style::BlueDot, Sign::Down),
+        Kind::Root => (Style::Hinge, Sign::Circle),
+    }
+}
+
+/// A sign about a place.
+fn mark(drawing: &mut Drawing, (style, sign): (Style, Sign), at: Vec2) {
     let corners =
         |all: &[(f64, f64)]| Shape::polygon(all.iter().map(|(x, y)| at + Vec2::new(*x, *y) * SIGN).collect());
-    let circle = Shape::Circle { centre: at, radius: SIGN };
-    let (style, shape) = match kind {
-        Kind::Scalar => (Style::BlueDot, circle),
-        Kind::Friction => (Style::VermilionDot, corners(&[(0.0, -1.2), (1.1, 0.9), (-1.1, 0.9)])),
-        Kind::Newton => (Style::GreenDot, corners(&[(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])),
-        Kind::Triad => (Style::Solid, corners(&[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)])),
-        Kind::Samples => (Style::BlueDot, corners(&[(0.0, 1.2), (1.1, -0.9), (-1.1, -0.9)])),
-        Kind::Root => (Style::Hinge, circle),
+    let shape = match sign {
+        Sign::Circle => Shape::Circle { centre: at, radius: SIGN },
+        Sign::Up => corners(&[(0.0, -1.2), (1.1, 0.9), (-1.1, 0.9)]),
+        Sign::Square => corners(&[(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]),
+        Sign::Diamond => corners(&[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)]),
+        Sign::Down => corners(&[(0.0, 1.2), (1.1, -0.9), (-1.1, -0.9)]),
     };
     drawing.mark(style, shape);
 }
 
-/// Places of a kind's settings: time and error.
-fn points(knob: &Setting) -> impl Iterator<Item = (f64, f64)> {
-    knob.rows.iter().filter_map(|r| Some((r.micros, r.error?.max(1e-34))))
+/// One line of the diagram.
+struct Series<'s> {
+    name: String,
+    /// What stands below its name.
+    below: String,
+    /// Between its points, where there is something.
+    line: Option<Style>,
+    sign: (Style, Sign),
+    /// Time, µs, and error.
+    points: Vec<(f64, f64)>,
+    /// Names of the points, where they are named.
+    names: Vec<&'s str>,
+}
+
+/// Errors below are drawn there.
+const LEAST: f64 = 1e-34;
+
+fn of_knob(knob: &Setting) -> Series<'_> {
+    let per = if knob.kind.per_cycle() { "per cycle" } else { "per position" };
+    let known: Vec<_> = knob.rows.iter().filter_map(|r| Some((r, r.error?.max(LEAST)))).collect();
+    let below = match knob.rows.as_slice() {
+        [first, .., last] if knob.kind != Kind::Scalar => {
+            format!("{} … {}, {per}", first.setting, last.setting)
+        }
+        _ => per.to_owned(),
+    };
+    let names = known.iter().map(|(row, _)| row.setting.as_str()).filter(|_| knob.kind == Kind::Scalar);
+    Series {
+        name: knob.kind.name().to_owned(),
+        below,
+        line: line_of(knob.kind),
+        sign: sign_of(knob.kind),
+        points: known.iter().map(|(row, error)| (row.micros, *error)).collect(),
+        names: names.collect(),
+    }
+}
+
+/// The error that is left, and the one that is reported, by one method.
+fn of_method(study: &MethodStudy) -> [Series<'static>; 2] {
+    let (name, line, sign, dots) = match study.asked {
+        None => ("as solve does it", Style::VelocityPart, (Style::BlueDot, Sign::Circle), Style::Way),
+        Some(Method::Radau) => {
+            ("Radau IIA", Style::AccelerationPart, (Style::VermilionDot, Sign::Up), Style::UnknownPart)
+        }
+        Some(_) => ("DOP853", Style::Curve3, (Style::GreenDot, Sign::Square), Style::Ghost),
+    };
+    let range = match study.rows.as_slice() {
+        [first, .., last] => format!("within {:.0e} … {:.0e}", first.within, last.within),
+        [only] => format!("within {:.0e}", only.within),
+        [] => String::new(),
+    };
+    let points = |error: fn(&RunRow) -> f64| {
+        let finite = study.rows.iter().map(|row| (row.micros, error(row).max(LEAST)));
+        finite.filter(|point| point.1.is_finite()).collect()
+    };
+    [
+        Series {
+            name: name.to_owned(),
+            below: range,
+            line: Some(line),
+            sign,
+            points: points(|row| row.error),
+            names: Vec::new(),
+        },
+        Series {
+            name: "the error it reports".to_owned(),
+            below: String::new(),
+            line: Some(dots),
+            sign: (Style::Hinge, sign.1),
+            points: points(|row| row.reported),
+            names: Vec::new(),
+        },
+    ]
 }
 
 /// The diagram of a study; `None` where nothing can be set.
 #[must_use]
 pub fn svg(title: &str, study: &AccuracyStudy) -> Option<String> {
-    let all = || study.knobs.iter().flat_map(points);
-    let x = Axis::over(all().map(|p| p.0), 0.0, WIDTH)?;
-    let y = Axis::over(all().map(|p| p.1), 0.0, -HEIGHT)?;
     let kinds: Vec<&str> = study.knobs.iter().map(|k| k.kind.name()).collect();
-    let description =
-        format!("Greatest relative error against time in µs, both logarithmic, for {}.", kinds.join(", "));
+    let all: Vec<Series<'_>> = study.knobs.iter().map(of_knob).collect();
+    drawn(title, &format!("for {}", kinds.join(", ")), &all)
+}
+
+/// The work–precision diagram of a motion under loads; `None` where it has no point.
+#[must_use]
+pub fn of_runs(title: &str, study: &RunStudy) -> Option<String> {
+    let all: Vec<Series<'_>> = study.methods.iter().flat_map(of_method).collect();
+    drawn(title, "of the whole motion, true and reported", &all)
+}
+
+fn drawn(title: &str, of: &str, all: &[Series<'_>]) -> Option<String> {
+    let points = || all.iter().flat_map(|series| series.points.iter().copied());
+    let x = Axis::over(points().map(|p| p.0), 0.0, WIDTH)?;
+    let y = Axis::over(points().map(|p| p.1), 0.0, -HEIGHT)?;
+    let description = format!("Greatest relative error against time in µs, both logarithmic, {of}.");
     let mut drawing = Drawing::new("accuracy", format!("{title}: error against time"), description);
     written(&mut drawing, title, TITLE, Vec2::new(0.0, -HEIGHT - 11.0), Vec2::new(1.0, 0.0));
     axes(&mut drawing, &x, &y);
-    for knob in &study.knobs {
-        series(&mut drawing, knob, &x, &y);
+    for line in all {
+        series(&mut drawing, line, &x, &y);
     }
-    legend(&mut drawing, study);
+    legend(&mut drawing, all);
     Some(drawing.placed().svg(Theme::Auto))
 }
 
@@ -152,39 +255,30 @@ fn axes(drawing: &mut Drawing, x: &Axis, y: &Axis) {
     written(drawing, "greatest error, relative", WORDS, Vec2::new(0.0, -HEIGHT - 3.0), Vec2::new(1.0, 0.0));
 }
 
-fn series(drawing: &mut Drawing, knob: &Setting, x: &Axis, y: &Axis) {
-    drawing.begin("series", knob.kind.name());
-    let places: Vec<Vec2> = points(knob).map(|p| Vec2::new(x.place(p.0), y.place(p.1))).collect();
-    if let (Some(style), true) = (line_of(knob.kind), places.len() > 1) {
+fn series(drawing: &mut Drawing, line: &Series<'_>, x: &Axis, y: &Axis) {
+    drawing.begin("series", &line.name);
+    let places: Vec<Vec2> = line.points.iter().map(|p| Vec2::new(x.place(p.0), y.place(p.1))).collect();
+    if let (Some(style), true) = (line.line, places.len() > 1) {
         drawing.mark(style, Shape::Lines { points: places.clone(), closed: false });
     }
     for at in &places {
-        sign(drawing, knob.kind, *at);
+        mark(drawing, line.sign, *at);
     }
-    if knob.kind == Kind::Scalar {
-        let known = knob.rows.iter().filter(|r| r.error.is_some());
-        for (row, at) in known.zip(&places) {
-            let side = Vec2::new(if at.x > 0.8 * WIDTH { -1.0 } else { 1.0 }, 0.0);
-            let text = Text::upright(&row.setting);
-            drawing.label(Label::at(text, NUMBERS, *at, SIGN).towards(side).ranked(1));
-        }
+    for (name, at) in line.names.iter().zip(&places) {
+        let side = Vec2::new(if at.x > 0.8 * WIDTH { -1.0 } else { 1.0 }, 0.0);
+        drawing.label(Label::at(Text::upright(name), NUMBERS, *at, SIGN).towards(side).ranked(1));
     }
     drawing.end();
 }
 
-fn legend(drawing: &mut Drawing, study: &AccuracyStudy) {
+fn legend(drawing: &mut Drawing, all: &[Series<'_>]) {
     let right = Vec2::new(1.0, 0.0);
-    for (i, knob) in study.knobs.iter().enumerate() {
+    for (i, line) in all.iter().enumerate() {
         let at = Vec2::new(WIDTH + LEGEND, -HEIGHT + 3.0 + LINE * i as f64);
-        sign(drawing, knob.kind, at);
-        written(drawing, knob.kind.name(), WORDS, at + right * 2.0, right);
-        let settings: Vec<&str> = knob.rows.iter().map(|r| r.setting.as_str()).collect();
-        let range = match settings.as_slice() {
-            [first, .., last] if knob.kind != Kind::Scalar => format!("{first} … {last}"),
-            _ => String::new(),
-        };
-        let per = if knob.kind.per_cycle() { "per cycle" } else { "per position" };
-        let below = if range.is_empty() { per.to_owned() } else { format!("{range}, {per}") };
-        written(drawing, &below, NUMBERS, at + Vec2::new(2.0, 4.6), right);
+        mark(drawing, line.sign, at);
+        written(drawing, &line.name, WORDS, at + right * 2.0, right);
+        if !line.below.is_empty() {
+            written(drawing, &line.below, NUMBERS, at + Vec2::new(2.0, 4.6), right);
+        }
     }
 }

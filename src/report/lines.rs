@@ -90,7 +90,7 @@ impl CsvLines {
             {
                 push_row(out, row, FULL);
             }
-            _ => self.columns.write_beside(answers, pose, &self.whole, (FULL, false), out),
+            _ => self.columns.write_beside(answers, pose, &self.whole, (FULL, None), out),
         }
         out.extend_from_slice(LINE_END.as_bytes());
     }

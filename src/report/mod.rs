@@ -19,6 +19,7 @@ mod expectations;
 mod friction;
 pub mod grade;
 pub mod json;
+mod key;
 mod latex;
 pub mod lines;
 pub mod manual;
@@ -34,6 +35,7 @@ mod replacement;
 mod results;
 mod row_numbers;
 pub mod rows;
+mod run_tradeoff;
 mod sections;
 mod simulation;
 #[doc(hidden)]
@@ -48,6 +50,7 @@ pub use brief::brief;
 pub use element::full as full_table;
 pub use page::Page;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
+pub use run_tradeoff::{of_run_study, run_study_json};
 pub use tradeoff::{of_study, study_json};
 
 use assur_solve::measure::Costs;

@@ -213,6 +213,6 @@ fn drives_in_words(answers: &Answers<'_>, pose: &Pose) -> String {
 
 /// Each names its pose itself.
 fn failures(answers: &Answers<'_>) -> Vec<String> {
-    let failed = answers.poses().filter_map(|pose| pose.outcome.as_ref().err());
+    let failed = answers.asked_for().filter_map(|pose| pose.outcome.as_ref().err());
     failed.map(|why| failure(&answers.model, why).to_string()).collect()
 }

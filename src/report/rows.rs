@@ -3,15 +3,18 @@
 use super::answers::{Answers, pose_header, with_unit};
 use super::csv;
 use super::reactions::moment;
+use super::simulation;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
 use assur_solve::solve::{
-    DriveValue, JointReaction, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions,
+    DriveValue, Greatest, JointReaction, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions,
 };
 use assur_text::units::{Dimension, push_significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
 pub const FULL: usize = 15;
+/// In a key an answer is 0 below this part of what is large for it.
+const ROUNDING: f64 = 1e-12;
 
 /// What a column shows, or two for a vector.
 #[derive(Clone, Debug)]
@@ -38,9 +41,13 @@ pub(super) struct Answer {
 /// The columns of the answers of a file: drives, quantities, what needs no pose, reactions where they are asked for.
 #[derive(Clone, Debug)]
 pub struct AnswerColumns {
-    drives: usize,
+    pub(super) drives: usize,
     /// Heads the column of poses, or of instants.
     pose: String,
+    /// They are of a motion under loads.
+    moves: bool,
+    /// A column says which events happen at an instant.
+    events: bool,
     pub(super) answers: Vec<Answer>,
     /// Every reaction among them has a place, whatever the values of the givens.
     pub(super) placed: bool,
@@ -51,6 +58,10 @@ impl AnswerColumns {
     #[must_use]
     pub fn of(model: &Model<'_>) -> Self {
         let mut columns = Self::with_moments(model, false);
+        // a reaction that is asked for by its own name, too, has one column
+        let names: Vec<String> = columns.names().collect();
+        let mut places = 0..;
+        columns.answers.retain(|a| places.next().is_some_and(|i| !names[..i].contains(&a.name)));
         // with other values a reaction may be made up of others, as where nothing rubs any more
         for answer in &mut columns.answers {
             if let Content::Reaction(_, _, joints) | Content::Moment(_, _, joints) = &mut answer.content {
@@ -104,7 +115,9 @@ impl AnswerColumns {
         // without transmissions and open bearings nothing is left open
         let open = mechanism.pairs.iter().any(|pair| pair.bearing == Some(Bearing::Open));
         let pose = pose_header(mechanism);
-        Self { drives, pose, answers, placed: !open && model.plan.laws.is_empty() }
+        let events = simulation::names_events(mechanism);
+        let moves = mechanism.simulation.is_some();
+        Self { drives, pose, moves, events, answers, placed: !open && model.plan.laws.is_empty() }
     }
 
     /// Those of one file alone: without the reactions that depend on a place that the file leaves open.
@@ -125,6 +138,24 @@ impl AnswerColumns {
         &self.pose
     }
 
+    /// Whether they are of a motion under loads.
+    #[must_use]
+    pub const fn moves(&self) -> bool {
+        self.moves
+    }
+
+    /// Whether a column says which events happen at an instant.
+    #[must_use]
+    pub const fn names_events(&self) -> bool {
+        self.events
+    }
+
+    /// The events that happen at the instant of a pose, where a column says so.
+    #[must_use]
+    pub fn events_at(&self, answers: &Answers<'_>, pose: &Pose) -> Option<String> {
+        self.events.then(|| simulation::events_at(answers, pose).unwrap_or_default())
+    }
+
     /// The headers: names with units in brackets, `.x` and `.y` for the components of vectors. Without the drives for an
     /// answer key.
     #[must_use]
@@ -136,7 +167,8 @@ impl AnswerColumns {
     /// Writes the answers at a pose, each with a comma before it; empty where there is none.
     pub fn write(&self, answers: &Answers<'_>, pose: &Pose, digits: usize, key: bool, out: &mut String) {
         let mut line = Vec::new();
-        self.write_beside(answers, pose, &self.whole(answers), (digits, key), &mut line);
+        let greatest = key.then(|| answers.greatest());
+        self.write_beside(answers, pose, &self.whole(answers), (digits, greatest.as_ref()), &mut line);
         out.push_str(std::str::from_utf8(&line).unwrap_or_default());
     }
 
@@ -157,17 +189,21 @@ impl AnswerColumns {
         self.answers.iter().map(value).collect()
     }
 
-    /// As [`AnswerColumns::write`], with what needs no pose known; a text in bytes.
+    /// As [`AnswerColumns::write`], with what needs no pose known; a text in bytes. An answer key has what its quantities are large
+    /// against: what is rounding is 0 in it.
     pub fn write_beside(
         &self,
         answers: &Answers<'_>,
         pose: &Pose,
         whole: &[Option<Value>],
-        (digits, key): (usize, bool),
+        (digits, key): (usize, Option<&Greatest>),
         out: &mut Vec<u8>,
     ) {
-        let from = if key { self.drives } else { 0 };
-        self.each_value(from, answers, pose, whole, |answer, value| answer.write(value, digits, out));
+        let from = if key.is_some() { self.drives } else { 0 };
+        self.each_value(from, answers, pose, whole, |answer, value| {
+            let value = key.map_or(value, |greatest| answer.cleared(value, greatest));
+            answer.write(value, digits, out);
+        });
     }
 
     /// The names of the answers, drives first.
@@ -298,6 +334,18 @@ impl Answer {
     pub(super) fn columns(&self) -> impl Iterator<Item = String> {
         let parts: &[&str] = if self.vector { &[".x", ".y"] } else { &[""] };
         parts.iter().map(|part| format!("{}{part}", self.name))
+    }
+
+    /// Without what is rounding.
+    pub(super) fn cleared(&self, value: Option<Value>, greatest: &Greatest) -> Option<Value> {
+        let large = greatest.in_si(self.display.dimension);
+        // nothing is large where no place and no force is known
+        let clear = |x: f64| if large.is_finite() && x.abs() <= ROUNDING * large { 0.0 } else { x };
+        Some(match value? {
+            Value::Scalar(x) => Value::Scalar(clear(x)),
+            Value::Vector(v) => Value::Vector(Vec2::new(clear(v.x), clear(v.y))),
+            truth @ Value::Bool(_) => truth,
+        })
     }
 
     #[inline]

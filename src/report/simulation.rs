@@ -3,7 +3,7 @@
 use super::accuracy::order_of;
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
-use assur_model::model::{Mechanism, Value};
+use assur_model::model::{DriveTarget, Mechanism, Value};
 use assur_solve::solve::{Method, Pose, SimulationReport};
 use assur_text::units::{Dimension, significant};
 
@@ -56,12 +56,24 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     }
     let instant =
         |t: f64| format!("{} {}", time.figures(Value::Scalar(t), answers.precision.digits), time.unit);
-    let lasting = |rest: &&(f64, Option<f64>)| rest.1.is_none_or(|end| end - rest.0 > TOUCH * run.end);
-    for (begin, end) in run.rests.iter().filter(lasting).take(MOST) {
-        section.text(match end {
-            Some(end) => format!("held at rest by friction from {} to {}", instant(*begin), instant(*end)),
-            None => format!("held at rest by friction from {} on", instant(*begin)),
-        });
+    let lasts = |(begin, end): (f64, Option<f64>), what: &str| match end {
+        Some(end) => format!("{what} from {} to {}", instant(begin), instant(end)),
+        None => format!("{what} from {} on", instant(begin)),
+    };
+    let name = |pair| &mechanism.pair(pair).name;
+    let all = run.rests.iter().map(|rest| (*rest, "held at rest by friction".to_owned()));
+    let each = run
+        .held
+        .iter()
+        .map(|(pair, begin, end)| ((*begin, *end), format!("{} held by friction", name(*pair))));
+    let long = |rest: &(f64, Option<f64>)| rest.1.is_none_or(|end| end - rest.0 > TOUCH * run.end);
+    for (rest, what) in all.chain(each).filter(|(rest, _)| long(rest)).take(MOST) {
+        section.text(lasts(rest, &what));
+    }
+    for (stop, times) in mechanism.stops.iter().zip(&run.closed) {
+        for rest in times.iter().take(MOST) {
+            section.text(lasts(*rest, &format!("{} rests on its stop", name(stop.pair))));
+        }
     }
     report.section(section);
 }
@@ -85,6 +97,14 @@ pub(super) fn lines(answers: &Answers<'_>) -> Vec<String> {
             significant(report.within, DIGITS)
         ),
     ];
+    if let Some(steady) = report.steady {
+        lines.push(format!(
+            "the motion comes again after {} s: found by following {} periods, its begin to {}",
+            significant(steady.period, answers.precision.digits),
+            steady.trials,
+            order(steady.error)
+        ));
+    }
     if let Some(energy) = report.energy {
         lines.push(format!(
             "kinetic energy {} J at the begin, {} J at the end; work of all loads {} J; missing {} of the greatest",
@@ -95,7 +115,45 @@ pub(super) fn lines(answers: &Answers<'_>) -> Vec<String> {
         ));
     }
     lines.extend(condition(report));
+    lines.extend(changes(answers.model.mechanism, report));
+    lines.extend(crossed(report));
     lines
+}
+
+/// The other coordinates that were taken near dead positions.
+fn changes(mechanism: &Mechanism, report: &SimulationReport) -> Option<String> {
+    let shown = report.changes.iter().take(MOST).map(|(time, targets)| {
+        let names: Vec<&str> = coordinates(mechanism, targets).collect();
+        format!("{} from {} s", names.join(" and "), significant(*time, DIGITS))
+    });
+    let shown: Vec<String> = shown.collect();
+    let more = report.changes.len() - shown.len();
+    let more = if more > 0 { format!(", and {more} times more") } else { String::new() };
+    (!shown.is_empty()).then(|| format!("other coordinates near dead positions: {}{more}", shown.join(", ")))
+}
+
+/// The change points that were passed, each before the instant that is shown.
+fn crossed(report: &SimulationReport) -> Option<String> {
+    let shown = report.crossed.iter().take(MOST).map(|time| format!("{} s", significant(*time, DIGITS)));
+    let shown: Vec<String> = shown.collect();
+    let more = report.crossed.len() - shown.len();
+    let more = if more > 0 { format!(" and {more} times more") } else { String::new() };
+    let line = format!(
+        "change points passed before {}{more}, where the links could go on in two ways: they go on smoothly",
+        shown.join(", ")
+    );
+    (!shown.is_empty()).then_some(line)
+}
+
+/// The names of coordinates.
+pub(super) fn coordinates<'m>(
+    mechanism: &'m Mechanism,
+    targets: &'m [DriveTarget],
+) -> impl Iterator<Item = &'m str> {
+    targets.iter().map(|target| match target {
+        DriveTarget::Link(link) | DriveTarget::Point(link, _) => mechanism.link(*link).name.as_str(),
+        DriveTarget::Pair(pair) => mechanism.pair(*pair).name.as_str(),
+    })
 }
 
 /// The least condition on the way, where it is not that of one position alone.
@@ -110,6 +168,7 @@ fn condition(report: &SimulationReport) -> Option<String> {
 pub(super) const fn method(method: Method) -> &'static str {
     match method {
         Method::Dop853 => "DOP853",
+        Method::Energy => "energy and quadrature",
         Method::Radau => "Radau IIA of order 5, from where DOP853 was held up",
     }
 }

@@ -13,7 +13,7 @@ use assur_solve::solve::Model;
 use assur_text::units::significant;
 
 /// Name and version of the format.
-const SCHEMA: &str = "assur.accuracy/1";
+pub(super) const SCHEMA: &str = "assur.accuracy/1";
 
 /// The output of `accuracy`. `solve` is the time of a whole `assur solve`, µs.
 #[must_use]

@@ -16,6 +16,7 @@ mod number_cases;
 mod positions;
 mod powers;
 mod quick_rows;
+mod run_accuracy;
 mod simulation;
 mod torsion_springs;
 mod unit;

@@ -378,3 +378,88 @@ fn rows_are_the_files_with_their_values() {
         }
     }
 }
+
+/// Rates of a drive that follows an expression of time are its derivatives.
+#[test]
+fn a_drive_of_time_moves_at_its_derivatives() {
+    let expressions = [
+        "sin(3 rad/s*time)*cos(2 rad/s*time)",
+        "tan(0.9 rad/s*time)/(2 + time^2/1 s^2)",
+        "sqrt(1 + time/1 s) - exp(-time/0.5 s)*log(2 + time/1 s)",
+        "atan(2*time/1 s)/1 rad + asin(0.8*sin(time*1 rad/s))/1 rad - acos(0.5*time/1 s)/1 rad",
+        "atan2(1 + time/1 s, 2 - time^2/1 s^2)/1 rad",
+        "(1.5 + time/1 s)^(2 - time/1 s) + (1 + time/1 s)^3 - (2 + time/1 s)^(-0.5)",
+        "max(time/1 s, 0.3 + 0.2*time/1 s)*abs(time/1 s - 3) + min(2, 3 - time/1 s)",
+        "c(time) + slope(c(time))*0.1 s",
+    ];
+    for expression in expressions {
+        let text = format!(
+            "ground {{ O (0, 0); line rail through O along 0 deg }}
+             curve c {{
+               t [s], x
+               0, 0.1
+               0.4, 0.5
+               0.7, 0.2
+               1, 0.9
+             }}
+             link cart {{ A (0, 0) }}
+             link bob A-B 1 m {{ mass 1 kg at B; inertia 0.01 kg*m^2 }}
+             prismatic G: cart.A - ground.rail
+             revolute A: cart - bob
+             drive G = 100 mm*({expression})
+             start bob = -80 deg
+             simulate 1 s in 1000 steps within 1e-3
+             find x = displacement(G), v = relative_velocity(G), a = relative_acceleration(G)"
+        );
+        let solution = assur::solve(&text).unwrap_or_else(|e| panic!("{expression}: {e}"));
+        let poses = solution.poses();
+        let at = |i: usize, name: &str| poses[i][name].number().unwrap_or(f64::NAN);
+        let h = 1e-3;
+        let mut compared = 0;
+        for i in (20..980).step_by(37) {
+            let v = (at(i + 1, "x") - at(i - 1, "x")) / (2.0 * h);
+            let a = (at(i + 1, "v") - at(i - 1, "v")) / (2.0 * h);
+            // where pieces meet the difference of both sides is not the derivative of either
+            let jumps = (at(i + 1, "a") - at(i - 1, "a")).abs() > 0.1;
+            if !jumps {
+                assert!((v - at(i, "v")).abs() < 1e-4, "{expression} at {i}: {v} and {}", at(i, "v"));
+                assert!((a - at(i, "a")).abs() < 1e-3, "{expression} at {i}: {a} and {}", at(i, "a"));
+                compared += 1;
+            }
+        }
+        assert!(compared > 15, "{expression}: {compared}");
+    }
+}
+
+/// A cylinder that rolls in a trough, to and fro: its slope is that of a pendulum with the inertia of the rolling beside its mass.
+#[test]
+fn what_friction_holds_rolls_on_a_round_floor() {
+    let text = "gravity 9.81 m/s^2
+ground { O (0, 0); circle trough centre O radius 1 m }
+link frame O-F 500 mm { line out through F along 0 deg }
+link ball { W (0, 0); circle rim centre W radius 100 mm; mass 6 kg at W; inertia 0.03 kg*m^2 }
+revolute O: ground - frame
+slot     H: ball.W - frame.out
+contact  K: ball.rim - ground.trough { internal; friction 0.4 }
+assemble ball.W near (0 mm, -900 mm)
+start frame = -60 deg
+start ball = 0 deg
+simulate 2 s in 20 steps within 1e-11
+find omega(frame), omega(ball), angle(frame), normal(K, ball), friction(K, ball), sticks(K)
+";
+    let run = solved(text, &Overrides::none());
+    let mut swings = false;
+    for pose in &run.solution.poses {
+        let state = &pose.outcome.as_ref().unwrap().state;
+        let [frame, ball] = [1, 2].map(|i| &state.motion.bodies[i]);
+        // (m + J/r^2) (R - r) phi'' = -m g sin phi, and the energy of it
+        let sine = frame.u.x;
+        let alpha = -6.0 * 9.81 * sine / (9.0 * 0.9);
+        assert!((frame.alpha - alpha).abs() < 1e-9, "{} {alpha}", frame.alpha);
+        let square = 2.0 * 6.0 * 9.81 * (-frame.u.y - 0.75_f64.sqrt()) / (9.0 * 0.9);
+        assert!((frame.omega * frame.omega - square).abs() < 1e-9, "{} {square}", frame.omega);
+        assert!((ball.omega + 9.0 * frame.omega).abs() < 1e-9, "{} {}", ball.omega, frame.omega);
+        swings |= frame.omega > 1.0;
+    }
+    assert!(swings);
+}

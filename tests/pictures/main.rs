@@ -14,6 +14,7 @@ mod extreme;
 mod mutated;
 mod numbers;
 mod over_sweeps;
+mod over_time;
 mod random;
 mod scenes;
 mod without_script;

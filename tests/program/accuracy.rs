@@ -91,6 +91,49 @@ fn accuracy_is_measured() {
     assert!(rows.iter().all(|r| r["microseconds"].as_f64().unwrap() > 0.0));
 }
 
+const FALLING: &str = r#"mech 1
+mechanism "A bar that falls"
+gravity 9.81 m/s^2
+ground { A (0, 0) }
+link bar A-P 1 m { mass 1 kg at P; inertia 0 kg*m^2 }
+revolute A: ground - bar
+start bar = 0 deg
+simulate 1 s in 4 steps
+find angle(bar), omega(bar)
+"#;
+
+#[test]
+fn the_accuracy_of_a_motion_is_measured() {
+    let folder = Folder::new("accuracy-of-runs").with("a.mech", FALLING);
+    let out = assur(&folder, &["accuracy", "a.mech", "--for", "1e-6", "--plot", "a.svg"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    for part in [
+        "As `solve` does it: energy",
+        "DOP853",
+        "Radau IIA of order 5",
+        "in all runs",
+        "reported",
+        "Write `within 1e-",
+    ] {
+        assert!(out.stdout.contains(part), "{part}: {}", out.stdout);
+    }
+    let svg = folder.read("a.svg");
+    assert!(svg.starts_with("<svg") && svg.contains("time, µs") && svg.contains(">Radau IIA<"), "{svg}");
+    let out = assur(&folder, &["accuracy", "a.mech", "--format", "json"]);
+    let value: serde_json::Value = serde_json::from_str(&out.stdout).unwrap();
+    let knob = &value["knobs"][0];
+    assert_eq!((&value["positions"], &knob["name"], &knob["per"]), (&5.into(), &"run".into(), &"run".into()));
+    assert_eq!(value["reference"], "double-double");
+    let row = &knob["settings"][0];
+    assert!(
+        row["steps"].as_u64() > Some(0) && row["errors"]["angular velocities"].as_f64() > Some(0.0),
+        "{row}"
+    );
+    let out = assur(&folder, &["accuracy", "a.mech", "--for", "1e-18"]);
+    assert_eq!(out.status, 1);
+    assert!(out.stderr.contains("mech::accuracy::out_of_reach"), "{}", out.stderr);
+}
+
 #[test]
 fn accuracy_that_cannot_be_had_is_an_error() {
     let folder = Folder::new("beyond").with("a.mech", GOOD).with("b.mech", GOOD);

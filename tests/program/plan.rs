@@ -99,3 +99,20 @@ fn a_plan_says_what_its_steps_and_effects_cost() {
     assert!(out.stderr.contains("mech::assembly::does_not_close"), "{}", out.stderr);
     assert!(out.stdout.contains("Plan") && !out.stdout.contains("time [ns]"), "{}", out.stdout);
 }
+
+/// The cost of one position of a motion, with and without forces, with functions over the motion.
+#[test]
+fn a_plan_of_a_motion_has_its_cost() {
+    let simulation = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/simulation/");
+    let mut folder = Folder::new("plan_of_a_motion");
+    let names = ["andrews.mech", "door-closer.mech", "upright-pendulum.mech", "bouncing.mech"];
+    for name in names {
+        folder =
+            folder.with(name, &std::fs::read_to_string(format!("{simulation}{name}")).unwrap_or_default());
+    }
+    for name in names {
+        let out = assur(&folder, &["check", "--plan", name]);
+        assert_eq!((out.status, out.stderr.as_str()), (0, ""), "{name}");
+        assert!(out.stdout.contains("inertia") && out.stdout.contains("the plan"), "{name}: {}", out.stdout);
+    }
+}

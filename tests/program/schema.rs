@@ -122,7 +122,12 @@ fn marks_fit() {
 #[test]
 fn what_accuracy_costs_fits() {
     let schema = schema_of("accuracy-1.json");
-    let files = ["accuracy/four-bar", "accuracy/crank-slider-with-friction", "cycle/crank-slider"];
+    let files = [
+        "accuracy/four-bar",
+        "accuracy/crank-slider-with-friction",
+        "cycle/crank-slider",
+        "simulation/flap-in-oil",
+    ];
     for file in files.into_iter().chain(["general/class-iii-triad", "general/class-iv-group"]) {
         let file = format!("examples/{file}.mech");
         let value = serde_json::from_str(&printed(&["accuracy", &file, "--format", "json"])).unwrap();

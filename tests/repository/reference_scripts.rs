@@ -7,7 +7,7 @@ use std::process::Command;
 use std::sync::Mutex;
 
 /// Modules that other scripts import, and those that need the program (`answers.py`) or a folder.
-const NO_SCRIPTS: [&str; 12] = [
+const NO_SCRIPTS: [&str; 13] = [
     "answers.py",
     "dynamics.py",
     "exercise_set.py",
@@ -18,6 +18,7 @@ const NO_SCRIPTS: [&str; 12] = [
     "planar.py",
     "printing.py",
     "reader.py",
+    "sliding.py",
     "solution.py",
     "taylor.py",
 ];

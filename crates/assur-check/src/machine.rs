@@ -29,6 +29,7 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     balance::balances(cx);
     load::loads(cx);
     spring::springs(cx);
+    simulation::stops(cx);
     assemble::hints(cx);
     flywheel::flywheels(cx);
     simulation::simulation(cx);

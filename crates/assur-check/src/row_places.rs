@@ -153,6 +153,7 @@ impl<'d> Places<'d> {
             | Statement::Simulate(_)
             | Statement::Event(_)
             | Statement::Until(_)
+            | Statement::Stop(_)
             | Statement::Bad(_) => None,
         }
     }

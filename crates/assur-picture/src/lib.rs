@@ -5,6 +5,7 @@ mod animation;
 mod cam;
 mod diagram;
 mod error;
+mod event_marks;
 mod figures;
 mod forces;
 mod frame;

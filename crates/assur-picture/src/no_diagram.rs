@@ -100,10 +100,12 @@ impl NoDiagram {
         if let Some(simulation) = &mechanism.simulation {
             return Self::NoSweep {
                 what,
-                why: "the motion follows from the loads, and nothing is drawn over time yet",
+                why: "the motion follows from the loads, and it is drawn over a sweep alone",
                 at: Some(simulation.span),
                 label: "followed in time",
-                help: "print the answers instant by instant, with `assur solve FILE --format csv`".to_owned(),
+                help:
+                    "draw numbers over time, with `assur draw FILE plot`, or let a drive turn the mechanism"
+                        .to_owned(),
             };
         }
         let why = match cause {

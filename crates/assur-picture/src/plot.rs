@@ -1,17 +1,18 @@
-//! Numbers over the sweep: a panel per unit, curves told apart by dashes and colour, extremes as the solver finds them.
+//! Numbers over the sweep, or over time: a panel per unit, curves told apart by dashes and colour, extremes as the solver finds them.
 
 use crate::diagram::{
     Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, over_poses, printed, scaled, with_unit,
 };
 use crate::error::Missing;
-use crate::figures::unit_text;
+use crate::event_marks::marked_events;
+use crate::figures::{cleared, unit_text};
 use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use crate::words;
 use assur_drawing::{CURVES, Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Axis as Component, Display, Expr, FindKind, Value};
-use assur_solve::solve::courses;
+use assur_solve::solve::{OverTime, courses, over_time};
 
 /// Width of a panel, mm, and the height of one, two and more.
 const WIDTH: f64 = 150.0;
@@ -74,7 +75,7 @@ impl Curves {
 /// The plot of items of `find`, by their indices; of all that change where none is named.
 ///
 /// # Errors
-/// There is no sweep, or nothing to plot.
+/// There is neither a sweep nor a motion, or nothing to plot.
 pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Missing> {
     let items = items(scene, which);
     if items.is_empty() {
@@ -84,14 +85,7 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Mis
         )
         .into());
     }
-    let sets: Vec<Vec<Expr>> = items.iter().map(|item| vec![item.expr.clone()]).collect();
-    let found = courses(&scene.model, &scene.solution.statics, &sets)
-        .map_err(|cause| NoDiagram::no_sweep(scene, "plot", &cause))?;
-    let curves = items.iter().zip(found).map(|(item, found)| match found.as_deref() {
-        Ok([course]) => Curve::of(course),
-        _ => over_poses(scene, &item.expr),
-    });
-    let curves: Vec<Curve> = curves.collect();
+    let (curves, events) = curves(scene, &items)?;
     let mut groups: Vec<Group<'_>> = Vec::new();
     for (item, curve) in items.iter().zip(curves).filter(|(_, curve)| !curve.lines.is_empty()) {
         let fits = |g: &&mut Group<'_>| {
@@ -109,12 +103,35 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Mis
             NoDiagram::no_quantity(scene, "nothing that is asked for has a value over the sweep").into()
         );
     }
-    let title = format!("{}: {}", words::title(scene), listed(&items));
+    let title = format!("{}: {}", words::title(scene), listed(scene, &items));
     let mut drawing = Drawing::new(&words::id(scene, "plot"), title, String::new());
-    let (along, x) = panels(scene, &mut drawing, &groups);
+    let (along, x) = panels(scene, &mut drawing, &groups, &events);
     let all = groups.into_iter().flat_map(|group| group.shown);
     let all = all.map(|(item, curve)| (item.plain.clone(), item.display.clone(), curve)).collect();
     Ok((drawing, Curves { along, x, all }))
+}
+
+/// The curves of items; over a motion under loads with the instants of every event.
+fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>>), Missing> {
+    let exprs: Vec<Expr> = items.iter().map(|item| item.expr.clone()).collect();
+    match over_time(&scene.model, &exprs) {
+        Ok(None) => {}
+        Ok(Some(OverTime { courses, events })) => {
+            let large = |item: &Item| scene.greatest.in_si(item.display.dimension);
+            let curves = courses.into_iter().zip(items);
+            return Ok((curves.map(|(course, item)| Curve::in_time(course, large(item))).collect(), events));
+        }
+        // as the file itself does not
+        Err(_) => return Err(NoDiagram::no_quantity(scene, "the motion does not begin").into()),
+    }
+    let sets: Vec<Vec<Expr>> = exprs.into_iter().map(|expr| vec![expr]).collect();
+    let found = courses(&scene.model, &scene.solution.statics, &sets)
+        .map_err(|cause| NoDiagram::no_sweep(scene, "plot", &cause))?;
+    let curves = items.iter().zip(found).map(|(item, found)| match found.as_deref() {
+        Ok([course]) => Curve::of(course),
+        _ => over_poses(scene, &item.expr),
+    });
+    Ok((curves.collect(), Vec::new()))
 }
 
 /// The numbers among the items of `find`; of a vector both components.
@@ -154,12 +171,18 @@ fn name(plain: &str) -> Text {
     Text { full: Some(plain.to_owned()), ..Text::upright(&(head + "…")) }
 }
 
-fn listed(items: &[Item]) -> String {
+fn listed(scene: &Scene<'_>, items: &[Item]) -> String {
     let names: Vec<&str> = items.iter().map(|item| item.plain.as_str()).collect();
-    format!("{} over the sweep", names.join(", "))
+    let over = if scene.mechanism().simulation.is_some() { "time" } else { "the sweep" };
+    format!("{} over {over}", names.join(", "))
 }
 
-fn panels(scene: &Scene<'_>, drawing: &mut Drawing, groups: &[Group<'_>]) -> (Display, Axis) {
+fn panels(
+    scene: &Scene<'_>,
+    drawing: &mut Drawing,
+    groups: &[Group<'_>],
+    events: &[Vec<f64>],
+) -> (Display, Axis) {
     let of_count = (groups.len() - 1).min(2);
     let height = HEIGHTS[of_count];
     let along = drive_axis(scene);
@@ -179,6 +202,7 @@ fn panels(scene: &Scene<'_>, drawing: &mut Drawing, groups: &[Group<'_>]) -> (Di
         let panel = Panel { top, size: Vec2::new(WIDTH, height), x, y };
         let below = is_last.then(|| with_unit(drive_label(scene), "", &along.unit));
         panel.draw(drawing, heading(group, &y), below);
+        marked_events(scene, drawing, &panel, (&along, events), i == 0);
         for ((item, curve), style) in group.shown.iter().zip(CURVES) {
             drawing.begin("curve", &item.plain);
             let lines: Vec<Line> =
@@ -237,8 +261,10 @@ fn extremes(
     if !curve.changes() {
         return;
     }
+    let large = largest(curve);
     for (extreme, towards) in [(curve.greatest, -1.0), (curve.least, 1.0)] {
         let Some((x, y)) = extreme else { continue };
+        let y = cleared(y, large);
         let at = panel.at(printed(along, x), printed(display, y));
         drawing.mark(Style::Solid, Shape::Circle { centre: at, radius: 0.7 });
         let text = format!("{} at {}", scene.value_text(display, y), scene.place_text(along, x));
@@ -247,9 +273,16 @@ fn extremes(
     }
 }
 
+/// The greatest magnitude on a curve: what is rounding beside it is 0.
+fn largest(curve: &Curve) -> f64 {
+    let (least, greatest) = curve.range();
+    least.abs().max(greatest.abs())
+}
+
 /// `Mb: least −261.8 N·m at 120°, greatest 61.2 N·m at 301°. `
 fn said(scene: &Scene<'_>, item: &Item, curve: &Curve, along: &Display) -> String {
-    let value = |y: f64| scene.value_text(&item.display, y);
+    let large = largest(curve);
+    let value = |y: f64| scene.value_text(&item.display, cleared(y, large));
     match (curve.least, curve.greatest) {
         (Some((x_1, y_1)), Some((x_2, y_2))) if curve.changes() => format!(
             "{}: least {} at {}, greatest {} at {}. ",

@@ -5,7 +5,7 @@ use assur_drawing::Text;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, GenevaPair, LinkId, Load, Mechanism, PairId, PairKind};
 use assur_solve::answer::PoseAnswers;
-use assur_solve::solve::{BodyState, Greatest, Model, Pose, Solution, Solved, State};
+use assur_solve::solve::{BodyState, DriveValue, Greatest, Model, Pose, Solution, Solved, State};
 
 /// One position of a solved problem.
 #[derive(Clone, Copy)]
@@ -55,6 +55,18 @@ impl<'a> Scene<'a> {
     #[must_use]
     pub const fn mechanism(&self) -> &'a Mechanism {
         self.model.mechanism
+    }
+
+    /// What its numbers run over: the instant of a motion under loads, else the value of the first drive.
+    #[must_use]
+    pub fn along(&self) -> Option<f64> {
+        if self.mechanism().simulation.is_some() {
+            return Some(self.solved.state.motion.time);
+        }
+        match self.pose.drives.first() {
+            Some(DriveValue::Scalar(x)) => Some(*x),
+            _ => None,
+        }
     }
 
     /// The position, seen from the language.

@@ -212,6 +212,14 @@ pub enum SyntaxError {
         help: String,
     },
 
+    #[error("an item of `find` is taken at all positions, and takes no `at`")]
+    #[diagnostic(code(mech::syntax::misplaced_member), help("{help}"))]
+    FindAt {
+        help: String,
+        #[label("not here")]
+        at: Span,
+    },
+
     #[error("`{found}` is not a statement")]
     #[diagnostic(code(mech::syntax::misplaced_member), help("{help}"))]
     MisplacedMember {

@@ -2,19 +2,16 @@
 
 use std::fs::File;
 use std::io::BufReader;
-use std::ops::Range;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-
-use rayon::prelude::*;
 
 use super::super::args::Format;
 use super::super::error::CliError;
 use super::super::reply::Status;
 use super::super::screen::Screen;
 use super::idle::Idle;
-use super::layout::{ERROR, Layout};
-use super::line::{Said, Written, write_row};
+use super::layout::{ERROR, EVENT, Layout};
+use super::line::Said;
 use super::progress::Progress;
 use super::rows::{Chunk, Rows};
 use super::sink::Sink;
@@ -32,16 +29,14 @@ use assur_text::source::Source;
 
 /// The first chunk of rows; it grows until a chunk takes its time.
 const FIRST_CHUNK: usize = 256;
+/// The same of motions under loads.
+const FIRST_MOTIONS: usize = 16;
 /// Rows in memory at the most.
 const LARGEST_CHUNK: usize = 8192;
 /// A chunk shorter than this is made larger.
 const SHORT: Duration = Duration::from_millis(40);
 /// Rows of one table to read.
 const TABLE_CHUNK: usize = 1000;
-/// Rows that one thread takes at a time, at least.
-const PIECE: usize = 32;
-/// The number of pieces of a large chunk.
-const PIECES: usize = 64;
 /// The number of rows that are explained of those that fail for one reason; the others are named.
 const EXPLAINED: usize = 3;
 const BUFFER: usize = 1 << 17;
@@ -58,7 +53,7 @@ pub struct Job {
     /// The accuracy that is wanted.
     within: Option<f64>,
     rows: Rows,
-    columns: Arc<[RowColumn]>,
+    pub(super) columns: Arc<[RowColumn]>,
     answers: Option<AnswerColumns>,
 }
 
@@ -160,7 +155,12 @@ impl Job {
 
     /// Solves its rows one after another.
     pub fn family(&self) -> VariantSolver<'_> {
-        VariantSolver::new(&self.document, &self.overrides).within(self.within)
+        VariantSolver::new(&self.document, &self.overrides).within(self.within).watched(&goes_on)
+    }
+
+    /// Whether it follows a motion under loads.
+    pub fn moves(&self) -> bool {
+        self.answers.as_ref().is_some_and(AnswerColumns::moves)
     }
 
     /// The headers of its lines.
@@ -173,6 +173,8 @@ impl Job {
         // an answer key is read by this name
         let pose = self.answers.as_ref().filter(|_| !key).map_or("pose", AnswerColumns::pose_header);
         headers.push(pose.to_owned());
+        let events = self.answers.as_ref().is_some_and(|answers| !key && answers.names_events());
+        headers.extend(events.then(|| EVENT.to_owned()));
         headers.extend(self.answers.iter().flat_map(|a| a.headers(key)));
         if !key {
             headers.push(ERROR.to_owned());
@@ -256,6 +258,11 @@ impl Job {
     }
 }
 
+/// A motion goes on until a signal comes.
+fn goes_on(_: f64, _: f64) -> bool {
+    !stop::wanted()
+}
+
 /// A job and what to write of it.
 pub struct Run<'a> {
     /// The job.
@@ -270,15 +277,6 @@ pub struct Run<'a> {
     pub screen: &'a Screen,
 }
 
-/// What rows gave.
-#[derive(Default)]
-struct Piece {
-    out: String,
-    key: String,
-    said: Vec<(usize, Said)>,
-    whole: bool,
-}
-
 impl<'r> Run<'r> {
     /// Solves all rows in parallel and writes them in order.
     pub fn all(&self, out: &mut Sink, key_out: &mut Option<Sink>) -> Result<Tally, CliError> {
@@ -289,7 +287,8 @@ impl<'r> Run<'r> {
         let key_places = self.key.and_then(|key| key.places(self.job));
         let name = &self.job.source.name;
         let fixed = self.format.is_read().then_some(TABLE_CHUNK);
-        self.job.each_chunk(FIRST_CHUNK, fixed, &mut |chunk, total| {
+        let first = if self.job.moves() { FIRST_MOTIONS } else { FIRST_CHUNK };
+        self.job.each_chunk(first, fixed, &mut |chunk, total| {
             let progress = progress.get_or_insert_with(|| Progress::new(name, total));
             let mut shown = String::new();
             let mut whole = true;
@@ -329,48 +328,6 @@ impl<'r> Run<'r> {
             tally.failed_row(0, "mech::table::empty");
         }
         Ok(tally)
-    }
-
-    fn chunk(&self, chunk: &Chunk<'_>, idle: &Idle<'r>) -> Vec<Piece> {
-        let size = (chunk.len() / PIECES).max(PIECE);
-        let pieces: Vec<Range<usize>> =
-            (0..chunk.len()).step_by(size).map(|start| start..(start + size).min(chunk.len())).collect();
-        let solved = |range| {
-            let mut family = idle.take().unwrap_or_else(|| self.job.family());
-            let piece = self.piece(&mut family, chunk, range);
-            idle.give(family);
-            piece
-        };
-        pieces.into_par_iter().map(solved).collect()
-    }
-
-    fn piece(&self, family: &mut VariantSolver<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
-        let mut piece = Piece { whole: true, ..Piece::default() };
-        let (mut head, mut cells, mut old) = (String::new(), Vec::new(), None);
-        for index in range {
-            if stop::wanted() {
-                piece.whole = false;
-                break;
-            }
-            let mut written = Written {
-                job: self.job,
-                format: self.format,
-                layout: self.layout,
-                key: self.key,
-                out: &mut piece.out,
-                key_out: &mut piece.key,
-                head: &mut head,
-                cells: &mut cells,
-            };
-            piece.said.push(match chunk.get(index, &self.job.columns, old.take()) {
-                Ok(input) => {
-                    let said = write_row(self.job, &mut written, family, &input);
-                    (old.insert(input).number, said)
-                }
-                Err((number, fault)) => (number, written.fault(number, fault)),
-            });
-        }
-        piece
     }
 
     /// Counts rows; explains the first that fail for a reason.

@@ -93,7 +93,7 @@ impl Layout {
 
     /// Lines as a page to read.
     pub fn table(&self, lines: &str, title: &str, page: Page) -> String {
-        let words = |h: &String| matches!(h.as_str(), "file" | "row" | "variant" | "pose" | ERROR);
+        let words = |h: &String| matches!(h.as_str(), "file" | "row" | "variant" | "pose" | EVENT | ERROR);
         let column =
             |h: &String| if words(h) { Column::words(h.as_str()) } else { Column::numbers(h.as_str()) };
         let mut table = Table::new(self.headers.iter().map(column).collect(), 0);
@@ -109,6 +109,8 @@ impl Layout {
     }
 }
 
+/// The header of the events at an instant.
+pub const EVENT: &str = "event";
 /// The header of what went wrong.
 pub const ERROR: &str = "error";
 

@@ -219,13 +219,19 @@ impl Line<'_> {
         (out, cells): (&mut String, &mut Vec<u8>),
     ) {
         let whole = self.columns.zip(answers).map(|(columns, answers)| columns.whole_if_any(answers));
+        let greatest = answers.filter(|_| self.key).map(Answers::greatest);
         let mut poses = 0;
-        for pose in answers.iter().flat_map(|a| a.poses()) {
+        for pose in answers.iter().flat_map(|a| a.asked_for()) {
             poses += 1;
             self.begin(&pose.name, out);
+            let columns = self.columns.filter(|_| !self.key);
+            if let Some(events) = columns.zip(answers).and_then(|(c, a)| c.events_at(a, pose)) {
+                out.push(',');
+                write_text(&events, out);
+            }
             if let (Some(columns), Some(answers), Some(whole)) = (self.columns, answers, &whole) {
                 cells.clear();
-                columns.write_beside(answers, pose, whole, (self.digits, self.key), cells);
+                columns.write_beside(answers, pose, whole, (self.digits, greatest.as_ref()), cells);
                 out.push_str(std::str::from_utf8(cells).unwrap_or_default());
             }
             let own = answers.zip(pose.outcome.as_ref().err());
@@ -234,6 +240,9 @@ impl Line<'_> {
         }
         if poses == 0 {
             self.begin("", out);
+            if self.columns.is_some_and(|columns| !self.key && columns.names_events()) {
+                out.push(',');
+            }
             match (self.columns, answers) {
                 (Some(columns), Some(answers)) => {
                     columns.write_without_pose(answers, self.digits, self.key, out)

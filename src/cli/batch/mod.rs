@@ -4,6 +4,7 @@ mod idle;
 mod job;
 mod layout;
 mod line;
+mod piece;
 mod progress;
 mod rows;
 mod sink;
@@ -22,7 +23,7 @@ pub use job::open_table;
 use job::{Job, Run};
 use layout::Layout;
 pub use sink::Sink;
-pub use stop::{end_at_once, signal};
+pub use stop::{end_at_once, install, looks, signal};
 use tally::Tally;
 
 /// Stack of a thread: that of the main thread.
@@ -31,7 +32,7 @@ const STACK: usize = 8 << 20;
 /// Solves all rows of all files.
 pub fn run(args: &Batch, screen: &Screen) -> Status {
     quiet_panics();
-    stop::install();
+    install();
     let threads = args.threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
     let done = match pool {

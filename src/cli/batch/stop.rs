@@ -1,9 +1,16 @@
 //! Signals that end the program: the rows under way are finished, complete rows are kept. A second one ends at once, and
 //! so does the first where rows take too long; no temporary file stays.
 
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
 static SIGNAL: AtomicU8 = AtomicU8::new(0);
+/// What is under way looks for the signal by itself.
+static LOOKS: AtomicBool = AtomicBool::new(false);
+
+/// Whether what is under way now looks for the signal by itself; else the first one ends the program.
+pub fn looks(looks: bool) {
+    LOOKS.store(looks, Ordering::Relaxed);
+}
 
 /// The signal that came, if any.
 pub fn signal() -> Option<u8> {
@@ -21,7 +28,7 @@ pub use unix::{end_at_once, install};
 #[cfg(unix)]
 mod unix {
     use super::super::sink;
-    use super::{Ordering, SIGNAL};
+    use super::{LOOKS, Ordering, SIGNAL};
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
     use std::time::Duration;
@@ -31,8 +38,9 @@ mod unix {
 
     /// Listens from now on.
     pub fn install() {
+        super::looks(true);
         listen(|signal| {
-            if SIGNAL.swap(signal, Ordering::Relaxed) != 0 {
+            if SIGNAL.swap(signal, Ordering::Relaxed) != 0 || !LOOKS.load(Ordering::Relaxed) {
                 end(signal);
             }
             if i32::from(signal) != SIGINT {

@@ -2,7 +2,8 @@
 
 use super::entries::{Entries, Number};
 use crate::report::answers::Answers;
-use crate::report::simulation::method;
+use crate::report::simulation::{coordinates, method};
+use assur_model::model::{DriveTarget, Stop};
 use assur_solve::solve::Energy;
 use serde::Serialize;
 
@@ -10,6 +11,10 @@ use serde::Serialize;
 pub(super) struct SimulationView {
     method: &'static str,
     coordinates: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    changes: Vec<ChangeView>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    change_points: Vec<Number>,
     steps: usize,
     rejected: usize,
     evaluations: usize,
@@ -24,7 +29,44 @@ pub(super) struct SimulationView {
     worst_condition: Option<ConditionView>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
     events: Entries<Vec<Number>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    rests: Vec<RestView>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    stops: Vec<RestView>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    steady: Option<SteadyView>,
     ended: EndView,
+}
+
+/// Other coordinates from an instant on.
+#[derive(Serialize)]
+struct ChangeView {
+    time: Option<Number>,
+    coordinates: Vec<String>,
+}
+
+/// A rest, at a stop or by friction; without an end where it lasts.
+#[derive(Serialize)]
+struct RestView {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    from: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    to: Option<Number>,
+}
+
+impl RestView {
+    fn of(name: Option<&str>, (from, to): (f64, Option<f64>)) -> Self {
+        Self { name: name.map(str::to_owned), from: Number::of(from), to: to.and_then(Number::of) }
+    }
+}
+
+/// How a motion that comes again was found.
+#[derive(Serialize)]
+struct SteadyView {
+    period: Option<Number>,
+    trials: usize,
+    error: Option<Number>,
 }
 
 #[derive(Serialize)]
@@ -62,9 +104,25 @@ impl SimulationView {
             work: Number::of(e.work),
             balance: Number::of(e.balance),
         };
+        let change = |(time, targets): &(f64, Vec<DriveTarget>)| ChangeView {
+            time: Number::of(*time),
+            coordinates: coordinates(mechanism, targets).map(str::to_owned).collect(),
+        };
+        let stops = mechanism.stops.iter().zip(&report.closed);
+        let closed = |(stop, times): (&Stop, &Vec<(f64, Option<f64>)>)| {
+            let name = mechanism.pair(stop.pair).name.as_str();
+            times.iter().map(|rest| RestView::of(Some(name), *rest)).collect::<Vec<_>>()
+        };
+        let all = report.rests.iter().map(|rest| RestView::of(None, *rest));
+        let pairs = report
+            .held
+            .iter()
+            .map(|(pair, begin, end)| RestView::of(Some(&mechanism.pair(*pair).name), (*begin, *end)));
         Some(Self {
             method: method(report.method),
             coordinates: report.coordinates.iter().map(|&i| mechanism.drives[i].name.clone()).collect(),
+            changes: report.changes.iter().map(change).collect(),
+            change_points: report.crossed.iter().filter_map(|t| Number::of(*t)).collect(),
             steps: report.steps,
             rejected: report.rejected,
             evaluations: report.evaluations,
@@ -77,6 +135,13 @@ impl SimulationView {
                 time: Number::of(report.worst_condition.1),
             }),
             events: Entries(times.collect()),
+            rests: all.chain(pairs).collect(),
+            stops: stops.flat_map(closed).collect(),
+            steady: report.steady.map(|steady| SteadyView {
+                period: Number::of(steady.period),
+                trials: steady.trials,
+                error: Number::of(steady.error),
+            }),
             ended: EndView { by: report.ended_by.map(|_| "until"), time: Number::of(report.end) },
         })
     }

@@ -17,7 +17,7 @@ use assur::internals::source::Source;
 /// Positions with a slower sliding velocity, other than none, are left out.
 const SLOWEST: f64 = 1e-7;
 
-fn laws(rubs: &[PairFriction], forces: &Forces) -> Vec<f64> {
+pub fn laws(rubs: &[PairFriction], forces: &Forces) -> Vec<f64> {
     let force = |rub: &PairFriction| {
         let on = forces.reactions.iter().find(|r| r.pair == rub.pair && r.link == rub.on);
         on.map_or(f64::NAN, |r| r.force.norm())
@@ -49,7 +49,7 @@ fn fixed_point(
 }
 
 /// Friction in every revolute, prismatic pair, slot and contact, but those of links that turn freely.
-fn rubbing(draft: &Draft, factor: impl Fn(usize) -> f64) -> Mechanism {
+pub fn rubbing(draft: &Draft, factor: impl Fn(usize) -> f64) -> Mechanism {
     let mut mechanism = draft.mechanism.clone();
     for (i, pair) in mechanism.pairs.iter_mut().enumerate() {
         if pair.kind.links().iter().any(|l| draft.rollers.contains(l)) {

@@ -1,5 +1,5 @@
 //! Friction against independent paths.
 
 mod all_solutions;
-mod fixed_point;
-mod pair_friction;
+pub mod fixed_point;
+pub mod pair_friction;

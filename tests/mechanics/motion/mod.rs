@@ -1,7 +1,10 @@
 //! Motion under loads against the equations of all bodies at once.
 
+mod coordinates;
 mod follow;
 mod newton_euler;
+mod rubbing;
+mod stops;
 mod trains;
 
 use crate::support::draft::Draft;
@@ -104,7 +107,7 @@ fn missed(draft: &Draft) -> Result<Option<f64>, String> {
 #[test]
 fn accelerations_are_those_of_all_bodies_at_once() {
     let (mut compared, mut failures, mut worst) = (0, Vec::new(), (0.0, 0));
-    let mut several = 0;
+    let (mut several, mut opened) = (0, 0);
     for seed in 20_000.. {
         if compared >= 200 * times() {
             break;
@@ -125,10 +128,13 @@ fn accelerations_are_those_of_all_bodies_at_once() {
                     failures.push(format!("seed {seed}: {error:e}"));
                 }
             }
+            // a contact that would have to pull at the first instant: there is no motion
+            Err(e) if e.contains("Opens") => opened += 1,
             Err(e) => failures.push(format!("seed {seed}: {e:.300}")),
         }
     }
     println!("{compared} compared, {several} with several free coordinates, worst {worst:?}");
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
-    assert!(several * 3 > compared, "{several} of {compared}");
+    assert!(several * 4 > compared, "{several} of {compared}");
+    assert!(opened < compared, "{opened} open at once, {compared} compared");
 }

@@ -146,7 +146,8 @@ fn prescribe(drive: &mut assur::internals::model::Drive, elapsed: f64) {
 /// The mechanism, to be followed from its first position.
 pub fn followed(mechanism: &mut Mechanism, to: f64, steps: Option<usize>, within: f64) {
     let span = Span::default();
-    mechanism.simulation = Some(Simulation { span, from: 0.0, to, steps, within: Some(within) });
+    mechanism.simulation =
+        Some(Simulation { span, from: 0.0, to, steps, within: Some(within), steady: None });
 }
 
 /// The last solved position of a run that went to its end.

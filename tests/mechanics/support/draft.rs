@@ -225,6 +225,7 @@ impl Draft {
             acceleration,
             sense: None,
             free: false,
+            of_time: false,
         });
     }
 

@@ -1,7 +1,9 @@
 //! Polygons close as they are printed, levers balance, action lines touch their friction circles.
 
+use super::Judged;
 use assur::internals::drawing::{Shape, Sheet, Style, Theme};
 use assur::internals::math::Vec2;
+use assur::internals::model::{Friction, PairId};
 
 /// How far a polygon may be open, mm, from printed coordinates.
 const OPEN: f64 = 0.02;
@@ -66,8 +68,8 @@ pub fn lever(sheet: &Sheet, condition: f64, wrong: &mut Vec<String>) -> usize {
 }
 
 /// The action line of every hinge touches its friction circle. How many there are.
-pub fn action_lines(sheet: &Sheet, wrong: &mut Vec<String>) -> usize {
-    let drawing = &sheet.drawing;
+pub fn action_lines(judged: &Judged<'_>, wrong: &mut Vec<String>) -> usize {
+    let drawing = &judged.sheet.drawing;
     let mut count = 0;
     for (i, group) in drawing.groups.iter().enumerate().filter(|(_, g)| g.class == "pair") {
         let own = || drawing.marks.iter().filter(move |m| m.group == i);
@@ -82,10 +84,26 @@ pub fn action_lines(sheet: &Sheet, wrong: &mut Vec<String>) -> usize {
         let (Some((centre, radius)), Some((a, b))) = (circle, line) else { continue };
         count += 1;
         let away = ((b - a) / (b - a).norm()).cross(centre - a).abs();
-        // a hinge that does not turn has a line through it
-        if (away - radius).abs() > OFF && away > OFF {
+        // a hinge that does not turn has a line through it, and one that is held at rest has it within its circle at rest
+        let held = at_rest(judged, &group.name).is_some_and(|times| away <= times * radius + OFF);
+        if (away - radius).abs() > OFF && away > OFF && !held {
             wrong.push(format!("{} is {away} mm off a circle of {radius} mm", group.name));
         }
     }
     count
+}
+
+/// How many times greater the friction circle of a hinge is while it rests in a motion, where it has one.
+fn at_rest(judged: &Judged<'_>, name: &str) -> Option<f64> {
+    let mechanism = judged.shown.model.mechanism;
+    let of = |(pair, rest): &(PairId, Friction)| {
+        let own = mechanism.pair(*pair);
+        match (own.friction, *rest) {
+            (Some(Friction::Circle(moving)), Friction::Circle(rest)) if own.name == name => {
+                Some(rest / moving)
+            }
+            _ => None,
+        }
+    };
+    mechanism.friction_at_rest.iter().find_map(of)
 }

@@ -59,7 +59,7 @@ impl Tally {
             }
             Kind::Forces => self.polygons += forces::polygon(sheet, &mut wrong),
             Kind::Lever => self.levers += forces::lever(sheet, solved.condition, &mut wrong),
-            Kind::Friction => self.lines += forces::action_lines(sheet, &mut wrong),
+            Kind::Friction => self.lines += forces::action_lines(&judged, &mut wrong),
             _ => {}
         }
         let file = shown.file.0;

@@ -55,8 +55,8 @@ for cycle in (0, 1):
         rate = lambda phi, y: f(phi, y)[1]
         _, y, found = integrate(f, y, turn + at[k], turn + at[k + 1], 0.05, events=[("extreme", rate)])
         extremes += [s[1] for _, s in found["extreme"]]
-    key("omega(crank)", y[1], "rad/s", "1e-9", [" at event cycle", " at event end"][cycle])
-    key(["time(cycle)", "time(done)"][cycle], y[0], "s", "1e-10")
-key("max(omega(crank))", max(extremes), "rad/s", "1e-9")
-key("min(omega(crank))", min(extremes), "rad/s", "1e-9")
-key("integral(power(Q))", y[2], "J", "1e-9", places=11)
+    key("omega(crank)", y[1], "rad/s", "1e-11", [" at event cycle", " at event end"][cycle])
+    key(["time(cycle)", "time(done)"][cycle], y[0], "s", "1e-11")
+key("max(omega(crank))", max(extremes), "rad/s", "1e-11")
+key("min(omega(crank))", min(extremes), "rad/s", "1e-11")
+key("integral(power(Q))", y[2], "J", "1e-11")

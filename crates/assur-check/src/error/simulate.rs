@@ -22,6 +22,21 @@ pub enum SimulateError {
         #[label("first here")]
         first: Span,
     },
+    /// A rate beside a position that has its own.
+    #[error(
+        "the rate of `{name}` is given twice: it is the derivative of its position, which depends on `time`"
+    )]
+    #[diagnostic(code("mech::simulate::twice"), help("leave out `at …` and `accelerating …`"))]
+    RateTwice {
+        /// The drive.
+        name: String,
+        /// The rate.
+        #[label(primary, "again here")]
+        again: Span,
+        /// The position.
+        #[label("has its own rate")]
+        first: Span,
+    },
     /// A start of something that a drive or another start gives.
     #[error("{what}")]
     #[diagnostic(code("mech::simulate::twice"), help("{help}"))]
@@ -58,6 +73,21 @@ pub enum SimulateError {
         /// The statement `simulate`.
         #[label("nothing is free")]
         span: Span,
+    },
+    /// A stop that has no meaning.
+    #[error("{what}")]
+    #[diagnostic(code("mech::simulate::stop"), help("{help}"))]
+    Stop {
+        /// The mistake.
+        what: String,
+        /// The correction.
+        help: String,
+        /// The stop.
+        #[label(primary, "here")]
+        span: Span,
+        /// The other one.
+        #[label("first here")]
+        first: Option<Span>,
     },
     /// A start of a point.
     #[error("a start is the value of an angle or a coordinate, and `{name}` is a point")]

@@ -43,10 +43,11 @@ pub fn constants(cx: &mut Context<'_>) {
 fn list(cx: &mut Context<'_>) {
     for (name, declared) in &cx.names.quantities {
         let (QuantityKind::Given(expr) | QuantityKind::Let(expr)) = declared.what else { continue };
+        let given = matches!(declared.what, QuantityKind::Given(_));
         let Some(Settled::Constant(t)) = cx.values.definitions.settled.get(name) else { continue };
         let Some(value) = t.value() else { continue };
         let display = own_unit(cx, expr).unwrap_or_else(|| cx.values.display(t.ty.dimension()));
-        cx.builder.mech.values.push(NamedValue { name: name.clone(), value, display });
+        cx.builder.mech.values.push(NamedValue { name: name.clone(), value, display, given });
     }
 }
 

@@ -70,6 +70,28 @@ impl Context<'_> {
         self.without_pose(found, expr, what)
     }
 
+    /// As `poseless_scalar`, or made of the instant of a motion and nothing else that needs a pose.
+    pub fn timed_scalar(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<model::Expr> {
+        let found = self.scalar(expr, want, what)?;
+        self.timed(found, expr, what)
+    }
+
+    /// The same of a vector.
+    pub fn timed_vector(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<model::Expr> {
+        let found = self.vector(expr, want, what)?;
+        self.timed(found, expr, what)
+    }
+
+    fn timed(&mut self, found: model::Expr, expr: &Expr, what: &str) -> Option<model::Expr> {
+        let inlined = self.inline(&found, expr.span)?;
+        let (mut timed, mut other) = (false, false);
+        inlined.queries(&mut |query| match query {
+            model::Query::Time => timed = true,
+            _ => other = true,
+        });
+        if timed && !other { Some(inlined) } else { self.without_pose(found, expr, what) }
+    }
+
     /// As `vector`, but made of nothing that needs a pose.
     pub fn poseless_vector(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<model::Expr> {
         let found = self.vector(expr, want, what)?;

@@ -7,7 +7,7 @@ use crate::statements::walk;
 use crate::statements::written::written;
 use crate::values::definition::Settled;
 use crate::values::typed::{Type, correction};
-use assur_syntax::document::{Expr, ExprKind, Number, Statement, UnaryOp};
+use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number, Statement, UnaryOp};
 use assur_text::units::{Dimension, Kind, lookup};
 
 /// Most names that a help lists.
@@ -37,6 +37,10 @@ impl Context<'_> {
         let angles = || self.names_of(want).map(|names| format!("write an angle, as {names}"));
         weight(expr, want)
             .or_else(|| self.mass_of_weight(want, found, expr))
+            .or_else(|| {
+                fraction(expr, want)
+                    .map(|text| format!("write `{text}`: the unit belongs to the last number"))
+            })
             .or_else(|| self.same_number(want, expr).map(|text| format!("write `{text}`")))
             .or_else(|| self.definition_of(want, expr))
             .or_else(|| if argument && want == Dimension::ANGLE { angles() } else { correction(want, found) })
@@ -132,6 +136,18 @@ fn in_unit(expr: &Expr, unit: &str) -> Option<String> {
         ExprKind::Polar(length, phi) => Some(format!("{} @ {}", in_unit(length, unit)?, written(phi)?)),
         _ => None,
     }
+}
+
+/// `1 kg*m^2 / 12` for `1/12 kg*m^2`, which divides by the unit.
+fn fraction(expr: &Expr, want: Dimension) -> Option<String> {
+    let ExprKind::Chain(first, rest) = &expr.kind else { return None };
+    let (ExprKind::Number(Number { text, unit: None, .. }), [(op, last)]) = (&first.kind, rest.as_slice())
+    else {
+        return None;
+    };
+    let ExprKind::Number(Number { text: below, unit: Some(unit), .. }) = &last.kind else { return None };
+    let fits = op.node == BinaryOp::Divide && lookup(&unit.node).is_ok_and(|unit| unit.dimension.fits(want));
+    fits.then(|| format!("{text} {} / {below}", unit.node))
 }
 
 /// `8 lb*ft`, `20 kg @ 270 deg`: a mass where its weight is meant.

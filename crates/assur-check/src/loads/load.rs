@@ -10,7 +10,7 @@ use crate::output::behind;
 use crate::statements::written::written;
 use crate::values::format_value::format_value;
 use assur_model::model;
-use assur_model::model::{Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place};
+use assur_model::model::{Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use assur_syntax::document;
 use assur_syntax::document::{Load, Name, Site, Statement, Turn};
 use assur_text::source::Span;
@@ -364,8 +364,15 @@ pub(crate) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span
 
 /// Whether an expression depends on no force that is yet to be found; reports one that does.
 fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
+    let simulates = cx.names.simulates;
+    let of_motion = |query: &Query| {
+        let whole = matches!(query, Query::Cycle(_)) && simulates;
+        whole.then_some("a function over the whole motion")
+    };
     let mut on = None;
-    behind::queries(&cx.builder.mech, expr, &mut |query| on = on.or(query.facts().from_loads));
+    behind::queries(&cx.builder.mech, expr, &mut |query| {
+        on = on.or(query.facts().from_loads).or(of_motion(query));
+    });
     if let Some(on) = on {
         cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), span });
     }

@@ -99,6 +99,8 @@ fn in_pair(cx: &mut Context<'_>, spring: &Spring, pair: &Name) -> Option<model::
         let angle = Box::new(Expr::Query(Query::Displacement(pair_id)));
         scaled(k, Expr::Binary(BinaryOp::Sub, Box::new(Expr::number(free)), angle))
     });
+    let (stiffness, free_angle) = (stiffness.unwrap_or(0.0), free.unwrap_or(0.0));
+    cx.builder.mech.torsion_springs.push(model::TorsionSpring { stiffness, free_angle });
     let viscous = damping.filter(|c| *c > 0.0);
     let viscous = viscous.map(|c| scaled(-c, Expr::Query(Query::RelativeVelocity(pair_id))));
     let value = match (elastic, viscous) {

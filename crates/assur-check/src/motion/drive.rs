@@ -9,6 +9,7 @@ use crate::names::declared::ThingKind;
 use crate::pairs::pair::link_point;
 use crate::statements::lines::text;
 use crate::values::format_value::{digits, format_value};
+use assur_math::math::Vec2;
 use assur_model::model;
 use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, Positions, Value};
 use assur_syntax::document::{
@@ -77,7 +78,16 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
         cx.error(MotionError::AccelerationWithoutSpeed { name, zero, span: acceleration.value.span });
         return None;
     }
-    let (positions, speed, acceleration, sense) = (positions?, speed?, acceleration?, sense?);
+    let (positions, mut speed, acceleration, sense) = (positions?, speed?, acceleration?, sense?);
+    let of_time = crate::motion::simulation::follows_time(&positions);
+    if of_time {
+        crate::motion::simulation::own_rates(cx, drive, &name);
+        // it moves, at rates that are derivatives
+        speed = Some(match moves {
+            Moves::Freely => Expr::Constant(Value::Vector(Vec2::zero())),
+            _ => Expr::number(0.0),
+        });
+    }
     if matches!(positions, Positions::None) && !has_wheels(cx) {
         let example = match moves {
             Moves::Turning => "45 deg",
@@ -99,6 +109,7 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
         acceleration,
         sense,
         free: false,
+        of_time,
     })
 }
 
@@ -198,12 +209,29 @@ fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bo
 fn positions(cx: &mut Context<'_>, drive: &Drive, moves: Moves, name: &str) -> Option<Positions> {
     match &drive.position {
         None => Some(Positions::None),
+        Some(DrivePosition::Values(values)) if values.len() == 1 => {
+            timed(cx, &values[0], moves, name).map(|value| Positions::List(vec![value]))
+        }
         Some(DrivePosition::Values(values)) => {
             let values = values.iter().map(|v| value(cx, v, moves, 0, name)).collect::<Vec<_>>();
             values.into_iter().collect::<Option<Vec<_>>>().map(Positions::List)
         }
         Some(DrivePosition::Range(course)) => range(cx, course, moves, name),
     }
+}
+
+/// A position that may depend on the instant where the file follows a motion.
+fn timed(cx: &mut Context<'_>, sensed: &Sensed, moves: Moves, name: &str) -> Option<Expr> {
+    if sensed.sense.is_some() || crate::motion::simulation::statement(cx).is_none() {
+        return value(cx, sensed, moves, 0, name);
+    }
+    let what = format!("the position of `{name}`");
+    let want = Want(moves.dimension(0));
+    let found = match moves {
+        Moves::Freely => cx.timed_vector(&sensed.value, &want, &what)?,
+        _ => cx.timed_scalar(&sensed.value, &want, &what)?,
+    };
+    crate::motion::simulation::differentiable(cx, &found, sensed.value.span).then_some(found)
 }
 
 fn range(cx: &mut Context<'_>, course: &Course, moves: Moves, name: &str) -> Option<Positions> {

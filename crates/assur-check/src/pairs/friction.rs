@@ -3,6 +3,7 @@
 use crate::error::PairError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find};
+use crate::values::format_value::digits;
 use assur_model::model::Friction;
 use assur_syntax::document::{Joint, JointKind};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -42,6 +43,31 @@ pub(crate) fn law(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> O
     };
     let both_ends = find(properties, "contacts").is_some();
     Some(if both_ends { Friction::BothEnds(equivalent) } else { Friction::Coefficient(equivalent) })
+}
+
+/// The law of a pair at rest, where it has one of its own.
+pub(crate) fn at_rest(
+    cx: &mut Context<'_>,
+    properties: &[Read],
+    friction: Option<Friction>,
+) -> Option<Friction> {
+    let (still, moving) = (find(properties, "static_friction")?, find(properties, "friction")?);
+    let (most, least) = (still.number(), moving.number());
+    if most < least || least == 0.0 {
+        let wants = format!("at least the coefficient of `friction`, {}", digits(least));
+        let (wants, example) = if least == 0.0 {
+            (
+                "a value where `friction` is more than 0".to_owned(),
+                "friction 0.3; static_friction 0.4".to_owned(),
+            )
+        } else {
+            (wants, format!("static_friction {}", digits(least)))
+        };
+        let (name, got, span) = ("static_friction".to_owned(), digits(most), still.span);
+        cx.error(PairError::PropertyValue { name, wants, example, span, got });
+        return None;
+    }
+    friction.filter(|_| most > least).map(|friction| friction.times(most / least))
 }
 
 /// Half the angle of a V-groove is at most a right angle, which is a flat guide.

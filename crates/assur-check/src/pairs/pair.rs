@@ -27,13 +27,14 @@ pub(crate) fn pairs(cx: &mut Context<'_>) {
         if !is_linkage_pair(joint.kind.node) {
             continue;
         }
-        if let Some((kind, friction)) = pair(cx, joint, &shared, &mut held) {
+        if let Some((kind, [friction, at_rest])) = pair(cx, joint, &shared, &mut held) {
             let id = PairId::at(cx.builder.mech.pairs.len());
             cx.builder.hinges.enter(&kind, id);
             cx.builder.hinges.enter_guide(&kind, id);
             let (name, span) = (joint.name.node.clone(), joint.name.span);
             cx.names.pairs.entry(name.clone()).or_insert(id);
             cx.builder.mech.pairs.push(Pair { name, span, kind, friction, bearing: None });
+            cx.builder.mech.friction_at_rest.extend(at_rest.map(|friction| (id, friction)));
         }
     }
 }
@@ -43,7 +44,7 @@ fn pair(
     joint: &Joint,
     shared: &Shared,
     held: &mut Held,
-) -> Option<(PairKind, Option<Friction>)> {
+) -> Option<(PairKind, [Option<Friction>; 2])> {
     let read = read(cx, joint);
     let ends = ends(cx, joint)?;
     let hinge = if joint.kind.node == JointKind::Revolute { Some(revolute(cx, joint, &ends)?) } else { None };
@@ -54,7 +55,10 @@ fn pair(
         JointKind::Contact => contact::contact(cx, joint, &ends, properties.as_deref()),
         _ => cylinder(cx, joint, &ends),
     };
-    let friction = properties.map(|p| friction::law(cx, joint, &p));
+    let friction = properties.map(|p| {
+        let moving = friction::law(cx, joint, &p);
+        [moving, friction::at_rest(cx, &p, moving)]
+    });
     Some((kind?, friction?))
 }
 

@@ -35,7 +35,7 @@ pub(crate) fn with_shared(
     }
     // what `all` says beside a coefficient means nothing to a pair that has none
     if find(&all, "friction").is_none() {
-        let beside = |p: &Read| matches!(p.name, "fit" | "groove");
+        let beside = |p: &Read| matches!(p.name, "fit" | "groove" | "static_friction");
         let kept = all.drain(..).enumerate().filter(|(i, p)| *i < own || !beside(p));
         all = kept.map(|(_, p)| p).collect();
     }
@@ -82,6 +82,7 @@ fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read], 
         }),
         _ => None,
     };
+    let missing = missing.or_else(|| needs("static_friction", "friction", &["friction 0.1"]));
     let problem = match (&said[..], missing) {
         ([_, second, ..], _) => Some((
             format!("`{}` and `{}` both give the friction", said[0].name, second.name),

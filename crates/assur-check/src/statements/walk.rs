@@ -77,6 +77,10 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
         Statement::Spring(s) => properties(&s.properties, visit),
         Statement::All(a) => properties(&a.properties, visit),
         Statement::Flywheel(f) => properties(&f.properties, visit),
+        Statement::Stop(s) => {
+            visit(&s.bound);
+            properties(&s.properties, visit);
+        }
         Statement::Brake(b) => properties(&b.properties, visit),
         Statement::Cam(cam) => cam.members.iter().for_each(|m| cam_member(&m.node, visit)),
         Statement::Drive(d) => {

@@ -49,36 +49,98 @@ impl Nodes {
 
     /// The series of a function with these values at the nodes.
     #[must_use]
-    #[allow(clippy::cast_precision_loss)] // far below 2^52
     pub fn series(&self, from: f64, to: f64, values: &[f64; NODES]) -> Series {
-        let coefficient = |k: usize| {
+        Series { from, to, coefficients: self.coefficients(values).to_vec() }
+    }
+
+    /// The coefficients of a function with these values at the nodes.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)] // far below 2^52
+    pub fn coefficients(&self, values: &[f64; NODES]) -> [f64; NODES] {
+        std::array::from_fn(|k| {
             let terms = values.iter().enumerate();
             let sum: f64 = terms.map(|(j, f)| f * self.cosines[k * (2 * j + 1) % (4 * NODES)]).sum();
             sum * if k == 0 { 1.0 } else { 2.0 } / NODES as f64
-        };
-        Series { from, to, coefficients: (0..NODES).map(coefficient).collect() }
+        })
+    }
+}
+
+/// T_0 … T_(n−1) at a place of an interval.
+#[must_use]
+pub fn polynomials(from: f64, to: f64, x: f64) -> [f64; NODES] {
+    let t = ((x - from) + (x - to)) / (to - from);
+    let mut values = [1.0; NODES];
+    values[1] = t;
+    for k in 2..NODES {
+        values[k] = 2.0 * t * values[k - 1] - values[k - 2];
+    }
+    values
+}
+
+/// The sum of a series at t in [−1, 1], by Clenshaw's recurrence.
+#[must_use]
+pub fn sum(coefficients: &[f64], t: f64) -> f64 {
+    let [first, rest @ ..] = coefficients else { return 0.0 };
+    let (mut b_1, mut b_2) = (0.0, 0.0);
+    for c in rest.iter().rev() {
+        (b_1, b_2) = (2.0 * t * b_1 - b_2 + c, b_1);
+    }
+    t * b_1 - b_2 + first
+}
+
+/// The greatest of the last coefficients: what the series leaves off is about as large.
+#[must_use]
+pub fn tail(coefficients: &[f64]) -> f64 {
+    let last = coefficients.iter().rev().take(3);
+    last.fold(0.0, |most, c| if c.is_nan() { f64::INFINITY } else { c.abs().max(most) })
+}
+
+/// The antiderivative in t, times a factor, with this value at −1: one coefficient more.
+#[allow(clippy::cast_precision_loss)] // far below 2^52
+pub fn integrate(coefficients: &[f64], factor: f64, start: f64, out: &mut [f64]) {
+    let c = |k: usize| coefficients.get(k).copied().unwrap_or(0.0);
+    for (k, out) in out.iter_mut().enumerate().skip(1) {
+        let before = if k == 1 { 2.0 * c(0) } else { c(k - 1) };
+        *out = factor * (before - c(k + 1)) / (2 * k) as f64;
+    }
+    let [first, rest @ ..] = out else { return };
+    // T_k(−1) = (−1)^k
+    let at_start: f64 = rest.iter().enumerate().map(|(k, c)| if k % 2 == 0 { -c } else { *c }).sum();
+    *first = start - at_start;
+}
+
+/// The derivative in t: as many coefficients.
+#[allow(clippy::cast_precision_loss)] // far below 2^52
+pub fn derive(coefficients: &[f64], out: &mut [f64]) {
+    out.fill(0.0);
+    for k in (1..coefficients.len()).rev() {
+        let beyond = out.get(k + 1).copied().unwrap_or(0.0);
+        out[k - 1] = beyond + 2.0 * k as f64 * coefficients[k];
+    }
+    if let Some(first) = out.first_mut() {
+        *first *= 0.5;
     }
 }
 
 #[allow(clippy::cast_precision_loss)] // the numbers of coefficients are far below 2^52
 impl Series {
+    /// Its coefficients, of T_0 first.
+    #[must_use]
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coefficients
+    }
+
     /// The greatest of the last coefficients: what the series leaves off is about as large.
     #[must_use]
     pub fn tail(&self) -> f64 {
-        let last = self.coefficients.iter().rev().take(3);
-        last.fold(0.0, |most, c| c.abs().max(most))
+        tail(&self.coefficients)
     }
 
     /// Its value.
     #[must_use]
     pub fn value(&self, x: f64) -> f64 {
         let t = ((x - self.from) + (x - self.to)) / (self.to - self.from);
-        let [first, rest @ ..] = self.coefficients.as_slice() else { return 0.0 };
-        let (mut b_1, mut b_2) = (0.0, 0.0);
-        for c in rest.iter().rev() {
-            (b_1, b_2) = (2.0 * t * b_1 - b_2 + c, b_1);
-        }
-        t * b_1 - b_2 + first
+        sum(&self.coefficients, t)
     }
 
     /// The integral over the interval.
@@ -108,17 +170,8 @@ impl Series {
     /// The antiderivative that has a given value where the interval begins.
     #[must_use]
     pub fn antiderivative(&self, start: f64) -> Self {
-        let c = |k: usize| self.coefficients.get(k).copied().unwrap_or(0.0);
-        let half = 0.5 * (self.to - self.from);
         let mut coefficients = vec![0.0; self.coefficients.len() + 1];
-        for (k, out) in coefficients.iter_mut().enumerate().skip(1) {
-            let before = if k == 1 { 2.0 * c(0) } else { c(k - 1) };
-            *out = half * (before - c(k + 1)) / (2 * k) as f64;
-        }
-        // T_k(−1) = (−1)^k
-        let at_start: f64 =
-            coefficients.iter().enumerate().map(|(k, c)| if k % 2 == 0 { *c } else { -c }).sum();
-        coefficients[0] = start - at_start;
+        integrate(&self.coefficients, 0.5 * (self.to - self.from), start, &mut coefficients);
         Self { from: self.from, to: self.to, coefficients }
     }
 
@@ -126,11 +179,8 @@ impl Series {
     #[must_use]
     pub fn derivative(&self) -> Self {
         let n = self.coefficients.len();
-        let mut d = vec![0.0; n.max(2) + 1];
-        for k in (1..n).rev() {
-            d[k - 1] = d[k + 1] + 2.0 * k as f64 * self.coefficients[k];
-        }
-        d[0] *= 0.5;
+        let mut d = vec![0.0; n];
+        derive(&self.coefficients, &mut d);
         let scale = 2.0 / (self.to - self.from);
         let coefficients = d.into_iter().take(n.saturating_sub(1).max(1)).map(|c| c * scale).collect();
         Self { from: self.from, to: self.to, coefficients }

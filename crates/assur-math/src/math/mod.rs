@@ -32,5 +32,5 @@ pub use rigid::{acceleration_at, velocity_at};
 pub use root::{root, root_within};
 pub use scalar::{Scalar, Truths};
 pub use sparse::Sparse;
-pub use table_function::{Between, Beyond, TableFault, TableFunction};
+pub use table_function::{Between, Beyond, Piece, TableFault, TableFunction};
 pub use vec2::{V2, Vec2};

@@ -56,6 +56,15 @@ pub struct TableFunction {
     beyond: Beyond,
 }
 
+/// A part of a function on which it is smooth: an interval, or what holds beyond an end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// The interval counted from 1; 0 before the first point, as many as there are points behind the last.
+    place: usize,
+    /// Where the table begins again: by how much its arguments are shifted.
+    shift: f64,
+}
+
 /// Rounding of an argument at an end, over the length of the table.
 const AT_END: f64 = 1e-9;
 
@@ -114,20 +123,74 @@ impl TableFunction {
     /// The value and three derivatives; at a point those of the interval behind it.
     #[must_use]
     pub fn derivatives(&self, x: f64) -> [f64; 4] {
+        self.piece(x).map_or([f64::NAN; 4], |piece| self.derivatives_on(piece, x))
+    }
+
+    /// The piece on which an argument lies; a point belongs to the interval behind it.
+    #[must_use]
+    pub fn piece(&self, x: f64) -> Option<Piece> {
+        if !self.covers(x) {
+            return None;
+        }
+        let (first, last) = self.range();
+        let (mut shift, mut inside) = (0.0, x);
+        match self.beyond {
+            Beyond::Repeated => {
+                shift = ((x - first) / (last - first)).floor() * (last - first);
+                inside = x - shift;
+            }
+            Beyond::Held if x < first => return Some(Piece { place: 0, shift }),
+            Beyond::Held if x > last => return Some(Piece { place: self.x.len(), shift }),
+            Beyond::Held | Beyond::Nothing => {}
+        }
+        let inside = inside.clamp(first, last);
+        let place = self.x.partition_point(|&at| at <= inside).clamp(1, self.x.len() - 1);
+        Some(Piece { place, shift })
+    }
+
+    /// The value and three derivatives of the function that holds on a piece, also beside it; not a number where the table
+    /// has none.
+    #[must_use]
+    pub fn derivatives_on(&self, piece: Piece, x: f64) -> [f64; 4] {
         if !self.covers(x) {
             return [f64::NAN; 4];
         }
+        if piece.place == 0 || piece.place == self.x.len() {
+            return [self.end(piece.place == 0), 0.0, 0.0, 0.0];
+        }
         let (first, last) = self.range();
-        let inside = match self.beyond {
-            Beyond::Repeated => {
-                let turned = x - ((x - first) / (last - first)).floor() * (last - first);
-                turned.clamp(first, last)
+        let inside = if self.beyond == Beyond::Nothing { x.clamp(first, last) } else { x - piece.shift };
+        self.on(piece.place - 1, inside)
+    }
+
+    /// Where a piece begins and ends; without bound where nothing follows.
+    #[must_use]
+    pub fn bounds(&self, piece: Piece) -> (f64, f64) {
+        let at = |place: usize| self.x.get(place).map(|x| x + piece.shift);
+        let (mut from, mut to) = (piece.place.checked_sub(1).and_then(at), at(piece.place));
+        if self.beyond == Beyond::Nothing {
+            from = from.filter(|_| piece.place > 1);
+            to = to.filter(|_| piece.place + 1 < self.x.len());
+        }
+        (from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY))
+    }
+
+    /// The piece that follows at the end, or that goes before at the begin.
+    #[must_use]
+    pub fn beside(&self, piece: Piece, behind: bool) -> Piece {
+        let (first, last) = self.range();
+        let Piece { place, shift } = piece;
+        let intervals = self.x.len() - 1;
+        match (behind, self.beyond) {
+            (true, Beyond::Repeated) if place == intervals => {
+                Piece { place: 1, shift: shift + (last - first) }
             }
-            Beyond::Held if x < first || x > last => return [self.end(x < first), 0.0, 0.0, 0.0],
-            Beyond::Held | Beyond::Nothing => x.clamp(first, last),
-        };
-        let i = self.x.partition_point(|&at| at <= inside).clamp(1, self.x.len() - 1) - 1;
-        self.on(i, inside)
+            (false, Beyond::Repeated) if place == 1 => {
+                Piece { place: intervals, shift: shift - (last - first) }
+            }
+            (true, _) => Piece { place: (place + 1).min(self.x.len()), shift },
+            (false, _) => Piece { place: place.saturating_sub(1), shift },
+        }
     }
 
     /// The intervals in order, each with its length, the change of the value, and the terms a, b, c of the way

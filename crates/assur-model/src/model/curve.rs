@@ -1,7 +1,7 @@
 //! Functions that the file gives by tables of values.
 
 use super::Display;
-use crate::math::TableFunction;
+use crate::math::{Piece, TableFunction};
 use crate::source::Span;
 use crate::units::significant;
 
@@ -34,6 +34,16 @@ impl Curve {
         match part {
             CurvePart::Value => self.function.value(x),
             CurvePart::Slope => self.function.derivatives(x)[1],
+        }
+    }
+
+    /// The same of the function that holds on a piece, also beside it.
+    #[must_use]
+    pub fn on(&self, part: CurvePart, piece: Piece, x: f64) -> f64 {
+        let [value, slope, ..] = self.function.derivatives_on(piece, x);
+        match part {
+            CurvePart::Value => value,
+            CurvePart::Slope => slope,
         }
     }
 

@@ -12,6 +12,26 @@ pub struct Cycle {
     pub how: CycleFunction,
     /// Of what: a number.
     pub expr: Expr,
+    /// The part of a motion under loads over which it is taken.
+    pub part: Part,
+}
+
+/// A part of a motion under loads; the whole of it where no bound is given.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Part {
+    /// Where it begins.
+    pub after: Option<Bound>,
+    /// Where it ends.
+    pub before: Option<Bound>,
+}
+
+/// Where a part of a motion begins or ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bound {
+    /// An instant, s.
+    At(f64),
+    /// An event, by index into [`super::Mechanism::events`], and which time, counted from 1.
+    Event(usize, usize),
 }
 
 /// Functions over the sweep.

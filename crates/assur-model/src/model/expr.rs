@@ -179,10 +179,22 @@ pub enum Query {
     EventTime(usize, usize),
     /// How often an event happens.
     EventCount(usize),
+    /// After what time a steady motion comes again, s.
+    Period,
+    /// Whether a motion under loads is in a state at this instant.
+    In(super::Situation),
+    /// Force, N, or torque, N m, of a closed stop along its coordinate: index into [`super::Mechanism::stops`].
+    StopEffort(usize),
+    /// Work since the first instant, J: index into [`super::Mechanism::works`].
+    Work(usize),
+    /// Power of a spring between two points, W: index into [`super::Mechanism::springs`].
+    SpringPower(usize),
     /// Kinetic energy of all links, J.
     KineticEnergy,
-    /// Potential energy of all weights, from y = 0, and springs, from their free lengths, J.
+    /// Potential energy of all weights, from y = 0, and springs between points, from their free lengths, J.
     PotentialEnergy,
+    /// That of a spring in a pair, from its free angle: index into [`super::Mechanism::torsion_springs`].
+    TorsionEnergy(usize, PairId),
     /// Angular velocity of a link.
     Omega(LinkId),
     /// Angular velocity of a link against another; not a number where they do not turn against each other.
@@ -329,13 +341,18 @@ impl Expr {
     /// Calls `visit` on the expression and all its parts.
     pub fn parts(&self, visit: &mut impl FnMut(&Self)) {
         visit(self);
+        self.children(&mut |part| part.parts(visit));
+    }
+
+    /// Calls `visit` on the parts of which the expression consists, not on theirs.
+    pub fn children<'e>(&'e self, visit: &mut dyn FnMut(&'e Self)) {
         match self {
             Self::Constant(_) | Self::Quantity(_) | Self::Query(_) => {}
             Self::Component(a, _)
             | Self::Negate(a)
             | Self::Not(a)
             | Self::Frictionless(a)
-            | Self::Curve(_, _, a) => a.parts(visit),
+            | Self::Curve(_, _, a) => visit(a),
             Self::Vector(a, b)
             | Self::Polar(a, b)
             | Self::Binary(_, a, b)
@@ -343,10 +360,10 @@ impl Expr {
             | Self::Compare(_, a, b)
             | Self::And(a, b)
             | Self::Or(a, b) => {
-                a.parts(visit);
-                b.parts(visit);
+                visit(a);
+                visit(b);
             }
-            Self::Call(_, args) => args.iter().for_each(|a| a.parts(visit)),
+            Self::Call(_, args) => args.iter().for_each(visit),
         }
     }
 

@@ -89,6 +89,10 @@ const VECTOR: Facts = Facts { answer: Answer::Vector, ..NUMBER };
 const RATE: Facts = Facts { level: Level::Velocities, ..NUMBER };
 /// A number that is known once all positions are.
 const OF_SOLUTION: Facts = Facts { poseless: true, of_solution: true, ..NUMBER };
+/// A power.
+const POWER: Facts = Facts { from_loads: Some("a power"), ..RATE };
+/// A number of the events of a motion.
+const EVENT: Facts = of_motion("an event of the motion", Answer::Number);
 /// A number that needs accelerations.
 const SECOND_RATE: Facts = Facts { level: Level::Accelerations, ..NUMBER };
 
@@ -123,8 +127,9 @@ impl Query {
                 let about = About::Link(link);
                 Facts { placed: Some((about, "an angle")), turned: Some(about), ..VECTOR }
             }
-            Self::EventTime(..) | Self::EventCount(_) => OF_SOLUTION,
-            Self::Time | Self::PotentialEnergy => NUMBER,
+            Self::Period | Self::EventTime(..) | Self::EventCount(_) => EVENT,
+            Self::In(_) => of_motion("what rests or sticks", Answer::Condition),
+            Self::Time | Self::PotentialEnergy | Self::StopEffort(_) => NUMBER,
             Self::KineticEnergy => RATE,
             Self::Omega(link) | Self::Turning(link, _) => Facts { turned: Some(About::Link(link)), ..RATE },
             Self::Alpha(link) | Self::InertiaTorque(link) => {
@@ -139,7 +144,7 @@ impl Query {
             Self::StaticSubstitution(_, _, _, part) | Self::DynamicSubstitution(_, _, part) => {
                 of_substitution(part)
             }
-            Self::Displacement(pair) => {
+            Self::Displacement(pair) | Self::TorsionEnergy(_, pair) => {
                 let about = About::Pair(pair);
                 Facts {
                     placed: Some((about, "a position")),
@@ -185,7 +190,8 @@ impl Query {
             Self::Balance(_) => force("an unknown load"),
             Self::Effort(_) => force("the effort of a drive"),
             Self::Load(id) => Facts { answer: Answer::Load(id), ..NUMBER },
-            Self::LoadPower(_) => Facts { from_loads: Some("a power"), ..RATE },
+            Self::Work(_) => Facts { from_loads: Some("a work"), ..POWER },
+            Self::SpringPower(_) | Self::LoadPower(_) => POWER,
             Self::BalancePower(_) | Self::EffortPower(_) | Self::FrictionPower(_) => {
                 Facts { level: Level::Velocities, ..force("a power") }
             }
@@ -205,6 +211,12 @@ impl Query {
             },
         }
     }
+}
+
+/// What is known of a motion once all of it is.
+const fn of_motion(what: &'static str, answer: Answer) -> Facts {
+    let poseless = matches!(answer, Answer::Number);
+    Facts { from_loads: Some(what), of_solution: true, poseless, answer, ..NUMBER }
 }
 
 /// A vector of a point.

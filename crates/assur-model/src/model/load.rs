@@ -151,6 +151,15 @@ pub struct Spring {
     pub damping: f64,
 }
 
+/// What a spring in a revolute pair stores; its torque is a load.
+#[derive(Clone, Copy, Debug)]
+pub struct TorsionSpring {
+    /// N m/rad.
+    pub stiffness: f64,
+    /// Of the pair's coordinate, rad.
+    pub free_angle: f64,
+}
+
 /// An unknown effort, found from equilibrium.
 #[derive(Clone, Debug)]
 pub struct Balance {

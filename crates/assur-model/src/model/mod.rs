@@ -23,7 +23,7 @@ mod train;
 
 pub use cam_part::{CAM_PARTS, CamPart};
 pub use curve::{Curve, CurvePart};
-pub use cycle::{Cycle, CycleFunction};
+pub use cycle::{Bound, Cycle, CycleFunction, Part};
 pub use display::Display;
 pub use element::{CamContact, GenevaPair, PlateCam, Table, TableEntry};
 pub use expr::{
@@ -33,11 +33,11 @@ pub use facts::{About, Answer, Facts, Level};
 pub use flywheel::{Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
-pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
+pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring, TorsionSpring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
-pub use simulation::{Event, Occasion, Simulation};
+pub use simulation::{Event, Occasion, Simulation, Situation, Steady, Stop};
 pub use train::{Grip, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;
@@ -65,6 +65,14 @@ pub struct Mechanism {
     pub simulation: Option<Simulation>,
     /// Its events and ends.
     pub events: Vec<Event>,
+    /// Friction at rest, of pairs in which it is more than that of the motion.
+    pub friction_at_rest: Vec<(PairId, Friction)>,
+    /// Powers whose work since the first instant is asked for.
+    pub works: Vec<Expr>,
+    /// What springs in pairs store, in the order of their statements.
+    pub torsion_springs: Vec<TorsionSpring>,
+    /// Bounds of coordinates in the motion.
+    pub stops: Vec<Stop>,
     /// Poses in addition to those of the sweep.
     pub poses: Vec<NamedPose>,
     /// The clauses of `assemble`.
@@ -129,6 +137,8 @@ pub struct NamedValue {
     pub value: Value,
     /// How to print it.
     pub display: Display,
+    /// It is a `given`; a `let` is derived.
+    pub given: bool,
 }
 
 impl Mechanism {

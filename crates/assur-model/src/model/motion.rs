@@ -25,6 +25,8 @@ pub struct Drive {
     pub sense: Option<f64>,
     /// It is a start: its motion follows from the loads, and its effort is nothing.
     pub free: bool,
+    /// Its one position is an expression of the instant, and its rates are the derivatives.
+    pub of_time: bool,
 }
 
 /// The target of a drive.

@@ -51,6 +51,16 @@ impl Friction {
         }
     }
 
+    /// The same law with so many times the friction.
+    #[must_use]
+    pub fn times(self, factor: f64) -> Self {
+        match self {
+            Self::Circle(rho) => Self::Circle(factor * rho),
+            Self::Coefficient(f) => Self::Coefficient(factor * f),
+            Self::BothEnds(f) => Self::BothEnds(factor * f),
+        }
+    }
+
     /// Coefficient of a guide or contact; zero for a friction circle.
     #[must_use]
     pub const fn coefficient(&self) -> f64 {

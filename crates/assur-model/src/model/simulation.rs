@@ -1,6 +1,6 @@
 //! Motion under given loads.
 
-use super::Expr;
+use super::{Expr, LinkId, PairId};
 use crate::source::Span;
 
 /// `simulate 0 s .. 2 s in 200 steps within 1e-8`
@@ -10,8 +10,10 @@ pub struct Simulation {
     pub span: Span,
     /// The first instant, s.
     pub from: f64,
-    /// The last, s; after the first.
+    /// The last, s; after the first. Without bound where it is to be found.
     pub to: f64,
+    /// The motion that comes again is wanted: after what.
+    pub steady: Option<Steady>,
     /// Number of steps between printed instants; `None` for the first and the last alone.
     pub steps: Option<usize>,
     /// The wanted accuracy of all that is printed, relative to the greatest of its kind; `None` where the file says nothing.
@@ -41,6 +43,20 @@ impl Simulation {
     }
 }
 
+/// After what a motion comes again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steady {
+    /// Turns of a link that is started or driven.
+    Turns {
+        /// The link.
+        link: LinkId,
+        /// How many.
+        count: u32,
+    },
+    /// From one time that an event happens to the next: index into [`super::Mechanism::events`].
+    Cycle(usize),
+}
+
 /// `event top: omega(bar) = 0 rad/s falling`, `until angle(crank) = 360 deg`
 #[derive(Clone, Debug)]
 pub struct Event {
@@ -54,6 +70,34 @@ pub struct Event {
     pub rising: Option<bool>,
     /// The motion ends there.
     pub ends: bool,
+    /// It happens where this begins to be as said, instead of where the number passes zero.
+    pub situation: Option<(Situation, bool)>,
+}
+
+/// What a motion is in for a while.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Situation {
+    /// A stop of this pair is closed.
+    Rests(PairId),
+    /// The pair is held by friction.
+    Sticks(PairId),
+}
+
+/// `stop G > 0 mm { restitution 0.7 }`
+#[derive(Clone, Debug)]
+pub struct Stop {
+    /// The pair.
+    pub pair: PairId,
+    /// Place of the statement.
+    pub span: Span,
+    /// Its coordinate turns.
+    pub turns: bool,
+    /// 1 where the coordinate stays above the bound, −1 where it stays below.
+    pub side: f64,
+    /// The bound, m or rad.
+    pub bound: f64,
+    /// Ratio of the speeds after and before an impact.
+    pub restitution: f64,
 }
 
 /// The instant of a motion that an expectation is for.

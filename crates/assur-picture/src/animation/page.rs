@@ -9,7 +9,6 @@ use crate::kind::Options;
 use crate::plot::{Curves, plot};
 use crate::scene::Scene;
 use assur_drawing::{Theme, escaped, number};
-use assur_solve::solve::DriveValue;
 use std::fmt::Write;
 
 /// Steps of a millimetre and of a radian.
@@ -59,12 +58,9 @@ pub fn animation(scene: &Scene<'_>, options: &Options, theme: Theme) -> Result<S
     Ok(out)
 }
 
-/// Where the drive is in the plot, in steps of a hundredth of a millimetre.
+/// Where the drive, or the instant, is in the plot, in steps of a hundredth of a millimetre.
 fn along(frames: &[Scene<'_>], curves: &Curves) -> String {
-    let places = frames.iter().map(|frame| match frame.pose.drives.first() {
-        Some(DriveValue::Scalar(x)) => whole(curves.place(*x) * STEPS.0),
-        _ => None,
-    });
+    let places = frames.iter().map(|frame| whole(curves.place(frame.along()?) * STEPS.0));
     steps(&places.collect::<Vec<_>>())
 }
 

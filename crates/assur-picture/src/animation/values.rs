@@ -28,14 +28,10 @@ pub struct Column {
 pub fn columns(frames: &[Scene<'_>], curves: Option<&Curves>) -> Vec<Column> {
     let mut all: Vec<Column> = time(frames).into_iter().chain(drives(frames)).collect();
     let Some(curves) = curves else { return all };
-    let drive = |frame: &Scene<'_>| match frame.pose.drives.first() {
-        Some(DriveValue::Scalar(x)) => *x,
-        _ => f64::NAN,
-    };
     for i in 0..curves.count() {
         let mut named = None;
         let values = frames.iter().map(|frame| {
-            let (name, display, y) = curves.of(i, drive(frame));
+            let (name, display, y) = curves.of(i, frame.along().unwrap_or(f64::NAN));
             named.get_or_insert((name, display));
             y.map(|y| cleared(y, frame.greatest.in_si(display.dimension)))
         });

@@ -1,8 +1,10 @@
-//! A number over the sweep: from the solver's own series where the sweep is followed whole, else from its positions.
+//! A number over the sweep: from the solver's own series where the sweep is followed whole, else from its positions; over a
+//! motion under loads from many instants of it.
 
+use crate::figures::cleared;
 use crate::scene::Scene;
 use assur_model::model::{Expr, Value};
-use assur_solve::solve::{Course, DriveValue, PoseOrigin};
+use assur_solve::solve::{Course, DriveValue, PoseOrigin, TimeCourse};
 
 /// Points of a curve over the sweep before those are left out that lie on lines between others.
 const PARTS: f64 = 480.0;
@@ -27,6 +29,15 @@ impl Curve {
     pub fn of(course: &Course) -> Self {
         let lines = vec![course.points(PARTS)];
         Self { lines, least: Some(course.least), greatest: Some(course.greatest) }
+    }
+
+    /// Over a motion under loads; what is rounding beside what its numbers are large against is 0.
+    #[must_use]
+    pub fn in_time(mut course: TimeCourse, large: f64) -> Self {
+        course.lines.iter_mut().flatten().for_each(|point| point.1 = cleared(point.1, large));
+        let known =
+            |(x, y): (f64, f64)| Some((x, cleared(y, large))).filter(|_| x.is_finite() && y.is_finite());
+        Self { least: known(course.least), greatest: known(course.greatest), lines: course.lines }
     }
 
     /// The least and the greatest number on it.

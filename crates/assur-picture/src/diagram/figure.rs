@@ -5,12 +5,16 @@ use crate::figures::unit_text;
 use crate::scene::Scene;
 use assur_drawing::{Level, Text};
 use assur_model::model::{Display, DriveTarget, PairKind};
+use assur_text::units::Dimension;
 
-/// The letter of what the sweep runs over: φ of a link or a hinge, s of a slider; the share of the sweep where the drive moves a
+/// The letter of what the numbers run over: t of a motion under loads; of a sweep φ of a link or a hinge, s of a slider; the share of the sweep where the drive moves a
 /// point.
 #[must_use]
 pub fn drive_label(scene: &Scene<'_>) -> Text {
     let mechanism = scene.mechanism();
+    if mechanism.simulation.is_some() {
+        return Text::italic("t");
+    }
     match mechanism.drives.first().map(|d| d.target) {
         Some(DriveTarget::Link(link)) => scene.indexed("φ", link),
         Some(DriveTarget::Pair(pair)) => {
@@ -22,10 +26,13 @@ pub fn drive_label(scene: &Scene<'_>) -> Text {
     }
 }
 
-/// How the drive's value is printed.
+/// How the drive's value, or the instant, is printed.
 #[must_use]
 pub fn drive_axis(scene: &Scene<'_>) -> Display {
     let mechanism = scene.mechanism();
+    if mechanism.simulation.is_some() {
+        return mechanism.display_of(Dimension::TIME);
+    }
     let drive = mechanism.drives.first().filter(|d| !matches!(d.target, DriveTarget::Point(..)));
     drive.map_or_else(Display::default, |drive| mechanism.drive_display(drive.target))
 }

@@ -229,6 +229,9 @@ impl Wanted {
                 if let Query::Load(id) | Query::LoadPower(id) = query {
                     self.load(mechanism, *id);
                 }
+                if let Query::Work(id) = query {
+                    self.expr(mechanism, &mechanism.works[*id]);
+                }
             }
             Expr::Quantity(id) if !self.named.contains(id) => {
                 self.named.push(*id);

@@ -38,6 +38,17 @@ impl State {
         massive.map(weight).sum::<f64>() + mechanism.springs.iter().map(spring).sum::<f64>()
     }
 
+    /// Power of a spring with its damper, W.
+    #[must_use]
+    pub fn spring_power(&self, s: &Spring) -> f64 {
+        let ends = [s.from, s.to].map(|(link, at)| {
+            let body = &self.motion.bodies[link.index()];
+            (body.position(at), body.velocity(at))
+        });
+        let (r, v) = (ends[1].0 - ends[0].0, ends[1].1 - ends[0].1);
+        -spring(r, v, s.stiffness, s.free_length, s.damping).f_1.dot(v)
+    }
+
     /// Power of all weights, loads, springs and dampers, W, with the values of the loads that are evaluated at every position.
     #[must_use]
     pub fn power_of_loads(&self, model: &Model<'_>, evaluated: &[(LoadId, Value)]) -> f64 {
@@ -86,13 +97,16 @@ impl State {
             (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => {
                 torque * self.motion.bodies[on.index()].omega
             }
-            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => effort * self.rate_in(model, *pair),
+            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => {
+                effort * self.coordinate_rate(model, *pair)
+            }
             _ => 0.0,
         }
     }
 
     /// Rate of the coordinate along which an effort inside a pair acts.
-    fn rate_in(&self, model: &Model<'_>, pair: crate::model::PairId) -> f64 {
+    #[must_use]
+    pub fn coordinate_rate(&self, model: &Model<'_>, pair: crate::model::PairId) -> f64 {
         let joints = model.structure.replaced.joints_of(pair);
         let mut rates = joints.filter_map(|joint| match &model.structure.replaced.joint(joint).kind {
             JointKind::Prismatic { slider, point, direction, guide, .. } => {

@@ -13,6 +13,7 @@
 //! where the determinant of ∂g/∂φ is 1, and accepts a solution where it is positive. Magnitudes have kinks where a force
 //! changes its sense: where Newton does not settle, all laws of the mechanism are searched (`friction_search`).
 
+use super::friction_steps::Watch;
 use super::friction_work::FrictionWork;
 use super::state::State;
 use super::wrench::{Reaction, Wrench};
@@ -51,8 +52,11 @@ impl State {
         }
     }
 
-    /// Senses of all elements: the sign of the relative velocity, zero where it is nothing but rounding.
+    /// Senses of all elements: those a motion under loads says, else the sign of the relative velocity, zero where it is nothing but rounding.
     pub fn set_senses(&mut self, plan: &Plan) {
+        if !self.motion.grips.is_empty() {
+            return self.take_grips();
+        }
         let (mut turn, mut square, mut extent) = (0.0, 0.0, 0.0);
         for b in &self.motion.bodies {
             turn = f64::max(turn, b.omega * b.omega);
@@ -102,7 +106,7 @@ impl State {
         }
     }
 
-    fn save(&self, group: &FrictionGroup, saved: &mut [Wrench]) {
+    pub(super) fn save(&self, group: &FrictionGroup, saved: &mut [Wrench]) {
         for (slot, keep) in group.bodies.iter().chain(&group.bases).zip(saved) {
             *keep = self.forces.wrenches[*slot];
         }
@@ -147,7 +151,7 @@ impl State {
     ) -> f64 {
         if let Some(elements) = &group.reduced {
             let mut steps = 0;
-            let conditioning = self.force_reduced(plan, plain, elements, &mut steps);
+            let conditioning = self.force_reduced(plan, plain, elements, (&mut steps, &mut ()));
             if let Some(Some(work)) = self.scratch.friction_work.get_mut(index) {
                 work.steps = steps;
             }
@@ -162,7 +166,7 @@ impl State {
         work.steps = 0;
         self.save(group, &mut work.saved);
         let conditioning = if group.laws.is_empty() {
-            self.rub(plan, plain, group, &mut work)
+            self.rub(plan, plain, group, &mut work, &mut ())
         } else {
             self.rub_with_wheels(plan, plain, group, &mut work)
         };
@@ -182,6 +186,7 @@ impl State {
         plain: &ForceStep,
         group: &FrictionGroup,
         work: &mut FrictionWork,
+        watch: &mut impl Watch,
     ) -> Option<f64> {
         let conditioning = self.respond(plan, plain, group, work, None);
         for unit in 0..group.elements.len() {
@@ -191,7 +196,7 @@ impl State {
                 self.respond(plan, plain, group, work, Some(unit));
             }
         }
-        if !newton(plan, group, work) {
+        if !newton(plan, group, work, watch) {
             return None;
         }
         for (&element, &x) in group.elements.iter().zip(&work.values) {
@@ -227,10 +232,29 @@ impl State {
     }
 }
 
+/// What presses in the pairs of a group with the efforts as they stand.
+fn presses(plan: &Plan, group: &FrictionGroup, work: &FrictionWork) -> Vec<f64> {
+    let width = group.elements.len() + 1;
+    let one = |(i, element): (usize, &usize)| {
+        let row = &work.measured[i * width..][..width];
+        let units = row[1..].iter().zip(&work.values).zip(&work.senses);
+        // nothing is known of the unit of a pair that does not slide
+        let moving = units.filter(|(_, sense)| **sense != 0.0);
+        let sum = moving.fold(row[0], |sum, ((unit, x), _)| sum + *unit * *x);
+        match plan.friction[*element].kind {
+            FrictionLaw::BothEnds { .. } => sum.x.abs() + sum.y.abs(),
+            FrictionLaw::Guide { .. } => sum.x.abs(),
+            FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => sum.norm(),
+        }
+    };
+    group.elements.iter().enumerate().map(one).collect()
+}
+
 /// Newton's method; on success the efforts are in `work.values` and the motion is possible.
-fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork) -> bool {
+fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork, watch: &mut impl Watch) -> bool {
     let count = group.elements.len();
     work.values.fill(0.0);
+    watch.begin(|| presses(plan, group, work));
     for _ in 0..STEPS {
         work.steps += 1;
         let mut scale = f64::MIN_POSITIVE;
@@ -269,6 +293,7 @@ fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork) -> bool {
             *x += dx;
             step = step.max(dx.abs());
         }
+        watch.step(|| presses(plan, group, work));
         // the error left is of the order of the square of the step
         if step <= plan.settings.friction_step * scale {
             return work.jacobian.sign() > 0.0;

@@ -21,6 +21,7 @@
 //! The hinge of a driven link, or the guide of a driven slider, presses with what the loads give, whatever its friction.
 
 use super::friction::STEPS;
+use super::friction_steps::Watch;
 use super::state::State;
 use super::wrench::Reaction;
 use crate::group::{rrp, rrr};
@@ -78,23 +79,35 @@ fn direction<const KEPT: bool>(v: Vec2, like: Vec2) -> (Vec2, f64) {
 }
 
 impl Dyad {
+    /// What presses at A, at C, at B or in the guide.
+    fn presses<const GUIDE: bool>(&self, f: Vec2) -> Vec<f64> {
+        let last = f + self.force_2;
+        let last = if GUIDE { self.normal.dot(last).abs() } else { last.norm() };
+        vec![(f - self.force_1).norm(), f.norm(), last]
+    }
+
     /// The force f; `None` where the equations have no solution that is a motion.
     #[inline(always)]
-    fn solve<const GUIDE: bool>(&self, start: Vec2, steps: &mut u32) -> Option<Vec2> {
-        match self.newton::<GUIDE, true>(start, Sense::Kept, steps) {
+    fn solve<const GUIDE: bool>(&self, start: Vec2, steps: &mut u32, watch: &mut impl Watch) -> Option<Vec2> {
+        match self.newton::<GUIDE, true>(start, Sense::Kept, steps, watch) {
             Found::Motion(f) => Some(f),
             Found::Locked => None,
-            Found::Nothing => self.try_others::<GUIDE>(start, steps),
+            Found::Nothing => self.try_others::<GUIDE>(start, steps, watch),
         }
     }
 
     /// Where a force turns round on the way without passing infinity.
     #[cold]
     #[inline(never)]
-    fn try_others<const GUIDE: bool>(&self, start: Vec2, steps: &mut u32) -> Option<Vec2> {
+    fn try_others<const GUIDE: bool>(
+        &self,
+        start: Vec2,
+        steps: &mut u32,
+        watch: &mut impl Watch,
+    ) -> Option<Vec2> {
         let senses = [Sense::Present, Sense::OneSide(1.0), Sense::OneSide(-1.0)];
         let tried = if GUIDE { &senses[..] } else { &senses[..1] };
-        tried.iter().find_map(|sense| match self.newton::<GUIDE, false>(start, *sense, steps) {
+        tried.iter().find_map(|sense| match self.newton::<GUIDE, false>(start, *sense, steps, watch) {
             Found::Motion(f) => Some(f),
             Found::Locked | Found::Nothing => None,
         })
@@ -106,6 +119,7 @@ impl Dyad {
         start: Vec2,
         sense: Sense,
         steps: &mut u32,
+        watch: &mut impl Watch,
     ) -> Found {
         let [w_A, w_C, w_B] = self.weights;
         let upright = self.p_1.cross(self.q);
@@ -113,6 +127,7 @@ impl Dyad {
         let (start_A, start_B) = (start - self.force_1, start + self.force_2);
         let start_side = self.normal.dot(start_B).signum();
         let mut f = start;
+        watch.begin(|| self.presses::<GUIDE>(f));
         for _ in 0..STEPS {
             let (e_A, inverse_A) = direction::<KEPT>(f - self.force_1, start_A);
             let (e_C, inverse_C) = direction::<KEPT>(f, start);
@@ -143,6 +158,7 @@ impl Dyad {
             }
             let change = next - f;
             f = next;
+            watch.step(|| self.presses::<GUIDE>(f));
             // e·v falls short of |v| by the square of what is across e, over 2 |v|
             let across = |w: f64, e: Vec2, inverse: f64| {
                 let across = e.cross(change);
@@ -187,16 +203,16 @@ impl State {
         plan: &Plan,
         plain: &ForceStep,
         elements: &[Option<usize>; 3],
-        steps: &mut u32,
+        (steps, watch): (&mut u32, &mut impl Watch),
     ) -> Option<f64> {
         match plain {
             ForceStep::Rrr { outer, inner, motion } => {
                 let dyad = self.dyad_rrr(outer, inner, *motion);
-                self.rubbing_rrr(plan, dyad, (outer, inner), elements, steps)
+                self.rubbing_rrr(plan, dyad, (outer, inner), elements, (steps, watch))
             }
             ForceStep::Rrp { outer, inner, guide, motion } => {
                 let dyad = self.dyad_rrp(outer, inner, guide, *motion);
-                self.rubbing_rrp(plan, dyad, (outer, inner, guide), elements, steps)
+                self.rubbing_rrp(plan, dyad, (outer, inner, guide), elements, (steps, watch))
             }
             ForceStep::Turn { hinge, effort: EffortLine::Torque { base, .. }, value } => {
                 let (p, force, moment) = self.load_at(hinge.body, &hinge.pin);
@@ -251,7 +267,7 @@ impl State {
         (group, conditioning): (rrr::Rrr<f64>, f64),
         ([one, two], inner): (&[Hinge; 2], &Inner),
         elements: &[Option<usize>; 3],
-        steps: &mut u32,
+        (steps, watch): (&mut u32, &mut impl Watch),
     ) -> Option<f64> {
         let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
         let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
@@ -268,7 +284,7 @@ impl State {
             settled: plan.settings.friction,
         };
         let start = group.reactions(F_1, M_1, F_2, M_2).f_C;
-        let f = dyad.solve::<false>(start, steps)?;
+        let f = dyad.solve::<false>(start, steps, watch)?;
         let (f_A, f_B) = (f - F_1, -f - F_2);
         let frictions = [-w_A * f_A.norm(), -w_C * f.norm(), -w_B * f_B.norm()];
         elements.iter().zip(frictions).for_each(|(e, x)| self.keep_friction(*e, x));
@@ -285,7 +301,7 @@ impl State {
         (group, conditioning): (rrp::Rrp<f64>, f64),
         (outer, inner, guide): (&Hinge, &Inner, &Guide),
         elements: &[Option<usize>; 3],
-        steps: &mut u32,
+        (steps, watch): (&mut u32, &mut impl Watch),
     ) -> Option<f64> {
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let p_C = p_A + group.r_1;
@@ -305,7 +321,7 @@ impl State {
             settled: plan.settings.friction,
         };
         let start = group.reactions(F_1, M_1, F_2, 0.0).f_C;
-        let f = dyad.solve::<true>(start, steps)?;
+        let f = dyad.solve::<true>(start, steps, watch)?;
         let f_A = f - F_1;
         let normal = -n.dot(f + F_2);
         let frictions = [-w_A * f_A.norm(), -w_C * f.norm(), -w_B * normal.abs()];

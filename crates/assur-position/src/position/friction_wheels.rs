@@ -32,7 +32,7 @@ impl State {
         let mut found = None;
         for _ in 0..ROUNDS {
             self.take_senses(plan, &group.laws);
-            found = self.rub(plan, plain, group, work);
+            found = self.rub(plan, plain, group, work, &mut ());
             if found.is_none() || self.has_senses(&group.laws) {
                 break;
             }

@@ -1,6 +1,7 @@
 //! Motion at one position: what the drives say, and how the bodies move.
 
 use super::body::BodyState;
+use super::grip::Grip;
 use crate::math::{Scalar, V2, Vec2};
 use crate::plan::Plan;
 
@@ -48,6 +49,12 @@ pub struct Motion<S = f64> {
     pub touches: Vec<(Vec2, Vec2)>,
     /// The instant of a motion under loads, s.
     pub time: f64,
+    /// Works since the first instant of such a motion, J.
+    pub works: Vec<f64>,
+    /// Efforts of closed stops along their coordinates, N or N m.
+    pub stops: Vec<f64>,
+    /// How the elements of friction move there, where such a motion says it.
+    pub grips: Vec<Grip>,
     /// The first group that does not close.
     pub open: Option<usize>,
     /// What the dyads RRR and RRP leave for forces.
@@ -70,6 +77,9 @@ impl<S: Scalar + Default> Motion<S> {
             certificates: vec![0.0; groups],
             touches: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.cam_contacts],
             time: 0.0,
+            works: Vec::new(),
+            stops: Vec::new(),
+            grips: Vec::new(),
             open: None,
             shared: vec![Shared::default(); groups],
         }
@@ -79,13 +89,28 @@ impl<S: Scalar + Default> Motion<S> {
 impl Motion {
     /// Takes over all of another one, in the memory that is there.
     pub(super) fn copy(&mut self, other: &Self) {
-        let Self { inputs, bodies, conditions, certificates, touches, time, open, shared } = other;
+        let Self {
+            inputs,
+            bodies,
+            conditions,
+            certificates,
+            touches,
+            time,
+            works,
+            stops,
+            grips,
+            open,
+            shared,
+        } = other;
         self.inputs.clone_from(inputs);
         self.bodies.clone_from(bodies);
         self.conditions.clone_from(conditions);
         self.certificates.clone_from(certificates);
         self.touches.clone_from(touches);
         (self.time, self.open) = (*time, *open);
+        self.works.clone_from(works);
+        self.stops.clone_from(stops);
+        self.grips.clone_from(grips);
         self.shared.clone_from(shared);
     }
 

@@ -16,6 +16,7 @@ mod forces;
 mod friction;
 mod friction_closed;
 mod friction_search;
+mod friction_steps;
 mod friction_wheels;
 mod friction_work;
 mod general;
@@ -23,6 +24,7 @@ mod general_forces;
 mod general_losses;
 mod general_work;
 mod geneva;
+mod grip;
 mod kinematics;
 #[cfg(feature = "lanes")]
 mod lanes;
@@ -54,6 +56,7 @@ pub use friction::STILL;
 pub use friction_work::FrictionWork;
 pub use general::{STARTS, assemblies as general_assemblies, is_never_regular};
 pub use general_work::Workspace;
+pub use grip::Grip;
 pub use kinematics::{DriveInput, Motion};
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use lanes::block_in_avx2;

@@ -89,6 +89,13 @@ impl<S: Edge> State<S> {
         }
     }
 
+    /// Motion with accelerations, and the loads that are numbers in `wrenches`, of such a plan. Allocates nothing.
+    pub fn run_closed_loads(&mut self, plan: &Plan) {
+        self.start(plan);
+        plan.motion.iter().for_each(|step| self.closed_motion::<2>(step));
+        self.known_loads(plan);
+    }
+
     // all closed forms written out within a loop take the compiler minutes
     #[inline(never)]
     fn closed_motion<const LEVEL: u8>(&mut self, step: &MotionStep) {

@@ -78,6 +78,44 @@ impl Reduced {
         state.motion.inputs[drive].acceleration = 0.0;
         state.run_motion::<2>(plan);
         state.motion.inputs[drive].rate = rate;
+        self.take_unit(state);
+    }
+
+    /// Mass and force along the one free coordinate where it is alone, at the inputs of a state: the bodies are moved at a unit
+    /// rate, and left at rest. A group that does not close is left in `open`. Allocates nothing.
+    pub fn run_at_rest(&mut self, plan: &Plan, state: &mut State) {
+        let drive = self.free[0];
+        let rate = std::mem::replace(&mut state.motion.inputs[drive].rate, 1.0);
+        state.run_motion::<1>(plan);
+        state.motion.inputs[drive].rate = rate;
+        self.take_at_rest(state);
+    }
+
+    /// Takes over how the bodies move for a unit rate of the one free coordinate, and leaves them at rest.
+    pub fn take_at_rest(&mut self, state: &mut State) {
+        for (column, body) in self.columns[0].iter_mut().zip(&mut state.motion.bodies) {
+            *column = Column { v: body.v, omega: body.omega };
+            (body.v, body.omega) = (Vec2::zero(), 0.0);
+            (body.a, body.alpha) = (Vec2::zero(), 0.0);
+        }
+    }
+
+    /// Moves the bodies as they do for a unit rate of the one free coordinate.
+    pub fn put_unit(&self, state: &mut State) {
+        for (column, body) in self.columns[0].iter().zip(&mut state.motion.bodies) {
+            (body.v, body.omega) = (column.v, column.omega);
+        }
+    }
+
+    /// Mass and force along the one free coordinate, of bodies at rest under the loads in `wrenches`.
+    pub fn mass_and_force(&mut self, plan: &Plan, state: &State) -> (f64, f64) {
+        self.sum_up(plan, state);
+        (self.mass[0], power(&self.columns[0], state))
+    }
+
+    /// Takes over how the bodies move for a unit rate of the one free coordinate, and moves them at the rate there is.
+    pub fn take_unit(&mut self, state: &mut State) {
+        let rate = state.motion.inputs[self.free[0]].rate;
         let square = rate * rate;
         for (column, body) in self.columns[0].iter_mut().zip(&mut state.motion.bodies) {
             *column = Column { v: body.v, omega: body.omega };
@@ -139,7 +177,37 @@ impl Reduced {
         out.iter().all(|x| x.is_finite()).then_some(condition)
     }
 
-    fn scale(&self, i: usize) -> f64 {
+    /// Solves M x = b in place, with the factors that the accelerations were found by.
+    pub fn solve(&mut self, x: &mut [f64]) {
+        if let [x] = x {
+            *x /= self.mass[0];
+            return;
+        }
+        for (i, x) in x.iter_mut().enumerate() {
+            *x *= self.scale(i);
+        }
+        self.factors.solve(x);
+        for (i, x) in x.iter_mut().enumerate() {
+            *x *= self.scale(i);
+        }
+    }
+
+    /// What a number that is linear in velocities is for a unit rate of a free coordinate, in the state that was moved last.
+    pub fn at_unit_rate(&self, i: usize, state: &mut State, number: impl Fn(&State) -> f64) -> f64 {
+        let before: Vec<_> = state.motion.bodies.iter().map(|body| (body.v, body.omega)).collect();
+        for (body, column) in state.motion.bodies.iter_mut().zip(&self.columns[i]) {
+            (body.v, body.omega) = (column.v, column.omega);
+        }
+        let found = number(state);
+        for (body, (v, omega)) in state.motion.bodies.iter_mut().zip(before) {
+            (body.v, body.omega) = (v, omega);
+        }
+        found
+    }
+
+    /// The unit of a free coordinate in which its own mass is 1.
+    #[must_use]
+    pub fn scale(&self, i: usize) -> f64 {
         1.0 / self.mass[i * self.free.len() + i].sqrt()
     }
 
@@ -174,12 +242,35 @@ impl Reduced {
         self.columns.iter().map(|column| power(column, state))
     }
 
-    /// The sum of magnitudes whose sum is the power of the loads for a unit rate of the first free coordinate: what rounding
-    /// leaves of it is relative to this.
+    /// The sum of magnitudes whose sum is the power of the loads for a unit rate of a free coordinate: what rounding leaves of
+    /// it is relative to this.
     #[must_use]
-    pub fn greatest_power(&self, state: &State) -> f64 {
-        let bodies = self.columns[0].iter().zip(&state.forces.applied).skip(1);
+    pub fn greatest_power(&self, coordinate: usize, state: &State) -> f64 {
+        let bodies = self.columns[coordinate].iter().zip(&state.forces.applied).skip(1);
         bodies.map(|(k, w)| w.force.norm() * k.v.norm() + (w.moment * k.omega).abs()).sum()
+    }
+
+    /// Velocity of a body's origin and angular velocity for a unit rate of a free coordinate.
+    #[must_use]
+    pub fn unit_motion(&self, coordinate: usize, body: usize) -> (Vec2, f64) {
+        let Column { v, omega } = self.columns[coordinate][body];
+        (v, omega)
+    }
+
+    /// The greatest speed of a body for a unit rate of a free coordinate, lengths over `extent`; a unit of each coordinate is one
+    /// of these scales.
+    pub fn greatest_speed(&self, extent: f64, scales: impl Iterator<Item = f64>) -> f64 {
+        let each = self.columns.iter().zip(scales).flat_map(|(column, scale)| {
+            column.iter().map(move |k| scale * k.omega.abs().max(k.v.norm() / extent))
+        });
+        // what is not a number is the greatest there is
+        each.fold(0.0, |most, speed| if speed.is_nan() { f64::INFINITY } else { speed.max(most) })
+    }
+
+    /// Whether there is one free coordinate, and nothing else moves.
+    #[must_use]
+    pub const fn is_alone(&self) -> bool {
+        self.alone
     }
 
     /// M, by rows.

@@ -38,8 +38,10 @@ impl State {
         self.set_lines(plan);
         if plan.effects.friction {
             self.set_senses(plan);
+            self.apply_grips(plan);
         }
         self.run_forces(plan);
+        self.keep_grips();
     }
 
     /// The forces again from the same loads, without friction and losses.

@@ -94,7 +94,9 @@ impl PoseAnswers<'_> {
         (self.velocity(&point) - self.velocity(&under)).dot(self.coordinate_line(pair, &g))
     }
 
-    pub(super) fn relative_acceleration(&self, pair: PairId) -> f64 {
+    /// Second derivative of the coordinate.
+    #[must_use]
+    pub fn relative_acceleration(&self, pair: PairId) -> f64 {
         if let Some((first, second)) = self.hinge(pair) {
             return self.body(second).alpha - self.body(first).alpha;
         }

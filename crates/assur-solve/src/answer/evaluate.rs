@@ -29,14 +29,18 @@ impl PoseAnswers<'_> {
             },
             Expr::Binary(op, a, b) => binary(*op, self.value(a), self.value(b)),
             Expr::Power(a, b) => Value::Scalar(power(self.scalar(a), self.scalar(b))),
+            Expr::Call(function @ (Function::Abs | Function::Max | Function::Min), args) => {
+                let taken = self.call_on_side(expr, args);
+                taken.map_or_else(|| self.call(*function, args), Value::Scalar)
+            }
             Expr::Call(function, args) => self.call(*function, args),
-            Expr::Compare(how, a, b) => Value::Bool(compare(*how, self.scalar(a), self.scalar(b))),
+            Expr::Compare(how, a, b) => Value::Bool(self.comparison(expr, *how, (a, b))),
             Expr::And(a, b) => Value::Bool(self.truth(a) && self.truth(b)),
             Expr::Or(a, b) => Value::Bool(self.truth(a) || self.truth(b)),
             Expr::Not(a) => Value::Bool(!self.truth(a)),
             Expr::Quantity(id) => self.quantity(*id),
             Expr::Query(query) => self.query(query),
-            Expr::Curve(curve, part, x) => Value::Scalar(curve.at(*part, self.scalar(x))),
+            Expr::Curve(curve, part, x) => Value::Scalar(self.curve(expr, (curve, *part), x)),
             Expr::Frictionless(a) => self.without_friction().value(a),
         }
     }

@@ -1,5 +1,6 @@
 //! Answers questions about one position: from the state of the bodies to the results of the language.
 
+use super::switch::Switch;
 use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
 use crate::model::{
@@ -30,6 +31,8 @@ pub struct PoseAnswers<'a> {
     pub frictionless: Option<(&'a State, &'a [Value])>,
     /// Asked without friction.
     pub ideal: bool,
+    /// Parts of expressions that are taken on one side of their corners.
+    pub switches: &'a [Switch<'a>],
 }
 
 pub(super) const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
@@ -48,6 +51,7 @@ impl<'a> PoseAnswers<'a> {
             quantities: &[],
             frictionless: None,
             ideal: false,
+            switches: &[],
         }
     }
 
@@ -103,8 +107,21 @@ impl PoseAnswers<'_> {
             Query::Angle(link) => Value::Scalar(self.angles.get(link.index()).copied().unwrap_or(f64::NAN)),
             Query::EventTime(event, which) => Value::Scalar(self.statics.event(*event, *which)),
             Query::EventCount(event) => Value::Scalar(self.statics.count(*event)),
+            Query::Period => Value::Scalar(self.statics.period.unwrap_or(f64::NAN)),
+            Query::In(situation) => Value::Bool(self.statics.is_in(*situation, self.state.motion.time)),
+            Query::Work(id) => Value::Scalar(self.state.motion.works.get(*id).copied().unwrap_or(f64::NAN)),
+            Query::SpringPower(id) => Value::Scalar(self.state.spring_power(&self.mechanism.springs[*id])),
+            Query::StopEffort(stop) => {
+                Value::Scalar(self.state.motion.stops.get(*stop).copied().unwrap_or(0.0))
+            }
             Query::KineticEnergy => Value::Scalar(self.state.kinetic_energy(self.mechanism)),
             Query::PotentialEnergy => Value::Scalar(self.state.potential_energy(self.mechanism)),
+            Query::TorsionEnergy(spring, pair) => {
+                let wound = self.mechanism.torsion_springs.get(*spring).map_or(f64::NAN, |spring| {
+                    spring.stiffness.sqrt() * (self.displacement(*pair) - spring.free_angle)
+                });
+                Value::Scalar(0.5 * wound * wound)
+            }
             Query::Time => Value::Scalar(self.state.motion.time),
             Query::Omega(link) => Value::Scalar(self.body(*link).omega),
             Query::Turning(link, seen_from) => {

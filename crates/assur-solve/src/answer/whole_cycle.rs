@@ -1,7 +1,7 @@
 //! What needs no position: dead positions, strokes, functions over the sweep, flywheels.
 
 use super::cycle_answers::{CycleAnswer, FlywheelAnswer};
-use crate::model::PairId;
+use crate::model::{PairId, Situation};
 use std::f64::consts::TAU;
 
 /// Extremes of the pairs asked for.
@@ -14,6 +14,10 @@ pub struct WholeCycle {
     pub cycles: Vec<CycleAnswer>,
     /// Instants of the events of a motion under loads, s, by index into [`crate::model::Mechanism::events`].
     pub events: Vec<Vec<f64>>,
+    /// What such a motion is in, and from when to when, s.
+    pub situations: Vec<(Situation, f64, Option<f64>)>,
+    /// After what time a steady motion comes again, s, where one is asked for.
+    pub period: Option<f64>,
     /// Flywheels, by index into [`crate::model::Mechanism::flywheels`].
     pub flywheels: Vec<FlywheelAnswer>,
     /// The same without friction, where the file asks for any.
@@ -40,6 +44,8 @@ impl WholeCycle {
         criticals: Vec::new(),
         cycles: Vec::new(),
         events: Vec::new(),
+        situations: Vec::new(),
+        period: None,
         flywheels: Vec::new(),
         ideal_flywheels: Vec::new(),
     };
@@ -77,6 +83,15 @@ impl WholeCycle {
     pub fn event(&self, event: usize, which: usize) -> f64 {
         let times = self.events.get(event).and_then(|times| times.get(which.wrapping_sub(1)));
         times.copied().unwrap_or(f64::NAN)
+    }
+
+    /// Whether the motion is in a situation at an instant.
+    #[must_use]
+    pub fn is_in(&self, situation: Situation, time: f64) -> bool {
+        let lasts = |(_, begin, end): &&(Situation, f64, Option<f64>)| {
+            *begin <= time && end.is_none_or(|end| time < end)
+        };
+        self.situations.iter().filter(|(which, ..)| *which == situation).any(|found| lasts(&found))
     }
 
     /// How often an event happens.

@@ -3,6 +3,8 @@
 pub mod accuracy;
 mod clock;
 mod cost;
+mod runs;
 
 pub use clock::{Clock, micros};
 pub use cost::{Costs, Over, costs};
+pub use runs::{MethodStudy, RunRow, RunStudy, study_runs};

@@ -3,9 +3,9 @@
 use super::error::SolveError;
 use super::format::{four, label, labels, links, with_unit};
 use super::simulate_error::SimulateError;
-use crate::model::{Drive, DriveTarget, LinkId};
+use crate::model::{Drive, PairId, PairKind};
 use crate::position::Model;
-use crate::solve::Halt;
+use crate::solve::{Halt, NoCycle};
 use crate::source::Span;
 use crate::units::Dimension;
 
@@ -25,12 +25,18 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
         Halt::Open { group } => dead(model, *group, None, time),
         Halt::NoInertia => no_inertia(model, time),
         Halt::Jam => jam(model, time),
+        Halt::Opens { pair } => opens(model, *pair, time),
+        Halt::Rolls { pair } => rolls(model, *pair, time),
+        Halt::NoCycle(why) => no_cycle(*why, span),
+        Halt::StopPassed { stop, by } => stop_passed(model, *stop, *by, time),
+        Halt::StopsAtOnce { stops } => stops_at_once(model, stops, time),
         Halt::RubsOnDriven => return rubs_on_driven(model),
         Halt::NotANumber => {
             let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
             SimulateError::NoValue { time, labels: loads.collect() }
         }
         Halt::TooManySteps => SimulateError::TooManySteps { most: MOST_STEPS, time, end, span },
+        Halt::Interrupted => SimulateError::Interrupted { time, end, span },
         Halt::Accuracy { wanted, reached } => accuracy(*wanted, *reached, span),
     })
 }
@@ -85,19 +91,21 @@ fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: String) -
     let group = &model.structure.motion[group];
     let mut all = labels(model, group, "in a dead position");
     all.extend(starts(model).map(|d| label("started here", d.span)));
-    let other = group.bodies.iter().find_map(|body| {
-        let link = LinkId::at(body.0);
-        let started = starts(model).any(|d| d.target == DriveTarget::Link(link));
-        (body.0 < model.mechanism.links.len() && !started).then(|| model.mechanism.link(link).name.clone())
-    });
-    let other = other.unwrap_or_else(|| "a link of this group".into());
+    let rubs = model.plan.effects.loses();
+    let passed = match (starts(model).count(), rubs) {
+        (1, false) => "no other coordinates move it past this place",
+        (1, true) => {
+            "no other coordinates move it past this place, and a change point, with links in line, is only passed where nothing rubs"
+        }
+        _ => {
+            "no other coordinates move it past this place, and a change point, with links in line, is only passed with one `start`"
+        }
+    };
     SimulateError::Dead {
-        time,
         group: links(model, group),
         condition: condition.map_or_else(|| "0".into(), four),
-        help: format!(
-            "the coordinates that are started do not move it past this place: start `{other}` instead, or let `simulate` end before"
-        ),
+        help: format!("{passed}: let `simulate` end before {time}"),
+        time,
         labels: all,
     }
 }
@@ -111,9 +119,78 @@ fn jam(model: &Model<'_>, time: String) -> SimulateError {
     SimulateError::Jam { time, labels: rubbing(model, "rubs") }
 }
 
+fn rolls(model: &Model<'_>, pair: PairId, time: String) -> SimulateError {
+    let pair = model.mechanism.pair(pair);
+    SimulateError::Rolls { name: pair.name.clone(), time, span: pair.span }
+}
+
+fn opens(model: &Model<'_>, pair: PairId, time: String) -> SimulateError {
+    let pair = model.mechanism.pair(pair);
+    let name = &pair.name;
+    let (what, text, help) = match &pair.kind {
+        PairKind::Contact { second, .. } => {
+            let link = &model.mechanism.link(second.link).name;
+            (
+                format!("contact `{name}` would have to pull from {time} on"),
+                "opens here",
+                format!(
+                    "end the motion there with `until normal({name}, {link}) < 0 N`, or press the profiles together by a spring or a load"
+                ),
+            )
+        }
+        _ => (
+            format!("rope `{name}` would have to push from {time} on"),
+            "slack here",
+            format!(
+                "end the motion there with `until tension({name}) < 0 N`, or let a load keep the rope tight"
+            ),
+        ),
+    };
+    SimulateError::Opens { what, text, help, span: pair.span }
+}
+
+fn no_cycle(why: NoCycle, span: Span) -> SimulateError {
+    let (what, help) = match why {
+        NoCycle::NotReached(time) => (
+            format!(
+                "the motion does not come again: from the starts its end is not reached within {} s",
+                four(time)
+            ),
+            "start with a greater speed, or look for a load that stops the motion",
+        ),
+        NoCycle::Differs { trials, by } => (
+            format!(
+                "no motion was found that comes again: after {trials} trials the end still differs from the begin by {} of the greatest",
+                four(by)
+            ),
+            "start nearer to the steady motion, with its mean speed; loads must brake more at a greater speed",
+        ),
+    };
+    SimulateError::NoCycle { what, help, span }
+}
+
+fn stop_passed(model: &Model<'_>, stop: usize, by: f64, time: String) -> SimulateError {
+    let stop = &model.mechanism.stops[stop];
+    let dimension = if stop.turns { Dimension::ANGLE } else { Dimension::LENGTH };
+    let name = model.mechanism.pair(stop.pair).name.clone();
+    let side = if stop.side > 0.0 { "below" } else { "above" };
+    let help = format!("start the motion where `displacement({name})` is on the other side of the stop");
+    SimulateError::StopPassed { name, by: with_unit(model, by, dimension), side, time, help, span: stop.span }
+}
+
+fn stops_at_once(model: &Model<'_>, stops: &[usize], time: String) -> SimulateError {
+    let names = stops.iter().map(|stop| {
+        let pair = model.mechanism.stops[*stop].pair;
+        format!("`{}`", model.mechanism.pair(pair).name)
+    });
+    let names = names.collect::<Vec<_>>().join(" and ");
+    let labels = stops.iter().map(|stop| label("hit", model.mechanism.stops[*stop].span)).collect();
+    SimulateError::StopsAtOnce { names, time, labels }
+}
+
 fn rubs_on_driven(model: &Model<'_>) -> SolveError {
     let what =
-        "friction between links that a drive moves against each other, in a motion under loads,".to_owned();
+        "friction between links that a drive moves against each other, next to a stop, a loss or a load `against motion` in a motion under loads,".to_owned();
     SolveError::NotSupportedYet { what, labels: rubbing(model, "rubs") }
 }
 

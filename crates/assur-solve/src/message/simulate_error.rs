@@ -77,6 +77,18 @@ pub enum SimulateError {
         #[label("only to {time}")]
         span: Span,
     },
+    /// It was told to end.
+    #[error("the motion was stopped at {time}, before its end at {end}: what it did until then is printed")]
+    #[diagnostic(help("let `simulate` end earlier, or ask for less accuracy with `within`"))]
+    Interrupted {
+        /// The instant that was reached.
+        time: String,
+        /// The last one wanted.
+        end: String,
+        /// The statement `simulate`.
+        #[label("only to {time}")]
+        span: Span,
+    },
     /// The wanted accuracy is not reached.
     #[error("{known}")]
     #[diagnostic(code(mech::simulate::tolerance))]
@@ -116,5 +128,83 @@ pub enum SimulateError {
         /// The pairs that rub.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
+    },
+    /// A contact or a rope that opens.
+    #[error("{what}")]
+    #[diagnostic(code(mech::simulate::opens))]
+    Opens {
+        /// What would have to pull or push, and the instant.
+        what: String,
+        /// What it does there.
+        text: &'static str,
+        /// What to do.
+        #[help]
+        help: String,
+        /// The pair.
+        #[label("{text}")]
+        span: Span,
+    },
+    /// A coordinate that starts beyond its stop.
+    #[error("`{name}` is {by} {side} its stop at {time}")]
+    #[diagnostic(code(mech::simulate::stop_passed))]
+    StopPassed {
+        /// The pair.
+        name: String,
+        /// By how much.
+        by: String,
+        /// On which side.
+        side: &'static str,
+        /// The first instant.
+        time: String,
+        /// What to do.
+        #[help]
+        help: String,
+        /// The stop.
+        #[label("passed")]
+        span: Span,
+    },
+    /// Several stops that are hit at once.
+    #[error("the stops of {names} are hit at once at {time}")]
+    #[diagnostic(
+        code(mech::simulate::stops_at_once),
+        help(
+            "let the starts differ a little, or let `simulate` end before: the motion after several impacts at once depends on their order"
+        )
+    )]
+    StopsAtOnce {
+        /// The pairs.
+        names: String,
+        /// The instant.
+        time: String,
+        /// The stops.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A cam that friction would let roll on its follower.
+    #[error("from {time} on friction would hold `{name}`, so that the cam rolls on its follower")]
+    #[diagnostic(
+        code(mech::simulate::rolls),
+        help("let `simulate` end before {time}, or give the contact less friction")
+    )]
+    Rolls {
+        /// The contact.
+        name: String,
+        /// The instant.
+        time: String,
+        /// The contact.
+        #[label("comes to rest")]
+        span: Span,
+    },
+    /// A steady motion that was not found.
+    #[error("{what}")]
+    #[diagnostic(code(mech::simulate::no_cycle), help("{help}"))]
+    NoCycle {
+        /// Why not.
+        what: String,
+        /// What to do.
+        help: &'static str,
+        /// The statement `simulate`.
+        #[label("does not come again")]
+        span: Span,
     },
 }

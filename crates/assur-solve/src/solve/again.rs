@@ -120,7 +120,7 @@ impl Again {
         run.totals = std::mem::take(&mut memory.totals);
         run.evaluated = std::mem::take(&mut memory.evaluated);
         run.kept = kept;
-        let found = run.solved_from(&self.assembled, &self.angles, wanted);
+        let found = run.solved_from(&self.assembled, &self.angles, wanted, None);
         let quiet = run.notes.is_empty();
         memory.state = run.memory.take();
         memory.carried = run.carried;

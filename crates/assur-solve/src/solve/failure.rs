@@ -131,16 +131,64 @@ pub enum Halt {
     Jam,
     /// Drives move links against each other that rub.
     RubsOnDriven,
+    /// Friction would hold a cam on its follower, so that they roll on each other.
+    Rolls {
+        /// Which.
+        pair: PairId,
+    },
+    /// A contact would have to pull, or a rope to push.
+    Opens {
+        /// Which.
+        pair: PairId,
+    },
+    /// A motion that comes again was not found.
+    NoCycle(NoCycle),
+    /// A coordinate starts beyond its stop.
+    StopPassed {
+        /// Index into [`crate::model::Mechanism::stops`].
+        stop: usize,
+        /// By how much, m or rad.
+        by: f64,
+    },
+    /// Several stops are hit at once.
+    StopsAtOnce {
+        /// Indices into [`crate::model::Mechanism::stops`].
+        stops: Vec<usize>,
+    },
     /// A load is not a number.
     NotANumber,
     /// The most steps are done.
     TooManySteps,
+    /// It was told to end.
+    Interrupted,
     /// The accuracy is not reached with the digits there are.
     Accuracy {
         /// The wanted accuracy.
         wanted: f64,
         /// The estimated error.
         reached: f64,
+    },
+}
+
+impl Halt {
+    /// Whether nothing is wrong but its accuracy.
+    #[must_use]
+    pub const fn is_inaccurate(&self) -> bool {
+        matches!(self, Self::Accuracy { .. })
+    }
+}
+
+/// Why no motion was found that comes again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoCycle {
+    /// Its end is not reached in this time, s.
+    NotReached(f64),
+    /// After so many trials the state at the end still differs from that at the begin by this part.
+    Differs {
+        /// Trials.
+        trials: usize,
+        /// By how much, of the greatest of its kind.
+        by: f64,
     },
 }
 

@@ -17,14 +17,21 @@ impl Greatest {
     #[must_use]
     pub fn of<'s>(model: &Model<'_>, positions: impl IntoIterator<Item = &'s Solved>) -> Self {
         let mut greatest = Self::default();
-        positions.into_iter().for_each(|solved| greatest.include(model, solved));
+        let mut fastest = 0.0_f64;
+        for solved in positions {
+            fastest = fastest.max(greatest.include(model, solved));
+        }
+        if greatest.per_time == 0.0 && greatest.length > 0.0 {
+            greatest.per_time = fastest / greatest.length;
+        }
         if greatest.force == 0.0 {
             greatest.force = 1.0;
         }
         greatest
     }
 
-    fn include(&mut self, model: &Model<'_>, solved: &Solved) {
+    /// Takes a position in; the greatest velocity there.
+    fn include(&mut self, model: &Model<'_>, solved: &Solved) -> f64 {
         let state = &solved.state;
         let mut fastest = 0.0_f64;
         for (i, link) in model.mechanism.links.iter().enumerate() {
@@ -35,12 +42,10 @@ impl Greatest {
             }
             self.per_time = self.per_time.max(body.omega.abs());
         }
-        if self.per_time == 0.0 && self.length > 0.0 {
-            self.per_time = fastest / self.length;
-        }
         let reactions = state.forces.reactions.iter().map(|r| r.force);
         let forces = reactions.chain(state.forces.applied.iter().map(|w| w.force));
         self.force = forces.fold(self.force, |most, f| most.max(f.norm()));
+        fastest
     }
 
     /// What a quantity of a dimension is large against, SI: F^m L^(l−m) T^(t+2m).

@@ -53,14 +53,17 @@ pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
 pub use block::{Ahead, BLOCK, Block};
 pub use clause::{Clause, NamedPoint};
 pub use cycle::{Course, courses, over_cycle};
-pub use failure::{Cause, Failure, GroupId, Halt, Lost};
+pub use failure::{Cause, Failure, GroupId, Halt, Lost, NoCycle};
 pub use gap::GroupGap;
 pub use greatest::Greatest;
 pub use note::{Closing, Gap, Locking, Loss, Note, Pull, Uncertified};
 pub use refusal::{Refusal, Unpositioned};
 pub use refusals::{refusals, unplaced_reactions};
 pub use replay::Replay;
-pub use simulate::{Energy, Method, SimulationReport};
+pub use simulate::{
+    Conduct, Energy, KINDS, Method, OverTime, STATES, SimulationReport, SteadyReport, TimeCourse, Trial,
+    Trials, Watch, over_time,
+};
 pub use solution::{OpenSizes, Pose, Solution, Solved};
 pub use sweep::{Following, solve, solve_with};
 

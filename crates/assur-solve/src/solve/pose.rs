@@ -7,6 +7,7 @@ use crate::reference::exact;
 use super::failure::{Cause, Failure, GroupId};
 use super::lost::{not_finite, out_of_scale};
 use super::note::Loss;
+use super::simulate::Given;
 use super::solution::Solved;
 use super::sweep::Run;
 use super::track::Tracker;
@@ -33,7 +34,7 @@ fn slip_backwards(model: &Model<'_>, state: &State) -> Result<(), Cause> {
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
     pub(super) fn solved(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, Failure> {
-        self.solved_from(&tracker.state, &tracker.angles, pose)
+        self.solved_from(&tracker.state, &tracker.angles, pose, None)
     }
 
     /// As [`Run::solved`], from an assembled state with the angles of its bodies.
@@ -42,11 +43,18 @@ impl Run<'_, '_> {
         from: &State,
         angles: &[f64],
         pose: &Wanted,
+        given: Option<&Given>,
     ) -> Result<Solved, Failure> {
-        self.solution_at(from, angles, pose).map_err(|cause| Failure::at(pose, cause))
+        self.solution_at(from, angles, pose, given).map_err(|cause| Failure::at(pose, cause))
     }
 
-    fn solution_at(&mut self, from: &State, angles: &[f64], pose: &Wanted) -> Result<Solved, Cause> {
+    fn solution_at(
+        &mut self,
+        from: &State,
+        angles: &[f64],
+        pose: &Wanted,
+        given: Option<&Given>,
+    ) -> Result<Solved, Cause> {
         let model = self.model;
         let mut state = self.memory.take().unwrap_or_else(|| State::new(model.plan));
         state.start_from(from);
@@ -56,16 +64,23 @@ impl Run<'_, '_> {
             instant.set(&mut state.motion);
         }
         state.run_planned_motion(model.plan);
-        let mut condition = self.motion_condition(&state, pose)?;
-        if model.plan.effects.forces {
+        let put = given.map(|given| (given, given.put(&mut state)));
+        let mut condition = match put {
+            Some((given, _)) => given.condition,
+            None => self.motion_condition(&state, pose)?,
+        };
+        if model.plan.effects.forces && put.is_none_or(|(_, forces)| !forces) {
             condition = condition.min(self.forces(&mut state, angles, pose)?);
         }
-        if model.plan.settings.scalar == Numbers::DoubleDouble {
+        if model.plan.settings.scalar == Numbers::DoubleDouble && put.is_none() {
             self.with_twice_the_digits(&mut state);
         }
         let frictionless = model.plan.effects.loses().then(|| {
             let mut state = state.clone();
-            state.run_again_without_friction(model.plan);
+            match given.and_then(|given| given.ideal.as_ref()) {
+                Some(ideal) => state.forces.clone_from(ideal),
+                None => state.run_again_without_friction(model.plan),
+            }
             let values = PoseAnswers::new(model, &state, angles, &self.statics).all_quantities();
             Box::new((state.answer(), values))
         });

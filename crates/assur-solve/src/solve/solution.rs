@@ -69,6 +69,14 @@ pub struct Solved {
 }
 
 impl Pose {
+    /// Whether it is a position, and not only says at the end of a motion that its accuracy was missed.
+    #[must_use]
+    pub fn is_position(&self) -> bool {
+        let missed =
+            |failure: &Failure| matches!(&failure.cause, Cause::Halted { halt, .. } if halt.is_inaccurate());
+        !self.outcome.as_ref().is_err_and(missed)
+    }
+
     /// Why it has no solution, except for one of a sweep that does not close: one warning speaks of them all.
     #[must_use]
     pub fn failure(&self) -> Option<&Failure> {

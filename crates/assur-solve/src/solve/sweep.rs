@@ -13,7 +13,7 @@ use super::note::{Closing, Note};
 use super::notes::Notes;
 use super::positions::{Sweep, beside};
 use super::refusals::{refusals, unit_speeds};
-use super::simulate::{Instant, SimulationReport, Trajectory};
+use super::simulate::{Conduct, Instant, SimulationReport, Trajectory};
 use super::solution::{Pose, Solution, Solved};
 use super::steps::steps;
 use super::track::{Switch, Tracker};
@@ -83,6 +83,18 @@ impl<'a, 's> Following<'a, 's> {
     /// # Errors
     /// As [`solve`].
     pub fn new(model: &'s Model<'a>, criticals: Vec<f64>) -> Result<Option<Self>, Vec<Failure>> {
+        Self::conducted(model, criticals, &Conduct::default())
+    }
+
+    /// As [`Following::new`]; a motion under loads is integrated as `conduct` says.
+    ///
+    /// # Errors
+    /// As [`solve`].
+    pub fn conducted(
+        model: &'s Model<'a>,
+        criticals: Vec<f64>,
+        conduct: &Conduct<'_>,
+    ) -> Result<Option<Self>, Vec<Failure>> {
         let refused = refusals(model);
         if !refused.is_empty() {
             return Err(refused);
@@ -98,9 +110,9 @@ impl<'a, 's> Following<'a, 's> {
         let first = sweep.at(0).drives;
         let (mut trajectory, mut cycle_notes) = (None, Vec::new());
         if let Some(simulation) = &model.mechanism.simulation {
-            let found = super::simulate::trajectory(model, &statics, &rates, &first, simulation);
+            let found = super::simulate::trajectory(model, &statics, &rates, &first, simulation, conduct);
             let found = found.map_err(|failure| vec![failure])?;
-            found.tell(&mut statics);
+            found.tell(model.mechanism, &mut statics);
             trajectory = Some(found);
         } else {
             cycle_notes =

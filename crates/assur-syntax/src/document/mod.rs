@@ -26,7 +26,7 @@ pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Turn, Way};
 pub use question::{
     Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Find, FindItem, Row, Variants,
 };
-pub use simulation::{Event, Passage, Passing, Simulate, Start, TimeCourse, Until};
+pub use simulation::{Event, Passage, Passing, Simulate, Start, Steady, Stop, TimeCourse, Until};
 
 use assur_text::source::{Span, Spanned};
 
@@ -131,6 +131,8 @@ pub enum Statement {
     Event(Event),
     /// `until angle(crank) = 360 deg`
     Until(Until),
+    /// `stop G > 0 mm { restitution 0.7 }`
+    Stop(Stop),
     /// `ignore inertia`
     Ignore(Name),
     /// A part that could not be read; already reported.

@@ -1,6 +1,6 @@
 //! Motion under given loads.
 
-use super::{Expr, Name, Path, Sensed};
+use super::{CompareOp, Expr, Name, Path, Property, Sensed};
 use assur_text::source::{Span, Spanned};
 
 /// `start OF = -0.0617 rad at 0 rad/s`
@@ -36,7 +36,18 @@ pub enum TimeCourse {
         to: Expr,
     },
     /// `steady turn of crank`, `steady cycle of down`
-    Steady(Span),
+    Steady(Steady),
+}
+
+/// What comes again.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steady {
+    /// From `steady` on.
+    pub span: Span,
+    /// Turns of a link; of a cycle from one time that an event happens to the next there are none.
+    pub turns: Option<usize>,
+    /// The link, or the event.
+    pub of: Path,
 }
 
 /// `event top: omega(bar) = 0 rad/s falling`
@@ -53,6 +64,19 @@ pub struct Event {
 pub struct Until {
     /// When the motion ends.
     pub passing: Passing,
+}
+
+/// `stop G > 0 mm { restitution 0.7 }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stop {
+    /// The pair.
+    pub pair: Name,
+    /// On which side of the bound its coordinate stays.
+    pub op: Spanned<CompareOp>,
+    /// The bound.
+    pub bound: Expr,
+    /// `{ … }`
+    pub properties: Vec<Property>,
 }
 
 /// A value that is passed, or a condition that becomes true.

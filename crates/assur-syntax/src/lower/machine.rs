@@ -55,7 +55,7 @@ impl Lower<'_> {
     }
 
     /// The properties in braces; none where there are no braces.
-    fn properties(&mut self, parts: &mut Parts<'_>) -> Vec<Property> {
+    pub(super) fn properties(&mut self, parts: &mut Parts<'_>) -> Vec<Property> {
         let Some(pair) = parts.take(Rule::properties) else { return Vec::new() };
         let mut inner = Parts::of(pair);
         let mut found = Vec::new();

@@ -84,6 +84,7 @@ impl Lower<'_> {
             Rule::curve => Statement::Curve(self.curve(pair)?),
             Rule::simulate => Statement::Simulate(self.simulate(pair)?),
             Rule::event => Statement::Event(self.event(pair)?),
+            Rule::stop => Statement::Stop(self.stop(pair)?),
             Rule::until => Statement::Until(self.until(pair)?),
             Rule::ignore => {
                 let mut parts = Parts::of(pair);

@@ -1,8 +1,9 @@
 //! Motion under given loads.
 
+use super::expr::compare;
 use super::state::Lower;
 use super::walk::{P, Parts, span};
-use crate::document::{Event, Passage, Passing, Simulate, Start, TimeCourse, Until};
+use crate::document::{Event, Passage, Passing, Simulate, Start, Steady, Stop, TimeCourse, Until};
 use crate::grammar::Rule;
 use assur_text::source::Spanned;
 
@@ -35,7 +36,7 @@ impl Lower<'_> {
 
     fn time_course(&mut self, parts: &mut Parts<'_>) -> Option<TimeCourse> {
         if let Some(steady) = parts.take(Rule::steady) {
-            return Some(TimeCourse::Steady(span(&steady)));
+            return Some(TimeCourse::Steady(self.steady(steady)?));
         }
         let first = self.expr(parts.any()?)?;
         let Some(last) = parts.take(Rule::last) else {
@@ -43,6 +44,22 @@ impl Lower<'_> {
         };
         let to = self.expr(Parts::of(last).any()?)?;
         Some(TimeCourse::Between { from: Some(first), to })
+    }
+
+    fn steady(&mut self, pair: P<'_>) -> Option<Steady> {
+        let span = span(&pair);
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let count = parts.take(Rule::count);
+        let cycle = parts.word(Rule::w_cycle);
+        if !cycle {
+            parts.any()?;
+        }
+        // more digits than a number has are more turns than are followed
+        let turns = count.map_or(1, |count| count.as_str().parse().unwrap_or(usize::MAX));
+        parts.word(Rule::w_of);
+        let of = self.path(parts.any()?)?;
+        Some(Steady { span, turns: (!cycle).then_some(turns), of })
     }
 
     pub(super) fn event(&mut self, pair: P<'_>) -> Option<Event> {
@@ -55,6 +72,15 @@ impl Lower<'_> {
         let mut parts = Parts::of(pair);
         parts.any()?;
         Some(Until { passing: self.passing(parts.any()?)? })
+    }
+
+    pub(super) fn stop(&mut self, pair: P<'_>) -> Option<Stop> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let pair = parts.name()?;
+        let op = compare(&parts.any()?)?;
+        let bound = self.expr(parts.any()?)?;
+        Some(Stop { pair, op, bound, properties: self.properties(&mut parts) })
     }
 
     fn passing(&mut self, pair: P<'_>) -> Option<Passing> {

@@ -9,12 +9,41 @@ use assur_text::language::Collection;
 use assur_text::units::{Dimension, lookup};
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
-    times(case)
+    at_in_find(case)
+        .or_else(|| times(case))
         .or_else(|| diameter(case))
         .or_else(|| through(case))
         .or_else(|| bar(case))
         .or_else(|| position_or_speed(case))
         .or_else(|| comma_in_list(case))
+}
+
+/// `find omega(bar) at time = 0.5 s`
+fn at_in_find(case: &Case<'_>) -> Option<SyntaxError> {
+    if case.token(0) != "find" || case.token(case.fail) != "at" {
+        return None;
+    }
+    let items = case.slice.get(..case.fail)?.trim_start_matches("find");
+    let mut depth = 0;
+    let between = |c: char| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        c == ',' && depth == 0
+    };
+    let item = items.split(between).next_back()?.trim();
+    if item.is_empty() {
+        // `at` is meant as a name
+        return None;
+    }
+    let place = case.slice.get(case.fail..)?.trim();
+    let answer = if place.starts_with("at time") || place.starts_with("at event") {
+        "give `simulate … in N steps` an N that meets the instant"
+    } else {
+        "give the drive this position"
+    };
+    Some(SyntaxError::FindAt {
+        help: format!("to see the value there {answer}; to check one: `expect {item} = … {place}`"),
+        at: case.span(case.fail, "at".len()),
+    })
 }
 
 /// `link rod from B to C 350 mm`, `link rod BC 350 mm`

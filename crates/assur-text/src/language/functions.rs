@@ -61,6 +61,9 @@ const PHI: Argument = optional(arg("phi", Takes::Angle));
 const MESH: Argument = arg("mesh", Takes::Mesh);
 const F: Argument = arg("F", Takes::Flywheel);
 const EVENT: Argument = arg("top", Takes::Event);
+/// Where the part of a motion under loads begins and ends.
+const AFTER: Argument = optional(named("after", Takes::Value(Some(Dimension::TIME))));
+const BEFORE: Argument = optional(named("before", Takes::Value(Some(Dimension::TIME))));
 const WHICH: Argument = optional(arg("2", Takes::Count));
 const LOAD: Argument = named("load", Takes::Value(Some(Dimension::FORCE)));
 const COEFFICIENT: Argument = named("friction", Takes::Value(Some(Dimension::NUMBER)));
@@ -103,11 +106,11 @@ functions! {
     ],
     Max "max" Math "max(a, b)" [
         form(&[value("a"), value("b")], Varies("that of the values"), "greatest of two or more values"),
-        form(&[X], OF_X, "greatest value over the sweep, see Cycles"),
+        form(&[X, AFTER, BEFORE], OF_X, "greatest value over the sweep, see Cycles"),
     ],
     Min "min" Math "min(a, b)" [
         form(&[value("a"), value("b")], Varies("that of the values"), "least of two or more values"),
-        form(&[X], OF_X, "least value over the sweep, see Cycles"),
+        form(&[X, AFTER, BEFORE], OF_X, "least value over the sweep, see Cycles"),
     ],
     Slope "slope" Math "slope(p(x))" [form(
         &[value("p(x)")],
@@ -270,9 +273,15 @@ functions! {
     KineticEnergy "kinetic_energy" Simulation "kinetic_energy()"
         [form(&[], Number(Dimension::TORQUE), "of all links")],
     PotentialEnergy "potential_energy" Simulation "potential_energy()"
-        [form(&[], Number(Dimension::TORQUE), "of weights, from y = 0, and of springs, from their free lengths")],
+        [form(&[], Number(Dimension::TORQUE), "of weights, from y = 0, and of springs, from their free lengths and angles")],
     Energy "energy" Simulation "energy()"
         [form(&[], Number(Dimension::TORQUE), "kinetic and potential energy together")],
+    Period "period" Simulation "period()"
+        [form(&[], Number(Dimension::TIME), "of a steady motion: after what time it comes again")],
+    Sticks "sticks" Simulation "sticks(P)"
+        [form(&[J], Condition, "the pair is held by friction")],
+    Rests "rests" Simulation "rests(G)"
+        [form(&[J], Condition, "a stop of the pair is closed")],
     Fluctuation "fluctuation" Flywheel "fluctuation(J)"
         [form(&[F], Number(Dimension::TORQUE), "of a flywheel: greatest minus least work")],
     Rim "rim" Flywheel "rim(J).width" [form(
@@ -280,10 +289,18 @@ functions! {
         Parts("length, length, mass"),
         "rim of a flywheel; with `.width`, `.height` or `.mass`",
     )],
-    Work "work" Flywheel "work(J)" [form(
-        &[F],
+    Work "work" Flywheel "work(J)" [
+        form(&[F], Number(Dimension::TORQUE), "work of the torque minus its mean, from the first pose"),
+        form(
+            &[arg("k", Takes::Effort)],
+            Number(Dimension::TORQUE),
+            "of a load or a spring, since the first instant of a motion under loads",
+        ),
+    ],
+    FrictionWork "friction_work" Simulation "friction_work()" [form(
+        &[optional(J)],
         Number(Dimension::TORQUE),
-        "work of the torque minus its mean, from the first pose",
+        "of friction in all pairs, or in one, since the first instant: not positive",
     )],
     ReducedTorque "reduced_torque" Flywheel "reduced_torque(J)"
         [form(&[F], Number(Dimension::TORQUE), "the torque, reduced to the flywheel's shaft")],
@@ -326,14 +343,14 @@ functions! {
     Slips "slips" Train "slips(k)"
         [form(&[arg("k", Takes::Pair)], Condition, "a clutch or belt must transmit more than its capacity")],
     Frictionless "frictionless" Friction "frictionless(Mb)" [form(&[X], OF_X, "x without friction")],
-    Mean "mean" Cycle "mean(Mb)" [form(&[X], OF_X, "mean over the sweep, see Cycles")],
+    Mean "mean" Cycle "mean(Mb)" [form(&[X, AFTER, BEFORE], OF_X, "mean over the sweep, see Cycles")],
     Integral "integral" Cycle "integral(Mb)" [form(
-        &[X],
+        &[X, AFTER, BEFORE],
         Varies("that of x times that of the drive"),
         "over the drive's value along the sweep",
     )],
     Argmax "argmax" Cycle "argmax(Mb)"
-        [form(&[X], OF_DRIVE, "value of the drive where x is greatest")],
+        [form(&[X, AFTER, BEFORE], OF_DRIVE, "value of the drive where x is greatest")],
     JournalTorque "journal_torque" Bearing "journal_torque(load = 5 kN, radius = 40 mm, friction = 0.1)"
         [form(&[LOAD, RADIUS, COEFFICIENT, FIT], Number(Dimension::TORQUE), "friction torque of a journal, k f F r")],
     ThrustTorque "thrust_torque" Bearing "thrust_torque(load = 5 kN, outer = 40 mm, inner = 0, friction = 0.1)" [form(

@@ -18,7 +18,7 @@ pub use function::{Argument, Form, FunctionGroup, FunctionRow, Gives, Takes};
 pub use functions::{FUNCTIONS, Function};
 pub use kinds::{CamLaw, JointKind, LAWS, PAIRS};
 pub use properties::{
-    BRAKE, CAM, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, TORSION_SPRING, properties_of_pair,
+    BRAKE, CAM, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, STOP, TORSION_SPRING, properties_of_pair,
 };
 pub use property::{Property, PropertyValue};
 pub use units::{Symbol, UNITS, symbol};

@@ -14,6 +14,12 @@ const fn row(
 
 const FRICTION: Property =
     row("friction", NotNegative(Dimension::NUMBER), "friction 0.1", "coefficient of friction");
+const STATIC_FRICTION: Property = row(
+    "static_friction",
+    Positive(Dimension::NUMBER),
+    "static_friction 0.4",
+    "coefficient of friction at rest, in a motion under loads",
+);
 const FIT: Property = row(
     "fit",
     Word(&["line", "even", "worn"], Dimension::NUMBER),
@@ -35,6 +41,7 @@ const INTERNAL: Property = row("internal", Flag, "internal", "one is inside the 
 const REVOLUTE: &[Property] = &[
     row("radius", Positive(Dimension::LENGTH), "radius 20 mm", "radius of the pin"),
     FRICTION,
+    STATIC_FRICTION,
     FIT,
     row(
         "friction_circle",
@@ -54,6 +61,7 @@ const PRISMATIC: &[Property] = &[
     row("angle", Any(Dimension::ANGLE), "angle 90 deg", "constant angle between slider and line"),
     row("contacts", Two(Dimension::LENGTH), "contacts -20 mm, 25 mm", "the two ends of the slider"),
     FRICTION,
+    STATIC_FRICTION,
     row(
         "groove",
         Word(&["round"], Dimension::ANGLE),
@@ -65,6 +73,7 @@ const PRISMATIC: &[Property] = &[
 
 const SLOT: &[Property] = &[
     FRICTION,
+    STATIC_FRICTION,
     row(
         "slots",
         Positive(Dimension::NUMBER),
@@ -72,7 +81,7 @@ const SLOT: &[Property] = &[
         "of a Geneva wheel, of which the line is one; an arc locks the wheel in between",
     ),
 ];
-const CONTACT: &[Property] = &[FRICTION, INTERNAL];
+const CONTACT: &[Property] = &[FRICTION, STATIC_FRICTION, INTERNAL];
 
 const MESH: &[Property] = &[
     INTERNAL,
@@ -160,6 +169,14 @@ pub const SPRING: &[Property] = &[
     row("free_length", NotNegative(Dimension::LENGTH), "free_length 80 mm", "length without force"),
     row("damping", NotNegative(Dimension::DAMPING), "damping 20 N*s/m", "force per rate of elongation"),
 ];
+
+/// The properties of a stop.
+pub const STOP: &[Property] = &[row(
+    "restitution",
+    NotNegative(Dimension::NUMBER),
+    "restitution 0.7",
+    "ratio of the speeds after and before an impact",
+)];
 
 /// The properties of a spring in a revolute pair.
 pub const TORSION_SPRING: &[Property] = &[
@@ -283,6 +300,7 @@ pub const PROPERTIES: &[(&str, &[Property])] = &[
     ("brake", BRAKE),
     ("spring", SPRING),
     ("spring … in", TORSION_SPRING),
+    ("stop", STOP),
     ("cam", CAM),
     ("follower", FOLLOWER),
     ("flywheel", FLYWHEEL),

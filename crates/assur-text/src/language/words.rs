@@ -104,6 +104,11 @@ pub const STATEMENTS: &[Word] = &[
     row("simulate", "the time of motion under loads", "simulate 0 s .. 2 s in 200 steps within 1e-9"),
     row("event", "an instant at which something happens", "event top: omega(bar) = 0 rad/s"),
     row("until", "where motion under loads ends", "until angle(crank) = 360 deg"),
+    row(
+        "stop",
+        "a bound of a pair's coordinate in a motion under loads",
+        "stop G > 0 mm { restitution 0.7 }",
+    ),
     row("ignore", "an effect that is left out", "ignore inertia"),
 ];
 

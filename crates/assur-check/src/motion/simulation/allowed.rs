@@ -3,7 +3,7 @@
 use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::motion::drive::{count, moves};
-use assur_model::model::{BalanceKind, DriveTarget, Pair, PairKind, Positions};
+use assur_model::model::{BalanceKind, Pair, PairKind, Positions};
 use assur_syntax::document::Statement;
 use assur_text::source::Span;
 
@@ -86,16 +86,16 @@ fn not_solved_yet(cx: &mut Context<'_>) {
         PairKind::Transmission(t) => t.slip > 0.0 || t.laws.iter().any(|law| law.efficiency.is_some()),
         _ => false,
     };
-    // with one free coordinate friction is solved
+    // with one free coordinate all of it is solved
     let free = cx.builder.mech.drives.iter().filter(|d| d.free).count();
+    let stopped = !cx.builder.mech.stops.is_empty();
     let pairs = || cx.builder.mech.pairs.iter().filter(|_| free > 1);
-    let rubbing =
-        pairs().filter(rubs).map(|pair| ("friction in a motion of several free coordinates", pair.span));
+    let rubbing = pairs()
+        .filter(|pair| stopped && rubs(pair))
+        .map(|pair| ("friction next to a stop in a motion of several free coordinates", pair.span));
     let losing =
         pairs().filter(loses).map(|pair| ("losses in a motion of several free coordinates", pair.span));
-    let points = cx.builder.mech.drives.iter().filter(|d| matches!(d.target, DriveTarget::Point(..)));
-    let points = points.map(|drive| ("a point that is driven in a motion under loads", drive.span));
-    for (what, span) in rubbing.chain(losing).chain(points).collect::<Vec<_>>() {
+    for (what, span) in rubbing.chain(losing).collect::<Vec<_>>() {
         cx.builder.unsupported(what, span);
     }
 }

@@ -4,7 +4,7 @@ use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type};
-use assur_model::model::{BinaryOp, Comparison, Event, Expr, Function};
+use assur_model::model::{BinaryOp, Comparison, Event, Expr, Function, Query, Situation};
 use assur_syntax::document::{Passage, Passing, Statement};
 use assur_text::source::Span;
 
@@ -29,10 +29,12 @@ fn enter(cx: &mut Context<'_>, passing: &Passing, (name, span): (Option<String>,
         Some(value) => passed(cx, passing, value),
         None => condition(cx, passing),
     };
-    let found = found.filter(|(value, _)| is_of_instant(cx, value, span));
+    let found = found.filter(|(value, _)| situation(value).is_some() || is_of_instant(cx, value, span));
+    let situation = found.as_ref().and_then(|(value, _)| situation(value));
     // an event without a value keeps its place: what names it counts them
+    let found = found.filter(|_| situation.is_none());
     let (value, rising) = found.unwrap_or((Expr::number(1.0), None));
-    cx.builder.mech.events.push(Event { name, span, value, rising, ends });
+    cx.builder.mech.events.push(Event { name, span, value, rising, ends, situation });
 }
 
 /// Reports what is known only once the whole motion is.
@@ -85,11 +87,23 @@ fn condition(cx: &mut Context<'_>, passing: &Passing) -> Option<(Expr, Option<bo
         );
         cx.error(SimulateError::NoMeaning { what, help, span: way.span });
     }
+    if situation(&what.expr).is_some() {
+        return Some((what.expr, None));
+    }
     let Some(margin) = margin(&what.expr) else {
         cx.error(SimulateError::NoMargin { span: passing.what.span });
         return None;
     };
     Some((margin, Some(true)))
+}
+
+/// What the motion is in for a while, and whether it is to be so: `rests(G)`, `not rests(G)`.
+fn situation(condition: &Expr) -> Option<(Situation, bool)> {
+    match condition {
+        Expr::Query(Query::In(situation)) => Some((*situation, true)),
+        Expr::Not(inner) => situation(inner).map(|(found, is)| (found, !is)),
+        _ => None,
+    }
 }
 
 /// A number that is positive where a condition is true: it passes zero where that changes.

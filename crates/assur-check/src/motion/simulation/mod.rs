@@ -2,9 +2,14 @@
 
 mod allowed;
 mod event;
+mod of_time;
 mod start;
+mod steady;
+mod stop;
 
+pub(crate) use of_time::{differentiable, follows_time, own_rates};
 pub(crate) use start::starts;
+pub(crate) use stop::stops;
 
 use crate::error::SimulateError;
 use crate::expr::context::Context;
@@ -74,9 +79,12 @@ fn course(cx: &mut Context<'_>, simulate: &Simulate, span: Span) -> Option<Simul
         Some(steps) => Some(count(cx, steps)?),
         None => None,
     };
-    let TimeCourse::Between { from, to } = &simulate.course else {
-        cx.builder.unsupported("a motion that comes again after each turn", span);
-        return None;
+    let (from, to) = match &simulate.course {
+        TimeCourse::Between { from, to } => (from, to),
+        TimeCourse::Steady(steady) => {
+            let steady = Some(steady::steady(cx, steady)?);
+            return Some(Simulation { span, from: 0.0, to: f64::INFINITY, steady, steps, within });
+        }
     };
     let want = Want(Dimension::TIME);
     let first = match from {
@@ -91,7 +99,7 @@ fn course(cx: &mut Context<'_>, simulate: &Simulate, span: Span) -> Option<Simul
         cx.error(SimulateError::Interval { from: instant(first), to: instant(last), span });
         return None;
     }
-    Some(Simulation { span, from: first, to: last, steps, within })
+    Some(Simulation { span, from: first, to: last, steady: None, steps, within })
 }
 
 fn accuracy(cx: &mut Context<'_>, within: &Expr) -> Option<f64> {

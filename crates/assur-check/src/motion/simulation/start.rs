@@ -55,7 +55,19 @@ fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
     let (speed, target) = (Some(speed?), target?);
     let written = start.value.as_ref().and_then(|v| written(&v.value));
     let (acceleration, sense) = (None, None);
-    once.then_some(Drive { name, span, target, positions, written, speed, acceleration, sense, free: true })
+    let (free, of_time) = (true, false);
+    once.then_some(Drive {
+        name,
+        span,
+        target,
+        positions,
+        written,
+        speed,
+        acceleration,
+        sense,
+        free,
+        of_time,
+    })
 }
 
 /// The drive that stands for a start whose motion is given.

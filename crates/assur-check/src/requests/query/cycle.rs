@@ -3,18 +3,18 @@
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::values::typed::{Dim, Type, Typed};
-use assur_model::model::{Cycle, CycleFunction, Expr, Query};
+use assur_model::model::{Cycle, CycleFunction, Expr, Part, Query};
 use assur_text::units::Dimension;
 
 impl Context<'_> {
     /// `max`, `min`, `mean`, `integral`, `argmax` of one number.
     pub(crate) fn over_sweep(&mut self, call: Call<'_>, how: CycleFunction) -> Option<Typed> {
-        let args = self.arguments(call, 1, 1)?;
-        let t = self.read(args[0])?;
+        let (value, part) = self.value_and_part(call)?;
+        let t = self.read(value)?;
         let Type::Number(dim) = t.ty else {
             let help = matches!(t.ty, Type::Vector(_)).then(|| "write `mag(…)`, `.x` or `.y`".to_owned());
             let what = format!("the argument of `{}`", call.name.node);
-            self.shape(&what, "a number", t.ty, args[0].span, help);
+            self.shape(&what, "a number", t.ty, value.span, help);
             return None;
         };
         let dim = match how {
@@ -26,7 +26,7 @@ impl Context<'_> {
         if t.pending {
             return Some(Typed::pending(ty));
         }
-        let expr = self.cycle(how, t.expr, call);
+        let expr = self.cycle(how, t.expr, (call, part));
         Some(Typed::new(expr, ty))
     }
 
@@ -36,10 +36,11 @@ impl Context<'_> {
     }
 
     /// A function over the sweep; the same one is kept once.
-    fn cycle(&mut self, how: CycleFunction, expr: Expr, call: Call<'_>) -> Expr {
-        let known = self.builder.mech.cycles.iter().position(|c| c.how == how && c.expr == expr);
+    fn cycle(&mut self, how: CycleFunction, expr: Expr, (call, part): (Call<'_>, Part)) -> Expr {
+        let known =
+            self.builder.mech.cycles.iter().position(|c| c.how == how && c.expr == expr && c.part == part);
         Expr::Query(Query::Cycle(known.unwrap_or_else(|| {
-            self.builder.mech.cycles.push(Cycle { span: call.span, how, expr });
+            self.builder.mech.cycles.push(Cycle { span: call.span, how, expr, part });
             self.builder.mech.cycles.len() - 1
         })))
     }
@@ -56,7 +57,7 @@ impl Context<'_> {
         for index in found {
             let Some(cycle) = self.builder.mech.cycles.get(index).cloned() else { continue };
             let ideal = Expr::Frictionless(Box::new(cycle.expr));
-            inside.push((index, self.cycle(cycle.how, ideal, call)));
+            inside.push((index, self.cycle(cycle.how, ideal, (call, cycle.part))));
         }
         expr.map_leaves(&mut |leaf| match leaf {
             Expr::Query(Query::Cycle(index)) => {

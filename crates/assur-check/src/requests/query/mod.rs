@@ -16,6 +16,7 @@ mod motion;
 mod named;
 mod own_usage;
 mod pair_kinds;
+mod part;
 mod relative;
 mod simulation;
 mod substitution;
@@ -87,13 +88,7 @@ impl Context<'_> {
             F::Slope => self.slope(call),
             F::Dot => self.product(call, model::Function::Dot),
             F::Cross => self.product(call, model::Function::Cross),
-            F::Max if call.args.len() != 1 => self.extreme(call, model::Function::Max),
-            F::Min if call.args.len() != 1 => self.extreme(call, model::Function::Min),
-            F::Max => self.over_cam_or_sweep(call, CycleFunction::Max),
-            F::Min => self.over_cam_or_sweep(call, CycleFunction::Min),
-            F::Argmax => self.over_cam_or_sweep(call, CycleFunction::Argmax),
-            F::Mean => self.over_sweep(call, CycleFunction::Mean),
-            F::Integral => self.over_sweep(call, CycleFunction::Integral),
+            F::Max | F::Min | F::Argmax | F::Mean | F::Integral => self.over_all(call, function),
             F::Position => self.point_motion(call, Dimension::LENGTH, Query::Position, Query::Displacement),
             F::Velocity => {
                 self.point_motion(call, Dimension::VELOCITY, Query::Velocity, Query::RelativeVelocity)
@@ -150,6 +145,7 @@ impl Context<'_> {
             F::Power => self.power(call),
             F::Efficiency => self.verdict(call, Query::Efficiency, Type::number(Dimension::NUMBER)),
             F::Locked => self.verdict(call, Query::Locked, Type::Bool),
+            F::FrictionWork | F::Period | F::Sticks | F::Rests => self.of_motion(call, function),
             F::Time | F::Count | F::KineticEnergy | F::PotentialEnergy | F::Energy => {
                 self.of_motion(call, function)
             }
@@ -166,10 +162,25 @@ impl Context<'_> {
             F::BeltRatio => self.belt_ratio(call),
             F::RaisingTorque | F::LoweringTorque => self.screw_torque(call, function),
             F::Fluctuation => self.of_flywheel(call, FlywheelPart::Fluctuation, Dimension::TORQUE),
+            F::Work if self.names.simulates => self.work(call),
             F::Work => self.of_flywheel(call, FlywheelPart::Work, Dimension::TORQUE),
             F::ReducedTorque => self.of_flywheel(call, FlywheelPart::Torque, Dimension::TORQUE),
             F::ReducedInertia => self.of_flywheel(call, FlywheelPart::LinksInertia, Dimension::INERTIA),
             F::Rim => self.rim_alone(call),
+        }
+    }
+
+    /// `max` and `min` of several values, or a function of one over a turn or a sweep.
+    fn over_all(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        let several = positional(call) != 1;
+        match function {
+            Function::Max if several => self.extreme(call, model::Function::Max),
+            Function::Min if several => self.extreme(call, model::Function::Min),
+            Function::Max => self.over_cam_or_sweep(call, CycleFunction::Max),
+            Function::Min => self.over_cam_or_sweep(call, CycleFunction::Min),
+            Function::Argmax => self.over_cam_or_sweep(call, CycleFunction::Argmax),
+            Function::Mean => self.over_sweep(call, CycleFunction::Mean),
+            _ => self.over_sweep(call, CycleFunction::Integral),
         }
     }
 
@@ -180,4 +191,9 @@ impl Context<'_> {
         }
         self.over_sweep(call, how)
     }
+}
+
+/// How many arguments have no name.
+fn positional(call: Call<'_>) -> usize {
+    call.args.iter().filter(|arg| arg.name.is_none()).count()
 }

@@ -3,11 +3,12 @@
 use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
+use crate::names::declared::QuantityKind;
 use crate::names::suggestion::suggestion;
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{BinaryOp, Expr, Query};
-use assur_syntax::document::{ExprKind, Name, SpringSite, Statement};
+use assur_model::model::{BinaryOp, Expr, LoadId, Pair, PairId, Query, Situation};
+use assur_syntax::document::{ExprKind, Name, Simulate, Spring, SpringSite, Statement, TimeCourse};
 use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::Dimension;
@@ -17,6 +18,12 @@ impl Context<'_> {
     pub(crate) fn is_of_a_motion(&mut self, call: Call<'_>, function: Function) -> Option<()> {
         use Function as F;
         let of_events = matches!(function, F::Time | F::Count);
+        let of_states = matches!(function, F::Period | F::Sticks | F::Rests | F::FrictionWork);
+        if of_states && !self.names.simulates {
+            let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
+            self.error(SimulateError::Missing { word: function.name(), help, span: call.span });
+            return None;
+        }
         let of_drive = matches!(function, F::Travel | F::Stroke | F::TimeRatio | F::Dead | F::Critical);
         if of_events && !self.names.simulates {
             let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
@@ -38,6 +45,10 @@ impl Context<'_> {
         match function {
             Function::Time => self.event_time(call),
             Function::Count => self.event_count(call),
+            Function::Rests => self.rests(call),
+            Function::FrictionWork => self.friction_work(call),
+            Function::Period => self.period(call),
+            Function::Sticks => self.sticks(call),
             Function::KineticEnergy => self.energy(call, &[Query::KineticEnergy]),
             Function::PotentialEnergy => self.energy(call, &[Query::PotentialEnergy]),
             _ => self.energy(call, &[Query::KineticEnergy, Query::PotentialEnergy]),
@@ -63,15 +74,130 @@ impl Context<'_> {
         Some(Typed::new(Expr::Query(Query::EventCount(event)), Type::number(Dimension::NUMBER)))
     }
 
+    /// `rests(G)`
+    fn rests(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let pair = self.pair_argument(call, args[0])?;
+        let name = self.builder.mech.pair(pair).name.clone();
+        let is_stop = |s: &Statement| matches!(s, Statement::Stop(stop) if stop.pair.node == name);
+        if !self.doc.statements.iter().any(|s| is_stop(&s.node)) {
+            let what = format!("`{name}` has no stop to rest on");
+            let help = format!("add one, as in `stop {name} > 0 mm {{ restitution 0.7 }}`");
+            self.error(SimulateError::Stop { what, help, span: call.span, first: None });
+            return None;
+        }
+        Some(Typed::new(Expr::Query(Query::In(Situation::Rests(pair))), Type::Bool))
+    }
+
+    /// `period()`
+    fn period(&mut self, call: Call<'_>) -> Option<Typed> {
+        self.arguments(call, 0, 0)?;
+        let steady = |s: &Statement| {
+            matches!(
+                s,
+                Statement::Simulate(Simulate { course: TimeCourse::Steady(_), .. }) | Statement::Bad(_)
+            )
+        };
+        if !self.doc.statements.iter().any(|s| steady(&s.node)) {
+            let what = "`period()` without a steady motion".to_owned();
+            let help =
+                "ask for the motion that comes again, as in `simulate steady turn of crank`".to_owned();
+            self.error(SimulateError::NoMeaning { what, help, span: call.span });
+            return None;
+        }
+        Some(Typed::new(Expr::Query(Query::Period), Type::number(Dimension::TIME)))
+    }
+
+    /// `sticks(P)`
+    fn sticks(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let pair = self.pair_argument(call, args[0])?;
+        let declared = self.builder.mech.pair(pair);
+        if !declared.friction.is_some_and(|friction| friction.is_some()) {
+            let what = format!("`sticks` of `{}`, which has no friction,", declared.name);
+            let help = "add `{ friction 0.3 }` to the pair".to_owned();
+            self.error(SimulateError::NoMeaning { what, help, span: call.span });
+            return None;
+        }
+        Some(Typed::new(Expr::Query(Query::In(Situation::Sticks(pair))), Type::Bool))
+    }
+
+    /// `work(M)`, `work(k)`
+    pub(super) fn work(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let ExprKind::Name(name) = &args[0].kind else {
+            self.wrong_argument(call, "the name of a load or a spring", args[0].span);
+            return None;
+        };
+        let power = match self.names.quantities.get(name).map(|d| d.what) {
+            Some(QuantityKind::Load(id, _) | QuantityKind::Brake(id)) => Some(Query::LoadPower(id)),
+            _ => self.spring_power(name),
+        };
+        let Some(power) = power else {
+            self.wrong_argument(call, "the name of a load or a spring", args[0].span);
+            return None;
+        };
+        Some(self.work_of(Expr::Query(power)))
+    }
+
+    /// The power of a spring: between two points, or in a pair, where it is a load after all others.
+    fn spring_power(&self, name: &str) -> Option<Query> {
+        let springs = self.doc.statements.iter().filter_map(|s| match &s.node {
+            Statement::Spring(spring) => Some(spring),
+            _ => None,
+        });
+        let wanted = springs.clone().find(|spring| spring.name.node == name)?;
+        let in_pair = matches!(wanted.site, SpringSite::Pair(_));
+        let alike = springs.filter(|s| matches!(s.site, SpringSite::Pair(_)) == in_pair);
+        let before = alike.take_while(|spring| spring.name.node != name).count();
+        if !in_pair {
+            return Some(Query::SpringPower(before));
+        }
+        let is_load = |s: &Statement| matches!(s, Statement::Load(_) | Statement::Brake(_));
+        let loads = self.doc.statements.iter().filter(|s| is_load(&s.node)).count();
+        Some(Query::LoadPower(LoadId::at(loads + before)))
+    }
+
+    /// `friction_work()`, `friction_work(P)`
+    fn friction_work(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 0, 1)?;
+        let rubs = |pair: &Pair| pair.friction.is_some_and(|friction| friction.is_some());
+        let pairs: Vec<PairId> = match args.first() {
+            Some(arg) => vec![self.pair_argument(call, arg)?],
+            None => {
+                let all = self.builder.mech.pairs.iter().enumerate().filter(|(_, pair)| rubs(pair));
+                all.map(|(i, _)| PairId::at(i)).collect()
+            }
+        };
+        let of = |pair: PairId| Expr::Negate(Box::new(Expr::Query(Query::FrictionPower(pair))));
+        let powers = pairs.into_iter().filter(|pair| rubs(self.builder.mech.pair(*pair))).map(of);
+        let sum = powers.reduce(|sum, power| fold::binary(BinaryOp::Add, sum, power));
+        Some(self.work_of(sum.unwrap_or(Expr::number(0.0))))
+    }
+
+    /// The work of a power; the same one is kept once.
+    fn work_of(&mut self, power: Expr) -> Typed {
+        let works = &mut self.builder.mech.works;
+        let known = works.iter().position(|work| *work == power);
+        let id = known.unwrap_or_else(|| {
+            works.push(power);
+            works.len() - 1
+        });
+        Typed::new(Expr::Query(Query::Work(id)), Type::number(Dimension::TORQUE))
+    }
+
     /// `kinetic_energy()`, `potential_energy()`, and their sum.
     fn energy(&mut self, call: Call<'_>, parts: &[Query]) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
-        let in_hinge =
-            |s: &Statement| matches!(s, Statement::Spring(s) if matches!(s.site, SpringSite::Pair(_)));
-        if parts.contains(&Query::PotentialEnergy) && self.doc.statements.iter().any(|s| in_hinge(&s.node)) {
-            self.builder.unsupported("the potential energy of a spring in a hinge", call.span);
-        }
-        let mut parts = parts.iter().map(|query| Expr::Query(*query));
+        let pair = |s: &Statement| match s {
+            Statement::Spring(Spring { site: SpringSite::Pair(pair), .. }) => self.find_pair(&pair.node),
+            _ => None,
+        };
+        let hinges = self.doc.statements.iter().filter_map(|s| pair(&s.node)).enumerate();
+        let hinges = hinges.map(|(spring, pair)| Query::TorsionEnergy(spring, pair));
+        let stored = parts.contains(&Query::PotentialEnergy);
+        let all = parts.iter().copied().chain(hinges.filter(|_| stored)).collect::<Vec<_>>();
+        let mut parts = all.into_iter().map(Expr::Query);
         let first = parts.next()?;
         let sum = parts.fold(first, |sum, part| fold::binary(BinaryOp::Add, sum, part));
         Some(Typed::new(sum, Type::number(Dimension::TORQUE)))

@@ -203,6 +203,11 @@ fn extreme<S: Real>(
     if side == 0 || !farther(a) || !farther(c) {
         return None;
     }
+    let same = |p: Point<S>| !p.1.abs().lt(b.1.abs()) && !b.1.abs().lt(p.1.abs());
+    if same(a) && same(c) {
+        // what stands still
+        return None;
+    }
     let least = epsilon::<S>().sqrt() * (c.0 - a.0).abs();
     for turn in 0..MOST {
         let x = if turn % 4 == 3 { None } else { vertex(a, b, c) };

@@ -16,6 +16,7 @@
 //! ```
 
 mod elimination;
+mod energy;
 pub mod event;
 mod extrapolation;
 mod first_step;
@@ -27,6 +28,7 @@ pub mod dop853;
 mod radau;
 
 pub use dop853::Dop853;
+pub use energy::Energy;
 pub use extrapolation::Extrapolation;
 pub use progress::{Counts, Progress};
 pub use radau::Radau;
@@ -54,6 +56,15 @@ pub trait System<S> {
     /// # Errors
     /// There is no value.
     fn jacobian(&mut self, _t: S, _y: &[S], _derivatives: &mut [S]) -> Result<bool, Undefined> {
+        Ok(false)
+    }
+
+    /// Mass, force along the coordinate and rates of all further works by the coordinate, where a value of the one coordinate
+    /// tells them; false where it does not.
+    ///
+    /// # Errors
+    /// There is no value.
+    fn along(&mut self, _q: S, _out: &mut [S]) -> Result<bool, Undefined> {
         Ok(false)
     }
 

@@ -123,6 +123,13 @@ impl<S: Real> Progress<S> {
         self.longest.map_or(h, |longest| if longest.lt(h.abs()) { signed(longest, h) } else { h })
     }
 
+    /// Makes the next trial no longer than this.
+    pub fn begin_with(&mut self, longest: S) {
+        if longest.lt(self.next.abs()) {
+            self.next = signed(longest, self.next);
+        }
+    }
+
     /// Begins a step where the last one ended; false where nothing is left to do.
     pub(super) fn begin<F: System<S> + ?Sized>(&mut self, system: &mut F) -> bool {
         if !nonzero(self.end - self.t1) {

@@ -15,7 +15,7 @@ pub use answer::Source;
 pub use error::{Error, Scales};
 pub use setting::{Kind, NotApplicable, Row, Setting};
 pub use study::{AccuracyStudy, Recommendation, study};
-pub use within::{AccuracyError, AchievedAccuracy, candidates, out_of_reach, reached};
+pub use within::{AccuracyError, AchievedAccuracy, candidates, out_of_reach, reached, run_out_of_reach};
 
 /// Positions in a batch and the instructions they use on this machine; one by one without the feature `lanes`.
 #[must_use]

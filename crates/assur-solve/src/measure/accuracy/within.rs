@@ -7,6 +7,7 @@ use super::answer::{Answer, Source};
 use super::error::{errors, scales};
 use super::setting::Setting;
 use super::study::{AccuracyStudy, estimated};
+use crate::measure::runs::RunStudy;
 use crate::model::Mechanism;
 use crate::plan::{Level, Numbers, Settings};
 use crate::solve::{Model, Solution, Solved};
@@ -150,6 +151,14 @@ pub fn out_of_reach(study: &AccuracyStudy, mechanism: &Mechanism) -> AccuracyErr
     // each kind of setting by its best: the worst of them is what all together reach
     let best = |knob: &Setting| knob.rows.iter().filter_map(|r| r.error).fold(f64::INFINITY, f64::min);
     let reached = study.knobs.iter().map(best).fold(0.0, f64::max);
+    missed(mechanism, "--for", study.wanted, reached)
+}
+
+/// What is said where no accuracy of a motion under loads keeps what is wanted.
+#[must_use]
+pub fn run_out_of_reach(study: &RunStudy, mechanism: &Mechanism) -> AccuracyError {
+    let rows = study.methods.first().into_iter().flat_map(|method| &method.rows);
+    let reached = rows.map(|row| row.error).fold(f64::INFINITY, f64::min).max(study.floor);
     missed(mechanism, "--for", study.wanted, reached)
 }
 

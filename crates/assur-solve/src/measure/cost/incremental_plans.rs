@@ -19,7 +19,7 @@ impl Trial {
 /// The plan that moves nothing.
 fn empty(plan: &Plan) -> Plan {
     let mut empty = Plan { motion: Vec::new(), ..plan.clone() };
-    empty.effects.forces = false;
+    (empty.effects.forces, empty.effects.simulated) = (false, false);
     empty
 }
 
@@ -37,7 +37,7 @@ pub(super) fn steps(plan: &Plan) -> Vec<Trial> {
     for count in 1..=plan.motion.len() {
         trials.push(Plan { motion: plan.motion[..count].to_vec(), ..empty(plan) });
     }
-    if plan.effects.forces {
+    if plan.effects.loaded() {
         for count in 1..=plan.loads.len() {
             let some = Plan { loads: plan.loads[..count].to_vec(), ..plan.clone() };
             trials.push(loaded(&some, |load| Some(load.clone()), 0));
@@ -63,8 +63,10 @@ pub(super) fn effects(model: &Model<'_>) -> Vec<(&'static str, Trial)> {
         motion.effects.level = level;
         trials.push((name, motion));
     }
-    if plan.effects.forces {
+    if plan.effects.loaded() {
         trials.extend(loads(plan));
+    }
+    if plan.effects.forces {
         trials.extend(forces(plan));
     }
     trials.into_iter().map(|(name, plan)| (name, Trial::of(plan))).collect()

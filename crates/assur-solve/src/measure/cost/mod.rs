@@ -61,7 +61,10 @@ pub fn costs(model: &Model<'_>, clock: Clock) -> Result<Option<Costs>, Vec<Failu
     }
     let mut statics = statics(model).map_err(|cause| vec![cause.into()])?;
     let sweep = Sweep::of(model, &statics);
-    cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
+    // functions over a motion under loads follow from the motion, which is not solved here
+    if model.mechanism.simulation.is_none() {
+        cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
+    }
     let rates = Rates::of(model, &statics);
     let (over, places) =
         sample_positions::places(model, &statics, &rates).map_err(|cause| vec![cause.into()])?;
@@ -78,7 +81,7 @@ pub fn costs(model: &Model<'_>, clock: Clock) -> Result<Option<Costs>, Vec<Failu
     let by_step = differences(&mut least, whole);
     let by_effect = differences(&mut effect_times, whole);
     let (motion, rest) = by_step.split_at(model.plan.motion.len());
-    let (loads, forces) = rest.split_at(if model.plan.effects.forces { model.plan.loads.len() } else { 0 });
+    let (loads, forces) = rest.split_at(if model.plan.effects.loaded() { model.plan.loads.len() } else { 0 });
     let names = effects.iter().skip(1).map(|(name, _)| *name);
     Ok(Some(Costs {
         places: places.len(),
@@ -153,7 +156,7 @@ impl<'a> Bench<'a> {
                 state.motion.bodies.copy_from_slice(&place.state.motion.bodies);
             }
             state.run_planned_motion(&trial.plan);
-            if trial.plan.effects.forces {
+            if trial.plan.effects.loaded() {
                 balanced(&model, self.statics, state, &place.angles, &mut self.evaluated, true);
             }
             if trial.residuals {

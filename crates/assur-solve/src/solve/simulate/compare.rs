@@ -1,11 +1,11 @@
 //! What two runs differ by, kind by kind: the error of the coarser one.
 
 use super::equations::Equations;
-use super::run::Run;
+use super::records::Records;
 use crate::position::{BodyState, extent};
 
 /// Kinds of results whose errors are judged apart.
-const KINDS: [&str; 8] = [
+pub const KINDS: [&str; 12] = [
     "positions",
     "directions",
     "velocities",
@@ -14,7 +14,34 @@ const KINDS: [&str; 8] = [
     "angular accelerations",
     "forces",
     "moments",
+    "instants of events",
+    "functions over the run",
+    "works",
+    "the steady motion",
 ];
+/// Those of them that bodies and reactions have.
+pub const STATES: usize = 8;
+
+/// Differences of this part of what a kind could be are rounding.
+const ROUNDING: f64 = 1e-15;
+
+/// What a run has found.
+#[derive(Clone, Copy)]
+pub(in crate::solve) struct Outcome<'r> {
+    pub records: &'r Records,
+    /// Instants of every event, s.
+    pub events: &'r [Vec<f64>],
+    /// Functions over the run, each with the greatest magnitude in play.
+    pub functions: &'r [(f64, f64)],
+    /// The greatest magnitudes of each kind, where they are measured.
+    pub kinds: &'r Kinds,
+    /// It ended early.
+    pub halted: bool,
+    /// When a contact parts or a rope slackens, s, if it ends so.
+    pub opens: Option<f64>,
+    /// The last instant that was reached, s.
+    pub end: f64,
+}
 
 /// The worst difference.
 pub(super) struct Compared {
@@ -22,58 +49,94 @@ pub(super) struct Compared {
     pub error: f64,
     /// Its kind.
     pub worst: &'static str,
+    /// The differences of every kind.
+    pub each: [f64; KINDS.len()],
 }
 
 impl Compared {
-    /// Compares two runs at the instants that both have reached.
-    pub fn of(equations: &mut Equations<'_, '_>, coarse_run: &Run, fine_run: &Run) -> Self {
-        let (coarse, fine) = (&coarse_run.records, &fine_run.records);
-        let mut kinds = coarse_run.kinds.clone();
+    /// Nothing is known.
+    pub const UNKNOWN: Self = Self { error: f64::INFINITY, worst: KINDS[0], each: [1.0; KINDS.len()] };
+
+    /// Compares two runs at the instants that both have reached, each kind over the greatest magnitudes that were measured.
+    pub fn of(
+        equations: &mut Equations<'_, '_>,
+        coarse_run: Outcome<'_>,
+        fine_run: Outcome<'_>,
+        measured: &Kinds,
+    ) -> Self {
+        let (coarse, fine) = (coarse_run.records, fine_run.records);
+        let mut kinds = measured.clone();
         let mut bodies: Vec<BodyState> = Vec::new();
         let mut forces: Vec<Efforts> = Vec::new();
         let both = coarse.count.min(fine.count);
         for index in 0..both {
-            equations.place(
-                coarse.times[index],
-                coarse.state(index),
-                coarse.accelerations(index),
-                coarse.stand(index),
-            );
+            equations.place_record(coarse, index);
             bodies.clone_from(&equations.trial.motion.bodies);
             forces.clear();
             forces.extend(efforts(equations));
-            equations.place(
-                fine.times[index],
-                fine.state(index),
-                fine.accelerations(index),
-                fine.stand(index),
-            );
+            equations.place_record(fine, index);
             kinds.bodies(&bodies, &equations.trial.motion.bodies);
             kinds.forces(forces.iter().copied().zip(efforts(equations)));
         }
         // what only one of them reached is not known
-        let events = coarse_run.events.iter().zip(&fine_run.events);
+        let events = coarse_run.events.iter().zip(fine_run.events);
         let differ = coarse.count != fine.count || events.clone().any(|(a, b)| a.len() != b.len());
         // where both come to a halt, they do so at instants that differ a little
-        let missing = differ && !(coarse_run.stopped.is_some() && fine_run.stopped.is_some());
-        let mut worst = kinds.worst(extent(equations.model), missing);
+        let missing = differ && !(coarse_run.halted && fine_run.halted);
+        let mut found = kinds.worst(extent(equations.model), missing);
         let length = fine_run.end - equations.from;
         for (a, b) in events.flat_map(|(a, b)| a.iter().zip(b)) {
-            worst.look((a - b).abs() / length, "instants of events");
+            found.look((a - b).abs() / length, STATES);
         }
-        for (a, b) in coarse_run.functions.iter().zip(&fine_run.functions) {
+        if let (Some(a), Some(b)) = (coarse_run.opens, fine_run.opens) {
+            found.look((a - b).abs() / length, STATES);
+        }
+        found.works(coarse, fine, both);
+        for (a, b) in coarse_run.functions.iter().zip(fine_run.functions) {
             let difference = (a.0 - b.0).abs();
-            worst.look(if difference == 0.0 { 0.0 } else { difference / b.1 }, "functions over the run");
+            found.look(if difference == 0.0 { 0.0 } else { difference / b.1 }, STATES + 1);
         }
-        worst
+        found
+    }
+
+    /// Works, each beside its greatest magnitude.
+    fn works(&mut self, coarse: &Records, fine: &Records, both: usize) {
+        let count = coarse.works.len() / coarse.count.max(1);
+        for id in 0..count {
+            let of = |records: &Records, index: usize| records.works(index)[id];
+            let greatest = (0..both).map(|i| of(fine, i).abs()).fold(0.0, f64::max);
+            let difference = (0..both).map(|i| (of(coarse, i) - of(fine, i)).abs()).fold(0.0, f64::max);
+            self.look(if difference == 0.0 { 0.0 } else { difference / greatest }, STATES + 2);
+        }
+    }
+
+    /// The error of a steady motion itself.
+    pub fn steady(&mut self, error: f64) {
+        self.look(error, STATES + 3);
+    }
+
+    fn look(&mut self, error: f64, kind: usize) {
+        if error > self.error {
+            (self.error, self.worst) = (error, KINDS[kind]);
+        }
+        self.each[kind] = self.each[kind].max(error);
     }
 }
 
-impl Compared {
-    fn look(&mut self, error: f64, kind: &'static str) {
-        if error > self.error {
-            (self.error, self.worst) = (error, kind);
+impl Equations<'_, '_> {
+    /// The position of a record.
+    fn place_record(&mut self, records: &Records, index: usize) {
+        self.trial.motion.stops.copy_from_slice(records.stops(index));
+        self.trial.motion.grips.clear();
+        self.trial.motion.grips.extend_from_slice(records.grips(index));
+        if let Some(given) = &records.given[index] {
+            given.put(&mut self.trial);
+            return;
         }
+        let assemblies = records.assemblies[index].as_deref().unwrap_or(self.begins);
+        self.trial.branches.copy_from_slice(assemblies);
+        let (state, accelerations) = (records.state(index), records.accelerations(index));
+        self.place(records.times[index], state, accelerations, records.stand(index));
     }
 }
 
@@ -89,9 +152,9 @@ fn efforts<'e>(equations: &'e Equations<'_, '_>) -> impl Iterator<Item = Efforts
 
 /// The greatest difference and the greatest magnitude of each kind.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Kinds {
-    difference: [f64; 8],
-    magnitude: [f64; 8],
+pub(in crate::solve) struct Kinds {
+    difference: [f64; STATES],
+    magnitude: [f64; STATES],
 }
 
 impl Kinds {
@@ -103,7 +166,7 @@ impl Kinds {
     }
 
     /// The magnitudes at the end of a step: what is small at every instant that is printed may be small beside the motion.
-    pub fn measure(&mut self, equations: &Equations<'_, '_>) {
+    pub(super) fn measure(&mut self, equations: &Equations<'_, '_>) {
         let bodies = &equations.trial.motion.bodies;
         self.bodies(bodies, bodies);
         self.forces(efforts(equations).zip(efforts(equations)));
@@ -129,14 +192,25 @@ impl Kinds {
     }
 
     fn worst(&self, extent: f64, missing: bool) -> Compared {
-        let mut worst = Compared { error: if missing { f64::INFINITY } else { 0.0 }, worst: KINDS[0] };
-        for (kind, name) in KINDS.into_iter().enumerate() {
+        let error = if missing { f64::INFINITY } else { 0.0 };
+        let mut found = Compared { error, worst: KINDS[0], each: [0.0; KINDS.len()] };
+        for kind in 0..STATES {
             let scale = if kind == 0 { extent.max(self.magnitude[0]) } else { self.magnitude[kind] };
-            let error = if self.difference[kind] == 0.0 { 0.0 } else { self.difference[kind] / scale };
-            if error > worst.error {
-                worst = Compared { error, worst: name };
-            }
+            let rounding = ROUNDING * self.beside(kind, extent);
+            let same = self.difference[kind] <= rounding;
+            found.look(if same { 0.0 } else { self.difference[kind] / scale }, kind);
         }
-        worst
+        found
+    }
+
+    /// What a kind could be where it is nothing but for rounding: turns beside shifts of the extent, moments beside forces.
+    fn beside(&self, kind: usize, extent: f64) -> f64 {
+        match kind {
+            2 | 4 => self.magnitude[kind + 1] * extent,
+            3 | 5 => self.magnitude[kind - 1] / extent,
+            6 => self.magnitude[7] / extent,
+            7 => self.magnitude[6] * extent,
+            _ => 0.0,
+        }
     }
 }

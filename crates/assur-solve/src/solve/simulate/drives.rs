@@ -1,27 +1,73 @@
 //! What drives say at an instant.
 
-use crate::position::{DriveInput, Motion};
+use super::derivatives::Derivatives;
+use crate::answer::Switch;
+use crate::math::Vec2;
+use crate::model::{Axis, Drive, DriveTarget, Positions};
+use crate::position::{DriveInput, Grip, Motion};
 
 /// What the drives of one instant say beside their positions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Instant {
     pub time: f64,
-    /// Rate and acceleration, by drive.
-    pub rates: Vec<(f64, f64)>,
+    /// Their rates and accelerations.
+    pub rates: Vec<DriveInput>,
+    /// Works since the first instant, J.
+    pub works: Vec<f64>,
+    /// What closed stops bear.
+    pub stops: Vec<f64>,
+    /// How the elements of friction move, where the run says it.
+    pub grips: Vec<Grip>,
 }
 
 impl Instant {
     /// Sets instant, rates and accelerations.
     pub fn set(&self, motion: &mut Motion) {
         motion.time = self.time;
-        for (input, (rate, acceleration)) in motion.inputs.iter_mut().zip(&self.rates) {
-            (input.rate, input.acceleration) = (*rate, *acceleration);
+        motion.works.clone_from(&self.works);
+        motion.stops.clone_from(&self.stops);
+        motion.grips.clone_from(&self.grips);
+        for (input, said) in motion.inputs.iter_mut().zip(&self.rates) {
+            *input = DriveInput { place: input.place, value: input.value, ..*said };
         }
     }
 }
 
-/// Value, rate and acceleration of a drive whose motion is given, so long after the first instant, s.
-pub(super) fn prescribed(first: &DriveInput, elapsed: f64) -> (f64, f64, f64) {
-    let value = first.value + (first.rate + 0.5 * first.acceleration * elapsed) * elapsed;
-    (value, first.rate + first.acceleration * elapsed, first.acceleration)
+/// What a drive says whose motion is given, at an instant, s, so long after the first one; what is not smooth in it, on its
+/// side.
+pub(super) fn prescribed(
+    drive: &Drive,
+    first: &DriveInput,
+    (t, elapsed): (f64, f64),
+    switches: &[Switch<'_>],
+) -> DriveInput {
+    let timed = match &drive.positions {
+        Positions::List(list) if drive.of_time => list.first(),
+        _ => None,
+    };
+    if let (DriveTarget::Point(..), Some(expr)) = (drive.target, timed) {
+        let [x, y] = [Axis::X, Axis::Y].map(|axis| Derivatives::component(expr, axis, t, switches).0);
+        let [place, velocity, point_acceleration] = [0, 1, 2].map(|order| Vec2::new(x[order], y[order]));
+        return DriveInput { place, velocity, point_acceleration, ..*first };
+    }
+    if let DriveTarget::Point(..) = drive.target {
+        let (v, a) = (first.velocity, first.point_acceleration);
+        let place = first.place + (v + a * (0.5 * elapsed)) * elapsed;
+        return DriveInput { place, velocity: v + a * elapsed, ..*first };
+    }
+    let [value, rate, acceleration] = timed.map_or_else(
+        || {
+            let value = first.value + (first.rate + 0.5 * first.acceleration * elapsed) * elapsed;
+            [value, first.rate + first.acceleration * elapsed, first.acceleration]
+        },
+        |expr| Derivatives::of(expr, t, switches).0,
+    );
+    DriveInput { place: Vec2::direction(value), value, rate, acceleration, ..*first }
+}
+
+/// Whether a drive moves that says this at the first instant.
+pub(super) fn moves(first: &DriveInput) -> bool {
+    let DriveInput { rate, acceleration, velocity, point_acceleration, .. } = first;
+    let points = [velocity.x, velocity.y, point_acceleration.x, point_acceleration.y];
+    *rate != 0.0 || *acceleration != 0.0 || points != [0.0; 4]
 }

@@ -1,23 +1,36 @@
 //! The equations of the free coordinates as a system of the first order: y holds the coordinates, their rates, and the work of
 //! all loads since the first instant.
 
-use super::drives::prescribed;
-use super::rubbing::Mode;
-use crate::answer::{PoseAnswers, WholeCycle};
+use super::bridge::Bridge;
+use super::chart::Chart;
+use super::drives::{moves, prescribed};
+use super::loads::{loads_need_angles, sides};
+use super::setup::Begin;
+use super::slipping::{Mode, Slipping};
+use crate::answer::{Switch, WholeCycle, switches};
 use crate::math::Vec2;
 use crate::math::ode::{System, Undefined};
-use crate::model::{Expr, LoadId, Value};
-use crate::plan::LoadStep;
-use crate::position::{DriveInput, DriveValue, Model, Reduced, State};
+use crate::model::{DriveTarget, LoadId, Value};
+use crate::position::{Branch, DriveInput, Model, Motion, Reduced, State, extent};
 use crate::solve::cycle::loads_name_quantities;
 use crate::solve::failure::Halt;
-use crate::solve::inputs::Rates;
-use std::f64::consts::TAU;
 
 /// The equations, with the states on which a trial stands.
 pub(super) struct Equations<'a, 's> {
     pub model: &'s Model<'a>,
-    statics: &'s WholeCycle,
+    /// The coordinates, where they are not those written.
+    pub chart: Option<&'s Chart>,
+    /// Those written.
+    pub written: Vec<DriveTarget>,
+    /// The assemblies at the first instant.
+    pub begins: &'s [Branch],
+    /// The way over the change point that is near.
+    pub bridge: Option<Box<Bridge>>,
+    /// When change points were passed, s.
+    pub crossed: Vec<f64>,
+    /// The same with the friction at rest, where it is another one.
+    pub still: Option<&'s Model<'a>>,
+    pub statics: &'s WholeCycle,
     /// The first instant, s.
     pub from: f64,
     /// What every drive says at the first instant.
@@ -28,17 +41,29 @@ pub(super) struct Equations<'a, 's> {
     /// Its unknowns.
     at: (f64, Vec<f64>),
     /// The state from which the present step begins, with the angles of its bodies and its instant.
-    accepted: (f64, State, Vec<f64>),
+    pub accepted: (f64, State, Vec<f64>),
     /// Angles of the bodies in the last evaluation, where loads depend on them.
     pub angles: Vec<f64>,
-    loads_need_angles: bool,
+    pub loads_need_angles: bool,
     /// Whether a step of motion starts from where its bodies stand.
     goes_on: bool,
     /// Memory for the values of the file's quantities, where loads name them.
-    quantities: Option<Vec<Value>>,
+    pub quantities: Option<Vec<Value>>,
     pub evaluated: Vec<(LoadId, Value)>,
+    /// What is not smooth in the loads, on the sides where the present step begins.
+    pub switches: Vec<Switch<'a>>,
+    /// Loads are taken on these sides.
+    pub held: bool,
     /// How the coordinate moves, where something depends on the sense of its motion.
     pub mode: Option<Mode>,
+    /// The senses of all sliding where the present step begins, with one free coordinate that rubs.
+    pub senses: Vec<f64>,
+    /// On which sides guides press there, at both ends.
+    pub sides: Vec<[f64; 2]>,
+    /// How every pair that rubs moves, where several coordinates are free or drives move what rubs.
+    pub slipping: Option<Box<Slipping>>,
+    /// The stops that are closed.
+    pub closed: Vec<usize>,
     /// Memory for rates that nobody looks at.
     quiet: Vec<f64>,
     /// Why the last evaluation has no value.
@@ -46,38 +71,49 @@ pub(super) struct Equations<'a, 's> {
 }
 
 impl<'a, 's> Equations<'a, 's> {
-    /// From an assembled state with the angles of its bodies, at the first instant.
+    /// From an assembled state with the angles of its bodies, at an instant, s; in the coordinates of a chart, or those written.
     pub fn new(
         model: &'s Model<'a>,
-        statics: &'s WholeCycle,
-        rates: &Rates,
-        values: &[DriveValue],
-        from: f64,
-        (state, angles): (&State, &[f64]),
+        begin: &'s Begin<'_>,
+        chart: Option<&'s Chart>,
+        (t, state, angles): (f64, &State, &[f64]),
     ) -> Self {
         let drives = &model.mechanism.drives;
-        let mut first = vec![DriveInput::default(); drives.len()];
-        rates.at(values, &mut first);
+        let first = begin.first.clone();
         let free: Vec<usize> = (0..drives.len()).filter(|&i| drives[i].free).collect();
-        let moves = |i: usize| first[i].rate != 0.0 || first[i].acceleration != 0.0;
-        let moved = (0..drives.len()).any(|i| !drives[i].free && moves(i));
-        let unknowns = 2 * free.len() + 1;
+        let moved = (0..drives.len()).any(|i| !drives[i].free && (drives[i].of_time || moves(&first[i])));
+        let unknowns = 2 * free.len() + 1 + model.mechanism.works.len();
         let angles = angles.to_vec();
+        let mut trial = state.clone();
+        trial.motion.works.resize(model.mechanism.works.len(), 0.0);
+        trial.motion.stops.resize(model.mechanism.stops.len(), 0.0);
         Self {
             model,
-            statics,
-            from,
+            chart,
+            still: None,
+            written: free.iter().map(|&i| begin.model.mechanism.drives[i].target).collect(),
+            begins: &begin.state.branches,
+            bridge: None,
+            crossed: Vec::new(),
+            statics: begin.statics,
+            from: begin.from,
             first,
             reduced: Reduced::new(model.plan, free, moved),
-            trial: state.clone(),
+            trial,
             at: (f64::NAN, vec![f64::NAN; unknowns]),
-            accepted: (from, state.clone(), angles.clone()),
+            accepted: (t, state.clone(), angles.clone()),
             angles,
             loads_need_angles: loads_need_angles(model),
             goes_on: model.plan.goes_on(),
             quantities: loads_name_quantities(model.mechanism).then(Vec::new),
             evaluated: Vec::new(),
+            switches: switches(model.mechanism),
+            held: false,
             mode: None,
+            senses: Vec::new(),
+            sides: Vec::new(),
+            slipping: None,
+            closed: Vec::new(),
             quiet: vec![0.0; unknowns],
             why: None,
         }
@@ -93,7 +129,18 @@ impl<'a, 's> Equations<'a, 's> {
         let free = self.reduced.free();
         let values = free.iter().map(|&i| self.first[i].value);
         let rates = free.iter().map(|&i| self.first[i].rate);
-        values.chain(rates).chain([0.0]).collect()
+        let works = std::iter::repeat_n(0.0, 1 + self.model.mechanism.works.len());
+        values.chain(rates).chain(works).collect()
+    }
+
+    /// A length of the mechanism's order, m.
+    pub fn extent(&self) -> f64 {
+        extent(self.model)
+    }
+
+    /// Where the present step begins: the instant, s, the state and the angles of its bodies.
+    pub fn here(&self) -> (f64, &State, &[f64]) {
+        (self.accepted.0, &self.accepted.1, &self.accepted.2)
     }
 
     /// Position and rate of all drives at an instant, from which steps of motion start where the step began.
@@ -105,39 +152,16 @@ impl<'a, 's> Equations<'a, 's> {
     }
 
     /// The inputs of all drives at an instant.
-    fn set_inputs(&mut self, t: f64, y: &[f64]) {
-        let state = &mut self.trial;
-        state.motion.time = t;
-        let elapsed = t - self.from;
-        for (input, first) in state.motion.inputs.iter_mut().zip(&self.first) {
-            let (value, rate, _) = prescribed(first, elapsed);
-            *input = DriveInput { rate, ..*first };
-            set_value(input, value);
-        }
-        let (q, rest) = y.split_at(self.reduced.free().len());
-        for ((&drive, q), rate) in self.reduced.free().iter().zip(q).zip(rest) {
-            let input = &mut state.motion.inputs[drive];
-            set_value(input, *q);
-            (input.rate, input.acceleration) = (*rate, 0.0);
-        }
+    pub fn set_inputs(&mut self, t: f64, y: &[f64]) {
+        let motion = &mut self.trial.motion;
+        let given = (&self.first[..], self.reduced.free());
+        set_inputs(self.model, motion, (t, t - self.from), given, (y, sides(self.held, &self.switches)));
     }
 
-    /// Motion at given accelerations of the free coordinates, as in a solution, and forces where they are planned.
-    pub fn place(&mut self, t: f64, y: &[f64], accelerations: &[f64], stand: Option<&[(Vec2, Vec2)]>) {
-        if let Some(stand) = stand {
-            for (body, (p, u)) in self.trial.motion.bodies.iter_mut().zip(stand) {
-                (body.p, body.u) = (*p, *u);
-            }
-        }
-        self.set_inputs(t, y);
-        for (&drive, a) in self.reduced.free().iter().zip(accelerations) {
-            self.trial.motion.inputs[drive].acceleration = *a;
-        }
-        self.trial.run_motion::<2>(self.model.plan);
-        if self.model.plan.effects.forces {
-            self.evaluate_loads(t);
-            self.trial.run_loads_and_forces(self.model, &self.evaluated);
-        }
+    /// The same in the motion of another state.
+    pub fn inputs_at(&self, t: f64, y: &[f64], motion: &mut Motion) {
+        let given = (&self.first[..], self.reduced.free());
+        set_inputs(self.model, motion, (t, t - self.from), given, (y, sides(self.held, &self.switches)));
     }
 
     /// Motion and, where it is `deep`, accelerations and forces; `false` where there are none.
@@ -145,7 +169,7 @@ impl<'a, 's> Equations<'a, 's> {
         let mut dy = std::mem::take(&mut self.quiet);
         let known = self.rates(t, y, &mut dy).is_ok();
         // where something rubs, accelerations and forces are there already
-        if known && deep && self.mode.is_none_or(|mode| mode == Mode::Resting) {
+        if known && deep && self.slipping.is_none() && self.mode.is_none_or(|mode| mode == Mode::Resting) {
             let n = self.order();
             self.place(t, y, &dy[n..2 * n], None);
         }
@@ -154,9 +178,13 @@ impl<'a, 's> Equations<'a, 's> {
             self.follow_angles(t);
         }
         self.quiet = dy;
-        // what was evaluated last is no state that a step ended with
-        self.at.0 = f64::NAN;
+        self.forget();
         known
+    }
+
+    /// What was evaluated last is no state that a step ended with.
+    pub const fn forget(&mut self) {
+        self.at.0 = f64::NAN;
     }
 
     /// The greatest angular velocity of a body, rad/s, where the present step begins.
@@ -169,64 +197,18 @@ impl<'a, 's> Equations<'a, 's> {
         if self.observe(t, y, false) { fastest(&self.trial) } else { 0.0 }
     }
 
-    /// The value of an expression in the state that is observed.
-    pub fn value(&mut self, expr: &Expr) -> f64 {
-        let view = PoseAnswers::new(self.model, &self.trial, &self.angles, self.statics);
-        if self.model.mechanism.quantities.is_empty() {
-            return view.scalar(expr);
-        }
-        let quantities = view.all_quantities();
-        PoseAnswers { quantities: &quantities, ..view }.scalar(expr)
-    }
-
-    pub fn evaluate_loads(&mut self, t: f64) {
-        self.evaluated.clear();
-        if !self.model.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
-            return;
-        }
-        if self.loads_need_angles {
-            self.follow_angles(t);
-        }
-        let view = PoseAnswers::new(self.model, &self.trial, &self.angles, self.statics);
-        match self.quantities.take() {
-            None => view.evaluated_loads(&mut self.evaluated),
-            Some(memory) => {
-                let quantities = view.all_quantities_in(memory);
-                let view = PoseAnswers { quantities: &quantities, ..view };
-                view.evaluated_loads(&mut self.evaluated);
-                self.quantities = Some(quantities);
-            }
-        }
-    }
-
-    /// Angles of the bodies of the last evaluation, carried on from where the step began.
-    pub fn follow_angles(&mut self, t: f64) {
-        let (began, accepted, angles) = &self.accepted;
-        let h = t - began;
-        let bodies = accepted.motion.bodies.iter().zip(&self.trial.motion.bodies);
-        for ((angle, before), (old, new)) in self.angles.iter_mut().zip(angles).zip(bodies) {
-            // the mean speed is near enough to tell the whole turns, the rest is read off the direction itself
-            let estimate = before + 0.5 * h * (old.omega + new.omega);
-            let principal = new.u.angle();
-            *angle = principal + TAU * ((estimate - principal) / TAU).round();
-        }
-        for (&drive, effort) in self.reduced.free().iter().zip(driven_bodies(self.model, self.reduced.free()))
-        {
-            if let Some(body) = effort {
-                self.angles[body] = self.trial.motion.inputs[drive].value;
-            }
-        }
-        for &body in &self.model.plan.turning {
-            self.angles[body] = self.trial.motion.bodies[body].turned;
-        }
-    }
-
     /// Why the equations have no value where the last step ended: the group nearest to a dead position, or the last cause met.
     pub fn halt(&mut self) -> Halt {
         let conditions = self.accepted.1.motion.conditions.iter().enumerate();
         let least = conditions.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         match (least, self.why.take()) {
-            (_, Some(halt @ (Halt::NoInertia | Halt::NotANumber | Halt::Jam))) => halt,
+            // near a dead position reactions grow, and with them what rubs
+            (Some((group, condition)), Some(Halt::Jam)) if condition.abs() < JAMS => {
+                Halt::Dead { group, condition: condition.abs() }
+            }
+            (_, Some(halt @ (Halt::NoInertia | Halt::NotANumber | Halt::Jam | Halt::StopsAtOnce { .. }))) => {
+                halt
+            }
             (Some((group, condition)), _) if condition.abs() < NEAR_DEAD => {
                 Halt::Dead { group, condition: condition.abs() }
             }
@@ -254,6 +236,8 @@ impl<'a, 's> Equations<'a, 's> {
     }
 }
 
+/// Below this one friction does so since the position is dead.
+const JAMS: f64 = 0.02;
 /// Below this condition figure a run that cannot go on stands before a dead position.
 const NEAR_DEAD: f64 = 0.1;
 
@@ -261,14 +245,18 @@ impl System<f64> for Equations<'_, '_> {
     fn rates(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Undefined> {
         let n = self.order();
         self.set_position(t, y);
-        if let Some(mode) = self.mode {
-            let found = self.rubbing_rates(mode, y, dy);
+        self.trial.motion.stops.fill(0.0);
+        if self.mode.is_some() || self.slipping.is_some() {
+            let found = match self.mode {
+                Some(mode) => self.rubbing_rates(mode, y, dy),
+                None => self.slipping_rates(y, dy),
+            };
             self.why = found.err();
             self.at.0 = t;
             self.at.1.copy_from_slice(y);
             return if self.why.is_none() { Ok(()) } else { Err(Undefined) };
         }
-        self.reduced.run_motion(self.model.plan, &mut self.trial);
+        self.reduce(y[0]);
         if let Some(group) = self.trial.motion.open {
             self.why = Some(Halt::Open { group });
             return Err(Undefined);
@@ -283,9 +271,20 @@ impl System<f64> for Equations<'_, '_> {
             self.why = Some(self.without_acceleration());
             return Err(Undefined);
         }
+        self.powers(&mut work[1..], 1.0);
+        if !self.closed.is_empty()
+            && let Err(halt) = self.hold(accelerations)
+        {
+            self.why = Some(halt);
+            return Err(Undefined);
+        }
         self.at.0 = t;
         self.at.1.copy_from_slice(y);
         Ok(())
+    }
+
+    fn along(&mut self, q: f64, out: &mut [f64]) -> Result<bool, Undefined> {
+        self.mass_and_force(q, out)
     }
 
     fn accepted(&mut self, t: f64, y: &[f64]) {
@@ -295,6 +294,13 @@ impl System<f64> for Equations<'_, '_> {
             self.quiet = dy;
             if !known {
                 return;
+            }
+        }
+        if let Some(bridge) = self.bridge.take_if(|bridge| bridge.is_left(y[0])) {
+            // from here on the assemblies are those on this side
+            self.trial.branches.copy_from_slice(bridge.branches(y[0]));
+            if bridge.is_behind(y[0]) {
+                self.crossed.push(t);
             }
         }
         self.follow_angles(t);
@@ -309,27 +315,37 @@ fn fastest(state: &State) -> f64 {
     state.motion.bodies.iter().map(|body| body.omega.abs()).fold(0.0, f64::max)
 }
 
+/// The inputs of all drives at an instant, s, so long after the first one, from what they say there and from the unknowns.
+fn set_inputs(
+    model: &Model<'_>,
+    motion: &mut Motion,
+    (t, elapsed): (f64, f64),
+    (first, free): (&[DriveInput], &[usize]),
+    (y, switches): (&[f64], &[Switch<'_>]),
+) {
+    motion.time = t;
+    let drives = &model.mechanism.drives;
+    for ((input, first), drive) in motion.inputs.iter_mut().zip(first).zip(drives) {
+        if drive.free {
+            *input = *first;
+            continue;
+        }
+        *input = prescribed(drive, first, (t, elapsed), switches);
+    }
+    if let Some(works) = y.get(2 * free.len() + 1..) {
+        // a state that no trial stands on has no place for them yet
+        motion.works.resize(works.len().max(motion.works.len()), 0.0);
+        motion.works[..works.len()].copy_from_slice(works);
+    }
+    let (q, rest) = y.split_at(free.len());
+    for ((&drive, q), rate) in free.iter().zip(q).zip(rest) {
+        let input = &mut motion.inputs[drive];
+        set_value(input, *q);
+        (input.rate, input.acceleration) = (*rate, 0.0);
+    }
+}
+
 fn set_value(input: &mut DriveInput, value: f64) {
     input.value = value;
     input.place = Vec2::direction(value);
-}
-
-/// The body whose angle each of these drives gives.
-fn driven_bodies<'m>(model: &'m Model<'_>, drives: &'m [usize]) -> impl Iterator<Item = Option<usize>> + 'm {
-    drives.iter().map(|&drive| match model.mechanism.drives[drive].target {
-        crate::model::DriveTarget::Link(link) => Some(link.index()),
-        _ => None,
-    })
-}
-
-/// Whether the value of a load depends on an angle that is followed.
-fn loads_need_angles(model: &Model<'_>) -> bool {
-    let mechanism = model.mechanism;
-    let mut needed = false;
-    let mut look = |expr: &Expr| {
-        expr.queries(&mut |query| needed |= query.facts().continuous.is_some());
-    };
-    mechanism.loads.iter().flat_map(crate::model::Load::expressions).for_each(&mut look);
-    mechanism.quantities.iter().for_each(|quantity| look(&quantity.expr));
-    needed
 }

@@ -1,20 +1,27 @@
 //! A run on its way: step after step, with what happens and what is wanted within each.
 
 use super::compare::Kinds;
+use super::coordinates::{CAREFUL, Change, Charts};
+use super::corners::Corners;
 use super::equations::Equations;
-use super::records::{Origin, Recorder, within_step};
-use super::rubbing::Mode;
+use super::opening::Openings;
+use super::records::{Origin, Recorder};
+use super::rubbing::wakes;
 use super::setup::Outputs;
+use super::slipping::Mode;
+use super::stop::Stops;
 use super::watch::{AT_ONCE, Watch};
-use crate::math::ode::event::first_crossing;
-use crate::math::ode::{Integrator, Step, Stopped, Undefined};
+use crate::math::ode::{Integrator, Step, Stopped, System, Undefined};
+use crate::model::{DriveTarget, PairId};
 use crate::solve::failure::Halt;
 
 /// Where something else than the error bounds the steps, those of the finer run are shorter by this: equal ones would say
 /// nothing of their error.
 pub(super) const SHORTER: f64 = 0.7;
 /// Below this |σ| of a group the run ends before its dead position is in the way of the digits.
-const DEAD: f64 = 1e-6;
+const DEAD: f64 = 1e-4;
+/// Other coordinates are looked for again where the condition has fallen by this.
+const AGAIN: f64 = 0.5;
 /// After so many steps it is looked at how many there will be.
 const LOOKED_AT: usize = 20_000;
 /// What is looked at within a step turns with the bodies: none turns by more than this, rad, or what comes again would be lost.
@@ -28,6 +35,8 @@ pub(super) enum Ended {
     Done,
     /// An implicit method is cheaper.
     Stiff,
+    /// It goes on in other coordinates.
+    Changed(Box<Change>),
     Halted(Halt),
 }
 
@@ -35,7 +44,10 @@ pub(super) enum Ended {
 pub(super) struct Going<'m, 'o> {
     pub recorder: Recorder,
     pub watch: Watch<'m>,
-    pub outputs: &'o Outputs,
+    pub openings: Openings,
+    pub stops: Stops,
+    pub corners: Corners,
+    pub outputs: &'o Outputs<'o>,
     /// The next of the instants that are known beforehand.
     pub next: usize,
     /// The first instant and the last, s.
@@ -45,6 +57,10 @@ pub(super) struct Going<'m, 'o> {
     pub ended_by: Option<usize>,
     /// When the coordinate comes to rest by friction, and when it leaves again, s.
     pub rests: Vec<(f64, Option<f64>)>,
+    /// From when to when a pair is held by friction, where every pair moves in a way of its own, s.
+    pub held: Vec<(PairId, f64, Option<f64>)>,
+    /// What acts depends on the sense of the motion.
+    pub rubs: bool,
     /// Something changes while it rests.
     pub wakes: bool,
     /// The greatest magnitudes of each kind.
@@ -52,6 +68,51 @@ pub(super) struct Going<'m, 'o> {
     pub measures: bool,
     /// No step is longer, whatever turns.
     pub longest: Option<f64>,
+    /// The condition at which other coordinates were looked for in vain.
+    pub looked_at: f64,
+    /// When other coordinates were taken, s, and which.
+    pub changes: Vec<(f64, Vec<DriveTarget>)>,
+    /// When change points were passed, s.
+    pub crossed: Vec<f64>,
+}
+
+impl<'m, 'o> Going<'m, 'o> {
+    /// From where a run begins, between the first instant and the last, s.
+    pub fn new(
+        equations: &Equations<'m, '_>,
+        (openings, stops): (Openings, Stops),
+        outputs: &'o Outputs,
+        (begin, last): (f64, f64),
+        measures: bool,
+    ) -> Self {
+        let mechanism = equations.model.mechanism;
+        let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
+        let mut watch = Watch::new(mechanism, equations.start().len(), (begin, last));
+        watch.guard = outputs.guard;
+        Self {
+            recorder: Recorder::new(equations),
+            watch,
+            openings,
+            stops,
+            corners: Corners::new(equations, AT_ONCE * (last - begin)),
+            outputs,
+            next: 0,
+            begin,
+            last,
+            worst_condition: (1.0, begin),
+            ended_by: None,
+            rests: if rests { vec![(begin, None)] } else { Vec::new() },
+            held: equations.held_pairs().into_iter().map(|pair| (pair, begin, None)).collect(),
+            rubs: equations.mode.is_some(),
+            wakes: wakes(mechanism),
+            kinds: Kinds::default(),
+            measures,
+            longest: None,
+            looked_at: CAREFUL / AGAIN,
+            changes: Vec::new(),
+            crossed: Vec::new(),
+        }
+    }
 }
 
 impl Going<'_, '_> {
@@ -61,7 +122,7 @@ impl Going<'_, '_> {
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
-        exactly: bool,
+        (charts, exactly): (&mut Charts<'_>, bool),
     ) -> Ended {
         let last = self.last;
         loop {
@@ -75,7 +136,11 @@ impl Going<'_, '_> {
             if is_endless(method, self.begin, last) {
                 return Ended::Halted(Halt::TooManySteps);
             }
-            if self.keep_short(equations, method).is_err() {
+            if !self.outputs.conduct.goes_on(method.t(), last) {
+                return Ended::Halted(Halt::Interrupted);
+            }
+            let short = self.keep_short(equations, method);
+            if short.and_then(|()| self.corners.shorten(equations, method)).is_err() {
                 return Ended::Halted(equations.halt());
             }
             let condition = equations.condition();
@@ -84,16 +149,16 @@ impl Going<'_, '_> {
             }
             let happened = self.watch.first(equations, method);
             let turned = self.turning(equations, method);
+            let opened = self.openings.first(equations, method);
+            let touched = self.stops.first(equations, method);
             let wanted = self.outputs.known.get(self.next).map_or(last, |output| output.0);
-            let first =
-                happened.as_ref().map(|h| h.time).into_iter().chain(turned).fold(f64::INFINITY, f64::min);
+            let bound = self.watch.bound((method.previous_t(), method.t()));
+            let event = happened.as_ref().map(|h| h.time);
+            let instants = [event, turned, opened.map(|(t, _)| t), touched.map(|(t, _)| t), bound];
+            let first = instants.into_iter().flatten().fold(f64::INFINITY, f64::min);
             let cut = (first < method.t()).then_some(first);
             let exact = (exactly && method.previous_t() < wanted && wanted < method.t()).then_some(wanted);
-            let early = match (cut, exact) {
-                (Some(event), Some(wanted)) => Some(event.min(wanted)),
-                (event, wanted) => event.or(wanted),
-            };
-            if let Some(t) = early
+            if let Some(t) = [cut, exact].into_iter().flatten().reduce(f64::min)
                 && method.shorten(equations, t).is_err()
             {
                 return Ended::Halted(equations.halt());
@@ -102,30 +167,31 @@ impl Going<'_, '_> {
                 self.kinds.measure(equations);
             }
             self.recorder.look(method.y()[2 * equations.order()]);
-            let here = method.t() + AT_ONCE * (last - self.begin);
+            let here = method.t() + self.at_once();
             let happened = happened.filter(|h| h.time <= here);
             let turned = turned.is_some_and(|t| t <= method.t());
+            let opened = opened.filter(|(t, _)| *t <= here);
+            let touched = self.stops.passed(touched, here);
             let begun = self.watch.counts();
             self.ended_by = self.watch.look(equations, method, happened);
-            let done = self.ended_by.is_some() || method.t() >= last;
+            let mut done = self.ended_by.is_some() || method.t() >= last;
             // within the step it moves as before
             if !self.keep_within(equations, method) {
                 return Ended::Halted(equations.halt());
             }
+            if let Some((_, pair)) = opened.filter(|_| self.ended_by.is_none()) {
+                return Ended::Halted(Halt::Opens { pair });
+            }
             let mut y = Vec::new();
             if turned {
                 y.extend_from_slice(method.y());
-                y[1] = 0.0;
-                let chosen = match equations.mode {
-                    Some(Mode::Resting) => equations.leave(method.t(), &y),
-                    _ => equations.choose_mode(method.t(), &y),
-                };
-                if let Err(halt) = chosen {
-                    return Ended::Halted(halt);
+                match self.turn(equations, method.t(), &mut y) {
+                    Ok(ended) => self.ended_by = self.ended_by.or(ended),
+                    Err(halt) => return Ended::Halted(halt),
                 }
-                self.note_rest(equations, method.t());
+                done |= self.ended_by.is_some();
             }
-            if equations.mode == Some(Mode::Resting) {
+            if equations.stands() {
                 self.watch.rests();
             }
             if !self.keep(equations, method, (&begun, done)) {
@@ -134,48 +200,62 @@ impl Going<'_, '_> {
             if done {
                 return Ended::Done;
             }
-            if turned && method.restart(equations, &y, last).is_err() {
+            if turned {
+                equations.take_sides(method.t(), &y);
+                if method.restart(equations, &y, last).is_err() {
+                    return Ended::Halted(equations.halt());
+                }
+            } else if self.corners.turn(equations, method)
+                && method.restart(equations, self.corners.state(), last).is_err()
+            {
                 return Ended::Halted(equations.halt());
+            }
+            match self.touch(equations, method, touched) {
+                Ok(false) => {}
+                Ok(true) => return Ended::Done,
+                Err(halt) => return Ended::Halted(halt),
+            }
+            if let Some(change) = self.better(equations, (method.t(), method.y()), charts) {
+                return Ended::Changed(Box::new(change));
             }
             if condition < DEAD {
                 return Ended::Halted(equations.halt());
             }
         }
     }
+
+    /// The time in which things happen together, s.
+    pub fn at_once(&self) -> f64 {
+        AT_ONCE * (self.last - self.begin)
+    }
+
+    /// Better coordinates where a group comes near a dead position of the present ones.
+    pub fn better(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        (t, y): (f64, &[f64]),
+        charts: &mut Charts<'_>,
+    ) -> Option<Change> {
+        equations.accepted(t, y);
+        let condition = equations.condition();
+        if condition >= CAREFUL {
+            self.looked_at = CAREFUL;
+            return None;
+        }
+        if condition > AGAIN * self.looked_at {
+            return None;
+        }
+        self.looked_at = condition;
+        let Some(found) = charts.better(equations, y) else {
+            equations.cross(y);
+            return None;
+        };
+        self.looked_at = CAREFUL / AGAIN;
+        Some(found)
+    }
 }
 
 impl Going<'_, '_> {
-    /// Where, in the last step, a coordinate that rubs comes to rest or leaves it.
-    fn turning<M: Integrator<f64>>(&self, equations: &mut Equations<'_, '_>, method: &mut M) -> Option<f64> {
-        let step = (method.previous_t(), method.t());
-        let mode = equations.mode?;
-        let mut y = method.y().to_vec();
-        match mode {
-            Mode::Moving(sense) => {
-                let begins_at_rest = (method.previous_y()[1] == 0.0).then_some(true);
-                let rate = |t: f64| {
-                    within_step(equations, method, t, &mut y);
-                    sense * y[1]
-                };
-                first_crossing(step, begins_at_rest, rate).filter(|c| !c.rising).map(|c| c.t)
-            }
-            Mode::Resting if self.wakes => {
-                first_crossing(step, Some(false), |t| equations.leaving(t, &y)).map(|c| c.t)
-            }
-            Mode::Resting => None,
-        }
-    }
-
-    fn note_rest(&mut self, equations: &Equations<'_, '_>, time: f64) {
-        let resting = equations.mode == Some(Mode::Resting);
-        match self.rests.last_mut() {
-            Some(rest) if rest.1.is_none() && !resting => rest.1 = Some(time),
-            Some(rest) if rest.1.is_none() => {}
-            _ if resting => self.rests.push((time, None)),
-            _ => {}
-        }
-    }
-
     /// Keeps what is wanted before the end of the last step.
     fn keep_within<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &mut M) -> bool {
         let mut kept = true;
@@ -187,7 +267,7 @@ impl Going<'_, '_> {
     }
 
     /// Keeps all that is wanted at the end of the last step; `begun` counts the events before it.
-    fn keep<M: Integrator<f64>>(
+    pub fn keep<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,

@@ -4,20 +4,50 @@
 //! these coordinates in closed form, so that nothing drifts apart. Two runs of different tolerance go side by side: what they
 //! differ by is the error of the coarser one, and the finer one is what is reported.
 
+mod bridge;
+mod chart;
 mod compare;
+mod conduct;
+mod coordinates;
+mod corners;
+mod derivatives;
 mod drives;
+mod energy;
 mod equations;
+mod functions;
 mod going;
+mod holding;
+mod impact;
+mod loads;
+mod opening;
+mod over_time;
+mod part;
+mod placed;
 mod poses;
+mod precise;
 mod records;
 mod report;
 mod rubbing;
 mod run;
+mod secants;
+mod seen;
 mod setup;
+mod sliding;
+mod slipping;
+mod steady;
+mod stop;
+mod touch;
 mod trajectory;
+mod trials;
+mod turning;
 mod watch;
 
-pub use report::{Energy, Method, SimulationReport};
+pub use compare::{KINDS, STATES};
+pub use conduct::{Conduct, Watch};
+pub use over_time::{OverTime, TimeCourse, over_time};
+pub use report::{Energy, Method, SimulationReport, SteadyReport};
+pub use trials::{Trial, Trials};
 
+pub(super) use chart::Given;
 pub(super) use drives::Instant;
 pub(super) use trajectory::{Trajectory, trajectory};

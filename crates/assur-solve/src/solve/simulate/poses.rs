@@ -3,8 +3,8 @@
 use super::drives::{Instant, prescribed};
 use super::records::Origin;
 use super::trajectory::Trajectory;
-use crate::model::Positions;
-use crate::position::{DriveValue, Model, PoseOrigin, Wanted};
+use crate::model::{DriveTarget, Positions};
+use crate::position::{DriveInput, DriveValue, Model, PoseOrigin, Wanted};
 use crate::solve::failure::Failure;
 use crate::solve::solution::Pose;
 use crate::solve::sweep::Following;
@@ -42,7 +42,11 @@ impl Following<'_, '_> {
                 (body.p, body.u) = (*p, *u);
             }
         }
-        let outcome = self.run.solved_from(&trajectory.start, trajectory.records.angles(index), &wanted);
+        let assemblies = trajectory.records.assemblies[index].as_deref().unwrap_or(&trajectory.assemblies);
+        trajectory.start.branches.copy_from_slice(assemblies);
+        let given = trajectory.records.given[index].as_deref();
+        let outcome =
+            self.run.solved_from(&trajectory.start, trajectory.records.angles(index), &wanted, given);
         self.run.posed(wanted, outcome)
     }
 }
@@ -61,16 +65,20 @@ impl Trajectory {
         let mut rates = Vec::with_capacity(self.first.len());
         let mut free = 0;
         for (drive, first) in model.mechanism.drives.iter().zip(&self.first) {
-            let (value, rate, acceleration) = if drive.free {
+            let said = if drive.free {
                 let (state, accelerations) = (self.records.state(index), self.records.accelerations(index));
                 free += 1;
-                (state[free - 1], state[n + free - 1], accelerations[free - 1])
+                let (value, rate) = (state[free - 1], state[n + free - 1]);
+                DriveInput { value, rate, acceleration: accelerations[free - 1], ..DriveInput::default() }
             } else {
-                prescribed(first, elapsed)
+                prescribed(drive, first, (time, elapsed), &[])
             };
-            let placed = !matches!(drive.positions, Positions::None);
-            drives.push(if placed { DriveValue::Scalar(value) } else { DriveValue::None });
-            rates.push((rate, acceleration));
+            drives.push(match (&drive.positions, drive.target) {
+                (Positions::None, _) => DriveValue::None,
+                (_, DriveTarget::Point(..)) => DriveValue::Point(said.place),
+                _ => DriveValue::Scalar(said.value),
+            });
+            rates.push(said);
         }
         let name = model.mechanism.instant_text(time);
         let origin = match self.records.origins[index] {
@@ -80,6 +88,15 @@ impl Trajectory {
             }
             Origin::Expected(expect) => PoseOrigin::Expected(expect),
         };
-        (Wanted { name, origin, drives }, Instant { time, rates })
+        (
+            Wanted { name, origin, drives },
+            Instant {
+                time,
+                rates,
+                works: self.records.works(index).to_vec(),
+                stops: self.records.stops(index).to_vec(),
+                grips: self.records.grips(index).to_vec(),
+            },
+        )
     }
 }

@@ -1,9 +1,11 @@
 //! What a run leaves at the instants wanted.
 
+use super::chart::Given;
 use super::equations::Equations;
 use super::report::Energy;
 use crate::math::Vec2;
 use crate::math::ode::{Integrator, System};
+use crate::position::{Branch, Grip};
 
 /// What wants an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,12 +29,22 @@ pub(crate) struct Records {
     pub origins: Vec<Origin>,
     /// Coordinates, rates and accelerations: three times `order` numbers each.
     pub numbers: Vec<f64>,
+    /// Works, as many numbers each as are asked for.
+    pub works: Vec<f64>,
+    /// What closed stops bear, as many numbers each as there are stops.
+    pub stops: Vec<f64>,
+    /// How the elements of friction move, where that is known, as many each as there are.
+    pub grips: Vec<Grip>,
     /// Angles of the bodies, rad, continuous over the run.
     pub angles: Vec<f64>,
     /// Where the bodies stand, for steps of motion that start from there.
     pub stands: Vec<(Vec2, Vec2)>,
     /// Bodies.
     pub bodies: usize,
+    /// The whole position, of instants that were found in other coordinates than those written.
+    pub given: Vec<Option<Box<Given>>>,
+    /// How the groups stand, where change points have been passed.
+    pub assemblies: Vec<Option<Box<[Branch]>>>,
 }
 
 impl Records {
@@ -46,10 +58,33 @@ impl Records {
         &self.numbers[3 * self.order * index + 2 * self.order..][..self.order]
     }
 
+    /// Works at an instant.
+    pub fn works(&self, index: usize) -> &[f64] {
+        let each = self.works.len() / self.count.max(1);
+        &self.works[each * index..][..each]
+    }
+
+    /// What closed stops bear at an instant.
+    pub fn stops(&self, index: usize) -> &[f64] {
+        let each = self.stops.len() / self.count.max(1);
+        &self.stops[each * index..][..each]
+    }
+
+    /// How the elements of friction move at an instant.
+    pub fn grips(&self, index: usize) -> &[Grip] {
+        let each = self.grips.len() / self.count.max(1);
+        &self.grips[each * index..][..each]
+    }
+
     /// Angles of the bodies at an instant.
     pub fn angles(&self, index: usize) -> &[f64] {
         let each = self.angles.len() / self.count.max(1);
         &self.angles[each * index..][..each]
+    }
+
+    /// Whether all of it was found in the coordinates written, with the assemblies of the first instant.
+    pub fn is_as_written(&self) -> bool {
+        self.given.iter().all(Option::is_none) && self.assemblies.iter().all(Option::is_none)
     }
 
     /// Where the bodies stand, if that is kept.
@@ -76,8 +111,8 @@ impl Recorder {
         let order = equations.order();
         Self {
             records: Records { order, bodies: equations.model.plan.bodies, ..Records::default() },
-            y: vec![0.0; 2 * order + 1],
-            dy: vec![0.0; 2 * order + 1],
+            y: equations.start(),
+            dy: equations.start(),
             goes_on: equations.model.plan.goes_on(),
             begin: None,
             end: 0.0,
@@ -94,19 +129,35 @@ impl Recorder {
         method: &mut M,
         (time, origin): (f64, Origin),
     ) -> bool {
-        if !within_step(equations, method, time, &mut self.y)
-            || equations.rates(time, &self.y, &mut self.dy).is_err()
-        {
+        if !within_step(equations, method, time, &mut self.y) {
+            return false;
+        }
+        // at a corner loads are what the file says there
+        let held = std::mem::replace(&mut equations.held, false);
+        let known = equations.rates(time, &self.y, &mut self.dy).is_ok();
+        equations.held = held;
+        if !known {
             return false;
         }
         equations.take_rates(&self.y);
         equations.follow_angles(time);
         let (n, records) = (self.records.order, &mut self.records);
+        let given = equations.given((time, &self.y), &self.dy[n..2 * n]);
         records.count += 1;
         records.times.push(time);
         records.origins.push(origin);
-        records.numbers.extend_from_slice(&self.y[..2 * n]);
-        records.numbers.extend_from_slice(&self.dy[n..2 * n]);
+        match &given {
+            None => {
+                records.numbers.extend_from_slice(&self.y[..2 * n]);
+                records.numbers.extend_from_slice(&self.dy[n..2 * n]);
+            }
+            Some((_, numbers)) => records.numbers.extend_from_slice(numbers),
+        }
+        records.given.push(given.map(|(given, _)| Box::new(given)));
+        records.assemblies.push(equations.assemblies());
+        records.works.extend_from_slice(&self.y[2 * n + 1..]);
+        records.stops.extend_from_slice(&equations.trial.motion.stops);
+        records.grips.extend(equations.grips());
         records.angles.extend_from_slice(&equations.angles);
         if self.goes_on {
             records.stands.extend(equations.trial.motion.bodies.iter().map(|b| (b.p, b.u)));

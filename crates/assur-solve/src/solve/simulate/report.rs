@@ -1,11 +1,15 @@
 //! What a motion under loads says of itself.
 
+use crate::model::{DriveTarget, Mechanism, Pair, PairId, Situation};
+
 /// How the equations are integrated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
     /// The pair of order 8(5,3) of Dormand and Prince, as Hairer, Nørsett and Wanner give it.
     #[default]
     Dop853,
+    /// The kinetic energy from the work of forces that depend on the one coordinate alone, and time from it.
+    Energy,
     /// Radau IIA of order 5, of Hairer and Wanner, from where the explicit method is held up by stability.
     Radau,
 }
@@ -21,6 +25,8 @@ pub struct SimulationReport {
     pub rejected: usize,
     /// Evaluations of the equations in all runs.
     pub evaluations: usize,
+    /// Those of the finer run, which is printed.
+    pub printed: usize,
     /// The wanted accuracy.
     pub within: f64,
     /// The estimated error, the worst of all kinds, relative to the greatest of its kind.
@@ -37,10 +43,48 @@ pub struct SimulationReport {
     pub events: Vec<Vec<f64>>,
     /// When the coordinate comes to rest by friction, and when it leaves again, s.
     pub rests: Vec<(f64, Option<f64>)>,
+    /// From when to when a pair is held by friction, where every pair moves in a way of its own, s.
+    pub held: Vec<(PairId, f64, Option<f64>)>,
+    /// When other coordinates were taken, since a group came near a dead position of those before, s, and which: by drive.
+    pub changes: Vec<(f64, Vec<DriveTarget>)>,
+    /// When change points had been passed, s.
+    pub crossed: Vec<f64>,
+    /// When each stop of the mechanism is closed, and when it opens again, s.
+    pub closed: Vec<Vec<(f64, Option<f64>)>>,
+    /// How a steady motion was found.
+    pub steady: Option<SteadyReport>,
     /// The event that ended the run.
     pub ended_by: Option<usize>,
     /// The last instant that was reached, s.
     pub end: f64,
+}
+
+impl SimulationReport {
+    /// What the motion is in, and from when to when, s.
+    pub(super) fn situations(&self, mechanism: &Mechanism) -> Vec<(Situation, f64, Option<f64>)> {
+        let stops = mechanism.stops.iter().zip(&self.closed);
+        let closed = stops.flat_map(|(stop, times)| {
+            times.iter().map(|(begin, end)| (Situation::Rests(stop.pair), *begin, *end))
+        });
+        let rubs = |pair: &Pair| pair.friction.is_some_and(|friction| friction.is_some());
+        let rubbing = mechanism.pairs.iter().enumerate().filter(|(_, pair)| rubs(pair));
+        let held = rubbing.flat_map(|(i, _)| {
+            self.rests.iter().map(move |(begin, end)| (Situation::Sticks(PairId::at(i)), *begin, *end))
+        });
+        let pairs = self.held.iter().map(|(pair, begin, end)| (Situation::Sticks(*pair), *begin, *end));
+        closed.chain(held).chain(pairs).collect()
+    }
+}
+
+/// How a motion that comes again was found.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SteadyReport {
+    /// After what time it comes again, s.
+    pub period: f64,
+    /// Periods that were followed to find it.
+    pub trials: usize,
+    /// The estimated error of the state at its begin, of the greatest of its kind.
+    pub error: f64,
 }
 
 /// What becomes of energy.

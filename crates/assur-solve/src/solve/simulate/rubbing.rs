@@ -5,8 +5,11 @@
 //! no acceleration is the answer, or several are (Painlevé), and the run ends.
 
 use super::equations::Equations;
+use super::slipping::Mode;
+use crate::math::Vec2;
 use crate::model::{Load, Mechanism, Query};
-use crate::position::{STILL, State};
+use crate::plan::FrictionLaw;
+use crate::position::{Grip, STILL, State};
 use crate::solve::failure::Halt;
 use crate::structure::EffortSource;
 
@@ -19,14 +22,8 @@ const LEAST_RATE: f64 = 1e-100;
 /// The same relative to the rates of drives: more than the part that counts as rest.
 const LEAST_PART: f64 = 1e3 * STILL;
 
-/// How a coordinate that rubs moves.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Mode {
-    /// In this sense, ±1.
-    Moving(f64),
-    /// Not at all.
-    Resting,
-}
+/// A sliding acceleration below this part of the greatest is rounding.
+const NEVER: f64 = 1e-9;
 
 /// Whether what acts on a mechanism depends on the sense of its motion.
 pub(super) fn rubs(equations: &Equations<'_, '_>) -> bool {
@@ -74,12 +71,16 @@ impl Equations<'_, '_> {
             self.accelerate(0.0);
             return self.trial.motion.open.map_or(Ok(()), |group| Err(Halt::Open { group }));
         };
+        let held = if self.held { &self.senses[..] } else { &[] };
+        self.trial.motion.grips.clear();
+        self.trial.motion.grips.extend(held.iter().map(|&sense| Grip { sense, effort: 0.0 }));
         let acceleration = self.rubbing_acceleration(sense)?;
         // stages beyond a rest go on smoothly
         let rate = self.trial.motion.inputs[self.reduced.free()[0]].rate;
         let power = self.trial.power_of_loads(self.model, &self.evaluated) + self.power_of_friction();
         let work = power / rate * y[1];
-        dy.copy_from_slice(&[y[1], acceleration, work]);
+        dy[..3].copy_from_slice(&[y[1], acceleration, work]);
+        self.powers(&mut dy[3..], y[1] / rate);
         Ok(())
     }
 
@@ -110,12 +111,19 @@ impl Equations<'_, '_> {
     }
 
     /// The acceleration with which it would begin to move in a sense; nothing where friction holds it.
-    fn acceleration_from_rest(&mut self, t: f64, y: &[f64], sense: f64) -> Result<f64, Halt> {
+    pub fn acceleration_from_rest(&mut self, t: f64, y: &[f64], sense: f64) -> Result<f64, Halt> {
         let kept = self.mode.replace(Mode::Moving(sense));
+        let moving = self.model;
+        self.model = self.still.unwrap_or(moving);
         let rest = [y[0], 0.0];
+        self.trial.motion.grips.clear();
         self.set_position(t, &rest);
         let found = self.rubbing_acceleration(sense);
         self.mode = kept;
+        self.model = moving;
+        if self.is_blocked(sense) {
+            return Ok(0.0);
+        }
         match found {
             // friction that locks holds it
             Err(Halt::Jam) => Ok(0.0),
@@ -129,7 +137,8 @@ impl Equations<'_, '_> {
         let drive = self.reduced.free()[0];
         let rate = self.trial.motion.inputs[drive].rate;
         let others = self.trial.motion.inputs.iter().enumerate().filter(|(i, _)| *i != drive);
-        let fastest = others.map(|(_, input)| input.rate.abs()).fold(0.0, f64::max);
+        let fastest =
+            others.map(|(_, input)| input.rate.abs().max(input.velocity.norm())).fold(0.0, f64::max);
         let least = LEAST_RATE.max(LEAST_PART * fastest);
         self.trial.motion.inputs[drive].rate = sense * (sense * rate).max(least);
         self.reduced.run_motion(self.model.plan, &mut self.trial);
@@ -157,7 +166,7 @@ impl Equations<'_, '_> {
         let mut slope = mass;
         for _ in 0..MOST {
             // what the friction adds is of the order of the loads
-            let greatest = self.reduced.greatest_power(&self.trial) + mass * a.abs();
+            let greatest = self.reduced.greatest_power(0, &self.trial) + mass * a.abs();
             if effort.abs() <= ENOUGH * greatest {
                 return Ok(a);
             }
@@ -197,11 +206,60 @@ impl Equations<'_, '_> {
         own.map(|(_, effort)| *effort).filter(|e| e.is_finite()).ok_or(Halt::NotANumber)
     }
 
-    /// What friction in the pairs takes, W: not positive.
+    /// What friction in the pairs takes, W: not positive but beyond the end of a step.
     pub fn power_of_friction(&self) -> f64 {
         let state: &State = &self.trial;
         let elements = self.model.plan.friction.iter().zip(&state.forces.frictions);
-        -elements.map(|(element, effort)| (effort * state.sliding_speed(element)).abs()).sum::<f64>()
+        elements.map(|(element, effort)| effort * state.sliding_speed(element)).sum::<f64>()
+    }
+
+    /// The sense in which each pair that rubs slides, where everything was evaluated; that in which it begins to where it does
+    /// not.
+    pub fn take_senses(&mut self) {
+        self.senses.clear();
+        self.sides.clear();
+        if !matches!(self.mode, Some(Mode::Moving(_))) {
+            return;
+        }
+        let extent = self.extent();
+        let bodies = self.trial.motion.bodies.iter();
+        let turns = bodies.map(|b| b.a.norm() / extent + b.alpha.abs() + b.omega * b.omega);
+        let most = turns.fold(0.0, f64::max);
+        for (element, sense) in self.model.plan.friction.iter().zip(&self.trial.forces.senses) {
+            let begins = self.trial.sliding_acceleration(element);
+            let unit = if matches!(element.kind, FrictionLaw::Circle { .. }) { 1.0 } else { extent };
+            // what neither slides nor begins to does not rub
+            let none = begins.abs() <= NEVER * unit * most;
+            self.senses.push(if *sense != 0.0 || none { *sense } else { begins.signum() });
+            let Vec2 { x, y } = self.trial.measured(self.model.plan, element);
+            self.sides.push([x.signum(), y.signum()]);
+        }
+    }
+
+    /// What presses in a guide, on the side where the present step begins: magnitudes of forces have corners.
+    pub fn pressing_room(&self, element: usize, end: usize) -> f64 {
+        let own = &self.model.plan.friction[element];
+        let of = |side: &[f64; 2]| {
+            let Vec2 { x, y } = self.trial.measured(self.model.plan, own);
+            [side[0] * x, side[1] * y][end]
+        };
+        let guides = matches!(own.kind, FrictionLaw::BothEnds { .. })
+            || (end == 0 && matches!(own.kind, FrictionLaw::Guide { .. }));
+        self.sides.get(element).filter(|_| guides).map_or(1.0, of)
+    }
+
+    /// The sliding speed of a pair for a unit rate of the coordinate, in its sense where the present step begins.
+    pub fn sliding_room(&mut self, element: usize) -> f64 {
+        let Some(Mode::Moving(sense)) = self.mode else { return 1.0 };
+        let own = &self.model.plan.friction[element];
+        sense * self.senses[element] * self.reduced.at_unit_rate(0, &mut self.trial, |s| s.sliding_speed(own))
+    }
+
+    /// Whether friction alone depends on the sense of the motion.
+    pub fn is_friction_alone(&self) -> bool {
+        let mechanism = self.model.mechanism;
+        let against = mechanism.loads.iter().any(Load::is_against_motion);
+        !against && !self.model.plan.effects.losses && mechanism.stops.is_empty()
     }
 
     /// Whether drives alone move nothing against each other that rubs: then all of it rests with the free coordinate.

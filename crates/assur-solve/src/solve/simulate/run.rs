@@ -1,14 +1,22 @@
 //! One run of the integrator at one tolerance.
 
-use super::compare::Kinds;
+use super::chart::Chart;
+use super::compare::{Kinds, Outcome};
+use super::coordinates::{Change, Charts};
+use super::corners::Corners;
 use super::equations::Equations;
 use super::going::{Ended, Going, SHORTER};
-use super::records::{Recorder, Records};
+use super::opening::Openings;
+use super::records::Records;
 use super::report::{Energy, Method};
-use super::rubbing::{Mode, rubs, wakes};
-use super::setup::{Outputs, allowed};
-use super::watch::Watch;
-use crate::math::ode::{Counts, Dop853, Integrator, Radau, System, Undefined};
+use super::rubbing::rubs;
+use super::setup::{Begin, Outputs, allowed, at_rest, scale};
+use super::slipping::Mode;
+use super::stop::Stops;
+use super::watch::AT_ONCE;
+use crate::math::ode::{Counts, Dop853, Energy as ByEnergy, Integrator, Radau, System, Undefined};
+use crate::model::{DriveTarget, PairId};
+use crate::position::Model;
 use crate::solve::failure::Halt;
 
 /// Steps of a run at least, where something may end a rest.
@@ -29,6 +37,14 @@ pub(super) struct Run {
     pub functions: Vec<(f64, f64)>,
     /// When the coordinate comes to rest by friction, and when it leaves again, s.
     pub rests: Vec<(f64, Option<f64>)>,
+    /// From when to when a pair is held by friction, where every pair moves in a way of its own, s.
+    pub held: Vec<(PairId, f64, Option<f64>)>,
+    /// When other coordinates were taken, s, and which.
+    pub changes: Vec<(f64, Vec<DriveTarget>)>,
+    /// When change points were passed, s.
+    pub crossed: Vec<f64>,
+    /// When each stop is closed, and when it opens again, s.
+    pub closed: Vec<Vec<(f64, Option<f64>)>>,
     /// The event that ended it.
     pub ended_by: Option<usize>,
     /// Why it ended early, and when, s.
@@ -39,86 +55,219 @@ pub(super) struct Run {
 
 /// Integrates from the first of the instants, s, to the last.
 pub(super) fn run(
-    equations: &mut Equations<'_, '_>,
+    begin: &Begin<'_>,
+    charts: &mut Charts<'_>,
     tolerance: f64,
-    outputs: &Outputs,
-    (first, last): (f64, f64),
+    outputs: &Outputs<'_>,
+    last: f64,
     measures: bool,
 ) -> Run {
-    let y = equations.start();
+    let mut equations = begin.equations();
+    let mut y = equations.start();
     // of several coordinates each load acts against the motion there is
-    if equations.order() == 1 && rubs(equations) {
+    if equations.order() == 1 && rubs(&equations) {
         equations.mode = Some(Mode::Resting);
     }
-    let allowed = allowed(equations, tolerance, last - first);
-    let mechanism = equations.model.mechanism;
-    if let Err(halt) = begin(equations, first, &y) {
-        return Run::halted(first, halt);
+    if let Err(halt) = start(&mut equations, begin.from, &mut y) {
+        return Run::halted(begin.from, halt);
     }
-    let mut going = Going {
-        recorder: Recorder::new(equations),
-        watch: Watch::new(mechanism, y.len(), (first, last)),
-        outputs,
-        next: 0,
-        last,
-        begin: first,
-        worst_condition: (1.0, first),
-        ended_by: None,
-        rests: if equations.mode == Some(Mode::Resting) { vec![(first, None)] } else { Vec::new() },
-        wakes: wakes(mechanism),
-        kinds: Kinds::default(),
-        measures,
-        longest: None,
+    let at_once = AT_ONCE * (last - begin.from);
+    let mut stops = Stops::new(begin.model.mechanism.stops.len(), at_once);
+    if let Err(halt) = stops.begin(&mut equations, begin.from, &mut y) {
+        return Run::halted(begin.from, halt);
+    }
+    let openings = Openings::new(begin.model.mechanism);
+    if let Some(pair) = openings.at_once(&mut equations, begin.from, &y) {
+        return Run::halted(begin.from, Halt::Opens { pair });
+    }
+    let mut going = Going::new(&equations, (openings, stops), outputs, (begin.from, last), measures);
+    equations.accepted(begin.from, &y);
+    let mut part = match going.better(&mut equations, (begin.from, &y), charts) {
+        Some(change) => Part::changed(change),
+        None => going.part(&mut equations, charts, tolerance, (begin.from, &y)),
     };
-    let mut method = Dop853::new(allowed.clone());
-    if going.wakes && equations.mode.is_some() {
+    drop(equations);
+    let (mut counts, mut method) = (part.counts, part.method);
+    while let Ended::Changed(to) = part.ended {
+        going.changes.push((to.t, to.coordinates(begin.model)));
+        part = going.changed(begin, charts, tolerance, &to);
+        counts = sum(counts, part.counts);
+        if part.method == Method::Radau {
+            method = Method::Radau;
+        }
+    }
+    going.end(part, (counts, method))
+}
+
+/// What became of a part of a run in one choice of coordinates.
+pub(super) struct Part {
+    ended: Ended,
+    method: Method,
+    counts: Counts,
+    /// Its last instant, s.
+    end: f64,
+}
+
+/// Where a method has come to.
+struct Reached {
+    ended: Ended,
+    counts: Counts,
+    /// Its last instant, s.
+    end: f64,
+    /// Its unknowns there.
+    y: Vec<f64>,
+}
+
+impl Part {
+    /// None, up to where other coordinates are taken.
+    fn changed(change: Change) -> Self {
+        let end = change.t;
+        Self {
+            ended: Ended::Changed(Box::new(change)),
+            method: Method::Dop853,
+            counts: Counts::default(),
+            end,
+        }
+    }
+}
+
+impl Going<'_, '_> {
+    /// Integrates from here, in the coordinates of the equations, as far as they go.
+    fn part(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        charts: &mut Charts<'_>,
+        tolerance: f64,
+        (t, y): (f64, &[f64]),
+    ) -> Part {
+        let length = self.last - self.begin;
+        self.corners = Corners::new(equations, AT_ONCE * length);
+        equations.take_sides(t, y);
+        let allowed = allowed(equations, tolerance, length);
+        let fewest = self.outputs.conduct.steps;
+        let rubs = equations.mode.is_some() || equations.slipping.is_some();
+        let rests = self.wakes && (rubs || !equations.model.mechanism.stops.is_empty());
+        let least = if rests { AT_REST.max(fewest) } else { fewest };
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
-        let steps = if measures { SHORTER * AT_REST } else { AT_REST };
-        going.longest = Some((last - first) / steps);
-        method.progress_mut().longest = going.longest;
-    }
-    let mut ended = match method.start(equations, first, &y, last) {
-        Ok(()) => going.integrate(equations, &mut method, false),
-        Err(Undefined) => {
-            equations.accepted(first, &y);
-            Ended::Halted(equations.halt())
-        }
-    };
-    let (mut counts, mut end, mut name) = (method.counts(), method.t(), Method::Dop853);
-    if matches!(ended, Ended::Stiff) {
-        let mut implicit = Radau::new(&allowed);
-        if !measures {
-            going.longest = Some(SHORTER * outputs.longest_gap(last - first));
-            implicit.progress_mut().longest = going.longest;
-        }
-        ended = match implicit.start(equations, method.t(), method.y(), last) {
-            Ok(()) => going.integrate(equations, &mut implicit, true),
-            Err(Undefined) => Ended::Halted(equations.halt()),
+        let steps = if self.measures { SHORTER * least } else { least };
+        self.longest = (least > 0.0).then_some(length / steps);
+        let asked = self.outputs.conduct.method;
+        let (mut found, mut name) = if asked.is_none_or(|m| m == Method::Energy) && equations.conserves() {
+            let method = ByEnergy::new(y.len(), tolerance, scale(equations));
+            (self.begin_with(method, equations, charts, (t, y)), Method::Energy)
+        } else {
+            let method = Dop853::new(allowed.clone());
+            (self.begin_with(method, equations, charts, (t, y)), Method::Dop853)
         };
-        counts = sum(counts, implicit.counts());
-        (end, name) = (implicit.t(), Method::Radau);
+        if matches!(found.ended, Ended::Stiff) {
+            let mut implicit = Radau::new(&allowed);
+            if !self.measures {
+                let gap = SHORTER * self.outputs.longest_gap(length);
+                self.longest = Some(if fewest > 0.0 { gap.min(length / fewest) } else { gap });
+                implicit.progress_mut().longest = self.longest;
+            }
+            let ended = match implicit.start(equations, found.end, &found.y, self.last) {
+                Ok(()) => self.integrate(equations, &mut implicit, (charts, true)),
+                Err(Undefined) => Ended::Halted(equations.halt()),
+            };
+            let counts = sum(found.counts, implicit.counts());
+            (found, name) = (Reached { ended, counts, end: implicit.t(), y: Vec::new() }, Method::Radau);
+        }
+        let Reached { ended, counts, end, .. } = found;
+        self.crossed.append(&mut equations.crossed);
+        Part { ended, method: name, counts, end }
     }
-    let stopped = match ended {
-        Ended::Halted(halt) => Some((end, halt)),
-        Ended::Done | Ended::Stiff => None,
-    };
-    let functions = going.watch.functions(end);
-    let Going { watch, recorder, kinds, worst_condition, ended_by, rests, .. } = going;
-    let events = watch.times;
-    let (records, energy) = recorder.end();
-    Run {
-        method: name,
-        records,
-        counts,
-        energy,
-        worst_condition,
-        events,
-        kinds,
-        functions,
-        rests,
-        ended_by,
-        stopped,
-        end,
+
+    /// Integrates by a method up to the end, or up to where an implicit one is asked for.
+    fn begin_with<M: Integrator<f64>>(
+        &mut self,
+        mut method: M,
+        equations: &mut Equations<'_, '_>,
+        charts: &mut Charts<'_>,
+        (t, y): (f64, &[f64]),
+    ) -> Reached {
+        method.progress_mut().longest = self.longest;
+        let ended = match method.start(equations, t, y, self.last) {
+            Ok(()) if self.outputs.conduct.method == Some(Method::Radau) => Ended::Stiff,
+            Ok(()) => self.integrate(equations, &mut method, (charts, false)),
+            Err(Undefined) => {
+                equations.accepted(t, y);
+                Ended::Halted(equations.halt())
+            }
+        };
+        Reached { ended, counts: method.counts(), end: method.t(), y: method.y().to_vec() }
+    }
+
+    /// Goes on in other coordinates.
+    fn changed(&mut self, begin: &Begin<'_>, charts: &mut Charts<'_>, tolerance: f64, to: &Change) -> Part {
+        let own = to.chart.as_deref().map(Chart::model);
+        let model = own.as_ref().unwrap_or(begin.model);
+        let mut equations = Equations::new(model, begin, to.chart.as_deref(), (to.t, &to.state, &to.angles));
+        let still = begin.still.and_then(|_| at_rest(model));
+        let still = still.as_ref().map(|(mechanism, plan)| Model { mechanism, plan, ..*model });
+        equations.still = still.as_ref();
+        equations.closed.clone_from(&to.closed);
+        if self.rubs {
+            equations.mode = Some(Mode::Resting);
+            if let Err(halt) = equations.choose_mode(to.t, &to.y) {
+                let (ended, method) = (Ended::Halted(halt), Method::Dop853);
+                return Part { ended, method, counts: Counts::default(), end: to.t };
+            }
+        }
+        let mut y = to.y.clone();
+        if let Some(held) = &to.held
+            && let Err(halt) = equations.begin_slipping(to.t, &mut y, Some(held))
+        {
+            let (ended, method) = (Ended::Halted(halt), Method::Dop853);
+            return Part { ended, method, counts: Counts::default(), end: to.t };
+        }
+        self.part(&mut equations, charts, tolerance, (to.t, &y))
+    }
+
+    /// What a run has found.
+    fn end(self, part: Part, (counts, method): (Counts, Method)) -> Run {
+        let stopped = match part.ended {
+            Ended::Halted(halt) => Some((part.end, halt)),
+            Ended::Done | Ended::Stiff | Ended::Changed(_) => None,
+        };
+        let end = part.end;
+        let functions = self.watch.functions(end);
+        let Going {
+            watch,
+            recorder,
+            kinds,
+            worst_condition,
+            ended_by,
+            rests,
+            held,
+            stops,
+            changes,
+            crossed,
+            ..
+        } = self;
+        let mut events = watch.times;
+        if let Some((event, f64::INFINITY)) = self.outputs.guard.filter(|_| stopped.is_none()) {
+            events[event].push(end);
+        }
+        let (records, energy) = recorder.end();
+        Run {
+            method,
+            records,
+            counts,
+            energy,
+            worst_condition,
+            events,
+            kinds,
+            functions,
+            rests,
+            held,
+            changes,
+            crossed,
+            closed: stops.rests,
+            ended_by,
+            stopped,
+            end,
+        }
     }
 }
 
@@ -132,18 +281,39 @@ const fn sum(a: Counts, b: Counts) -> Counts {
 }
 
 /// Chooses how a coordinate that rubs begins.
-fn begin(equations: &mut Equations<'_, '_>, first: f64, y: &[f64]) -> Result<(), Halt> {
-    if equations.mode.is_none() {
-        let unsolved = equations.model.plan.effects.loses();
-        return if unsolved { Err(Halt::RubsOnDriven) } else { Ok(()) };
+fn start(equations: &mut Equations<'_, '_>, first: f64, y: &mut [f64]) -> Result<(), Halt> {
+    if equations.mode.is_some() {
+        if equations.rests_together(first, y) {
+            return equations.choose_mode(first, y);
+        }
+        if !equations.is_friction_alone() {
+            return Err(Halt::RubsOnDriven);
+        }
+        equations.mode = None;
     }
-    if !equations.rests_together(first, y) {
-        return Err(Halt::RubsOnDriven);
+    if equations.model.plan.effects.friction {
+        return equations.begin_slipping(first, y, None);
     }
-    equations.choose_mode(first, y)
+    Ok(())
 }
 
 impl Run {
+    /// What it has found.
+    pub fn outcome(&self) -> Outcome<'_> {
+        Outcome {
+            records: &self.records,
+            events: &self.events,
+            functions: &self.functions,
+            kinds: &self.kinds,
+            opens: match self.stopped {
+                Some((time, Halt::Opens { .. })) => Some(time),
+                _ => None,
+            },
+            halted: self.stopped.is_some(),
+            end: self.end,
+        }
+    }
+
     /// A run that does not begin.
     fn halted(first: f64, halt: Halt) -> Self {
         Self {
@@ -156,6 +326,10 @@ impl Run {
             kinds: Kinds::default(),
             functions: Vec::new(),
             rests: Vec::new(),
+            held: Vec::new(),
+            changes: Vec::new(),
+            crossed: Vec::new(),
+            closed: Vec::new(),
             ended_by: None,
             stopped: Some((first, halt)),
             end: first,

@@ -1,18 +1,21 @@
 //! What a run starts from: the instants wanted, the first position and the errors allowed.
 
+use super::conduct::Conduct;
+use super::drives::prescribed;
 use super::equations::Equations;
 use super::records::Origin;
-use crate::answer::first_angles;
+use crate::answer::{WholeCycle, first_angles};
 use crate::math::ode::Tolerance;
 use crate::model::{At, DriveTarget, Mechanism, Occasion, Simulation};
-use crate::position::{DriveValue, Model, State, extent, turns};
+use crate::plan::{Plan, plan_with};
+use crate::position::{DriveInput, DriveValue, Model, State, extent, turns};
 use crate::solve::assemble::assemble;
 use crate::solve::failure::Failure;
 use crate::solve::inputs::Rates;
 
-/// The instants that are wanted.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Outputs {
+/// The instants that are wanted, and how the run between them is done.
+#[derive(Clone, Default)]
+pub(super) struct Outputs<'c> {
     /// Those that are known beforehand, in order of time, with what wants them.
     pub known: Vec<(f64, Origin)>,
     /// Events that expectations name: the event, which time, counted from 1, and the expectation.
@@ -21,9 +24,12 @@ pub(super) struct Outputs {
     pub end: Vec<usize>,
     /// Events are printed.
     pub prints_events: bool,
+    pub conduct: Conduct<'c>,
+    /// An event that does not count before an instant, s; without bound the one with which a period begins and ends.
+    pub guard: Option<(usize, f64)>,
 }
 
-impl Outputs {
+impl Outputs<'_> {
     /// The longest time between two instants that are known beforehand, s, in a run of this length.
     pub fn longest_gap(&self, length: f64) -> f64 {
         let gaps = self.known.windows(2).map(|two| two[1].0 - two[0].0);
@@ -33,7 +39,7 @@ impl Outputs {
 }
 
 /// The instants that are printed and those of expectations.
-pub(super) fn outputs(mechanism: &Mechanism, simulation: &Simulation) -> Outputs {
+pub(super) fn outputs<'c>(mechanism: &Mechanism, simulation: &Simulation) -> Outputs<'c> {
     let printed = (0..simulation.instants()).map(|i| (simulation.instant(i), Origin::Printed));
     let mut outputs =
         Outputs { known: printed.collect(), prints_events: simulation.steps.is_none(), ..Outputs::default() };
@@ -52,31 +58,87 @@ pub(super) fn outputs(mechanism: &Mechanism, simulation: &Simulation) -> Outputs
     outputs
 }
 
-/// The state at the first instant, with the angles of its bodies.
-pub(super) fn assembled(
-    model: &Model<'_>,
+/// From where every run of a motion begins.
+pub(super) struct Begin<'s> {
+    /// The mechanism as it is written.
+    pub model: &'s Model<'s>,
+    pub statics: &'s WholeCycle,
+    /// What every drive says at the first instant.
+    pub first: Vec<DriveInput>,
+    /// The first instant, s.
+    pub from: f64,
+    /// The assembly there, with the angles of its bodies.
+    pub state: State,
+    pub angles: Vec<f64>,
+    /// The mechanism with the friction at rest, where it is another one.
+    pub still: Option<&'s Model<'s>>,
+}
+
+/// The mechanism with the friction at rest, where it is another one than that of the motion.
+pub(super) fn at_rest(model: &Model<'_>) -> Option<(Mechanism, Plan)> {
+    if model.mechanism.friction_at_rest.is_empty() {
+        return None;
+    }
+    let mut mechanism = model.mechanism.clone();
+    for (pair, friction) in model.mechanism.friction_at_rest.iter().copied() {
+        mechanism.pairs[pair.index()].friction = Some(friction);
+    }
+    let planned = plan_with(&mechanism, model.structure, model.plan.effects);
+    Some((mechanism, planned))
+}
+
+impl<'s> Begin<'s> {
+    /// The equations at the first instant.
+    pub fn equations(&self) -> Equations<'s, '_> {
+        let mut equations = Equations::new(self.model, self, None, (self.from, &self.state, &self.angles));
+        equations.still = self.still;
+        equations
+    }
+}
+
+/// Assembles the mechanism at the first instant.
+pub(super) fn begin<'s>(
+    model: &'s Model<'s>,
+    statics: &'s WholeCycle,
     rates: &Rates,
-    first: &[DriveValue],
-) -> Result<(State, Vec<f64>), Failure> {
+    values: &[DriveValue],
+    from: f64,
+) -> Result<Begin<'s>, Failure> {
     let mut state = State::new(model.plan);
-    rates.at(first, &mut state.motion.inputs);
+    rates.at(values, &mut state.motion.inputs);
+    for (drive, input) in
+        model.mechanism.drives.iter().zip(&mut state.motion.inputs).filter(|(d, _)| d.of_time)
+    {
+        *input = prescribed(drive, input, (from, 0.0), &[]);
+    }
+    let first = state.motion.inputs.clone();
     let state = assemble(model, state)?;
     let angles = first_angles(model, &state);
-    Ok((state, angles))
+    Ok(Begin { model, statics, first, from, state, angles, still: None })
 }
 
 /// The errors allowed: of coordinates absolute, since angles and places are read off them whatever their turns; of rates
 /// relative, and where they pass zero by what would move a coordinate in the time of the run. The work is not judged.
 pub(super) fn allowed(equations: &Equations<'_, '_>, tolerance: f64, length: f64) -> Tolerance<f64> {
-    let model = equations.model;
-    let scale = |&drive: &usize| {
-        let drive = &model.mechanism.drives[drive];
-        let lengths = !matches!(drive.target, DriveTarget::Point(..)) && !turns(model, drive);
-        if lengths { extent(model) } else { 1.0 }
-    };
-    let scales: Vec<f64> = equations.reduced.free().iter().map(scale).collect();
+    let free = equations.reduced.free();
+    let scales: Vec<f64> = free.iter().map(|&drive| scale_of(equations, drive)).collect();
     let coordinates = scales.iter().map(|scale| (0.0, tolerance * scale));
     let rates = scales.iter().map(|scale| (tolerance, tolerance * scale / length));
-    let each: Vec<(f64, f64)> = coordinates.chain(rates).chain([(0.0, f64::MAX)]).collect();
+    let each: Vec<(f64, f64)> = coordinates
+        .chain(rates)
+        .chain(std::iter::repeat_n((0.0, f64::MAX), 1 + equations.model.mechanism.works.len()))
+        .collect();
     Tolerance::each(&each)
+}
+
+/// What is much for the first free coordinate: a radian, or the extent.
+pub(super) fn scale(equations: &Equations<'_, '_>) -> f64 {
+    equations.reduced.free().first().map_or(1.0, |&drive| scale_of(equations, drive))
+}
+
+fn scale_of(equations: &Equations<'_, '_>, drive: usize) -> f64 {
+    let model = equations.model;
+    let drive = &model.mechanism.drives[drive];
+    let lengths = !matches!(drive.target, DriveTarget::Point(..)) && !turns(model, drive);
+    if lengths { extent(model) } else { 1.0 }
 }

@@ -1,14 +1,16 @@
 //! The motion from its first instant to its last, to the accuracy wanted.
 
-use super::compare::Compared;
-use super::equations::Equations;
+use super::compare::{Compared, Kinds, Outcome};
+use super::conduct::Conduct;
+use super::coordinates::Charts;
 use super::records::Records;
 use super::report::SimulationReport;
 use super::run::{Run, run};
-use super::setup::{assembled, outputs};
+use super::setup::{Begin, at_rest, begin, outputs};
+use super::steady::steady;
 use crate::answer::{CycleAnswer, WholeCycle};
-use crate::model::{Mechanism, Simulation};
-use crate::position::{DriveInput, DriveValue, Model, State};
+use crate::model::{Mechanism, Simulation, Steady};
+use crate::position::{Branch, DriveInput, DriveValue, Model, State};
 use crate::solve::failure::{Cause, Failure, Halt};
 use crate::solve::inputs::Rates;
 use crate::solve::note::Note;
@@ -25,6 +27,10 @@ const LEAST: f64 = 0.2;
 const LOOSEST: f64 = 1e-5;
 /// Below this relative tolerance the digits of the numbers end.
 const FINEST: f64 = 2e-15;
+/// Rounding is not said to grow more than by this condition.
+const LEAST_CONDITION: f64 = 1e-3;
+/// At this tolerance rounding may be greater than what the method leaves.
+const ROUNDING: f64 = 1e-11;
 /// Where the coarser run misses the accuracy by more than this, the next pair starts anew.
 const FAR: f64 = 30.0;
 
@@ -37,6 +43,8 @@ pub(crate) struct Trajectory {
     pub handed_out: usize,
     /// Functions over the run, each with the greatest magnitude in play.
     pub functions: Vec<(f64, f64)>,
+    /// The greatest magnitudes of each kind.
+    pub kinds: Kinds,
     /// What the run says of itself.
     pub report: SimulationReport,
     /// What every drive says at the first instant.
@@ -45,6 +53,8 @@ pub(crate) struct Trajectory {
     pub from: f64,
     /// The assembly at the first instant.
     pub start: State,
+    /// How its groups stand there.
+    pub assemblies: Vec<Branch>,
     /// Why it ends before the last instant.
     pub ended: Option<Failure>,
 }
@@ -57,9 +67,29 @@ impl Trajectory {
         ends.map(|(event, _)| Note::NeverEnded { event, time: self.report.end }).collect()
     }
 
+    /// What it has found.
+    pub fn outcome(&self) -> Outcome<'_> {
+        let halt = self.ended.as_ref().map(|failure| &failure.cause);
+        Outcome {
+            records: &self.records,
+            events: &self.report.events,
+            functions: &self.functions,
+            kinds: &self.kinds,
+            opens: match halt {
+                Some(Cause::Halted { time, halt: Halt::Opens { .. } }) => Some(*time),
+                _ => None,
+            },
+            halted: halt
+                .is_some_and(|cause| !matches!(cause, Cause::Halted { halt, .. } if halt.is_inaccurate())),
+            end: self.report.end,
+        }
+    }
+
     /// Puts what the run has found beside its instants to what needs no position.
-    pub fn tell(&self, statics: &mut WholeCycle) {
+    pub fn tell(&self, mechanism: &Mechanism, statics: &mut WholeCycle) {
         statics.events.clone_from(&self.report.events);
+        statics.period = self.report.steady.map(|steady| steady.period);
+        statics.situations = self.report.situations(mechanism);
         let answer = |&(value, scale): &(f64, f64)| CycleAnswer {
             value,
             scale,
@@ -81,59 +111,106 @@ pub(crate) fn trajectory(
     rates: &Rates,
     first: &[DriveValue],
     simulation: &Simulation,
+    conduct: &Conduct<'_>,
 ) -> Result<Trajectory, Failure> {
-    let outputs = outputs(model.mechanism, simulation);
-    let span = (simulation.from, simulation.to);
-    let (state, angles) = assembled(model, rates, first)?;
-    let equations =
-        |state: &State| Equations::new(model, statics, rates, first, simulation.from, (state, &angles));
+    let mut begin = begin(model, statics, rates, first, simulation.from)?;
+    let at_rest = at_rest(model);
+    let still = at_rest.as_ref().map(|(mechanism, plan)| Model { mechanism, plan, ..*model });
+    begin.still = still.as_ref();
+    let steady = match simulation.steady {
+        Some(after) => {
+            let found = steady(&begin, simulation, after);
+            let found = found.map_err(|(time, halt)| Cause::Halted { time, halt })?;
+            (begin.state, begin.angles) = (found.state, found.angles);
+            begin.first = found.first;
+            Some(found.report)
+        }
+        None => None,
+    };
+    let to = steady.map_or(simulation.to, |found| simulation.from + found.period);
+    let simulation = &Simulation { to, ..simulation.clone() };
+    let mut outputs = outputs(model.mechanism, simulation);
+    outputs.conduct = *conduct;
+    if let Some(Steady::Cycle(event)) = simulation.steady {
+        outputs.guard = Some((event, f64::INFINITY));
+    }
+    let mut charts = Charts::new(model, statics);
+    let mut run =
+        |tolerance, measures| run(&begin, &mut charts, tolerance, &outputs, simulation.to, measures);
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
     let mut tolerance = (LOOSER * within).min(LOOSEST);
-    let mut spent = 0;
-    let mut coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
-    loop {
-        if matches!(coarse.stopped, Some((_, Halt::TooManySteps))) {
+    let mut best = Compared::UNKNOWN;
+    let mut coarse = run(tolerance, true);
+    let mut spent = coarse.counts.evaluations;
+    let (printed, kinds, compared) = loop {
+        if matches!(coarse.stopped, Some((_, Halt::TooManySteps | Halt::Interrupted))) {
             // a finer run takes more
-            let compared = Compared { error: 1.0, worst: "positions" };
-            let report = report(model.mechanism, within, spent, &compared, &coarse);
-            return Ok(ended(coarse, report, (equations(&state).first, simulation.from, state)));
+            break (coarse, Kinds::default(), Compared { error: 1.0, ..Compared::UNKNOWN });
         }
-        let mut fine = run(&mut equations(&state), tolerance * FINER, &outputs, span, false);
-        spent += coarse.counts.evaluations;
-        let mut compared = Compared::of(&mut equations(&state), &coarse, &fine);
-        compared.error = compared.error.max(LEAST * FINER * tolerance);
-        let out_of_reach = tolerance * FINER <= FINEST;
-        if compared.error <= SURE * within || out_of_reach {
-            let halt = Halt::Accuracy { wanted: within, reached: compared.error };
-            let missed = (compared.error > within).then_some((fine.end, halt));
-            fine.stopped = fine.stopped.or(missed);
-            let report = report(model.mechanism, within, spent, &compared, &fine);
-            return Ok(ended(fine, report, (equations(&state).first, simulation.from, state)));
+        let fine = run(tolerance * FINER, false);
+        spent += fine.counts.evaluations;
+        let mut compared =
+            Compared::of(&mut begin.equations(), coarse.outcome(), fine.outcome(), &coarse.kinds);
+        if let Some(found) = &steady {
+            compared.steady(found.error);
         }
-        let missed = compared.error / within;
-        if missed > FAR {
+        compared.error = compared.error.max(LEAST * FINER * tolerance).max(rounding(&fine));
+        let interrupted = matches!(fine.stopped, Some((_, Halt::Interrupted)));
+        if compared.error <= SURE * within || interrupted {
+            break (fine, coarse.kinds, compared);
+        }
+        if tolerance <= ROUNDING && compared.error >= best.error {
+            // a finer tolerance does not help: rounding is what is left, and the run before has less of it
+            let kinds = coarse.kinds.clone();
+            break (missed(coarse, within, &best), kinds, best);
+        }
+        if tolerance * FINER <= FINEST {
+            break (missed(fine, within, &compared), coarse.kinds, compared);
+        }
+        let away = compared.error / within;
+        if away > FAR {
             // of runs that do not agree at all nothing is known
-            let factor = if missed.is_finite() { missed } else { 1.0 / (FINER * FINER) };
+            let factor = if away.is_finite() { away } else { 1.0 / (FINER * FINER) };
             tolerance = (tolerance / factor).max(FINEST / FINER);
-            spent += fine.counts.evaluations;
-            coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
+            best = Compared::UNKNOWN;
+            coarse = run(tolerance, true);
+            spent += coarse.counts.evaluations;
         } else {
             tolerance *= FINER;
+            best = compared;
             let kinds = coarse.kinds;
             coarse = Run { kinds, ..fine };
         }
-    }
+    };
+    let report = report(model.mechanism, within, spent, &compared, &printed);
+    let report = SimulationReport { steady, ..report };
+    Ok(ended(printed, kinds, report, begin))
+}
+
+/// What rounding makes of a run at least: it adds up as a random walk, and grows near dead positions.
+#[allow(clippy::cast_precision_loss)] // far below 2^52
+fn rounding(run: &Run) -> f64 {
+    f64::EPSILON * (run.counts.steps as f64).sqrt() / run.worst_condition.0.max(LEAST_CONDITION)
+}
+
+/// A run that is not as accurate as is wanted, if it is not.
+fn missed(run: Run, within: f64, compared: &Compared) -> Run {
+    let halt = Halt::Accuracy { wanted: within, reached: compared.error };
+    let missed = (compared.error > within).then_some((run.end, halt));
+    Run { stopped: run.stopped.or(missed), ..run }
 }
 
 /// What a run has found, with what its drives say at the first instant, s, and its assembly there.
 fn ended(
     run: Run,
+    kinds: Kinds,
     report: SimulationReport,
-    (first, from, start): (Vec<DriveInput>, f64, State),
+    Begin { first, from, state: start, .. }: Begin<'_>,
 ) -> Trajectory {
     let ended = run.stopped.map(|(time, halt)| Cause::Halted { time, halt }.into());
     let (records, functions) = (run.records, run.functions);
-    Trajectory { records, handed_out: 0, functions, report, first, from, start, ended }
+    let assemblies = start.branches.clone();
+    Trajectory { records, handed_out: 0, functions, kinds, report, first, from, start, assemblies, ended }
 }
 
 fn report(
@@ -149,7 +226,8 @@ fn report(
         method: fine.method,
         steps: fine.counts.steps,
         rejected: fine.counts.rejected,
-        evaluations: spent + fine.counts.evaluations,
+        evaluations: spent,
+        printed: fine.counts.evaluations,
         within,
         error: compared.error,
         worst: compared.worst,
@@ -158,6 +236,11 @@ fn report(
         coordinates: free.map(|(i, _)| i).collect(),
         events: fine.events.clone(),
         rests: fine.rests.clone(),
+        held: fine.held.clone(),
+        changes: fine.changes.clone(),
+        crossed: fine.crossed.clone(),
+        closed: fine.closed.clone(),
+        steady: None,
         ended_by: fine.ended_by,
         end: fine.end,
     }

@@ -1,42 +1,43 @@
-//! Events of a run, and functions over it.
+//! Events of a run.
 
 use super::equations::Equations;
+use super::functions::Function;
 use super::records::within_step;
-use crate::math::chebyshev::{NODES, Nodes};
+use crate::math::chebyshev::Nodes;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
-use crate::model::{Cycle, CycleFunction, Event, Expr, Level, Mechanism, PairKind, Query};
+use crate::model::{Event, Expr, Level, Mechanism, PairKind, Query, Situation};
 
 /// Events nearer to each other than this part of the run happen at once.
 pub(super) const AT_ONCE: f64 = 1e-12;
 
+/// What rounding leaves of a value that is zero, of its greatest.
+const ROUNDING: f64 = 1e-11;
+
+/// Crossings of one event within a step that are passed over at most.
+const MOST_TRIES: usize = 4;
+
 /// What is looked at within every step.
 pub(super) struct Watch<'m> {
     events: &'m [Event],
-    functions: Vec<Function<'m>>,
+    pub(super) functions: Vec<Function<'m>>,
     /// Something looked at depends on accelerations or forces.
-    deep: bool,
+    pub(super) deep: bool,
     /// Something looked at may come again with the turns of a body, however smooth its speed is.
     pub comes_again: bool,
-    nodes: Nodes,
+    pub(super) nodes: Nodes,
     /// Instants of every event, s.
     pub times: Vec<Vec<f64>>,
     /// The way in which an event was passed where the present step begins.
     passed: Vec<Option<bool>>,
-    y: Vec<f64>,
+    /// An event that does not count before this instant, s.
+    pub guard: Option<(usize, f64)>,
+    /// The greatest value of every event before impacts.
+    greatest: Vec<f64>,
+    pub(super) y: Vec<f64>,
     /// The length of the run, s.
-    length: f64,
-    begin: f64,
-}
-
-/// A function over the run as far as it is known.
-struct Function<'m> {
-    cycle: &'m Cycle,
-    /// Integral, or the extreme.
-    value: f64,
-    /// Where the extreme is, s.
-    at: f64,
-    greatest: f64,
+    pub(super) length: f64,
+    pub(super) begin: f64,
 }
 
 /// What ends a step early.
@@ -49,17 +50,7 @@ pub(super) struct Happened {
 
 impl<'m> Watch<'m> {
     pub fn new(mechanism: &'m Mechanism, unknowns: usize, (begin, end): (f64, f64)) -> Self {
-        let asked = mechanism.cycles.iter().map(|cycle| Function {
-            cycle,
-            value: match cycle.how {
-                CycleFunction::Max | CycleFunction::Argmax => f64::NEG_INFINITY,
-                CycleFunction::Min => f64::INFINITY,
-                CycleFunction::Mean | CycleFunction::Integral => 0.0,
-            },
-            at: f64::NAN,
-            greatest: 0.0,
-        });
-        let functions: Vec<Function<'m>> = asked.collect();
+        let functions: Vec<Function<'m>> = mechanism.cycles.iter().map(Function::new).collect();
         let events = mechanism.events.iter().map(|event| &event.value);
         let all = events.chain(functions.iter().map(|f| &f.cycle.expr));
         let all: Vec<&Expr> = all.collect();
@@ -75,6 +66,8 @@ impl<'m> Watch<'m> {
             nodes: Nodes::new(),
             times: vec![Vec::new(); count],
             passed: vec![None; count],
+            guard: None,
+            greatest: vec![0.0; count],
             y: vec![0.0; unknowns],
             length: end - begin,
             begin,
@@ -92,21 +85,48 @@ impl<'m> Watch<'m> {
             let (value, way) = (&self.events[index].value, self.events[index].rising);
             let step = (method.previous_t(), method.t());
             let passed = self.passed[index];
+            // what it is in is told, not looked for
+            if self.events[index].situation.is_some() || self.too_early(index, step.1) {
+                continue;
+            }
+            if !equations.closed.is_empty() && self.stays(equations, method, index) {
+                continue;
+            }
             let crossing = self.crossing(equations, method, value, step, passed);
             // the other way does not count, but what follows it in the same step may
-            let counted = crossing.and_then(|crossing| {
-                if way.is_none_or(|rising| rising == crossing.rising) {
-                    return Some(crossing);
-                }
+            let (mut counted, mut tries) = (crossing, 0);
+            while let Some(crossing) = counted
+                && (way.is_some_and(|rising| rising != crossing.rising) || self.too_early(index, crossing.t))
+            {
                 let rest = (crossing.t, step.1);
-                self.crossing(equations, method, value, rest, Some(crossing.rising))
-            });
+                tries += 1;
+                counted = if tries < MOST_TRIES && rest.0 < rest.1 {
+                    self.crossing(equations, method, value, rest, Some(crossing.rising))
+                } else {
+                    None
+                };
+            }
             found.extend(counted.map(|crossing| (index, crossing)));
         }
         let time = found.iter().map(|(_, crossing)| crossing.t).fold(f64::INFINITY, f64::min);
         let at_once = |crossing: &Crossing<f64>| crossing.t - time <= AT_ONCE * self.length;
         let events = found.iter().filter(|(_, c)| at_once(c)).map(|(i, c)| (*i, c.rising)).collect();
         time.is_finite().then_some(Happened { time, events })
+    }
+
+    /// Whether a value stays zero in the last step but for rounding: it is one of what rests on a stop.
+    fn stays<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        index: usize,
+    ) -> bool {
+        let (from, to) = (method.previous_t(), method.t());
+        let most = ROUNDING * self.greatest[index];
+        let value = &self.events[index].value;
+        [from, from + 0.4 * (to - from), to]
+            .into_iter()
+            .all(|t| self.value(equations, method, t, value).abs() <= most)
     }
 
     fn crossing<M: Integrator<f64>>(
@@ -137,6 +157,70 @@ impl<'m> Watch<'m> {
         self.passed.fill(None);
     }
 
+    /// The value of every event.
+    pub fn values(&mut self, equations: &mut Equations<'_, '_>, t: f64, y: &[f64]) -> Vec<f64> {
+        let known = !self.events.is_empty() && equations.observe(t, y, self.deep);
+        let value = |event: &Event| if known { equations.value(&event.value) } else { f64::NAN };
+        let values: Vec<f64> = self.events.iter().map(value).collect();
+        for (greatest, value) in self.greatest.iter_mut().zip(&values) {
+            *greatest = greatest.max(value.abs());
+        }
+        values
+    }
+
+    /// The state has jumped: what passed zero by it happens, what was zero turns back. Returns the event that ends the run.
+    pub fn jumped(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        (t, y): (f64, &[f64]),
+        before: &[f64],
+    ) -> Option<usize> {
+        let after = self.values(equations, t, y);
+        let mut ends = None;
+        for (index, (before, after)) in before.iter().zip(&after).enumerate() {
+            if let Some(passed) = self.passed[index] {
+                // it was reached with the stop, and is left as the stop is
+                self.passed[index] = if equations.stands() { None } else { Some(!passed) };
+                continue;
+            }
+            let rising = after > before;
+            let event = &self.events[index];
+            let stays = after.abs() <= ROUNDING * self.greatest[index];
+            if before * after < 0.0 && !stays && event.rising.is_none_or(|way| way == rising) {
+                self.times[index].push(t);
+                ends = ends.or(event.ends.then_some(index));
+            }
+        }
+        ends
+    }
+
+    /// All that rubs comes to rest by friction, or leaves it. Returns the event that ends the run.
+    pub fn sticking(&mut self, begins: bool, t: f64) -> Option<usize> {
+        let sticks = |event: &Event| match event.situation {
+            Some((found @ Situation::Sticks(_), wanted)) if wanted == begins => Some(found),
+            _ => None,
+        };
+        let mut found: Vec<Situation> = self.events.iter().filter_map(sticks).collect();
+        found.dedup();
+        found.into_iter().filter_map(|situation| self.situation(situation, begins, t)).min()
+    }
+
+    fn too_early(&self, event: usize, t: f64) -> bool {
+        self.guard.is_some_and(|(guarded, from)| event == guarded && t < from)
+    }
+
+    /// The motion comes into a situation, or out of it. Returns the event that ends the run.
+    pub fn situation(&mut self, situation: Situation, begins: bool, t: f64) -> Option<usize> {
+        let mut ends = None;
+        for (index, event) in self.events.iter().enumerate() {
+            if event.situation == Some((situation, begins)) && !self.too_early(index, t) {
+                self.times[index].push(t);
+                ends = ends.or(event.ends.then_some(index));
+            }
+        }
+        ends
+    }
+
     /// How often every event has happened.
     pub fn counts(&self) -> Vec<usize> {
         self.times.iter().map(Vec::len).collect()
@@ -161,63 +245,6 @@ impl<'m> Watch<'m> {
             }
         }
         ends
-    }
-
-    fn functions_in<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &mut M) {
-        if self.functions.is_empty() {
-            return;
-        }
-        let (from, to) = (method.previous_t(), method.t());
-        let mut values = vec![[0.0; NODES]; self.functions.len()];
-        let mut ends = vec![[0.0; 2]; self.functions.len()];
-        let places = (0..NODES).map(|node| (self.nodes.at(from, to, node), Some(node), 0));
-        let places: Vec<_> = places.chain([(from, None, 0), (to, None, 1)]).collect();
-        for (t, node, end) in places {
-            if !within_step(equations, method, t, &mut self.y) || !equations.observe(t, &self.y, self.deep) {
-                continue;
-            }
-            for ((function, values), ends) in self.functions.iter().zip(&mut values).zip(&mut ends) {
-                let value = equations.value(&function.cycle.expr);
-                match node {
-                    Some(node) => values[node] = value,
-                    None => ends[end] = value,
-                }
-            }
-        }
-        for ((function, values), ends) in self.functions.iter_mut().zip(&values).zip(&ends) {
-            let series = self.nodes.series(from, to, values);
-            let greatest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-            function.greatest = function.greatest.max(greatest);
-            match function.cycle.how {
-                CycleFunction::Mean | CycleFunction::Integral => function.value += series.integral(),
-                how => {
-                    let inner = series.derivative().roots();
-                    let places = inner.into_iter().map(|t| (t, series.value(t)));
-                    for (t, x) in places.chain([(from, ends[0]), (to, ends[1])]) {
-                        let better =
-                            if how == CycleFunction::Min { x < function.value } else { x > function.value };
-                        if better {
-                            (function.value, function.at) = (x, t);
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    /// The functions over the run up to its end, each with the greatest magnitude in play.
-    pub fn functions(&self, end: f64) -> Vec<(f64, f64)> {
-        let value = |f: &Function<'_>| match f.cycle.how {
-            CycleFunction::Mean => f.value / (end - self.begin),
-            CycleFunction::Argmax => f.at,
-            CycleFunction::Max | CycleFunction::Min | CycleFunction::Integral => f.value,
-        };
-        let scale = |f: &Function<'_>| match f.cycle.how {
-            CycleFunction::Argmax => end - self.begin,
-            CycleFunction::Integral => f.greatest * (end - self.begin),
-            CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => f.greatest,
-        };
-        self.functions.iter().map(|f| (value(f), scale(f))).collect()
     }
 }
 

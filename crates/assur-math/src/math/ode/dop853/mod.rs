@@ -8,8 +8,8 @@ pub mod coefficients;
 use super::first_step::first_step;
 use super::progress::Trial;
 use super::{
-    Integrator, Progress, Real, Step, Stopped, System, Tolerance, Undefined, eighth_root, finite, nonzero,
-    wide,
+    Integrator, Progress, Real, Step, Stopped, System, Tolerance, Undefined, eighth_root, epsilon, finite,
+    nonzero, wide,
 };
 use coefficients::{
     DENSE_4, DENSE_5, DENSE_6, DENSE_7, END, FIFTH, Row, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6,
@@ -24,6 +24,12 @@ const ROWS: usize = 14;
 const STABLE: f64 = 6.1 * 6.1;
 /// So many steps at the edge make a problem stiff, and so many within in a row make it forget them.
 const STIFF: (u32, u32) = (15, 6);
+/// Where rounding hides that, the derivatives tell: they are looked at after so many steps with so many rejected, and h λ
+/// beyond this makes a problem stiff.
+const STRETCH: (usize, usize) = (1000, 125);
+const BEYOND: f64 = 4.0;
+/// Times that a direction goes through the derivatives.
+const TIMES: usize = 4;
 
 /// The method for n unknowns.
 #[derive(Clone, Debug)]
@@ -40,6 +46,8 @@ pub struct Dop853<S> {
     prepared: bool,
     /// Steps at the edge of stability, and steps within since.
     edge: (u32, u32),
+    /// Steps and rejected ones when the derivatives were looked at.
+    looked: (usize, usize),
 }
 
 /// Rates of the stages 2 to 12 and 14 to 16.
@@ -97,6 +105,7 @@ impl<S: Real> Dop853<S> {
             dense: std::array::from_fn(|_| zeros()),
             prepared: false,
             edge: (0, 0),
+            looked: (0, 0),
         }
     }
 
@@ -193,6 +202,51 @@ impl<S: Real> Dop853<S> {
         stiff
     }
 
+    /// A long stretch of steps of which many are rejected, though the solution is smooth: the greatest eigenvalue, by powers of
+    /// the derivatives, is beyond what such steps are stable for.
+    fn is_held_up<F: System<S> + ?Sized>(&mut self, system: &mut F, h: S) -> bool {
+        let counts = self.progress.counts;
+        let (steps, rejected) = (counts.steps - self.looked.0, counts.rejected - self.looked.1);
+        if steps < STRETCH.0 {
+            return false;
+        }
+        self.looked = (counts.steps, counts.rejected);
+        if rejected < STRETCH.1 {
+            return false;
+        }
+        let last = self.stages.place(11);
+        // the memory of a polynomial that is not formed yet
+        let [way, rates, ..] = &mut self.dense;
+        let (at, progress) = (&mut self.trial, &mut self.progress);
+        for (v, (f, before)) in way.iter_mut().zip(progress.f1.iter().zip(&self.stages.rates[last])) {
+            *v = *f - *before;
+        }
+        let size = |v: &[S]| v.iter().fold(S::zero(), |sum, x| sum + *x * *x).sqrt();
+        let reach = epsilon::<S>().sqrt() * size(&progress.y1);
+        let mut growths = [S::zero(); TIMES];
+        for growth in &mut growths {
+            let length = size(way);
+            if !nonzero(length) || !nonzero(reach) {
+                return false;
+            }
+            let part = reach / length;
+            for (at, (y, v)) in at.iter_mut().zip(progress.y1.iter().zip(&*way)) {
+                *at = *y + part * *v;
+            }
+            progress.counts.evaluations += 1;
+            if evaluate(system, progress.t1, at, rates).is_err() {
+                return false;
+            }
+            for (v, (f, here)) in way.iter_mut().zip(rates.iter().zip(&progress.f1)) {
+                *v = (*f - *here) / part;
+            }
+            *growth = size(way) / length;
+        }
+        // of a turning pair of unknowns the growths take turns
+        let fastest = growths[TIMES - 2] * growths[TIMES - 1];
+        S::of(BEYOND * BEYOND).lt(h * h * fastest)
+    }
+
     /// A trial and its error; the next length that the error asks for.
     fn attempt<F: System<S> + ?Sized>(
         &mut self,
@@ -248,7 +302,8 @@ impl<S: Real> Integrator<S> for Dop853<S> {
             match self.attempt(system, trial) {
                 Ok((true, next)) => {
                     let step = self.progress.accept(trial, next);
-                    return if self.looks_stiff(trial.h) { Err(Stopped::Stiff) } else { Ok(step) };
+                    let stiff = self.looks_stiff(trial.h) || self.is_held_up(system, trial.h);
+                    return if stiff { Err(Stopped::Stiff) } else { Ok(step) };
                 }
                 Ok((false, next)) => self.progress.reject(next),
                 Err(Undefined) => self.progress.reject_undefined(trial),

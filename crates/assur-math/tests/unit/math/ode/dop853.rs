@@ -328,6 +328,26 @@ fn stiffness_is_seen_and_only_there() {
     }
 }
 
+/// A body in thick oil that is pulled to and fro: the speed follows at once, and rounding of the place hides it.
+#[test]
+fn stiffness_is_seen_at_the_last_digits() {
+    let oil = |t: f64, y: &[f64], dy: &mut [f64]| {
+        (dy[0], dy[1]) = (y[1], -5e6 * (y[1] + 0.4 * y[0] - libm::sin(t)))
+    };
+    for digits in [11, 13, 14] {
+        let tolerance = libm::pow(10.0, -f64::from(digits));
+        let mut method = Dop853::new(Tolerance::each(&[(0.0, tolerance), (tolerance, tolerance)]));
+        let mut system = Rates(oil);
+        method.start(&mut system, 0.0, &[1.0, -0.4], 5.0).expect("starts");
+        let stopped = loop {
+            if let Err(stopped) = method.step(&mut system) {
+                break stopped;
+            }
+        };
+        assert!(stopped == Stopped::Stiff && method.counts().steps < 3000, "{digits}: {:?}", method.counts());
+    }
+}
+
 #[test]
 fn a_step_ends_where_it_is_told_to() {
     let (mut method, mut system) = (Dop853::new(Tolerance::uniform(4, 1e-11, 1e-11)), kepler());

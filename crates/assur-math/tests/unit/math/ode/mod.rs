@@ -1,6 +1,7 @@
 //! Integrators, against closed forms.
 
 mod dop853;
+mod energy;
 mod event;
 mod extrapolation;
 mod radau;

@@ -1,0 +1,222 @@
+"""Motions under loads in assur and in its peers, side by side, each on one thread: the table of docs/simulation.md.
+
+    python3 benches/simulate/run.py [--write] [REPEATS]
+
+Makes a virtual environment under target/simulate-peers, installs the versions of requirements.txt from PyPI, builds assur (or
+takes the program that ASSUR names), and runs Andrews' mechanism and chains of 1, 2, 10 and 40 four-bars in all of them. Of
+REPEATS (5) runs the least time counts. For every peer several tolerances or steps are tried; the fastest that keeps an error
+is shown. Errors are against the references of scenes.py, never a tool's own. `--write` puts the table into docs/simulation.md.
+"""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import venv
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+PLACE = ROOT / "target" / "simulate-peers"
+PYTHON = PLACE / "bin" / "python"
+PAGE = ROOT / "docs" / "simulation.md"
+BEGIN, END = "<!-- peers: written by benches/simulate/run.py -->\n", "<!-- end of peers -->\n"
+TARGETS = (1e-6, 1e-9, 1e-12)
+ACCURACIES = ["1e-3", *(f"1e-{k}" for k in range(4, 14))]
+LONGEST = 60  # s
+
+# who: module of the environment, script, method, settings to try, what a setting is
+PEERS = {
+    "scipy, Radau (RADAU5 in Python)": ("scipy", "with_scipy.py", "Radau", ["1e-5", "1e-6", "1e-7", "1e-8", "1e-9", "1e-10", "1e-11", "1e-12"]),
+    "scipy, DOP853": ("scipy", "with_scipy.py", "DOP853", ["1e-5", "1e-6", "1e-7", "1e-8", "1e-9", "1e-10", "1e-11", "1e-12", "1e-13"]),
+    "SUNDIALS IDA": ("sksundae", "with_ida.py", "ida", ["1e-6", "1e-7", "1e-8", "1e-9", "1e-10", "1e-11", "1e-12"]),
+    "MuJoCo, Runge–Kutta": ("mujoco", "with_mujoco.py", "RK4", ["3e-5", "1e-5", "3e-6", "1e-6", "3e-7"]),
+    "Exudyn, generalised α": ("exudyn", "with_exudyn.py", "gen-alpha", ["1e-5", "3e-6", "1e-6", "3e-7"]),
+}
+CHAINS = {
+    "scipy, DOP853": ["1e-10"], "SUNDIALS IDA": ["1e-9"], "MuJoCo, Runge–Kutta": ["1e-3"], "Exudyn, generalised α": ["1e-3"],
+}
+MOST_EQUATIONS = 10  # four-bars in a row beyond which general equations with dense matrices take minutes
+
+
+def environment():
+    """Installs the peers and runs this script again with their interpreter."""
+    if not PYTHON.exists():
+        venv.create(PLACE, with_pip=True)
+    for line in (HERE / "requirements.txt").read_text().split():
+        subprocess.run([PYTHON, "-m", "pip", "install", "-q", "--disable-pip-version-check", line])
+    threads = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+    quiet = {"PYTHONDONTWRITEBYTECODE": "1", "NUMBA_CACHE_DIR": str(PLACE / "numba")}
+    os.execve(PYTHON, [str(PYTHON), __file__, "--here", *sys.argv[1:]], {**os.environ, **dict.fromkeys(threads, "1"), **quiet})
+
+
+def program():
+    if os.environ.get("ASSUR"):
+        return os.environ["ASSUR"]
+    subprocess.run(["cargo", "build", "--release", "--bin", "assur"], cwd=ROOT, check=True)
+    return str(ROOT / "target" / "release" / "assur")
+
+
+def missing(module):
+    return subprocess.run([PYTHON, "-c", f"import {module}"], capture_output=True).returncode != 0
+
+
+def of_peer(peer, scene, setting, repeats):
+    """What a peer prints, with the time of its whole process; or why there is nothing."""
+    _, script, method, _ = PEERS[peer]
+    command = [str(PYTHON), str(HERE / script), scene.name, method, setting, str(repeats)]
+    try:
+        out = subprocess.run(command, cwd=HERE, capture_output=True, text=True, timeout=LONGEST)
+    except subprocess.TimeoutExpired:
+        return f"not within {LONGEST} s"
+    if out.returncode:
+        return out.stderr.strip().splitlines()[-1][:70] if out.stderr.strip() else "fails"
+    found = json.loads(out.stdout.splitlines()[-1])
+    found["angles"] = {name: float("nan") if angle is None else angle for name, angle in found["angles"].items()}
+    return found
+
+
+def of_assur(assur, scene, repeats):
+    """For every accuracy: microseconds of all runs, evaluations, angles at the end; or why there is nothing."""
+    from scenes import mech
+    file = Path(tempfile.mkdtemp()) / "scene.mech"
+    file.write_text(mech(scene))
+    rows = []
+    for _ in range(repeats):
+        out = subprocess.run([assur, "accuracy", str(file), "--format", "json"], capture_output=True, text=True)
+        if out.returncode:
+            said = [line for line in out.stderr.splitlines() if "×" in line]
+            return (said or [out.stderr])[0].strip(" ×"), file
+        again = json.loads(out.stdout)["knobs"][0]["settings"]
+        rows = rows or again
+        for row, other in zip(rows, again):
+            row["microseconds"] = min(row["microseconds"], other["microseconds"])
+    for row in rows:
+        command = [assur, "solve", str(file), "--format", "csv", "--within", row["setting"]]
+        head, *lines = subprocess.run(command, capture_output=True, text=True).stdout.splitlines()
+        names = [re.sub(r"^angle\((\w+)\).*", r"\1", name) for name in head.split(",")]
+        # a run that misses its accuracy ends with a line without numbers
+        last = [line for line in lines if not line.endswith(",")][-1]
+        row["angles"] = {name: float(x) for name, x in zip(names, last.split(","))}
+    return rows, file
+
+
+def process(command, repeats):
+    """The least time of a whole process, ms."""
+    times = []
+    for _ in range(repeats):
+        begin = time.perf_counter()
+        subprocess.run(command, cwd=HERE, capture_output=True)
+        times.append(time.perf_counter() - begin)
+    return 1e3 * min(times)
+
+
+def three(x):
+    return f"{x:.3g}" if x < 1000 else f"{x:,.0f}"
+
+
+def table(heads, rows):
+    line = lambda cells: "| " + " | ".join(cells) + " |"
+    return "\n".join([line(heads), line(["---"] + ["---:"] * (len(heads) - 1)), *map(line, rows)]) + "\n"
+
+
+def andrews(assur, repeats, absent):
+    from scenes import error, scene
+    found = scene("andrews")
+    rows, file = of_assur(assur, found, repeats)
+    if isinstance(rows, str):
+        return f"assur: {rows}\n"
+    tried = {"assur": [(r["microseconds"] / 1e3, error(found, r["angles"]), r["setting"], r["printed_evaluations"], r["evaluations"]) for r in rows]}
+    for peer, (_, _, _, settings) in PEERS.items():
+        tried[peer] = []
+        for setting in settings if peer not in absent else []:
+            got = of_peer(peer, found, setting, repeats)
+            if not isinstance(got, str):
+                tried[peer].append((1e3 * got["seconds"], error(found, got["angles"]), setting, int(got["evaluations"]), int(got["evaluations"])))
+            print(f"{peer} {setting}: {tried[peer][-1] if not isinstance(got, str) else got}", file=sys.stderr)
+    lines, own = [], {}
+    for target in TARGETS:
+        kept = [t for t in tried["assur"] if t[1] <= target]
+        own[target] = min(kept)[0] if kept else None
+    for who, all_of_it in tried.items():
+        if who in absent:
+            lines.append([who, "not there", "", "", "", "", ""])
+            continue
+        for target in TARGETS:
+            kept = [t for t in all_of_it if t[1] <= target]
+            if not kept:
+                best = min((t[1] for t in all_of_it), default=float("inf"))
+                lines.append([who, f"{target:.0e}", f"not reached (best {best:.0e})", "", "", "", ""])
+                continue
+            ms, off, setting, evaluations, _ = min(kept)
+            if who == "assur":
+                whole = process([assur, "solve", str(file), "--within", setting], repeats)
+            else:
+                _, script, method, _ = PEERS[who]
+                whole = process([str(PYTHON), script, found.name, method, setting, "1"], min(repeats, 3))
+            ratio = f"{three(ms / own[target])}×" if own[target] else "–"
+            lines.append([who, f"{target:.0e}", setting, f"{off:.0e}", f"{evaluations:,}", f"{three(ms)} ({ratio})", three(whole)])
+    heads = ["", "error kept", "tolerance, step", "error", "evaluations", "run, ms", "process, ms"]
+    return table(heads, lines)
+
+
+def chains(assur, repeats, absent):
+    from scenes import scene
+    lines, numbers = [], (1, 2, 10, 40)
+    for n in numbers:
+        found = scene(f"bars-{n}")
+        off = lambda angles: abs(angles["c0"] - found.reference["c0"])
+        rows, file = of_assur(assur, found, min(repeats, 2))
+        if isinstance(rows, str):
+            lines.append([f"assur, N = {n}", "", rows, "", ""])
+            own = None
+        else:
+            kept = [r for r in rows if off(r["angles"]) <= 1e-8]
+            best = min(kept, key=lambda r: r["microseconds"]) if kept else min(rows, key=lambda r: off(r["angles"]))
+            own = best["microseconds"] / 1e3
+            whole = process([assur, "solve", str(file), "--within", best["setting"]], repeats)
+            lines.append([f"assur, N = {n}", best["setting"], f"{off(best['angles']):.0e}", three(own), three(whole)])
+        for peer, settings in CHAINS.items():
+            general = PEERS[peer][1] in ("with_scipy.py", "with_ida.py")
+            if peer in absent or (general and n > MOST_EQUATIONS):
+                continue
+            for setting in settings:
+                got = of_peer(peer, found, setting, min(repeats, 3))
+                if isinstance(got, str):
+                    lines.append([f"{peer}, N = {n}", setting, got, "", ""])
+                    continue
+                _, script, method, _ = PEERS[peer]
+                whole = process([str(PYTHON), script, found.name, method, setting, "1"], 1)
+                ms = 1e3 * got["seconds"]
+                ratio = f" ({three(ms / own)}×)" if own else ""
+                lines.append([f"{peer}, N = {n}", setting, f"{off(got['angles']):.0e}", three(ms) + ratio, three(whole)])
+            print(lines[-1], file=sys.stderr)
+    return table(["", "tolerance, step", "error of the angle", "run, ms", "process, ms"], lines)
+
+
+def main():
+    words = [word for word in sys.argv[1:] if word != "--here"]
+    write = "--write" in words
+    repeats = next((int(word) for word in words if word.isdigit()), 5)
+    sys.path.insert(0, str(HERE))
+    absent = {peer for peer, (module, *_) in PEERS.items() if missing(module)}
+    assur = program()
+    notes = [f"{peer} is not there." for peer in sorted(absent)]
+    r = shutil.which("Rscript")
+    there = r and subprocess.run([r, "-e", "library(deSolve)"], capture_output=True).returncode == 0
+    notes.append("R with deSolve is there and was not run." if there else "R's deSolve (RADAU5 in Fortran) is not there: scipy has the same method in Python.")
+    text = "\n### Andrews' mechanism, 0.03 s\n\n" + andrews(assur, repeats, absent)
+    text += "\n### N four-bars in a row, 10 s\n\n" + chains(assur, repeats, absent) + "\n" + " ".join(notes) + "\n"
+    sys.stdout.write(text)
+    if write:
+        page = PAGE.read_text()
+        before, rest = page.split(BEGIN)
+        PAGE.write_text(before + BEGIN + text + END + rest.split(END)[1])
+
+
+if __name__ == "__main__":
+    main() if "--here" in sys.argv else environment()

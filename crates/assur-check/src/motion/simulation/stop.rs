@@ -1,0 +1,75 @@
+//! Stops: bounds of coordinates in a motion.
+
+use super::{may_be_missing, statement};
+use crate::error::SimulateError;
+use crate::expr::context::Context;
+use crate::expr::property::{find, read};
+use crate::expr::want::Want;
+use crate::motion::drive::{Moves, coordinate};
+use crate::values::format_value::digits;
+use assur_model::model::{Expr, Load, LoadKind, Query, Stop};
+use assur_syntax::document::{self, CompareOp, Statement};
+use assur_text::language::STOP;
+use assur_text::source::Span;
+use assur_text::units::Dimension;
+
+/// Enters all stops into the mechanism, each with the effort that it bears while it is closed. They come after all other
+/// loads, which are counted as they are written.
+pub(crate) fn stops(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for item in &doc.statements {
+        let Statement::Stop(written) = &item.node else { continue };
+        if statement(cx).is_none() && may_be_missing(cx) {
+            let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
+            cx.error(SimulateError::Missing { word: "stop", help, span: item.span });
+            continue;
+        }
+        let Some(stop) = stop(cx, written, item.span) else { continue };
+        let value = Expr::Query(Query::StopEffort(cx.builder.mech.stops.len()));
+        let kind = LoadKind::InPair { pair: stop.pair, value };
+        cx.builder.mech.loads.push(Load { name: None, span: item.span, kind, when: None });
+        cx.builder.mech.stops.push(stop);
+    }
+}
+
+fn stop(cx: &mut Context<'_>, stop: &document::Stop, span: Span) -> Option<Stop> {
+    let properties = read(cx, "a stop", &stop.properties, STOP);
+    let (pair, moves) = coordinate(cx, &stop.pair)?;
+    let turns = moves == Moves::Turning;
+    let dimension = if turns { Dimension::ANGLE } else { Dimension::LENGTH };
+    let bound = cx.scalar_constant(&stop.bound, &Want(dimension), "the place of a stop")?;
+    let restitution = find(&properties?, "restitution").map_or(0.0, crate::expr::property::Read::number);
+    if restitution > 1.0 {
+        let place = stop.properties.iter().find(|p| p.name.node == "restitution");
+        let what = format!("the restitution of a stop is between 0 and 1; got {}", digits(restitution));
+        let help = "write the speed after the impact over that before it, as in `restitution 0.7`".to_owned();
+        let span = place.map_or(span, |p| p.name.span);
+        cx.error(SimulateError::Stop { what, help, span, first: None });
+        return None;
+    }
+    let above = matches!(stop.op.node, CompareOp::Greater | CompareOp::GreaterOrEqual);
+    let side = if above { 1.0 } else { -1.0 };
+    let found = Stop { pair, span, turns, side, bound, restitution };
+    is_free(cx, stop, &found).then_some(found)
+}
+
+/// Whether nothing else bounds or drives the coordinate on this side.
+fn is_free(cx: &mut Context<'_>, stop: &document::Stop, found: &Stop) -> bool {
+    let name = &stop.pair.node;
+    let others = cx.builder.mech.stops.iter().filter(|other| other.pair == found.pair);
+    for other in others.cloned().collect::<Vec<_>>() {
+        if other.side == found.side {
+            let what = format!("`{name}` has two stops on the same side");
+            let help = "keep the one that is reached first".to_owned();
+            cx.error(SimulateError::Stop { what, help, span: found.span, first: Some(other.span) });
+            return false;
+        }
+        if found.side * (other.bound - found.bound) <= 0.0 {
+            let what = format!("nothing is left between the two stops of `{name}`");
+            let help = "let the coordinate stay above the lesser bound and below the greater one".to_owned();
+            cx.error(SimulateError::Stop { what, help, span: found.span, first: Some(other.span) });
+            return false;
+        }
+    }
+    true
+}

@@ -1,0 +1,175 @@
+//! The tree of a formula.
+
+use crate::quantity::Quantity;
+use std::sync::Arc;
+
+/// A formula. Angles are in degrees.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expr {
+    /// A whole number.
+    Int(i64),
+    /// A whole number of degrees.
+    Degrees(i64),
+    /// A number as the author writes it.
+    Number(f64),
+    /// π
+    Pi,
+    /// A quantity.
+    Leaf(Arc<Quantity>),
+    /// The negative.
+    Neg(Box<Self>),
+    /// Two or more terms; none is a negative but by its value.
+    Sum(Vec<(Sign, Self)>),
+    /// Two or more factors.
+    Product(Vec<Self>),
+    /// A fraction.
+    Ratio(Box<Self>, Box<Self>),
+    /// The square.
+    Square(Box<Self>),
+    /// The root.
+    Root(Box<Self>),
+    /// The magnitude.
+    Abs(Box<Self>),
+    /// A function of an angle, or an angle.
+    Of(Function, Box<Self>),
+}
+
+/// The sign before a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// +
+    Plus,
+    /// −
+    Minus,
+}
+
+/// A function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// sin
+    Sin,
+    /// cos
+    Cos,
+    /// tan
+    Tan,
+    /// arcsin
+    Arcsin,
+    /// arccos
+    Arccos,
+    /// arctan
+    Arctan,
+}
+
+impl Function {
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Tan => "tan",
+            Self::Arcsin => "arcsin",
+            Self::Arccos => "arccos",
+            Self::Arctan => "arctan",
+        }
+    }
+
+    /// Whether it is a function of an angle.
+    #[must_use]
+    pub const fn is_of_angle(self) -> bool {
+        matches!(self, Self::Sin | Self::Cos | Self::Tan)
+    }
+}
+
+impl Expr {
+    /// 0
+    pub const ZERO: Self = Self::Int(0);
+
+    /// Whether it is 0 for every value of its letters.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        matches!(self, Self::Int(0) | Self::Degrees(0))
+    }
+
+    /// The square.
+    #[must_use]
+    pub fn squared(self) -> Self {
+        match self {
+            Self::Int(n) => Self::Int(n * n),
+            Self::Neg(x) => x.squared(),
+            other => Self::Square(Box::new(other)),
+        }
+    }
+
+    /// The root.
+    #[must_use]
+    pub fn root(self) -> Self {
+        match self {
+            Self::Square(x) => Self::Abs(x),
+            other => Self::Root(Box::new(other)),
+        }
+    }
+
+    /// The magnitude.
+    #[must_use]
+    pub fn abs(self) -> Self {
+        match self {
+            Self::Int(n) => Self::Int(n.abs()),
+            Self::Neg(x) => x.abs(),
+            other => Self::Abs(Box::new(other)),
+        }
+    }
+
+    /// A function of it; of right angles its exact value.
+    #[must_use]
+    pub fn of(self, function: Function) -> Self {
+        let quarter = match &self {
+            Self::Int(0) => Some(0),
+            Self::Degrees(d) if d.rem_euclid(90) == 0 => Some(d.rem_euclid(360) / 90),
+            _ => None,
+        };
+        match (function, quarter) {
+            (Function::Sin, Some(q)) => Self::Int([0, 1, 0, -1][usize::try_from(q).unwrap_or(0)]),
+            (Function::Cos, Some(q)) => Self::Int([1, 0, -1, 0][usize::try_from(q).unwrap_or(0)]),
+            (Function::Tan | Function::Arcsin | Function::Arctan, Some(0)) => Self::Int(0),
+            _ => match (function, self) {
+                (Function::Sin | Function::Tan, Self::Neg(x)) => -x.of(function),
+                (Function::Cos, Self::Neg(x)) => x.of(function),
+                (_, x) => Self::Of(function, Box::new(x)),
+            },
+        }
+    }
+
+    /// sin
+    #[must_use]
+    pub fn sin(self) -> Self {
+        self.of(Function::Sin)
+    }
+
+    /// cos
+    #[must_use]
+    pub fn cos(self) -> Self {
+        self.of(Function::Cos)
+    }
+
+    /// The sum of these.
+    #[must_use]
+    pub fn sum(terms: impl IntoIterator<Item = Self>) -> Self {
+        terms.into_iter().fold(Self::ZERO, |sum, term| sum + term)
+    }
+
+    /// Visits all quantities.
+    pub fn visit(&self, see: &mut dyn FnMut(&Arc<Quantity>)) {
+        match self {
+            Self::Int(_) | Self::Degrees(_) | Self::Number(_) | Self::Pi => {}
+            Self::Leaf(q) => see(q),
+            Self::Neg(x) | Self::Square(x) | Self::Root(x) | Self::Abs(x) | Self::Of(_, x) => x.visit(see),
+            Self::Sum(terms) => terms.iter().for_each(|(_, x)| x.visit(see)),
+            Self::Product(factors) => factors.iter().for_each(|x| x.visit(see)),
+            Self::Ratio(a, b) => {
+                a.visit(see);
+                b.visit(see);
+            }
+        }
+    }
+}

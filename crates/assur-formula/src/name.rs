@@ -1,0 +1,46 @@
+//! Letters of quantities.
+
+/// The letters of a quantity: `R` with the index 12 and the mark t.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Name {
+    /// The letter.
+    pub letter: String,
+    /// The index.
+    pub sub: String,
+    /// The mark above: n, t, k.
+    pub sup: String,
+    /// With an arrow.
+    pub vector: bool,
+}
+
+impl Name {
+    /// A letter with an index.
+    #[must_use]
+    pub fn new(letter: &str, sub: &str) -> Self {
+        Self { letter: letter.to_owned(), sub: sub.to_owned(), ..Self::default() }
+    }
+
+    /// With a mark.
+    #[must_use]
+    pub fn marked(&self, sup: &str) -> Self {
+        Self { sup: sup.to_owned(), ..self.clone() }
+    }
+
+    /// With more behind its index.
+    #[must_use]
+    pub fn and(&self, more: &str) -> Self {
+        Self { sub: format!("{}{more}", self.sub), ..self.clone() }
+    }
+
+    /// Its index, or its letter where it has none.
+    #[must_use]
+    pub fn sub_or_letter(&self) -> String {
+        if self.sub.is_empty() { self.letter.clone() } else { self.sub.clone() }
+    }
+
+    /// As a vector.
+    #[must_use]
+    pub fn arrow(&self) -> Self {
+        Self { vector: true, ..self.clone() }
+    }
+}

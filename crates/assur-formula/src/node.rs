@@ -1,0 +1,106 @@
+//! How a formula is laid out, before any format.
+
+use crate::number::Figures;
+
+/// A part of a line.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Node {
+    /// Parts one after another.
+    Row(Vec<Node>),
+    /// Letters of a quantity: letter, index, mark, arrow.
+    Letter {
+        /// The letter.
+        letter: String,
+        /// The index.
+        sub: String,
+        /// The mark above.
+        sup: String,
+        /// With an arrow.
+        arrow: bool,
+        /// Squared.
+        squared: bool,
+    },
+    /// A number.
+    Number(Figures),
+    /// A number of degrees.
+    Degrees(Figures),
+    /// π
+    Pi,
+    /// An operator between terms or sides.
+    Operator(&'static str),
+    /// A minus sign before a term.
+    Minus,
+    /// Product without a sign.
+    Times,
+    /// Product with a point.
+    Dot,
+    /// A fraction.
+    Fraction(Box<Node>, Box<Node>),
+    /// The square of what is not a letter.
+    Square(Box<Node>),
+    /// A root.
+    Root(Box<Node>),
+    /// In bars.
+    Bars(Box<Node>),
+    /// In brackets.
+    Brackets(Box<Node>),
+    /// A function with what it is of.
+    Function(&'static str, Box<Node>),
+    /// A unit after a number.
+    Unit(&'static str),
+    /// Upright words.
+    Words(String),
+}
+
+impl Node {
+    /// Nothing.
+    #[must_use]
+    pub const fn empty() -> Self {
+        Self::Row(Vec::new())
+    }
+
+    /// With decimals behind a comma.
+    #[must_use]
+    pub fn with_commas(self) -> Self {
+        let comma = |figures: Figures| Figures { digits: figures.digits.replace('.', ","), ..figures };
+        let inner = |node: Box<Self>| Box::new(node.with_commas());
+        match self {
+            Self::Row(parts) => Self::Row(parts.into_iter().map(Self::with_commas).collect()),
+            Self::Number(figures) => Self::Number(comma(figures)),
+            Self::Degrees(figures) => Self::Degrees(comma(figures)),
+            Self::Fraction(a, b) => Self::Fraction(inner(a), inner(b)),
+            Self::Square(x) => Self::Square(inner(x)),
+            Self::Root(x) => Self::Root(inner(x)),
+            Self::Bars(x) => Self::Bars(inner(x)),
+            Self::Brackets(x) => Self::Brackets(inner(x)),
+            Self::Function(name, x) => Self::Function(name, inner(x)),
+            other => other,
+        }
+    }
+
+    /// Its width in figures.
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        let letters = |text: &str| text.chars().count() as f64;
+        match self {
+            Self::Row(parts) => parts.iter().map(Self::width).sum(),
+            Self::Letter { letter, sub, sup, .. } => {
+                1.2 * letters(letter) + 0.75 * letters(sub).max(letters(sup))
+            }
+            Self::Number(figures) => letters(&figures.text()),
+            Self::Degrees(figures) => letters(&figures.text()) + 0.8,
+            Self::Pi => 1.2,
+            Self::Operator(_) => 2.6,
+            Self::Minus => 1.4,
+            Self::Times => 0.3,
+            Self::Dot => 1.0,
+            Self::Fraction(a, b) => a.width().max(b.width()) + 0.6,
+            Self::Square(x) => x.width() + 0.8,
+            Self::Root(x) => x.width() + 1.8,
+            Self::Bars(x) | Self::Brackets(x) => x.width() + 1.6,
+            Self::Function(name, x) => 0.9 * letters(name) + 0.4 + x.width(),
+            Self::Unit(unit) => 0.9 * letters(unit) + 0.5,
+            Self::Words(words) => letters(words),
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! Formulas in MathML Core.
+
+use super::is_single;
+use crate::lines::Lines;
+use crate::node::Node;
+use crate::number::Figures;
+
+/// A part of a line, in a line of text.
+#[must_use]
+pub fn mathml(node: &Node) -> String {
+    let mut out = "<math>".to_owned();
+    row(node, &mut out);
+    out + "</math>"
+}
+
+/// An equation.
+#[must_use]
+pub fn mathml_lines(lines: &Lines) -> String {
+    let mut out = "<math displaystyle=\"true\">".to_owned();
+    if let [(only, _)] = lines.rows.as_slice() {
+        out += "<mrow>";
+        write(&lines.left, &mut out);
+        write(only, &mut out);
+        out += "</mrow></math>";
+        return out;
+    }
+    out += "<mtable>";
+    for (i, (line, goes_on)) in lines.rows.iter().enumerate() {
+        out += "<mtr><mtd class=\"l\">";
+        if i == 0 {
+            row(&lines.left, &mut out);
+        }
+        out += "</mtd><mtd><mstyle displaystyle=\"true\"><mrow>";
+        if *goes_on {
+            out += "<mspace width=\"1.5em\"/>";
+        }
+        write(line, &mut out);
+        out += "</mrow></mstyle></mtd></mtr>";
+    }
+    out + "</mtable></math>"
+}
+
+fn row(node: &Node, out: &mut String) {
+    *out += "<mrow>";
+    write(node, out);
+    *out += "</mrow>";
+}
+
+fn write(node: &Node, out: &mut String) {
+    match node {
+        Node::Row(parts) => parts.iter().for_each(|part| write(part, out)),
+        Node::Letter { letter, sub, sup, arrow, squared } => {
+            letters(letter, sub, if *squared { "2" } else { sup }, *arrow, out);
+        }
+        Node::Number(figures) => number(figures, out),
+        Node::Degrees(figures) => {
+            *out += "<mrow>";
+            number(figures, out);
+            *out += "<mo>°</mo></mrow>";
+        }
+        Node::Pi => *out += "<mi>π</mi>",
+        Node::Operator(sign) => *out += &format!("<mo>{sign}</mo>"),
+        Node::Minus => *out += "<mo form=\"prefix\">−</mo>",
+        Node::Times => *out += "<mo>\u{2062}</mo>",
+        Node::Dot => *out += "<mo>·</mo>",
+        Node::Fraction(a, b) => {
+            *out += "<mfrac>";
+            row(a, out);
+            row(b, out);
+            *out += "</mfrac>";
+        }
+        Node::Square(x) => {
+            *out += "<msup>";
+            row(x, out);
+            *out += "<mn>2</mn></msup>";
+        }
+        Node::Root(x) => {
+            *out += "<msqrt>";
+            row(x, out);
+            *out += "</msqrt>";
+        }
+        Node::Bars(x) => fenced('|', x, '|', out),
+        Node::Brackets(x) => fenced('(', x, ')', out),
+        Node::Function(name, x) => {
+            *out += &format!("<mrow><mi>{name}</mi><mo>\u{2061}</mo>");
+            row(x, out);
+            *out += "</mrow>";
+        }
+        Node::Unit(unit) => *out += &format!("<mtext>\u{202f}{unit}</mtext>"),
+        Node::Words(words) => *out += &format!("<mtext>{}</mtext>", escaped(words)),
+    }
+}
+
+fn fenced(open: char, x: &Node, close: char, out: &mut String) {
+    *out += &format!("<mrow><mo>{open}</mo>");
+    row(x, out);
+    *out += &format!("<mo>{close}</mo></mrow>");
+}
+
+fn number(figures: &Figures, out: &mut String) {
+    if figures.negative {
+        *out += "<mo form=\"prefix\">−</mo>";
+    }
+    *out += &format!("<mn>{}</mn>", figures.digits);
+    if figures.exponent != 0 {
+        let sign = if figures.exponent < 0 { "<mo form=\"prefix\">−</mo>" } else { "" };
+        let power = figures.exponent.abs();
+        *out += &format!("<mo>·</mo><msup><mn>10</mn><mrow>{sign}<mn>{power}</mn></mrow></msup>");
+    }
+}
+
+fn letters(letter: &str, sub: &str, sup: &str, arrow: bool, out: &mut String) {
+    let tag = match (sub.is_empty(), sup.is_empty()) {
+        (true, true) => "",
+        (false, true) => "msub",
+        (true, false) => "msup",
+        (false, false) => "msubsup",
+    };
+    if !tag.is_empty() {
+        *out += &format!("<{tag}>");
+    }
+    if arrow {
+        *out += "<mover>";
+    }
+    let slanted = if is_single(letter) { "" } else { " mathvariant=\"italic\"" };
+    *out += &format!("<mi{slanted}>{}</mi>", escaped(letter));
+    if arrow {
+        *out += "<mo stretchy=\"false\">→</mo></mover>";
+    }
+    if !sub.is_empty() {
+        *out += &index(sub);
+    }
+    if sup == "2" {
+        *out += "<mn>2</mn>";
+    } else if !sup.is_empty() {
+        *out += &index(sup);
+    }
+    if !tag.is_empty() {
+        *out += &format!("</{tag}>");
+    }
+}
+
+/// An index: upright letters and figures.
+fn index(text: &str) -> String {
+    if text.chars().all(|c| c.is_ascii_digit()) {
+        format!("<mn>{text}</mn>")
+    } else {
+        format!("<mi mathvariant=\"normal\">{}</mi>", escaped(text))
+    }
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

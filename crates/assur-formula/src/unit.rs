@@ -1,0 +1,76 @@
+//! Units of equations.
+
+/// The unit of a quantity: SI, and degrees for angles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Unit {
+    /// A plain number.
+    #[default]
+    One,
+    /// m
+    Length,
+    /// m²
+    Area,
+    /// °
+    Angle,
+    /// m/s
+    Velocity,
+    /// m/s²
+    Acceleration,
+    /// rad/s
+    AngularVelocity,
+    /// rad/s²
+    AngularAcceleration,
+    /// kg
+    Mass,
+    /// kg·m²
+    Inertia,
+    /// N
+    Force,
+    /// N·m
+    Torque,
+    /// W
+    Power,
+    /// N/m
+    Stiffness,
+    /// N·s/m
+    Damping,
+    /// N·m/rad
+    TorsionStiffness,
+    /// N·m·s/rad
+    TorsionDamping,
+    /// kg/m³
+    Density,
+    /// rpm
+    Speed,
+    /// J
+    Work,
+}
+
+impl Unit {
+    /// As it is written after a number.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::One => "",
+            Self::Length => "m",
+            Self::Area => "m²",
+            Self::Angle => "°",
+            Self::Velocity => "m/s",
+            Self::Acceleration => "m/s²",
+            Self::AngularVelocity => "rad/s",
+            Self::AngularAcceleration => "rad/s²",
+            Self::Mass => "kg",
+            Self::Inertia => "kg·m²",
+            Self::Force => "N",
+            Self::Torque => "N·m",
+            Self::Power => "W",
+            Self::Stiffness => "N/m",
+            Self::Damping => "N·s/m",
+            Self::TorsionStiffness => "N·m/rad",
+            Self::TorsionDamping => "N·m·s/rad",
+            Self::Density => "kg/m³",
+            Self::Speed => "rpm",
+            Self::Work => "J",
+        }
+    }
+}

@@ -1,0 +1,361 @@
+//! One coordinate whose forces depend on its value alone: the kinetic energy is their work, and time an integral over the
+//! coordinate, t = ∫ dq √(J/2T).
+//!
+//! Mass J and force are taken at the nodes of Chebyshev series over intervals of the coordinate. What follows from them,
+//! places of rest among it, needs no further evaluation; an interval that is gone again is not evaluated again.
+
+mod stretch;
+mod way;
+
+use super::progress::Trial;
+use super::{Integrator, Progress, Step, Stopped, System, Undefined};
+use crate::math::chebyshev::{NODES, Nodes};
+use stretch::Stretch;
+use way::{Values, Way};
+
+/// Intervals that are kept.
+const KEPT: usize = 32;
+/// The first interval, parts of the scale.
+const FIRST: f64 = 0.5;
+/// The next interval is so much shorter than it might be, and not shorter or longer than these parts of the last.
+const SAFE: f64 = 0.8;
+const LEAST: f64 = 0.2;
+const MOST: f64 = 1.4;
+/// What series leave off is so much more than what integrals of them miss.
+const OFF: f64 = 12.0;
+/// Below this part of the scale an interval is too short.
+const SHORTEST: f64 = 1e-9;
+/// The series of time leaves off less than this part of the tolerance: it costs no evaluation.
+const OF_TIME: f64 = 0.02;
+/// No tolerance is finer: rounding is what is left.
+const FINEST: f64 = 2e-15;
+/// Places are the same below this part of a way.
+const SAME: f64 = 1e-13;
+/// Below this, what is left off may be rounding: then shorter intervals do not leave off less.
+const ROUNDING: f64 = 1e-10;
+/// What a shorter interval must leave off, if it is not rounding.
+const LESS: f64 = 0.25;
+/// So often a part of a way is halved.
+const HALVED: usize = 40;
+/// A way is not longer than the motion at the present acceleration would need up to the end, by this factor.
+const BEYOND: f64 = 1.2;
+
+/// Where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Motion {
+    /// On its way in this sense.
+    Moves(f64),
+    /// At rest without force.
+    Rests,
+}
+
+/// The method of energy. The unknowns are the coordinate, its rate, the work of all forces, and further works.
+#[derive(Clone, Debug)]
+pub struct Energy {
+    progress: Progress<f64>,
+    tolerance: f64,
+    scale: f64,
+    nodes: Nodes,
+    motion: Motion,
+    /// The kinetic energy where the last step ended.
+    kinetic: f64,
+    /// Length of the next interval.
+    length: f64,
+    ways: Vec<Way>,
+    /// How many of them are known.
+    known: usize,
+    /// Which is made next.
+    next: usize,
+    /// That of the last step, with its part.
+    current: Option<(usize, Stretch)>,
+    values: Values,
+    out: Vec<f64>,
+}
+
+impl Energy {
+    /// Of n unknowns, with a relative accuracy; a change of the coordinate by `scale` is a great one.
+    #[must_use]
+    pub fn new(n: usize, tolerance: f64, scale: f64) -> Self {
+        let works = n.saturating_sub(3);
+        Self {
+            progress: Progress::new(n),
+            tolerance: OFF * tolerance.max(FINEST),
+            scale,
+            nodes: Nodes::new(),
+            motion: Motion::Rests,
+            kinetic: 0.0,
+            length: FIRST * scale,
+            ways: vec![Way::new(works); KEPT],
+            known: 0,
+            next: 0,
+            current: None,
+            values: vec![[0.0; NODES]; 2 + works],
+            out: vec![0.0; 2 + works],
+        }
+    }
+
+    /// Mass, force and rates of works at a value of the coordinate.
+    fn evaluate<F: System<f64> + ?Sized>(&mut self, system: &mut F, q: f64) -> Result<(), Undefined> {
+        self.progress.counts.evaluations += 1;
+        match system.along(q, &mut self.out) {
+            Ok(true) if self.out.iter().all(|x| x.is_finite()) => Ok(()),
+            _ => Err(Undefined),
+        }
+    }
+
+    /// Takes the state from which it goes on, and forgets what was known of the forces.
+    fn begin<F: System<f64> + ?Sized>(&mut self, system: &mut F) -> Result<(), Undefined> {
+        let (q, rate) = (self.progress.y1[0], self.progress.y1[1]);
+        (self.known, self.next) = (0, 0);
+        self.current = None;
+        self.evaluate(system, q)?;
+        let (mass, force) = (self.out[0], self.out[1]);
+        self.kinetic = 0.5 * mass * rate * rate;
+        let towards = if rate == 0.0 { force } else { rate };
+        self.motion = if towards == 0.0 { Motion::Rests } else { Motion::Moves(towards.signum()) };
+        Ok(())
+    }
+
+    /// The way on which a place lies, that leads on in a sense.
+    fn way<F: System<f64> + ?Sized>(
+        &mut self,
+        system: &mut F,
+        (q, sense): (f64, f64),
+    ) -> Result<usize, Stopped> {
+        let known = self.ways[..self.known].iter().position(|way| way.leads_on(q, sense));
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let index = self.next;
+        let longest = self.reach().max(SHORTEST * self.scale);
+        let wanted = self.length;
+        let (mut length, mut before) = (wanted.min(longest), f64::INFINITY);
+        let mut undefined = false;
+        loop {
+            if length < SHORTEST * self.scale {
+                return Err(if undefined { Stopped::Undefined } else { Stopped::StepTooSmall });
+            }
+            let range = if sense > 0.0 { q..q + length } else { q - length..q };
+            undefined = self.sample(system, (range.start, range.end)).is_err()
+                || self.ways[index].set(range, (&self.nodes, &self.values), (q, self.kinetic)).is_err();
+            if undefined {
+                self.progress.counts.rejected += 1;
+                length *= 0.5;
+                continue;
+            }
+            let way = &self.ways[index];
+            let left_off = way.left_off(&self.values, sense, way.rests(q, sense, self.kinetic));
+            // the sixteenth root
+            let factor = (self.tolerance / left_off).sqrt().sqrt().sqrt().sqrt();
+            let rounding = left_off < ROUNDING && left_off > LESS * before;
+            if left_off <= self.tolerance || rounding {
+                let next = length * if rounding { 1.0 } else { (SAFE * factor).min(MOST) };
+                self.length = if length < wanted { next.max(wanted.min(MOST * length)) } else { next };
+                break;
+            }
+            self.progress.counts.rejected += 1;
+            before = left_off;
+            length *= if factor.is_nan() { LEAST } else { (SAFE * factor).clamp(LEAST, SAFE) };
+        }
+        self.known = self.known.max(index + 1);
+        self.next = (index + 1) % KEPT;
+        Ok(index)
+    }
+
+    /// How far the coordinate comes at most at the present acceleration.
+    fn reach(&self) -> f64 {
+        let left = (self.progress.end - self.progress.t1).abs();
+        let (rate, acceleration) = (self.progress.f1[0].abs(), self.progress.f1[1].abs());
+        BEYOND * (rate + 0.5 * acceleration * left) * left
+    }
+
+    fn sample<F: System<f64> + ?Sized>(
+        &mut self,
+        system: &mut F,
+        (low, high): (f64, f64),
+    ) -> Result<(), Undefined> {
+        for node in 0..NODES {
+            self.evaluate(system, self.nodes.at(low, high, node))?;
+            for (values, value) in self.values.iter_mut().zip(&self.out) {
+                values[node] = *value;
+            }
+        }
+        Ok(())
+    }
+
+    /// A part of a way whose time is known well enough.
+    fn stretch(&self, way: &Way, (q, sense): (f64, f64)) -> Option<(Stretch, Option<f64>)> {
+        let [behind, ahead] = way.rests(q, sense, self.kinetic);
+        let end = if sense > 0.0 { way.high } else { way.low };
+        let before = |a: f64, b: f64| (b - a) * sense > 0.0;
+        // a place of rest at the end but for rounding is the end
+        let ahead = ahead.map(|r| if (r - end).abs() < SAME * way.length() { end } else { r });
+        let mut target = ahead.filter(|r| before(*r, end)).unwrap_or(end);
+        let rest = match (behind, ahead) {
+            (Some(behind), Some(ahead)) => {
+                let middle = 0.5 * (behind + ahead);
+                if before(q, middle) {
+                    target = if before(middle, target) { middle } else { target };
+                    Some(behind)
+                } else {
+                    Some(ahead)
+                }
+            }
+            (one, other) => one.or(other),
+        };
+        for _ in 0..HALVED {
+            let stretch = Stretch::new(&self.nodes, way, (q, target), rest);
+            if stretch.left_off() <= (OF_TIME * self.tolerance).max(4.0 * FINEST) {
+                return Some((stretch, ahead.filter(|r| *r == target)));
+            }
+            target = q + 0.5 * (target - q);
+        }
+        None
+    }
+
+    /// State and rates at a place of the last step's way.
+    fn fill(&self, (index, stretch): (usize, &Stretch), (q, sense): (f64, f64), y: &mut [f64]) -> f64 {
+        let way = &self.ways[index];
+        let kinetic = stretch.energy(way, q);
+        y[0] = q;
+        y[1] = sense * (2.0 * kinetic / way.mass(q)).sqrt();
+        let start = self.progress.y0[0];
+        let from = stretch.energy(way, start);
+        y[2] = self.progress.y0[2] + (kinetic - from);
+        for ((y, y_0), work) in y[3..].iter_mut().zip(&self.progress.y0[3..]).zip(way.works(start, q)) {
+            *y = y_0 + work;
+        }
+        kinetic
+    }
+}
+
+impl Energy {
+    /// Ends the step at an instant, where the coordinate has a value.
+    fn end_at<F: System<f64> + ?Sized>(
+        &mut self,
+        system: &mut F,
+        (t, q): (f64, f64),
+        sense: f64,
+    ) -> Result<(), Undefined> {
+        let mut y = std::mem::take(&mut self.progress.y1);
+        if let Some((way, stretch)) = &self.current {
+            self.kinetic = self.fill((*way, stretch), (q, sense), &mut y);
+        }
+        self.progress.y1 = y;
+        self.evaluate_rates(system, t)
+    }
+
+    fn evaluate_rates<F: System<f64> + ?Sized>(&mut self, system: &mut F, t: f64) -> Result<(), Undefined> {
+        let progress = &mut self.progress;
+        progress.counts.evaluations += 1;
+        system.rates(t, &progress.y1, &mut progress.f1)
+    }
+
+    /// The sense in which the last step went.
+    fn sense(&self) -> f64 {
+        let Some((_, stretch)) = &self.current else { return 1.0 };
+        stretch.sense()
+    }
+
+    fn undone(&mut self, stopped: Stopped) -> Stopped {
+        self.progress.undo();
+        stopped
+    }
+
+    /// Counts an accepted step up to an instant.
+    fn accept(&mut self, t: f64) -> Step {
+        let (h, last) = (t - self.progress.t0, t == self.progress.end);
+        self.progress.accept(Trial { h, t, last }, h)
+    }
+}
+
+impl Integrator<f64> for Energy {
+    fn progress(&self) -> &Progress<f64> {
+        &self.progress
+    }
+
+    fn progress_mut(&mut self) -> &mut Progress<f64> {
+        &mut self.progress
+    }
+
+    fn start<F: System<f64> + ?Sized>(
+        &mut self,
+        system: &mut F,
+        t: f64,
+        y: &[f64],
+        end: f64,
+    ) -> Result<(), Undefined> {
+        self.progress.place(system, Some(t), y, end)?;
+        self.begin(system)
+    }
+
+    fn restart<F: System<f64> + ?Sized>(
+        &mut self,
+        system: &mut F,
+        y: &[f64],
+        end: f64,
+    ) -> Result<(), Undefined> {
+        self.progress.place(system, None, y, end)?;
+        self.begin(system)
+    }
+
+    fn step<F: System<f64> + ?Sized>(&mut self, system: &mut F) -> Result<Step, Stopped> {
+        if !self.progress.begin(system) {
+            return Ok(Step::Last);
+        }
+        let (t, end) = (self.progress.t0, self.progress.end);
+        let limit = t + self.progress.bounded(end - t);
+        if self.progress.counts.steps >= self.progress.most_steps {
+            return Err(self.undone(Stopped::TooManySteps));
+        }
+        let Motion::Moves(sense) = self.motion else {
+            self.current = None;
+            let known = self.evaluate_rates(system, limit);
+            known.map_err(|Undefined| self.undone(Stopped::Undefined))?;
+            return Ok(self.accept(limit));
+        };
+        let q = self.progress.y0[0];
+        let way = self.way(system, (q, sense)).map_err(|stopped| self.undone(stopped))?;
+        let Some((stretch, rest)) = self.stretch(&self.ways[way], (q, sense)) else {
+            return Err(self.undone(Stopped::StepTooSmall));
+        };
+        let reached = t + stretch.duration();
+        let (t, q) = if reached < limit {
+            (reached, stretch.place(1.0))
+        } else {
+            (limit, stretch.place_after(limit - t))
+        };
+        self.current = Some((way, stretch));
+        self.end_at(system, (t, q), sense).map_err(|Undefined| self.undone(Stopped::Undefined))?;
+        if rest == Some(q) {
+            // it turns back there
+            self.kinetic = 0.0;
+            self.progress.y1[1] = 0.0;
+            self.motion = Motion::Moves(-sense);
+        }
+        Ok(self.accept(t))
+    }
+
+    fn shorten<F: System<f64> + ?Sized>(&mut self, system: &mut F, t: f64) -> Result<(), Undefined> {
+        let sense = self.sense();
+        if let Some((_, stretch)) = &self.current {
+            let q = stretch.place_after(t - self.progress.t0);
+            self.motion = Motion::Moves(sense);
+            self.end_at(system, (t, q), sense).inspect_err(|Undefined| self.progress.undo())?;
+        }
+        self.progress.shortened(t);
+        Ok(())
+    }
+
+    fn prepare_dense<F: System<f64> + ?Sized>(&mut self, _system: &mut F) -> Result<(), Undefined> {
+        Ok(())
+    }
+
+    fn dense(&self, t: f64, y: &mut [f64]) {
+        y.copy_from_slice(&self.progress.y0);
+        if let Some((way, stretch)) = &self.current {
+            let q = stretch.place_after(t - self.progress.t0);
+            self.fill((*way, stretch), (q, stretch.sense()), y);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Friction in a motion under loads, where the run and not the velocity says how a pair moves: it slides in a sense, or is
+//! held at rest by an effort that no law of sliding gives.
+
+use super::body::BodyState;
+use super::state::State;
+use crate::math::{Vec2, acceleration_at};
+use crate::model::ProfileShape;
+use crate::plan::{FrictionElement, FrictionLaw, Plan};
+
+/// The velocity of the place where two profiles touch: it turns about the centre of a round one.
+fn contact_velocity(
+    p: Vec2,
+    (body, first): (&BodyState, ProfileShape),
+    (base, second): (&BodyState, ProfileShape),
+) -> Vec2 {
+    let about = |of: &BodyState, centre: Vec2, omega: f64| {
+        of.velocity(centre) + (p - of.position(centre)).perp() * omega
+    };
+    match (centre(first), centre(second)) {
+        (Some(one), Some(other)) => {
+            let apart = base.position(other) - body.position(one);
+            let rate = base.velocity(other) - body.velocity(one);
+            about(body, one, apart.cross(rate) / apart.dot(apart))
+        }
+        (Some(one), None) => about(body, one, base.omega),
+        (None, Some(other)) => about(base, other, body.omega),
+        (None, None) => Vec2::new(f64::NAN, f64::NAN),
+    }
+}
+
+/// The centre of a round profile.
+fn centre(shape: ProfileShape) -> Option<Vec2> {
+    match shape {
+        ProfileShape::Point(at) | ProfileShape::Circle(at, _) => Some(at),
+        ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
+    }
+}
+
+/// How an element of friction moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Grip {
+    /// The sense of its relative motion, ±1, or 0 where it is held.
+    pub sense: f64,
+    /// The torque or force on the element's body that holds it.
+    pub effort: f64,
+}
+
+impl State {
+    /// Takes the senses from the grips.
+    pub(super) fn take_grips(&mut self) {
+        for (sense, grip) in self.forces.senses.iter_mut().zip(&self.motion.grips) {
+            *sense = grip.sense;
+        }
+    }
+
+    /// Adds what holds to the loads.
+    pub(super) fn apply_grips(&mut self, plan: &Plan) {
+        for (index, element) in plan.friction.iter().enumerate() {
+            let Some(Grip { sense: 0.0, effort }) = self.motion.grips.get(index).copied() else { continue };
+            if effort != 0.0 {
+                self.apply_rub(element, effort);
+            }
+        }
+    }
+
+    /// Leaves what holds with the other efforts of friction.
+    pub(super) fn keep_grips(&mut self) {
+        for (friction, grip) in self.forces.frictions.iter_mut().zip(&self.motion.grips) {
+            if grip.sense == 0.0 {
+                *friction = grip.effort;
+            }
+        }
+    }
+
+    /// Acceleration of an element's body against its base where they do not move against each other, in the sense in which
+    /// its effort counts.
+    #[must_use]
+    pub fn sliding_acceleration(&self, element: &FrictionElement) -> f64 {
+        let (body, base) = (&self.motion.bodies[element.body], &self.motion.bodies[element.base]);
+        let Some((p, d)) = self.friction_line(element) else { return body.alpha - base.alpha };
+        let FrictionLaw::Contact { first, second, .. } = element.kind else {
+            let at = |b: &BodyState| acceleration_at(b.a, b.omega, b.alpha, p - b.p);
+            return (at(body) - at(base)).dot(d);
+        };
+        // the place of a contact moves along both profiles while they roll
+        let v = contact_velocity(p, (body, first), (base, second));
+        let at = |b: &BodyState| b.a + (p - b.p).perp() * b.alpha + (v - b.v).perp() * b.omega;
+        (at(body) - at(base)).dot(d)
+    }
+
+    /// What presses in an element: the force in a hinge or contact, the normal force, the sum of those at two ends.
+    #[must_use]
+    pub fn pressing(&self, plan: &Plan, element: &FrictionElement) -> f64 {
+        let Vec2 { x, y } = self.measured(plan, element);
+        match element.kind {
+            FrictionLaw::BothEnds { .. } => x.abs() + y.abs(),
+            _ => Vec2::new(x, y).norm(),
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Expressions that are not smooth, taken on one side of their corners: a condition stays as it is, a curve goes on beyond its
+//! point, `max`, `min` and `abs` keep what they chose.
+
+use super::evaluate::compare;
+use super::pose_answers::PoseAnswers;
+use super::switch::{Side, Switch, side_of};
+use crate::model::{Comparison, Curve, CurvePart, Expr, Function};
+
+impl PoseAnswers<'_> {
+    fn side(&self, expr: &Expr) -> Option<Side> {
+        side_of(self.switches, expr)
+    }
+
+    pub(super) fn comparison(&self, expr: &Expr, how: Comparison, (a, b): (&Expr, &Expr)) -> bool {
+        match self.side(expr) {
+            Some(Side::Truth(truth)) => truth,
+            _ => compare(how, self.scalar(a), self.scalar(b)),
+        }
+    }
+
+    pub(super) fn curve(&self, expr: &Expr, (curve, part): (&Curve, CurvePart), x: &Expr) -> f64 {
+        let x = self.scalar(x);
+        match self.side(expr) {
+            Some(Side::Piece(piece)) => curve.on(part, piece, x),
+            _ => curve.at(part, x),
+        }
+    }
+
+    /// The value of a function on a side of its corner; none where it is on no side.
+    pub(super) fn call_on_side(&self, expr: &Expr, args: &[Expr]) -> Option<f64> {
+        match self.side(expr)? {
+            Side::Argument(chosen) => Some(self.scalar(args.get(chosen)?)),
+            Side::Sign(sign) => Some(sign * self.scalar(args.first()?)),
+            Side::Free | Side::Truth(_) | Side::Piece(_) => None,
+        }
+    }
+
+    /// The side on which a part is here, whatever it is taken for.
+    pub(crate) fn side_here<'e>(&self, switch: &Switch<'e>) -> Switch<'e> {
+        let side = match switch.expr {
+            Expr::Compare(how, a, b) => Side::Truth(compare(*how, self.scalar(a), self.scalar(b))),
+            Expr::Curve(curve, _, x) => curve.function.piece(self.scalar(x)).map_or(Side::Free, Side::Piece),
+            Expr::Call(Function::Abs, args) => {
+                Side::Sign(if args.first().is_some_and(|x| self.scalar(x) < 0.0) { -1.0 } else { 1.0 })
+            }
+            Expr::Call(function, args) => {
+                let above = |i: usize| (0..args.len()).all(|j| self.ahead(*function, args, (i, j)) >= 0.0);
+                (0..args.len()).find(|i| above(*i)).map_or(Side::Free, Side::Argument)
+            }
+            _ => Side::Free,
+        };
+        Switch { side, ..*switch }
+    }
+
+    /// By how much one number of `max` or `min` is chosen before another one.
+    fn ahead(&self, function: Function, args: &[Expr], (i, j): (usize, usize)) -> f64 {
+        let ahead = self.scalar(&args[i]) - self.scalar(&args[j]);
+        if function == Function::Min { -ahead } else { ahead }
+    }
+
+    /// A number that falls through zero where the side of a part ends.
+    pub(crate) fn room(&self, switch: &Switch<'_>) -> f64 {
+        match (switch.expr, switch.side) {
+            (Expr::Compare(how, a, b), Side::Truth(truth)) => {
+                let below = matches!(how, Comparison::Less | Comparison::LessEqual) == truth;
+                let over = self.scalar(a) - self.scalar(b);
+                if below { -over } else { over }
+            }
+            (Expr::Curve(curve, _, x), Side::Piece(piece)) => {
+                let (x, (from, to)) = (self.scalar(x), curve.function.bounds(piece));
+                match (from.is_finite(), to.is_finite()) {
+                    (true, true) => (x - from) * (to - x),
+                    (true, false) => x - from,
+                    (false, true) => to - x,
+                    (false, false) => 1.0,
+                }
+            }
+            (Expr::Call(_, args), Side::Sign(sign)) => {
+                sign * args.first().map_or(f64::NAN, |x| self.scalar(x))
+            }
+            (Expr::Call(function, args), Side::Argument(i)) => {
+                let others = (0..args.len()).filter(|j| *j != i);
+                others.map(|j| self.ahead(*function, args, (i, j))).fold(f64::INFINITY, f64::min)
+            }
+            _ => 1.0,
+        }
+    }
+
+    /// The other side of the corner that is here.
+    pub(crate) fn other_side<'e>(&self, switch: &Switch<'e>) -> Switch<'e> {
+        let side = match (switch.expr, switch.side) {
+            (_, Side::Truth(truth)) => Side::Truth(!truth),
+            (_, Side::Sign(sign)) => Side::Sign(-sign),
+            (Expr::Curve(curve, _, x), Side::Piece(piece)) => {
+                let (x, (from, to)) = (self.scalar(x), curve.function.bounds(piece));
+                Side::Piece(curve.function.beside(piece, (to - x).abs() < (x - from).abs()))
+            }
+            (Expr::Call(function, args), Side::Argument(i)) => {
+                let others = (0..args.len()).filter(|j| *j != i);
+                let nearest = others.map(|j| (j, self.ahead(*function, args, (i, j))));
+                nearest.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(Side::Free, |(j, _)| Side::Argument(j))
+            }
+            _ => Side::Free,
+        };
+        Switch { side, ..*switch }
+    }
+}

@@ -1,0 +1,236 @@
+//! What accuracy costs in a motion under loads: the accuracy wanted against the error that is left, the error that is
+//! reported, evaluations and time, for every method.
+//!
+//! An error is the difference from the same motion with twice the digits, or, where closed forms do not make all of it, at
+//! the finest tolerances in other steps than those measured.
+
+use super::clock::{Clock, micros};
+use crate::position::Model;
+use crate::solve::{Conduct, Failure, KINDS, Method, STATES, Solution, Trial, Trials};
+use std::hint::black_box;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+
+/// The coarsest accuracy and the finest, as powers of ten.
+const COARSEST: i32 = -3;
+const FINEST: i32 = -13;
+/// The accuracies of which the reference has one, the best is the one that says so; and steps at least, others than those of any
+/// run that is measured, and of each other.
+const REFERENCES: [(f64, f64); 3] = [(1e-14, 333.0), (1e-13, 347.0), (1e-12, 361.0)];
+/// An accuracy that takes more steps in one run is left out, and the finer ones.
+const MOST: usize = 100_000;
+/// The fastest of so many times.
+const REPEATS: usize = 3;
+/// Times are alike where the longer is no more than this times the shorter.
+const ALIKE: f64 = 1.03;
+
+/// What accuracy costs in a motion.
+#[derive(Clone, Debug)]
+pub struct RunStudy {
+    /// How many instants are compared.
+    pub instants: usize,
+    /// The last instant that was reached, s.
+    pub end: f64,
+    /// What kinds of results were compared.
+    pub kinds: [&'static str; KINDS.len()],
+    /// The error of the reference: in `f64` what it reports, or differs by from the next best run.
+    pub floor: f64,
+    /// The reference has twice the digits.
+    pub precise: bool,
+    /// The method of the best run in `f64`.
+    pub reference: Method,
+    /// Every method with its accuracies.
+    pub methods: Vec<MethodStudy>,
+    /// The error that is wanted.
+    pub wanted: f64,
+    /// The cheapest accuracy that keeps it.
+    pub recommendation: Option<RunRow>,
+}
+
+/// One method.
+#[derive(Clone, Debug)]
+pub struct MethodStudy {
+    /// The method that does all of it; else the solver's own choice.
+    pub asked: Option<Method>,
+    /// The method that does the end of the motion.
+    pub method: Method,
+    /// From coarse to fine.
+    pub rows: Vec<RunRow>,
+    /// Its finer accuracies take too many steps.
+    pub cut: bool,
+}
+
+/// One accuracy.
+#[derive(Clone, Debug)]
+pub struct RunRow {
+    /// The accuracy asked for.
+    pub within: f64,
+    /// Accepted steps of the run that is printed.
+    pub steps: usize,
+    /// Rejected ones.
+    pub rejected: usize,
+    /// Evaluations of the run that is printed.
+    pub printed: usize,
+    /// Evaluations of all runs.
+    pub evaluations: usize,
+    /// Microseconds of all runs, the estimate of the error among them.
+    pub micros: f64,
+    /// The greatest error.
+    pub error: f64,
+    /// The error of each kind.
+    pub each: [f64; KINDS.len()],
+    /// The error that is reported.
+    pub reported: f64,
+    /// The error is no greater than that of the reference.
+    pub is_floor: bool,
+    /// It says that it does not keep the accuracy.
+    pub missed: bool,
+}
+
+/// Measures a solved file; `None` where it follows no motion.
+///
+/// # Errors
+/// The motion does not begin.
+pub fn study_runs(
+    model: &Model<'_>,
+    solution: &Solution,
+    wanted: f64,
+    clock: Clock,
+) -> Result<Option<RunStudy>, Failure> {
+    let Some(trials) = Trials::new(model, &solution.statics)? else { return Ok(None) };
+    let Some(exact) = reference(&trials)? else { return Ok(None) };
+    let mut methods = Vec::new();
+    for asked in [None, Some(Method::Dop853), Some(Method::Radau)] {
+        // by the solver's own choice it may be done already
+        let own = methods.first().map(|own: &MethodStudy| own.method);
+        if asked != Some(Method::Dop853) || own == Some(Method::Energy) {
+            methods.push(measured(&trials, &exact, asked, clock)?);
+        }
+    }
+    let report = exact.trial.report();
+    let mut study = RunStudy {
+        instants: exact.trial.instants(),
+        end: report.end,
+        kinds: KINDS,
+        floor: exact.floor,
+        precise: exact.precise,
+        reference: report.method,
+        methods,
+        wanted,
+        recommendation: None,
+    };
+    study.recommendation = study.cheapest(wanted);
+    Ok(Some(study))
+}
+
+/// The motion that counts as exact.
+struct Exact {
+    trial: Trial,
+    /// Its own error.
+    floor: f64,
+    /// It has twice the digits.
+    precise: bool,
+}
+
+/// The motion that counts as exact: of several runs by both methods the one that reports the least error, where that can be with
+/// twice the digits at its instants.
+fn reference(trials: &Trials<'_, '_>) -> Result<Option<Exact>, Failure> {
+    let mut all = Vec::new();
+    for method in [None, Some(Method::Radau)] {
+        for (within, steps) in REFERENCES {
+            all.extend(bounded(trials, within, Conduct { method, steps, ..Conduct::default() })?);
+        }
+    }
+    all.sort_by(|a: &Trial, b| a.report().error.total_cmp(&b.report().error));
+    let mut all = all.into_iter();
+    let Some(best) = all.next() else { return Ok(None) };
+    let apart = all.next().map_or([0.0; KINDS.len()], |next| trials.errors(&next, &best));
+    Ok(Some(match trials.refined(&best) {
+        Some(trial) => {
+            // its coordinates are handed on in `f64`; events and functions over the run are those of the best run
+            let rounding = f64::EPSILON * trial.greatest_coordinate().max(1.0);
+            Exact { floor: rounding.max(greatest(&apart[STATES..])), trial, precise: true }
+        }
+        None => Exact { floor: best.report().error.max(greatest(&apart)), trial: best, precise: false },
+    }))
+}
+
+/// A trial that does not take too many steps.
+fn bounded(trials: &Trials<'_, '_>, within: f64, conduct: Conduct<'_>) -> Result<Option<Trial>, Failure> {
+    let (steps, reached) = (AtomicUsize::new(0), AtomicU64::new(0));
+    let few = |time: f64, _: f64| {
+        let before = f64::from_bits(reached.swap(time.to_bits(), Ordering::Relaxed));
+        if time < before {
+            // a run begins anew
+            steps.store(0, Ordering::Relaxed);
+        }
+        steps.fetch_add(1, Ordering::Relaxed) < MOST
+    };
+    let trial = trials.run(within, &Conduct { watch: Some(&few), ..conduct })?;
+    Ok((steps.into_inner() <= MOST).then_some(trial))
+}
+
+fn greatest(errors: &[f64]) -> f64 {
+    errors.iter().fold(0.0, |most, error| most.max(*error))
+}
+
+/// One method to all accuracies.
+fn measured(
+    trials: &Trials<'_, '_>,
+    exact: &Exact,
+    asked: Option<Method>,
+    clock: Clock,
+) -> Result<MethodStudy, Failure> {
+    let conduct = Conduct { method: asked, ..Conduct::default() };
+    let mut study = MethodStudy { asked, method: Method::default(), rows: Vec::new(), cut: false };
+    let mut last = None;
+    for power in (FINEST..=COARSEST).rev() {
+        let within = libm::pow(10.0, f64::from(power));
+        let Some(trial) = bounded(trials, within, conduct)? else {
+            study.cut = true;
+            break;
+        };
+        let report = trial.report();
+        study.method = report.method;
+        // a looser accuracy may have been kept so well that this one is the same run
+        let same = last.replace((report.steps, report.printed)) == Some((report.steps, report.printed));
+        if same && trial.is_kept() {
+            continue;
+        }
+        let each = trials.errors(&trial, &exact.trial);
+        let error = greatest(&each);
+        let time = |_| micros(clock, || drop(black_box(trials.run(within, &conduct))));
+        let micros = (0..REPEATS).map(time).fold(f64::INFINITY, f64::min);
+        study.rows.push(RunRow {
+            within,
+            steps: report.steps,
+            rejected: report.rejected,
+            printed: report.printed,
+            evaluations: report.evaluations,
+            micros,
+            error: error.max(exact.floor),
+            each,
+            reported: report.error,
+            is_floor: error <= exact.floor,
+            missed: !trial.is_kept(),
+        });
+    }
+    Ok(study)
+}
+
+impl RunStudy {
+    /// The cheapest accuracy, as the solver chooses the method, that keeps an error; of those that the clock cannot tell
+    /// apart the one whose error is least.
+    fn cheapest(&self, wanted: f64) -> Option<RunRow> {
+        let all = || self.methods.first().into_iter().flat_map(|method| &method.rows);
+        let kept = || all().filter(|row| row.error <= wanted && !row.missed);
+        let least = kept().map(|row| row.micros).fold(f64::INFINITY, f64::min);
+        let cheap = kept().filter(|row| row.micros <= ALIKE * least);
+        cheap.min_by(|a, b| a.error.total_cmp(&b.error)).cloned()
+    }
+
+    /// The row of the solver's own choice for an accuracy: the finest that is not finer.
+    #[must_use]
+    pub fn of_accuracy(&self, within: f64) -> Option<&RunRow> {
+        self.methods.first()?.rows.iter().rfind(|row| row.within >= within * 0.999)
+    }
+}

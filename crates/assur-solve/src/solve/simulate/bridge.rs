@@ -1,0 +1,191 @@
+//! Change points: places where a group has both its assemblies in one, and the motion goes on smoothly in the other one.
+//!
+//! There the formulas divide nothing by nothing, yet all that moves is a smooth function of the coordinate. It is taken from
+//! regular positions on both sides, by Chebyshev's series over a short way.
+
+use super::equations::Equations;
+use crate::math::Vec2;
+use crate::math::chebyshev::{NODES, Nodes, polynomials};
+use crate::position::{BodyState, Branch, Motion, State};
+
+/// A bridge reaches at most so far to both sides, of the coordinate, rad or parts of the extent.
+const REACH: f64 = 0.5;
+/// A change point is looked for up to here, and given up beyond it.
+const FARTHEST: f64 = 2.0 * REACH;
+/// What the series leave off is less than this.
+const SMOOTH: f64 = 1e-11;
+/// Groups below this |σ| at the change point have their assemblies in one there.
+const CHANGES: f64 = 1e-3;
+/// The change point is known well enough below this.
+const FOUND: f64 = 1e-6;
+/// The way to it is gone in so many steps at most, each leaving a tenth.
+const STEPS: usize = 16;
+const PART: f64 = 0.9;
+/// Numbers of a body.
+const WIDTH: usize = 10;
+
+/// The way over a change point.
+#[derive(Clone, Debug)]
+pub(super) struct Bridge {
+    low: f64,
+    high: f64,
+    /// The sense in which it is gone.
+    ahead: f64,
+    /// The assemblies before it and behind it.
+    below: Vec<Branch>,
+    above: Vec<Branch>,
+    /// Coefficients: of each polynomial, those of all numbers of all bodies.
+    series: [Vec<f64>; NODES],
+    /// Conditions of the groups before it: those on it say nothing of what is computed there.
+    conditions: Vec<f64>,
+    /// Memory for the numbers at a place.
+    numbers: Vec<f64>,
+}
+
+impl Bridge {
+    /// Over the change point ahead of where the present step begins, if there is one; `ahead` is the sense of the motion.
+    pub fn ahead(equations: &Equations<'_, '_>, value: f64, ahead: f64) -> Option<Self> {
+        let plan = equations.model.plan;
+        let rubs = equations.mode.is_some() || equations.slipping.is_some();
+        if rubs || !equations.reduced.is_alone() || plan.goes_on() {
+            return None;
+        }
+        let mut state = equations.here().1.clone();
+        let drive = equations.reduced.free()[0];
+        let mut at = |q: f64, branches: &[Branch]| {
+            state.branches.copy_from_slice(branches);
+            let input = &mut state.motion.inputs[drive];
+            (input.value, input.place) = (q, Vec2::direction(q));
+            (input.rate, input.acceleration) = (1.0, 0.0);
+            state.run_motion::<2>(plan);
+            state.motion.open.is_none().then(|| state.clone())
+        };
+        let near = equations.here().1.branches.clone();
+        let (change, there) = change_point(&mut at, &near, value, ahead)?;
+        let turned = near.iter().zip(&there.motion.conditions).map(|(branch, condition)| {
+            let root = if condition.abs() < CHANGES { -branch.root } else { branch.root };
+            Branch { root, ..*branch }
+        });
+        let far: Vec<Branch> = turned.collect();
+        let (below, above) = if ahead > 0.0 { (near, far) } else { (far, near) };
+        let mut reach = REACH;
+        for _ in 0..3 {
+            let (low, high) = (change - reach, change + reach);
+            let positions = |node: usize, nodes: &Nodes| {
+                let q = nodes.at(low, high, node);
+                at(q, if q < change { &below } else { &above })
+            };
+            if let Some(series) = smooth(positions, equations.extent()) {
+                let numbers = vec![0.0; series[0].len()];
+                let conditions = equations.here().1.motion.conditions.clone();
+                return Some(Self { low, high, ahead, below, above, series, conditions, numbers });
+            }
+            reach *= 0.5;
+        }
+        None
+    }
+
+    /// Whether a value of the coordinate lies on it.
+    pub fn covers(&self, q: f64) -> bool {
+        self.low <= q && q <= self.high
+    }
+
+    /// The assemblies at a value.
+    pub fn branches(&self, q: f64) -> &[Branch] {
+        if q < 0.5 * (self.low + self.high) { &self.below } else { &self.above }
+    }
+
+    /// Whether it lies behind a value.
+    pub fn is_behind(&self, q: f64) -> bool {
+        if self.ahead > 0.0 { q > self.high } else { q < self.low }
+    }
+
+    /// Whether it is of no use at a value: passed, or not gone over.
+    pub fn is_left(&self, q: f64) -> bool {
+        self.is_behind(q) || (q - 0.5 * (self.low + self.high)).abs() > FARTHEST
+    }
+
+    /// Moves the bodies at a value of the coordinate, for a unit rate of it.
+    pub fn put(&mut self, q: f64, motion: &mut Motion) {
+        motion.open = None;
+        motion.conditions.copy_from_slice(&self.conditions);
+        let factors = polynomials(self.low, self.high, q);
+        self.numbers.fill(0.0);
+        for (factor, row) in factors.iter().zip(&self.series) {
+            self.numbers.iter_mut().zip(row).for_each(|(sum, c)| *sum += factor * c);
+        }
+        for (body, n) in motion.bodies.iter_mut().zip(self.numbers.chunks_exact(WIDTH)) {
+            let u = Vec2::new(n[2], n[3]);
+            *body = BodyState {
+                p: Vec2::new(n[0], n[1]),
+                u: u / u.norm(),
+                v: Vec2::new(n[4], n[5]),
+                omega: n[6],
+                a: Vec2::new(n[7], n[8]),
+                alpha: n[9],
+                turned: body.turned,
+            };
+        }
+    }
+}
+
+/// The place ahead where the least |σ| vanishes, and the position just before it; `None` where the mechanism does not close on the way,
+/// or nothing vanishes.
+fn change_point(
+    at: &mut impl FnMut(f64, &[Branch]) -> Option<State>,
+    near: &[Branch],
+    value: f64,
+    ahead: f64,
+) -> Option<(f64, State)> {
+    let sigma = |state: &State| state.motion.conditions.iter().fold(1.0_f64, |least, c| least.min(c.abs()));
+    let mut before = (value, sigma(&at(value, near)?));
+    let mut q = value + ahead * 0.1 * before.1;
+    for _ in 0..STEPS {
+        let state = at(q, near)?;
+        let here = sigma(&state);
+        let slope = (here - before.1) / (q - before.0);
+        let to_go = -here / slope;
+        if here < FOUND {
+            return Some((q, state));
+        }
+        // it falls ahead, and not far away
+        if to_go.is_nan() || to_go * ahead <= 0.0 || (q + to_go - value).abs() > FARTHEST {
+            return None;
+        }
+        before = (q, here);
+        q += PART * to_go;
+    }
+    None
+}
+
+/// The series of all that moves over these positions; `None` where they do not close or are not smooth.
+fn smooth(
+    mut positions: impl FnMut(usize, &Nodes) -> Option<State>,
+    extent: f64,
+) -> Option<[Vec<f64>; NODES]> {
+    let nodes = Nodes::new();
+    let mut values: Vec<[f64; NODES]> = Vec::new();
+    for node in 0..NODES {
+        let state = positions(node, &nodes)?;
+        values.resize(WIDTH * state.motion.bodies.len(), [0.0; NODES]);
+        for (body, values) in state.motion.bodies.iter().zip(values.chunks_exact_mut(WIDTH)) {
+            let BodyState { p, u, v, omega, a, alpha, .. } = body;
+            let numbers = [p.x, p.y, u.x, u.y, v.x, v.y, *omega, a.x, a.y, *alpha];
+            for (values, number) in values.iter_mut().zip(numbers) {
+                values[node] = number;
+            }
+        }
+    }
+    let mut series: [Vec<f64>; NODES] = std::array::from_fn(|_| Vec::with_capacity(values.len()));
+    for (number, values) in values.iter().enumerate() {
+        let of = nodes.series(-1.0, 1.0, values);
+        let length = matches!(number % WIDTH, 0 | 1);
+        let allowed = SMOOTH * if length { extent } else { 1.0 };
+        // positions tell whether it is smooth; rates have fewer digits where the formulas are near to fail
+        if number % WIDTH < 4 && (of.tail().is_nan() || of.tail() > allowed) {
+            return None;
+        }
+        series.iter_mut().zip(of.coefficients()).for_each(|(row, c)| row.push(*c));
+    }
+    Some(series)
+}

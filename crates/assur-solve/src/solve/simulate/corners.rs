@@ -1,0 +1,199 @@
+//! Corners of the loads: conditions that change, points of curves, places where `max`, `min` and `abs` change over.
+//!
+//! A step takes every load on the side of its corners where it begins, so that what is integrated is smooth; where such a side
+//! ends the step ends, and the next one begins on the other side.
+
+use super::equations::Equations;
+use super::records::within_step;
+use super::slipping::Mode;
+use crate::answer::PoseAnswers;
+use crate::math::ode::event::first_crossing;
+use crate::math::ode::{Integrator, Undefined};
+
+/// Where all are looked at first, parts of the step.
+const PLACES: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
+/// A number that stays above this part of its variation in the step is smooth enough not to pass zero between the places.
+const CLEAR: f64 = 0.5;
+/// What turns so often at one instant is left as it is: it would hold its load at the corner.
+const MOST: u32 = 3;
+/// The slope of a number is taken over this part of the step.
+const SLOPE: f64 = 1e-3;
+/// Rounding of an instant.
+const ROUNDING: f64 = 1e-15;
+
+/// The corners of a run.
+pub(super) struct Corners {
+    y: Vec<f64>,
+    /// The least and the greatest value of each number in a step.
+    ranges: Vec<(f64, f64)>,
+    /// Which ends in the present step.
+    ending: Option<usize>,
+    /// Where the present step ends by it, s.
+    ends: f64,
+    /// How often each has turned at the last instant of its turning, s.
+    turned: Vec<(f64, u32)>,
+    /// What happens at one instant, s.
+    at_once: f64,
+}
+
+impl Corners {
+    pub fn new(equations: &Equations<'_, '_>, at_once: f64) -> Self {
+        let rubbing = if equations.mode.is_some() { equations.model.plan.friction.len() } else { 0 };
+        // each slides, and presses at two ends
+        let count = equations.switches.len() + 3 * rubbing;
+        Self {
+            y: equations.start(),
+            ranges: vec![(0.0, 0.0); count],
+            ending: None,
+            ends: f64::NAN,
+            turned: vec![(f64::NAN, 0); count],
+            at_once,
+        }
+    }
+
+    /// Ends the last step where the first side ends.
+    ///
+    /// # Errors
+    /// A stage has no value.
+    pub fn shorten<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+    ) -> Result<(), Undefined> {
+        self.ending = None;
+        if !equations.held {
+            return Ok(());
+        }
+        let step = (method.previous_t(), method.t());
+        self.look(equations, method, step);
+        let mut first: Option<(f64, usize)> = None;
+        for index in 0..self.ranges.len() {
+            let (least, greatest) = self.ranges[index];
+            if least > CLEAR * (greatest - least) {
+                continue;
+            }
+            let crossing = first_crossing(step, Some(true), |t| self.room(equations, method, index, t));
+            if let Some(t) = crossing.map(|c| c.t) {
+                // several at once are passed one after another, in steps of no length
+                if first.is_none_or(|(earliest, _)| t < earliest) {
+                    first = Some((t, index));
+                }
+            }
+        }
+        let Some((t, index)) = first else { return Ok(()) };
+        (self.ending, self.ends) = (Some(index), t);
+        if t >= step.1 {
+            return Ok(());
+        }
+        let before = t - SLOPE * (t - step.0);
+        let slope = (self.room(equations, method, index, t) - self.room(equations, method, index, before))
+            / (t - before);
+        method.shorten(equations, t)?;
+        // the output between the ends is less accurate than the ends
+        let late = self.room(equations, method, index, t) / slope;
+        let exact = t - late;
+        if late.abs() > ROUNDING * t.abs() && late.abs() < t - before && exact < step.1 {
+            method.shorten(equations, exact)?;
+            self.ends = exact;
+        }
+        Ok(())
+    }
+
+    /// The state where a side has ended.
+    pub fn state(&self) -> &[f64] {
+        &self.y
+    }
+
+    /// The ranges of all numbers within the last step.
+    fn look<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        (from, to): (f64, f64),
+    ) {
+        self.ranges.fill((f64::INFINITY, f64::NEG_INFINITY));
+        for part in PLACES {
+            let t = if part < 1.0 { from + part * (to - from) } else { to };
+            let known =
+                within_step(equations, method, t, &mut self.y) && equations.observe(t, &self.y, false);
+            for (index, range) in self.ranges.iter_mut().enumerate() {
+                let room = if known { equations.room(index) } else { f64::NEG_INFINITY };
+                *range = (range.0.min(room), range.1.max(room));
+            }
+        }
+    }
+
+    fn room<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        index: usize,
+        t: f64,
+    ) -> f64 {
+        let known = within_step(equations, method, t, &mut self.y) && equations.observe(t, &self.y, false);
+        if known { equations.room(index) } else { f64::NAN }
+    }
+
+    /// The step has ended, where a side ends or before it: goes over to the other side, and whether it does.
+    pub fn turn<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &M) -> bool {
+        let t = method.t();
+        let Some(index) = self.ending.take().filter(|_| t >= self.ends) else { return false };
+        self.y.copy_from_slice(method.y());
+        if !equations.observe(t, &self.y, false) {
+            return false;
+        }
+        let (last, count) = &mut self.turned[index];
+        *count = if (t - *last).abs() <= self.at_once { *count + 1 } else { 1 };
+        *last = t;
+        equations.turn(index, *count > MOST);
+        true
+    }
+}
+
+impl<'a> Equations<'a, '_> {
+    /// Takes all loads on the sides where they are in a state.
+    pub fn take_sides(&mut self, t: f64, y: &[f64]) {
+        self.held = false;
+        // at rest what changes is looked for in other ways
+        let rests = self.mode == Some(Mode::Resting);
+        let smooth = self.switches.is_empty() && (self.mode.is_none() || self.model.plan.friction.is_empty());
+        if smooth || rests || !self.observe(t, y, false) {
+            return;
+        }
+        self.take_senses();
+        let mut switches = std::mem::take(&mut self.switches);
+        for switch in &mut switches {
+            *switch = self.seen().side_here(switch);
+        }
+        self.switches = switches;
+        self.held = true;
+    }
+
+    /// The state that is observed, with the quantities that loads name.
+    fn seen(&self) -> PoseAnswers<'_> {
+        PoseAnswers { quantities: self.quantities.as_deref().unwrap_or_default(), ..self.view() }
+    }
+
+    fn room(&mut self, index: usize) -> f64 {
+        match index.checked_sub(self.switches.len()) {
+            None => self.seen().room(&self.switches[index]),
+            Some(place) if place % 3 == 0 => self.sliding_room(place / 3),
+            Some(place) => self.pressing_room(place / 3, place % 3 - 1),
+        }
+    }
+
+    fn turn(&mut self, index: usize, releases: bool) {
+        let other = if releases { 0.0 } else { -1.0 };
+        if let Some(place) = index.checked_sub(self.switches.len()) {
+            let turned = match place % 3 {
+                0 => &mut self.senses[place / 3],
+                end => &mut self.sides[place / 3][end - 1],
+            };
+            *turned *= other;
+        } else if releases {
+            self.switches[index].release();
+        } else {
+            self.switches[index] = self.seen().other_side(&self.switches[index]);
+        }
+    }
+}

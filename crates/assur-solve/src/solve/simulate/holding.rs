@@ -1,0 +1,356 @@
+//! Which pairs are held by friction, and in which sense the others slide: chosen where a sliding speed passes zero, or where
+//! friction at rest no longer holds.
+//!
+//! First all pairs without sliding speed are held; those that need more than their friction at rest are let go, in the sense
+//! in which they are pulled. Where this comes to no end all ways are tried. A way fits where what is held lies within friction
+//! at rest, and what begins to slide accelerates in its sense.
+
+use super::drives::moves;
+use super::equations::Equations;
+use super::rubbing::wakes;
+use super::slipping::{Held, Slipping, can_hold};
+use crate::math::Lu;
+use crate::plan::FrictionLaw;
+use crate::solve::failure::Halt;
+
+/// A sliding speed below this part of the greatest so far is none.
+const NONE: f64 = 1e-11;
+/// Friction at rest holds this much more: rounding.
+const ROUNDING: f64 = 1e-10;
+/// What is not held yet is not held at the limit.
+const SURE: f64 = 1e-9;
+/// What is at its limit begins to slide without acceleration: of the greatest term.
+const SLOW: f64 = 1e-9;
+/// So many pairs at most are tried in all ways.
+const MOST: usize = 6;
+/// Pairs whose speeds depend on those of others but for this part.
+const DEPENDS: f64 = 1e-9;
+/// What is chosen anew so often at one instant has no way on.
+const AGAIN: u32 = 40;
+
+/// What comes of a way.
+enum Judged {
+    Fits,
+    /// The element needs more than friction at rest, and slides in this sense.
+    LetGo(usize, f64),
+    /// The element does not accelerate in its sense.
+    Held(usize),
+    /// No acceleration satisfies the laws.
+    Jams,
+}
+
+impl Equations<'_, '_> {
+    /// Lets every pair that rubs move in a way of its own, from here.
+    ///
+    /// # Errors
+    /// There is no way on.
+    pub fn begin_slipping(&mut self, t: f64, y: &mut [f64], held: Option<&Held>) -> Result<(), Halt> {
+        let mut slipping = Box::new(Slipping::new(self.model, self.still, self.reduced.free()));
+        if let Some(held) = held {
+            slipping.take(held, self.model.plan);
+        }
+        self.slipping = Some(slipping);
+        self.choose_slips(t, y)
+    }
+
+    /// Chooses how all pairs that rub go on from here, and takes from the rates what is left of the speeds of those that are
+    /// held.
+    ///
+    /// # Errors
+    /// There is no way on.
+    pub fn choose_slips(&mut self, t: f64, y: &mut [f64]) -> Result<(), Halt> {
+        let Some(mut slipping) = self.slipping.take() else { return Ok(()) };
+        let found = self.choose_slips_of(&mut slipping, t, y);
+        self.slipping = Some(slipping);
+        self.forget();
+        found
+    }
+
+    fn choose_slips_of(&mut self, slipping: &mut Slipping, t: f64, y: &mut [f64]) -> Result<(), Halt> {
+        let count = if slipping.again.0.to_bits() == t.to_bits() { slipping.again.1 + 1 } else { 0 };
+        slipping.again = (t, count);
+        if count > AGAIN {
+            return Err(Halt::Jam);
+        }
+        self.set_position(t, y);
+        if !slipping.turning.is_empty() && !slipping.undetermined {
+            // in which sense they are let go
+            self.slipping_accelerations(slipping)?;
+        }
+        self.trial.run_motion::<1>(self.model.plan);
+        let speeds = self.sliding_speeds(slipping);
+        let (open, let_go) = slipping.take_senses(&speeds);
+        (slipping.rests, slipping.undetermined) = (false, false);
+        self.find_way(slipping, (t, y), &open)?;
+        self.find_still(slipping, &[open, let_go].concat());
+        slipping.begun = true;
+        self.stop_held(slipping, y)
+    }
+
+    /// Sliding speeds of all elements in the state that was moved last; the greatest is kept, lengths over the extent.
+    pub fn sliding_speeds(&self, slipping: &mut Slipping) -> Vec<f64> {
+        let extent = self.extent();
+        let speed = |element: &crate::plan::FrictionElement| {
+            let turns = matches!(element.kind, FrictionLaw::Circle { .. });
+            self.trial.sliding_speed(element) / if turns { 1.0 } else { extent }
+        };
+        let speeds: Vec<f64> = self.model.plan.friction.iter().map(speed).collect();
+        slipping.fastest = speeds.iter().fold(slipping.fastest, |most, speed| most.max(speed.abs()));
+        speeds
+    }
+
+    /// Finds how the open elements go on.
+    fn find_way(&mut self, slipping: &mut Slipping, at: (f64, &[f64]), open: &[usize]) -> Result<(), Halt> {
+        let mut senses = vec![0.0; open.len()];
+        let mut seen: Vec<Vec<f64>> = Vec::new();
+        while !seen.contains(&senses) {
+            seen.push(senses.clone());
+            let place = |element: usize| open.iter().position(|e| *e == element);
+            match self.judge(slipping, at, (open, &senses))? {
+                Judged::Fits => return Ok(()),
+                Judged::LetGo(element, sense) => {
+                    place(element).into_iter().for_each(|i| senses[i] = sense);
+                }
+                Judged::Held(element) => place(element).into_iter().for_each(|i| senses[i] = 0.0),
+                Judged::Jams => break,
+            }
+        }
+        if open.len() <= MOST {
+            let mut ways: Vec<Vec<f64>> =
+                (0..3_usize.pow(open.len() as u32)).map(|way| ternary(way, open.len())).collect();
+            ways.sort_by_key(|way| way.iter().filter(|sense| **sense != 0.0).count());
+            for senses in ways.iter().filter(|way| !seen.contains(way)) {
+                if matches!(self.judge(slipping, at, (open, senses))?, Judged::Fits) {
+                    return Ok(());
+                }
+            }
+        }
+        self.without_way(slipping, at, open)
+    }
+
+    /// No way fits: where more is held than coordinates are free all of it rests.
+    fn without_way(
+        &mut self,
+        slipping: &mut Slipping,
+        at: (f64, &[f64]),
+        open: &[usize],
+    ) -> Result<(), Halt> {
+        open.iter().for_each(|&element| slipping.senses[element] = 0.0);
+        self.take_independent(slipping, at, 0);
+        let depends = slipping.held.len() < open.len();
+        let all = slipping.held.len() == self.order() && !self.drives_move();
+        let friction = &self.model.plan.friction;
+        if let Some(element) = open.iter().find(|&&element| !can_hold(&friction[element])) {
+            return Err(Halt::Rolls { pair: friction[*element].pair });
+        }
+        if !depends || !all || wakes(self.model.mechanism) {
+            return Err(Halt::Jam);
+        }
+        slipping.held.clear();
+        slipping.efforts.fill(0.0);
+        (slipping.undetermined, slipping.rests) = (true, true);
+        self.slipping_accelerations(slipping)
+    }
+
+    /// What comes of the open elements going on in these senses.
+    fn judge(
+        &mut self,
+        slipping: &mut Slipping,
+        at: (f64, &[f64]),
+        (open, senses): (&[usize], &[f64]),
+    ) -> Result<Judged, Halt> {
+        for (&element, &sense) in open.iter().zip(senses) {
+            slipping.senses[element] = sense;
+        }
+        let mut judged = Judged::Jams;
+        // which of those that depend on each other hold is not known: any will do
+        for first in 0..open.len().max(1) {
+            self.take_independent(slipping, at, first);
+            judged = self.judge_held(slipping, (open, senses))?;
+            let held = open.iter().filter(|element| slipping.senses[**element] == 0.0).count();
+            if matches!(judged, Judged::Fits) || held == slipping.held.len() {
+                break;
+            }
+        }
+        Ok(judged)
+    }
+
+    fn judge_held(
+        &mut self,
+        slipping: &mut Slipping,
+        (open, senses): (&[usize], &[f64]),
+    ) -> Result<Judged, Halt> {
+        let plan = self.model.plan;
+        slipping.rests = slipping.held.len() == self.order() && !self.drives_move();
+        match self.slipping_accelerations(slipping) {
+            Err(Halt::Jam) => return Ok(Judged::Jams),
+            other => other?,
+        }
+        let mut most = (0.0, None);
+        for &element in &slipping.held {
+            if !can_hold(&plan.friction[element]) {
+                return Ok(Judged::Jams);
+            }
+            let limit = if slipping.before[element] { 1.0 + ROUNDING } else { 1.0 - SURE };
+            let beyond = self.part_held(slipping, element) - limit;
+            if beyond > most.0 {
+                most = (beyond, Some(element));
+            }
+        }
+        if let Some(element) = most.1 {
+            return Ok(Judged::LetGo(element, -slipping.efforts[element].signum()));
+        }
+        for (&element, &sense) in open.iter().zip(senses).filter(|(_, sense)| **sense != 0.0) {
+            let acceleration = self.trial.sliding_acceleration(&plan.friction[element]);
+            let mut slopes = Vec::with_capacity(self.order());
+            self.slopes_of_element(element, &mut slopes);
+            let unit: f64 =
+                slopes.iter().zip(&slipping.units).map(|(slope, unit)| (slope * unit).abs()).sum();
+            if acceleration * sense < -SLOW * unit * slipping.greatest {
+                return Ok(Judged::Held(element));
+            }
+        }
+        Ok(Judged::Fits)
+    }
+
+    /// Which of the elements that slide from rest are kept from it by those that are held: their friction is at its limit.
+    fn find_still(&mut self, slipping: &mut Slipping, slow: &[usize]) {
+        let mut basis = Vec::new();
+        for element in slipping.held.clone() {
+            self.is_independent(element, &mut basis);
+        }
+        let count = basis.len();
+        slipping.still.fill(false);
+        for &element in slow.iter().filter(|element| slipping.senses[**element] != 0.0) {
+            slipping.still[element] = !self.is_independent(element, &mut basis);
+            basis.truncate(count);
+        }
+    }
+
+    /// What holds an element over what friction at rest can, where everything was evaluated.
+    pub fn part_held(&self, slipping: &Slipping, element: usize) -> f64 {
+        let own = &self.model.plan.friction[element];
+        let most = own.kind.factor() * slipping.at_rest[element] * self.trial.pressing(self.model.plan, own);
+        let effort = slipping.efforts[element].abs();
+        if effort == 0.0 { 0.0 } else { effort / most }
+    }
+
+    /// Of all elements that are held, those whose speeds do not depend on those before them, from one of them on.
+    fn take_independent(&mut self, slipping: &mut Slipping, (t, y): (f64, &[f64]), first: usize) {
+        let n = self.order();
+        self.set_position(t, y);
+        self.reduced.run_motion(self.model.plan, &mut self.trial);
+        let mut held: Vec<usize> =
+            (0..slipping.senses.len()).filter(|&e| slipping.senses[e] == 0.0).collect();
+        let turn = first.checked_rem(held.len()).unwrap_or(0);
+        held.rotate_left(turn);
+        slipping.held.clear();
+        let mut basis = Vec::new();
+        for element in held {
+            if slipping.held.len() == n {
+                break;
+            }
+            if self.is_independent(element, &mut basis) {
+                slipping.held.push(element);
+            }
+        }
+    }
+
+    /// Whether the speed of an element does not depend on those of others, which it then joins.
+    fn is_independent(&mut self, element: usize, basis: &mut Vec<Vec<f64>>) -> bool {
+        let mut row = Vec::with_capacity(self.order());
+        self.slopes_of_element(element, &mut row);
+        let size = norm(&row);
+        for known in &*basis {
+            let along: f64 = row.iter().zip(known).map(|(a, b)| a * b).sum();
+            row.iter_mut().zip(known).for_each(|(a, b)| *a -= along * b);
+        }
+        let left = norm(&row);
+        let alone = left > DEPENDS * size;
+        if alone {
+            row.iter_mut().for_each(|x| *x /= left);
+            basis.push(row);
+        }
+        alone
+    }
+
+    /// Takes what is left of the speeds of the elements that are held from the rates, by impulses of what holds them.
+    fn stop_held(&mut self, slipping: &Slipping, y: &mut [f64]) -> Result<(), Halt> {
+        let (n, count) = (self.order(), slipping.held.len());
+        if slipping.rests {
+            y[n..2 * n].fill(0.0);
+            return Ok(());
+        }
+        if count == 0 {
+            return Ok(());
+        }
+        let each: Vec<Vec<f64>> = (0..count)
+            .map(|k| {
+                let mut each = slipping.slopes_of(k, n).to_vec();
+                self.reduced.solve(&mut each);
+                each
+            })
+            .collect();
+        let mut factors = Lu::new(count);
+        let mut impulses = Vec::with_capacity(count);
+        for k in 0..count {
+            impulses.push(self.trial.sliding_speed(&self.model.plan.friction[slipping.held[k]]));
+            for (j, each) in each.iter().enumerate() {
+                let slopes = slipping.slopes_of(k, n).iter();
+                *factors.at_mut(k, j) = slopes.zip(each).map(|(a, b)| a * b).sum();
+            }
+        }
+        if !factors.factor() {
+            return Err(Halt::Jam);
+        }
+        factors.solve(&mut impulses);
+        for (each, impulse) in each.iter().zip(&impulses) {
+            for (rate, each) in y[n..2 * n].iter_mut().zip(each) {
+                *rate -= each * impulse;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a drive that is prescribed moves.
+    fn drives_move(&self) -> bool {
+        let drives = self.model.mechanism.drives.iter().zip(&self.first);
+        drives.into_iter().any(|(drive, first)| !drive.free && (drive.of_time || moves(first)))
+    }
+}
+
+impl Slipping {
+    /// The senses at these speeds. Returns the elements that may be held or slide in either sense, and those that are let go.
+    fn take_senses(&mut self, speeds: &[f64]) -> (Vec<usize>, Vec<usize>) {
+        let (mut open, mut let_go) = (Vec::new(), Vec::new());
+        for (element, speed) in speeds.iter().enumerate() {
+            let turns = self.turning.iter().any(|(_, turns)| *turns == element);
+            let held = self.begun && self.senses[element] == 0.0;
+            self.before[element] = !self.begun || held;
+            if held && turns {
+                let_go.push(element);
+                self.senses[element] = -self.efforts[element].signum();
+            } else if held || turns || self.still[element] || speed.abs() <= NONE * self.fastest {
+                open.push(element);
+            } else {
+                self.senses[element] = speed.signum();
+            }
+        }
+        self.turning.clear();
+        (open, let_go)
+    }
+}
+
+fn norm(row: &[f64]) -> f64 {
+    row.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// The digits of a number to base three, as senses.
+fn ternary(mut way: usize, count: usize) -> Vec<f64> {
+    let digits = (0..count).map(|_| {
+        let digit = way % 3;
+        way /= 3;
+        [0.0, 1.0, -1.0][digit]
+    });
+    digits.collect()
+}

@@ -1,0 +1,247 @@
+//! What stops do to the rates and the accelerations.
+//!
+//! An impact is one linear equation. With the slopes j = ∂g/∂q of the pair's coordinate g an impulse Λ along it changes the
+//! rates by M⁻¹ j Λ, and ġ becomes −e ġ: Λ = −(1 + e) ġ / (j M⁻¹ j). A closed stop bears the effort λ for which its coordinate
+//! does not accelerate, (J M⁻¹ Jᵀ) λ = −(J q̈₀ + J̇ q̇), and opens where λ would have to pull. Rebounds from v under the
+//! acceleration −a follow each other in a geometric series: where they are lower than what is asked for, the run goes on from
+//! its limit, 2 v / (a (1 − e)) later.
+
+use super::drives::moves;
+use super::equations::Equations;
+use super::slipping::Mode;
+use super::stop::ROUNDING;
+use crate::math::Lu;
+use crate::math::ode::System;
+use crate::model::{Query, Stop, Value};
+use crate::position::extent;
+use crate::solve::failure::Halt;
+
+/// Rebounds from a stop.
+pub(super) struct Rebounds {
+    /// Of the first, m or rad.
+    pub height: f64,
+    /// Duration of the first, s.
+    pub one: f64,
+    /// Duration of all together, s.
+    pub all: f64,
+}
+
+impl Equations<'_, '_> {
+    pub fn stop(&self, index: usize) -> &Stop {
+        &self.model.mechanism.stops[index]
+    }
+
+    /// What its coordinate is measured by.
+    pub fn size(&self, index: usize) -> f64 {
+        let stop = self.stop(index);
+        if stop.turns { 1.0 } else { extent(self.model).max(stop.bound.abs()) }
+    }
+
+    fn of_pair(&self, query: &Query) -> f64 {
+        match self.view().query(query) {
+            Value::Scalar(value) => value,
+            _ => f64::NAN,
+        }
+    }
+
+    /// How far the coordinate of a stop is from it in the state that is observed.
+    pub fn distance(&self, index: usize) -> f64 {
+        let stop = self.stop(index);
+        stop.side * (self.of_pair(&Query::Displacement(stop.pair)) - stop.bound)
+    }
+
+    /// Evaluates everything at an instant.
+    pub fn settle(&mut self, t: f64, y: &[f64]) -> Result<(), Halt> {
+        if self.mode.is_some() {
+            self.choose_mode(t, y)?;
+        }
+        let mut dy = vec![0.0; y.len()];
+        if self.rates(t, y, &mut dy).is_err() {
+            return Err(self.halt());
+        }
+        self.follow_angles(t);
+        Ok(())
+    }
+
+    pub fn close(&mut self, index: usize) {
+        self.closed.push(index);
+        self.closed.sort_unstable();
+    }
+
+    /// What its coordinate does, away from the stop, for a unit rate of each free coordinate, where everything was evaluated.
+    fn slopes(&mut self, index: usize) -> Vec<f64> {
+        let (pair, side) = (self.stop(index).pair, self.stop(index).side);
+        let model = self.model;
+        let rate = |state: &crate::position::State| side * state.coordinate_rate(model, pair);
+        (0..self.order()).map(|i| self.reduced.at_unit_rate(i, &mut self.trial, rate)).collect()
+    }
+
+    /// The rate with which its coordinate moves away from the stop, where everything was evaluated at this place; and what
+    /// rounding may make of it.
+    pub fn rate(&mut self, index: usize, y: &[f64]) -> (f64, f64) {
+        let slopes = self.slopes(index);
+        let n = self.order();
+        let terms = slopes.iter().zip(&y[n..2 * n]).map(|(slope, rate)| slope * rate);
+        let given = self.given_rate(index);
+        let (sum, greatest) = terms.fold((given, given.abs()), |(s, m), x| (s + x, m + x.abs()));
+        (sum, ROUNDING * greatest)
+    }
+
+    /// The part of this rate that the drives have whose motion is given.
+    fn given_rate(&mut self, index: usize) -> f64 {
+        let drives = &self.model.mechanism.drives;
+        let inputs = self.trial.motion.inputs.iter().zip(drives);
+        if !inputs.into_iter().any(|(input, drive)| !drive.free && moves(input)) {
+            return 0.0;
+        }
+        let stop = self.stop(index);
+        let all = stop.side * self.trial.coordinate_rate(self.model, stop.pair);
+        let slopes = self.slopes(index);
+        let inputs = &self.trial.motion.inputs;
+        let free = self.reduced.free().iter().zip(&slopes);
+        all - free.map(|(&drive, slope)| slope * inputs[drive].rate).sum::<f64>()
+    }
+
+    /// An impulse along the coordinate that changes its rate by this much; the unknown work loses what the impact takes.
+    pub fn reflect(&mut self, index: usize, change: f64, y: &mut [f64]) -> Result<(), Halt> {
+        let n = self.order();
+        let (before, _) = self.rate(index, y);
+        let slopes = self.slopes(index);
+        let mut each = slopes.clone();
+        self.reduced.solve(&mut each);
+        let compliance: f64 = slopes.iter().zip(&each).map(|(a, b)| a * b).sum();
+        if compliance.is_nan() || compliance <= 0.0 {
+            return Err(Halt::NoInertia);
+        }
+        let impulse = change / compliance;
+        for (rate, each) in y[n..2 * n].iter_mut().zip(&each) {
+            *rate += each * impulse;
+        }
+        if n == 1 && (before + change).abs() <= f64::EPSILON * before.abs() && self.given_rate(index) == 0.0 {
+            y[1] = 0.0;
+        }
+        y[2 * n] += impulse * (before + 0.5 * change);
+        Ok(())
+    }
+
+    /// The acceleration of its coordinate away from the stop, where it rests there.
+    pub fn pull(&mut self, index: usize, t: f64, y: &[f64]) -> Result<f64, Halt> {
+        let n = self.order();
+        if self.mode.is_some() {
+            let slope = self.slopes(index)[0];
+            let away = self.acceleration_from_rest(t, y, slope.signum())? * slope;
+            let back = self.acceleration_from_rest(t, y, -slope.signum())? * slope;
+            return Ok(if away > 0.0 { away } else { back.min(0.0) });
+        }
+        let mut dy = vec![0.0; y.len()];
+        if self.rates(t, y, &mut dy).is_err() {
+            return Err(self.halt());
+        }
+        let stop = self.stop(index);
+        let bias = stop.side * self.of_pair(&Query::RelativeAcceleration(stop.pair));
+        let slopes = self.slopes(index);
+        Ok(bias + slopes.iter().zip(&dy[n..2 * n]).map(|(slope, a)| slope * a).sum::<f64>())
+    }
+
+    /// How high the next rebound goes from this speed, and how long all of them last; nothing where nothing pulls it back.
+    pub fn rebounds(
+        &mut self,
+        index: usize,
+        t: f64,
+        y: &[f64],
+        (speed, restitution): (f64, f64),
+    ) -> Result<Option<Rebounds>, Halt> {
+        let mut still = y.to_vec();
+        let (up, back) = if self.mode.is_some() {
+            still[1] = 0.0;
+            let back = self.pull(index, t, &still)?;
+            let stop = (self.stop(index).side, self.stop(index).pair);
+            if speed > 0.0 {
+                self.settle(t, y)?;
+                (stop.0 * self.of_pair(&Query::RelativeAcceleration(stop.1)), back)
+            } else {
+                (back, back)
+            }
+        } else {
+            let back = self.pull(index, t, y)?;
+            (back, back)
+        };
+        if up >= 0.0 || back >= 0.0 {
+            return Ok(None);
+        }
+        let (up, back) = (-up, -back);
+        let height = 0.5 * speed * speed / up;
+        let one = speed / up * (1.0 + (up / back).sqrt());
+        let kept = restitution * (back / up).sqrt();
+        Ok(Some(Rebounds { height, one, all: if kept < 1.0 { one / (1.0 - kept) } else { 0.0 } }))
+    }
+
+    /// Adds to the accelerations what closed stops bear, and leaves their efforts.
+    pub fn hold(&mut self, accelerations: &mut [f64]) -> Result<(), Halt> {
+        let closed = self.closed.clone();
+        let count = closed.len();
+        let slopes: Vec<Vec<f64>> = closed.iter().map(|index| self.slopes(*index)).collect();
+        let each = slopes.iter().map(|slopes| {
+            let mut each = slopes.clone();
+            self.reduced.solve(&mut each);
+            each
+        });
+        let each: Vec<Vec<f64>> = each.collect();
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let mut factors = Lu::new(count);
+        let mut efforts = vec![0.0; count];
+        for (i, index) in closed.iter().enumerate() {
+            let stop = self.stop(*index);
+            let bias = stop.side * self.of_pair(&Query::RelativeAcceleration(stop.pair));
+            efforts[i] = -(bias + dot(&slopes[i], accelerations));
+            for (j, each) in each.iter().enumerate() {
+                *factors.at_mut(i, j) = dot(&slopes[i], each);
+            }
+        }
+        if !factors.factor() {
+            return Err(Halt::StopsAtOnce { stops: closed });
+        }
+        factors.solve(&mut efforts);
+        let free = accelerations.iter().fold(0.0_f64, |most, a| most.max(a.abs()));
+        for (each, effort) in each.iter().zip(&efforts) {
+            for (a, each) in accelerations.iter_mut().zip(each) {
+                *a += each * effort;
+            }
+        }
+        if let [only] = accelerations
+            && only.abs() <= ROUNDING * free
+        {
+            *only = 0.0;
+        }
+        for (index, effort) in closed.iter().zip(&efforts) {
+            self.trial.motion.stops[*index] = self.stop(*index).side * effort;
+        }
+        Ok(())
+    }
+
+    /// The unknowns a short time later, as they go on from here.
+    pub fn carried_on(&mut self, t: f64, y: &[f64], time: f64) -> Result<Vec<f64>, Halt> {
+        let n = self.order();
+        let mut dy = vec![0.0; y.len()];
+        if self.rates(t, y, &mut dy).is_err() {
+            return Err(self.halt());
+        }
+        let mut later: Vec<f64> = y.iter().zip(&dy).map(|(y, dy)| y + dy * time).collect();
+        for (q, a) in later.iter_mut().zip(&dy[n..2 * n]) {
+            *q += 0.5 * a * time * time;
+        }
+        Ok(later)
+    }
+
+    /// Whether a closed stop keeps the coordinate from moving in a sense, where everything was evaluated.
+    pub fn is_blocked(&mut self, sense: f64) -> bool {
+        let closed = self.closed.clone();
+        closed.into_iter().any(|index| self.slopes(index)[0] * sense < 0.0)
+    }
+
+    /// Whether nothing moves, and nothing but an instant can change that.
+    pub fn stands(&self) -> bool {
+        let held = self.slipping.as_ref().is_some_and(|slipping| slipping.rests);
+        held || self.mode == Some(Mode::Resting) || (self.order() == 1 && !self.closed.is_empty())
+    }
+}

@@ -1,0 +1,95 @@
+//! What is seen in a trial: answers, values of loads, angles that are carried on.
+
+use super::equations::Equations;
+use super::loads::sides;
+use crate::answer::PoseAnswers;
+use crate::model::{DriveTarget, Expr};
+use crate::plan::LoadStep;
+use crate::position::Model;
+use std::f64::consts::TAU;
+
+impl Equations<'_, '_> {
+    /// Answers in the state that is observed.
+    pub fn view(&self) -> PoseAnswers<'_> {
+        let view = PoseAnswers::new(self.model, &self.trial, &self.angles, self.statics);
+        PoseAnswers { switches: sides(self.held, &self.switches), ..view }
+    }
+
+    /// The powers whose works are asked for, at rates of which the actual ones are this part.
+    pub fn powers(&mut self, out: &mut [f64], part: f64) {
+        for (id, power) in out.iter_mut().enumerate() {
+            *power = part * self.value(&self.model.mechanism.works[id]);
+        }
+    }
+
+    /// The value of an expression in the state that is observed.
+    pub fn value(&mut self, expr: &Expr) -> f64 {
+        let view = self.view();
+        if self.model.mechanism.quantities.is_empty() {
+            return view.scalar(expr);
+        }
+        let quantities = view.all_quantities();
+        PoseAnswers { quantities: &quantities, ..view }.scalar(expr)
+    }
+
+    /// The values of the loads that depend on the state, on the sides of their corners where the step begins.
+    pub fn evaluate_loads(&mut self, t: f64) {
+        self.evaluated.clear();
+        if !self.model.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
+            return;
+        }
+        if self.loads_need_angles {
+            self.follow_angles(t);
+        }
+        self.evaluate_on_sides(self.held);
+        if self.held && self.evaluated.iter().any(|(_, value)| !value.is_defined()) {
+            // what holds on one side need not exist beyond it
+            self.evaluate_on_sides(false);
+        }
+    }
+
+    fn evaluate_on_sides(&mut self, held: bool) {
+        let switches = sides(held, &self.switches);
+        let view = PoseAnswers::new(self.model, &self.trial, &self.angles, self.statics);
+        let view = PoseAnswers { switches, ..view };
+        match self.quantities.take() {
+            None => view.evaluated_loads(&mut self.evaluated),
+            Some(memory) => {
+                let quantities = view.all_quantities_in(memory);
+                let view = PoseAnswers { quantities: &quantities, ..view };
+                view.evaluated_loads(&mut self.evaluated);
+                self.quantities = Some(quantities);
+            }
+        }
+    }
+
+    /// Angles of the bodies of the last evaluation, carried on from where the step began.
+    pub fn follow_angles(&mut self, t: f64) {
+        let (began, accepted, angles) = &self.accepted;
+        let h = t - began;
+        let bodies = accepted.motion.bodies.iter().zip(&self.trial.motion.bodies);
+        for ((angle, before), (old, new)) in self.angles.iter_mut().zip(angles).zip(bodies) {
+            // the mean speed is near enough to tell the whole turns, the rest is read off the direction itself
+            let estimate = before + 0.5 * h * (old.omega + new.omega);
+            let principal = new.u.angle();
+            *angle = principal + TAU * ((estimate - principal) / TAU).round();
+        }
+        for (&drive, effort) in self.reduced.free().iter().zip(driven_bodies(self.model, self.reduced.free()))
+        {
+            if let Some(body) = effort {
+                self.angles[body] = self.trial.motion.inputs[drive].value;
+            }
+        }
+        for &body in &self.model.plan.turning {
+            self.angles[body] = self.trial.motion.bodies[body].turned;
+        }
+    }
+}
+
+/// The body whose angle each of these drives gives.
+fn driven_bodies<'m>(model: &'m Model<'_>, drives: &'m [usize]) -> impl Iterator<Item = Option<usize>> + 'm {
+    drives.iter().map(|&drive| match model.mechanism.drives[drive].target {
+        DriveTarget::Link(link) => Some(link.index()),
+        _ => None,
+    })
+}

@@ -1,0 +1,171 @@
+//! Friction of several free coordinates, and of links that drives move against each other: every pair has a sense of its own.
+//!
+//! A pair slides in a sense, or it is held: its two links do not move against each other, and an effort φ holds them that no law
+//! of sliding gives. The accelerations q̈ and the efforts φ are found together,
+//!
+//! effort(q̈, φ) = 0 of all free coordinates, relative acceleration(q̈) = 0 of all pairs that are held,
+//!
+//! by secants from M q̈ − Jᵀφ = Q, J q̈ = −J̇ q̇ without other friction. Which pairs are held changes at events alone
+//! (`holding`).
+
+use super::equations::Equations;
+use super::slipping::Slipping;
+use crate::math::Lu;
+use crate::position::Grip;
+use crate::solve::failure::Halt;
+
+impl Equations<'_, '_> {
+    /// The rates of the unknowns at the position that is set.
+    pub fn slipping_rates(&mut self, y: &[f64], dy: &mut [f64]) -> Result<(), Halt> {
+        let n = self.order();
+        let Some(mut slipping) = self.slipping.take() else { return Err(Halt::NotANumber) };
+        let found = self.slipping_accelerations(&mut slipping);
+        if found.is_ok() {
+            let rests = slipping.rests;
+            for (i, a) in dy[n..2 * n].iter_mut().enumerate() {
+                *a = if rests { 0.0 } else { slipping.secants.x[i] * slipping.units[i] };
+            }
+        }
+        self.slipping = Some(slipping);
+        found?;
+        dy[..n].copy_from_slice(&y[n..2 * n]);
+        let elements = self.model.plan.friction.iter().zip(&self.trial.forces.frictions);
+        // stages beyond a rest go on smoothly
+        let friction: f64 = elements.map(|(e, effort)| effort * self.trial.sliding_speed(e)).sum();
+        dy[2 * n] = self.trial.power_of_loads(self.model, &self.evaluated) + friction;
+        self.powers(&mut dy[2 * n + 1..], 1.0);
+        Ok(())
+    }
+
+    /// Accelerations and efforts of the elements that are held, at the position that is set. Leaves the motion and the forces
+    /// that go with them.
+    pub fn slipping_accelerations(&mut self, slipping: &mut Slipping) -> Result<(), Halt> {
+        self.take_grips(slipping);
+        self.reduced.run_motion(self.model.plan, &mut self.trial);
+        if let Some(group) = self.trial.motion.open {
+            return Err(Halt::Open { group });
+        }
+        let time = self.trial.motion.time;
+        self.evaluate_loads(time);
+        self.trial.run_loads(self.model, &self.evaluated);
+        let n = self.order();
+        slipping.secants.resize(n + slipping.held.len());
+        let start = &mut slipping.secants.x[..n];
+        if self.reduced.accelerations(self.model.plan, &self.trial, start).is_none() {
+            return Err(self.without_acceleration());
+        }
+        self.find_slopes(slipping);
+        let Slipping { held, units, slopes, matrix, secants, efforts_of, greatest, .. } = slipping;
+        for (x, unit) in secants.x.iter_mut().zip(&*units) {
+            *x /= unit;
+        }
+        if slipping.undetermined {
+            secants.x.fill(0.0);
+            let mut left = vec![0.0; n];
+            self.unbalanced((&[], units, efforts_of), &secants.x, &mut left)?;
+            return Ok(());
+        }
+        fill(matrix, (n, held.len()), (self.reduced.mass(), slopes), units);
+        if !matrix.factor() {
+            return Err(Halt::Jam);
+        }
+        secants.solve(matrix, |x, left| {
+            *greatest = self.unbalanced((held, units, efforts_of), x, left)?;
+            Ok(*greatest)
+        })?;
+        slipping.efforts.fill(0.0);
+        for (k, &element) in slipping.held.iter().enumerate() {
+            slipping.efforts[element] = slipping.secants.x[n + k] * slipping.units[n + k];
+        }
+        Ok(())
+    }
+
+    /// What is left of the equations in their units, and the greatest of their terms.
+    fn unbalanced(
+        &mut self,
+        (held, units, efforts_of): (&[usize], &[f64], &[usize]),
+        x: &[f64],
+        left: &mut [f64],
+    ) -> Result<f64, Halt> {
+        let n = self.order();
+        let plan = self.model.plan;
+        for ((&drive, x), unit) in self.reduced.free().iter().zip(x).zip(units) {
+            self.trial.motion.inputs[drive].acceleration = x * unit;
+        }
+        for (k, &element) in held.iter().enumerate() {
+            self.trial.motion.grips[element].effort = x[n + k] * units[n + k];
+        }
+        self.trial.run_motion::<2>(plan);
+        self.trial.run_loads_and_forces(self.model, &self.evaluated);
+        if self.trial.forces.locked {
+            return Err(Halt::Jam);
+        }
+        let mut greatest = x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        for i in 0..n {
+            left[i] = self.trial.forces.efforts[efforts_of[i]] * units[i];
+            greatest = greatest.max(units[i] * self.reduced.greatest_power(i, &self.trial));
+        }
+        for (k, &element) in held.iter().enumerate() {
+            left[n + k] = self.trial.sliding_acceleration(&plan.friction[element]) * units[n + k];
+        }
+        let known = left.iter().all(|left| left.is_finite()) && greatest.is_finite();
+        if known { Ok(greatest) } else { Err(Halt::NotANumber) }
+    }
+
+    /// Speeds of the elements that are held for unit rates, in the state that was moved last, and the units of all unknowns.
+    fn find_slopes(&mut self, slipping: &mut Slipping) {
+        let n = self.order();
+        slipping.units.clear();
+        slipping.units.extend((0..n).map(|i| self.reduced.scale(i)));
+        slipping.slopes.clear();
+        for k in 0..slipping.held.len() {
+            let element = slipping.held[k];
+            self.slopes_of_element(element, &mut slipping.slopes);
+            let slopes = slipping.slopes_of(k, n).iter().zip(&slipping.units);
+            let square: f64 = slopes.map(|(slope, unit)| (slope * unit).powi(2)).sum();
+            slipping.units.push(1.0 / square.sqrt());
+        }
+    }
+
+    /// The speeds of an element for a unit rate of each free coordinate.
+    pub fn slopes_of_element(&mut self, element: usize, out: &mut Vec<f64>) {
+        let element = &self.model.plan.friction[element];
+        for i in 0..self.order() {
+            out.push(self.reduced.at_unit_rate(i, &mut self.trial, |state| state.sliding_speed(element)));
+        }
+    }
+
+    /// Puts how all elements move where forces are found.
+    fn take_grips(&mut self, slipping: &Slipping) {
+        let grips = &mut self.trial.motion.grips;
+        grips.clear();
+        grips.extend(slipping.senses.iter().map(|&sense| Grip { sense, effort: 0.0 }));
+    }
+
+    /// How all elements move, as the mechanism as it is written has them.
+    pub fn grips(&self) -> Vec<Grip> {
+        let grips = &self.trial.motion.grips;
+        if self.slipping.is_none() {
+            return Vec::new();
+        }
+        self.chart.map_or_else(|| grips.clone(), |chart| chart.grips(grips))
+    }
+}
+
+/// The matrix of the equations without friction of what slides.
+fn fill(matrix: &mut Lu, (n, held): (usize, usize), (mass, slopes): (&[f64], &[f64]), units: &[f64]) {
+    if matrix.order() != n + held {
+        *matrix = Lu::new(n + held);
+    }
+    matrix.clear();
+    for i in 0..n {
+        for j in 0..n {
+            *matrix.at_mut(i, j) = mass[i * n + j] * units[i] * units[j];
+        }
+        for k in 0..held {
+            let slope = slopes[k * n + i] * units[i] * units[n + k];
+            *matrix.at_mut(i, n + k) = -slope;
+            *matrix.at_mut(n + k, i) = slope;
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! How what rubs moves: one free coordinate in a sense, or every pair in its own.
+
+use super::secants::Secants;
+use crate::math::Lu;
+use crate::model::{PairId, ProfileShape};
+use crate::plan::{FrictionElement, FrictionLaw, Plan};
+use crate::position::Model;
+use crate::structure::EffortSource;
+
+/// How a coordinate that rubs moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Mode {
+    /// In this sense, ±1.
+    Moving(f64),
+    /// Not at all.
+    Resting,
+}
+
+/// How every pair that rubs moves.
+pub(super) struct Slipping {
+    /// By element of friction: ±1, or 0 where it is held.
+    pub senses: Vec<f64>,
+    /// Elements that are held, independent of each other: others that are held follow from them.
+    pub held: Vec<usize>,
+    /// Elements at the limit of their friction that others keep from sliding.
+    pub still: Vec<bool>,
+    /// Elements that were held before.
+    pub before: Vec<bool>,
+    /// Efforts that hold, by element.
+    pub efforts: Vec<f64>,
+    /// Friction at rest over that of sliding, by element.
+    pub at_rest: Vec<f64>,
+    /// What turns within the last step, s.
+    pub turning: Vec<(f64, usize)>,
+    /// The greatest sliding speed so far.
+    pub fastest: f64,
+    /// The senses are those of a motion.
+    pub begun: bool,
+    /// All free coordinates are held, and no drive moves.
+    pub rests: bool,
+    /// More is held than coordinates are free, and it is not known by what.
+    pub undetermined: bool,
+    /// How often it was chosen anew at one instant, s.
+    pub again: (f64, u32),
+    /// Where the efforts of the free coordinates stand.
+    pub efforts_of: Vec<usize>,
+    /// Speeds of the held elements for a unit rate of each free coordinate.
+    pub slopes: Vec<f64>,
+    /// Units of the unknowns.
+    pub units: Vec<f64>,
+    /// The greatest term of the equations, in these units.
+    pub greatest: f64,
+    pub matrix: Lu,
+    pub secants: Secants,
+}
+
+impl Slipping {
+    /// For the free drives of a model; `still` is it with the friction at rest, where that is another one.
+    pub fn new(model: &Model<'_>, still: Option<&Model<'_>>, free: &[usize]) -> Self {
+        let count = model.plan.friction.len();
+        let own = |&drive: &usize| {
+            let is_own = |source| matches!(source, EffortSource::Drive(id) if id.index() == drive);
+            model.structure.efforts.iter().position(|effort| is_own(effort.source))
+        };
+        Self {
+            senses: vec![0.0; count],
+            held: Vec::new(),
+            still: vec![false; count],
+            before: vec![true; count],
+            efforts: vec![0.0; count],
+            at_rest: model.plan.friction.iter().map(|e| greater_at_rest(still, e)).collect(),
+            turning: Vec::new(),
+            fastest: 0.0,
+            begun: false,
+            rests: false,
+            undetermined: false,
+            again: (f64::NAN, 0),
+            efforts_of: free.iter().filter_map(own).collect(),
+            slopes: Vec::new(),
+            units: Vec::new(),
+            greatest: 0.0,
+            matrix: Lu::default(),
+            secants: Secants::default(),
+        }
+    }
+
+    /// What is held, whatever the coordinates.
+    pub fn held_in(&self, plan: &Plan) -> Held {
+        let friction = plan.friction.iter().zip(&self.senses).filter(|(_, sense)| **sense == 0.0);
+        Held { elements: friction.map(|(element, _)| bodies(element)).collect(), fastest: self.fastest }
+    }
+
+    /// Takes over what was held in other coordinates.
+    pub fn take(&mut self, held: &Held, plan: &Plan) {
+        for (element, sense) in plan.friction.iter().zip(&mut self.senses) {
+            *sense = if held.elements.contains(&bodies(element)) { 0.0 } else { 1.0 };
+        }
+        (self.begun, self.fastest) = (true, held.fastest);
+    }
+
+    /// The slopes of a held element, by its place among them.
+    pub fn slopes_of(&self, place: usize, n: usize) -> &[f64] {
+        &self.slopes[n * place..][..n]
+    }
+}
+
+/// What friction holds, whatever the coordinates.
+#[derive(Clone)]
+pub(super) struct Held {
+    elements: Vec<(PairId, [usize; 2])>,
+    fastest: f64,
+}
+
+/// An element by its pair and its bodies.
+fn bodies(element: &FrictionElement) -> (PairId, [usize; 2]) {
+    let (one, other) = (element.body, element.base);
+    (element.pair, [one.min(other), one.max(other)])
+}
+
+/// The friction of an element at rest over that of its sliding.
+fn greater_at_rest(still: Option<&Model<'_>>, element: &FrictionElement) -> f64 {
+    let same = |other: &&FrictionElement| bodies(other) == bodies(element);
+    let found = still.and_then(|model| model.plan.friction.iter().find(same));
+    found.map_or(1.0, |other| other.kind.factor() / element.kind.factor())
+}
+
+/// Whether an element may be held: how the contact of a cam that rolls accelerates is not followed.
+pub(super) fn can_hold(element: &FrictionElement) -> bool {
+    let is_cam = |shape| matches!(shape, ProfileShape::Rim(_));
+    match element.kind {
+        FrictionLaw::Contact { first, second, .. } => !is_cam(first) && !is_cam(second),
+        _ => true,
+    }
+}

@@ -1,0 +1,234 @@
+//! Stops: impacts, and what rests on them.
+
+use super::equations::Equations;
+use super::impact::Rebounds;
+use super::records::within_step;
+use super::slipping::Mode;
+use crate::math::ode::Integrator;
+use crate::math::ode::event::first_crossing;
+use crate::solve::failure::Halt;
+
+/// Rebounds lower than this part of the size of the mechanism, or of a radian, are not followed: how many are counted does not
+/// depend on the accuracy.
+const LOWEST: f64 = 1e-11;
+/// Rounding of a coordinate, of the size of the mechanism, and of a rate, of the sum of what it consists of.
+pub(super) const ROUNDING: f64 = 1e-12;
+/// The first step after an impact, of the time until the next.
+const FLIGHT: f64 = 1.2;
+
+/// What happens at a stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Touch {
+    /// Its coordinate comes to it.
+    Hits(usize),
+    /// It would have to pull.
+    Opens(usize),
+    /// Two are hit at once.
+    Both(usize, usize),
+}
+
+/// The stops of a run.
+pub(super) struct Stops {
+    /// What is hit at the same instant.
+    at_once: f64,
+    /// Left where the present step begins.
+    left: Vec<bool>,
+    /// When each is closed, and when it opens again, s.
+    pub rests: Vec<Vec<(f64, Option<f64>)>>,
+}
+
+/// What an impact leads to.
+pub(super) struct Struck {
+    /// The unknowns after it.
+    pub y: Vec<f64>,
+    /// The stop is closed, after rebounds of this duration, s, that are not followed.
+    pub closed: Option<f64>,
+    /// No step is longer that begins here, s: it may come back.
+    pub step: f64,
+}
+
+impl Stops {
+    /// For stops of this number; `at_once` is the time in which things happen together, s.
+    pub fn new(count: usize, at_once: f64) -> Self {
+        Self { at_once, left: vec![false; count], rests: vec![Vec::new(); count] }
+    }
+
+    /// Where all stops stand at the first instant; changes the rates where one is hit at once.
+    ///
+    /// # Errors
+    /// A stop is passed, or the motion cannot begin.
+    pub fn begin(&mut self, equations: &mut Equations<'_, '_>, t: f64, y: &mut Vec<f64>) -> Result<(), Halt> {
+        for index in 0..self.left.len() {
+            equations.settle(t, y)?;
+            let distance = equations.distance(index);
+            let near = ROUNDING * equations.size(index);
+            if distance < -near {
+                return Err(Halt::StopPassed { stop: index, by: -distance });
+            }
+            if distance > near {
+                continue;
+            }
+            let (rate, rounding) = equations.rate(index, y);
+            if rate < -rounding {
+                let struck = self.strike(equations, t, y, index)?;
+                *y = struck.y;
+            } else if rate <= rounding && equations.pull(index, t, y)? < 0.0 {
+                equations.close(index);
+                self.rests[index].push((t, None));
+                equations.settle(t, y)?;
+            }
+            self.left[index] = true;
+        }
+        Ok(())
+    }
+
+    /// What happens first within the last step.
+    pub fn first<M: Integrator<f64>>(
+        &self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+    ) -> Option<(f64, Touch)> {
+        let mut first: Option<(f64, Touch)> = None;
+        for index in 0..self.left.len() {
+            let found = if equations.closed.contains(&index) {
+                opening(equations, method, index).map(|t| (t, Touch::Opens(index)))
+            } else {
+                hit(equations, method, index, self.left[index]).map(|t| (t, Touch::Hits(index)))
+            };
+            let Some((t, touch)) = found else { continue };
+            match first {
+                Some((before, Touch::Hits(other)))
+                    if (t - before).abs() <= self.at_once && touch == Touch::Hits(index) =>
+                {
+                    first = Some((before.min(t), Touch::Both(other, index)));
+                }
+                Some((before, _)) if before <= t => {}
+                _ => first = Some((t, touch)),
+            }
+        }
+        first
+    }
+
+    /// A step has ended, where something happens at a stop or not: what happens up to an instant.
+    pub fn passed(&mut self, touched: Option<(f64, Touch)>, here: f64) -> Option<Touch> {
+        self.left.fill(false);
+        touched.filter(|(t, _)| *t <= here).map(|(_, touch)| touch)
+    }
+
+    /// A closed stop opens.
+    pub fn open(&mut self, equations: &mut Equations<'_, '_>, t: f64, index: usize) {
+        equations.closed.retain(|closed| *closed != index);
+        self.left[index] = true;
+        if let Some(rest) = self.rests[index].last_mut().filter(|rest| rest.1.is_none()) {
+            rest.1 = Some(t);
+        }
+    }
+
+    /// A rest has ended: what moves has left its stops.
+    pub fn left_at_rest(&mut self, equations: &mut Equations<'_, '_>, t: f64) {
+        if equations.mode != Some(Mode::Resting) {
+            for index in equations.closed.clone() {
+                self.open(equations, t, index);
+            }
+        }
+    }
+
+    /// The coordinate of a stop comes to it.
+    ///
+    /// # Errors
+    /// A stop that is closed would be hit as well, or there is no motion afterwards.
+    pub fn strike(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        t: f64,
+        y: &[f64],
+        index: usize,
+    ) -> Result<Struck, Halt> {
+        let restitution = equations.stop(index).restitution;
+        let mut after = y.to_vec();
+        equations.settle(t, y)?;
+        let (before, rounding) = equations.rate(index, y);
+        let closed = std::mem::take(&mut equations.closed);
+        let standing = closed.iter().map(|other| (*other, equations.rate(*other, y).0)).collect::<Vec<_>>();
+        equations.reflect(index, -(1.0 + restitution) * before, &mut after)?;
+        self.left[index] = true;
+        for (other, rate) in standing {
+            let change = equations.rate(other, &after).0 - rate;
+            if change < -rounding.max(ROUNDING * before.abs()) {
+                return Err(Halt::StopsAtOnce { stops: vec![other, index] });
+            }
+            if change > ROUNDING * before.abs() {
+                self.open(equations, t, other);
+            } else {
+                equations.closed.push(other);
+            }
+        }
+        equations.settle(t, &after)?;
+        let speed = -restitution * before;
+        let Some(Rebounds { height, one, all }) =
+            equations.rebounds(index, t, &after, (speed, restitution))?
+        else {
+            return Ok(Struck { y: after, closed: None, step: f64::INFINITY });
+        };
+        if height > LOWEST * equations.size(index) {
+            return Ok(Struck { y: after, closed: None, step: FLIGHT * one });
+        }
+        // as without restitution
+        let mut rest = y.to_vec();
+        equations.settle(t, y)?;
+        equations.reflect(index, -before, &mut rest)?;
+        equations.close(index);
+        self.rests[index].push((t + all, None));
+        equations.settle(t, &rest)?;
+        Ok(Struck { y: rest, closed: Some(all), step: f64::INFINITY })
+    }
+}
+
+/// Where, in the last step, the coordinate of a stop comes to it.
+fn hit<M: Integrator<f64>>(
+    equations: &mut Equations<'_, '_>,
+    method: &mut M,
+    index: usize,
+    left: bool,
+) -> Option<f64> {
+    let (mut from, to) = (method.previous_t(), method.t());
+    let mut y = method.y().to_vec();
+    let mut observed = |equations: &mut Equations<'_, '_>, t: f64, rate: bool| {
+        let known = within_step(equations, method, t, &mut y) && equations.observe(t, &y, false);
+        match rate {
+            _ if !known => f64::NAN,
+            true => equations.rate(index, &y).0,
+            false => equations.distance(index),
+        }
+    };
+    if left {
+        // it comes back after it has turned
+        let turn = first_crossing((from, to), Some(true), |t| observed(equations, t, true))?;
+        from = turn.t;
+        if observed(equations, from, false) <= 0.0 {
+            return Some(from);
+        }
+    }
+    let crossing = first_crossing((from, to), None, |t| observed(equations, t, false));
+    crossing.filter(|c| !c.rising).map(|c| c.t)
+}
+
+/// Where, in the last step, a closed stop would have to pull.
+fn opening<M: Integrator<f64>>(
+    equations: &mut Equations<'_, '_>,
+    method: &mut M,
+    index: usize,
+) -> Option<f64> {
+    if equations.mode.is_some() {
+        // it is left as any rest
+        return None;
+    }
+    let step = (method.previous_t(), method.t());
+    let side = equations.stop(index).side;
+    let mut y = method.y().to_vec();
+    let crossing = first_crossing(step, Some(true), |t| {
+        let known = within_step(equations, method, t, &mut y) && equations.observe(t, &y, false);
+        if known { side * equations.trial.motion.stops[index] } else { f64::NAN }
+    });
+    crossing.filter(|c| !c.rising).map(|c| c.t)
+}

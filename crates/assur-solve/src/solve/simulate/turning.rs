@@ -1,0 +1,176 @@
+//! Where, within a step, what rubs comes to rest, turns, or is let go, and how the run goes on from there.
+
+use super::equations::Equations;
+use super::going::Going;
+use super::records::within_step;
+use super::slipping::Mode;
+use crate::math::ode::Integrator;
+use crate::math::ode::event::first_crossing;
+use crate::model::{PairId, Situation};
+use crate::solve::failure::Halt;
+
+/// Places within a step at which all sliding speeds are looked at, as parts of it.
+const PLACES: [f64; 9] = [0.0, 0.02, 0.13, 0.31, 0.5, 0.69, 0.87, 0.98, 1.0];
+/// What stays above this part of its variation in the step is smooth enough not to pass zero between the places.
+const CLEAR: f64 = 0.5;
+
+impl Going<'_, '_> {
+    /// Where, in the last step, what rubs comes to rest, turns or leaves its rest.
+    pub fn turning<M: Integrator<f64>>(
+        &self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+    ) -> Option<f64> {
+        let Some(mode) = equations.mode else { return self.slips_turning(equations, method) };
+        let step = (method.previous_t(), method.t());
+        let mut y = method.y().to_vec();
+        match mode {
+            Mode::Moving(sense) => {
+                let begins_at_rest = (method.previous_y()[1] == 0.0).then_some(true);
+                let rate = |t: f64| {
+                    within_step(equations, method, t, &mut y);
+                    sense * y[1]
+                };
+                first_crossing(step, begins_at_rest, rate).filter(|c| !c.rising).map(|c| c.t)
+            }
+            Mode::Resting if self.wakes => {
+                first_crossing(step, Some(false), |t| equations.leaving(t, &y)).map(|c| c.t)
+            }
+            Mode::Resting => None,
+        }
+    }
+
+    /// The same of pairs that move in ways of their own.
+    fn slips_turning<M: Integrator<f64>>(
+        &self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+    ) -> Option<f64> {
+        let count =
+            equations.slipping.as_ref().filter(|slipping| !slipping.rests || self.wakes)?.senses.len();
+        let (from, to) = (method.previous_t(), method.t());
+        let mut y = method.y().to_vec();
+        let mut rooms = vec![f64::INFINITY; count];
+        let mut ranges = vec![(f64::INFINITY, f64::NEG_INFINITY); count];
+        for part in PLACES {
+            let t = if part < 1.0 { from + part * (to - from) } else { to };
+            within_step(equations, method, t, &mut y);
+            equations.slip_rooms(t, &y, &mut rooms);
+            for (range, room) in ranges.iter_mut().zip(&rooms) {
+                *range = (range.0.min(*room), range.1.max(*room));
+            }
+        }
+        let near = (0..count).filter(|&e| ranges[e].0 <= CLEAR * (ranges[e].1 - ranges[e].0));
+        let mut turning = Vec::new();
+        for element in near.collect::<Vec<_>>() {
+            let crossing = first_crossing((from, to), Some(true), |t| {
+                within_step(equations, method, t, &mut y);
+                equations.slip_rooms(t, &y, &mut rooms);
+                rooms[element]
+            });
+            turning.extend(crossing.filter(|c| !c.rising).map(|c| (c.t, element)));
+        }
+        equations.forget();
+        let first = turning.iter().map(|turns| turns.0).fold(f64::INFINITY, f64::min);
+        let slipping = equations.slipping.as_mut()?;
+        slipping.turning = turning;
+        first.is_finite().then_some(first)
+    }
+
+    /// Goes on from where something turns or comes to rest. Returns the event that ends the motion by it.
+    ///
+    /// # Errors
+    /// There is no way on.
+    pub fn turn(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        t: f64,
+        y: &mut [f64],
+    ) -> Result<Option<usize>, Halt> {
+        equations.held = false;
+        if let Some(slipping) = &mut equations.slipping {
+            slipping.turning.retain(|turns| turns.0 <= t + self.at_once());
+            equations.choose_slips(t, y)?;
+            return Ok(self.note_held(equations, t));
+        }
+        y[1] = 0.0;
+        match equations.mode {
+            Some(Mode::Resting) => equations.leave(t, y)?,
+            _ => equations.choose_mode(t, y)?,
+        }
+        let ended = self.note_rest(equations, t);
+        self.stops.left_at_rest(equations, t);
+        Ok(ended)
+    }
+
+    /// Notes a rest by friction, or its end. Returns the event that ends the motion by it.
+    fn note_rest(&mut self, equations: &Equations<'_, '_>, time: f64) -> Option<usize> {
+        let resting = equations.mode == Some(Mode::Resting);
+        match self.rests.last_mut() {
+            Some(rest) if rest.1.is_none() && !resting => rest.1 = Some(time),
+            Some(rest) if rest.1.is_none() => return None,
+            _ if resting => self.rests.push((time, None)),
+            _ => return None,
+        }
+        self.watch.sticking(resting, time)
+    }
+
+    /// Notes what friction holds from now on, and what it does no longer. Returns the event that ends the motion by it.
+    fn note_held(&mut self, equations: &Equations<'_, '_>, time: f64) -> Option<usize> {
+        let now = equations.held_pairs();
+        let mut changed: Vec<(PairId, bool)> = Vec::new();
+        for (pair, _, end) in self.held.iter_mut().filter(|held| held.2.is_none()) {
+            if !now.contains(pair) {
+                *end = Some(time);
+                changed.push((*pair, false));
+            }
+        }
+        for pair in now {
+            if !self.held.iter().any(|held| held.0 == pair && held.2.is_none()) {
+                self.held.push((pair, time, None));
+                changed.push((pair, true));
+            }
+        }
+        let ended = changed
+            .into_iter()
+            .filter_map(|(pair, begins)| self.watch.situation(Situation::Sticks(pair), begins, time));
+        ended.min()
+    }
+}
+
+impl Equations<'_, '_> {
+    /// How far every element is from turning: its sliding speed in its sense, or what friction at rest has left.
+    fn slip_rooms(&mut self, t: f64, y: &[f64], rooms: &mut [f64]) {
+        let Some(mut slipping) = self.slipping.take() else { return };
+        self.set_position(t, y);
+        let known = slipping.held.is_empty() || self.slipping_accelerations(&mut slipping).is_ok();
+        self.trial.run_motion::<1>(self.model.plan);
+        let speeds = self.sliding_speeds(&mut slipping);
+        for (element, room) in rooms.iter_mut().enumerate() {
+            *room = if slipping.still[element] {
+                f64::INFINITY
+            } else if slipping.senses[element] != 0.0 {
+                slipping.senses[element] * speeds[element]
+            } else if !known {
+                f64::NAN
+            } else if slipping.held.contains(&element) {
+                1.0 - self.part_held(&slipping, element)
+            } else {
+                f64::INFINITY
+            };
+        }
+        self.slipping = Some(slipping);
+    }
+
+    /// The pairs that friction holds.
+    pub fn held_pairs(&self) -> Vec<PairId> {
+        let Some(slipping) = &self.slipping else { return Vec::new() };
+        let holds = |element: usize| slipping.senses[element] == 0.0 || slipping.still[element];
+        let friction = self.model.plan.friction.iter().enumerate();
+        let mut pairs: Vec<PairId> =
+            friction.filter(|(index, _)| holds(*index)).map(|(_, element)| element.pair).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        pairs
+    }
+}

@@ -1,0 +1,189 @@
+//! Involute gears: every measure of the table with its formula.
+
+use super::page::{Page, given};
+use crate::document::text;
+use crate::words::Message;
+use assur_formula::{Expr, Function, Name, Unit};
+use assur_model::model::{FindKind, Mechanism, Table};
+
+/// The values of a table of gears.
+struct Gears<'a> {
+    table: &'a Table,
+    name: String,
+}
+
+impl Gears<'_> {
+    fn value(&self, name: &str, i: usize) -> f64 {
+        let entry = self.table.entries.iter().find(|e| e.name == name);
+        entry.and_then(|e| e.values.get(i)).copied().unwrap_or(f64::NAN)
+    }
+
+    /// Letters with the wheel and the mesh where there are several.
+    fn letters(&self, letter: &str, sub: &str) -> Name {
+        let sub = if self.name.is_empty() { sub.to_owned() } else { format!("{sub},{}", self.name) };
+        Name::new(letter, sub.trim_start_matches(','))
+    }
+}
+
+/// What formulas of a pair begin with.
+struct Teeth {
+    z: [Expr; 2],
+    x: [Expr; 2],
+    module: Expr,
+    alpha: Expr,
+    addendum: Expr,
+    clearance: Expr,
+    internal: bool,
+}
+
+fn tan(angle: &Expr) -> Expr {
+    angle.clone().of(Function::Tan)
+}
+
+/// An angle in degrees as radians.
+fn radians(angle: &Expr) -> Expr {
+    angle.clone() * Expr::Pi / Expr::Int(180)
+}
+
+impl Page {
+    pub(super) fn gears(&mut self, mechanism: &Mechanism) {
+        let tables: Vec<(&str, &Table)> = mechanism
+            .finds
+            .iter()
+            .filter_map(|find| match &find.kind {
+                FindKind::Table(table) if table.upright => Some((find.name.as_str(), table)),
+                _ => None,
+            })
+            .collect();
+        for (name, table) in &tables {
+            let mesh = name.trim_start_matches("table(").trim_end_matches(')');
+            let several = if tables.len() > 1 { mesh.to_owned() } else { String::new() };
+            self.heading(Message::GearsOf, &[vec![text(mesh)]]);
+            self.gear_pair(&Gears { table, name: several });
+        }
+    }
+
+    fn gear_pair(&mut self, gears: &Gears<'_>) {
+        let (m, alpha) = (gears.value("m", 0), gears.value("alpha", 0));
+        let z = [gears.value("z", 0), gears.value("z", 1)];
+        let x = [gears.value("x", 0), gears.value("x", 1)];
+        let (a, da, d) = (gears.value("a", 0), gears.value("da", 0), gears.value("d", 0));
+        if ![m, alpha, z[0], z[1], x[0], x[1], a, da, d].iter().all(|x| x.is_finite()) {
+            return;
+        }
+        let internal = a < 0.5 * m * (z[0] + z[1]) - 0.5 * m * z[0];
+        let sign = if internal { -1.0 } else { 1.0 };
+        // the file gives them in modules: what is left of the tip circle
+        let short = if internal { 0.0 } else { x[0] + x[1] - (a / m - 0.5 * (z[0] + z[1])) };
+        let part = |value: f64| (value * 1e9).round() / 1e9;
+        let of = |letter: &str, i: usize, value: f64| {
+            given(gears.letters(letter, &(i + 1).to_string()), value, Unit::One)
+        };
+        let teeth = Teeth {
+            z: [of("z", 0, z[0]), of("z", 1, z[1])],
+            x: [of("x", 0, x[0]), of("x", 1, x[1])],
+            module: given(gears.letters("m", ""), m, Unit::Length),
+            alpha: given(gears.letters("α", ""), alpha.to_degrees(), Unit::Angle),
+            addendum: given(
+                gears.letters("h", "a").marked("*"),
+                part(0.5 * (da - d) / m - x[0] + short),
+                Unit::One,
+            ),
+            clearance: given(gears.letters("c", "").marked("*"), part(gears.value("c", 0) / m), Unit::One),
+            internal,
+        };
+        let ratio = teeth.z[1].clone() / teeth.z[0].clone();
+        self.equate(gears.letters("i", ""), gears.value("i", 0), Unit::One, ratio);
+        let (alpha_w, distance) = self.centre_distance(gears, &teeth, sign);
+        let shortened = self.shortened(gears, &teeth, &distance);
+        let pitch = self.equate(
+            gears.letters("p", ""),
+            gears.value("p", 0),
+            Unit::Length,
+            Expr::Pi * teeth.module.clone(),
+        );
+        let base = pitch.clone() * teeth.alpha.clone().cos();
+        let base = self.equate(gears.letters("p", "b"), gears.value("pb", 0), Unit::Length, base);
+        let clearance = teeth.clearance.clone() * teeth.module.clone();
+        self.equate(gears.letters("c", ""), gears.value("c", 0), Unit::Length, clearance);
+        let tips = [0, 1].map(|i| self.wheel(gears, &teeth, &shortened, &pitch, i));
+        let least = Expr::Int(2) * teeth.addendum.clone() / teeth.alpha.clone().sin().squared();
+        self.equate(gears.letters("z", "min"), gears.value("z_min", 0), Unit::One, least);
+        let [one, two] = [0, 1].map(|i| teeth.z[i].clone() * (tan(&tips[i]) - tan(&alpha_w)));
+        let sum = if teeth.internal { one - two } else { one + two };
+        let ratio = sum / (Expr::Int(2) * Expr::Pi);
+        let ratio = self.equate(gears.letters("ε", ""), gears.value("contact_ratio", 0), Unit::One, ratio);
+        self.equate(gears.letters("g", ""), gears.value("g", 0), Unit::Length, ratio * base);
+    }
+
+    /// The working pressure angle and the centre distance.
+    fn centre_distance(&mut self, gears: &Gears<'_>, teeth: &Teeth, sign: f64) -> (Expr, Expr) {
+        let both = |of: &[Expr; 2]| {
+            let [one, two] = of.clone();
+            if sign < 0.0 { two - one } else { one + two }
+        };
+        let (z, x) = (both(&teeth.z), both(&teeth.x));
+        let plain =
+            |more: Expr, below: Expr| teeth.module.clone() * z.clone() * more / (Expr::Int(2) * below);
+        if x.is_zero() || gears.value("alpha_w", 0) == gears.value("alpha", 0) {
+            let a = self.equate(
+                gears.letters("a", ""),
+                gears.value("a", 0),
+                Unit::Length,
+                plain(Expr::Int(1), Expr::Int(1)),
+            );
+            return (teeth.alpha.clone(), a);
+        }
+        let involute = tan(&teeth.alpha) - radians(&teeth.alpha);
+        let right = involute + Expr::Int(2) * x * tan(&teeth.alpha) / z.clone();
+        let value = right.value();
+        self.equate(gears.letters("inv α", "w"), value, Unit::One, right);
+        self.say(Message::InvoluteSolved, &[]);
+        let angle = self.stated(gears.letters("α", "w"), gears.value("alpha_w", 0).to_degrees(), Unit::Angle);
+        let a = plain(teeth.alpha.clone().cos(), angle.clone().cos());
+        let a = self.equate(gears.letters("a", ""), gears.value("a", 0), Unit::Length, a);
+        (angle, a)
+    }
+
+    /// What the tips of an external pair with shifts are shortened by, in modules.
+    fn shortened(&mut self, gears: &Gears<'_>, teeth: &Teeth, distance: &Expr) -> Expr {
+        let sum = teeth.x[0].clone() + teeth.x[1].clone();
+        if teeth.internal || gears.value("alpha_w", 0) == gears.value("alpha", 0) {
+            return Expr::ZERO;
+        }
+        let plain = (teeth.z[0].clone() + teeth.z[1].clone()) / Expr::Int(2);
+        let right = sum - distance.clone() / teeth.module.clone() + plain;
+        let value = right.value();
+        self.equate(gears.letters("k", ""), value, Unit::One, right)
+    }
+
+    /// The diameters and the tooth of a wheel; its pressure angle at the tip.
+    fn wheel(&mut self, gears: &Gears<'_>, teeth: &Teeth, short: &Expr, pitch: &Expr, i: usize) -> Expr {
+        let own = (i + 1).to_string();
+        let ring = teeth.internal && i == 1;
+        let out = |x: Expr| if ring { -x } else { x };
+        let two = || Expr::Int(2) * teeth.module.clone();
+        let x = &teeth.x[i];
+        let length = |page: &mut Self, letter: &str, sub: &str, key: &str, right: Expr| {
+            page.equate(
+                gears.letters(letter, &format!("{sub}{own}")),
+                gears.value(key, i),
+                Unit::Length,
+                right,
+            )
+        };
+        let d = length(self, "d", "", "d", teeth.module.clone() * teeth.z[i].clone());
+        let head = out(teeth.addendum.clone()) + x.clone() - short.clone();
+        let da = length(self, "d", "a", "da", d.clone() + two() * head);
+        let foot = out(teeth.addendum.clone() + teeth.clearance.clone()) - x.clone();
+        length(self, "d", "f", "df", d.clone() - two() * foot);
+        let db = length(self, "d", "b", "db", d * teeth.alpha.clone().cos());
+        let more = out(Expr::Int(2) * x.clone() * tan(&teeth.alpha));
+        let thick = teeth.module.clone() * (Expr::Pi / Expr::Int(2) + more);
+        let s = length(self, "s", "", "s", thick);
+        length(self, "e", "", "e", pitch.clone() - s);
+        let right = (db / da).of(Function::Arccos);
+        let value = right.value();
+        self.equate(gears.letters("α", &format!("a{own}")), value, Unit::Angle, right)
+    }
+}

@@ -1,0 +1,194 @@
+//! A worked solution before any format: headings, sentences, equations, tables, figures.
+
+use assur_formula::{Lines, Name, Node, name_node};
+
+/// A part of a line of text.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Inline {
+    /// Words.
+    Text(String),
+    /// Letters or numbers of a formula.
+    Math(Node),
+    /// Words that stand out.
+    Strong(String),
+    /// A figure that the text names.
+    Figure(Reference),
+}
+
+/// A figure that the text names.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Reference {
+    /// What the figure shows.
+    pub caption: String,
+    /// Its number, once all figures are there.
+    pub number: usize,
+    /// What is written: `Figure 2`.
+    pub words: String,
+}
+
+/// A line of text.
+pub type Line = Vec<Inline>;
+
+/// A part of a document.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// A heading of the second level or below.
+    Heading(u8, String),
+    /// A paragraph.
+    Paragraph(Line),
+    /// A remark in softer print.
+    Remark(Line),
+    /// An equation.
+    Equation(Lines),
+    /// A table.
+    Table(Table),
+    /// A vector equation with what is known of its terms.
+    Vectors(Vec<Term>),
+    /// Figures next to each other.
+    Figures(Vec<Figure>),
+}
+
+/// A table.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Table {
+    /// Its header cells.
+    pub headers: Vec<Line>,
+    /// Its rows.
+    pub rows: Vec<Vec<Line>>,
+    /// Columns of numbers.
+    pub numbers: Vec<usize>,
+}
+
+/// A term of a vector equation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Term {
+    /// The sign before it.
+    pub sign: &'static str,
+    /// It.
+    pub name: Name,
+    /// Its magnitude, "?" where that is not known.
+    pub magnitude: Line,
+    /// Its direction.
+    pub direction: Line,
+}
+
+/// A figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// Its picture.
+    pub svg: String,
+    /// The name of its picture, for files.
+    pub name: String,
+    /// What it shows.
+    pub caption: String,
+}
+
+/// A document.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Document {
+    /// Its title.
+    pub title: String,
+    /// The language of its sentences.
+    pub language: &'static str,
+    /// The words that writers need: contents, figure, rows of vector equations.
+    pub labels: Labels,
+    /// Its parts.
+    pub blocks: Vec<Block>,
+}
+
+/// Words that writers put before parts.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Labels {
+    /// Contents
+    pub contents: &'static str,
+    /// Figure
+    pub figure: &'static str,
+    /// Equation, magnitude, direction
+    pub rows: [&'static str; 3],
+}
+
+impl Document {
+    /// Without figures, and without the paragraphs that name them.
+    #[must_use]
+    pub fn without_figures(mut self) -> Self {
+        self.blocks.retain(|block| !matches!(block, Block::Figures(_)));
+        self.blocks = cited(self.blocks, self.labels.figure);
+        self
+    }
+}
+
+/// With the numbers of the figures where the text names them; paragraphs that name one that is not there are left out.
+pub fn cited(mut blocks: Vec<Block>, label: &str) -> Vec<Block> {
+    let figures =
+        blocks.iter().filter_map(|b| if let Block::Figures(figures) = b { Some(figures) } else { None });
+    let captions: Vec<String> = figures.flatten().map(|figure| figure.caption.clone()).collect();
+    blocks.retain_mut(|block| {
+        let Block::Paragraph(line) = block else { return true };
+        line.iter_mut().all(|part| {
+            let Inline::Figure(reference) = part else { return true };
+            let Some(at) = captions.iter().position(|c| *c == reference.caption) else { return false };
+            reference.number = at + 1;
+            reference.words = format!("{label}\u{a0}{}", at + 1);
+            true
+        })
+    });
+    blocks
+}
+
+/// Words.
+pub fn text(words: impl Into<String>) -> Inline {
+    Inline::Text(words.into())
+}
+
+/// Letters.
+pub fn letter(name: &Name) -> Inline {
+    Inline::Math(name_node(name))
+}
+
+/// Against a vector of a point.
+pub fn against(vector: &str, point: &str) -> Line {
+    vec![text("↑↓ "), letter(&Name::new(vector, point))]
+}
+
+impl Block {
+    /// With decimals behind a comma.
+    pub fn with_commas(self) -> Self {
+        match self {
+            Self::Equation(lines) => Self::Equation(lines.with_commas()),
+            Self::Paragraph(line) => Self::Paragraph(line_with_commas(line)),
+            Self::Remark(line) => Self::Remark(line_with_commas(line)),
+            Self::Table(table) => {
+                let rows = table.rows.into_iter().map(|row| row.into_iter().map(line_with_commas).collect());
+                Self::Table(Table { rows: rows.collect(), ..table })
+            }
+            Self::Vectors(terms) => {
+                let of = |term: Term| Term {
+                    magnitude: line_with_commas(term.magnitude),
+                    direction: line_with_commas(term.direction),
+                    ..term
+                };
+                Self::Vectors(terms.into_iter().map(of).collect())
+            }
+            Self::Heading(..) | Self::Figures(_) => self,
+        }
+    }
+}
+
+fn line_with_commas(line: Line) -> Line {
+    let part = |part: Inline| match part {
+        Inline::Text(words) => Inline::Text(commas(&words)),
+        Inline::Strong(_) | Inline::Figure(_) => part,
+        Inline::Math(node) => Inline::Math(node.with_commas()),
+    };
+    line.into_iter().map(part).collect()
+}
+
+/// Points between two figures become commas.
+pub fn commas(words: &str) -> String {
+    let chars: Vec<char> = words.chars().collect();
+    let figure = |i: usize| chars.get(i).is_some_and(char::is_ascii_digit);
+    let of = |(i, c): (usize, &char)| {
+        if *c == '.' && i > 0 && figure(i - 1) && figure(i + 1) { ',' } else { *c }
+    };
+    chars.iter().enumerate().map(of).collect()
+}

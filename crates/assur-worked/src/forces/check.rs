@@ -1,0 +1,121 @@
+//! The check by virtual power, and the residuals.
+
+use crate::course::Course;
+use crate::document::text;
+use crate::words::Message;
+use assur_formula::{Expr, Name, Unit};
+use assur_model::structure::{EffortKind, JointKind};
+
+impl Course<'_> {
+    /// ΣP = 0: all loads, inertia forces and efforts with the velocities of their points.
+    pub fn check(&mut self) {
+        let power = self.power();
+        if let Some(sum) = power {
+            self.say(Message::VirtualPower, &[]);
+            let scale = sum.scale();
+            if sum.value().abs() <= 1e-7 * scale {
+                self.equate(Name::new("ΣP", ""), 0.0, Unit::Power, sum);
+            } else {
+                self.say(Message::PowerOpen, &[]);
+            }
+        }
+        let residuals = self.scene.solved.residuals;
+        let figure = |x: Option<f64>| match x {
+            None => vec![text("–")],
+            Some(x) => {
+                vec![text(if x == 0.0 { "0".to_owned() } else { assur_formula::with_digits(x, 2).text() })]
+            }
+        };
+        let condition = vec![text(assur_formula::with_digits(self.scene.solved.condition, 3).text())];
+        let parts = [
+            figure(Some(residuals.closure)),
+            figure(residuals.equilibrium),
+            figure(residuals.power),
+            condition,
+        ];
+        self.say(Message::Residuals, &parts);
+    }
+
+    /// The sum of the powers; none where a power is not derived here.
+    fn power(&mut self) -> Option<Expr> {
+        let level = self.scene.model.plan.effects.level;
+        if level < assur_model::model::Level::Velocities
+            || self.counts.forces[1] > 0
+            || self.counts.loads[1] > 0
+        {
+            return None;
+        }
+        let mut terms = Vec::new();
+        for slot in 0..self.structure().efforts.len() {
+            terms.push(self.power_of_effort(slot)?);
+        }
+        for body in 1..self.bodies.len() {
+            for force in self.acting.forces[body].clone().into_iter().filter(|f| f.load) {
+                let [vx, vy] = self.velocity(body, force.at);
+                let [fx, fy] = force.parts;
+                terms.push(fx * vx + fy * vy);
+            }
+            let omega = self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
+            let couples = self.acting.couples[body].iter().filter(|c| c.load);
+            terms.extend(couples.map(|c| c.value.clone() * omega.clone()));
+        }
+        terms.extend(self.lost.iter().map(|p| -p.clone()));
+        let sum = Expr::sum(terms);
+        (!sum.is_zero()).then_some(sum)
+    }
+
+    fn power_of_effort(&mut self, slot: usize) -> Option<Expr> {
+        let is_force = self.is_force(slot);
+        let value = self.found.get(&self.effort_name(slot, is_force)).cloned().unwrap_or(Expr::ZERO);
+        self.power_of(slot, value)
+    }
+
+    /// The power of a value of an effort.
+    pub(super) fn power_of(&mut self, slot: usize, value: Expr) -> Option<Expr> {
+        let places: Vec<EffortKind> = self.structure().efforts[slot].places().collect();
+        let mut sum = Expr::ZERO;
+        for kind in places {
+            sum = sum + value.clone() * self.rate_of_effort(slot, kind)?;
+        }
+        Some(sum)
+    }
+
+    /// The rate that belongs to an effort at one of its places.
+    pub(super) fn rate_of_effort(&mut self, slot: usize, kind: EffortKind) -> Option<Expr> {
+        let rate = |course: &Self, body: usize| {
+            course.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone())
+        };
+        match kind {
+            EffortKind::Angle(body) => Some(rate(self, body.0)),
+            EffortKind::RelativeAngle { first, second, .. } => {
+                Some(rate(self, second.0) - rate(self, first.0))
+            }
+            EffortKind::Line(body) => {
+                let (at, angle, _) = self.line_of_effort(slot, body.0);
+                let v = self.velocity(body.0, at);
+                Some(angle.along(&v))
+            }
+            EffortKind::Coordinate(joint) => {
+                let JointKind::Prismatic { slider, point, guide, along, .. } =
+                    self.structure().replaced.joint(joint).kind.clone()
+                else {
+                    return None;
+                };
+                let own = self.direction_given(along, || Name::new("λ", &self.label(slider.0)));
+                let angle = self.bodies[guide.0].as_ref().map_or(own.clone(), |b| b.angle.plus(&own));
+                let [vx, vy] = self.velocity(slider.0, point);
+                let moved = self.moved(guide.0);
+                let at = (self.moved(slider.0).position(point) - moved.p).turned_back(moved.u);
+                let [wx, wy] =
+                    if guide.0 == 0 { [Expr::ZERO, Expr::ZERO] } else { self.velocity(guide.0, at) };
+                Some(angle.along(&[vx - wx, vy - wy]))
+            }
+            EffortKind::Point(_) => None,
+        }
+    }
+
+    /// Whether an effort is a force, and not a torque.
+    pub(super) fn is_force(&self, slot: usize) -> bool {
+        matches!(self.structure().efforts[slot].kind, EffortKind::Line(_) | EffortKind::Coordinate(_))
+    }
+}

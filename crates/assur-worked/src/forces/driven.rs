@@ -1,0 +1,175 @@
+//! The balance of a link: moments about its hinge, or forces along its guide, give the unknown effort.
+
+use super::loads::quantity_name;
+use crate::angle::Angle;
+use crate::course::Course;
+use crate::document::{Line, text};
+use crate::motion::{of, pin};
+use crate::words::Message;
+use assur_formula::{Expr, Name, Unit};
+use assur_math::math::Vec2;
+use assur_model::model::BalanceKind;
+use assur_model::structure::EffortSource;
+use assur_position::plan::{EffortLine, Guide, Hinge};
+
+impl Course<'_> {
+    /// The letters of an unknown effort.
+    pub fn effort_name(&self, slot: usize, force: bool) -> Name {
+        match self.structure().efforts[slot].source {
+            EffortSource::Balance(id) => quantity_name(&self.scene.mechanism().balances[id.index()].name),
+            EffortSource::Drive(id) => {
+                let drive = &self.scene.mechanism().drives[id.index()];
+                let index = match drive.target {
+                    assur_model::model::DriveTarget::Link(link) => self.scene.link_label(link).to_owned(),
+                    _ => drive.name.clone(),
+                };
+                Name::new(if force { "F" } else { "M" }, &format!("d{index}"))
+            }
+        }
+    }
+
+    /// Where an unknown force acts, in the frame of its body, and its direction.
+    pub(super) fn line_of_effort(&self, slot: usize, body: usize) -> (Vec2, Angle, Vec2) {
+        let (place, along) = self.state().forces.lines[slot];
+        let moved = self.moved(body);
+        let at = (place - moved.p).turned_back(moved.u);
+        let name = || Name::new("β", &self.effort_name(slot, true).sub);
+        let turning = match self.structure().efforts[slot].source {
+            EffortSource::Balance(id) => match &self.scene.mechanism().balances[id.index()].kind {
+                BalanceKind::Force { along, frame: Some(frame), .. } => Some((*along, frame.index())),
+                _ => None,
+            },
+            EffortSource::Drive(_) => None,
+        };
+        let angle = match turning {
+            Some((own, frame)) => {
+                let own = self.direction_given(own, name);
+                self.bodies[frame].as_ref().map_or(own.clone(), |b| b.angle.plus(&own))
+            }
+            None => self.direction_given(along, name),
+        };
+        (at, angle, along)
+    }
+
+    pub(super) fn balance_turn(
+        &mut self,
+        _index: usize,
+        hinge: &Hinge,
+        effort: &EffortLine,
+        (slot, sign): (usize, f64),
+    ) {
+        let body = hinge.body;
+        self.complete(body);
+        let at = pin(&hinge.pin);
+        let point = self.point_name(body, at);
+        let label: Line = vec![text(self.label(body))];
+        let is_force = matches!(effort, EffortLine::Force { .. });
+        let name = self.effort_name(slot, is_force);
+        self.say(Message::BalanceTurn, &[label, vec![text(point)], of(&name)]);
+        let moment = self.moment_about(body, at);
+        let value = self.state().forces.efforts[slot];
+        let mut pushed = [Expr::ZERO, Expr::ZERO];
+        match effort {
+            EffortLine::Torque { base, .. } => {
+                let right = if sign < 0.0 { moment } else { -moment };
+                let found = self.equate(name.clone(), value, Unit::Torque, right);
+                if *base != 0 {
+                    let on_base = if sign < 0.0 { found } else { -found };
+                    let couple = super::Couple { value: on_base, load: false, rubs: false };
+                    self.acting.couples[*base].push(couple);
+                }
+            }
+            EffortLine::Force { line, .. } => {
+                let (place, angle, along) = self.line_of_effort(*line, body);
+                let (here, there) = (self.position(body, at), self.position(body, place));
+                let d = [there[0].clone() - here[0].clone(), there[1].clone() - here[1].clone()];
+                let right = d[0].clone() * angle.sin() - d[1].clone() * angle.cos();
+                let arm = (self.moved(body).position(place) - self.moved(body).position(at)).cross(along);
+                let arm = self.component(Name::new("h", &name.sub_or_letter()), arm, Unit::Length, right);
+                let right = if sign < 0.0 { moment / arm } else { -(moment / arm) };
+                let found = self.equate(name.clone(), value, Unit::Force, right);
+                let on = if sign < 0.0 { -found } else { found };
+                pushed = [on.clone() * angle.cos(), on * angle.sin()];
+            }
+            EffortLine::Along(_) => {}
+        }
+        self.sense_of_effort(&name, value, is_force);
+        let value = self.state().forces.reactions[hinge.slot].force;
+        let right = [0, 1].map(|i| {
+            let loads = Expr::sum(self.acting.forces[body].iter().map(|f| f.parts[i].clone()));
+            -(loads + pushed[i].clone())
+        });
+        if right.iter().any(|x| !x.is_zero()) {
+            self.say(Message::SumOfLink, &[vec![text(self.label(body))]]);
+        }
+        let parts = self.reaction(hinge.base, body, value, right);
+        let place = self.moved(body).position(at);
+        self.carry(hinge.base, body, place, &parts, &Expr::ZERO, hinge.slot);
+    }
+
+    pub(super) fn balance_shift(
+        &mut self,
+        _index: usize,
+        guide: &Guide,
+        effort: &EffortLine,
+        (slot, sign): (usize, f64),
+    ) {
+        let body = guide.body;
+        self.complete(body);
+        let (way, d) = self.way(guide);
+        let name = self.effort_name(slot, true);
+        let place = self.moved(guide.slider).position(guide.point);
+        let moved = self.moved(body);
+        let at = (place - moved.p).turned_back(moved.u);
+        let label: Line = vec![text(self.label(body))];
+        self.say(Message::BalanceShift, &[label, of(&name)]);
+        let sums = self.sum_of(&[body]);
+        let value = self.state().forces.efforts[slot];
+        let signed = |x: Expr| if sign < 0.0 { -x } else { x };
+        let mut across = way.across(&sums);
+        match effort {
+            EffortLine::Along(_) => {
+                let found = self.equate(name.clone(), value, Unit::Force, signed(-way.along(&sums)));
+                let on = signed(found);
+                if guide.base != 0 {
+                    let known = [Vec::new(), Vec::new()];
+                    let base = self.moved(guide.base);
+                    let at = (place - base.p).turned_back(base.u);
+                    let parts = [-(on.clone() * way.cos()), -(on * way.sin())];
+                    let force =
+                        super::Force { name: name.clone(), at, parts, known, load: false, rubs: false };
+                    self.acting.forces[guide.base].push(force);
+                }
+            }
+            EffortLine::Force { line, .. } => {
+                let (point, angle, _) = self.line_of_effort(*line, body);
+                let lean = angle.minus(&way);
+                let right = signed(-(way.along(&sums) / lean.cos()));
+                let found = self.equate(name.clone(), value, Unit::Force, right);
+                let on = signed(found);
+                across = across + on.clone() * lean.sin();
+                let parts = [on.clone() * angle.cos(), on * angle.sin()];
+                let known = [Vec::new(), Vec::new()];
+                let force =
+                    super::Force { name: name.clone(), at: point, parts, known, load: false, rubs: false };
+                self.acting.forces[body].push(force);
+            }
+            EffortLine::Torque { .. } => {}
+        }
+        self.sense_of_effort(&name, value, true);
+        self.say(Message::SumAcrossGuide, &[]);
+        let (normal, couple) = self.guide_reaction(guide, -across, d, at);
+        self.carry_guide(guide, &way, &normal, &couple, at);
+    }
+
+    /// In which sense an effort acts.
+    fn sense_of_effort(&mut self, name: &Name, value: f64, force: bool) {
+        let message = match (force, value < 0.0) {
+            (true, true) => Message::ForceAgainstLine,
+            (true, false) => Message::ForceAlongLine,
+            (false, true) => Message::ActsClockwise,
+            (false, false) => Message::ActsCounterClockwise,
+        };
+        self.say(message, &[of(name)]);
+    }
+}

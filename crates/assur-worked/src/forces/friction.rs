@@ -1,0 +1,173 @@
+//! Groups with friction: equilibrium with the friction that the solver found, then the law of friction with these reactions.
+
+use super::acting::{Couple, Force};
+use crate::angle::Angle;
+use crate::course::Course;
+use crate::document::{Inline, Line, text};
+use crate::motion::of;
+use crate::words::Message;
+use assur_formula::{Expr, Name, Unit};
+use assur_position::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw};
+
+impl Course<'_> {
+    pub(super) fn force_friction(&mut self, index: usize, plain: &ForceStep, group: &FrictionGroup) -> bool {
+        let elements: Vec<(usize, FrictionElement)> =
+            group.elements.iter().map(|&e| (e, self.scene.model.plan.friction[e])).collect();
+        let steps = self.state().friction_steps(self.scene.model.plan, index);
+        let direct = steps.is_empty() && group.laws.is_empty();
+        self.say(if direct { Message::FrictionDirect } else { Message::FrictionSenses }, &[]);
+        let rates: Vec<Option<Expr>> = elements.iter().map(|(slot, e)| self.sense_of(*slot, e)).collect();
+        self.iteration(&elements, &steps);
+        let acts = |course: &Self, slot: usize| course.state().forces.frictions[slot] != 0.0;
+        if elements.iter().any(|(slot, _)| acts(self, *slot)) {
+            self.say(Message::FrictionFirst, &[]);
+        }
+        let slides = rates.iter().any(Option::is_some);
+        for ((slot, element), rate) in elements.iter().zip(rates) {
+            if acts(self, *slot) {
+                let effort = self.rub(*slot, element);
+                self.rubbing.extend(rate.map(|rate| (*slot, effort, rate)));
+            }
+        }
+        let derived = self.force_step(index, plain);
+        if derived && (slides || self.state().motion.grips.is_empty()) {
+            self.say(Message::FrictionLaws, &[]);
+            for (slot, element) in &elements {
+                self.law_of_friction(*slot, element);
+            }
+        }
+        derived
+    }
+
+    /// The letters of the friction in a pair.
+    pub(super) fn friction_name(&self, element: &FrictionElement) -> Name {
+        let pair = self.scene.mechanism().pair(element.pair);
+        let letter = if matches!(element.kind, FrictionLaw::Circle { .. }) { "M" } else { "F" };
+        let several = pair.kind.links().len() > 2;
+        let more = if several { self.label(element.body) } else { String::new() };
+        Name::new(letter, &format!("f{}{more}", pair.name))
+    }
+
+    /// The sense of a pair, by the relative velocity that decides it; none where nothing moves.
+    fn sense_of(&mut self, slot: usize, element: &FrictionElement) -> Option<Expr> {
+        let (effort, sense) = (self.state().forces.frictions[slot], self.state().forces.senses[slot]);
+        let pair: Line = vec![text(self.scene.mechanism().pair(element.pair).name.clone())];
+        if sense == 0.0 || effort == 0.0 {
+            if effort == 0.0 {
+                self.say(Message::PairStill, &[pair]);
+            } else {
+                self.say(Message::PairHeld, &[pair, of(&self.friction_name(element))]);
+            }
+            return None;
+        }
+        let rate = self.relative_rate(element);
+        let value = vec![Inline::Math(assur_formula::letters(&rate))];
+        let labels = [element.body, element.base].map(|b| vec![text(self.label(b))]);
+        let [on, from] = labels;
+        let message =
+            if rate.value() > 0.0 { Message::PairMovesPositive } else { Message::PairMovesNegative };
+        self.say(message, &[pair, on, from, value, of(&self.friction_name(element))]);
+        Some(rate)
+    }
+
+    /// The velocity of the element's body against its base, in the sense in which its friction counts.
+    fn relative_rate(&mut self, element: &FrictionElement) -> Expr {
+        let speed = self.state().sliding_speed(element);
+        let index = format!("{},{}", self.label(element.body), self.label(element.base));
+        if matches!(element.kind, FrictionLaw::Circle { .. }) {
+            let of = |course: &Self, body: usize| {
+                course.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone())
+            };
+            let right = of(self, element.body) - of(self, element.base);
+            return self.component(Name::new("ω", &index), speed, Unit::AngularVelocity, right);
+        }
+        if let FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } = &element.kind {
+            let slides = element.body == guide.slider || element.through == guide.slider;
+            let other = if slides { element.base } else { element.body };
+            if other == 0 {
+                let v = self.velocity(guide.slider, guide.point);
+                let along = self.way(guide).0.along(&v);
+                return self.component(
+                    Name::new("v", &index),
+                    speed,
+                    Unit::Velocity,
+                    if slides { along } else { -along },
+                );
+            }
+            let point = self.point_name(guide.slider, guide.point);
+            let name = Name::new("v", &format!("{point},{}", self.label(guide.base)));
+            if let Some(found) = self.found.get(&name).cloned() {
+                for right in [found.clone(), -found] {
+                    if (right.value() - speed).abs() <= 1e-9 * speed.abs() {
+                        return right;
+                    }
+                }
+            }
+        }
+        self.stated(Name::new("v", &index), speed, Unit::Velocity)
+    }
+
+    /// The friction of a pair as a known load on both bodies.
+    fn rub(&mut self, slot: usize, element: &FrictionElement) -> Expr {
+        let name = self.friction_name(element);
+        let turns = matches!(element.kind, FrictionLaw::Circle { .. });
+        let unit = if turns { Unit::Torque } else { Unit::Force };
+        let leaf = self.stated(name.clone(), self.state().forces.frictions[slot], unit);
+        match self.state().friction_line(element) {
+            None => {
+                for (body, value) in [(element.through, leaf.clone()), (element.base, -leaf.clone())] {
+                    self.acting.couples[body].push(Couple { value, load: true, rubs: true });
+                }
+            }
+            Some((place, along)) => {
+                let angle = match &element.kind {
+                    FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
+                        self.way(guide).0
+                    }
+                    _ => Angle::of(self.tangent(element, along)),
+                };
+                let parts = [leaf.clone() * angle.cos(), leaf.clone() * angle.sin()];
+                let opposite = parts.clone().map(|p| -p);
+                for (body, parts) in [(element.through, parts), (element.base, opposite)] {
+                    let moved = self.moved(body);
+                    let at = (place - moved.p).turned_back(moved.u);
+                    let known = [crate::course::cell(&leaf), vec![text("–")]];
+                    let name = name.clone();
+                    let force = Force { name, at, parts, known, load: true, rubs: true };
+                    self.acting.forces[body].push(force);
+                }
+            }
+        }
+        leaf
+    }
+
+    /// The direction of the tangent of a contact.
+    fn tangent(&mut self, element: &FrictionElement, along: assur_math::math::Vec2) -> Expr {
+        let pair = self.scene.mechanism().pair(element.pair).name.clone();
+        let degrees = libm::atan2(along.y, along.x).to_degrees();
+        self.stated(Name::new("τ", &pair), degrees, Unit::Angle)
+    }
+
+    /// M_f = ∓ρ R, F_f = ∓f N with the reactions found.
+    fn law_of_friction(&mut self, slot: usize, element: &FrictionElement) {
+        let (effort, sense) = (self.state().forces.frictions[slot], self.state().forces.senses[slot]);
+        let pair = self.scene.mechanism().pair(element.pair).name.clone();
+        let Some(reaction) = self.acting.reactions.get(element.slot).cloned().flatten() else { return };
+        let Some(size) = self.found.get(&reaction).cloned() else { return };
+        if sense == 0.0 || element.pin.is_some() {
+            return;
+        }
+        let (right, unit) = match &element.kind {
+            FrictionLaw::Circle { radius } => {
+                (self.given(Name::new("ρ", &pair), *radius, Unit::Length) * size, Unit::Torque)
+            }
+            FrictionLaw::Guide { coefficient, .. } | FrictionLaw::Contact { coefficient, .. } => {
+                (self.given(Name::new("f", &pair), *coefficient, Unit::One) * size.abs(), Unit::Force)
+            }
+            FrictionLaw::BothEnds { .. } => return,
+        };
+        let right = if sense > 0.0 { -right } else { right };
+        let name = self.friction_name(element);
+        self.confirm(name, effort, unit, right);
+    }
+}

@@ -1,0 +1,233 @@
+//! The loads of the file on the links; what is left of the solver's sum is stated as a resultant.
+
+use super::acting::{Couple, Force};
+use crate::course::{Course, cell};
+use crate::document::text;
+use crate::motion::of;
+use crate::words::Message;
+use assur_formula::{Expr, Name, Unit};
+use assur_math::math::Vec2;
+use assur_model::model::{self, Load, LoadId, LoadKind, Query, Value};
+use assur_solve::solve::Wrench;
+
+/// What is left of a sum, over its largest term, where all is listed.
+const LEFT: f64 = 1e-10;
+
+impl Course<'_> {
+    /// Forces and torques of the file.
+    pub fn loads(&mut self) {
+        let mechanism = self.scene.mechanism();
+        for (i, load) in mechanism.loads.iter().enumerate() {
+            let value = self.scene.view().query(&Query::Load(LoadId::at(i)));
+            let name = self.scene.load_words(load).map_or_else(
+                || Name::new(if load.is_vector() { "F" } else { "M" }, &(i + 1).to_string()),
+                |words| quantity_name(&words),
+            );
+            match (&load.kind, value) {
+                (
+                    LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
+                    Value::Vector(force),
+                ) if force.norm() > 0.0 => {
+                    let place = self.scene.view().place(*on, at);
+                    let size = self.size_of(load, name, force.norm(), Unit::Force);
+                    self.load(on.index(), place, force, &size, load.is_against_motion());
+                }
+                (LoadKind::Torque { on, .. }, Value::Scalar(torque)) if torque != 0.0 => {
+                    let size = self.size_of(load, name, torque.abs(), Unit::Torque);
+                    let value = if torque < 0.0 { -size } else { size };
+                    self.acting.couples[on.index()].push(Couple { value, load: true, rubs: false });
+                    self.counts.loads[0] += 1;
+                }
+                (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) if effort != 0.0 => {
+                    self.in_pair(load, *pair, name, effort);
+                }
+                (_, value) => {
+                    let nothing = match value {
+                        Value::Scalar(x) => x == 0.0,
+                        Value::Vector(force) => force.norm() == 0.0,
+                        Value::Bool(_) => false,
+                    };
+                    let varies = load.when.is_some() || !matches!(load.value(), model::Expr::Constant(_));
+                    if nothing && varies {
+                        self.say(Message::LoadRests, &[of(&name)]);
+                    }
+                }
+            }
+        }
+        for spring in &mechanism.springs {
+            self.spring(spring);
+        }
+    }
+
+    /// The magnitude of a load: a value of the file, or what an expression of the file comes to at this position.
+    pub(super) fn size_of(&mut self, load: &Load, name: Name, size: f64, unit: Unit) -> Expr {
+        if matches!(load.value(), model::Expr::Constant(_)) {
+            return self.given(name, size, unit);
+        }
+        let statement = self.scene.text.get(load.span.start..load.span.end).unwrap_or_default();
+        let written = statement.split_once('=').map_or(statement, |(_, value)| value);
+        let words = written.split_whitespace().collect::<Vec<_>>().join(" ");
+        self.say(Message::LoadHere, &[of(&name), vec![text(words)]]);
+        self.stated(name, size, unit)
+    }
+
+    fn load(&mut self, body: usize, place: Vec2, force: Vec2, size: &Expr, against: bool) {
+        let Expr::Leaf(q) = size else { return };
+        let name = q.name.clone();
+        let moved = self.moved(body);
+        let at = (place - moved.p).turned_back(moved.u);
+        let direction = self.direction_given(clear(force), || Name::new("β", &name.sub_or_letter()));
+        let mut parts = [size.clone() * direction.cos(), size.clone() * direction.sin()];
+        let mut words = vec![text(arrow(clear(force)))];
+        if against {
+            words = crate::document::against("v", &self.point_name(body, at));
+            if direction.part.is_some() {
+                parts = self.against(body, at, size, &name, force);
+            }
+        } else if direction.part.is_some() {
+            let [x, y] = parts;
+            parts = [
+                self.equate(name.and("x"), force.x, Unit::Force, x),
+                self.equate(name.and("y"), force.y, Unit::Force, y),
+            ];
+        }
+        let known = [cell(size), words];
+        self.acting.forces[body].push(Force { name, at, parts, known, load: true, rubs: false });
+        self.counts.loads[0] += 1;
+    }
+
+    /// The components of a force against the velocity of its point.
+    fn against(&mut self, body: usize, at: Vec2, size: &Expr, name: &Name, force: Vec2) -> [Expr; 2] {
+        let [x, y] = self.velocity(body, at);
+        let point = self.point_name(body, at);
+        let moved = self.moved(body).velocity(at);
+        let speed = self.equate(
+            Name::new("v", &point),
+            moved.norm(),
+            Unit::Velocity,
+            (x.clone().squared() + y.clone().squared()).root(),
+        );
+        // a velocity that turns has a magnitude with a sign
+        let speed = if (speed.value() - moved.norm()).abs() > LEFT * moved.norm() { -speed } else { speed };
+        [
+            self.equate(name.and("x"), force.x, Unit::Force, -(size.clone() * x / speed.clone())),
+            self.equate(name.and("y"), force.y, Unit::Force, -(size.clone() * y / speed)),
+        ]
+    }
+
+    /// What is left of the solver's loads on a body: force and moment about its origin, and what these are large against. Friction
+    /// is not among them.
+    fn left_of(&self, body: usize, sum: Wrench) -> ((Vec2, f64), f64, f64) {
+        let p = self.moved(body).p;
+        let (mut force, mut moment) = (sum.force, sum.moment);
+        let mut size = force.norm();
+        for listed in self.acting.forces[body].iter().filter(|f| f.load && !f.rubs) {
+            let f = Vec2::new(listed.parts[0].value(), listed.parts[1].value());
+            let at = self.moved(body).position(listed.at);
+            force -= f;
+            moment -= (at - p).cross(f);
+            size = size.max(f.norm());
+        }
+        let mut couples = sum.moment.abs().max(size * self.tiny * 1e9);
+        for couple in self.acting.couples[body].iter().filter(|c| c.load && !c.rubs) {
+            moment -= couple.value.value();
+            couples = couples.max(couple.value.value().abs());
+        }
+        ((force, moment), size, couples)
+    }
+
+    /// The loads that the solver has on a body beyond those that are listed.
+    pub(super) fn complete(&mut self, body: usize) {
+        let Some(sum) = self.state().forces.applied.get(body).copied().filter(|_| body != 0) else { return };
+        let ((mut force, mut moment), size, couples) = self.left_of(body, sum);
+        let label = self.label(body);
+        if force.norm() <= LEFT * size {
+            force = Vec2::zero();
+        }
+        if moment.abs() <= LEFT * couples {
+            moment = 0.0;
+        }
+        if force.norm() > 0.0 || moment != 0.0 {
+            self.say(Message::RestOfLoads, &[vec![text(&*label)]]);
+            let name = Name::new("Q", &label);
+            let force = clear(force);
+            if force.norm() > 0.0 {
+                let parts = [(force.x, "x"), (force.y, "y")].map(|(value, axis)| {
+                    if value == 0.0 { Expr::ZERO } else { self.stated(name.and(axis), value, Unit::Force) }
+                });
+                let known = [vec![text(self.words(Message::Found))], vec![text("–")]];
+                self.acting.forces[body].push(Force {
+                    name,
+                    at: Vec2::zero(),
+                    parts,
+                    known,
+                    load: true,
+                    rubs: false,
+                });
+            }
+            if moment != 0.0 {
+                let name = Name::new("M", &format!("Q{label}"));
+                let value = self.stated(name, moment, Unit::Torque);
+                self.acting.couples[body].push(Couple { value, load: true, rubs: false });
+            }
+            self.counts.loads[1] += 1;
+        }
+    }
+}
+
+/// Without the part that is rounding.
+fn clear(v: Vec2) -> Vec2 {
+    let size = 1e-12 * v.norm();
+    let of = |x: f64| if x.abs() <= size { 0.0 } else { x };
+    Vec2::new(of(v.x), of(v.y))
+}
+
+fn arrow(v: Vec2) -> String {
+    match (v.x, v.y) {
+        (x, 0.0) => if x > 0.0 { "→" } else { "←" }.to_owned(),
+        (0.0, y) => if y > 0.0 { "↑" } else { "↓" }.to_owned(),
+        (x, y) => format!("{}°", assur_formula::with_decimals(libm::atan2(y, x).to_degrees(), 2).text()),
+    }
+}
+
+/// The letters of a name of the file: `Fr` → F with the index r, `F_r` the same.
+pub fn quantity_name(words: &str) -> Name {
+    const GREEK: [(&str, &str); 13] = [
+        ("phi", "φ"),
+        ("omega", "ω"),
+        ("alpha", "α"),
+        ("beta", "β"),
+        ("gamma", "γ"),
+        ("mu", "μ"),
+        ("psi", "ψ"),
+        ("theta", "θ"),
+        ("delta", "δ"),
+        ("eta", "η"),
+        ("rho", "ρ"),
+        ("lambda", "λ"),
+        ("epsilon", "ε"),
+    ];
+    // a longer word that begins so is a word
+    let is_letter = |word: &str| {
+        words
+            .strip_prefix(word)
+            .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphabetic()) || rest.len() <= 2)
+    };
+    if let Some((word, letter)) = GREEK.iter().find(|(word, _)| is_letter(word)) {
+        return Name::new(letter, words[word.len()..].trim_start_matches('_'));
+    }
+    if let Some((letter, sub)) = words.split_once('_') {
+        return Name::new(letter, sub);
+    }
+    let mut chars = words.chars();
+    let first = chars.next().map(String::from).unwrap_or_default();
+    let rest = chars.as_str();
+    // `Fr`, `M1`, `Mb`; a word is left whole
+    let capital = words.starts_with(char::is_uppercase) && rest.chars().count() <= 3;
+    let counted = rest.chars().next().is_some_and(|c| c.is_ascii_digit());
+    if capital || counted || words.chars().count() <= 2 {
+        Name::new(&first, rest)
+    } else {
+        Name::new(words, "")
+    }
+}

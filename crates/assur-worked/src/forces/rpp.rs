@@ -1,0 +1,71 @@
+//! Reactions of a dyad RPP: the second body along and across its guides, the first about its hinge.
+
+use crate::course::Course;
+use crate::document::text;
+use crate::motion::{of, pin};
+use crate::words::Message;
+use assur_formula::{Expr, Name, Unit};
+use assur_position::plan::{Guide, Hinge};
+
+impl Course<'_> {
+    pub(super) fn force_rpp(&mut self, outer: &Hinge, inner: &Guide, guide: &Guide) {
+        [outer.body, guide.body].into_iter().for_each(|b| self.complete(b));
+        let (one, two) = (outer.body, guide.body);
+        let hinge = pin(&outer.pin);
+        let (line, d_1) = self.way(inner);
+        let (way, d_2) = self.way(guide);
+        let at = (self.moved(guide.slider).position(guide.point) - self.moved(two).p)
+            .turned_back(self.moved(two).u);
+        self.say(Message::Determinate, &[]);
+        let sums = self.sum_of(&[two]);
+        let sine = way.minus(&line).sin();
+        let sign = if inner.body == two { 1.0 } else { -1.0 };
+        let between = self.state().forces.reactions[inner.slot];
+        let name = self.reaction_name(one, two);
+        self.say(Message::SumAlongGuide, &[]);
+        let value = sign * d_1.perp().dot(between.force);
+        let normal = self.equate(name.clone(), value, Unit::Force, -(way.along(&sums) / sine.clone()));
+        let point = self.point_name(one, hinge);
+        self.say(Message::MomentsOfLink, &[vec![text(self.label(one))], vec![text(&*point)]]);
+        let moment = self.moment_about(one, hinge);
+        let place = self.moved(one).position(hinge);
+        let reference = self.moved(inner.slider).position(inner.point);
+        let about = sign * (between.couple + (reference - place).cross(between.force));
+        let couple = if moment.is_zero() {
+            self.say(Message::ThroughPoint, &[vec![text(point)], of(&name)]);
+            Expr::ZERO
+        } else {
+            self.equate(Name::new("M", &name.sub), about, Unit::Torque, moment)
+        };
+        self.acting.reactions[inner.slot] = Some(name);
+        let parts = [-(normal.clone() * line.sin()), normal * line.cos()];
+        // on the second body: through the hinge of the first
+        let body = self.moved(two);
+        let local = (place - body.p).turned_back(body.u);
+        let between = self.reaction_name(one, two);
+        let known = [Vec::new(), Vec::new()];
+        let force = super::Force {
+            name: between.clone(),
+            at: local,
+            parts: parts.clone(),
+            known,
+            load: false,
+            rubs: false,
+        };
+        self.acting.forces[two].push(force);
+        if !couple.is_zero() {
+            self.acting.couples[two].push(super::Couple { value: couple, load: false, rubs: false });
+        }
+        self.say(Message::SumAcrossGuide, &[]);
+        let total = [sums[0].clone() + parts[0].clone(), sums[1].clone() + parts[1].clone()];
+        let (across, turned) = self.guide_reaction(guide, -way.across(&total), d_2, at);
+        self.carry_guide(guide, &way, &across, &turned, at);
+        self.say(Message::SumOfLink, &[vec![text(self.label(one))]]);
+        let value = self.state().forces.reactions[outer.slot].force;
+        let right = [0, 1].map(|i| {
+            parts[i].clone() - Expr::sum(self.acting.forces[one].iter().map(|f| f.parts[i].clone()))
+        });
+        let found = self.reaction(outer.base, one, value, right);
+        self.carry(outer.base, one, place, &found, &Expr::ZERO, outer.slot);
+    }
+}

@@ -1,0 +1,199 @@
+//! A motion under given loads: kinetic energy, reduced mass and reduced load at the instant that is shown, the balance of energy
+//! of the run, its events.
+
+use crate::course::Course;
+use crate::document::{Table, text};
+use crate::words::Message;
+use assur_formula::{Expr, Name, Unit, with_digits};
+use assur_model::model::{DriveTarget, PairId};
+use assur_model::structure::{BodyId, EffortKind, JointKind};
+use assur_solve::solve::{Method, SimulationReport};
+
+/// A speed below this part of the greatest is none.
+const STILL: f64 = 1e-9;
+
+impl Course<'_> {
+    /// The section of a motion under loads.
+    pub fn run(&mut self) {
+        let Some(report) = self.scene.solution.simulation.as_ref() else { return };
+        let heading = self.words(Message::Run);
+        self.heading(2, heading);
+        let energy = self.kinetic_energy();
+        if let Some(energy) = energy {
+            self.reduced(report, &energy);
+        }
+        self.balance_of_energy(report);
+        self.events(report);
+        let method = match report.method {
+            Method::Dop853 => "DOP853".to_owned(),
+            Method::Energy => self.words(Message::ByEnergy),
+            Method::Radau => "Radau IIA".to_owned(),
+        };
+        let parts = [
+            method,
+            report.steps.to_string(),
+            report.printed.to_string(),
+            with_digits(report.error, 2).text(),
+        ];
+        self.say(Message::RunMethod, &parts.map(|part| vec![text(part)]));
+    }
+
+    /// T = Σ ½ m v² + ½ J ω²
+    fn kinetic_energy(&mut self) -> Option<Expr> {
+        self.say(Message::EnergyHere, &[]);
+        let value = self.state().kinetic_energy(self.scene.mechanism());
+        let right = self.twice_the_energy();
+        if right.is_zero() {
+            return None;
+        }
+        Some(self.equate(Name::new("T", ""), value, Unit::Work, right / Expr::Int(2)))
+    }
+
+    /// Σ m v² + J ω²
+    fn twice_the_energy(&mut self) -> Expr {
+        let mut sum = Expr::ZERO;
+        for (i, link) in self.scene.mechanism().links.iter().enumerate().skip(1) {
+            let Some(mass) = link.mass else { continue };
+            let label = self.label(i);
+            if mass.mass > 0.0 {
+                let [x, y] = self.velocity(i, mass.centre);
+                let name = Name::new("m", &label);
+                let own = self.found.get(&name).cloned();
+                let own = own.unwrap_or_else(|| self.given(name, mass.mass, Unit::Mass));
+                let square = x.squared() + y.squared();
+                sum = sum + own * square;
+            }
+            let omega = self.bodies[i].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
+            if mass.inertia > 0.0 && !omega.is_zero() {
+                let point = self.point_name(i, mass.centre);
+                sum = sum + self.given(Name::new("J", &point), mass.inertia, Unit::Inertia) * omega.squared();
+            }
+        }
+        sum
+    }
+
+    /// Mass and load reduced to the one free coordinate.
+    fn reduced(&mut self, report: &SimulationReport, energy: &Expr) {
+        let [drive] = report.coordinates.as_slice() else { return };
+        let Some(target) = self.scene.mechanism().drives.get(*drive).map(|d| d.target) else { return };
+        let alone = self.scene.mechanism().drives.len() == 1;
+        let Some((rate, turns)) = self.rate_of_drive(target).filter(|_| alone) else { return };
+        let moved = self.state().motion.bodies.iter().map(|b| b.omega.abs().max(b.v.norm()));
+        if rate.value().abs() <= STILL * moved.fold(0.0, f64::max) {
+            return;
+        }
+        self.say(Message::Reduced, &[]);
+        let (letter, unit, loads) = if turns {
+            ("J", Unit::Inertia, ("M", Unit::Torque))
+        } else {
+            ("m", Unit::Mass, ("F", Unit::Force))
+        };
+        let right = Expr::Int(2) * energy.clone() / rate.clone().squared();
+        let value = right.value();
+        let mass = self.equate(Name::new(letter, "r"), value, unit, right);
+        let power = self.power_of_loads();
+        if power.is_zero() {
+            return;
+        }
+        let right = power / rate.clone();
+        let value = right.value();
+        let load = self.equate(Name::new(loads.0, "r"), value, loads.1, right);
+        let input = self.state().motion.inputs[*drive];
+        let (letter, unit) =
+            if turns { ("α", Unit::AngularAcceleration) } else { ("a", Unit::Acceleration) };
+        self.say(Message::ReducedMotion, &[]);
+        let acceleration = self.stated(Name::new(letter, "r"), input.acceleration, unit);
+        let right = load - mass * acceleration;
+        let value = right.value();
+        self.equate(Name::new(loads.0, "Δ"), value, loads.1, right);
+    }
+
+    /// The rate of a free coordinate, and whether it is an angle.
+    fn rate_of_drive(&mut self, target: DriveTarget) -> Option<(Expr, bool)> {
+        match target {
+            DriveTarget::Link(link) => {
+                let kind = EffortKind::Angle(BodyId(link.index()));
+                Some((self.rate_of_effort(0, kind)?, true))
+            }
+            DriveTarget::Pair(pair) => self.rate_of_pair(pair),
+            DriveTarget::Point(..) => None,
+        }
+    }
+
+    fn rate_of_pair(&mut self, pair: PairId) -> Option<(Expr, bool)> {
+        let joints: Vec<_> = self.structure().replaced.joints_of(pair).collect();
+        for joint in joints {
+            match &self.structure().replaced.joint(joint).kind {
+                JointKind::Prismatic { .. } => {
+                    return Some((self.rate_of_effort(0, EffortKind::Coordinate(joint))?, false));
+                }
+                JointKind::Revolute(members) if joint_count(self, pair) == 1 => {
+                    let [first, second] = members.as_slice() else { return None };
+                    let kind = EffortKind::RelativeAngle { joint, first: first.0, second: second.0 };
+                    return Some((self.rate_of_effort(0, kind)?, true));
+                }
+                JointKind::Revolute(_) | JointKind::Law(_) => {}
+            }
+        }
+        None
+    }
+
+    /// The power of everything but inertia.
+    fn power_of_loads(&mut self) -> Expr {
+        let inertia = self.language.letters().inertia;
+        let of_inertia = |name: &Name| name.sub.starts_with(inertia) && matches!(&*name.letter, "F" | "M");
+        let mut sum = Expr::ZERO;
+        for body in 1..self.bodies.len() {
+            for force in self.acting.forces[body].clone() {
+                if force.load && !of_inertia(&force.name) {
+                    let [vx, vy] = self.velocity(body, force.at);
+                    let [fx, fy] = force.parts;
+                    sum = sum + fx * vx + fy * vy;
+                }
+            }
+            let omega = self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
+            for couple in self.acting.couples[body].iter().filter(|c| c.load) {
+                let own = matches!(&couple.value, Expr::Leaf(q) if of_inertia(&q.name));
+                if !own {
+                    sum = sum + couple.value.clone() * omega.clone();
+                }
+            }
+        }
+        sum
+    }
+
+    /// Kinetic energy at both ends, and the work between them.
+    fn balance_of_energy(&mut self, report: &SimulationReport) {
+        let Some(energy) = report.energy else { return };
+        self.say(Message::EnergyOfRun, &[]);
+        let begin = self.stated(Name::new("T", "1"), energy.begin, Unit::Work);
+        let end = self.stated(Name::new("T", "2"), energy.end, Unit::Work);
+        let work = self.stated(Name::new("W", ""), energy.work, Unit::Work);
+        let right = end - begin - work;
+        let value = right.value();
+        self.confirm(Name::new("Δ", "T"), value, Unit::Work, right);
+    }
+
+    fn events(&mut self, report: &SimulationReport) {
+        let mechanism = self.scene.mechanism();
+        let mut rows = Vec::new();
+        for (event, times) in mechanism.events.iter().zip(&report.events) {
+            let times: Vec<String> = times.iter().take(8).map(|t| with_digits(*t, 6).text()).collect();
+            let written = if times.is_empty() { "–".to_owned() } else { times.join(", ") };
+            rows.push(vec![
+                vec![text(event.name.clone().unwrap_or_else(|| "until".to_owned()))],
+                vec![text(written)],
+            ]);
+        }
+        let headers = [Message::Event, Message::Instants].map(|m| vec![text(self.words(m))]).to_vec();
+        if !rows.is_empty() {
+            self.say(Message::EventsOfRun, &[]);
+            self.table(Table { headers, rows, numbers: Vec::new() });
+        }
+    }
+}
+
+/// How many joints stand for a pair.
+fn joint_count(course: &Course<'_>, pair: PairId) -> usize {
+    course.structure().replaced.joints_of(pair).count()
+}

@@ -1,0 +1,282 @@
+//! Trains: one equation per member in the forces of its transmissions and the unknown efforts. One with a single
+//! unknown gives it; of two with the same two one is eliminated; what is left is stated.
+
+use super::acting::{Couple, Force};
+use crate::course::Course;
+use crate::document::{Line, text};
+use crate::motion::{of, pin};
+use crate::words::Message;
+use assur_formula::{Expr, Name, Unit};
+use assur_model::model::{PairKind, TransmissionKind, Wheel};
+use assur_position::plan::{TrainEffort, TrainSupport};
+
+/// An equation: load + Σ factor × unknown = 0.
+struct Row {
+    label: String,
+    load: Expr,
+    terms: Vec<(usize, Expr)>,
+}
+
+/// An unknown: letters, value, unit.
+type Unknown = (Name, f64, Unit);
+
+impl Course<'_> {
+    pub(super) fn force_train(&mut self, index: usize, train: usize) -> bool {
+        let plan = self.scene.model.plan;
+        let Some(of_train) = plan.train_forces.get(train) else { return false };
+        if of_train.inverse.is_empty() {
+            self.stated_forces(index);
+            return false;
+        }
+        let members = of_train.members.clone();
+        let laws = of_train.laws.clone();
+        members.iter().for_each(|member| self.complete(body_of(member)));
+        self.say(Message::TrainForces, &[]);
+        self.directions(&laws);
+        let before = self.acting.forces.clone();
+        let unknowns = self.unknowns_of(train);
+        let mut rows = self.rows_of(train);
+        let mut found: Vec<Option<Expr>> = vec![None; unknowns.len()];
+        loop {
+            let open = |row: &Row| row.terms.iter().filter(|(u, _)| found[*u].is_none()).count();
+            if let Some(at) = rows.iter().position(|row| open(row) == 1) {
+                let row = rows.remove(at);
+                self.single(&row, &unknowns, &mut found);
+            } else if let Some(pair) = two_rows(&rows, &found) {
+                let second = rows.remove(pair[1]);
+                self.pair(&rows[pair[0]], &second, &unknowns, &mut found);
+            } else {
+                break;
+            }
+        }
+        for (i, (name, value, unit)) in unknowns.into_iter().enumerate() {
+            if found[i].is_none() {
+                found[i] = Some(self.stated(name, value, unit));
+            }
+        }
+        // what the wheels of a carrier put on it goes through their bearings now
+        self.acting.forces = before;
+        for (slot, force) in laws.into_iter().zip(&found) {
+            if let Some(force) = force {
+                self.pass_on(slot, force, &members);
+            }
+        }
+        for (effort, value) in of_train.efforts.iter().zip(found.iter().skip(of_train.laws.len())) {
+            if let (TrainEffort::Torque(_, _, base), Some(value)) = (effort, value)
+                && *base != 0
+                && !members.iter().any(|m| body_of(m) == *base)
+            {
+                self.acting.couples[*base].push(Couple { value: -value.clone(), load: false, rubs: false });
+            }
+        }
+        self.supports(&members);
+        true
+    }
+
+    /// The forces of the laws at the wheels, then the efforts.
+    fn unknowns_of(&self, train: usize) -> Vec<Unknown> {
+        let plan = self.scene.model.plan;
+        let of_train = &plan.train_forces[train];
+        let laws = of_train.laws.iter().map(|&slot| {
+            let multiplier = self.state().forces.law_forces[slot].multiplier;
+            let (name, unit) = self.law_name(slot);
+            (name, multiplier * scale_of(plan.laws[slot].force), unit)
+        });
+        let efforts = of_train.efforts.iter().map(|effort| {
+            let (slot, force) = match effort {
+                TrainEffort::Torque(slot, ..) => (*slot, false),
+                TrainEffort::Along(slot, _) => (*slot, true),
+            };
+            let unit = if force { Unit::Force } else { Unit::Torque };
+            (self.effort_name(slot, force), self.state().forces.efforts[slot], unit)
+        });
+        laws.chain(efforts).collect()
+    }
+
+    /// The letters of the force of a law; of a worm and of a clutch it is a torque.
+    pub(super) fn law_name(&self, slot: usize) -> (Name, Unit) {
+        let plan = self.scene.model.plan;
+        let law = &plan.laws[slot];
+        let pair = &self.scene.mechanism().pair(law.pair).name;
+        let several = plan.laws.iter().filter(|l| l.pair == law.pair).count() > 1;
+        let more = if several { format!(",{}", law.index + 1) } else { String::new() };
+        let by_teeth = self.counts_teeth(pair);
+        let clutch = self.kind_of(pair) == Some(TransmissionKind::Clutch);
+        let (letter, unit) = if by_teeth || clutch { ("M", Unit::Torque) } else { ("F", Unit::Force) };
+        (Name::new(letter, &format!("{pair}{more}")), unit)
+    }
+
+    /// Whether numbers of teeth stand for radii: of a worm, and where the file leaves the size of a wheel open.
+    fn counts_teeth(&self, pair: &str) -> bool {
+        let mechanism = self.scene.mechanism();
+        let Some(found) = mechanism.pairs.iter().find(|p| p.name == pair) else { return false };
+        let PairKind::Transmission(t) = &found.kind else { return false };
+        let is_open = |end: &String| mechanism.open_sizes.iter().any(|open| open.wheel == *end);
+        let wheels = || mechanism.wheels.iter().filter(|w| t.ends.contains(&w.name));
+        let toothed = wheels().count() == 2 && wheels().all(|w| w.teeth.is_some());
+        t.kind == TransmissionKind::Worm || toothed && t.ends.iter().any(is_open)
+    }
+
+    fn kind_of(&self, pair: &str) -> Option<TransmissionKind> {
+        let found = self.scene.mechanism().pairs.iter().find(|p| p.name == pair)?;
+        match &found.kind {
+            PairKind::Transmission(t) => Some(t.kind),
+            _ => None,
+        }
+    }
+
+    fn rows_of(&mut self, train: usize) -> Vec<Row> {
+        let plan = self.scene.model.plan;
+        let of_train = &plan.train_forces[train];
+        let n = of_train.members.len();
+        let mut rows = Vec::new();
+        for (i, member) in of_train.members.iter().enumerate().rev() {
+            let body = body_of(member);
+            let label = self.label(body);
+            let load = match member {
+                TrainSupport::Turn(hinge, carrier) => {
+                    let load = self.moment_about(body, pin(&hinge.pin));
+                    if let Some(carrier) = *carrier {
+                        self.on_carrier(body, body_of(&of_train.members[carrier]), pin(&hinge.pin));
+                    }
+                    load
+                }
+                TrainSupport::Shift(guide, sign) => {
+                    let sums = self.sum_of(&[body]);
+                    let along = self.way(guide).0.along(&sums);
+                    if *sign < 0.0 { -along } else { along }
+                }
+            };
+            let row = &of_train.matrix[i * n..][..n];
+            let turns = matches!(member, TrainSupport::Turn(..));
+            let mut terms = Vec::new();
+            for (k, c) in row.iter().enumerate().filter(|(_, c)| **c != 0.0) {
+                let law = of_train.laws.get(k).map(|&slot| &plan.laws[slot]);
+                let factor = match law {
+                    Some(law) => self.coefficient(of_train.laws[k], law, member, *c, turns),
+                    None if *c < 0.0 => Expr::Int(-1),
+                    None => Expr::Int(1),
+                };
+                terms.push((k, factor));
+            }
+            rows.push(Row { label, load, terms });
+        }
+        rows.reverse();
+        rows
+    }
+
+    /// The arm of a force of a transmission about an axis: the radius of a wheel where it is one.
+    pub(super) fn lever(&self, value: f64, pair: &str, label: &str, turns: bool) -> Expr {
+        let size = value.abs();
+        let wheels = &self.scene.mechanism().wheels;
+        let kind = self.kind_of(pair);
+        let factor = if self.counts_teeth(pair) {
+            let own = |w: &&Wheel| {
+                w.teeth.is_some_and(|z| (0.5 * z - size).abs() <= 1e-12 * size)
+                    && self.label(w.link.index()) == label
+            };
+            let name = wheels.iter().find(own).map_or(pair, |w| &w.name);
+            self.given(Name::new("z", name), 2.0 * size, Unit::One) / Expr::Int(2)
+        } else if (size - 1.0).abs() < 1e-12 && (!turns || kind == Some(TransmissionKind::Clutch)) {
+            Expr::Int(1)
+        } else {
+            let wheel = wheels
+                .iter()
+                .find(|w| (w.radius - size).abs() <= 1e-12 * size && self.label(w.link.index()) == label);
+            match wheel {
+                Some(wheel) => self.given(Name::new("r", &wheel.name), size, Unit::Length),
+                None => self.given(Name::new("r", &format!("{pair},{label}")), size, Unit::Length),
+            }
+        };
+        if value < 0.0 { -factor } else { factor }
+    }
+
+    /// The forces on a wheel act on the link that carries its axis.
+    fn on_carrier(&mut self, wheel: usize, carrier: usize, at: assur_math::math::Vec2) {
+        let parts = self.sum_of(&[wheel]);
+        if parts.iter().all(Expr::is_zero) {
+            return;
+        }
+        let place = self.moved(wheel).position(at);
+        let moved = self.moved(carrier);
+        let at = (place - moved.p).turned_back(moved.u);
+        let name = Name::new("Q", &self.label(wheel));
+        let known = [Vec::new(), Vec::new()];
+        self.acting.forces[carrier].push(Force { name, at, parts, known, load: false, rubs: true });
+    }
+
+    fn rest(&self, row: &Row, found: &[Option<Expr>]) -> Expr {
+        let known = row.terms.iter().filter_map(|(u, factor)| Some(factor.clone() * found[*u].clone()?));
+        Expr::sum(std::iter::once(row.load.clone()).chain(known))
+    }
+
+    fn single(&mut self, row: &Row, unknowns: &[Unknown], found: &mut [Option<Expr>]) {
+        let Some((u, factor)) = row.terms.iter().find(|(u, _)| found[*u].is_none()).cloned() else { return };
+        let rest = self.rest(row, found);
+        let (name, value, unit) = unknowns[u].clone();
+        let label: Line = vec![text(&*row.label)];
+        self.say(Message::MemberGives, &[label, of(&name)]);
+        found[u] = Some(self.solved_for(name, value, unit, rest, factor));
+    }
+
+    fn pair(&mut self, one: &Row, two: &Row, unknowns: &[Unknown], found: &mut [Option<Expr>]) {
+        let open: Vec<usize> = one.terms.iter().map(|t| t.0).filter(|u| found[*u].is_none()).collect();
+        let [first, second] = open.as_slice() else { return };
+        let factor =
+            |row: &Row, u: usize| row.terms.iter().find(|t| t.0 == u).map_or(Expr::ZERO, |t| t.1.clone());
+        let (a, b) = (factor(one, *first), factor(two, *first));
+        let [f, g] = if a == b {
+            [Expr::Int(1), Expr::Int(1)]
+        } else if a == -b.clone() {
+            [Expr::Int(1), Expr::Int(-1)]
+        } else {
+            [b, a]
+        };
+        let rest = f.clone() * self.rest(one, found) - g.clone() * self.rest(two, found);
+        let own = f * factor(one, *second) - g * factor(two, *second);
+        let (name, value, unit) = unknowns[*second].clone();
+        let labels: Line = vec![text(format!("{}, {}", one.label, two.label))];
+        self.say(Message::MembersGive, &[labels, of(&unknowns[*first].0), of(&name)]);
+        found[*second] = Some(self.solved_for(name, value, unit, rest, own));
+    }
+
+    /// −rest / factor; where nothing loads it, it is nothing.
+    fn solved_for(&mut self, name: Name, value: f64, unit: Unit, rest: Expr, factor: Expr) -> Expr {
+        let right = -(rest / factor);
+        if right.is_zero() {
+            self.found.insert(name, Expr::ZERO);
+            return Expr::ZERO;
+        }
+        self.equate(name, value, unit, right)
+    }
+}
+
+/// A force of one newton of a law in units of its multiplier.
+pub(super) fn scale_of(force: f64) -> f64 {
+    if force == 0.0 { 1.0 } else { force }
+}
+
+pub(super) const fn body_of(member: &TrainSupport) -> usize {
+    match member {
+        TrainSupport::Turn(hinge, _) => hinge.body,
+        TrainSupport::Shift(guide, _) => guide.body,
+    }
+}
+
+/// Two equations with the same two unknowns.
+fn two_rows(rows: &[Row], found: &[Option<Expr>]) -> Option<[usize; 2]> {
+    let open = |row: &Row| {
+        let mut open: Vec<usize> = row.terms.iter().map(|t| t.0).filter(|u| found[*u].is_none()).collect();
+        open.sort_unstable();
+        open
+    };
+    for (i, one) in rows.iter().enumerate() {
+        for (j, two) in rows.iter().enumerate().skip(i + 1) {
+            let sought = open(one);
+            if sought.len() == 2 && sought == open(two) {
+                return Some([i, j]);
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,132 @@
+//! Letters of links, points and pairs.
+
+use crate::course::Course;
+use assur_formula::Name;
+use assur_math::math::Vec2;
+use assur_model::model::{LinkId, PairId};
+use assur_model::structure::{BodyOrigin, JointKind};
+
+impl Course<'_> {
+    /// The number of a body as written, or its name; of a body that stands for a pair the pair's.
+    pub fn label(&self, body: usize) -> String {
+        match self.structure().replaced.bodies[body].origin {
+            BodyOrigin::Link(link) => self.scene.link_label(link).to_owned(),
+            BodyOrigin::Imaginary(pair) => self.scene.mechanism().pair(pair).name.clone(),
+        }
+    }
+
+    /// The link of a body.
+    pub fn link(&self, body: usize) -> Option<LinkId> {
+        match self.structure().replaced.bodies[body].origin {
+            BodyOrigin::Link(link) => Some(link),
+            BodyOrigin::Imaginary(_) => None,
+        }
+    }
+
+    /// The force of one body on another.
+    pub fn reaction_name(&self, from: usize, on: usize) -> Name {
+        let (a, b) = (self.label(from), self.label(on));
+        let apart = if a.chars().count() > 1 || b.chars().count() > 1 { "," } else { "" };
+        let (letter, begin) = self.language.letters().reaction;
+        Name::new(letter, &format!("{begin}{a}{apart}{b}"))
+    }
+
+    /// The name of a point of a body: that of the hinge there, else its own, else a new one.
+    pub fn point_name(&self, body: usize, at: Vec2) -> String {
+        if let Some(name) = self.hinge_name(body, at) {
+            return name;
+        }
+        let mechanism = self.scene.mechanism();
+        let near = |p: Vec2| (p - at).norm() <= self.tiny;
+        let Some(link) = self.link(body) else {
+            let pair = self.label(body);
+            return if near(Vec2::zero()) { pair } else { format!("{pair}′") };
+        };
+        let own = mechanism.link(link);
+        let Some(point) = own.points.iter().find(|p| near(p.at)) else {
+            let centre = own.mass.is_some_and(|m| near(m.centre));
+            return if centre { format!("S{}", self.label(body)) } else { self.unnamed(body, at) };
+        };
+        let is_taken = |name: &str| {
+            let pairs = mechanism.pairs.iter().any(|p| p.name == name);
+            let points = mechanism.links.iter().enumerate();
+            let others =
+                points.filter(|(i, l)| *i != link.index() && l.points.iter().any(|p| p.name == name));
+            pairs || others.count() > 0
+        };
+        if is_taken(&point.name) {
+            let label = self.label(body);
+            if point.name.ends_with(&label) { point.name.clone() } else { format!("{}{label}", point.name) }
+        } else {
+            point.name.clone()
+        }
+    }
+
+    /// A name for a place on a body that has none in the file.
+    fn unnamed(&self, body: usize, at: Vec2) -> String {
+        let mut points = self.unnamed.borrow_mut();
+        let known = points.iter().position(|(b, p)| *b == body && (*p - at).norm() <= self.tiny);
+        let index = known.unwrap_or_else(|| {
+            points.push((body, at));
+            points.len() - 1
+        });
+        let mechanism = self.scene.mechanism();
+        let taken = |name: &str| {
+            mechanism.pairs.iter().any(|p| p.name == name)
+                || mechanism.links.iter().any(|l| l.points.iter().any(|p| p.name == name))
+        };
+        // letters that no point of the file has
+        let letter = ["P", "U", "W", "P′"]
+            .into_iter()
+            .find(|l| (1..=points.len()).all(|i| !taken(&format!("{l}{i}"))));
+        format!("{}{}", letter.unwrap_or("P″"), index + 1)
+    }
+
+    fn hinge_name(&self, body: usize, at: Vec2) -> Option<String> {
+        let joints = &self.structure().replaced.joints;
+        let found = joints.iter().find(|joint| match &joint.kind {
+            JointKind::Revolute(members) => {
+                members.iter().any(|(b, p)| b.0 == body && (*p - at).norm() <= self.tiny)
+            }
+            _ => false,
+        })?;
+        Some(self.joint_name(found.pair, body, at))
+    }
+
+    /// The name of the pair; of a pair of two hinges with what tells them apart.
+    fn joint_name(&self, pair: PairId, body: usize, at: Vec2) -> String {
+        let name = self.scene.mechanism().pair(pair).name.clone();
+        let hinges = self.structure().replaced.joints_of(pair).filter_map(|j| {
+            match &self.structure().replaced.joint(j).kind {
+                JointKind::Revolute(members) => Some(members),
+                _ => None,
+            }
+        });
+        let here = |members: &&Vec<_>| {
+            members.iter().any(|(b, p): &(assur_model::structure::BodyId, Vec2)| {
+                b.0 == body && (*p - at).norm() <= self.tiny
+            })
+        };
+        let all: Vec<_> = hinges.collect();
+        let index = all.iter().position(here).unwrap_or(0);
+        format!("{name}{}", "′".repeat(index))
+    }
+
+    /// All bodies that a hinge joins at a point of one of them, each with the point in its frame.
+    pub fn at_hinge(&self, body: usize, at: Vec2) -> Vec<(usize, Vec2)> {
+        let joints = &self.structure().replaced.joints;
+        let mut found = vec![(body, at)];
+        for joint in joints {
+            let on_rim = |members: &[(assur_model::structure::BodyId, Vec2)]| {
+                members.iter().any(|(b, _)| self.structure().replaced.bodies[b.0].on_rim)
+            };
+            if let JointKind::Revolute(members) = &joint.kind
+                && !on_rim(members)
+                && members.iter().any(|(b, p)| b.0 == body && (*p - at).norm() <= self.tiny)
+            {
+                found.extend(members.iter().map(|(b, p)| (b.0, *p)).filter(|(b, _)| *b != body));
+            }
+        }
+        found
+    }
+}

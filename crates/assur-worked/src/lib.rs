@@ -1,0 +1,32 @@
+//! Worked solutions: what a good student hands in, from one position of a solved problem. Nothing is solved here: every number is
+//! the solver's, and a formula that does not agree with it is not printed.
+
+mod angle;
+mod course;
+mod design;
+mod document;
+mod forces;
+mod letters;
+mod localised;
+mod motion;
+mod pictures;
+mod points;
+mod problem;
+mod prune;
+mod results;
+mod sheet;
+mod structure;
+mod system;
+mod words;
+mod worked;
+mod write;
+
+pub use course::Counts;
+pub use design::{Page, design};
+pub use document::{Block, Document, Figure, Inline, Table, Term};
+pub use forces::quantity_name;
+pub use localised::{drawing_in, localised};
+pub use sheet::{Asked, Columns, Exercise, asks_for_positions, key, sheet};
+pub use words::Language;
+pub use worked::{Part, Size, Worked, worked, worked_from};
+pub use write::{html, markdown, text, typst};

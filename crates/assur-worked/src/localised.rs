@@ -1,0 +1,110 @@
+//! Tables and pictures that are made in English, in the language and with the letters of a solution.
+
+use crate::document::{Block, Inline, Line, Table, commas};
+use crate::words::{Language, phrase};
+use assur_drawing::{Drawing, Level, Run, Text};
+use assur_picture::Scene;
+
+/// Blocks of another document in a language; names of the file stay as they are.
+#[must_use]
+pub fn localised(language: Language, blocks: Vec<Block>) -> Vec<Block> {
+    let line = |line: Line| -> Line {
+        let part = |part: Inline| match part {
+            Inline::Text(words) => Inline::Text(phrase(language, &words)),
+            part => part,
+        };
+        line.into_iter().map(part).collect()
+    };
+    let block = |block: Block| match block {
+        Block::Heading(level, words) => Block::Heading(level, phrase(language, &words)),
+        Block::Paragraph(words) => Block::Paragraph(line(words)),
+        Block::Remark(words) => Block::Remark(line(words)),
+        Block::Table(table) => Block::Table(Table {
+            headers: table.headers.into_iter().map(line).collect(),
+            rows: table.rows.into_iter().map(|row| row.into_iter().map(line).collect()).collect(),
+            ..table
+        }),
+        block => block,
+    };
+    let blocks = blocks.into_iter().map(block);
+    if language.letters().comma { blocks.map(Block::with_commas).collect() } else { blocks.collect() }
+}
+
+/// A picture in a language, with the letters of its courses.
+#[must_use]
+pub fn drawing_in(language: Language, scene: &Scene<'_>, mut drawing: Drawing) -> Drawing {
+    if language == Language::English {
+        return drawing;
+    }
+    drawing.title = phrase(language, &drawing.title);
+    // the numbers of a description are those of the text
+    drawing.description.clone_from(&drawing.title);
+    let labels = drawing.labels.iter_mut().map(|label| &mut label.text);
+    let captions = drawing.captions.iter_mut().flat_map(|caption| {
+        std::iter::once(&mut caption.text).chain(caption.bar.as_mut().map(|(_, text)| text))
+    });
+    for text in labels.chain(captions) {
+        relabel(language, scene, text);
+    }
+    drawing
+}
+
+fn relabel(language: Language, scene: &Scene<'_>, text: &mut Text) {
+    let letters = language.letters();
+    for i in 0..text.runs.len() {
+        let next = text.runs.get(i + 1).cloned();
+        let index = next.as_ref().filter(|run| run.level == Level::Sub).map(|run| run.letters.clone());
+        let run = &mut text.runs[i];
+        let quantity = run.italic && run.level == Level::Base;
+        if run.level == Level::Sup && run.letters == "t" {
+            run.letters = letters.tangential.to_owned();
+        } else if run.level == Level::Base && (!run.italic || run.letters.contains(' ')) {
+            run.letters = phrase(language, &run.letters);
+        }
+        // a reaction may have a mark between its letter and its index
+        let index = index.or_else(|| {
+            let mark =
+                next.filter(|run| run.level == Level::Sup && matches!(run.letters.as_str(), "n" | "t"))?;
+            let behind =
+                text.runs.get(i + 2).filter(|run| run.level == Level::Sub && mark.level == Level::Sup)?;
+            Some(behind.letters.clone())
+        });
+        let Some(index) = index.filter(|_| quantity) else { continue };
+        let letter = text.runs[i].letters.clone();
+        let base = if letter.trim_end().ends_with('R') && is_reaction(scene, &index) {
+            let (letter, lead) = letters.reaction;
+            text.runs[i].letters = letter.to_owned();
+            Some(format!("{lead}{index}"))
+        } else {
+            let own = index.strip_prefix('I').filter(|own| is_link(scene, own));
+            own.filter(|_| matches!(letter.as_str(), "F" | "M"))
+                .map(|own| format!("{}{own}", letters.inertia))
+        };
+        let lowered = |run: &&mut Run| run.level == Level::Sub;
+        if let (Some(index), Some(run)) = (base, text.runs.iter_mut().skip(i + 1).find(lowered)) {
+            run.letters = index;
+        }
+    }
+    if letters.comma {
+        text.runs.iter_mut().for_each(|run| run.letters = commas(&run.letters));
+    }
+}
+
+fn is_link(scene: &Scene<'_>, label: &str) -> bool {
+    let mechanism = scene.mechanism();
+    mechanism.links.iter().any(|link| link.number.as_deref().unwrap_or(&link.name) == label)
+}
+
+/// Whether an index is of a reaction: of two links by their numbers, or of a pair.
+fn is_reaction(scene: &Scene<'_>, index: &str) -> bool {
+    let mechanism = scene.mechanism();
+    let number = |label: &str| mechanism.links.iter().any(|link| link.number.as_deref() == Some(label));
+    let two = match index.split_once(',') {
+        Some((from, on)) => number(from) && number(on),
+        None => {
+            let cuts = index.char_indices().skip(1).map(|(at, _)| index.split_at(at));
+            cuts.into_iter().any(|(from, on)| number(from) && number(on))
+        }
+    };
+    two || mechanism.pairs.iter().any(|pair| pair.name == index)
+}

@@ -1,0 +1,149 @@
+//! Links that a drive moves.
+
+use super::{Stage, pin};
+use crate::angle::Angle;
+use crate::course::{Body, Course};
+use crate::words::Message;
+use assur_formula::{Expr, Name, Unit};
+use assur_math::math::Vec2;
+use assur_model::model::Value;
+use assur_position::plan::{Anchor, Arm, Slide};
+
+impl Course<'_> {
+    /// A link on a hinge at a driven angle.
+    pub(super) fn turn(
+        &mut self,
+        stage: Stage,
+        body: usize,
+        base: &Anchor,
+        arm: Arm,
+        drive: usize,
+        relative: Option<f64>,
+    ) {
+        let input = self.state().motion.inputs[drive];
+        let label = self.label(body);
+        match stage {
+            Stage::Positions => {
+                let angle = match relative {
+                    None => {
+                        let value = input.value.to_degrees();
+                        Angle::of(self.given(Name::new("φ", &label), value, Unit::Angle))
+                    }
+                    Some(sign) => self.relative_angle(body, base.body, sign * input.value.to_degrees()),
+                };
+                self.bodies[body] =
+                    Some(Body { reference: pin(&arm), angle, rates: [Expr::ZERO, Expr::ZERO] });
+                self.say(Message::DrivenAngle, &[super::of(&Name::new("φ", &label))]);
+            }
+            Stage::Velocities => {
+                let rate = self.rate(Name::new("ω", &label), base.body, 0, relative, input.rate, body);
+                self.say(Message::DrivenRate, &[super::of(&Name::new("ω", &label))]);
+                self.set_rate(body, 0, rate);
+            }
+            Stage::Accelerations => {
+                let rate =
+                    self.rate(Name::new("α", &label), base.body, 1, relative, input.acceleration, body);
+                if rate.is_zero() {
+                    self.say(Message::Uniform, &[super::of(&Name::new("α", &label))]);
+                }
+                self.set_rate(body, 1, rate);
+            }
+        }
+    }
+
+    fn relative_angle(&mut self, body: usize, base: usize, degrees: f64) -> Angle {
+        let (label, other) = (self.label(body), self.label(base));
+        let part = self.given(Name::new("φ", &format!("{label},{other}")), degrees, Unit::Angle);
+        let from = self.bodies[base].as_ref().map_or(Angle::ZERO, |b| b.angle.clone());
+        Angle::of(self.angle_sum(Name::new("φ", &label), from.whole() + part))
+    }
+
+    /// The rate of a driven link: given, or that of its base and the one against it.
+    fn rate(
+        &mut self,
+        name: Name,
+        base: usize,
+        order: usize,
+        relative: Option<f64>,
+        value: f64,
+        body: usize,
+    ) -> Expr {
+        let unit = [Unit::AngularVelocity, Unit::AngularAcceleration][order];
+        let Some(sign) = relative else { return self.given_rate(name, value, unit) };
+        let (own, other) = (name.sub.clone(), self.label(base));
+        let part = self.given(Name::new(&name.letter, &format!("{own},{other}")), sign * value, unit);
+        let from = self.bodies[base].as_ref().map_or(Expr::ZERO, |b| b.rates[order].clone());
+        let moved = self.moved(body);
+        let whole = if order == 0 { moved.omega } else { moved.alpha };
+        self.equate(name, whole, unit, from + part)
+    }
+
+    /// A rate that the file states, from a speed of rotation where it gives that.
+    fn given_rate(&mut self, name: Name, value: f64, unit: Unit) -> Expr {
+        let mechanism = self.scene.mechanism();
+        let speed = mechanism.values.iter().find(|v| {
+            v.display.unit == "rpm"
+                && matches!(v.value, Value::Scalar(x) if (x.abs() - value.abs()).abs() <= 1e-12 * value.abs())
+        });
+        let Some(speed) = speed.filter(|_| unit == Unit::AngularVelocity && value != 0.0) else {
+            return self.given(name, value, unit);
+        };
+        let Value::Scalar(si) = speed.value else { return self.given(name, value, unit) };
+        let letters = crate::forces::quantity_name(&speed.name);
+        let turns = self.given(letters, speed.display.of_si(si), Unit::Speed);
+        let right = Expr::Pi * turns / Expr::Int(30);
+        self.equate(name, value, unit, if si * value < 0.0 { -right } else { right })
+    }
+
+    /// Keeps the angular velocity (0) or acceleration (1) of a body.
+    pub fn set_rate(&mut self, body: usize, order: usize, rate: Expr) {
+        if let Some(known) = &mut self.bodies[body] {
+            known.rates[order] = rate;
+        }
+    }
+
+    /// A body on a guide at a driven coordinate.
+    pub(super) fn shift(&mut self, stage: Stage, slide: &Slide, drive: usize) {
+        let input = self.state().motion.inputs[drive];
+        let point = self.point_name(slide.body, slide.point);
+        let (value, letter, unit) = match stage {
+            Stage::Positions => (input.value, "s", Unit::Length),
+            Stage::Velocities => (input.rate, "v", Unit::Velocity),
+            Stage::Accelerations => (input.acceleration, "a", Unit::Acceleration),
+        };
+        let index =
+            if slide.base == 0 { point.clone() } else { format!("{point},{}", self.label(slide.base)) };
+        let name = Name::new(letter, &index);
+        let along = self.given(name.clone(), value * slide.sense, unit);
+        self.found.insert(name, along.clone());
+        match stage {
+            Stage::Positions => {
+                let guide = self.guide(slide);
+                let from = self.position(slide.base, slide.origin);
+                let value = self.moved(slide.body).position(slide.point);
+                let [x, y] = from;
+                let right = [x + along.clone() * guide.cos(), y + along * guide.sin()];
+                self.coordinates(&point, value, right);
+                self.slider(slide, slide.point);
+            }
+            Stage::Velocities => {
+                self.set_slider_rate(slide, 0);
+                self.slid(1, slide, slide.point, &along);
+            }
+            Stage::Accelerations => {
+                self.set_slider_rate(slide, 1);
+                self.slid(2, slide, slide.point, &along);
+            }
+        }
+    }
+
+    /// The speed along a guide in a sentence's letters.
+    pub(super) fn sliding_name(&self, letter: &str, slide: &Slide, at: Vec2) -> Name {
+        let point = self.point_name(slide.body, at);
+        if slide.base == 0 {
+            Name::new(letter, &point)
+        } else {
+            Name::new(letter, &format!("{point},{}", self.label(slide.base)))
+        }
+    }
+}

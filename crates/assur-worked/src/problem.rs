@@ -1,0 +1,82 @@
+//! The problem: text, scheme, given values; and what this version only states.
+
+use crate::course::{Course, plain};
+use crate::document::{Block, Figure, Inline, Line, Table, text};
+use crate::words::{Message, say};
+use assur_formula::{Name, Quantity, name_node};
+use assur_model::model::Positions;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+impl Course<'_> {
+    /// Title, text, scheme.
+    pub fn problem(&mut self, scheme: Vec<Figure>) {
+        let notes = self.scene.mechanism().notes.join(" ");
+        if !notes.is_empty() {
+            self.blocks.push(Block::Paragraph(vec![text(notes)]));
+        }
+        self.figures(scheme);
+    }
+
+    /// The given values that the equations use, each once, in the order of use.
+    pub fn given_values(&self) -> Vec<Block> {
+        let rows = self.given_rows(&|_| false).into_iter().map(|(_, row)| row).collect();
+        let headers = [Message::Given, Message::Value].map(|m| vec![text(self.words(m))]);
+        let mut blocks: Vec<Block> = two_abreast(headers, rows).into_iter().map(Block::Table).collect();
+        blocks.push(Block::Remark(say(self.language, Message::Conventions, &[])));
+        blocks.extend(self.only_stated().into_iter().map(|m| Block::Remark(say(self.language, m, &[]))));
+        blocks
+    }
+
+    /// Their values in the units of equations, letters and figures, without those that are answers.
+    pub fn given_rows(&self, is_answer: &dyn Fn(f64) -> bool) -> Vec<(f64, [Line; 2])> {
+        let mut seen: BTreeMap<Name, ()> = BTreeMap::new();
+        let mut values: Vec<Arc<Quantity>> = Vec::new();
+        for (_, equation) in &self.equations {
+            equation.right.visit(&mut |q| {
+                if q.given && !is_answer(q.value) && seen.insert(q.name.clone(), ()).is_none() {
+                    values.push(Arc::clone(q));
+                }
+            });
+        }
+        let row = |q: Arc<Quantity>| {
+            let unit = if q.unit == assur_formula::Unit::Angle {
+                "°".to_owned()
+            } else {
+                format!(" {}", q.unit.text())
+            };
+            let written = format!("{}{}", q.figures(5).text(), unit.trim_end());
+            (q.value, [vec![Inline::Math(name_node(&q.name))], vec![text(written)]])
+        };
+        values.into_iter().map(row).collect()
+    }
+
+    /// What the file has that this version states without deriving it, in one sentence each.
+    pub fn only_stated(&self) -> Vec<Message> {
+        let mechanism = self.scene.mechanism();
+        let swept = mechanism.drives.iter().any(|d| match &d.positions {
+            Positions::Range { .. } => true,
+            Positions::List(values) => values.len() > 1,
+            Positions::None => false,
+        });
+        let all = [(swept || !mechanism.cycles.is_empty(), Message::SweepStated)];
+        all.into_iter().filter(|(there, _)| *there).map(|(_, m)| m).collect()
+    }
+
+    /// A caption.
+    pub fn caption(&self, message: Message, part: &str) -> String {
+        plain(&say(self.language, message, &[vec![text(part)]]))
+    }
+}
+
+/// A table of values, two of them next to each other.
+pub fn two_abreast(headers: [Line; 2], rows: Vec<[Line; 2]>) -> Option<Table> {
+    let headers = [headers.clone(), headers].concat();
+    let two = |two: &[[Line; 2]]| {
+        let mut row = two.concat();
+        row.resize(4, Vec::new());
+        row
+    };
+    let rows: Vec<Vec<Line>> = rows.chunks(2).map(two).collect();
+    (!rows.is_empty()).then_some(Table { headers, rows, ..Table::default() })
+}

@@ -1,0 +1,113 @@
+//! What nothing needs is left out: coordinates and components that no other equation uses and nobody asked for.
+
+use crate::course::Course;
+use crate::document::{Block, text};
+use crate::motion::Stage;
+use crate::words::Message;
+use assur_formula::{Equation, Name};
+use assur_model::model::{Expr, FindKind, Mechanism, PointRef, Query};
+use std::collections::BTreeSet;
+
+impl Course<'_> {
+    /// Leaves out equations that are not used; returns the places of their blocks.
+    pub fn prune(&mut self) -> BTreeSet<usize> {
+        let mut used: BTreeSet<Name> = self.asked.clone();
+        let mut unused = BTreeSet::new();
+        for (place, equation) in self.equations.iter().rev() {
+            if is_part(equation) && !used.contains(&equation.left.name) {
+                unused.insert(*place);
+                continue;
+            }
+            equation.right.visit(&mut |q| {
+                used.insert(q.name.clone());
+            });
+        }
+        let needless = |(place, name): &&(usize, Name)| self.optional.contains(place) && !used.contains(name);
+        unused.extend(self.lines.iter().filter(needless).map(|(place, _)| *place));
+        self.equations.retain(|(place, _)| !unused.contains(place));
+        unused
+    }
+
+    /// Sentences that end before an equation which is nothing, or is left out, say so.
+    pub fn say_nothing_follows(&mut self, unused: &BTreeSet<usize>) {
+        for place in std::mem::take(&mut self.awaiting) {
+            let mut later = (place + 1..self.blocks.len()).filter(|i| !unused.contains(i));
+            let next = later.next().and_then(|i| self.blocks.get(i));
+            if matches!(next, Some(Block::Equation(_) | Block::Vectors(_) | Block::Table(_))) {
+                continue;
+            }
+            if let Some(Block::Paragraph(line)) = self.blocks.get_mut(place) {
+                line.push(text(" 0."));
+            }
+        }
+    }
+
+    /// Motion of points that the file asks for and that no step needed.
+    pub fn requests(&mut self, stage: Stage) {
+        let mechanism = self.scene.mechanism();
+        let mut points = Vec::new();
+        for find in &mechanism.finds {
+            let FindKind::Value { expr, .. } = &find.kind else { continue };
+            queries(mechanism, expr, &mut |query| {
+                let wanted = match (stage, query) {
+                    (Stage::Positions, Query::Position(p))
+                    | (Stage::Velocities, Query::Velocity(p))
+                    | (Stage::Accelerations, Query::Acceleration(p)) => Some(p),
+                    _ => None,
+                };
+                if let Some(PointRef::Fixed(link, at)) = wanted {
+                    points.push((link.index(), *at));
+                }
+            });
+        }
+        let before = self.blocks.len();
+        let order = match stage {
+            Stage::Positions => 0,
+            Stage::Velocities => 1,
+            Stage::Accelerations => 2,
+        };
+        for (body, at) in points {
+            let found = match order {
+                0 => self.position(body, at),
+                1 => self.velocity(body, at),
+                _ => self.acceleration(body, at),
+            };
+            for part in found {
+                part.visit(&mut |q| {
+                    self.asked.insert(q.name.clone());
+                });
+            }
+        }
+        if self.blocks.len() > before {
+            let words = crate::words::say(self.language, Message::AskedFor, &[]);
+            self.insert(before, vec![Block::Paragraph(words)]);
+        }
+    }
+}
+
+/// The questions of an expression, and of the named quantities in it.
+pub fn queries(mechanism: &Mechanism, expr: &Expr, see: &mut dyn FnMut(&Query)) {
+    expr.queries(&mut |query| see(query));
+    let mut named = Vec::new();
+    expr.parts(&mut |part| {
+        if let Expr::Quantity(id) = part {
+            named.push(*id);
+        }
+    });
+    for id in named {
+        if let Some(quantity) = mechanism.quantities.get(id.index()) {
+            queries(mechanism, &quantity.expr, see);
+        }
+    }
+}
+
+/// Whether an equation is of a coordinate or of a component of motion.
+fn is_part(equation: &Equation) -> bool {
+    let name = &equation.left.name;
+    let letter = name.letter.trim_end_matches('′');
+    match letter {
+        "x" | "y" => true,
+        "v" | "a" => name.sub.ends_with(['x', 'y']),
+        _ => false,
+    }
+}

@@ -1,0 +1,71 @@
+//! The table of results: the questions of the file and all reactions, as the solver answers them.
+
+use crate::course::Course;
+use crate::document::{Table, text};
+use crate::words::{Message, phrase};
+use assur_math::math::Vec2;
+use assur_model::model::{Display, FindKind, PairId, PairKind, Value};
+use assur_text::units::{Dimension, significant};
+
+/// Digits of results.
+const DIGITS: usize = 5;
+
+impl Course<'_> {
+    /// The section with the results.
+    pub fn results(&mut self) {
+        let heading = self.words(Message::Results);
+        self.heading(2, heading);
+        let headers = [Message::Quantity, Message::Value, Message::Unit].map(|m| vec![text(self.words(m))]);
+        let mut table = Table { headers: headers.into(), numbers: vec![1], ..Table::default() };
+        let view = self.scene.view();
+        let mechanism = self.scene.mechanism();
+        let mut reactions = false;
+        for (i, find) in mechanism.finds.iter().enumerate() {
+            match &find.kind {
+                FindKind::Value { display, .. } => {
+                    if let Some(value) = view.found(i) {
+                        self.row(&mut table, &find.name, value, display);
+                    }
+                }
+                FindKind::Reactions => reactions = true,
+                FindKind::Table(_) => {}
+            }
+        }
+        if reactions && !self.state().forces.locked {
+            let display = mechanism.display_of(Dimension::FORCE);
+            for (i, pair) in mechanism.pairs.iter().enumerate() {
+                if matches!(pair.kind, PairKind::Transmission(_)) {
+                    continue;
+                }
+                let links = pair.kind.links();
+                let Some((from, others)) = links.split_first() else { continue };
+                for on in others {
+                    let force = view.reaction(PairId::at(i), *on);
+                    let name = format!(
+                        "{}: R_{}{}",
+                        pair.name,
+                        self.scene.link_label(*from),
+                        self.scene.link_label(*on)
+                    );
+                    self.row(&mut table, &name, Value::Vector(force), &display);
+                }
+            }
+        }
+        self.table(table);
+    }
+
+    fn row(&self, table: &mut Table, name: &str, value: Value, display: &Display) {
+        let large = self.scene.greatest.in_unit(display);
+        let clear = |x: f64| if x.abs() <= 1e-11 * large { 0.0 } else { x };
+        let figure = |x: f64| significant(clear(x), DIGITS).replace('-', "−");
+        let written = match value {
+            Value::Scalar(x) => figure(display.of_si(x)),
+            Value::Vector(v) => {
+                let v: Vec2 = display.of_si_vector(v);
+                format!("({}, {}), |…| = {}", figure(v.x), figure(v.y), figure(v.norm()))
+            }
+            Value::Bool(truth) => phrase(self.language, &truth.to_string()),
+        };
+        table.rows.push(vec![vec![text(name)], vec![text(written)], vec![text(&*display.unit)]]);
+    }
+}

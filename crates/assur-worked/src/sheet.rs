@@ -1,0 +1,314 @@
+//! Exercise sheets without answers, and their keys.
+
+use crate::course::{Course, plain};
+use crate::document::{Block, Document, Inline, Line, Table, text};
+use crate::forces::quantity_name;
+use crate::problem::two_abreast;
+use crate::words::{Language, Message, say};
+use crate::worked::{given_rows, without_empty};
+use assur_formula::name_node;
+use assur_model::model::{FindKind, Mechanism, Query, Value};
+use assur_picture::Scene;
+use assur_text::units::significant;
+use std::f64::consts::PI;
+
+/// A table of texts: headers and rows.
+pub type Columns = (Vec<String>, Vec<Vec<String>>);
+
+/// Digits of a key.
+const DIGITS: usize = 4;
+/// Digits of a given value: all that its author writes.
+const GIVEN_DIGITS: usize = 12;
+/// The most positions that a sheet has a line for.
+const MOST_LINES: usize = 37;
+/// Answers next to each other.
+const IN_PART: usize = 6;
+/// A number of a text is an answer where it is as near as this.
+const NEAR: f64 = 6e-3;
+
+/// A question with its unit, and its values at a position in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// What `assur grade` reads it by.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// SI value of one unit.
+    pub factor: f64,
+    /// It is a vector, with two columns.
+    pub vector: bool,
+    /// It is of no position.
+    pub whole: bool,
+    /// Its value in its unit, where there is one.
+    pub value: Option<Value>,
+}
+
+/// A problem as an exercise.
+pub struct Exercise<'a> {
+    /// The problem.
+    pub mechanism: &'a Mechanism,
+    /// The name of its file.
+    pub file: &'a str,
+    /// Its text.
+    pub text: &'a str,
+    /// Its position, where it has one.
+    pub scene: Option<Scene<'a>>,
+    /// The position of the scheme, another one where positions are asked for.
+    pub shown: Option<Scene<'a>>,
+    /// What is asked.
+    pub asked: Vec<Asked>,
+    /// Other numbers that are answers, in the units of the file: expected ones that the file does not give.
+    pub hidden: Vec<f64>,
+    /// The positions that answers are asked at, by name.
+    pub positions: Vec<String>,
+    /// Values that depend on the variant, and what no solution uses.
+    pub varied: &'a dyn Fn(&str) -> bool,
+}
+
+/// The exercise sheet of a problem: statement, scheme, given values, variants, what to find, and an empty table.
+#[must_use]
+pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Columns>) -> Document {
+    let words = |message: Message| plain(&say(language, message, &[]));
+    let remark = |message: Message| Block::Remark(say(language, message, &[]));
+    let heading = |message: Message| Block::Heading(2, words(message));
+    let mut blocks = vec![remark(Message::SheetHead)];
+    let notes = exercise.notes_without();
+    if !notes.is_empty() {
+        blocks.push(Block::Paragraph(vec![text(notes)]));
+    }
+    if let (Some(scene), Some(shown)) = (exercise.scene, exercise.shown) {
+        let scheme = Course::new(shown, language).blank_scheme();
+        if !scheme.is_empty() {
+            blocks.push(Block::Figures(scheme));
+        }
+        if shown.pose.name != scene.pose.name || shown.pose.drives != scene.pose.drives {
+            blocks.push(remark(Message::OtherPose));
+        }
+    }
+    blocks.push(heading(Message::Given));
+    blocks.extend(exercise.given(language));
+    if let Some((headers, rows)) = variants {
+        blocks.push(heading(Message::Variants));
+        blocks.push(Block::Table(table(headers, rows)));
+    }
+    blocks.push(heading(Message::Find));
+    blocks.push(Block::Paragraph(vec![text(exercise.questions())]));
+    blocks.push(heading(Message::Answers));
+    let positions = exercise.positions_without();
+    let several = positions.len() > 1 && positions.len() <= MOST_LINES;
+    let headers = |whole: bool| -> Vec<String> {
+        exercise.asked.iter().filter(|a| !several || a.whole == whole).flat_map(Asked::headers).collect()
+    };
+    let blank = |count: usize| vec![String::from("\u{2003}"); count];
+    if several {
+        let headers = headers(false);
+        let row = |name: &String| [vec![name.clone()], blank(headers.len())].concat();
+        let rows: Vec<Vec<String>> = positions.into_iter().map(row).collect();
+        blocks.extend(in_parts(&[words(Message::Position)], &headers, &rows));
+    }
+    let headers = headers(true);
+    blocks.extend(in_parts(&[], &headers, &[blank(headers.len())]));
+    document(exercise, language, without_empty(blocks))
+}
+
+/// The key of a problem: the answers of every row and position, with four digits. `rows` begin with the name of the row and of the position.
+#[must_use]
+pub fn key(exercise: &Exercise<'_>, language: Language, rows: &[([String; 2], Vec<Asked>)]) -> Document {
+    let mut blocks = vec![Block::Remark(say(language, Message::KeyHead, &[]))];
+    let headers: Vec<String> =
+        rows.first().iter().flat_map(|(_, asked)| asked).flat_map(Asked::headers).collect();
+    let mut positions = rows.iter().map(|(names, _)| &names[1]);
+    let first = positions.next();
+    let lead = if positions.all(|name| Some(name) == first) { 1 } else { 2 };
+    let words = [Message::Variant, Message::Position].map(|m| plain(&say(language, m, &[])));
+    let cells = |(names, asked): &([String; 2], Vec<Asked>)| {
+        names.iter().take(lead).cloned().chain(asked.iter().flat_map(Asked::figures)).collect()
+    };
+    let rows: Vec<Vec<String>> = rows.iter().map(cells).collect();
+    blocks.extend(in_parts(&words[..lead], &headers, &rows));
+    document(exercise, language, blocks)
+}
+
+/// A wide table in parts, each with the columns that name its rows.
+fn in_parts(lead: &[String], headers: &[String], rows: &[Vec<String>]) -> Vec<Block> {
+    let first = lead.len();
+    let part = |from: usize| {
+        let to = (from + IN_PART).min(headers.len());
+        let of = |row: &Vec<String>| {
+            let cells = row.iter().take(first).chain(row.iter().skip(first + from).take(to - from));
+            cells.cloned().collect()
+        };
+        let all = [lead, &headers[from..to]].concat();
+        let numbers = (first..all.len()).collect();
+        Block::Table(Table { numbers, ..table(all, rows.iter().map(of).collect()) })
+    };
+    (0..headers.len()).step_by(IN_PART).map(part).collect()
+}
+
+fn document(exercise: &Exercise<'_>, language: Language, blocks: Vec<Block>) -> Document {
+    let title = &exercise.mechanism.title;
+    let comma = language.letters().comma;
+    let blocks = blocks.into_iter().map(|b| if comma { b.with_commas() } else { b });
+    Document {
+        title: if title.is_empty() { exercise.file.to_owned() } else { title.clone() },
+        language: language.code(),
+        labels: language.labels(),
+        blocks: blocks.collect(),
+    }
+}
+
+fn table(headers: Vec<String>, rows: Vec<Vec<String>>) -> Table {
+    let line = |words: String| -> Line { vec![text(words)] };
+    Table {
+        headers: headers.into_iter().map(line).collect(),
+        rows: rows.into_iter().map(|row| row.into_iter().map(line).collect()).collect(),
+        numbers: Vec::new(),
+    }
+}
+
+/// Whether a file asks where something is.
+#[must_use]
+pub fn asks_for_positions(mechanism: &Mechanism) -> bool {
+    let mut positions = false;
+    for find in &mechanism.finds {
+        if let FindKind::Value { expr, .. } = &find.kind {
+            crate::prune::queries(mechanism, expr, &mut |query| {
+                positions |= matches!(
+                    query,
+                    Query::Position(_) | Query::Angle(_) | Query::Displacement(_) | Query::LinkDirection(_)
+                );
+            });
+        }
+    }
+    positions
+}
+
+impl Asked {
+    /// The numbers of its value.
+    #[must_use]
+    pub fn values(&self) -> Vec<f64> {
+        match self.value {
+            Some(Value::Scalar(x)) => vec![x],
+            Some(Value::Vector(v)) => vec![v.x, v.y],
+            Some(Value::Bool(_)) | None => Vec::new(),
+        }
+    }
+
+    /// The headers of its columns, as `assur grade` reads them.
+    fn headers(&self) -> Vec<String> {
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
+        let parts: &[&str] = if self.vector { &[".x", ".y"] } else { &[""] };
+        parts.iter().map(|part| format!("{}{part}{unit}", self.name)).collect()
+    }
+
+    fn figures(&self) -> Vec<String> {
+        if let Some(Value::Bool(truth)) = self.value {
+            return vec![truth.to_string()];
+        }
+        let values = self.values();
+        if values.iter().any(|x| !x.is_finite()) || values.is_empty() {
+            return vec!["–".to_owned(); 1 + usize::from(self.vector)];
+        }
+        values.iter().map(|x| assur_formula::with_digits(*x, DIGITS).text()).collect()
+    }
+
+    /// Whether a number is one of the answers.
+    fn has(&self, number: f64) -> bool {
+        // the same length in mm and in m, the same angle in degrees and in radians
+        let turn = if matches!(self.unit.as_str(), "deg" | "rad") { 180.0 / PI } else { 1e3 };
+        let telling = significant(number, GIVEN_DIGITS).trim_matches(['0', '.']).len() > 3;
+        let other = |x: f64| telling && (is_within(x * turn, number) || is_within(x / turn, number));
+        let near = |x: f64| is_within(x, number) || other(x);
+        let values = self.values();
+        let size = values.iter().map(|x| x * x).sum::<f64>().sqrt();
+        values.iter().any(|x| near(*x)) || near(size)
+    }
+}
+
+impl Exercise<'_> {
+    /// The text of the problem without the sentences that have an answer in them.
+    fn notes_without(&self) -> String {
+        let notes = self.mechanism.notes.join(" ");
+        let mut kept = Vec::new();
+        for sentence in notes.split_inclusive(". ") {
+            let number = |word: &str| {
+                let word = word.trim_matches(|c: char| !c.is_ascii_digit());
+                word.parse::<f64>().ok().filter(|x| *x != 0.0)
+            };
+            let words = sentence.split(|c: char| c.is_whitespace() || "(),;:=".contains(c));
+            let hidden = |x: f64| self.hidden.iter().any(|h| is_within(*h, x));
+            if !words.filter_map(number).any(|x| hidden(x) || self.asked.iter().any(|a| a.has(x))) {
+                kept.push(sentence.trim());
+            }
+        }
+        kept.join(" ")
+    }
+
+    /// The positions without those whose names are answers: the end of the period that is asked for.
+    fn positions_without(&self) -> Vec<&String> {
+        let is = |value: f64, name: &str| name.parse().is_ok_and(|x: f64| x != 0.0 && is_near(x, value));
+        let is_answer = |name: &str| self.asked.iter().any(|a| a.values().iter().any(|x| is(*x, name)));
+        let moves = self.mechanism.simulation.is_some();
+        self.positions.iter().filter(|name| !(moves && is_answer(name))).collect()
+    }
+
+    /// The given values: those that the solution uses, then those that the file names besides.
+    fn given(&self, language: Language) -> Vec<Block> {
+        let is_answer = |x: f64| self.is_answer(x);
+        let mut shown = Vec::new();
+        let mut rows =
+            self.scene.map_or_else(Vec::new, |scene| given_rows(scene, language, &is_answer, &mut shown));
+        for value in self.mechanism.values.iter().filter(|v| v.given && !(self.varied)(&v.name)) {
+            let Value::Scalar(x) = value.value else { continue };
+            let in_degrees = x.to_degrees();
+            if shown.iter().any(|s| is_near(*s, x) || is_near(*s, in_degrees)) {
+                continue;
+            }
+            let figures = significant(value.display.of_si(x), GIVEN_DIGITS).replace('-', "−");
+            let name = vec![Inline::Math(name_node(&quantity_name(&value.name)))];
+            rows.push([name, vec![text(format!("{figures}{}", printed_unit(&value.display.unit)))]]);
+        }
+        let headers = [Message::Given, Message::Value].map(|m| say(language, m, &[]));
+        two_abreast(headers, rows).into_iter().map(Block::Table).collect()
+    }
+
+    /// Whether a given value, in the units of equations, is an answer: a drive at a dead position, the torque of a brake.
+    fn is_answer(&self, value: f64) -> bool {
+        let near = |a: f64, b: f64| is_near(a.abs(), b.abs());
+        let named = self.mechanism.values.iter().filter(|v| v.given).any(|v| match v.value {
+            Value::Scalar(x) => near(x, value) || near(x.to_degrees(), value),
+            _ => false,
+        });
+        let is = |asked: &Asked, x: f64| {
+            near(x, value) || near(x * asked.factor, value) || near((x * asked.factor).to_degrees(), value)
+        };
+        !named && self.asked.iter().any(|a| a.values().iter().any(|x| is(a, *x)))
+    }
+
+    /// The questions as the file has them.
+    fn questions(&self) -> String {
+        let words = self.mechanism.finds.iter().map(|find| {
+            let written = self.text.get(find.span.start..find.span.end).unwrap_or(&find.name);
+            written.split_whitespace().collect::<Vec<_>>().join(" ")
+        });
+        words.collect::<Vec<_>>().join("; ")
+    }
+}
+
+/// A unit as it is printed.
+fn printed_unit(unit: &str) -> String {
+    match unit {
+        "" => String::new(),
+        "deg" => "°".to_owned(),
+        unit => format!(" {}", unit.replace('*', "·").replace("^2", "²").replace("^3", "³")),
+    }
+}
+
+/// Whether a number of a text is a value as it may be rounded.
+fn is_within(value: f64, number: f64) -> bool {
+    value != 0.0 && (value.abs() - number.abs()).abs() <= NEAR * value.abs()
+}
+
+fn is_near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs()
+}

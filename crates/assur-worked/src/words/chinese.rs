@@ -1,0 +1,254 @@
+//! Chinese.
+
+use super::Message;
+use crate::document::Labels;
+
+pub(super) const LABELS: Labels =
+    Labels { contents: "目录", figure: "图", rows: ["方程", "大小", "方向"] };
+
+#[allow(clippy::too_many_lines, reason = "a table: one line per message")]
+pub(super) const fn template(message: Message) -> &'static str {
+    match message {
+        Message::Structure => "结构分析",
+        Message::Positions => "位置分析",
+        Message::Velocities => "速度分析",
+        Message::Accelerations => "加速度分析",
+        Message::Inertia => "载荷与惯性力",
+        Message::Reactions => "运动副反力",
+        Message::Check => "校核",
+        Message::Results => "结果",
+        Message::Given => "已知",
+        Message::Value => "数值",
+        Message::Quantity => "物理量",
+        Message::Unit => "单位",
+        Message::Pair => "运动副",
+        Message::Links => "构件",
+        Message::Kind => "类型",
+        Message::Class => "级别",
+        Message::Group => "杆组",
+        Message::OuterPairs => "外副",
+        Message::InnerPairs => "内副",
+        Message::Revolute => "转动副",
+        Message::Prismatic => "移动副",
+        Message::Slot => "销槽副",
+        Message::Contact => "接触副",
+        Message::Cylinder => "液压缸",
+        Message::Transmission => "传动",
+        Message::Lower => "低副",
+        Message::Higher => "高副",
+        Message::Driven => "原动件",
+        Message::Train => "轮系",
+        Message::Triad => "三杆组",
+        Message::General => "一般杆组",
+        Message::DrivenLegs => "带驱动的二级杆组",
+        Message::Between => "两导路间的构件",
+        Message::SchemeAt => "机构运动简图{0}",
+        Message::VelocityPlan => "速度多边形",
+        Message::AccelerationPlan => "加速度多边形",
+        Message::Freed => "隔离体：{0}",
+        Message::Polygon => "力多边形：{0}",
+        Message::Lever => "茹可夫斯基杠杆：速度多边形转过 90°，各力作用于其相应点",
+        Message::Conventions => "方程中的数值以 m、kg、s、N 和度为单位，逆时针为正。",
+        Message::MobilityIs => "机构自由度（n 为活动构件数，其后为低副数和高副数）：",
+        Message::Replaced => "高副低代：每个高副用一个构件和两个低副代替：{0}。",
+        Message::Passive => "自身转动不影响运动的构件（局部自由度）：{0}。",
+        Message::Formula => "结构式：{0}。机构为 {1} 级。运动按此顺序求解，力按相反顺序求解。",
+        Message::ForceOrder => "原动件与平衡力不在同一构件上，力的求解顺序为 {0}。",
+        Message::GroupOf => "杆组 {0}",
+        Message::LinkOf => "构件 {0}",
+        Message::DrivenAngle => "由驱动给定 {0}。",
+        Message::DrivenRate => "由驱动给定 {0}。",
+        Message::Uniform => "原动件匀速转动：{0} = 0。",
+        Message::Triangle => "三角形 {0} 的三边已知：",
+        Message::LeftOf => "{0} 位于由 {1} 到 {2} 的连线左侧：",
+        Message::RightOf => "{0} 位于由 {1} 到 {2} 的连线右侧：",
+        Message::Projected => "向 {0} 投影：",
+        Message::OnGuide => "{0} 在导路上，由此得构件的方向：",
+        Message::AcrossGuide => "垂直于导路投影：",
+        Message::AlongGuide => "沿导路投影：",
+        Message::Slotted => "{0} 的导路与 {1} 的距离已知：",
+        Message::TwoGuides => "{0} 为沿两导路的轨迹的交点：",
+        Message::TwoSlides => "两个叠置的滑块确定 {0} 的位置：",
+        Message::BetweenGuides => "构件 {0} 沿两导路滑动，相对导路不转动。",
+        Message::Guide => "导路",
+        Message::Found => "已求得",
+        Message::TurnsCounterClockwise => "构件 {0} 逆时针转动（{1} > 0）。",
+        Message::TurnsClockwise => "构件 {0} 顺时针转动（{1} < 0）。",
+        Message::DoesNotTurn => "构件 {0} 在此瞬时不转动。",
+        Message::MotionStated => "本杆组（{0}）各构件同时封闭，不能逐个求出。求解器得到的位置：",
+        Message::ForcesStated => "本版本只给出该杆组（{0}）的力的结果，不作推导：",
+        Message::NotAccurateHere => "该解析式在此位置失去精度，直接给出求解器的值：",
+        Message::InertiaArm => "惯性力与惯性力偶合成为一个力 {0}，它到 {1} 的距离为：",
+        Message::RestOfLoads => "构件 {0} 上的其他载荷合成到其坐标原点，直接给出：",
+        Message::Determinate => "该杆组的平衡方程数等于未知反力数。已知力为其载荷、惯性力和先前求得的反力。",
+        Message::TwoForces => "构件 {0} 不受载荷，为二力杆，故 {1} 沿 {2}。",
+        Message::MomentsOfLink => "构件 {0}，对 {1} 取矩：",
+        Message::PolygonCloses => "作用于杆组的所有力之和为零：",
+        Message::InnerPair => "内副 {0} 的反力，由构件 {1} 的平衡求得：",
+        Message::SumAlongGuide => "沿导路的力的平衡：",
+        Message::SumAcrossGuide => "垂直于导路的力的平衡：",
+        Message::SumOfLink => "构件 {0} 的力的平衡：",
+        Message::ThroughPoint => "该构件的其他力都通过 {0}，故 {1} 也通过该点。",
+        Message::CoupleOfGuide => "对 {0} 取矩得导路的反力偶 {1}：",
+        Message::EachAlongGuide => "各滑块沿自身导路的平衡给出 {0} 处的力：",
+        Message::CouplesOpen => "两导路如何分担力偶不能确定，其法向力为：",
+        Message::BalanceTurn => "构件 {0}：对 {1} 取矩求得 {2}。",
+        Message::BalanceShift => "构件 {0}：沿导路的平衡求得 {1}。",
+        Message::ForceAlongLine => "{0} 为正：沿规定的方向作用。",
+        Message::ForceAgainstLine => "{0} 为负：与规定的方向相反。",
+        Message::ActsCounterClockwise => "{0} 为正：逆时针作用。",
+        Message::ActsClockwise => "{0} 为负：顺时针作用。",
+        Message::VirtualPower => "所有载荷、惯性力和平衡力的功率之和为零；此式没有用到上面的任何平衡方程：",
+        Message::PowerOpen => "此处推导的各项不是功率的全部项，求解器的残差见下。",
+        Message::Residuals => {
+            "求解器独立方程的残差（相对于最大项）：封闭 {0}，平衡 {1}，功率 {2}。杆组条件数的最小值为 {3}（1 最好）。"
+        }
+        Message::FrictionFirst => "将这些摩擦值作为已知载荷，平衡方程为线性：",
+        Message::FrictionLaws => "把求得的反力代入摩擦定律，得到相同的摩擦：",
+        Message::PairStill => "运动副 {0} 中没有相对滑动，无摩擦。",
+        Message::PairHeld => "摩擦使运动副 {0} 保持静止：{1} 与各加速度一起求出，使其两构件没有相对运动。",
+        Message::SweepStated => "这里详细求解一个位置；其余位置见文末的表格和曲线。",
+        Message::TrainPlaces => "轮和轴按传动关系转动；需要时直接给出其转角。",
+        Message::LawsOfTrain => {
+            "每个传动是转速之间的一个线性关系。相对于行星架，啮合的两轮按齿数转动（威利斯公式）。"
+        }
+        Message::LawsTogether => "其余关系联立求解。其未知量如下，各关系代入这些值（ε 为余量）：",
+        Message::Eliminated => "传动 {0} 消去 {1} 后求得 {2}：",
+        Message::LawOf => "传动 {0} 求得 {1}：",
+        Message::TrainForces => "各轮和轴对其轴线、各滑块沿其导路的平衡，以各传动在轮半径处的力表示：",
+        Message::MemberGives => "由 {0} 求得 {1}：",
+        Message::MembersGive => "由 {0} 联立，消去 {1}，求得 {2}：",
+        Message::SheetHead => "姓名 ______________________   班级 ________   题号 ____",
+        Message::OtherPose => "题目要求位置，故简图画在另一位置。",
+        Message::Variants => "数据方案",
+        Message::Variant => "方案",
+        Message::Find => "求",
+        Message::Answers => "答案",
+        Message::KeyHead => {
+            "答案，取四位有效数字。`assur grade` 允许答案偏离其值的 3 %，矢量的分量允许偏离矢量大小的 3 %。逆时针、向右、向上为正。"
+        }
+        Message::Position => "位置",
+        Message::TogetherForces => "各方程代入这些值（余量）：",
+        Message::EquilibriumOf => "构件 {0}：",
+        Message::Closes => "杆组的每个铰链代入这些值后封闭（Δ 为余量）：",
+        Message::AskedFor => "题目所求的点：",
+        Message::NoForces => "题目没有要求力，或力不能确定。",
+        Message::SeeScheme => "点和方向见 {0}。",
+        Message::SeePlan => "{0} 按比例画出本节的矢量。",
+        Message::SeeFreed => "隔离体及其受力见 {0}。",
+        Message::SeePolygon => "按比例画出，此式即 {0} 中的封闭力多边形。",
+        Message::SeeLever => "{0} 用转过的速度多边形对极点的力矩表示同一平衡。",
+        Message::Rates => "驱动没有给出速度，不作速度分析。",
+        // friction: iteration, losses
+        Message::FrictionDirect => "该运动副中的压力只取决于载荷，与其摩擦无关。摩擦的方向：",
+        Message::FrictionSenses => "本杆组各运动副中的摩擦与相对运动方向相反：",
+        Message::PairMovesPositive => {
+            "运动副 {0}：构件 {1} 相对构件 {2} 的 {3} > 0，因此作用在构件 {1} 上的 {4} 为负。"
+        }
+        Message::PairMovesNegative => {
+            "运动副 {0}：构件 {1} 相对构件 {2} 的 {3} < 0，因此作用在构件 {1} 上的 {4} 为正。"
+        }
+        Message::FrictionSteps => {
+            "第 0 步为无摩擦时的约束反力。以后每一步令各力的作用线平行于上一步的作用线并与摩擦圆相切（移动副取受压一侧），平衡方程成为线性，重新求出反力。最后一列为反力的最大变化与最大反力之比："
+        }
+        Message::FrictionSearched => {
+            "单个杆组的迭代得不到可能的运动；于是对所有运动副的受压侧组合联立求解，下面是所得的解。"
+        }
+        Message::Step => "步",
+        Message::Change => "变化",
+        Message::Losses => "损失与效率",
+        Message::PairsLose => "每个运动副损失其摩擦的功率：",
+        Message::WithoutFriction => "无摩擦时（下标 0），同样的载荷需要：",
+        Message::EffortsDrive => "平衡力（矩）为驱动力：效率为无摩擦功率与有摩擦功率之比。",
+        Message::EffortsResist => "平衡力（矩）为阻力：效率为有摩擦功率与无摩擦功率之比。",
+        Message::NotLocked => "η > 0：机构能沿此方向运动，不自锁。",
+        Message::LocksItself => "η ≤ 0：仅靠载荷机构不能沿此方向运动（自锁），须由外力帮助。",
+        Message::OnlyFriction => "无摩擦时无需外力：外力只用来克服摩擦，效率为 0。",
+        Message::LocksFrom => "自锁的临界值：{0} = {1}。",
+        Message::Locked => {
+            "在此摩擦下任何有限的力都不能使机构运动：平衡与摩擦定律对此运动方向无解。机构自锁，效率为 0。"
+        }
+        // loads
+        Message::LoadHere => "题目给出 {0} = {1}。在此位置：",
+        // guides
+        Message::CoupleOnFirst => {
+            "全部力偶计入第一导路，两法向力均过 {0}：法向力与此无关，导路的力偶则取决于此。"
+        }
+        // groups as a whole
+        Message::EquationsTogether => {
+            "本杆组各构件共有 {0} 个平衡方程、{1} 个未知量，联立求解。每行为一个方程：各未知量的系数，右端为已知项："
+        }
+        Message::SolutionIs => "解为：",
+        // rates of groups as a whole
+        Message::RatesTogether => {
+            "本杆组各转动副同时封闭，得 {0} 个线性方程。每行为一个方程：各未知量的系数，右端为已知项："
+        }
+        // trains
+        Message::PowerFlows => "功率经 {0} 由 {1} 传至 {2}：{1} 侧的力只有 {3} 倍传到 {2}。",
+        Message::TeethPress => "{0} 的轮齿还按压力角产生径向力：",
+        Message::BearingsOf => "轴承承受其轮上所有力之和：",
+        Message::TrainPowers => "各传动从主动侧取得的功率（相对系杆）及其损失：",
+        // Willis
+        Message::CarrierLocked => "系杆固定",
+        Message::CarrierTurns => "随系杆转动",
+        Message::SumOfBoth => "合计",
+        Message::WillisParts => "系杆 {0} 上各轮的转速与 {1} 之比（精确分数）：",
+        Message::WillisSpeeds => "系杆 {0} 上各轮的转速（rad/s）：",
+        // cycle, flywheels, cams, gears
+        Message::CycleOf => "极限位置：{0}",
+        Message::ExtremesOf => "{0} 的速度过零处为极限位置，此时主动件位于 φ_1（最小）和 φ_2（最大）：",
+        Message::TimesOf => "较长转角与较短转角之比为行程速比系数；θ 为极位夹角：",
+        Message::FlywheelOf => "飞轮 {0}（装在 {1} 上）",
+        Message::FlywheelTable => {
+            "以另一侧的平均力矩 M_m = {0} 为准，轴上力矩 M 所作的盈亏功 W（自第一位置起）："
+        }
+        Message::FlywheelExtremes => "在 M 等于平均值处，功在 {0}° 最小，在 {1}° 最大：",
+        Message::FlywheelInertia => "保证运转不均匀系数 δ 所需的转动惯量：",
+        Message::FlywheelRim => "轮缘，质量集中于直径 D，高为宽的 c 倍：",
+        Message::CamOf => "凸轮 {0}",
+        Message::CamStages => {
+            "各阶段的运动规律；φ 自阶段起点计，Φ 为阶段转角，h 为升程变化，s′ 为对凸轮转角的导数。各阶段取四分之一处（下标 25），两段公式者另取四分之三处："
+        }
+        Message::CamDwell => "{0}：停歇。",
+        Message::CamOther => "{0}：无简短公式的规律，数值见表。",
+        Message::CamRise => "{0}：推程，{1}：",
+        Message::CamFall => "{0}：回程，{1}：",
+        Message::LawUniform => "等速运动",
+        Message::LawParabolic => "等加速等减速运动",
+        Message::LawHarmonic => "简谐运动",
+        Message::LawCycloidal => "摆线运动",
+        Message::LawPoly345 => "3-4-5 次多项式",
+        Message::CamStart => "从动件在基圆上的位置：",
+        Message::CamPressure => "压力角在凸轮转角 {0}° 处最大；该处（下标 α）：",
+        Message::CamCurvature => "理论廓线在 {0}° 处曲率半径最小：",
+        Message::GearsOf => "齿轮副 {0}",
+        Message::InvoluteSolved => "由此渐开线函数得角：",
+        // sizes
+        Message::Sizes => "尺寸",
+        Message::SizesOf => "由给定值求得：",
+        // cams in motion
+        Message::CamTurned => {
+            "凸轮 {0} 自其 x 轴指向从动件起已转过 {1}；运动规律给出升程 {2} 及其对凸轮转角的导数（′、″）："
+        }
+        // motions under loads
+        Message::Run => "载荷作用下的运动",
+        Message::EnergyHere => "此刻的动能 Σ ½ m v² + ½ J ω²：",
+        Message::Reduced => {
+            "等效到自由坐标（下标 r）：等效质量（惯量）具有全部动能，等效力（矩）具有全部载荷的功率："
+        }
+        Message::ReducedMotion => {
+            "等效力（矩）使等效质量（惯量）加速；余下部分（下标 Δ）为等效质量（惯量）沿坐标变化率之半乘以速度平方："
+        }
+        Message::EnergyOfRun => "整个过程动能的变化等于全部载荷、重力和弹簧所作的功 W（Δ 为余量）：",
+        Message::EventsOfRun => "过程中的事件：",
+        Message::Event => "事件",
+        Message::Instants => "时刻，s",
+        Message::ByEnergy => "能量积分法",
+        Message::RunMethod => "运动方程用 {0} 积分，共 {1} 步（求值 {2} 次）；估计误差为同类最大值的 {3}。",
+        // powers
+        Message::Powers => "功率",
+        // cylinders
+        Message::CylinderLength => "主动件给出液压缸两铰链间的长度 {0}。",
+        Message::LoadRests => "{0} 在此位置不起作用。",
+    }
+}

@@ -1,0 +1,312 @@
+//! English.
+
+use super::Message;
+use crate::document::Labels;
+
+pub(super) const LABELS: Labels =
+    Labels { contents: "Contents", figure: "Figure", rows: ["Equation", "Magnitude", "Direction"] };
+
+#[allow(clippy::too_many_lines, reason = "a table: one line per message")]
+pub(super) const fn template(message: Message) -> &'static str {
+    match message {
+        Message::Structure => "Structure",
+        Message::Positions => "Positions",
+        Message::Velocities => "Velocities",
+        Message::Accelerations => "Accelerations",
+        Message::Inertia => "Loads and inertia forces",
+        Message::Reactions => "Reactions",
+        Message::Check => "Check",
+        Message::Results => "Results",
+        Message::Given => "Given",
+        Message::Value => "Value",
+        Message::Quantity => "Quantity",
+        Message::Unit => "Unit",
+        Message::Pair => "Pair",
+        Message::Links => "Links",
+        Message::Kind => "Kind",
+        Message::Class => "Class",
+        Message::Group => "Group",
+        Message::OuterPairs => "Outer pairs",
+        Message::InnerPairs => "Inner pairs",
+        Message::Revolute => "revolute",
+        Message::Prismatic => "prismatic",
+        Message::Slot => "pin in slot",
+        Message::Contact => "contact",
+        Message::Cylinder => "cylinder",
+        Message::Transmission => "transmission",
+        Message::Lower => "lower",
+        Message::Higher => "higher",
+        Message::Driven => "driven link",
+        Message::Train => "train",
+        Message::Triad => "triad",
+        Message::General => "general group",
+        Message::DrivenLegs => "dyad with a driven link",
+        Message::Between => "link between two guides",
+        Message::SchemeAt => "Kinematic scheme{0}",
+        Message::VelocityPlan => "Velocity plan",
+        Message::AccelerationPlan => "Acceleration plan",
+        Message::Freed => "Free body: {0}",
+        Message::Polygon => "Polygon of forces: {0}",
+        Message::Lever => "Zhukovsky’s lever: the velocity plan turned by 90° with all forces at its points",
+        Message::Conventions => {
+            "In the equations numbers are in m, kg, s, N and degrees. Counter-clockwise is positive."
+        }
+        Message::MobilityIs => "Mobility, with n moving links, lower pairs and higher pairs:",
+        Message::Replaced => "Higher pairs are replaced by a link with two lower pairs: {0}.",
+        Message::Passive => "Links whose own rotation changes nothing: {0}.",
+        Message::Formula => {
+            "Formula of structure: {0}. The mechanism is of class {1}. Motion is found in this order, forces in the reverse order."
+        }
+        Message::ForceOrder => {
+            "Forces are found in the order {0}, because drive and balance are on different links."
+        }
+        Message::GroupOf => "Group {0}",
+        Message::LinkOf => "Link {0}",
+        Message::DrivenAngle => "The drive gives {0}.",
+        Message::DrivenRate => "The drive gives {0}.",
+        Message::Uniform => "The drive turns uniformly: {0} = 0.",
+        Message::Triangle => "The triangle {0} has three known sides:",
+        Message::LeftOf => "{0} is to the left of the line from {1} to {2}:",
+        Message::RightOf => "{0} is to the right of the line from {1} to {2}:",
+        Message::Projected => "Projection on {0}:",
+        Message::OnGuide => "{0} is on its guide, which gives the direction of the link:",
+        Message::AcrossGuide => "Projection across the guide:",
+        Message::AlongGuide => "Projection along the guide:",
+        Message::Slotted => "The guide of {0} passes at a known distance from {1}:",
+        Message::TwoGuides => "{0} is where the paths along two guides meet:",
+        Message::TwoSlides => "Two sliders, one on the other, give the place of {0}:",
+        Message::BetweenGuides => "Link {0} slides on two guides and does not turn against them.",
+        Message::Guide => "guide",
+        Message::Found => "found",
+        Message::TurnsCounterClockwise => "Link {0} turns counter-clockwise ({1} > 0).",
+        Message::TurnsClockwise => "Link {0} turns clockwise ({1} < 0).",
+        Message::DoesNotTurn => "Link {0} does not turn at this instant.",
+        Message::MotionStated => {
+            "The links of this group ({0}) close together and not one after another. Their positions as the solver found them:"
+        }
+        Message::ForcesStated => "The forces of this group ({0}) are stated, not derived, in this version:",
+        Message::NotAccurateHere => {
+            "The closed form loses its digits at this position; the value of the solver:"
+        }
+        Message::InertiaArm => {
+            "The force and the couple together are one force {0} at this distance from {1}:"
+        }
+        Message::RestOfLoads => {
+            "Other loads on link {0} are stated as their resultant at the origin of its frame:"
+        }
+        Message::Determinate => {
+            "The group has as many equations of equilibrium as unknown reactions. Known forces are its loads, its inertia forces and the reactions found before."
+        }
+        Message::TwoForces => "Link {0} carries no load: a two-force link, so {1} lies along {2}.",
+        Message::MomentsOfLink => "Link {0}, moments about {1}:",
+        Message::PolygonCloses => "The sum of all forces on the group is zero:",
+        Message::InnerPair => "The reaction in the inner pair {0}, from link {1} alone:",
+        Message::SumAlongGuide => "Sum of forces along the guide:",
+        Message::SumAcrossGuide => "Sum of forces across the guide:",
+        Message::SumOfLink => "Sum of forces on link {0}:",
+        Message::ThroughPoint => "All other forces on the link pass through {0}, so {1} does too.",
+        Message::CoupleOfGuide => "Moments about {0} give the couple {1} of the guide:",
+        Message::EachAlongGuide => "Each slider along its own guide gives the force in {0}:",
+        Message::CouplesOpen => {
+            "How the two guides share the couple is not determined; their normal forces are:"
+        }
+        Message::BalanceTurn => "Link {0}: moments about {1} give {2}.",
+        Message::BalanceShift => "Link {0}: forces along the guide give {1}.",
+        Message::ForceAlongLine => "{0} is positive: it acts in its declared direction.",
+        Message::ForceAgainstLine => "{0} is negative: it acts against its declared direction.",
+        Message::ActsCounterClockwise => "{0} is positive: it acts counter-clockwise.",
+        Message::ActsClockwise => "{0} is negative: it acts clockwise.",
+        Message::VirtualPower => {
+            "The power of all loads, inertia forces and efforts adds up to zero; none of the equilibrium equations above was used for this:"
+        }
+        Message::PowerOpen => {
+            "The terms derived here are not all terms of the power; the residual of the solver is below."
+        }
+        Message::Residuals => {
+            "Residuals of the solver’s own independent equations, relative to the largest terms: closure {0}, equilibrium {1}, power {2}. The least condition of a group is {3} (1 is best)."
+        }
+        Message::FrictionFirst => "With these values friction is a known load, and equilibrium is linear:",
+        Message::FrictionLaws => "The law of friction with the reactions found gives the same friction:",
+        Message::PairStill => "Nothing slides in pair {0}: no friction.",
+        Message::PairHeld => {
+            "Friction holds pair {0}: {1} is found with the accelerations, so that its links do not move against each other."
+        }
+        Message::SweepStated => {
+            "One position is worked out in full here; all others are in the tables and plots at the end."
+        }
+        Message::TrainPlaces => {
+            "Wheels and shafts turn by the laws of their transmissions; their angles are stated where they are needed."
+        }
+        Message::LawsOfTrain => {
+            "Each transmission is one linear law between rates. Seen from the carrier the wheels of a mesh turn as the numbers of their teeth (Willis)."
+        }
+        Message::LawsTogether => {
+            "The other laws are solved together. Their unknowns, and each law with these values (ε is what is left):"
+        }
+        Message::Eliminated => "Transmissions {0}, with {1} eliminated, give {2}:",
+        Message::LawOf => "Transmission {0} gives {1}:",
+        Message::TrainForces => {
+            "Equilibrium of every wheel and shaft about its axis, and of every slider along its guide, in the forces of the transmissions at the radii of the wheels:"
+        }
+        Message::MemberGives => "{0} gives {1}:",
+        Message::MembersGive => "{0} together, with {1} eliminated, give {2}:",
+        Message::SheetHead => "Name ______________________   Group ________   Variant ____",
+        Message::OtherPose => "The scheme is drawn at another position, because positions are asked for.",
+        Message::Variants => "Variants",
+        Message::Variant => "Variant",
+        Message::Find => "Find",
+        Message::Answers => "Answers",
+        Message::KeyHead => {
+            "Key, to four digits. `assur grade` counts an answer as right within 3 % of its value, a component within 3 % of the magnitude of its vector. Counter-clockwise, to the right and upwards are positive."
+        }
+        Message::Position => "Position",
+        Message::TogetherForces => "Every equation with these values (what is left of it):",
+        Message::EquilibriumOf => "Link {0}:",
+        Message::Closes => "Every hinge of the group closes with these values (Δ is what is left):",
+        Message::AskedFor => "Points that the file asks for:",
+        Message::NoForces => "The file asks for no forces, or none are determined.",
+        Message::SeeScheme => "Points and directions are those of {0}.",
+        Message::SeePlan => "{0} shows the vectors of this section to scale.",
+        Message::SeeFreed => "{0} shows the freed links and what acts on them.",
+        Message::SeePolygon => "Drawn to scale this sum is the closed polygon of {0}.",
+        Message::SeeLever => {
+            "{0} shows the same balance as moments about the pole of the turned velocity plan."
+        }
+        Message::Rates => "No drive has a speed: velocities are not worked out.",
+        // friction: iteration, losses
+        Message::FrictionDirect => {
+            "What presses in this pair depends on the loads alone, and not on its friction. The sense of the friction:"
+        }
+        Message::FrictionSenses => "Friction in the pairs of this group opposes the relative motion:",
+        Message::PairMovesPositive => {
+            "Pair {0}: link {1} moves against link {2} with {3} > 0; so {4} on link {1} is negative."
+        }
+        Message::PairMovesNegative => {
+            "Pair {0}: link {1} moves against link {2} with {3} < 0; so {4} on link {1} is positive."
+        }
+        Message::FrictionSteps => {
+            "Step 0 has the reactions without friction. Every other step takes the lines of action parallel to the last ones and tangent to the friction circles (in guides the side that presses), so that equilibrium is linear, and finds the reactions anew. The last column is the greatest change of a reaction over the greatest reaction:"
+        }
+        Message::FrictionSearched => {
+            "This iteration of one group leads to no motion. The laws of all pairs were then solved together for every combination of pressing sides; the values below are those of the solution found."
+        }
+        Message::Step => "Step",
+        Message::Change => "Change",
+        Message::Losses => "Losses and efficiency",
+        Message::PairsLose => "Every pair loses the power of its friction:",
+        Message::WithoutFriction => "Without friction (index 0) the same loads need:",
+        Message::EffortsDrive => {
+            "The efforts drive: the efficiency is their power without friction over that with it."
+        }
+        Message::EffortsResist => {
+            "The efforts resist: the efficiency is their power with friction over that without it."
+        }
+        Message::NotLocked => "η > 0: the mechanism moves in this sense and does not lock.",
+        Message::LocksItself => {
+            "η ≤ 0: the loads alone cannot move the mechanism in this sense (self-locking); the efforts must help."
+        }
+        Message::OnlyFriction => {
+            "Without friction the efforts would have nothing to do: they overcome friction alone, and the efficiency is 0."
+        }
+        Message::LocksFrom => "Locking begins, or ends, at {0} = {1}.",
+        Message::Locked => {
+            "With this friction no finite effort moves the mechanism: the laws of friction and equilibrium have no solution with the senses of this motion. It is locked, and its efficiency is 0."
+        }
+        // loads
+        Message::LoadHere => "The file gives {0} = {1}. At this position:",
+        // guides
+        Message::CoupleOnFirst => {
+            "The whole couple is put on the first guide, and both normal forces through {0}: normal forces do not depend on this, couples of guides do."
+        }
+        // groups as a whole
+        Message::EquationsTogether => {
+            "The links of this group have {0} equations of equilibrium for {1} unknowns, which are solved together. Each row is one equation: the coefficients of the unknowns, and on the right side what is known:"
+        }
+        Message::SolutionIs => "Their solution:",
+        // rates of groups as a whole
+        Message::RatesTogether => {
+            "The hinges of this group close together: {0} linear equations. Each row is one equation: the coefficients of the unknowns, and on the right side what is known:"
+        }
+        // trains
+        Message::PowerFlows => {
+            "Power flows through {0} from {1} to {2}: of the force on the side of {1} the part {3} gets to {2}."
+        }
+        Message::TeethPress => "The teeth of {0} also press the wheels apart, by the pressure angle:",
+        Message::BearingsOf => "The bearings take the sum of all forces on their wheels:",
+        Message::TrainPowers => {
+            "Power that every transmission takes from the side that drives it, seen from its carrier, and what is lost of it:"
+        }
+        // Willis
+        Message::CarrierLocked => "carrier locked",
+        Message::CarrierTurns => "turn with the carrier",
+        Message::SumOfBoth => "sum",
+        Message::WillisParts => "All wheels on the carrier {0}, as exact parts of {1}:",
+        Message::WillisSpeeds => "All wheels on the carrier {0}, in rad/s:",
+        // cycle, flywheels, cams, gears
+        Message::CycleOf => "Extreme positions: {0}",
+        Message::ExtremesOf => {
+            "{0} is at its ends where its velocity passes through zero; the drive is then at φ_1 (least) and φ_2 (greatest):"
+        }
+        Message::TimesOf => {
+            "The longer way over the shorter is the ratio of the times; θ is the angle between the two extreme positions:"
+        }
+        Message::FlywheelOf => "Flywheel {0} on {1}",
+        Message::FlywheelTable => {
+            "Against the mean torque M_m = {0} of the other side the torque M on the shaft does the work W, counted from the first position:"
+        }
+        Message::FlywheelExtremes => {
+            "Between the positions, where M passes through its mean, the work is least at {0}° and greatest at {1}°:"
+        }
+        Message::FlywheelInertia => "The moment of inertia that keeps the fluctuation of speed δ:",
+        Message::FlywheelRim => "The rim, its mass on the diameter D, its height c times its width:",
+        Message::CamOf => "Cam {0}",
+        Message::CamStages => {
+            "The law by stages; φ is counted from the begin of a stage, Φ is its angle, h its change of the lift, s′ the derivative by the cam angle. In every stage at a quarter (index 25) of it, and for two formulas at three quarters:"
+        }
+        Message::CamDwell => "{0}: dwell.",
+        Message::CamOther => "{0}: a law without a short formula; its values are in the table.",
+        Message::CamRise => "{0}: rise, {1}:",
+        Message::CamFall => "{0}: fall, {1}:",
+        Message::LawUniform => "constant velocity",
+        Message::LawParabolic => "constant acceleration and deceleration",
+        Message::LawHarmonic => "simple harmonic motion",
+        Message::LawCycloidal => "cycloidal motion",
+        Message::LawPoly345 => "polynomial 3-4-5",
+        Message::CamStart => "On the base circle the follower is at:",
+        Message::CamPressure => "The pressure angle is greatest at {0}° of the cam; there (index α):",
+        Message::CamCurvature => "The pitch curve is sharpest at {0}°:",
+        Message::GearsOf => "Gears of {0}",
+        Message::InvoluteSolved => "The angle with this involute (inv α = tan α − α):",
+        // sizes
+        Message::Sizes => "Sizes",
+        Message::SizesOf => "What the file works out from its given values:",
+        // cams in motion
+        Message::CamTurned => {
+            "Cam {0} has turned by {1} from where its x axis points to the follower; its law there gives the lift {2}, and its derivatives by the cam angle (′, ″):"
+        }
+        // motions under loads
+        Message::Run => "Motion under the loads",
+        Message::EnergyHere => "The kinetic energy at this instant, Σ ½ m v² + ½ J ω²:",
+        Message::Reduced => {
+            "Reduced to the free coordinate (index r): all masses have the kinetic energy of the reduced one, all loads the power of the reduced one:"
+        }
+        Message::ReducedMotion => {
+            "The reduced load accelerates the reduced mass; what is left of it (index Δ) is half the change of the reduced mass along the coordinate times the square of its rate:"
+        }
+        Message::EnergyOfRun => {
+            "Over the whole run the kinetic energy changes by the work W of all loads, weights and springs (Δ is what is left):"
+        }
+        Message::EventsOfRun => "Events of the run:",
+        Message::Event => "Event",
+        Message::Instants => "Instants, s",
+        Message::ByEnergy => "energy and quadrature",
+        Message::RunMethod => {
+            "The equations of motion were integrated by {0} in {1} steps ({2} evaluations); the estimated error is {3} of the greatest value of its kind."
+        }
+        // powers
+        Message::Powers => "Powers",
+        // cylinders
+        Message::CylinderLength => "The drive gives the length of the cylinder between its hinges, {0}.",
+        Message::LoadRests => "{0} does not act at this position.",
+    }
+}

@@ -1,0 +1,414 @@
+//! The messages: every sentence and heading of a worked solution.
+
+/// A message; its parts are numbered in the sentences of the languages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Message {
+    /// Heading: structure.
+    Structure,
+    /// Heading: positions.
+    Positions,
+    /// Heading: velocities.
+    Velocities,
+    /// Heading: accelerations.
+    Accelerations,
+    /// Heading: inertia forces and loads.
+    Inertia,
+    /// Heading: reactions.
+    Reactions,
+    /// Heading: check.
+    Check,
+    /// Heading: results.
+    Results,
+    /// Header: given, value, quantity, unit and the like.
+    Given,
+    /// Header.
+    Value,
+    /// Header.
+    Quantity,
+    /// Header.
+    Unit,
+    /// Header.
+    Pair,
+    /// Header.
+    Links,
+    /// Header.
+    Kind,
+    /// Header.
+    Class,
+    /// Header.
+    Group,
+    /// Header.
+    OuterPairs,
+    /// Header.
+    InnerPairs,
+    /// Cell: revolute pair.
+    Revolute,
+    /// Cell: prismatic pair.
+    Prismatic,
+    /// Cell: pin in slot.
+    Slot,
+    /// Cell: contact.
+    Contact,
+    /// Cell: cylinder.
+    Cylinder,
+    /// Cell: transmission.
+    Transmission,
+    /// Cell: lower pair.
+    Lower,
+    /// Cell: higher pair.
+    Higher,
+    /// Kinds of groups.
+    Driven,
+    /// A train.
+    Train,
+    /// A triad.
+    Triad,
+    /// A general group.
+    General,
+    /// A dyad with a driven link.
+    DrivenLegs,
+    /// A body between two guides.
+    Between,
+    /// Caption of the scheme; 0: the position.
+    SchemeAt,
+    /// Caption of the plan of velocities.
+    VelocityPlan,
+    /// Caption of the plan of accelerations.
+    AccelerationPlan,
+    /// Caption of a free body; 0: links.
+    Freed,
+    /// Caption of a polygon; 0: links.
+    Polygon,
+    /// Caption of the lever.
+    Lever,
+    /// Units and senses of equations.
+    Conventions,
+    /// Mobility.
+    MobilityIs,
+    /// Replaced higher pairs; 0: pairs.
+    Replaced,
+    /// Passive freedoms; 0: links.
+    Passive,
+    /// The formula of structure; 0: it, 1: class.
+    Formula,
+    /// The order of forces differs; 0: it.
+    ForceOrder,
+    /// Heading of a group; 0: links.
+    GroupOf,
+    /// Heading of a link; 0: it.
+    LinkOf,
+    /// The angle of a driven link is given.
+    DrivenAngle,
+    /// The rate of a driven link is given.
+    DrivenRate,
+    /// A drive without acceleration.
+    Uniform,
+    /// A triangle; 0: its corners.
+    Triangle,
+    /// C left of A→B.
+    LeftOf,
+    /// C right of A→B.
+    RightOf,
+    /// Projection on a line; 0: the line.
+    Projected,
+    /// A point on a guide; 0: it.
+    OnGuide,
+    /// Projection across the guide.
+    AcrossGuide,
+    /// Projection along the guide.
+    AlongGuide,
+    /// A slotted link; 0: B, 1: A.
+    Slotted,
+    /// A point on two guides; 0: it.
+    TwoGuides,
+    /// A slide on a slide; 0: the point.
+    TwoSlides,
+    /// A body between guides; 0: it.
+    BetweenGuides,
+    /// The word guide.
+    Guide,
+    /// Found above.
+    Found,
+    /// A link turns counter-clockwise; 0: it, 1: its ω.
+    TurnsCounterClockwise,
+    /// A link turns clockwise.
+    TurnsClockwise,
+    /// A link does not turn at this instant.
+    DoesNotTurn,
+    /// Motion is stated; 0: kind.
+    MotionStated,
+    /// Forces are stated; 0: kind.
+    ForcesStated,
+    /// A form loses its digits here.
+    NotAccurateHere,
+    /// Force and couple as one force; 0: force, 1: mass centre.
+    InertiaArm,
+    /// What is left of the loads; 0: link.
+    RestOfLoads,
+    /// The group is determinate.
+    Determinate,
+    /// A two-force link; 0: link, 1: force, 2: line.
+    TwoForces,
+    /// Moments; 0: link, 1: point.
+    MomentsOfLink,
+    /// The normal parts close the polygon.
+    PolygonCloses,
+    /// The inner pair; 0: point, 1: link.
+    InnerPair,
+    /// Forces along the guide.
+    SumAlongGuide,
+    /// Forces across the guide.
+    SumAcrossGuide,
+    /// Forces on a link; 0: it.
+    SumOfLink,
+    /// A reaction passes through a point; 0: point, 1: force.
+    ThroughPoint,
+    /// The couple of a guide; 0: point, 1: couple.
+    CoupleOfGuide,
+    /// Each slider along its guide; 0: hinge.
+    EachAlongGuide,
+    /// Couples that are not determined.
+    CouplesOpen,
+    /// Balance of a link on a hinge; 0: link, 1: hinge, 2: effort.
+    BalanceTurn,
+    /// Balance of a link on a guide; 0: link, 1: effort.
+    BalanceShift,
+    /// Sense of an effort; 0: it.
+    ForceAlongLine,
+    /// Sense.
+    ForceAgainstLine,
+    /// Sense.
+    ActsCounterClockwise,
+    /// Sense.
+    ActsClockwise,
+    /// Virtual power.
+    VirtualPower,
+    /// The powers are not all derived.
+    PowerOpen,
+    /// Residuals; 0: closure, 1: equilibrium, 2: power, 3: condition.
+    Residuals,
+    /// Friction is a known load first.
+    FrictionFirst,
+    /// The law of friction with the reactions found.
+    FrictionLaws,
+    /// Nothing slides; 0: pair.
+    PairStill,
+    /// Friction holds a pair; 0: pair, 1: what holds.
+    PairHeld,
+    /// Quantities over a sweep.
+    SweepStated,
+    /// Angles of wheels.
+    TrainPlaces,
+    /// The laws of a train.
+    LawsOfTrain,
+    /// Several laws give their unknowns together.
+    LawsTogether,
+    /// Two laws without one of their unknowns; 0: transmissions, 1: it, 2: the other.
+    Eliminated,
+    /// A law; 0: transmission, 1: what it gives.
+    LawOf,
+    /// Equilibrium of the members of a train.
+    TrainForces,
+    /// A member gives an unknown; 0: it, 1: the unknown.
+    MemberGives,
+    /// Two members give an unknown; 0: they, 1: the other unknown, 2: the unknown.
+    MembersGive,
+    /// Head of a sheet.
+    SheetHead,
+    /// The scheme is at another position.
+    OtherPose,
+    /// Heading.
+    Variants,
+    /// Header.
+    Variant,
+    /// Heading: what to find.
+    Find,
+    /// Heading: the empty table.
+    Answers,
+    /// Head of a key.
+    KeyHead,
+    /// The column that names a position.
+    Position,
+    /// Reactions that are found together.
+    TogetherForces,
+    /// Equilibrium of a link; 0: it.
+    EquilibriumOf,
+    /// Hinges close.
+    Closes,
+    /// Points that the file asks for.
+    AskedFor,
+    /// Nothing loads the mechanism.
+    NoForces,
+    /// The scheme has the points; 0: the figure.
+    SeeScheme,
+    /// The plan of a section; 0: the figure.
+    SeePlan,
+    /// A free body; 0: the figure.
+    SeeFreed,
+    /// A polygon; 0: the figure.
+    SeePolygon,
+    /// The lever; 0: the figure.
+    SeeLever,
+    /// Velocities are ratios.
+    Rates,
+    /// Friction of one pair that follows from the loads.
+    FrictionDirect,
+    /// Senses of friction in a group.
+    FrictionSenses,
+    /// A pair moves; 0: pair, 1: link, 2: other link, 3: relative rate, 4: friction.
+    PairMovesPositive,
+    /// The same, backwards.
+    PairMovesNegative,
+    /// The iteration of friction.
+    FrictionSteps,
+    /// The whole mechanism was searched.
+    FrictionSearched,
+    /// Header: step of an iteration.
+    Step,
+    /// Header: change in a step.
+    Change,
+    /// Heading: what friction takes.
+    Losses,
+    /// Powers lost.
+    PairsLose,
+    /// Efforts without friction.
+    WithoutFriction,
+    /// Efficiency of driving efforts.
+    EffortsDrive,
+    /// Efficiency of resisting efforts.
+    EffortsResist,
+    /// Verdict.
+    NotLocked,
+    /// Verdict.
+    LocksItself,
+    /// Verdict.
+    OnlyFriction,
+    /// A critical value; 0: given, 1: it.
+    LocksFrom,
+    /// A locked position.
+    Locked,
+    /// A load by an expression; 0: its letters, 1: the expression.
+    LoadHere,
+    /// The couple of two guides; 0: the point.
+    CoupleOnFirst,
+    /// Equations of a group; 0: how many, 1: unknowns.
+    EquationsTogether,
+    /// The solution of equations.
+    SolutionIs,
+    /// Equations of rates of a group; 0: how many.
+    RatesTogether,
+    /// The direction of power; 0: transmission, 1: from, 2: to, 3: efficiency.
+    PowerFlows,
+    /// Radial force of teeth; 0: transmission.
+    TeethPress,
+    /// Reactions of bearings of a train.
+    BearingsOf,
+    /// Powers through transmissions.
+    TrainPowers,
+    /// Row: seen from the carrier.
+    CarrierLocked,
+    /// Row: the carrier's turn.
+    CarrierTurns,
+    /// Row: the sum.
+    SumOfBoth,
+    /// Willis' table; 0: carrier, 1: speed.
+    WillisParts,
+    /// The same in speeds; 0: carrier.
+    WillisSpeeds,
+    /// Heading; 0: pair.
+    CycleOf,
+    /// Extreme positions of a pair; 0: it.
+    ExtremesOf,
+    /// Ratio of times.
+    TimesOf,
+    /// Heading; 0: flywheel, 1: link.
+    FlywheelOf,
+    /// The table of a flywheel; 0: mean torque.
+    FlywheelTable,
+    /// Extremes of the work; 0, 1: drive.
+    FlywheelExtremes,
+    /// The size of a flywheel.
+    FlywheelInertia,
+    /// The rim.
+    FlywheelRim,
+    /// Heading; 0: cam.
+    CamOf,
+    /// The law of a cam.
+    CamStages,
+    /// A stage; 0: angles.
+    CamDwell,
+    /// A stage; 0: angles.
+    CamOther,
+    /// A stage; 0: angles, 1: law.
+    CamRise,
+    /// A stage; 0: angles, 1: law.
+    CamFall,
+    /// A law.
+    LawUniform,
+    /// A law.
+    LawParabolic,
+    /// A law.
+    LawHarmonic,
+    /// A law.
+    LawCycloidal,
+    /// A law.
+    LawPoly345,
+    /// The follower at lift zero.
+    CamStart,
+    /// Pressure angle; 0: cam angle.
+    CamPressure,
+    /// Curvature; 0: cam angle.
+    CamCurvature,
+    /// Heading; 0: mesh.
+    GearsOf,
+    /// The inverse involute.
+    InvoluteSolved,
+    /// Heading: sizes of the file.
+    Sizes,
+    /// Sizes by formulas of the file.
+    SizesOf,
+    /// The follower of a cam; 0: cam, 1: angle, 2: lift.
+    CamTurned,
+    /// Heading: a motion under loads.
+    Run,
+    /// Kinetic energy.
+    EnergyHere,
+    /// Reduced mass and load.
+    Reduced,
+    /// The equation of motion.
+    ReducedMotion,
+    /// Balance of energy.
+    EnergyOfRun,
+    /// Events.
+    EventsOfRun,
+    /// Header.
+    Event,
+    /// Header.
+    Instants,
+    /// How a run was integrated; 0: method, 1: steps, 2: evaluations, 3: error.
+    RunMethod,
+    /// The method of energy, as a name.
+    ByEnergy,
+    /// Heading: powers of transmissions.
+    Powers,
+    /// A driven cylinder; 0: its length.
+    CylinderLength,
+    /// A load that is nothing here; 0: it.
+    LoadRests,
+}
+
+impl Message {
+    /// Whether an equation follows, unless it is nothing for all values.
+    pub const fn awaits_an_equation(self) -> bool {
+        matches!(
+            self,
+            Self::SumAlongGuide
+                | Self::SumAcrossGuide
+                | Self::SumOfLink
+                | Self::MomentsOfLink
+                | Self::AcrossGuide
+                | Self::AlongGuide
+                | Self::Projected
+        )
+    }
+}

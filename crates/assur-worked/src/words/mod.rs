@@ -1,0 +1,117 @@
+//! All sentences of a worked solution: one list of messages, one file per language.
+
+mod chinese;
+mod english;
+mod message;
+mod phrase;
+mod phrases;
+mod russian;
+
+pub use message::Message;
+pub use phrase::phrase;
+
+use crate::document::{Inline, Labels, Line};
+
+/// A language of sentences.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Language {
+    /// English
+    #[default]
+    English,
+    /// Chinese
+    Chinese,
+    /// Russian
+    Russian,
+}
+
+impl Language {
+    /// Its code.
+    #[must_use]
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::English => "en",
+            Self::Chinese => "zh",
+            Self::Russian => "ru",
+        }
+    }
+
+    /// What writers put before parts.
+    pub(crate) const fn labels(self) -> Labels {
+        match self {
+            Self::English => english::LABELS,
+            Self::Chinese => chinese::LABELS,
+            Self::Russian => russian::LABELS,
+        }
+    }
+
+    /// The letters of its courses.
+    pub(crate) const fn letters(self) -> Letters {
+        match self {
+            Self::English => Letters {
+                mobility: "F",
+                lower: ("P", "L"),
+                higher: ("P", "H"),
+                tangential: "t",
+                inertia: "I",
+                reaction: ("R", ""),
+                comma: false,
+            },
+            Self::Chinese => Letters { reaction: ("F", "R"), ..Self::English.letters() },
+            Self::Russian => Letters {
+                mobility: "W",
+                lower: ("p", "5"),
+                higher: ("p", "4"),
+                tangential: "τ",
+                inertia: "и",
+                reaction: ("R", ""),
+                comma: true,
+            },
+        }
+    }
+
+    const fn template(self, message: Message) -> &'static str {
+        match self {
+            Self::English => english::template(message),
+            Self::Chinese => chinese::template(message),
+            Self::Russian => russian::template(message),
+        }
+    }
+}
+
+/// The letters of a course.
+#[derive(Clone, Copy, Debug)]
+pub struct Letters {
+    /// Mobility.
+    pub mobility: &'static str,
+    /// Number of lower pairs: letter and index.
+    pub lower: (&'static str, &'static str),
+    /// Number of higher pairs.
+    pub higher: (&'static str, &'static str),
+    /// The mark of tangential parts.
+    pub tangential: &'static str,
+    /// The index of inertia.
+    pub inertia: &'static str,
+    /// A reaction: letter and the begin of its index.
+    pub reaction: (&'static str, &'static str),
+    /// Decimals are behind a comma.
+    pub comma: bool,
+}
+
+/// A sentence with its parts in their places.
+pub fn say(language: Language, message: Message, parts: &[Line]) -> Line {
+    let mut line = Vec::new();
+    let mut rest = language.template(message);
+    while let Some((before, after)) = rest.split_once('{') {
+        let Some((index, behind)) = after.split_once('}') else { break };
+        if !before.is_empty() {
+            line.push(Inline::Text(before.to_owned()));
+        }
+        let part = index.parse::<usize>().ok().and_then(|i| parts.get(i));
+        line.extend(part.into_iter().flatten().cloned());
+        rest = behind;
+    }
+    if !rest.is_empty() {
+        line.push(Inline::Text(rest.to_owned()));
+    }
+    line
+}

@@ -1,0 +1,290 @@
+//! A worked solution as a whole.
+
+use crate::course::{Counts, Course};
+use crate::document::{Block, Document, Figure, Line, cited};
+use crate::motion::Stage;
+use crate::words::{Language, Message};
+use assur_formula::{Equation, Expr, Name, Unit};
+use assur_model::model::Level;
+use assur_picture::{Kind, Scene};
+
+/// A part of a solution, by its number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// Text, scheme, given values.
+    Problem,
+    /// Structure.
+    Structure,
+    /// Positions.
+    Positions,
+    /// Velocities.
+    Velocities,
+    /// Accelerations.
+    Accelerations,
+    /// Loads and inertia forces.
+    Inertia,
+    /// Reactions and balance.
+    Forces,
+    /// Check.
+    Check,
+    /// Results.
+    Results,
+}
+
+/// All parts.
+const PARTS: [Part; 9] = [
+    Part::Problem,
+    Part::Structure,
+    Part::Positions,
+    Part::Velocities,
+    Part::Accelerations,
+    Part::Inertia,
+    Part::Forces,
+    Part::Check,
+    Part::Results,
+];
+
+impl Part {
+    /// The part of a number, 0 to 8.
+    #[must_use]
+    pub fn numbered(number: usize) -> Option<Self> {
+        PARTS.get(number).copied()
+    }
+}
+
+/// A size that the file works out from its given values.
+#[derive(Clone, Debug)]
+pub struct Size {
+    /// Its letters.
+    pub name: Name,
+    /// Its value, SI; an angle in degrees.
+    pub value: f64,
+    /// Its unit.
+    pub unit: Unit,
+    /// What it is.
+    pub right: Expr,
+}
+
+/// A worked solution.
+#[derive(Clone, Debug, Default)]
+pub struct Worked {
+    /// What is written.
+    pub document: Document,
+    /// The equations in it.
+    pub equations: Vec<Equation>,
+    /// Formulas that do not agree with the solver: they are not written, and a test fails.
+    pub disagreements: Vec<String>,
+    /// What is derived, and what is stated alone.
+    pub counts: Counts,
+}
+
+/// The worked solution of a position; all parts where none are named.
+#[must_use]
+pub fn worked(scene: Scene<'_>, language: Language, parts: &[Part]) -> Worked {
+    worked_from(scene, language, parts, &[])
+}
+
+/// The same behind the sizes that the file works out from its given values.
+#[must_use]
+pub fn worked_from(scene: Scene<'_>, language: Language, parts: &[Part], sizes: &[Size]) -> Worked {
+    let mut course = Course::new(scene, language);
+    let mut sections: Vec<(Part, usize)> = Vec::new();
+    let begin = |course: &Course<'_>, part: Part, sections: &mut Vec<(Part, usize)>| {
+        sections.push((part, course.blocks.len()));
+    };
+    for part in PARTS {
+        begin(&course, part, &mut sections);
+        if part == Part::Structure {
+            course.sizes(sizes);
+        }
+        course.part(part);
+    }
+    let unused = course.prune();
+    course.say_nothing_follows(&unused);
+    let given = course.given_values();
+    let mut blocks = Vec::new();
+    let ends = sections.iter().skip(1).map(|s| s.1).chain([course.blocks.len()]);
+    for ((part, start), end) in sections.iter().zip(ends) {
+        if !parts.is_empty() && !parts.contains(part) {
+            continue;
+        }
+        let kept = (*start..end).filter(|i| !unused.contains(i));
+        blocks.extend(kept.map(|i| course.blocks[i].clone()));
+        if *part == Part::Problem {
+            blocks.extend(given.iter().cloned());
+        }
+    }
+    if language.letters().comma {
+        blocks = blocks.into_iter().map(Block::with_commas).collect();
+    }
+    let title = if scene.mechanism().title.is_empty() { scene.file } else { &scene.mechanism().title };
+    let document = Document {
+        title: title.to_owned(),
+        language: language.code(),
+        labels: language.labels(),
+        blocks: numbered(without_empty(cited(blocks, language.labels().figure))),
+    };
+    let Course { equations, disagreements, counts, .. } = course;
+    let equations = equations.into_iter().map(|(_, equation)| equation).collect();
+    Worked { document, equations, disagreements, counts }
+}
+
+/// The given values that the solution of a position uses, letters and figures; their values in the units of equations are added to a list.
+pub fn given_rows(
+    scene: Scene<'_>,
+    language: Language,
+    is_answer: &dyn Fn(f64) -> bool,
+    values: &mut Vec<f64>,
+) -> Vec<[Line; 2]> {
+    let mut course = Course::new(scene, language);
+    course.shown = false;
+    PARTS.into_iter().for_each(|part| course.part(part));
+    course.prune();
+    course.equations.retain(|(_, equation)| equation.right.value().is_finite());
+    let rows = course.given_rows(is_answer).into_iter();
+    rows.map(|(value, row)| {
+        values.push(value);
+        row
+    })
+    .collect()
+}
+
+/// Without headings that nothing follows.
+pub fn without_empty(blocks: Vec<Block>) -> Vec<Block> {
+    let mut kept: Vec<Block> = Vec::new();
+    for block in blocks.into_iter().rev() {
+        if let Block::Heading(level, _) = &block {
+            // going backwards: what follows is there already
+            let empty = match kept.last() {
+                None => true,
+                Some(Block::Heading(next, _)) => next <= level,
+                Some(_) => false,
+            };
+            if empty {
+                continue;
+            }
+        }
+        kept.push(block);
+    }
+    kept.reverse();
+    kept
+}
+
+/// Headings of the second level with their numbers.
+fn numbered(mut blocks: Vec<Block>) -> Vec<Block> {
+    let mut count = 0;
+    for block in &mut blocks {
+        if let Block::Heading(2, words) = block {
+            count += 1;
+            *words = format!("{count} {words}");
+        }
+    }
+    blocks
+}
+
+impl Course<'_> {
+    fn part(&mut self, part: Part) {
+        let level = self.scene.model.plan.effects.level;
+        let forces = self.scene.model.plan.has_forces() && !self.state().forces.locked;
+        match part {
+            Part::Problem => {
+                let scheme = self.pictures(Kind::Scheme, Message::SchemeAt, &self.position_words());
+                self.problem(scheme);
+            }
+            Part::Structure => self.structure_section(),
+            Part::Positions => {
+                let scheme = self.caption(Message::SchemeAt, &self.position_words());
+                self.head(Message::Positions);
+                self.cite_as(Message::SeeScheme, scheme);
+                self.stage(Stage::Positions, &[]);
+            }
+            Part::Velocities if level >= Level::Velocities => {
+                let plan = self.pictures(Kind::Velocities, Message::VelocityPlan, "");
+                self.head(Message::Velocities);
+                self.stage(Stage::Velocities, &plan);
+                self.figures(plan);
+            }
+            Part::Velocities => self.remark(Message::Rates, &[]),
+            Part::Accelerations if level >= Level::Accelerations => {
+                let plan = self.pictures(Kind::Accelerations, Message::AccelerationPlan, "");
+                self.head(Message::Accelerations);
+                self.stage(Stage::Accelerations, &plan);
+                self.figures(plan);
+            }
+            Part::Accelerations => {}
+            Part::Inertia if forces => {
+                self.head(Message::Inertia);
+                self.masses();
+                self.loads();
+            }
+            Part::Forces if forces => {
+                self.head(Message::Reactions);
+                let figures = self.force_pictures();
+                self.forces(&figures);
+                self.friction_balance();
+            }
+            Part::Inertia => {}
+            Part::Forces if self.state().forces.locked => self.locked(),
+            Part::Forces => self.remark(Message::NoForces, &[]),
+            Part::Check => {
+                self.head(Message::Check);
+                self.check();
+                if forces && level >= Level::Velocities {
+                    let lever = self.pictures(Kind::Lever, Message::Lever, "");
+                    self.cite(Message::SeeLever, &lever);
+                    self.figures(lever);
+                }
+                self.run();
+            }
+            Part::Results => {
+                self.designs();
+                self.results();
+            }
+        }
+    }
+
+    /// Sizes of the file by its own formulas.
+    fn sizes(&mut self, sizes: &[Size]) {
+        if sizes.is_empty() {
+            return;
+        }
+        let heading = self.words(Message::Sizes);
+        self.heading(2, heading);
+        self.say(Message::SizesOf, &[]);
+        for size in sizes {
+            self.equate(size.name.clone(), size.value, size.unit, size.right.clone());
+        }
+    }
+
+    /// What needs no position: cycle, flywheels, cams, gears.
+    fn designs(&mut self) {
+        let page = crate::design::design(self.scene.model, self.scene.solution, self.language);
+        let before = self.blocks.len();
+        self.blocks.extend(page.blocks);
+        self.equations.extend(page.equations.into_iter().map(|(place, e)| (place + before, e)));
+        self.disagreements.extend(page.disagreements);
+    }
+
+    fn head(&mut self, heading: Message) {
+        let heading = self.words(heading);
+        self.heading(2, heading);
+    }
+
+    fn stage(&mut self, stage: Stage, plan: &[Figure]) {
+        self.cite(Message::SeePlan, plan);
+        self.motion(stage);
+        self.requests(stage);
+    }
+
+    /// ` at φ = 45 deg`, where the drives are.
+    fn position_words(&self) -> String {
+        let mechanism = self.scene.mechanism();
+        let said = mechanism.drives.iter().zip(&self.scene.pose.drives).filter_map(|(drive, value)| {
+            let assur_solve::solve::DriveValue::Scalar(x) = value else { return None };
+            let display = mechanism.drive_display(drive.target);
+            Some(format!("{} = {}", drive.name, display.text(assur_model::model::Value::Scalar(*x), 5)))
+        });
+        let said: Vec<String> = said.collect();
+        if said.is_empty() { String::new() } else { format!(", {}", said.join(", ")) }
+    }
+}

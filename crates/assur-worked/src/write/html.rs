@@ -1,0 +1,178 @@
+//! A document as one HTML file: no script, no request.
+
+use super::style::STYLE;
+use crate::course::plain;
+use crate::document::{Block, Document, Figure, Inline, Line, Table, Term};
+use assur_drawing::escaped;
+use assur_formula::{mathml, mathml_lines, name_node};
+use std::fmt::Write;
+
+/// The document as a page.
+#[must_use]
+pub fn html(document: &Document) -> String {
+    let mut out = String::new();
+    let title = escaped(&document.title);
+    let _ = write!(
+        out,
+        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n",
+        document.language
+    );
+    contents(document, &mut out);
+    let mut count = Counted::default();
+    for block in &document.blocks {
+        write_block(document, block, &mut count, &mut out);
+    }
+    out.push_str("</main>\n</body>\n</html>\n");
+    out
+}
+
+/// What is numbered.
+#[derive(Default)]
+struct Counted {
+    sections: usize,
+    figures: usize,
+}
+
+fn contents(document: &Document, out: &mut String) {
+    // of numbered sections
+    let numbered =
+        |b: &Block| matches!(b, Block::Heading(2, words) if words.starts_with(|c: char| c.is_ascii_digit()));
+    if !document.blocks.iter().any(numbered) {
+        return;
+    }
+    let headings = document.blocks.iter().filter_map(|b| match b {
+        Block::Heading(2, words) => Some(words),
+        _ => None,
+    });
+    let _ = write!(out, "<nav aria-label=\"{}\"><ol>", document.labels.contents);
+    for (i, words) in headings.enumerate() {
+        let words = words.split_once(' ').map_or(words.as_str(), |(_, rest)| rest);
+        let _ = write!(out, "<li><a href=\"#s{}\">{}</a></li>", i + 1, escaped(words));
+    }
+    out.push_str("</ol></nav>\n");
+}
+
+fn write_block(document: &Document, block: &Block, count: &mut Counted, out: &mut String) {
+    let _ = match block {
+        Block::Heading(2, words) => {
+            count.sections += 1;
+            writeln!(out, "<h2 id=\"s{}\">{}</h2>", count.sections, escaped(words))
+        }
+        Block::Heading(level, words) => writeln!(out, "<h{level}>{}</h{level}>", escaped(words)),
+        Block::Paragraph(line) => writeln!(out, "<p>{}</p>", inline(line)),
+        Block::Remark(line) => writeln!(out, "<p class=\"soft\">{}</p>", inline(line)),
+        Block::Equation(lines) => {
+            let [begin, end] = fitted("", lines.fit());
+            writeln!(out, "{begin}<div class=\"eq\">{}</div>{end}", mathml_lines(lines))
+        }
+        Block::Table(table) => {
+            let [begin, end] = fitted("tab", table_fit(table));
+            out.push_str(&begin);
+            write_table(table, out);
+            writeln!(out, "{end}")
+        }
+        Block::Vectors(terms) => {
+            vectors(document, terms, out);
+            Ok(())
+        }
+        Block::Figures(figures) => {
+            write_figures(document, figures, count, out);
+            Ok(())
+        }
+    };
+}
+
+/// What is around a part that is smaller on paper, to be no wider than it.
+fn fitted(class: &str, fit: f64) -> [String; 2] {
+    let begin = match (class, fit < 1.0) {
+        ("", false) => return [String::new(), String::new()],
+        (class, false) => format!("<div class=\"{class}\">"),
+        (class, true) => {
+            format!("<div class=\"{}\" style=\"--fit:{fit:.2}\">", format!("{class} fit").trim_start())
+        }
+    };
+    [begin, "</div>".to_owned()]
+}
+
+/// The same of a table.
+fn table_fit(table: &Table) -> f64 {
+    // signs in a line, those between two columns, and the smallest that is read
+    const LINE: f64 = 94.0;
+    const BETWEEN: usize = 3;
+    const LEAST: f64 = 0.5;
+    let longest = |i: usize| {
+        let cells = table.rows.iter().filter_map(|row| row.get(i)).chain(table.headers.get(i));
+        cells.map(|cell| plain(cell).chars().count()).max().unwrap_or(0) + BETWEEN
+    };
+    let signs: usize = (0..table.headers.len()).map(longest).sum();
+    (LINE / (signs as f64).max(LINE)).max(LEAST)
+}
+
+fn inline(line: &Line) -> String {
+    let part = |part: &Inline| match part {
+        Inline::Text(words) => escaped(words),
+        Inline::Strong(words) => format!("<b>{}</b>", escaped(words)),
+        Inline::Math(node) => mathml(node),
+        Inline::Figure(it) => format!("<a href=\"#f{}\">{}</a>", it.number, escaped(&it.words)),
+    };
+    line.iter().map(part).collect()
+}
+
+fn write_table(table: &Table, out: &mut String) {
+    out.push_str("<table><thead><tr>");
+    for header in &table.headers {
+        let _ = write!(out, "<th scope=\"col\">{}</th>", inline(header));
+    }
+    out.push_str("</tr></thead><tbody>");
+    for row in &table.rows {
+        out.push_str("<tr>");
+        for (i, cell) in row.iter().enumerate() {
+            let class = if table.numbers.contains(&i) { " class=\"n\"" } else { "" };
+            let _ = write!(out, "<td{class}>{}</td>", inline(cell));
+        }
+        out.push_str("</tr>");
+    }
+    out.push_str("</tbody></table>");
+}
+
+fn vectors(document: &Document, terms: &[Term], out: &mut String) {
+    out.push_str("<div class=\"tab\"><table class=\"vec\"><tbody>");
+    for (row, label) in document.labels.rows.iter().enumerate() {
+        let _ = write!(out, "<tr><th scope=\"row\">{label}</th>");
+        for term in terms {
+            let zero = term.name.letter == "0";
+            let cell = match row {
+                0 if zero => "0".to_owned(),
+                0 => mathml(&name_node(&term.name)),
+                1 => inline(&term.magnitude),
+                _ => inline(&term.direction),
+            };
+            let sign = if row == 0 { term.sign } else { "" };
+            let _ = write!(out, "<td>{sign}</td><td>{cell}</td>");
+        }
+        out.push_str("</tr>");
+    }
+    out.push_str("</tbody></table></div>\n");
+}
+
+fn write_figures(document: &Document, figures: &[Figure], count: &mut Counted, out: &mut String) {
+    if figures.len() > 1 {
+        out.push_str("<div class=\"two\">\n");
+    }
+    for figure in figures {
+        count.figures += 1;
+        let n = count.figures;
+        let label = document.labels.figure;
+        // diagrams have axes, and no scale that paper keeps
+        let class = if matches!(figure.name.as_str(), "plot" | "work") { " class=\"free\"" } else { "" };
+        let _ = write!(
+            out,
+            "<figure id=\"f{n}\"{class}>\n{}<figcaption>{label} {n}. {}</figcaption></figure>\n",
+            figure.svg.trim_start(),
+            escaped(&figure.caption)
+        );
+    }
+    if figures.len() > 1 {
+        out.push_str("</div>\n");
+    }
+}

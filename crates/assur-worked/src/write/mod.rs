@@ -1,0 +1,12 @@
+//! Documents in their formats.
+
+mod html;
+mod markdown;
+mod plain;
+mod style;
+mod typst;
+
+pub use html::html;
+pub use markdown::markdown;
+pub use plain::text;
+pub use typst::typst;

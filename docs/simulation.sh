@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# Writes docs/simulation.md and its diagrams. The times are those of this machine. The comparison with other programs stays as
+# it was, unless PEERS=1 has benches/simulate/run.py write it anew.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+# ASSUR names a program that is built already
+if [ -z "${ASSUR:-}" ]; then
+  cargo build --release --quiet
+fi
+assur=${ASSUR:-target/release/assur}
+mkdir -p docs/simulation
+page=docs/simulation.md
+kept=$(mktemp)
+sed -n '/^<!-- peers: /,/^<!-- end of peers -->$/p' "$page" > "$kept" 2>/dev/null || true
+
+# motion NAME: the comment comes on standard input.
+motion() {
+  local file=examples/simulation/$1.mech
+  "$assur" accuracy "$file" --for 1e-6 --format markdown --plot "docs/simulation/$1.svg" > "docs/simulation/$1.part"
+  echo
+  sed -n '1s/^# \(.*\) (.*)$/## \1/p' "docs/simulation/$1.part"
+  echo
+  echo "[$file](../$file)"
+  echo
+  cat
+  echo
+  echo "![error against time](simulation/$1.svg)"
+  # the tables of single kinds stay with the command
+  awk '/^The errors kind by kind:/ { skip = 1 } /^## / { skip = 0 } !skip' "docs/simulation/$1.part" |
+    sed -e 1d -e 's/^##/###/' | cat -s
+  rm "docs/simulation/$1.part"
+}
+
+{
+  cat <<'TEXT'
+# What accuracy costs in a motion under loads
+
+Written by
+
+```sh
+docs/simulation.sh
+```
+
+from what `assur accuracy FILE` measures; [language.md](language.md#accuracy) explains the errors and their reference. The times are those of
+one machine; on another machine the ratios between the rows of a table change little. Points at the lower left are fast and accurate; the
+hollow signs are the errors that the runs report themselves. A time is that of all runs from the first position on: the run that is
+printed and those from which its error is estimated. It does not include reading the text, the answers at the printed instants, and writing them.
+
+Common results:
+
+- As `solve` does it, the reported error lies above the true one, most of the time by a factor of 2 to 30; of errors below 1e-13 it may be too
+  small, where rounding is all that is left and runs agree by chance.
+- Where the one coordinate decides on all forces, as in Andrews' mechanism, the motion follows from the energy: evaluations are spent where mass and force
+  along the coordinate are new, not where time passes. It takes a third to a sixth of the evaluations of DOP853, which is shown below it.
+- Ten times the accuracy takes DOP853, a method of order 8, about a third more steps. From 1e-6 to 1e-12 the time grows about fivefold; half of it or
+  more is for runs that only serve the estimate of the error, or are found to be too coarse on the way.
+- Radau IIA is of order 5: it takes more steps from the first digits on, and stops near 1e-10, where the differences that its matrix is made of have no
+  more digits. It is there for stiff motions, as of the flap in oil, which DOP853 would follow in millions of steps.
+- Below some 1e-13 rounding is all that is left: a finer tolerance takes steps and gives nothing, and the run says so.
+TEXT
+  motion andrews <<'TEXT'
+One free coordinate, three dyads, a spring; the test of the books. All kinds of results are compared, the angular accelerations are the worst.
+TEXT
+  motion engine-run-up <<'TEXT'
+A motor line of two straight pieces: a step ends at its corner.
+TEXT
+  motion five-bar <<'TEXT'
+Two free coordinates.
+TEXT
+  motion double-pendulum <<'TEXT'
+Two free coordinates in a chaotic motion: what is lost early grows until the end.
+TEXT
+  motion pulled-block <<'TEXT'
+Stick and slip: where the block may leave its rest at any time, its steps are bounded, whatever the accuracy. Within them the motion is a sine, which
+DOP853 follows to rounding: one row is all there is.
+TEXT
+  motion rough-double-pendulum <<'TEXT'
+Two free coordinates with friction in both hinges, which come to rest and slide again each by itself. The reference is a run at the finest tolerance.
+TEXT
+  motion engine-with-friction <<'TEXT'
+Friction in all four pairs of an engine: accelerations are found with the forces, and steps end where a pair slides the other way. The reference is a run
+at the finest tolerance.
+TEXT
+  motion flap-in-oil <<'TEXT'
+Rates of 0.4 and 5,000,000 in a second. DOP853 notices that stability holds it up, and leaves the rest to Radau IIA.
+TEXT
+  cat <<'TEXT'
+
+## What others need
+
+Written by `python3 benches/simulate/run.py --write`, which installs the other programs under target/simulate-peers, and tries several tolerances or steps in
+each: the fastest that keeps an error is shown. Errors are against references with 30 digits, at the last instant: of Andrews' mechanism
+the greatest |Δq|/(1 + |q|) of its angles. A run is the motion alone, without reading the text; that of assur has the runs from which its error is estimated. A process begins with
+starting the interpreter, and with compiling by numba. The equations for scipy and IDA are those of the angles of all links, compiled by numba; what calls them is Python.
+TEXT
+  echo
+  if [ -s "$kept" ]; then cat "$kept"; else printf '%s\n%s\n' '<!-- peers: written by benches/simulate/run.py -->' '<!-- end of peers -->'; fi
+} > "$page.new"
+mv "$page.new" "$page"
+rm "$kept"
+if [ -n "${PEERS:-}" ]; then
+  python3 benches/simulate/run.py --write
+fi

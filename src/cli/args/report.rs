@@ -1,0 +1,115 @@
+//! Arguments of `report`.
+
+use super::setting;
+use assur_check::Overrides;
+use assur_worked::{Language, Part};
+use clap::ValueEnum;
+
+/// Arguments of `report`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Report {
+    /// Files to work out
+    #[arg(required = true, value_name = "FILES")]
+    pub files: Vec<String>,
+    /// Write the solution to this file (.html, .md, .typ, .txt; created only when complete), pictures of .md and .typ next to
+    /// it [default: standard output]
+    #[arg(short, long, value_name = "OUT")]
+    pub out: Option<String>,
+    /// Format [default: that of the ending of OUT, else text]
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub format: Option<ReportFormat>,
+    /// Work out the pose of this name [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub pose: Option<String>,
+    /// Write these parts alone, e.g. `--steps 1,3,6`: 0 problem, 1 structure, 2 positions, 3 velocities, 4 accelerations,
+    /// 5 loads and inertia forces, 6 reactions and balance, 7 check, 8 results [default: all]
+    #[arg(long, value_name = "PARTS", value_delimiter = ',', value_parser = part)]
+    pub steps: Vec<Part>,
+    /// Write an exercise sheet instead: statement, scheme, given values, variants, what to find, an empty table; no answer
+    #[arg(long, conflicts_with_all = ["key", "steps"])]
+    pub sheet: bool,
+    /// Write the key of the sheet instead: the answers of every row of variants, with four digits
+    #[arg(long, conflicts_with = "steps")]
+    pub key: bool,
+    /// Write one sheet per row of variants, each with its own scheme: OUT with the number of the row before its ending
+    #[arg(long, requires_all = ["sheet", "out"])]
+    pub per_row: bool,
+    /// Language of the sentences, with the letters of its courses
+    #[arg(long = "lang", value_enum, value_name = "LANGUAGE", default_value_t = LanguageArg::En)]
+    pub language: LanguageArg,
+    /// Replace the value of a `given`, e.g. `--set r=120mm`; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
+    pub settings: Vec<(String, String)>,
+}
+
+/// A format of a worked solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ReportFormat {
+    /// One page with formulas and pictures, without scripts or requests
+    Html,
+    /// Markdown with formulas in LaTeX
+    Markdown,
+    /// Typst, for a printed document
+    Typst,
+    /// Plain text, without pictures
+    Text,
+}
+
+/// A language of worked solutions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LanguageArg {
+    /// English
+    En,
+    /// Chinese
+    Zh,
+    /// Russian, with a decimal comma
+    Ru,
+}
+
+impl From<LanguageArg> for Language {
+    fn from(language: LanguageArg) -> Self {
+        match language {
+            LanguageArg::En => Self::English,
+            LanguageArg::Zh => Self::Chinese,
+            LanguageArg::Ru => Self::Russian,
+        }
+    }
+}
+
+impl ReportFormat {
+    fn of_ending(name: &str) -> Option<Self> {
+        Some(match name.rsplit_once('.')?.1 {
+            "html" | "htm" => Self::Html,
+            "md" => Self::Markdown,
+            "typ" => Self::Typst,
+            "txt" => Self::Text,
+            _ => return None,
+        })
+    }
+}
+
+impl Report {
+    /// The format; none where the ending of the output says nothing.
+    #[must_use]
+    pub fn format(&self) -> Option<ReportFormat> {
+        match (self.format, self.out.as_deref()) {
+            (Some(format), _) => Some(format),
+            (None, None | Some("-")) => Some(ReportFormat::Text),
+            (None, Some(name)) => ReportFormat::of_ending(name),
+        }
+    }
+
+    /// Values from outside.
+    #[must_use]
+    pub fn overrides(&self) -> Overrides {
+        Overrides::set(self.settings.clone())
+    }
+}
+
+fn part(text: &str) -> Result<Part, String> {
+    text.trim()
+        .parse()
+        .ok()
+        .and_then(Part::numbered)
+        .ok_or_else(|| "write numbers from 0 to 8, e.g. 1,3,6".to_owned())
+}

@@ -1,0 +1,84 @@
+//! Rows that one thread takes at a time.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::idle::Idle;
+use super::job::Run;
+use super::line::{Said, Written, write_row};
+use super::rows::Chunk;
+use super::stop;
+use crate::pipeline::VariantSolver;
+
+/// Rows that one thread takes at a time, at least; of motions under loads, which take longer, one.
+const PIECE: usize = 32;
+/// The number of pieces of a large chunk.
+const PIECES: usize = 64;
+
+/// What rows gave.
+#[derive(Default)]
+pub struct Piece {
+    /// Lines of answers.
+    pub out: String,
+    /// Lines of the key.
+    pub key: String,
+    /// The messages about each row, by its number.
+    pub said: Vec<(usize, Said)>,
+    /// No signal came before its last row.
+    pub whole: bool,
+}
+
+impl<'r> Run<'r> {
+    /// Solves the rows of a chunk on all threads; the pieces come in order.
+    pub(super) fn chunk(&self, chunk: &Chunk<'_>, idle: &Idle<'r>) -> Vec<Piece> {
+        let size = (chunk.len() / PIECES).max(if self.job.moves() { 1 } else { PIECE });
+        let pieces: Vec<Range<usize>> =
+            (0..chunk.len()).step_by(size).map(|start| start..(start + size).min(chunk.len())).collect();
+        let solved = |range| {
+            let mut family = idle.take().unwrap_or_else(|| self.job.family());
+            let piece = self.piece(&mut family, chunk, range);
+            idle.give(family);
+            piece
+        };
+        pieces.into_par_iter().map(solved).collect()
+    }
+
+    fn piece(&self, family: &mut VariantSolver<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
+        let mut piece = Piece { whole: true, ..Piece::default() };
+        let (mut head, mut cells, mut old) = (String::new(), Vec::new(), None);
+        for index in range {
+            if stop::wanted() {
+                piece.whole = false;
+                break;
+            }
+            let before = (piece.out.len(), piece.key.len());
+            let mut written = Written {
+                job: self.job,
+                format: self.format,
+                layout: self.layout,
+                key: self.key,
+                out: &mut piece.out,
+                key_out: &mut piece.key,
+                head: &mut head,
+                cells: &mut cells,
+            };
+            let said = match chunk.get(index, &self.job.columns, old.take()) {
+                Ok(input) => {
+                    let said = write_row(self.job, &mut written, family, &input);
+                    (old.insert(input).number, said)
+                }
+                Err((number, fault)) => (number, written.fault(number, fault)),
+            };
+            if self.job.moves() && stop::wanted() {
+                // its motion may have been ended on the way
+                piece.out.truncate(before.0);
+                piece.key.truncate(before.1);
+                piece.whole = false;
+                break;
+            }
+            piece.said.push(said);
+        }
+        piece
+    }
+}

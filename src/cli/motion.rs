@@ -1,0 +1,105 @@
+//! A motion under loads on its way: how far it is, on a terminal, and the signal that ends it. What it did until then is kept.
+
+use std::io::IsTerminal;
+use std::sync::{Mutex, Once, PoisonError};
+use std::time::{Duration, Instant};
+
+use super::batch::{install, looks, signal};
+use assur_model::model::Mechanism;
+use assur_text::source::shown_in_line;
+use assur_text::units::significant;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Before this nothing is shown.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// Nor more often than this.
+const PAUSE: Duration = Duration::from_millis(50);
+/// Parts of the bar.
+const PARTS: f64 = 1000.0;
+
+/// A motion on its way.
+pub struct OnTheWay {
+    name: String,
+    terminal: bool,
+    started: Instant,
+    shown: Mutex<Shown>,
+}
+
+/// What is shown of it.
+struct Shown {
+    bar: Option<ProgressBar>,
+    drawn: Instant,
+    /// The instant that was reached when it was last looked at, s.
+    before: f64,
+    /// The first one, s.
+    first: f64,
+    /// Runs go one after another.
+    run: u32,
+}
+
+impl OnTheWay {
+    /// Of a file that follows a motion; none of others.
+    pub fn of(file: &str, mechanism: &Mechanism) -> Option<Self> {
+        static LISTENS: Once = Once::new();
+        let simulation = mechanism.simulation.as_ref()?;
+        LISTENS.call_once(install);
+        looks(true);
+        let (started, first) = (Instant::now(), simulation.from);
+        let shown = Shown { bar: None, drawn: started, before: first, first, run: 1 };
+        Some(Self {
+            name: shown_in_line(file).to_string(),
+            terminal: std::io::stderr().is_terminal(),
+            started,
+            shown: Mutex::new(shown),
+        })
+    }
+
+    /// Says how far it is; `false` where it is to end.
+    pub fn goes_on(&self, reached: f64, last: f64) -> bool {
+        if self.terminal {
+            self.shown.lock().unwrap_or_else(PoisonError::into_inner).look(self, reached, last);
+        }
+        signal().is_none()
+    }
+}
+
+impl Shown {
+    fn look(&mut self, way: &OnTheWay, reached: f64, last: f64) {
+        self.run += u32::from(reached < self.before);
+        self.before = reached;
+        if way.started.elapsed() < PATIENCE || self.drawn.elapsed() < PAUSE {
+            return;
+        }
+        self.drawn = Instant::now();
+        let bar = self.bar.get_or_insert_with(bar);
+        let part = PARTS * (reached - self.first) / (last - self.first);
+        // between 0 and 1000
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        bar.set_position(part.clamp(0.0, PARTS) as u64);
+        let (reached, last) = (significant(reached, 4), significant(last, 4));
+        bar.set_message(format!("{}: {reached} of {last} s, run {}", way.name, self.run));
+    }
+}
+
+impl Drop for OnTheWay {
+    fn drop(&mut self) {
+        looks(false);
+    }
+}
+
+impl Drop for Shown {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+fn bar() -> ProgressBar {
+    let bar = ProgressBar::new(1000);
+    bar.set_draw_target(ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar}") {
+        bar.set_style(style);
+    }
+    bar
+}

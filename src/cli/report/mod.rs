@@ -1,0 +1,183 @@
+//! `assur report`
+
+mod published;
+mod sheets;
+mod sizes;
+mod tables;
+
+use crate::cli::args::{Report, ReportFormat};
+use crate::cli::batch::Sink;
+use crate::cli::error::CliError;
+use crate::cli::files;
+use crate::cli::reply::{Printer, Reply, Status, complaint, for_each_input};
+use crate::cli::screen::Screen;
+use crate::pipeline::{self, Solved};
+use assur_picture::{Kind, Scene};
+use assur_solve::solve::Pose;
+use assur_syntax as syntax;
+use assur_text::source::Source;
+use assur_worked::{
+    Block, Document, Inline, Language, Part, design, html, markdown, text, typst, worked_from,
+};
+use sheets::Sheets;
+use std::path::Path;
+use std::sync::Arc;
+
+/// What is solved for a solution: all that its pictures show.
+const KINDS: [Kind; 4] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces];
+
+/// Writes worked solutions.
+pub fn run(args: &Report, screen: &Screen) -> Status {
+    let inputs = files::expand(&args.files);
+    let refused = |error| {
+        screen.complain(&complaint(error, screen));
+        Status::Unusable
+    };
+    let out = args.out.as_deref().filter(|name| *name != "-");
+    let Some(format) = args.format() else {
+        return refused(CliError::ReportFormat { name: out.unwrap_or_default().to_owned() });
+    };
+    match out {
+        Some(name) if inputs.len() > 1 => return refused(CliError::OneReport { name: name.to_owned() }),
+        None if inputs.len() > 1 && format == ReportFormat::Html => {
+            return refused(CliError::OneReport { name: "standard output".to_owned() });
+        }
+        _ => {}
+    }
+    for_each_input(inputs, &mut Printer::new(screen, "\n"), |source, _| of_file(args, format, source, screen))
+}
+
+fn of_file(args: &Report, format: ReportFormat, source: &Source, screen: &Screen) -> Reply {
+    let (document, found) = syntax::parse(source);
+    if args.sheet || args.key {
+        let sheets = Sheets { args, format, source, document: Arc::new(document) };
+        return sheets.reply(found, screen);
+    }
+    let overrides = args.overrides();
+    let read = Arc::new(document);
+    let (solved, mut problems) = pipeline::solve_document_drawn(source, &read, found, &overrides, &KINDS);
+    let Some(solved) = solved else { return Reply::new(String::new(), &problems, source, screen) };
+    let (model, solution) = (solved.compiled.model(), &solved.solution);
+    let file = (source.name.as_str(), source.text.as_str());
+    let none = solution.poses.is_empty() && args.pose.is_none();
+    let document = if none {
+        without_position(args, source, &solved)
+    } else {
+        let pose = args.pose.as_deref().or_else(|| moving(&solved));
+        let scene = match Scene::of(model, solution, file, pose) {
+            Ok(scene) => scene,
+            Err(missing) => {
+                problems.push(missing);
+                return Reply::new(String::new(), &problems, source, screen);
+            }
+        };
+        let sizes = sizes::sizes(&read, &solved.compiled.mechanism);
+        let mut document = worked_from(scene, args.language.into(), &args.steps, &sizes).document;
+        if args.steps.is_empty() || args.steps.contains(&Part::Results) {
+            let more = tables::blocks(source, &solved, Some(&scene), args.language.into());
+            document.blocks.extend(without_repeated(&document.blocks, more));
+        }
+        document
+    };
+    match written(args, format, document, args.out.as_deref()) {
+        Ok(results) => Reply::new(results, &problems, source, screen),
+        Err(error) => {
+            let diagnostics = screen.diagnostics(&problems, source) + &complaint(error, screen);
+            Reply { results: String::new(), diagnostics, status: Status::Unusable }
+        }
+    }
+}
+
+/// Blocks without the figures that are there already: the scheme of a train is its section.
+fn without_repeated(there: &[Block], more: Vec<Block>) -> Vec<Block> {
+    let shown =
+        |svg: &str| there.iter().any(|b| matches!(b, Block::Figures(f) if f.iter().any(|f| f.svg == svg)));
+    let left = |block| match block {
+        Block::Figures(mut figures) => {
+            figures.retain(|figure| !shown(&figure.svg));
+            (!figures.is_empty()).then_some(Block::Figures(figures))
+        }
+        block => Some(block),
+    };
+    more.into_iter().filter_map(left).collect()
+}
+
+/// The name of the first position at which nothing is at rest, of several; the first where there is none.
+fn moving(solved: &Solved) -> Option<&str> {
+    let poses = &solved.solution.poses;
+    if poses.len() < 2 {
+        return None;
+    }
+    let is_moving = |pose: &&Pose| {
+        pose.outcome.as_ref().is_ok_and(|at| {
+            let rates = at.state.motion.bodies.iter().skip(1).map(|b| b.omega.abs() + b.v.norm());
+            let largest = rates.clone().fold(0.0, f64::max);
+            largest > 0.0 && rates.fold(f64::INFINITY, f64::min) > 1e-6 * largest
+        })
+    };
+    poses.iter().find(is_moving).map(|pose| pose.name.as_str())
+}
+
+/// Of a file without positions: its text, and the tables of its cams, gears and flywheels.
+fn without_position(args: &Report, source: &Source, solved: &Solved) -> Document {
+    let mechanism = &solved.compiled.mechanism;
+    let mut document = Document { language: Language::from(args.language).code(), ..Document::default() };
+    document.title = if mechanism.title.is_empty() { source.name.clone() } else { mechanism.title.clone() };
+    let notes = mechanism.notes.join(" ");
+    if !notes.is_empty() {
+        document.blocks.push(Block::Paragraph(vec![Inline::Text(notes)]));
+    }
+    let page = design(solved.compiled.model(), &solved.solution, args.language.into());
+    document.blocks.extend(page.blocks);
+    document.blocks.extend(tables::blocks(source, solved, None, args.language.into()).into_iter().map(
+        |block| match block {
+            Block::Heading(_, words) => Block::Heading(2, words),
+            block => block,
+        },
+    ));
+    document
+}
+
+/// Writes a document to its file, and its pictures next to it; what goes to standard output is given back.
+fn written(
+    args: &Report,
+    format: ReportFormat,
+    mut document: Document,
+    out: Option<&str>,
+) -> Result<String, CliError> {
+    let Some(name) = out.filter(|name| *name != "-") else {
+        if format != ReportFormat::Html && format != ReportFormat::Text {
+            // pictures have no place
+            document = document.without_figures();
+        }
+        return Ok(match format {
+            ReportFormat::Html => html(&document),
+            ReportFormat::Text => text(&document),
+            ReportFormat::Markdown => markdown(&document, "").0,
+            ReportFormat::Typst => typst(&document, "").0,
+        });
+    };
+    let path = Path::new(name);
+    let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+    let (text, pictures) = match format {
+        ReportFormat::Html => (html(&document), Vec::new()),
+        ReportFormat::Text => (text(&document), Vec::new()),
+        ReportFormat::Markdown => markdown(&document, &stem),
+        ReportFormat::Typst => typst(&document, &stem),
+    };
+    for (picture, svg) in pictures {
+        file(&path.with_file_name(picture), &svg, &args.files)?;
+    }
+    file(path, &text, &args.files)?;
+    Ok(String::new())
+}
+
+/// Writes a file, which appears only when complete.
+fn file(path: &Path, text: &str, inputs: &[String]) -> Result<(), CliError> {
+    if inputs.iter().any(|input| Path::new(input) == path) {
+        return Err(CliError::Overwrites { name: path.display().to_string() });
+    }
+    let mut sink = Sink::file(path)?;
+    sink.write(text.as_bytes())?;
+    sink.finish().map(|_| ())
+}

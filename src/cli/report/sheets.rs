@@ -1,0 +1,275 @@
+//! Exercise sheets and their keys.
+
+use super::{KINDS, written};
+use crate::cli::args::{Report, ReportFormat};
+use crate::cli::error::CliError;
+use crate::cli::reply::{Reply, Status, complaint};
+use crate::cli::screen::Screen;
+use crate::cli::threads::Threads;
+use crate::pipeline::{self, Solved};
+use crate::report::rows::AnswerColumns;
+use crate::report::{Answers, Precision};
+use assur_check::{self as check, FileRow, Overrides};
+use assur_model::model::Value;
+use assur_picture::Scene;
+use assur_solve::solve::Pose;
+use assur_syntax::document::Document;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
+use assur_worked::{Columns, Exercise, asks_for_positions, key, sheet};
+use std::sync::Arc;
+
+/// Sheets of a file.
+pub struct Sheets<'a> {
+    pub args: &'a Report,
+    pub format: ReportFormat,
+    pub source: &'a Source,
+    pub document: Arc<Document>,
+}
+
+/// A row of variants: its name and its values.
+struct Row {
+    name: String,
+    overrides: Overrides,
+}
+
+impl Sheets<'_> {
+    /// Writes them.
+    pub fn reply(&self, found: Problems, screen: &Screen) -> Reply {
+        let mut problems = found;
+        let rows = self.rows(&mut problems);
+        if problems.has_errors() {
+            return Reply::new(String::new(), &problems, self.source, screen);
+        }
+        let result = if self.args.key {
+            self.key(&rows, &mut problems)
+        } else if self.args.per_row {
+            self.each(&rows, &mut problems)
+        } else {
+            self.one(rows.first(), &mut problems, self.args.out.as_deref(), true)
+        };
+        match result {
+            Ok(results) => Reply::new(results, &problems, self.source, screen),
+            Err(error) => {
+                let diagnostics = screen.diagnostics(&problems, self.source) + &complaint(error, screen);
+                Reply { results: String::new(), diagnostics, status: Status::Unusable }
+            }
+        }
+    }
+
+    /// The rows of the file's own table; the file as written where it has none.
+    fn rows(&self, problems: &mut Problems) -> Vec<Row> {
+        let overrides = self.args.overrides();
+        let written = |overrides: Overrides| vec![Row { name: "1".to_owned(), overrides }];
+        let Some(rows) = self.file_rows(&overrides, problems) else { return written(overrides) };
+        let row = |(i, row): (usize, FileRow)| Row {
+            name: row.label.unwrap_or_else(|| (i + 1).to_string()),
+            overrides: Overrides { values: overrides.values.clone(), row: row.row },
+        };
+        rows.into_iter().enumerate().map(row).collect()
+    }
+
+    fn file_rows(&self, overrides: &Overrides, problems: &mut Problems) -> Option<Vec<FileRow>> {
+        let table = check::table(&self.document)?;
+        let (columns, found) = check::columns(&self.document, overrides, table);
+        problems.append(found);
+        let rows = check::file_rows(table, &columns?.into());
+        (!rows.is_empty()).then_some(rows)
+    }
+
+    fn solved(&self, overrides: &Overrides, problems: &mut Problems) -> Option<Solved> {
+        let (solved, found) =
+            pipeline::solve_document_drawn(self.source, &self.document, Problems::new(), overrides, &KINDS);
+        problems.append(found);
+        solved
+    }
+
+    /// One sheet, with the table of all variants or for one row alone.
+    fn one(
+        &self,
+        row: Option<&Row>,
+        problems: &mut Problems,
+        out: Option<&str>,
+        with_table: bool,
+    ) -> Result<String, CliError> {
+        let overrides = row.map_or_else(|| self.args.overrides(), |row| row.overrides.clone());
+        let Some(solved) = self.solved(&overrides, problems) else { return Ok(String::new()) };
+        let Ok(scene) = self.scene(&solved, problems) else { return Ok(String::new()) };
+        // pictures may show more than the file asks for
+        let Some(asking) = self.answered(&overrides, &mut Problems::new()) else { return Ok(String::new()) };
+        let answers = asking.answers(Precision::READABLE);
+        let wanted = answers.poses().find(|pose| scene.is_some_and(|scene| scene.pose.name == pose.name));
+        let mechanism = &solved.compiled.mechanism;
+        let hides = mechanism.simulation.is_none() && asks_for_positions(mechanism);
+        let other = scene
+            .filter(|_| hides)
+            .and_then(|scene| pipeline::elsewhere(&solved.compiled, &solved.solution, scene.pose));
+        let shown =
+            scene.map(|scene| match other.as_ref().and_then(|p| Some((p, p.outcome.as_ref().ok()?))) {
+                Some((pose, solved)) => Scene { pose, solved, ..scene },
+                None => scene,
+            });
+        let table = check::table(&self.document);
+        let varied = |name: &str| {
+            let in_table = table.is_some_and(|t| t.columns.iter().any(|c| c.name.node == name));
+            !self.is_used(name) || with_table && in_table
+        };
+        let exercise = Exercise {
+            mechanism,
+            file: &self.source.name,
+            text: &self.source.text,
+            scene,
+            shown,
+            asked: AnswerColumns::of(&answers.model).asked(&answers, wanted),
+            hidden: self.hidden(&asking),
+            positions: self.positions(&answers),
+            varied: &varied,
+        };
+        let variants = if with_table { self.variants() } else { None };
+        let document = sheet(&exercise, self.args.language.into(), variants);
+        written(self.args, self.format, document, out)
+    }
+
+    /// The position that is named, or the first; none where the file has none.
+    fn scene<'a>(&'a self, solved: &'a Solved, problems: &mut Problems) -> Result<Option<Scene<'a>>, ()> {
+        if solved.solution.poses.is_empty() && self.args.pose.is_none() {
+            return Ok(None);
+        }
+        let file = (self.source.name.as_str(), self.source.text.as_str());
+        let scene = Scene::of(solved.compiled.model(), &solved.solution, file, self.args.pose.as_deref());
+        scene.map(Some).map_err(|missing| problems.push(missing))
+    }
+
+    /// The positions that answers are wanted at, by name.
+    fn positions(&self, answers: &Answers<'_>) -> Vec<String> {
+        let events = answers.solution.simulation.iter().flat_map(|run| run.events.iter().flatten());
+        let events: Vec<f64> = events.copied().collect();
+        // the instant of an event is an answer
+        let of_event =
+            |pose: &&Pose| pose.outcome.as_ref().is_ok_and(|at| events.contains(&at.state.motion.time));
+        let poses = answers.poses().filter(|pose| self.is_wanted(pose) && !of_event(pose));
+        poses.map(|pose| pose.name.clone()).collect()
+    }
+
+    /// Expected numbers that the file does not give elsewhere.
+    fn hidden(&self, solved: &Solved) -> Vec<f64> {
+        let lines = self.source.text.lines().map(str::trim_start);
+        let lines = lines.filter(|line| !line.starts_with("expect") && !line.starts_with("//"));
+        let words = lines.flat_map(|line| line.split(|c: char| !(c.is_ascii_digit() || c == '.')));
+        let written: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
+        let numbers = solved.outcomes.iter().flat_map(|outcome| match outcome.expected {
+            Value::Scalar(x) => vec![outcome.display.of_si(x)],
+            Value::Vector(v) => {
+                let v = outcome.display.of_si_vector(v);
+                vec![v.x, v.y]
+            }
+            Value::Bool(_) => Vec::new(),
+        });
+        numbers.filter(|x| !written.iter().any(|w| (w - x.abs()).abs() <= 1e-9 * w)).collect()
+    }
+
+    fn is_wanted(&self, pose: &Pose) -> bool {
+        self.args.pose.as_ref().is_none_or(|name| *name == pose.name)
+    }
+
+    /// One sheet per row: `sheet-2.html` of `sheet.html`.
+    fn each(&self, rows: &[Row], problems: &mut Problems) -> Result<String, CliError> {
+        let name = self.args.out.as_deref().unwrap_or_default();
+        let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
+        let mut written: Vec<(&Row, Problems, Option<CliError>)> =
+            rows.iter().map(|row| (row, Problems::new(), None)).collect();
+        Threads::new(None).each(&mut written, |(i, (row, problems, error))| {
+            let out = format!("{stem}-{}.{ending}", i + 1);
+            *error = self.one(Some(row), problems, Some(&out), false).err();
+        });
+        for (_, found, error) in written {
+            problems.append(found);
+            if let Some(error) = error {
+                return Err(error);
+            }
+        }
+        Ok(String::new())
+    }
+
+    /// The answers of all rows, as `assur batch --key` has them.
+    fn key(&self, rows: &[Row], problems: &mut Problems) -> Result<String, CliError> {
+        let (mut lines, mut last) = (Vec::new(), None);
+        for row in rows {
+            let Some(solved) = self.answered(&row.overrides, problems) else { continue };
+            if self.scene(&solved, problems).is_err() {
+                return Ok(String::new());
+            }
+            let answers = solved.answers(Precision::READABLE);
+            let columns = AnswerColumns::of(&solved.compiled.model());
+            let poses: Vec<&Pose> = answers.poses().filter(|pose| self.is_wanted(pose)).collect();
+            if poses.is_empty() {
+                lines.push(([row.name.clone(), String::new()], columns.asked(&answers, None)));
+            }
+            for pose in poses {
+                lines.push(([row.name.clone(), pose.name.clone()], columns.asked(&answers, Some(pose))));
+            }
+            last = Some(solved);
+        }
+        let Some(solved) = last else { return Ok(String::new()) };
+        let exercise = Exercise {
+            mechanism: &solved.compiled.mechanism,
+            file: &self.source.name,
+            text: &self.source.text,
+            scene: None,
+            shown: None,
+            asked: Vec::new(),
+            hidden: Vec::new(),
+            positions: Vec::new(),
+            varied: &|_| false,
+        };
+        let document = key(&exercise, self.args.language.into(), &lines);
+        written(self.args, self.format, document, self.args.out.as_deref())
+    }
+
+    /// What the file asks for, and no more.
+    fn answered(&self, overrides: &Overrides, problems: &mut Problems) -> Option<Solved> {
+        let (compiled, found) =
+            pipeline::compile_document(self.source, &self.document, Problems::new(), overrides);
+        problems.append(found);
+        let (solved, found) = pipeline::solve(compiled.filter(|_| !problems.has_errors())?);
+        problems.append(found);
+        solved.ok().filter(|_| !problems.has_errors())
+    }
+
+    /// The table of variants without the columns that expectations alone use.
+    fn variants(&self) -> Option<Columns> {
+        let table = check::table(&self.document)?;
+        let used = |name: &str| self.is_used(name);
+        let kept: Vec<usize> =
+            (0..table.columns.len()).filter(|i| used(&table.columns[*i].name.node)).collect();
+        let header = |i: &usize| {
+            let column = &table.columns[*i];
+            match &column.unit {
+                Some(unit) => format!("{}, {}", column.name.node, unit.node),
+                None => column.name.node.clone(),
+            }
+        };
+        let cells = |row: &assur_syntax::document::Row| {
+            kept.iter()
+                .filter_map(|i| row.cells.get(*i))
+                .map(|c| c.node.text().to_owned())
+                .collect::<Vec<_>>()
+        };
+        let rows = table.rows.iter().map(cells).collect();
+        Some((kept.iter().map(header).collect(), rows))
+    }
+
+    /// Whether a name is used outside of the table and of expectations.
+    fn is_used(&self, name: &str) -> bool {
+        let text = &self.source.text;
+        let before = text.split_once("variants").map_or(text.as_str(), |(before, _)| before);
+        let is_own = |line: &str| {
+            let mut words = line.split_whitespace();
+            words.next() == Some("given") && words.next() == Some(name)
+        };
+        let mut lines =
+            before.lines().filter(|line| !line.trim_start().starts_with("expect") && !is_own(line));
+        let in_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+        name == "variant" || lines.any(|line| line.split(|c| !in_name(c)).any(|word| word == name))
+    }
+}

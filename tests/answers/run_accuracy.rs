@@ -1,0 +1,95 @@
+//! What accuracy costs in motions under loads: errors are true, and what is recommended keeps what is wanted. Times are
+//! never held to anything: the clock is a counter.
+
+#![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
+
+use assur::internals::check::Overrides;
+use assur::internals::measure::{MethodStudy, RunRow, RunStudy, study_runs};
+use assur::internals::report::diagram;
+use assur::internals::solve::Method;
+use assur::internals::source::Source;
+use assur::internals::{compile, solve_source, solve_within};
+use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+fn example(name: &str) -> Source {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/simulation").join(name);
+    Source::new(name, std::fs::read_to_string(path).unwrap())
+}
+
+/// Every look takes a second, so that nothing is repeated for long.
+fn counter() -> f64 {
+    static LOOKS: AtomicU32 = AtomicU32::new(0);
+    f64::from(LOOKS.fetch_add(1, Ordering::Relaxed))
+}
+
+fn studied(name: &str) -> RunStudy {
+    let source = example(name);
+    let solved = solve_source(&source, &Overrides::none()).0.unwrap();
+    study_runs(&solved.compiled.model(), &solved.solution, 1e-6, counter).unwrap().unwrap()
+}
+
+/// The number of an answer at the last instant, for an accuracy.
+fn at_the_end(name: &str, within: f64, body: usize) -> f64 {
+    let mut compiled = compile(&example(name), &Overrides::none()).0.unwrap();
+    compiled.mechanism.simulation.as_mut().unwrap().within = Some(within);
+    let solved = solve_within(compiled, None).0.unwrap();
+    let ended = solved.solution.poses.last().unwrap();
+    ended.outcome.as_ref().unwrap().angles[body]
+}
+
+fn is_honest(row: &RunRow) -> bool {
+    row.missed || row.error <= 3.0 * row.reported
+}
+
+fn own(study: &RunStudy) -> &MethodStudy {
+    study.methods.iter().find(|method| method.asked.is_none()).unwrap()
+}
+
+#[test]
+fn errors_of_runs_are_the_true_ones() {
+    let study = studied("andrews.mech");
+    assert!(study.precise && study.floor < 1e-14, "{study:?}");
+    let general = study.methods.iter().find(|method| method.asked == Some(Method::Dop853)).unwrap();
+    for (method, name) in [(own(&study), Method::Energy), (general, Method::Dop853)] {
+        assert_eq!((method.method, method.rows.len() > 5), (name, true));
+        assert!(method.rows.iter().all(is_honest), "{method:?}");
+        let (first, last) = (&method.rows[0], &method.rows[method.rows.len() - 1]);
+        assert!(last.error < 1e-6 * first.error && last.printed > first.printed, "{method:?}");
+    }
+    for row in own(&study).rows.iter().filter(|row| row.within > 1e-9) {
+        // β of two computations with 50 digits and in quadruple precision
+        let off = (at_the_end("andrews.mech", row.within, 1) - 15.810771195153707).abs();
+        let directions = row.each[1];
+        assert!(off <= 1.01 * directions + study.floor && off > 0.01 * directions, "{off} {row:?}");
+    }
+    // the same digits take a fraction of the evaluations
+    let cost = |method: &MethodStudy| method.rows.iter().find(|row| row.error < 1e-9).unwrap().printed;
+    assert!(3 * cost(own(&study)) < cost(general), "{study:?}");
+    let recommended = study.recommendation.as_ref().unwrap();
+    assert!(recommended.error <= 1e-6 && !recommended.missed, "{recommended:?}");
+    let picture = diagram::of_runs("Andrews", &study).unwrap();
+    assert!(picture.starts_with("<svg") && picture.contains("Radau IIA"), "{picture}");
+}
+
+#[test]
+fn stiff_motions_and_motions_with_friction_are_measured() {
+    let oil = studied("flap-in-oil.mech");
+    assert_eq!((own(&oil).method, oil.reference), (Method::Radau, Method::Radau));
+    let block = studied("block-on-a-spring.mech");
+    assert!(!oil.precise && !block.precise);
+    for study in [&oil, &block] {
+        assert!(study.floor < 1e-10, "{study:?}");
+        assert!(own(study).rows.iter().all(is_honest), "{study:?}");
+        assert!(own(study).rows.iter().any(|row| row.error < 1e-10), "{study:?}");
+        assert!(study.methods.iter().all(|method| !method.rows.is_empty()), "{study:?}");
+    }
+}
+
+#[test]
+fn files_without_a_motion_have_no_runs() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/accuracy/four-bar.mech");
+    let source = Source::new("four-bar", std::fs::read_to_string(path).unwrap());
+    let solved = solve_source(&source, &Overrides::none()).0.unwrap();
+    assert!(study_runs(&solved.compiled.model(), &solved.solution, 1e-6, counter).unwrap().is_none());
+}

@@ -1,0 +1,39 @@
+//! Plots of motions under loads: curves over time, events, extremes between the printed instants.
+
+use crate::drawn::{animated, sheets, solved};
+use assur::internals::drawing::Theme;
+use assur::internals::picture::Kind;
+
+#[test]
+fn plots_over_time_show_events_and_extremes() {
+    let text = include_str!("../../examples/simulation/pendulum.mech");
+    let Some((source, solved)) = solved("pendulum.mech", text) else { panic!("the pendulum swings") };
+    let plot = sheets(&source, &solved, Kind::Plot);
+    let said = &plot[0].drawing.description;
+    // √(2g/l) = 4.4294 rad/s at the lowest place, a quarter and three quarters of the period 2.36784 s
+    for part in [
+        "omega(bar): least −4.429 rad/s at 0.592 s, greatest 4.429 rad/s at 1.776 s",
+        "rest at 1.184 s, 2.368 s, 3.552 s, 4.736 s",
+        "lowest at 0.592 s, 2.96 s",
+        "energy(): 0 J everywhere",
+        "position(P).x: least −1 m at 1.184 s, greatest 1 m at 0 s",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    let svg = plot[0].svg(Theme::Auto);
+    assert!(svg.contains("rest, back") && svg.contains("over time"), "{svg}");
+}
+
+/// An answer between the file's two instants.
+#[test]
+fn a_motion_with_two_instants_has_smooth_curves() {
+    let text = "mech 1\ngravity 9.81 m/s^2\nground { A (0, 0) }\nlink bar A-P 1 m { mass 1 kg at P; inertia 0 kg*m^2 }\n\
+                revolute A: ground - bar\nstart bar = 0 deg\nsimulate 1 s\nfind omega(bar)\n";
+    let Some((source, solved)) = solved("bar.mech", text) else { panic!("it falls") };
+    let plot = sheets(&source, &solved, Kind::Plot);
+    let said = &plot[0].drawing.description;
+    assert!(said.contains("least −4.429 rad/s at 0.592 s, greatest 0 rad/s at 0 s"), "{said}");
+    let page = animated(&source, &solved).unwrap_or_default();
+    // the cursor of the page goes along the plot
+    assert!(page.contains("id=\"c\"") && !page.contains("X=null"), "the page has a plot");
+}

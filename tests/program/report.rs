@@ -1,0 +1,101 @@
+//! `assur report` as run from a shell.
+
+use crate::cli::GOOD;
+use crate::run::{Folder, assur};
+
+#[test]
+fn a_solution_goes_to_standard_output_or_to_a_file() {
+    let folder = Folder::new("report-one").with("a.mech", GOOD);
+    let out = assur(&folder, &["report", "a.mech"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(out.stdout.contains("1 Structure\n") && out.stdout.contains(" Results\n"), "{}", out.stdout);
+    let written = assur(&folder, &["report", "a.mech", "-o", "a.txt"]);
+    assert_eq!((written.status, written.stdout.as_str(), written.stderr.as_str()), (0, "", ""));
+    assert_eq!(folder.read("a.txt"), out.stdout);
+    let page = assur(&folder, &["report", "a.mech", "-o", "a.html"]);
+    assert_eq!((page.status, page.stderr.as_str()), (0, ""));
+    let page = folder.read("a.html");
+    assert!(page.starts_with("<!doctype html>\n<html lang=\"en\">") && page.contains("<math"), "{page}");
+    let same = assur(&folder, &["report", "a.mech", "--format", "html"]);
+    assert_eq!(same.stdout, page);
+}
+
+#[test]
+fn pictures_of_markdown_and_typst_are_next_to_it() {
+    let folder = Folder::new("report-md").with("a.mech", GOOD);
+    let out = assur(&folder, &["report", "a.mech", "-o", "b.md"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let text = folder.read("b.md");
+    assert!(text.contains("![Kinematic scheme") && text.contains("](b-1.svg)"), "{text}");
+    assert!(folder.read("b-1.svg").starts_with("<svg "));
+    let out = assur(&folder, &["report", "a.mech", "-o", "c.typ"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(folder.read("c.typ").contains("image(\"c-1.svg\")"));
+    // on standard output there is no place for them
+    let out = assur(&folder, &["report", "a.mech", "--format", "markdown"]);
+    assert!(out.status == 0 && !out.stdout.contains(".svg") && out.stdout.contains("$$\n"), "{}", out.stdout);
+}
+
+#[test]
+fn parts_poses_and_languages_are_chosen() {
+    let folder = Folder::new("report-parts").with("a.mech", GOOD);
+    let out = assur(&folder, &["report", "a.mech", "--steps", "1,8"]);
+    assert!(out.stdout.contains("1 Structure\n") && out.stdout.contains("2 Results\n"), "{}", out.stdout);
+    assert!(!out.stdout.contains("Positions"), "{}", out.stdout);
+    let second = assur(&folder, &["report", "a.mech", "--pose", "2"]);
+    assert!(second.stdout.contains("crank = 90 deg"), "{}", second.stdout);
+    let russian = assur(&folder, &["report", "a.mech", "--lang", "ru"]);
+    assert!(russian.stdout.contains("Положения"), "{}", russian.stdout);
+}
+
+#[test]
+fn wrong_use_is_explained() {
+    let folder = Folder::new("report-wrong").with("a.mech", GOOD).with("b.mech", GOOD);
+    let out = assur(&folder, &["report", "a.mech", "b.mech", "-o", "x.html"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("one worked solution only"), "{}", out.stderr);
+    let out = assur(&folder, &["report", "a.mech", "-o", "x.doc"]);
+    assert!(out.status == 2 && out.stderr.contains("`.html`, `.md`, `.typ` or `.txt`"), "{}", out.stderr);
+    let out = assur(&folder, &["report", "a.mech", "--steps", "9"]);
+    assert!(out.status == 2 && out.stderr.contains("numbers from 0 to 8"), "{}", out.stderr);
+    let out = assur(&folder, &["report", "a.mech", "--pose", "7"]);
+    assert!(out.status == 1 && out.stderr.contains("mech::picture::no_position"), "{}", out.stderr);
+    let out = assur(&folder, &["report", "a.mech", "-o", "a.mech", "--format", "text"]);
+    assert!(out.status == 2 && out.stderr.contains("both an input and the output"), "{}", out.stderr);
+}
+
+#[test]
+fn sheets_have_a_table_of_variants_and_keys_their_answers() {
+    let text = "given r = 100 mm
+given v_key = 1 m/s
+ground { A (0, 0); line guide through A along 0 deg }
+link crank A-B r
+link rod B-C 350 mm
+link piston { C (0, 0) }
+revolute A: ground - crank
+revolute B: crank - rod
+revolute C: rod - piston
+prismatic D: piston.C - ground.guide
+drive crank = 90 deg at 10 rad/s
+assemble C ahead of B
+find v = velocity(C).x as m/s
+expect v = v_key
+variants {
+  r [mm], v_key [m/s]
+  100, -1
+  120, -1.2
+}
+";
+    let folder = Folder::new("report-sheet").with("a.mech", text);
+    let sheet = assur(&folder, &["report", "a.mech", "--sheet"]);
+    assert_eq!((sheet.status, sheet.stderr.as_str()), (0, ""));
+    assert!(sheet.stdout.contains("r, mm") && !sheet.stdout.contains("v_key"), "{}", sheet.stdout);
+    assert!(sheet.stdout.contains("v = velocity(C).x as m/s"), "{}", sheet.stdout);
+    let key = assur(&folder, &["report", "a.mech", "--key"]);
+    assert!(key.stdout.contains("−1.000") && key.stdout.contains("−1.200"), "{}", key.stdout);
+    let each = assur(&folder, &["report", "a.mech", "--sheet", "--per-row", "-o", "s.html"]);
+    assert_eq!((each.status, each.stdout.as_str(), each.stderr.as_str()), (0, "", ""));
+    assert_eq!(folder.names(), ["a.mech", "s-1.html", "s-2.html"]);
+    let without = assur(&folder, &["report", "a.mech", "--per-row"]);
+    assert_eq!(without.status, 2);
+}

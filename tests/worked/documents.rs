@@ -1,0 +1,85 @@
+//! Pages as documents: well-formed, without scripts and requests, headings without gaps; the same in every language.
+
+use crate::examples::examples;
+use crate::made::solved;
+use crate::xml;
+use assur::internals::picture::Scene;
+use assur::internals::worked::{Language, html, markdown, text, typst, worked};
+
+/// The pages of an example.
+fn pages(name: &str, words: &str, language: Language) -> Option<String> {
+    let (source, solved) = solved(name, words)?;
+    let file = (source.name.as_str(), source.text.as_str());
+    let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
+    Some(html(&worked(scene, language, &[]).document))
+}
+
+#[test]
+fn pages_are_well_formed_and_ask_for_nothing() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, words) in examples() {
+        let Some(page) = pages(&name, &words, Language::English) else { continue };
+        count += 1;
+        let body = page.trim_start_matches("<!doctype html>\n");
+        if let Err(fault) = xml::check(body) {
+            wrong.push(format!("{name}: {fault}"));
+        }
+        for forbidden in ["<script", "src=", "url(", "@import"] {
+            if page.contains(forbidden) {
+                wrong.push(format!("{name}: {forbidden}"));
+            }
+        }
+        let rest = page.replace("http://www.w3.org/2000/svg", "");
+        if rest.contains("http://") || rest.contains("https://") {
+            wrong.push(format!("{name}: an address"));
+        }
+        let mut level = 1;
+        for (at, _) in page.match_indices("<h") {
+            let next = page[at + 2..].bytes().next().unwrap_or(0);
+            if !next.is_ascii_digit() {
+                continue;
+            }
+            let own = usize::from(next - b'0');
+            if own > level + 1 {
+                wrong.push(format!("{name}: a heading of level {own} after one of {level}"));
+            }
+            level = own;
+        }
+        if page.matches("<h1").count() != 1 {
+            wrong.push(format!("{name}: headings of the first level"));
+        }
+    }
+    assert!(count > 190, "{count}");
+    assert!(wrong.is_empty(), "{} of {count}: {:#?}", wrong.len(), &wrong[..wrong.len().min(30)]);
+}
+
+#[test]
+fn a_solution_has_the_letters_and_signs_of_its_language() {
+    let words = std::fs::read_to_string("examples/kinetostatics/six-bar.mech").expect("the example");
+    let russian = pages("six-bar", &words, Language::Russian).expect("a page");
+    assert!(russian.contains("lang=\"ru\"") && russian.contains("<mn>0,28489</mn>"), "{russian}");
+    assert!(!russian.contains("<mn>0.28489</mn>"));
+    let chinese = pages("six-bar", &words, Language::Chinese).expect("a page");
+    assert!(chinese.contains("速度分析") && chinese.contains("<mn>0.28489</mn>"));
+}
+
+#[test]
+fn all_formats_have_the_same_equations() {
+    let words = std::fs::read_to_string("examples/crank-slider.mech").expect("the example");
+    let (source, solved) = solved("crank-slider", &words).expect("solved");
+    let file = (source.name.as_str(), source.text.as_str());
+    let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).expect("a position");
+    let document = worked(scene, Language::English, &[]).document;
+    let (marked, pictures) = markdown(&document, "x");
+    let (typeset, same) = typst(&document, "x");
+    assert_eq!(pictures.len(), same.len());
+    assert!(pictures.len() >= 7, "{}", pictures.len());
+    for text in [&text(&document), &marked, &typeset, &html(&document)] {
+        for number in ["32.403", "4873.3", "3079.5", "472.06"] {
+            assert!(text.contains(number), "{number} is missing");
+        }
+    }
+    let page = html(&document);
+    assert!(page.len() < 250_000, "{}", page.len());
+    assert_eq!(page, html(&worked(scene, Language::English, &[]).document));
+}

@@ -1,0 +1,149 @@
+//! Every example.
+
+use crate::made::{Tally, of_position, of_solved, solved};
+use crate::reader::{Read, mathml};
+use assur::internals::Solved;
+use assur::internals::model::FindKind;
+use assur::internals::worked::{Block, Document, Inline, Language, Worked, design, html};
+use std::path::Path;
+
+pub fn examples() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let files = crate::folder::files(&root, "mech").into_iter();
+    let texts = files.map(|path| {
+        let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
+        (name, std::fs::read_to_string(&path).expect("an example"))
+    });
+    texts.collect()
+}
+
+#[test]
+fn every_printed_equation_balances() {
+    let mut tally = Tally::default();
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        if let Some((made, condition)) = of_solved(&source, &solved) {
+            tally.judge(&name, &made, condition);
+        }
+    }
+    tally.finish();
+    assert!(tally.solutions > 190 && tally.equations > 5000, "{tally:?}");
+}
+
+#[test]
+fn other_positions_balance_too() {
+    let mut tally = Tally::default();
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let poses = &solved.solution.poses;
+        for part in [1, 2, 3].into_iter().filter(|_| poses.len() > 3) {
+            let pose = &poses[poses.len() * part / 4].name;
+            if let Some((made, condition)) = of_position(&source, &solved, Some(pose)) {
+                tally.judge(&format!("{name} at {pose}"), &made, condition);
+            }
+        }
+    }
+    tally.finish();
+    assert!(tally.solutions > 150 && tally.reactions[1] == 0 && tally.loads[1] == 0, "{tally:?}");
+}
+
+#[test]
+fn what_needs_no_position_balances_too() {
+    let mut tally = Tally::default();
+    for (name, text) in examples() {
+        let Some((_, solved)) = solved(&name, &text) else { continue };
+        let page = design(solved.compiled.model(), &solved.solution, Language::English);
+        if page.blocks.is_empty() {
+            continue;
+        }
+        let document = Document { blocks: page.blocks, ..Document::default() };
+        let equations = page.equations.into_iter().map(|(_, equation)| equation).collect();
+        let disagreements = page.disagreements;
+        tally.judge(&name, &Worked { document, equations, disagreements, ..Worked::default() }, 1.0);
+    }
+    tally.finish();
+    assert!(tally.solutions > 20 && tally.equations > 300, "{tally:?}");
+}
+
+#[test]
+fn every_group_and_every_load_has_its_steps() {
+    let (mut wrong, mut stated) = (Vec::new(), Vec::new());
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let Some((made, _)) = of_solved(&source, &solved) else { continue };
+        let (model, counts) = (solved.compiled.model(), made.counts);
+        let groups = model.structure.motion.iter().filter(|g| !g.bodies.is_empty()).count();
+        if counts.motion.iter().sum::<usize>() != groups {
+            wrong.push(format!("{name}: {:?} of {groups} groups of motion", counts.motion));
+        }
+        let locked = solved.solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok());
+        let locked = locked.take(1).any(|s| s.state.forces.locked);
+        let forces = if model.plan.has_forces() && !locked { model.plan.forces.len() } else { 0 };
+        if counts.forces.iter().sum::<usize>() != forces {
+            wrong.push(format!("{name}: {:?} of {forces} groups of forces", counts.forces));
+        }
+        stated.extend(
+            [
+                ("group of forces", counts.forces[1]),
+                ("reaction", counts.reactions[1]),
+                ("resultant of loads", counts.loads[1]),
+            ]
+            .into_iter()
+            .filter(|(_, n)| *n > 0)
+            .map(|(what, n)| format!("{name}: {what} × {n}")),
+        );
+        wrong.extend(without_result(&name, &solved, &made));
+    }
+    println!("stated and not derived: {stated:#?}");
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(stated.is_empty(), "{stated:#?}");
+}
+
+/// Requests and reactions that the table of results does not have.
+fn without_result(name: &str, solved: &Solved, made: &Worked) -> Vec<String> {
+    let mechanism = &solved.compiled.mechanism;
+    let tables = made.document.blocks.iter().filter_map(|block| match block {
+        Block::Table(table) => Some(table),
+        _ => None,
+    });
+    let cell = |line: &Vec<Inline>| match line.first() {
+        Some(Inline::Text(words)) => words.clone(),
+        _ => String::new(),
+    };
+    let named: Vec<String> =
+        tables.flat_map(|t| t.rows.iter().filter_map(|row| row.first().map(cell))).collect();
+    let values =
+        mechanism.finds.iter().filter(|find| matches!(&find.kind, FindKind::Value { poseless: false, .. }));
+    let missing = values.filter(|find| !named.contains(&find.name));
+    missing.map(|find| format!("{name}: no result of {}", find.name)).collect()
+}
+
+#[test]
+fn a_changed_digit_is_caught() {
+    let text = std::fs::read_to_string("examples/kinetostatics/six-bar.mech").expect("the example");
+    let (source, solved) = solved("six-bar", &text).expect("solved");
+    let page = html(&of_solved(&source, &solved).expect("a solution").0.document);
+    let (mut changed, mut caught) = (0, 0);
+    for infix in mathml::equations(&page) {
+        let Ok(read) = Read::of(&infix) else { continue };
+        for side in &read.sides {
+            let places: Vec<usize> = side.match_indices(|c: char| c.is_ascii_digit()).map(|m| m.0).collect();
+            // the first digits of every number that is not a power
+            for at in places {
+                let before = side[..at].chars().next_back().unwrap_or(' ');
+                let starts = !(before.is_ascii_digit() || before == '.' || side[..at].ends_with("^("));
+                if !starts {
+                    continue;
+                }
+                let digit = side.as_bytes()[at] - b'0';
+                let other = char::from(b'0' + (digit + 3) % 10);
+                let mutated = format!("{}{other}{}", &side[..at], &side[at + 1..]);
+                changed += 1;
+                let mutated = Read { sides: vec![mutated], ..read.clone() };
+                caught += usize::from(mutated.judge().is_err());
+            }
+        }
+    }
+    println!("{caught} of {changed}");
+    assert!(changed > 100 && 100 * caught >= 95 * changed, "{caught} of {changed}");
+}

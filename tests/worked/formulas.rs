@@ -1,0 +1,56 @@
+//! Every formula in LaTeX parses, read by a parser that is not of this repository.
+
+use crate::examples::examples;
+use crate::made::solved;
+use assur::internals::picture::Scene;
+use assur::internals::worked::{Language, markdown, worked};
+use pulldown_latex::{Parser, Storage};
+
+/// The formulas of a text in Markdown, between dollars; escaped dollars are text.
+fn formulas(text: &str) -> Vec<String> {
+    let text = text.replace("\\$", "").replace("$$", "$");
+    text.split('$').skip(1).step_by(2).filter(|f| !f.is_empty()).map(str::to_owned).collect()
+}
+
+/// What a parser has against a formula.
+fn fault(formula: &str) -> Option<String> {
+    let storage = Storage::new();
+    let parsed = Parser::new(formula, &storage).find_map(Result::err).map(|error| error.to_string());
+    parsed.or_else(|| double_script(formula))
+}
+
+/// A raised sign behind an index, of a letter that is primed already: an error in TeX, which the parser lets pass.
+fn double_script(formula: &str) -> Option<String> {
+    let is_primed = |at: usize| formula[..at].ends_with('\'') && formula[at..].starts_with("_{");
+    let places = formula.match_indices("_{").map(|m| m.0).filter(|at| is_primed(*at));
+    let behind = |at: usize| {
+        let mut depth = 0_usize;
+        let end = formula[at + 1..].find(|c| {
+            depth = if c == '{' { depth + 1 } else { depth - usize::from(c == '}') };
+            depth == 0
+        });
+        end.is_some_and(|end| formula[at + 1 + end + 1..].starts_with('^'))
+    };
+    places.into_iter().find(|at| behind(*at)).map(|at| format!("two raised signs at {at}"))
+}
+
+#[test]
+fn every_formula_in_latex_parses() {
+    assert!(fault("a'_{1}^{2}").is_some() && fault("\\frac{1}{").is_some() && fault("\\nosuch{1}").is_some());
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, words) in examples() {
+        let Some((source, solved)) = solved(&name, &words) else { continue };
+        let file = (source.name.as_str(), source.text.as_str());
+        let Ok(scene) = Scene::of(solved.compiled.model(), &solved.solution, file, None) else { continue };
+        for language in [Language::English, Language::Russian] {
+            let (text, _) = markdown(&worked(scene, language, &[]).document, "x");
+            for formula in formulas(&text) {
+                count += 1;
+                wrong.extend(fault(&formula).map(|fault| format!("{name}: {formula}\n{fault}")));
+            }
+        }
+    }
+    println!("{count} formulas");
+    assert!(count > 30_000, "{count}");
+    assert!(wrong.is_empty(), "{} of {count}: {:#?}", wrong.len(), &wrong[..wrong.len().min(20)]);
+}

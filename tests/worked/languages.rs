@@ -1,0 +1,146 @@
+//! Solutions in other languages: no sentence of another one, the letters of their courses, labels that stay apart.
+
+use crate::drawn::faults;
+use crate::examples::examples;
+use crate::made::solved;
+use assur::internals::picture::{Kind, Options, Scene, draw};
+use assur::internals::worked::{Language, drawing_in};
+use std::collections::BTreeSet;
+use std::process::Command;
+
+/// The page of an example as the program writes it.
+fn page(name: &str, language: &str) -> String {
+    let path = format!("{}/examples/{name}", env!("CARGO_MANIFEST_DIR"));
+    let words = ["report", &path, "--lang", language, "--format", "html"];
+    let out = Command::new(env!("CARGO_BIN_EXE_assur")).args(words).output().expect("the program runs");
+    String::from_utf8_lossy(&out.stdout).into_owned()
+}
+
+/// The texts of a page, formulas and rules of style aside.
+fn texts(page: &str) -> Vec<String> {
+    let mut page = page.to_owned();
+    for (open, close) in [("<style", "</style>"), ("<math", "</math>")] {
+        while let Some(at) = page.find(open) {
+            let end = page[at..].find(close).map_or(page.len(), |end| at + end + close.len());
+            page.replace_range(at..end, " ");
+        }
+    }
+    page.split('<')
+        .filter_map(|part| Some(part.split_once('>')?.1.trim().to_owned()))
+        .filter(|t| !t.is_empty())
+        .collect()
+}
+
+fn words(text: &str) -> Vec<&str> {
+    text.split(|c: char| !c.is_ascii_alphabetic()).filter(|w| w.len() >= 3).collect()
+}
+
+/// Words that all languages have: units, functions of the language of files and names that it makes.
+const COMMON: [&str; 24] = [
+    "rad",
+    "deg",
+    "rpm",
+    "min",
+    "max",
+    "red",
+    "effort",
+    "barrel",
+    "rod",
+    "RRR",
+    "RRP",
+    "RPR",
+    "RPP",
+    "PRP",
+    "PPR",
+    "assur",
+    "solve",
+    "grade",
+    "find",
+    "reactions",
+    "III",
+    "VII",
+    "ground",
+    "alpha",
+];
+
+#[test]
+fn no_sentence_is_of_another_language() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, file) in examples() {
+        let own: BTreeSet<&str> = words(&file).into_iter().chain(COMMON).collect();
+        // an index of two links has both their names
+        let is_own = |w: &&str| {
+            own.contains(*w) || (1..w.len()).any(|i| own.contains(&w[..i]) && own.contains(&w[i..]))
+        };
+        for language in ["zh", "ru"] {
+            let page = page(&name, language);
+            count += usize::from(!page.is_empty());
+            for text in texts(&page) {
+                let foreign: Vec<&str> = words(&text).into_iter().filter(|w| !is_own(w)).collect();
+                let sentence = foreign.iter().filter(|w| w.chars().all(|c| c.is_ascii_lowercase())).count();
+                if sentence > 1 || sentence == 1 && text.trim() == foreign[0] {
+                    wrong.push(format!("{name}, {language}: {text}"));
+                }
+                let strange = |c: char| match language {
+                    "zh" => ('а'..='я').contains(&c),
+                    _ => ('一'..='龥').contains(&c),
+                };
+                if text.chars().any(|c| strange(c) && !file.contains(c)) {
+                    wrong.push(format!("{name}, {language}: {text}"));
+                }
+            }
+        }
+    }
+    println!("{count} pages");
+    assert!(count > 380, "{count}");
+    assert!(wrong.is_empty(), "{} {:#?}", wrong.len(), &wrong[..wrong.len().min(40)]);
+}
+
+#[test]
+fn pictures_have_the_letters_of_the_course() {
+    let chinese = page("kinetostatics/six-bar.mech", "zh");
+    assert!(chinese.contains("aria-label=\"F_R12\"") && !chinese.contains("aria-label=\"R_12\""));
+    let russian = page("kinetostatics/six-bar.mech", "ru");
+    assert!(russian.contains("aria-label=\"F_и2\"") && !russian.contains("aria-label=\"F_I2\""));
+    let places = russian.split("<text").skip(1).filter_map(|t| t.split("</text>").next());
+    let decimals = |t: &&str| {
+        let shown: String = t.split('<').filter_map(|part| Some(part.split_once('>')?.1)).collect();
+        shown.as_bytes().windows(3).any(|w| w[0].is_ascii_digit() && w[1] == b'.' && w[2].is_ascii_digit())
+    };
+    assert_eq!(places.filter(decimals).collect::<Vec<_>>(), Vec::<&str>::new());
+}
+
+#[test]
+fn labels_are_apart_in_every_language() {
+    const PICTURES: [Kind; 9] = [
+        Kind::Scheme,
+        Kind::Velocities,
+        Kind::Accelerations,
+        Kind::Forces,
+        Kind::Lever,
+        Kind::Plot,
+        Kind::Work,
+        Kind::Cam,
+        Kind::Train,
+    ];
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let file = (source.name.as_str(), source.text.as_str());
+        let Ok(scene) = Scene::of(solved.compiled.model(), &solved.solution, file, None) else { continue };
+        for kind in PICTURES {
+            for drawing in draw(kind, &scene, &Options::default()).unwrap_or_default() {
+                for language in [Language::Chinese, Language::Russian] {
+                    count += 1;
+                    let sheet = drawing_in(language, &scene, drawing.clone()).placed();
+                    wrong.extend(
+                        faults(&sheet).iter().map(|fault| format!("{name}, {}: {fault}", kind.name())),
+                    );
+                }
+            }
+        }
+    }
+    println!("{count} pictures");
+    assert!(count > 2000, "{count}");
+    assert!(wrong.is_empty(), "{} {:#?}", wrong.len(), &wrong[..wrong.len().min(20)]);
+}
