@@ -39,6 +39,7 @@ pub mod internals {
     pub use crate::{exercise, pipeline, report};
     pub use assur_check as check;
     pub use assur_drawing as drawing;
+    pub use assur_format as format;
     pub use assur_math::{element, force, group, math};
     pub use assur_model::{model, structure};
     pub use assur_picture as picture;

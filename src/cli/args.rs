@@ -2,12 +2,14 @@
 
 mod command;
 mod draw;
+mod fmt;
 mod format;
 mod pages;
 mod report;
 
 pub use command::Command;
 pub use draw::{Draw, LoadsArg, Picture, ThemeArg};
+pub use fmt::Fmt;
 pub use format::{Format, ProfileFormat, SolveFormat};
 pub use pages::{Explain, Help, New, StartKind};
 pub use report::{Report, ReportFormat};
@@ -56,13 +58,15 @@ Examples:
   assur batch homework --key key.csv        solve an exercise set and write its answer key
   assur grade key.csv answers.csv           grade answers
   assur grade key.csv answers.csv --points 'Mb=2,F_A=1' --credit sign=0.5
+  assur fmt engine.mech                     blanks and columns in the one style
+  assur fmt --check homework                what would change, as a diff
   assur explain mech::assembly::ambiguous   meaning of a diagnostic
   assur help functions                      the functions of the language
 
 Exit status:
   0  success
   1  a problem has errors; with `test`, an expectation fails; with `grade`, an answer is wrong or missing, or a line
-     cannot be graded
+     cannot be graded; with `fmt --check`, a file is not formatted
   2  the command line, a value of `--set` or a file cannot be used, or the output is incomplete: the disk is full, or
      a pipe was closed (this is not reported)
   128 + n  signal n ended the program: 129 SIGHUP, 130 SIGINT (Ctrl-C), 143 SIGTERM; no temporary file is left";

@@ -59,6 +59,10 @@ pub enum CliError {
         /// The drawing.
         name: String,
     },
+    /// Several files, one range of lines.
+    #[error("`--range` is of one file, but there are several")]
+    #[diagnostic(help("name one file"))]
+    OneRange,
     /// Several pictures, one place.
     #[error("`{name}` can contain one picture only, but there are several")]
     #[diagnostic(help("write them to a folder: `-o pictures/`"))]

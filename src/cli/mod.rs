@@ -11,6 +11,7 @@ mod draw;
 mod error;
 mod explain;
 mod files;
+mod fmt;
 mod grade;
 mod help;
 mod motion;
@@ -57,6 +58,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Draw(args) => draw::run(&args, &screen),
         Command::Report(args) => report::run(&args, &screen),
         Command::Explain(args) => explain::run(&args, &screen),
+        Command::Fmt(args) => fmt::run(&args, &screen),
         Command::New(args) => new::run(&args, &screen),
         Command::Help(args) => help::run(&args, &screen),
     };

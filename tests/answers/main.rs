@@ -10,6 +10,7 @@ mod expectations;
 mod expressions;
 #[path = "../folder/mod.rs"]
 mod folder;
+mod formatted;
 mod geometry;
 mod large;
 mod number_cases;

@@ -75,7 +75,7 @@ fn the_manual_has_every_command() {
     assert_eq!((whole.status, whole.stderr.as_str()), (0, ""));
     assert_eq!(whole.stdout, assur(&folder, &["--help"]).stdout);
     for command in
-        ["check", "solve", "test", "batch", "grade", "accuracy", "profile", "explain", "new", "help"]
+        ["check", "solve", "test", "batch", "grade", "accuracy", "profile", "explain", "fmt", "new", "help"]
     {
         let out = assur(&folder, &["help", command]);
         assert_eq!((out.status, out.stderr.as_str()), (0, ""), "{command}");

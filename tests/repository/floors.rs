@@ -9,10 +9,11 @@ use std::path::{Path, PathBuf};
 const LONGEST: usize = 5;
 
 /// The folders whose files are judged.
-const FOLDERS: [&str; 10] = [
+const FOLDERS: [&str; 11] = [
     "crates/assur-text/src",
     "crates/assur-math/src",
     "crates/assur-syntax/src",
+    "crates/assur-format/src",
     "crates/assur-model/src",
     "crates/assur-check/src",
     "crates/assur-position/src",

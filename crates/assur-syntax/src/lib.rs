@@ -13,6 +13,7 @@ mod line;
 mod lower;
 mod prepare;
 mod recover;
+mod tokens;
 mod trivia;
 mod whole;
 mod words;
@@ -23,28 +24,49 @@ pub use character_error::CharacterError;
 pub use comma::{between_digits, readings};
 pub use confusables::skeleton;
 pub use error::SyntaxError;
+pub use tokens::{Token, TokenKind};
 
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Source, Span};
 use document::Document;
 use grammar::{Grammar, Rule};
 use pest::Parser;
+use pest::iterators::Pairs;
 
 /// Reads a text. Every mistake is reported, and the document contains all parts that could be read.
 #[must_use]
 pub fn parse(source: &Source) -> (Document, Problems) {
+    let (document, problems, _) = read(source, |_, _, _| ());
+    (document, problems)
+}
+
+/// A text read, with the tokens it consists of.
+#[must_use]
+pub fn parse_with_tokens(source: &Source) -> (Document, Vec<Token>, Problems) {
+    let (document, problems, found) = read(source, tokens::tokens);
+    (document, found.unwrap_or_default(), problems)
+}
+
+/// Reads a text, and takes from the pairs what else is wanted of them.
+fn read<T>(
+    source: &Source,
+    also: impl FnOnce(&str, &str, Pairs<'_, Rule>) -> T,
+) -> (Document, Problems, Option<T>) {
     let mut problems = Problems::new();
-    let read = prepare::prepare(&source.text, &mut problems);
-    let mut document = Document { trivia: trivia::scan(&source.text), ..Document::default() };
+    let text = &source.text;
+    let read = prepare::prepare(text, &mut problems);
+    let mut document = Document { trivia: trivia::scan(text), ..Document::default() };
+    let mut taken = None;
     match Grammar::parse(Rule::file, &read) {
         Ok(pairs) => {
-            let (statements, found) = lower::file(&source.text, &read, pairs);
+            taken = Some(also(text, &read, pairs.clone()));
+            let (statements, found) = lower::file(text, &read, pairs);
             problems.append(found);
-            document.notes = trivia::notes(&source.text, &statements, &document.trivia);
+            document.notes = trivia::notes(text, &statements, &document.trivia);
             document.statements = statements;
         }
-        Err(_) => problems.push(recover::unreadable(Span::new(0, source.text.len()))),
+        Err(_) => problems.push(recover::unreadable(Span::new(0, text.len()))),
     }
     whole::check(&document, &mut problems);
-    (document, problems)
+    (document, problems, taken)
 }

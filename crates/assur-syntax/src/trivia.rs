@@ -8,7 +8,7 @@ use assur_text::source::{Span, Spanned};
 pub(super) fn scan(text: &str) -> Trivia {
     let mut trivia = Trivia::default();
     let mut start = 0;
-    for line in text.split_inclusive('\n') {
+    for line in lines(text) {
         if line.trim().is_empty() {
             trivia.blank_lines.push(start);
         } else if let Some(at) = comment(line) {
@@ -17,6 +17,18 @@ pub(super) fn scan(text: &str) -> Trivia {
         start += line.len();
     }
     trivia
+}
+
+/// The lines of a text with their ends: LF, CR LF or CR.
+fn lines(mut text: &str) -> impl Iterator<Item = &str> {
+    std::iter::from_fn(move || {
+        let end = text
+            .find(['\n', '\r'])
+            .map_or(text.len(), |at| at + if text[at..].starts_with("\r\n") { 2 } else { 1 });
+        let (line, rest) = text.split_at(end);
+        text = rest;
+        (!line.is_empty()).then_some(line)
+    })
 }
 
 /// Where the comment of a line begins; slashes in a text begin none.
@@ -43,7 +55,9 @@ pub(super) fn notes(text: &str, statements: &[Spanned<Statement>], trivia: &Triv
     let mut notes = Vec::new();
     for comment in trivia.comments.iter().filter(|c| c.start > title_end) {
         let between = text.get(line_end..comment.start).unwrap_or_default();
-        if !between.trim().is_empty() || between.matches('\n').count() != 1 {
+        if !between.trim().is_empty()
+            || lines(between).filter(|line| line.ends_with(['\n', '\r'])).count() != 1
+        {
             break;
         }
         let written = text.get(comment.start + 2..comment.end).unwrap_or_default();

@@ -3,7 +3,7 @@
 use clap::error::ErrorKind;
 use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 
-use super::{Accuracy, Batch, Check, Draw, Explain, Grade, Help, New, Profile, Report, Solve, Test};
+use super::{Accuracy, Batch, Check, Draw, Explain, Fmt, Grade, Help, New, Profile, Report, Solve, Test};
 
 /// Subcommands from their names, words and sentences.
 macro_rules! commands {
@@ -59,6 +59,7 @@ commands! {
     Draw "draw" "Draw a mechanism: its scheme and what the course draws next to it, as SVG";
     Report "report" "Write the worked solution: formulas with numbers, plans and polygons";
     Explain "explain" "Explain a diagnostic by its code";
+    Fmt "fmt" "Put files in the one style: blanks, empty lines, columns";
     New "new" "Write a file to start from";
     Help "help" "Show the manual of a command, or the functions, units or statements of the language";
 }

@@ -17,7 +17,7 @@ pub struct FindItem {
     pub name: Option<Name>,
     /// The question.
     pub value: Expr,
-    /// What is asked as written, with single blanks: what it is called where it has no name.
+    /// What is asked, printed from the tree: what it is called where it has no name.
     pub text: String,
     /// `in 72 steps`
     pub steps: Option<Expr>,
@@ -32,7 +32,7 @@ pub struct FindItem {
 pub struct Expect {
     /// What is expected: a quantity where `values` follow, otherwise a condition.
     pub what: Expr,
-    /// That as written, with single blanks.
+    /// That, printed from the tree.
     pub text: String,
     /// The values after `=`; empty for a condition such as `locked()` or `a > b`.
     pub values: Vec<Expr>,

@@ -7,6 +7,7 @@ mod body;
 mod decimal;
 mod expr;
 mod inner;
+mod label;
 mod lenient;
 mod machine;
 mod motion;

@@ -1,8 +1,9 @@
 //! Find, expect, variants.
 
 use super::expr::pose_name;
+use super::label::label;
 use super::state::Lower;
-use super::walk::{P, Parts, nfc, single_blanks, span, text};
+use super::walk::{P, Parts, nfc, span, text};
 use crate::document::{
     Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Expr, Find, FindItem, Row, Variants,
 };
@@ -32,20 +33,15 @@ impl Lower<'_> {
         let steps = if parts.word(Rule::w_in) { Some(self.expr(parts.any()?)?) } else { None };
         parts.word(Rule::w_steps);
         let unit = if parts.word(Rule::w_as) { parts.any().map(|p| text(&p)) } else { None };
-        let text = self.written(&value);
+        let text = label(&value, self.read);
         Some(FindItem { name, value, text, steps, unit, span: at })
-    }
-
-    /// An expression as written, with single blanks.
-    fn written(&self, value: &Expr) -> String {
-        single_blanks(self.read.get(value.span.start..value.span.end).unwrap_or_default())
     }
 
     pub(super) fn expect(&mut self, pair: P<'_>) -> Option<Expect> {
         let mut parts = Parts::of(pair);
         parts.any()?;
         let what = self.expr(parts.any()?)?;
-        let text = self.written(&what);
+        let text = label(&what, self.read);
         let values = match parts.take(Rule::list) {
             Some(list) => {
                 if self.plus_minus(span(&list)) {

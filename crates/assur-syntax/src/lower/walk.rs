@@ -133,10 +133,3 @@ pub(super) fn nfc(text: &str) -> String {
 pub(super) fn text(pair: &P<'_>) -> Spanned<String> {
     Spanned::new(pair.as_str().to_owned(), span(pair))
 }
-
-/// A text with single blanks between its words, without comments.
-pub(super) fn single_blanks(text: &str) -> String {
-    let lines = text.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code));
-    let words = lines.flat_map(str::split_whitespace).collect::<Vec<_>>();
-    words.join(" ").replace(FILL, "")
-}

@@ -151,3 +151,36 @@ fn a_table_of_variants() {
     let Cell::Number(number) = &table.rows[1].cells[0].node else { panic!("a number") };
     assert_eq!(number.value.to_bits(), (-2e-3_f64).to_bits());
 }
+
+/// What questions are called.
+fn labels(text: &str) -> Vec<String> {
+    let document = read(text);
+    let statements = document.statements.into_iter().flat_map(|s| match s.node {
+        Statement::Find(find) => find.items.into_iter().map(|item| item.text).collect(),
+        Statement::Expect(expect) => vec![expect.text],
+        other => panic!("{other:?}"),
+    });
+    statements.collect()
+}
+
+#[test]
+fn blanks_cannot_rename_a_question() {
+    for (texts, wanted) in [
+        (["angle(c)+angle(c)", "angle( c )  +\n angle (c) // twice"], "angle(c) + angle(c)"),
+        (["- x^2 - -y", "-x ^ 2--y"], "-x^2 - -y"),
+        (["(a+b) *2 / (c)", "( a + b )*2/( c )"], "(a + b)*2/(c)"),
+        (["6 mm*r^2", "6mm * r ^ 2"], "6 mm * r^2"),
+        (["60 N*m", "60N*m"], "60 N*m"),
+        (["200/pi*(1 N*m)", "200 / pi * ( 1N*m )"], "200/pi*(1 N*m)"),
+        (["5 m ^2", "5m  ^ 2"], "5 m ^ 2"),
+        (["30° + 5%", "30 °+5 %"], "30° + 5 %"),
+        (["f(a=5 N,b).x", "f ( a = 5N , b ) . x"], "f(a = 5 N, b).x"),
+        (["(1 m,2 m)@x", "( 1m , 2m ) @ x"], "(1 m, 2 m) @ x"),
+        (["not a<b and c>=d or e", "not  a < b  and c >= d or  e"], "not a < b and c >= d or e"),
+    ] {
+        for text in texts {
+            assert_eq!(labels(&format!("find {text}")), [wanted], "{text}");
+            assert_eq!(labels(&format!("expect {text}")), [wanted], "{text}");
+        }
+    }
+}

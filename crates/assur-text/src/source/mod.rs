@@ -1,7 +1,9 @@
 //! Files and spans in a text.
 
+mod edit;
 mod shown;
 
+pub use edit::{Edit, edited};
 pub use shown::{is_obeyed, shown, shown_in_line};
 
 /// A range of bytes in a source text, end exclusive.

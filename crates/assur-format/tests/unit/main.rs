@@ -1,0 +1,6 @@
+//! Unit tests: the rules of the style one by one, and what holds for every text.
+
+mod every_text;
+mod mutants;
+mod rules;
+mod texts;
