@@ -7,6 +7,7 @@ mod batch;
 mod cli;
 mod draw;
 mod draw_png;
+mod fix;
 mod fmt;
 #[path = "../folder/mod.rs"]
 mod folder;
