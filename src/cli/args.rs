@@ -97,6 +97,9 @@ pub enum Command {
     Fmt(Fmt),
     /// Write a file to start from
     New(New),
+    /// Answer an editor by the language server protocol on standard input and output
+    #[cfg(feature = "lsp")]
+    Lsp,
     /// Show the manual of a command, or the functions, units or statements of the language
     Help(Help),
 }

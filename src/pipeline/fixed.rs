@@ -14,7 +14,7 @@ pub fn fixed(source: &Source, overrides: &Overrides) -> (Source, usize) {
     let mut source = source.clone();
     let mut count = 0;
     for _ in 0..ROUNDS {
-        let (edits, fixes) = certain(&check_source(&source, overrides).1);
+        let (edits, fixes) = certain_edits(&check_source(&source, overrides).1);
         if fixes == 0 {
             break;
         }
@@ -25,7 +25,8 @@ pub fn fixed(source: &Source, overrides: &Overrides) -> (Source, usize) {
 }
 
 /// The edits of the certain fixes that do not touch each other, in order, and how many fixes they are.
-fn certain(problems: &Problems) -> (Vec<Edit>, usize) {
+#[must_use]
+pub fn certain_edits(problems: &Problems) -> (Vec<Edit>, usize) {
     let mut fixes = problems.fixes();
     fixes.retain(|fix| fix.certain && !fix.edits.is_empty());
     fixes.sort_by(|a, b| a.edits.cmp(&b.edits));

@@ -21,7 +21,7 @@ pub use dimensions::dimensions;
 pub use drawn::{solve_document_drawn, solve_drawn};
 pub use elsewhere::elsewhere;
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
-pub use fixed::fixed;
+pub use fixed::{certain_edits, fixed};
 pub use followed::{Followed, Sink, SizeError, is_long, most_positions};
 pub use open_sizes::OpenSizeError;
 pub use solved::{Solved, solve, solve_conducted, solve_each, solve_source, solve_within};

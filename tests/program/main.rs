@@ -13,6 +13,8 @@ mod fmt;
 mod folder;
 mod formats;
 mod grade;
+#[cfg(feature = "lsp")]
+mod lsp;
 mod motions;
 mod output;
 mod plan;
