@@ -18,8 +18,13 @@
 #[doc(hidden)]
 pub mod cli;
 #[doc(hidden)]
+pub mod editor;
+#[doc(hidden)]
 pub mod exercise;
 mod front;
+#[cfg(feature = "lsp")]
+#[doc(hidden)]
+pub mod lsp;
 #[doc(hidden)]
 pub mod pipeline;
 #[doc(hidden)]
@@ -32,11 +37,13 @@ pub use front::{Answer, Diagnostics, Expectation, Options, Pose, Problem, Quanti
 pub mod internals {
     #[cfg(feature = "cli")]
     pub use crate::cli;
+    #[cfg(feature = "lsp")]
+    pub use crate::lsp;
     pub use crate::pipeline::{
         Compiled, Origin, Solved, check_source, compile, diagnose, solve_each, solve_source, solve_within,
         test_source,
     };
-    pub use crate::{exercise, pipeline, report};
+    pub use crate::{editor, exercise, pipeline, report};
     pub use assur_check as check;
     pub use assur_drawing as drawing;
     pub use assur_format as format;

@@ -11,6 +11,8 @@ pub use command::Command;
 pub use draw::{Draw, LoadsArg, Picture, ThemeArg};
 pub use fmt::Fmt;
 pub use format::{Format, ProfileFormat, SolveFormat};
+#[cfg(feature = "lsp")]
+pub use pages::Lsp;
 pub use pages::{Explain, Help, New, StartKind};
 pub use report::{Report, ReportFormat};
 
@@ -44,6 +46,7 @@ Examples:
   assur check engine.mech                   the structure of the mechanism
   assur check --modes engine.mech           its possible assemblies
   assur check --plan engine.mech            cost of every step and effect per position
+  assur check --fix engine.mech             correct misspelt words and signs, then check
   assur solve engine.mech                   the answers as a table
   assur solve examples --format json        one object per file and line
   assur solve engine.mech --format csv      one line per pose, for up to a million of them
@@ -94,6 +97,9 @@ pub struct Check {
     /// Run the plan over the file's positions, or a turn of its drive, and list the cost of every step and effect
     #[arg(long)]
     pub plan: bool,
+    /// Apply the fixes about which there is no doubt to the files, then check them
+    #[arg(long)]
+    pub fix: bool,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,

@@ -2,20 +2,29 @@
 
 use super::args::Check;
 use super::clock::seconds;
+use super::error::CliError;
+use super::files::replace;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use crate::pipeline::Compiled;
 use crate::report;
 use crate::report::document::Report;
+use assur_check::Overrides;
 use assur_solve::measure::Costs;
 use assur_solve::message::failures;
 use assur_text::diagnostic::Problems;
+use assur_text::source::{Source, shown_in_line};
 
 /// Prints what the mechanisms are built from and, where it is asked for, what their plans cost and how they can be
 /// assembled.
 pub fn run(args: &Check, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
     for_each_file(&args.problem.files, screen, args.format.apart(), |source, _| {
+        let fixed = match fixed(args, source, &overrides, screen) {
+            Ok(fixed) => fixed,
+            Err(error) => return Reply::unusable(error, screen),
+        };
+        let source = fixed.as_ref().unwrap_or(source);
         let (compiled, mut problems) = crate::pipeline::compile(source, &overrides);
         let results = compiled.map_or_else(String::new, |c| {
             let costs = if args.plan && !problems.has_errors() { costs(&c, &mut problems) } else { None };
@@ -27,6 +36,29 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
         });
         Reply::new(results, &problems, source, screen)
     })
+}
+
+/// A file as it is after its certain fixes, where they are wanted and there are some.
+fn fixed(
+    args: &Check,
+    source: &Source,
+    overrides: &Overrides,
+    screen: &Screen,
+) -> Result<Option<Source>, CliError> {
+    if !args.fix {
+        return Ok(None);
+    }
+    if source.name == "-" {
+        return Err(CliError::FixesStdin);
+    }
+    let (fixed, count) = crate::pipeline::fixed(source, overrides);
+    if count == 0 {
+        return Ok(None);
+    }
+    replace(&fixed.name, &fixed.text)?;
+    let fixes = if count == 1 { "fix" } else { "fixes" };
+    screen.complain(&format!("{}: {count} {fixes} applied\n", shown_in_line(&fixed.name)));
+    Ok(Some(fixed))
 }
 
 fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {

@@ -59,6 +59,10 @@ pub enum CliError {
         /// The drawing.
         name: String,
     },
+    /// Fixes without a file to write them to.
+    #[error("`--fix` changes files, and standard input is none")]
+    #[diagnostic(help("name a file: `assur check --fix engine.mech`"))]
+    FixesStdin,
     /// Several files, one range of lines.
     #[error("`--range` is of one file, but there are several")]
     #[diagnostic(help("name one file"))]
@@ -254,3 +258,5 @@ pub enum CliError {
         version: &'static str,
     },
 }
+
+impl assur_text::diagnostic::Problem for CliError {}

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use globset::GlobBuilder;
 use ignore::WalkBuilder;
 
+use super::batch::Sink;
 use super::error::CliError;
 use assur_text::source::Source;
 
@@ -140,4 +141,18 @@ fn unreadable(folder: &Path, error: &ignore::Error) -> CliError {
         };
     }
     CliError::Unreadable { name: place.display().to_string(), why: inner.to_string() }
+}
+
+/// Puts a text in the place of a file, at once and whole.
+///
+/// # Errors
+/// A file that cannot be written; it is as it was.
+pub fn replace(name: &str, text: &str) -> Result<(), CliError> {
+    let is_readonly = std::fs::metadata(name).is_ok_and(|file| file.permissions().readonly());
+    if is_readonly {
+        return Err(CliError::Unwritable { name: name.to_owned(), why: "it is read-only".to_owned() });
+    }
+    let mut file = Sink::file(Path::new(name))?;
+    file.write(text)?;
+    file.finish().map(drop)
 }

@@ -1,12 +1,10 @@
 //! `assur fmt`
 
 use std::cell::Cell;
-use std::path::Path;
 
 use super::args::Fmt;
-use super::batch::Sink;
 use super::error::CliError;
-use super::files::{Input, expand};
+use super::files::{Input, expand, replace};
 use super::reply::{Printer, Reply, Status, complaint, for_each_input};
 use super::screen::Screen;
 use assur_text::source::{Edit, Source, edited};
@@ -87,7 +85,7 @@ fn formatted(
     if is_stdin {
         return Reply { results: text, ..Reply::default() };
     }
-    match write(&source.name, &text) {
+    match replace(&source.name, &text) {
         Ok(()) => Reply::default(),
         Err(error) => {
             Reply { diagnostics: complaint(error, screen), status: Status::Unusable, ..Reply::default() }
@@ -100,17 +98,6 @@ fn diff(source: &Source, text: &str) -> String {
     let (before, after) = (format!("a/{name}"), format!("b/{name}"));
     let diff = TextDiff::from_lines(source.text.as_str(), text);
     diff.unified_diff().context_radius(AROUND).header(&before, &after).to_string()
-}
-
-/// Puts a text in the place of a file, at once and whole.
-fn write(name: &str, text: &str) -> Result<(), CliError> {
-    let is_readonly = std::fs::metadata(name).is_ok_and(|file| file.permissions().readonly());
-    if is_readonly {
-        return Err(CliError::Unwritable { name: name.to_owned(), why: "it is read-only".to_owned() });
-    }
-    let mut file = Sink::file(Path::new(name))?;
-    file.write(text)?;
-    file.finish().map(drop)
 }
 
 fn count(of: &Cell<usize>) {

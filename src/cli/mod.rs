@@ -14,6 +14,8 @@ mod files;
 mod fmt;
 mod grade;
 mod help;
+#[cfg(feature = "lsp")]
+mod lsp;
 mod motion;
 mod new;
 mod profile;
@@ -60,6 +62,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Explain(args) => explain::run(&args, &screen),
         Command::Fmt(args) => fmt::run(&args, &screen),
         Command::New(args) => new::run(&args, &screen),
+        #[cfg(feature = "lsp")]
+        Command::Lsp(_) => lsp::run(&screen),
         Command::Help(args) => help::run(&args, &screen),
     };
     let status = if screen.is_heard() { status } else { Status::Unusable };

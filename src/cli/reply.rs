@@ -60,7 +60,8 @@ impl Reply {
         Self { results, diagnostics: screen.diagnostics(problems, source), status: Status::of(problems) }
     }
 
-    fn unusable(error: CliError, screen: &Screen) -> Self {
+    /// A reply about what cannot be used.
+    pub fn unusable(error: CliError, screen: &Screen) -> Self {
         Self { results: String::new(), diagnostics: complaint(error, screen), status: Status::Unusable }
     }
 }

@@ -102,6 +102,8 @@ pub enum ExpectError {
     },
 }
 
+impl assur_text::diagnostic::Problem for ExpectError {}
+
 impl ExpectError {
     pub(super) fn needs_pose(expect: &Expect, poses: usize) -> Self {
         Self::NeedsPose { text: expect.text.clone(), poses, span: expect.span }

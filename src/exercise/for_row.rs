@@ -1,6 +1,6 @@
 //! Messages about a file with a row of variants.
 
-use assur_text::diagnostic::{AnyDiagnostic, Problems};
+use assur_text::diagnostic::{AnyDiagnostic, Problem, Problems};
 use assur_text::source::Span;
 use miette::{Diagnostic, LabeledSpan, Severity};
 use std::fmt::{self, Display};
@@ -30,6 +30,8 @@ impl Display for ForRow {
 }
 
 impl std::error::Error for ForRow {}
+
+impl Problem for ForRow {}
 
 impl Diagnostic for ForRow {
     fn code<'b>(&'b self) -> Option<Box<dyn Display + 'b>> {

@@ -86,6 +86,8 @@ pub enum SizeError {
     },
 }
 
+impl assur_text::diagnostic::Problem for SizeError {}
+
 /// How many positions of a mechanism are kept at once.
 #[must_use]
 pub fn most_positions(model: &Model<'_>) -> usize {

@@ -41,6 +41,8 @@ pub enum OpenSizeError {
     },
 }
 
+impl assur_text::diagnostic::Problem for OpenSizeError {}
+
 /// Finds what depends on open sizes.
 ///
 /// # Errors

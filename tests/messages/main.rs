@@ -4,7 +4,10 @@
 mod busy;
 mod case;
 mod first_attempts;
+mod fixes;
 mod fixits;
+#[path = "../folder/mod.rs"]
+mod folder;
 mod hostile_input;
 mod line_cases;
 mod meaning_cases;

@@ -7,11 +7,14 @@ mod batch;
 mod cli;
 mod draw;
 mod draw_png;
+mod fix;
 mod fmt;
 #[path = "../folder/mod.rs"]
 mod folder;
 mod formats;
 mod grade;
+#[cfg(feature = "lsp")]
+mod lsp;
 mod motions;
 mod output;
 mod plan;

@@ -74,9 +74,10 @@ fn the_manual_has_every_command() {
     let whole = assur(&folder, &["help"]);
     assert_eq!((whole.status, whole.stderr.as_str()), (0, ""));
     assert_eq!(whole.stdout, assur(&folder, &["--help"]).stdout);
-    for command in
-        ["check", "solve", "test", "batch", "grade", "accuracy", "profile", "explain", "fmt", "new", "help"]
-    {
+    for command in [
+        "check", "solve", "test", "batch", "grade", "accuracy", "profile", "explain", "fmt", "lsp", "new",
+        "help",
+    ] {
         let out = assur(&folder, &["help", command]);
         assert_eq!((out.status, out.stderr.as_str()), (0, ""), "{command}");
         assert_eq!(out.stdout, assur(&folder, &[command, "--help"]).stdout, "{command}");

@@ -79,6 +79,21 @@ fn every_folder_uses_only_those_before_it() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+#[test]
+fn the_protocol_of_editors_is_in_one_folder() {
+    let of = |folder: &str| crate::folder::files(&root().join(folder), "rs");
+    for file in of("src/editor") {
+        let text = std::fs::read_to_string(&file).expect("a source file");
+        assert!(!text.contains("lsp"), "{} names the protocol", file.display());
+    }
+    for file in of("src/lsp") {
+        let text = std::fs::read_to_string(&file).expect("a source file");
+        for floor in ["assur_check", "assur_model", "assur_solve", "crate::pipeline", "crate::report"] {
+            assert!(!text.contains(floor), "{} names {floor}", file.display());
+        }
+    }
+}
+
 /// What a text names of the modules of clocks and threads.
 fn clocks_and_threads(text: &str) -> Vec<&'static str> {
     let code: String = text.lines().map(|l| l.split("//").next().unwrap_or_default()).collect();

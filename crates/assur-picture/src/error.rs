@@ -130,6 +130,8 @@ pub enum Missing {
     },
 }
 
+impl assur_text::diagnostic::Problem for Missing {}
+
 impl Missing {
     /// No such point; the help names those that are meant.
     pub(crate) fn no_point(scene: &Scene<'_>, name: &str) -> Self {

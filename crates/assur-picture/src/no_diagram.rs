@@ -78,6 +78,8 @@ pub enum NoDiagram {
     },
 }
 
+impl assur_text::diagnostic::Problem for NoDiagram {}
+
 /// A place with what is said of it.
 pub type Place = (Option<Span>, &'static str);
 

@@ -1,5 +1,6 @@
 //! Errors of the characters of a text, before it is read.
 
+use assur_text::diagnostic::{Fix, Help, Problem};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -14,7 +15,7 @@ pub enum CharacterError {
         #[label("written in full width")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("use straight quotes (`\"`)")]
@@ -23,7 +24,7 @@ pub enum CharacterError {
         #[label("this is another kind of quote")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("`{found}` is not used here")]
@@ -34,7 +35,7 @@ pub enum CharacterError {
         at: Span,
         wanted: &'static str,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("invisible character (U+{found:04X})")]
@@ -44,7 +45,7 @@ pub enum CharacterError {
         #[label("invisible")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("this line ends with a carriage return alone")]
@@ -57,4 +58,16 @@ pub enum CharacterError {
         #[label("CR without LF")]
         at: Span,
     },
+}
+
+impl Problem for CharacterError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::FullWidth { help, .. }
+            | Self::CurlyQuotes { help, .. }
+            | Self::ForeignSign { help, .. }
+            | Self::InvisibleCharacter { help, .. } => help.certain_fixes(),
+            Self::LoneCarriageReturn { .. } => Vec::new(),
+        }
+    }
 }

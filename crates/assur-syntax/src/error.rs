@@ -1,5 +1,6 @@
 //! Errors of the lines of a text: signs, words, statements.
 
+use assur_text::diagnostic::{Fix, Help, Problem};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -33,7 +34,7 @@ pub enum SyntaxError {
         at: Span,
         side: &'static str,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("the number {text} is too large")]
@@ -53,7 +54,7 @@ pub enum SyntaxError {
         #[label("a comma separates the values of a list")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("a comma in a number is ambiguous: decimal point or thousands")]
@@ -62,7 +63,7 @@ pub enum SyntaxError {
         #[label("three digits follow")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("put `{{` on the same line as its statement")]
@@ -73,17 +74,18 @@ pub enum SyntaxError {
         #[label("after this")]
         statement: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("a brace is not closed")]
-    #[diagnostic(code(mech::syntax::missing_brace), help("write `}}` on a line of its own {before}"))]
+    #[diagnostic(code(mech::syntax::missing_brace))]
     MissingBrace {
         #[label("opened here")]
         open: Span,
         #[label("still open here")]
         at: Span,
-        before: String,
+        #[help]
+        help: Help,
     },
 
     #[error("`{word}` is a statement of its own")]
@@ -95,7 +97,7 @@ pub enum SyntaxError {
         #[label(primary, "this belongs after them")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("a bracket is not closed")]
@@ -104,7 +106,7 @@ pub enum SyntaxError {
         #[label("opened here")]
         open: Span,
         #[help]
-        help: Option<String>,
+        help: Option<Help>,
     },
 
     #[error("unmatched `{found}`")]
@@ -114,7 +116,7 @@ pub enum SyntaxError {
         #[label("no bracket is open here")]
         at: Span,
         #[help]
-        help: Option<String>,
+        help: Option<Help>,
     },
 
     #[error("use `=` to assign a value")]
@@ -124,7 +126,7 @@ pub enum SyntaxError {
         #[label("`{found}` instead of `=`")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("use `:` between a name and what it joins")]
@@ -134,7 +136,7 @@ pub enum SyntaxError {
         #[label("`{found}` instead of `:`")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("a text is not closed")]
@@ -143,7 +145,7 @@ pub enum SyntaxError {
         #[label("the closing quote is missing on this line")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("put the title in quotes")]
@@ -152,7 +154,7 @@ pub enum SyntaxError {
         #[label("the title")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("the file has two titles")]
@@ -189,7 +191,7 @@ pub enum SyntaxError {
         #[label("a unit")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("`{found}` is not known here")]
@@ -200,7 +202,7 @@ pub enum SyntaxError {
         at: Span,
         wanted: String,
         #[help]
-        help: Option<String>,
+        help: Option<Help>,
     },
 
     #[error("no statement begins with `{found}`")]
@@ -209,13 +211,13 @@ pub enum SyntaxError {
         found: String,
         #[label("not a statement")]
         at: Span,
-        help: String,
+        help: Help,
     },
 
     #[error("an item of `find` is taken at all positions, and takes no `at`")]
     #[diagnostic(code(mech::syntax::misplaced_member), help("{help}"))]
     FindAt {
-        help: String,
+        help: Help,
         #[label("not here")]
         at: Span,
     },
@@ -227,7 +229,7 @@ pub enum SyntaxError {
         #[label("{place}")]
         at: Span,
         place: &'static str,
-        help: String,
+        help: Help,
     },
 
     #[error("`{found}` is a word of the language and cannot be a name")]
@@ -237,7 +239,7 @@ pub enum SyntaxError {
         #[label("choose another name")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("two statements or members are not separated")]
@@ -246,7 +248,7 @@ pub enum SyntaxError {
         #[label("a new line, or `;`, before this")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("`{missing}` is missing")]
@@ -256,7 +258,7 @@ pub enum SyntaxError {
         #[label("before this")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("an operator is missing")]
@@ -265,7 +267,7 @@ pub enum SyntaxError {
         #[label("before this")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("`{wanted}` is expected instead of `{found}`")]
@@ -276,7 +278,7 @@ pub enum SyntaxError {
         #[label("`{wanted}` instead of this")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("unexpected `{found}`")]
@@ -286,7 +288,7 @@ pub enum SyntaxError {
         #[label("leave this out")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("a comma does not separate statements or members")]
@@ -295,7 +297,7 @@ pub enum SyntaxError {
         #[label("`;` or a new line instead of this")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("put the argument of `{function}` in parentheses")]
@@ -305,7 +307,7 @@ pub enum SyntaxError {
         #[label("in parentheses")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("`{found}` cannot be a name: it begins with a digit")]
@@ -315,7 +317,7 @@ pub enum SyntaxError {
         #[label("a name begins with a letter")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("a vector has exactly two coordinates")]
@@ -335,7 +337,7 @@ pub enum SyntaxError {
         at: Span,
         found: String,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("a point needs its coordinates")]
@@ -344,7 +346,7 @@ pub enum SyntaxError {
         #[label("`(x, y)` is missing")]
         at: Span,
         #[help]
-        help: String,
+        help: Help,
     },
 
     #[error("cannot read {what}: {expected}")]
@@ -356,16 +358,70 @@ pub enum SyntaxError {
         at: Span,
         found: String,
         #[help]
-        help: Option<String>,
+        help: Option<Help>,
     },
 }
 
 impl SyntaxError {
     /// A comma within a number: the lines are those that may be meant.
-    pub(super) fn comma_in_number(at: Span, lines: Vec<String>) -> Self {
-        match lines.as_slice() {
-            [line] => Self::DecimalComma { at, help: format!("write: {line}") },
-            _ => Self::ThousandsComma { at, help: format!("write one of\n  {}", lines.join("\n  ")) },
+    pub(super) fn comma_in_number(at: Span, lines: Vec<Help>) -> Self {
+        match <[Help; 1]>::try_from(lines) {
+            Ok([help]) => Self::DecimalComma { at, help },
+            Err(lines) => Self::ThousandsComma { at, help: Help::one_of(lines) },
+        }
+    }
+
+    fn help(&self) -> Option<&Help> {
+        match self {
+            Self::BareDecimalPoint { help, .. }
+            | Self::DecimalComma { help, .. }
+            | Self::ThousandsComma { help, .. }
+            | Self::BraceOnItsOwnLine { help, .. }
+            | Self::StatementInBraces { help, .. }
+            | Self::EqualsExpected { help, .. }
+            | Self::ColonExpected { help, .. }
+            | Self::UnclosedText { help, .. }
+            | Self::TitleWithoutQuotes { help, .. }
+            | Self::UnitInRow { help, .. }
+            | Self::UnknownStatement { help, .. }
+            | Self::FindAt { help, .. }
+            | Self::MisplacedMember { help, .. }
+            | Self::ReservedName { help, .. }
+            | Self::TwoStatements { help, .. }
+            | Self::MissingWord { help, .. }
+            | Self::MissingOperator { help, .. }
+            | Self::OtherWord { help, .. }
+            | Self::NeedlessSign { help, .. }
+            | Self::CommaBetween { help, .. }
+            | Self::WithoutBrackets { help, .. }
+            | Self::DigitFirst { help, .. }
+            | Self::CommentSign { help, .. }
+            | Self::PointWithoutCoordinates { help, .. }
+            | Self::MissingBrace { help, .. } => Some(help),
+            Self::UnclosedBracket { help, .. }
+            | Self::UnmatchedBracket { help, .. }
+            | Self::MisspeltWord { help, .. }
+            | Self::Unexpected { help, .. } => help.as_ref(),
+            _ => None,
+        }
+    }
+}
+
+impl Problem for SyntaxError {
+    fn fixes(&self) -> Vec<Fix> {
+        let Some(help) = self.help() else { return Vec::new() };
+        match self {
+            Self::BareDecimalPoint { .. }
+            | Self::BraceOnItsOwnLine { .. }
+            | Self::ColonExpected { .. }
+            | Self::CommentSign { .. }
+            | Self::DecimalComma { .. }
+            | Self::EqualsExpected { .. }
+            | Self::MisspeltWord { .. }
+            | Self::NeedlessSign { .. }
+            | Self::TitleWithoutQuotes { .. }
+            | Self::UnclosedText { .. } => help.certain_fixes(),
+            _ => help.fixes().to_vec(),
         }
     }
 }

@@ -4,8 +4,8 @@ use super::change::{Change, Kind};
 use super::character_error::CharacterError;
 use super::error::SyntaxError;
 use super::line::Line;
-use assur_text::diagnostic::Problems;
-use assur_text::source::Span;
+use assur_text::diagnostic::{Help, Problems};
+use assur_text::source::{Edit, Span};
 
 /// One diagnostic for all comments of other languages: they are one habit.
 pub(super) fn comments(text: &str, comments: &[Span]) -> Option<SyntaxError> {
@@ -32,6 +32,10 @@ pub(super) fn comments(text: &str, comments: &[Span]) -> Option<SyntaxError> {
         help = format!("{help}\nand so for {more} more {plural}");
     }
     let at = Span::new(first.start, first.start + sign.len());
+    // a sign for a whole comment is one at each of its lines
+    let signs = comments.iter().map(|comment| Edit::new(Span::new(comment.start, comment.start + 1), "//"));
+    let all_plain = comments.iter().all(|comment| text[comment.start..].starts_with('#'));
+    let help = if all_plain { Help::lines(text, at, signs.collect()).in_words(help) } else { help.into() };
     Some(SyntaxError::CommentSign { at, found: sign.to_owned(), help })
 }
 
@@ -42,15 +46,8 @@ pub(super) fn report(text: &str, changes: &[Change], problems: &mut Problems) {
         let line = Line::around(text, first.span.start);
         let count = rest.iter().take_while(|c| c.span.start < line.end.max(first.span.end)).count();
         let (here, later) = rest.split_at(count);
-        let mut corrected = String::new();
-        let mut from = line.start;
-        for change in here {
-            corrected.push_str(text.get(from..change.span.start).unwrap_or_default());
-            corrected.push_str(change.with);
-            from = change.span.end;
-        }
-        corrected.push_str(text.get(from..line.end).unwrap_or_default());
-        let help = format!("write: {}", corrected.trim());
+        let edits = here.iter().map(|change| Edit::new(change.span, change.with)).collect();
+        let help = Help::lines(text, Span::new(line.start, line.end), edits);
         for kind in [Kind::FullWidth, Kind::Quote, Kind::Sign, Kind::Invisible] {
             if let Some(problem) = describe(text, here, kind, &help) {
                 problems.push(problem);
@@ -60,10 +57,10 @@ pub(super) fn report(text: &str, changes: &[Change], problems: &mut Problems) {
     }
 }
 
-fn describe(text: &str, changes: &[Change], kind: Kind, help: &str) -> Option<CharacterError> {
+fn describe(text: &str, changes: &[Change], kind: Kind, help: &Help) -> Option<CharacterError> {
     let first = changes.iter().find(|c| c.kind == kind)?;
     let found = text[first.span.start..].chars().next()?;
-    let help = help.to_owned();
+    let help = help.clone();
     // The first run of neighbours.
     let mut at = first.span;
     for change in changes.iter().filter(|c| c.kind == kind && c.with != "\"") {

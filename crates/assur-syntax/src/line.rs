@@ -1,6 +1,7 @@
-//! Lines of the text, and lines with a part of them replaced.
+//! Lines of the text, and help that replaces a part of them.
 
-use assur_text::source::Span;
+use assur_text::diagnostic::Help;
+use assur_text::source::{Edit, Span};
 
 /// The line, or lines, around a place.
 #[derive(Clone, Copy, Debug)]
@@ -23,11 +24,21 @@ impl Line {
     }
 }
 
-/// The lines of a span with the span replaced, without the blanks around them.
-pub(super) fn corrected(text: &str, span: Span, with: &str) -> String {
-    let start = Line::around(text, span.start).start;
-    let end = Line::around(text, span.end).end;
-    let before = text.get(start..span.start).unwrap_or_default();
-    let after = text.get(span.end..end).unwrap_or_default();
-    format!("{before}{with}{after}").trim().to_owned()
+/// `write: …`: the lines of a place with it replaced.
+pub(super) fn corrected(text: &str, at: Span, with: &str) -> Help {
+    let there = text.get(at.start..at.end).unwrap_or_default();
+    let before = length_alike(there.chars(), with.chars());
+    let (there, with) = (&there[before..], &with[before..]);
+    let behind = length_alike(there.chars().rev(), with.chars().rev());
+    let removed = &there[..there.len() - behind];
+    let start = at.start + before;
+    let edit = Edit::new(Span::new(start, start + removed.len()), &with[..with.len() - behind]);
+    let help = Help::lines(text, at, vec![edit]);
+    // a comment that stood there would be lost
+    if removed.contains("//") && !with.contains("//") { help.to_string().into() } else { help }
+}
+
+/// The bytes that two texts have alike from their beginning.
+fn length_alike(a: impl Iterator<Item = char>, b: impl Iterator<Item = char>) -> usize {
+    a.zip(b).take_while(|(a, b)| a == b).map(|(a, _)| a.len_utf8()).sum()
 }

@@ -3,24 +3,30 @@
 use clap::error::ErrorKind;
 use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 
+#[cfg(feature = "lsp")]
+use super::Lsp;
 use super::{Accuracy, Batch, Check, Draw, Explain, Fmt, Grade, Help, New, Profile, Report, Solve, Test};
 
 /// Subcommands from their names, words and sentences.
 macro_rules! commands {
-    ($($name:ident $word:literal $about:literal;)+) => {
+    ($($(#[$when:meta])? $name:ident $word:literal $about:literal;)+) => {
         /// Subcommands.
         #[derive(Debug)]
         pub enum Command {
-            $(#[doc = $about] $name($name),)+
+            $($(#[$when])? #[doc = $about] $name($name),)+
         }
 
         impl Subcommand for Command {
             fn augment_subcommands(program: clap::Command) -> clap::Command {
-                program$(.subcommand(
-                    clap::Command::new($word)
-                        .about($about)
-                        .defer(|command| $name::augment_args(command).about($about).long_about(None)),
-                ))+
+                $(
+                    $(#[$when])?
+                    let program = program.subcommand(
+                        clap::Command::new($word)
+                            .about($about)
+                            .defer(|command| $name::augment_args(command).about($about).long_about(None)),
+                    );
+                )+
+                program
             }
 
             fn augment_subcommands_for_update(program: clap::Command) -> clap::Command {
@@ -28,14 +34,14 @@ macro_rules! commands {
             }
 
             fn has_subcommand(name: &str) -> bool {
-                [$($word),+].contains(&name)
+                [$($(#[$when])? $word),+].contains(&name)
             }
         }
 
         impl FromArgMatches for Command {
             fn from_arg_matches(found: &ArgMatches) -> Result<Self, clap::Error> {
                 match found.subcommand() {
-                    $(Some(($word, args)) => $name::from_arg_matches(args).map(Self::$name),)+
+                    $($(#[$when])? Some(($word, args)) => $name::from_arg_matches(args).map(Self::$name),)+
                     _ => Err(clap::Error::new(ErrorKind::MissingSubcommand)),
                 }
             }
@@ -61,5 +67,6 @@ commands! {
     Explain "explain" "Explain a diagnostic by its code";
     Fmt "fmt" "Put files in the one style: blanks, empty lines, columns";
     New "new" "Write a file to start from";
+    #[cfg(feature = "lsp")] Lsp "lsp" "Answer an editor by the language server protocol on standard input and output";
     Help "help" "Show the manual of a command, or the functions, units or statements of the language";
 }

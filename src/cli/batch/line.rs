@@ -17,7 +17,7 @@ use crate::report::rows::{AnswerColumns, FULL, write_text};
 use crate::report::{Answers, Precision};
 use assur_solve::measure::accuracy::AchievedAccuracy;
 use assur_solve::message::failure;
-use assur_text::diagnostic::Problems;
+use assur_text::diagnostic::{Problem, Problems};
 use assur_text::source::Source;
 use assur_text::units::write_significant;
 
@@ -293,8 +293,6 @@ fn sorted(problems: &Problems) -> Said {
 }
 
 fn first_error(problems: &Problems) -> String {
-    let is_error = |p: &&(dyn miette::Diagnostic + Send + Sync)| {
-        matches!(p.severity(), None | Some(miette::Severity::Error))
-    };
+    let is_error = |p: &&dyn Problem| matches!(p.severity(), None | Some(miette::Severity::Error));
     problems.sorted().into_iter().find(is_error).map(ToString::to_string).unwrap_or_default()
 }

@@ -1,6 +1,7 @@
 //! What is left out of the marking, as a warning.
 
 use crate::exercise::table::TableError;
+use assur_text::diagnostic::Problem;
 use miette::{Diagnostic, LabeledSpan, Severity};
 use std::fmt::{self, Display};
 
@@ -32,6 +33,8 @@ impl Display for LeftOut {
 }
 
 impl std::error::Error for LeftOut {}
+
+impl Problem for LeftOut {}
 
 impl Diagnostic for LeftOut {
     fn code<'b>(&'b self) -> Option<Box<dyn Display + 'b>> {

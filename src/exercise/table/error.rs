@@ -155,3 +155,5 @@ pub enum TableError {
         span: Span,
     },
 }
+
+impl assur_text::diagnostic::Problem for TableError {}

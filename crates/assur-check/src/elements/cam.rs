@@ -209,7 +209,7 @@ fn one_of(
     if let Some(known) = words.iter().find(|w| **w == word.node) {
         return Some(known);
     }
-    let help = suggestion(&word.node, words, &format!("{kind}s"));
+    let help = suggestion(&word.node, word.span, words, &format!("{kind}s"));
     let (name, span) = (word.node.clone(), word.span);
     cx.error(NameError::Unknown { kind, name, place: String::new(), span, help });
     None

@@ -143,7 +143,8 @@ fn torque(cx: &mut Context<'_>, name: &Name) -> Option<FlywheelTorque> {
         return None;
     }
     let loads = cx.names.quantities.iter().filter(|(_, d)| torque(&d.what).is_some());
-    let help = suggestion(&name.node, &loads.map(|(n, _)| n.as_str()).collect::<Vec<_>>(), "loads");
+    let help =
+        suggestion(&name.node, name.span, &loads.map(|(n, _)| n.as_str()).collect::<Vec<_>>(), "loads");
     let (name, span) = (name.node.clone(), name.span);
     cx.error(NameError::Unknown { kind: "load or balance", name, place: String::new(), span, help });
     None

@@ -180,3 +180,5 @@ pub enum CamError {
         cam: Span,
     },
 }
+
+impl assur_text::diagnostic::Problem for CamError {}

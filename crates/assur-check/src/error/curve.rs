@@ -102,3 +102,5 @@ pub enum CurveError {
         declared: Span,
     },
 }
+
+impl assur_text::diagnostic::Problem for CurveError {}

@@ -1,5 +1,6 @@
 //! The answer key.
 
+use assur_text::diagnostic::{Fix, Help, Problem};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -199,6 +200,15 @@ pub enum ExpectError {
         span: Span,
         /// The existing poses.
         #[help]
-        help: Option<String>,
+        help: Option<Help>,
     },
+}
+
+impl Problem for ExpectError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::UnknownPose { help: Some(help), .. } => help.certain_fixes(),
+            _ => Vec::new(),
+        }
+    }
 }

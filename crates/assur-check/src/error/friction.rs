@@ -23,3 +23,5 @@ pub enum FrictionError {
         labels: Vec<LabeledSpan>,
     },
 }
+
+impl assur_text::diagnostic::Problem for FrictionError {}

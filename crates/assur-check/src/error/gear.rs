@@ -108,3 +108,5 @@ pub enum GearError {
         span: Span,
     },
 }
+
+impl assur_text::diagnostic::Problem for GearError {}

@@ -1,5 +1,6 @@
 //! Names.
 
+use assur_text::diagnostic::{Fix, Help, Problem};
 use assur_text::source::{Span, Spanned};
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -22,7 +23,7 @@ pub enum NameError {
         span: Span,
         /// Similar names, or all that exist.
         #[help]
-        help: Option<String>,
+        help: Option<Help>,
     },
     /// The name is declared, but as something else.
     #[error("`{name}` is {is}, not {wanted}")]
@@ -136,6 +137,15 @@ pub enum NameError {
         #[help]
         help: String,
     },
+}
+
+impl Problem for NameError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::Unknown { help: Some(help), .. } => help.certain_fixes(),
+            _ => Vec::new(),
+        }
+    }
 }
 
 impl NameError {

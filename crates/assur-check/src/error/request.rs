@@ -364,3 +364,5 @@ pub enum RequestError {
         help: Option<String>,
     },
 }
+
+impl assur_text::diagnostic::Problem for RequestError {}

@@ -1,5 +1,6 @@
 //! Errors of motion under given loads.
 
+use assur_text::diagnostic::{Fix, Help, Problem};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -181,7 +182,7 @@ pub enum SimulateError {
         /// The name.
         name: String,
         /// The one that may be meant, or how to declare it.
-        help: String,
+        help: Help,
         /// Its place.
         #[label("not declared")]
         span: Span,
@@ -264,4 +265,13 @@ pub enum SimulateError {
         #[label("not needed")]
         span: Span,
     },
+}
+
+impl Problem for SimulateError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::UnknownEvent { help, .. } => help.certain_fixes(),
+            _ => Vec::new(),
+        }
+    }
 }

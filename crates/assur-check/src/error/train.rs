@@ -168,3 +168,5 @@ pub enum TrainError {
         span: Span,
     },
 }
+
+impl assur_text::diagnostic::Problem for TrainError {}

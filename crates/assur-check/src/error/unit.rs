@@ -1,5 +1,6 @@
 //! Units and dimensions.
 
+use assur_text::diagnostic::{Fix, Help, Problem};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use miette::Diagnostic;
@@ -19,11 +20,11 @@ pub enum UnitsError {
         span: Span,
         /// Similar units.
         #[help]
-        help: Option<String>,
+        help: Option<Help>,
     },
     /// A number without a unit where a quantity is expected.
     #[error("{what} needs a unit: it is {want}")]
-    #[diagnostic(code("mech::unit::missing"), help("write {example}"))]
+    #[diagnostic(code("mech::unit::missing"))]
     Missing {
         /// The purpose of the number.
         what: String,
@@ -36,7 +37,8 @@ pub enum UnitsError {
         #[label("used here")]
         used: Option<Span>,
         /// The number with the unit that is most likely.
-        example: String,
+        #[help]
+        help: Help,
     },
     /// A quantity of another dimension than expected.
     #[error("{what} should be {want}, but this is {found}")]
@@ -157,4 +159,15 @@ pub enum UnitsError {
         #[label("declared here")]
         declared: Span,
     },
+}
+
+impl Problem for UnitsError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::Unknown { help: Some(help), .. } => help.certain_fixes(),
+            // the unit is a guess
+            Self::Missing { help, .. } => help.fixes().to_vec(),
+            _ => Vec::new(),
+        }
+    }
 }

@@ -7,6 +7,7 @@ use crate::names::declared::QuantityKind;
 use crate::values::definition::Settled;
 use crate::values::rates::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
+use assur_text::diagnostic::Help;
 use assur_text::source::Span;
 use assur_text::units::{Dimension, lookup};
 
@@ -17,11 +18,11 @@ struct Definition<'a> {
 }
 
 impl Context<'_> {
-    /// An expression of bare numbers with the unit that is most likely: `` `40 mm` ``.
-    pub(crate) fn example(&self, expr: &Expr, want: Dimension) -> Option<String> {
+    /// An expression of bare numbers with the unit that is most likely: ``write `40 mm` ``.
+    pub(crate) fn example(&self, expr: &Expr, want: Dimension) -> Option<Help> {
         let units = self.likely_units(want);
-        let texts = units.iter().map(|unit| with_unit(expr, unit).map(|text| format!("`{text}`")));
-        Some(texts.collect::<Option<Vec<_>>>()?.join(" or "))
+        let texts = units.iter().map(|unit| with_unit(expr, unit)).collect::<Option<Vec<_>>>()?;
+        Some(Help::write(expr.span, &texts))
     }
 
     /// The units that a number without one may have: that of the file or the usual one, and revolutions for radians.
@@ -41,14 +42,13 @@ impl Context<'_> {
         for name in names {
             let Some(definition) = self.number_behind(name) else { continue };
             let units = self.likely_units(want);
-            let line = |unit: &String| {
-                let value = with_unit(definition.value, unit)?;
-                Some(format!("`{} {name} = {value}`", definition.word))
-            };
-            let Some(lines) = units.iter().map(line).collect::<Option<Vec<_>>>() else { continue };
-            let (what, example) = (format!("`{name}`"), lines.join(" or "));
+            let value = |unit: &String| with_unit(definition.value, unit);
+            let Some(values) = units.iter().map(value).collect::<Option<Vec<_>>>() else { continue };
+            let line = |value: &String| format!("`{} {name} = {value}`", definition.word);
+            let words = format!("write {}", values.iter().map(line).collect::<Vec<_>>().join(" or "));
             let (span, used) = (definition.value.span, Some(expr.span));
-            self.error(UnitsError::Missing { what, want, span, used, example });
+            let help = Help::write(span, &values).in_words(words);
+            self.error(UnitsError::Missing { what: format!("`{name}`"), want, span, used, help });
             // What does not fit because of it is no second mistake.
             self.values.definitions.settled.insert(name.to_owned(), Settled::Failed);
             return true;
@@ -97,7 +97,7 @@ impl Context<'_> {
         let text = format!("{}*{}", number.text, word.node);
         if self.problems.reported.insert(("product", text.clone())) {
             let why = format!("`{}` is a name, not a unit: `*` is missing", word.node);
-            self.error(UnitsError::Unknown { why, span: at, help: Some(format!("write `{text}`")) });
+            self.error(UnitsError::Unknown { why, span: at, help: Some(Help::write(at, &[text])) });
         }
         true
     }

@@ -7,8 +7,7 @@ use crate::output::problems::Problems;
 use crate::values::store::Values;
 use assur_model::model::Mechanism;
 use assur_syntax::document::Document;
-use assur_text::diagnostic;
-use miette::Diagnostic;
+use assur_text::diagnostic::{self, Problem};
 
 /// The parts of the stage, for what needs more than one of them.
 pub struct Context<'a> {
@@ -34,7 +33,7 @@ impl<'a> Context<'a> {
     }
 
     /// Reports an error or a warning.
-    pub fn error(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
+    pub fn error(&mut self, problem: impl Problem) {
         self.problems.error(problem);
     }
 

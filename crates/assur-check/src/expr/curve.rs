@@ -210,11 +210,12 @@ impl Context<'_> {
         let declared = self.names.quantities.get(&name.node).map(|d| (d.what.phrase(), d.span));
         let all = self.names.quantities.iter().filter(|(_, d)| curve_of(d.what).is_some());
         let all = all.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
-        let help = suggestion(&name.node, &all, "curves");
+        let help = suggestion(&name.node, name.span, &all, "curves");
         let (span, name) = (name.span, name.node.clone());
         self.error(match declared {
             Some((is, at)) => {
                 let (wanted, declared) = ("a curve".into(), Some(at));
+                let help = help.map(|help| help.to_string());
                 NameError::WrongKind { name, is: is.into(), wanted, span, declared, help }
             }
             None => NameError::Unknown { kind: "curve", name, place: String::new(), span, help },

@@ -4,6 +4,7 @@ use crate::error::UnitsError;
 use crate::expr::context::Context;
 use crate::values::rates::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
+use assur_text::diagnostic::Help;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, is_unit, lookup, meant};
 
@@ -38,12 +39,9 @@ impl Context<'_> {
             return false;
         }
         if self.problems.reported.insert(("unit", word)) {
-            let list = units.iter().map(|unit| format!("`{unit}`")).collect::<Vec<_>>();
-            self.error(UnitsError::Unknown {
-                why: format!("`{foreign}` is not a unit"),
-                span: Span::new(unit.span.start, end),
-                help: Some(format!("write {}", list.join(" or "))),
-            });
+            let span = Span::new(unit.span.start, end);
+            let why = format!("`{foreign}` is not a unit");
+            self.error(UnitsError::Unknown { why, span, help: Some(Help::write(span, &units)) });
         }
         true
     }
@@ -87,14 +85,13 @@ impl Context<'_> {
     /// Reports a quantity whose unit is written otherwise.
     fn meant_quantity(&mut self, number: &str, word: &str, written: &str, span: Span) -> bool {
         let Ok(unit) = lookup(word) else { return false };
-        let help = if unit.dimension == Dimension::FREQUENCY {
-            let [turns, radians] = revolutions_or_radians(number, &unit);
-            format!("write `{turns}` or `{radians}`")
+        let quantities = if unit.dimension == Dimension::FREQUENCY {
+            revolutions_or_radians(number, &unit).to_vec()
         } else {
-            format!("write `{number} {word}`")
+            vec![format!("{number} {word}")]
         };
         let why = format!("`{written}` is not a unit");
-        self.error(UnitsError::Unknown { why, span, help: Some(help) });
+        self.error(UnitsError::Unknown { why, span, help: Some(Help::write(span, &quantities)) });
         true
     }
 }

@@ -62,9 +62,9 @@ impl Context<'_> {
             return false;
         }
         if found == Dimension::NUMBER
-            && let Some(example) = self.example(expr, want)
+            && let Some(help) = self.example(expr, want)
         {
-            self.error(UnitsError::Missing { what, want, span, used: None, example });
+            self.error(UnitsError::Missing { what, want, span, used: None, help });
             return false;
         }
         if found == Dimension::NUMBER && self.bare_definition(want, expr) {

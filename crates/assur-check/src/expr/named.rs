@@ -67,10 +67,11 @@ impl Context<'_> {
             return Some(Typed::pending(Type::number(dimension)));
         }
         if self.problems.reported.insert(("quantity", name.node.clone())) {
-            let help = Some(format!(
+            let words = format!(
                 "a column of variants replaces the value of a `given`: add `given {} = …`",
                 name.node
-            ));
+            );
+            let help = Some(words.into());
             let (name, span) = (name.node.clone(), name.span);
             self.error(NameError::Unknown { kind: "quantity", name, place: String::new(), span, help });
         }

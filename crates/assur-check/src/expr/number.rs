@@ -5,6 +5,7 @@ use crate::expr::context::Context;
 use crate::values::typed::{Dim, Type, Typed};
 use assur_model::model;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number, UnaryOp};
+use assur_text::diagnostic::Help;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Unit, factors, lookup};
 
@@ -31,7 +32,9 @@ impl Context<'_> {
                 if self.problems.reported.insert(("unit", word.node.clone())) {
                     let (start, end) = error.range();
                     let part = Span::new(word.span.start + start, word.span.start + end.max(start + 1));
-                    let (why, help) = (error.to_string(), error.help());
+                    let why = error.to_string();
+                    let nearest = error.nearest();
+                    let help = (!nearest.is_empty()).then(|| Help::write(word.span, nearest));
                     // what is proposed replaces the whole word
                     let span = if help.is_some() { word.span } else { part };
                     self.error(UnitsError::Unknown { why, span, help });

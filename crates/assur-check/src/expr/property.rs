@@ -6,6 +6,7 @@ use crate::expr::positive::{not_negative, positive};
 use crate::expr::want::Want;
 use crate::names::suggestion::suggestion;
 use assur_syntax::document::{Definition, Expr, ExprKind, Property, Statement};
+use assur_text::diagnostic::Help;
 use assur_text::source::Span;
 
 use assur_text::language::PROPERTIES;
@@ -109,9 +110,9 @@ fn one(
         let known = specs.iter().map(|s| s.name).chain(others.iter().copied()).collect::<Vec<_>>();
         let usual = USUAL.iter().find(|(other, ours)| *other == name.as_str() && known.contains(ours));
         let help = usual
-            .map(|(_, ours)| format!("did you mean `{ours}`?"))
-            .or_else(|| suggestion(name, &known, "properties"))
-            .unwrap_or_else(|| format!("leave the braces out: {what} has no properties"));
+            .map(|(_, ours)| Help::did_you_mean(property.name.span, &[(*ours).to_owned()]))
+            .or_else(|| suggestion(name, property.name.span, &known, "properties"))
+            .unwrap_or_else(|| format!("leave the braces out: {what} has no properties").into());
         let (what, name, span) = (what.to_owned(), name.clone(), property.name.span);
         cx.error(PairError::UnknownProperty { what, name, help, span });
         return None;

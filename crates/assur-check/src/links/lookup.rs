@@ -9,7 +9,7 @@ use crate::names::suggestion::suggestion;
 use assur_math::math::Vec2;
 use assur_model::model::{Circle, Guide, Line, LinkId, PairId, PairKind, Point};
 use assur_syntax::document::{JointKind, Name, Statement};
-use assur_text::diagnostic::did_you_mean;
+use assur_text::diagnostic::{Help, did_you_mean};
 use assur_text::source::Span;
 use indexmap::IndexSet;
 
@@ -161,7 +161,7 @@ impl Context<'_> {
             _ => &inside.circles,
         };
         let all = list.keys().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&name.node, &all, &format!("{kind}s of {owner}"));
+        let help = suggestion(&name.node, name.span, &all, &format!("{kind}s of {owner}"));
         if self.problems.reported.insert((kind, format!("{owner}.{}", name.node))) {
             let place =
                 if owner == "ground" { " on the ground".into() } else { format!(" in link `{owner}`") };
@@ -200,7 +200,8 @@ impl Context<'_> {
         let all = ground.into_iter().chain(all).collect::<Vec<_>>();
         let near = !did_you_mean(&name.node, all.iter().copied()).is_empty();
         let mesh = if kind == "pair" && !near { missing_mesh(self, &name.node) } else { None };
-        let help = mesh.or_else(|| suggestion(&name.node, &all, &format!("{kind}s")));
+        let listed = || suggestion(&name.node, name.span, &all, &format!("{kind}s"));
+        let help = mesh.map(Help::from).or_else(listed);
         let (name, span) = (name.node.clone(), name.span);
         self.error(NameError::Unknown { kind, name, place: String::new(), span, help });
     }
@@ -290,7 +291,7 @@ impl Context<'_> {
         }
         let all = self.names.inside.iter().flat_map(|i| i.points.keys()).map(String::as_str);
         let all = all.collect::<IndexSet<_>>().into_iter().collect::<Vec<_>>();
-        let help = suggestion(&name.node, &all, "points");
+        let help = suggestion(&name.node, name.span, &all, "points");
         let (name, span) = (name.node.clone(), name.span);
         self.error(NameError::Unknown { kind: "point", name, place: String::new(), span, help });
         None

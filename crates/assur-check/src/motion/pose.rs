@@ -98,8 +98,8 @@ fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<(DriveId, 
         return None;
     }
     let driven = cx.builder.mech.drives.iter().map(|d| d.name.as_str()).collect::<Vec<_>>();
-    let help = suggestion(name, &driven, "drives").unwrap_or_else(|| {
-        format!("add the line `drive {name} = {}`, with your own values", positions(cx, name))
+    let help = suggestion(name, span, &driven, "drives").unwrap_or_else(|| {
+        format!("add the line `drive {name} = {}`, with your own values", positions(cx, name)).into()
     });
     cx.error(MotionError::NotDriven { name: name.into(), help, span });
     None

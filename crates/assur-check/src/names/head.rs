@@ -22,7 +22,7 @@ fn ignore(cx: &mut Scope<'_, '_>, name: &Name) {
         cx.builder.mech.ignore_inertia = true;
         return;
     }
-    let help = suggestion(&name.node, &["inertia"], "effects that can be ignored");
+    let help = suggestion(&name.node, name.span, &["inertia"], "effects that can be ignored");
     let (name, span) = (name.node.clone(), name.span);
     cx.error(NameError::Unknown { kind: "effect", name, place: String::new(), span, help });
 }

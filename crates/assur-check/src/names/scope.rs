@@ -4,7 +4,7 @@ use crate::names::declared::Names;
 use crate::output::builder::Builder;
 use crate::output::problems::Problems;
 use assur_syntax::document::Document;
-use miette::Diagnostic;
+use assur_text::diagnostic::Problem;
 
 /// A document, and where its names, its links and what is wrong with them go.
 pub struct Scope<'s, 'a> {
@@ -20,7 +20,7 @@ pub struct Scope<'s, 'a> {
 
 impl Scope<'_, '_> {
     /// Reports an error or a warning.
-    pub fn error(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
+    pub fn error(&mut self, problem: impl Problem) {
         self.problems.error(problem);
     }
 }

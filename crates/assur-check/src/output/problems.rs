@@ -1,8 +1,7 @@
 //! The problems found, and what is not reported again.
 
-use assur_text::diagnostic;
+use assur_text::diagnostic::{self, Problem};
 use indexmap::IndexSet;
-use miette::Diagnostic;
 
 /// All that was found wrong.
 #[derive(Default)]
@@ -14,7 +13,7 @@ pub struct Problems {
 
 impl Problems {
     /// Reports an error or a warning.
-    pub fn error(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
+    pub fn error(&mut self, problem: impl Problem) {
         self.found.push(problem);
     }
 

@@ -10,7 +10,7 @@ use crate::statements::lines::{end_text, line_of};
 use assur_math::math::Vec2;
 use assur_model::model::{Guide, Line, LinkId, PairKind};
 use assur_syntax::document::{End, Joint, JointKind, Member, Name, Statement};
-use assur_text::diagnostic::did_you_mean;
+use assur_text::diagnostic::{Help, did_you_mean};
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 use indexmap::IndexMap;
@@ -102,7 +102,8 @@ fn unknown(cx: &mut Context<'_>, joint: &Joint, end: &Joined) {
     let near = !did_you_mean(name, all.iter().copied()).is_empty();
     let line =
         if near { None } else { line_elsewhere(cx, joint, end).or_else(|| missing_line(cx, joint, end)) };
-    let help = line.or_else(|| suggestion(name, &all, &format!("points and lines of {owner}")));
+    let listed = || suggestion(name, end.part.span, &all, &format!("points and lines of {owner}"));
+    let help = line.map(Help::from).or_else(listed);
     let place =
         if end.link == LinkId::GROUND { " on the ground".into() } else { format!(" in link `{owner}`") };
     let (name, span) = (name.clone(), end.part.span);

@@ -272,9 +272,11 @@ fn pose(cx: &mut Context<'_>, name: &Name) -> Option<()> {
         return Some(()); // looked for once more among the poses that are solved
     }
     let all = cx.names.poses.keys().map(String::as_str).collect::<Vec<_>>();
-    let near = suggestion(&name.node, &all, "named poses");
+    let near = suggestion(&name.node, name.span, &all, "named poses");
     let help = match (number, count) {
-        (Some(_), Some(count)) if count > 1 => Some(format!("the poses of the sweep are 1 to {count}")),
+        (Some(_), Some(count)) if count > 1 => {
+            Some(format!("the poses of the sweep are 1 to {count}").into())
+        }
         (Some(_), Some(_)) => Some("the file has one pose: leave out `at pose …`".into()),
         _ => near,
     };

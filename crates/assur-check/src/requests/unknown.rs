@@ -6,7 +6,7 @@ use crate::names::suggestion::suggestion;
 use crate::statements::lines::text;
 use assur_model::model::{LinkId, PairKind};
 use assur_syntax::document::{Name, Statement};
-use assur_text::diagnostic::did_you_mean;
+use assur_text::diagnostic::{Help, did_you_mean};
 use assur_text::language::Function;
 use assur_text::units::{Dimension, lookup};
 
@@ -81,15 +81,15 @@ impl Context<'_> {
             let alone = is_pi || did_you_mean(&name.node, all.iter().copied()).is_empty();
             let pi = || {
                 let near = alone && !did_you_mean(&name.node, ["pi"]).is_empty();
-                near.then(|| "did you mean `pi`?".to_owned())
+                near.then(|| Help::did_you_mean(name.span, &["pi".to_owned()]))
             };
             let unit = || if alone { unit_apart(&name.node) } else { None };
             let effort = || if alone { self.no_balance(&name.node) } else { None };
             let results = || if alone { self.results_by_name(&name.node) } else { None };
-            let listed = || suggestion(&name.node, &all, "quantities");
-            let help = pi().or_else(unit).or_else(effort).or_else(results);
-            let listed = listed();
-            let help = help.or_else(|| self.function_alone(&name.node, name.span)).or(listed);
+            let listed = suggestion(&name.node, name.span, &all, "quantities");
+            let help = pi().or_else(|| unit().or_else(effort).or_else(results).map(Help::from));
+            let alone = || self.function_alone(&name.node, name.span).map(Help::from);
+            let help = help.or_else(alone).or(listed);
             let (name, span) = (name.node.clone(), name.span);
             NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
         };

@@ -10,6 +10,7 @@ use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
 use crate::values::typed::{Dim, Type, correction, phrase};
 use assur_model::model::{Expr, Value};
 use assur_syntax::document::{Cell, Column, Document, ExprKind, Statement, Variants};
+use assur_text::diagnostic::Help;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Unit};
 use indexmap::IndexSet;
@@ -189,8 +190,12 @@ fn unknown(cx: &mut Context<'_>, column: &Column) {
     let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
     let given = given.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
     let help = match naming(cx, column) {
-        true if name.node != LABEL => Some(format!("call the column that names the rows `{LABEL}`")),
-        _ => suggestion(&name.node, &given, "`given` of this file").or_else(|| given_line(cx, column)),
+        true if name.node != LABEL => {
+            let words = format!("call the column that names the rows `{LABEL}`");
+            Some(Help::write(name.span, &[LABEL.to_owned()]).in_words(words))
+        }
+        _ => suggestion(&name.node, name.span, &given, "`given` of this file")
+            .or_else(|| given_line(cx, column).map(Help::from)),
     };
     let (name, span) = (name.node.clone(), name.span);
     cx.error(NameError::Unknown { kind: "given", name, place: String::new(), span, help });
@@ -233,8 +238,8 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
     let (what, want) = (format!("column `{name}`"), dim.known());
     if column.unit.is_none() {
         let unit = unit_of_given(cx, name).unwrap_or_else(|| cx.values.usual_unit(want));
-        let example = format!("`{name} [{unit}]`");
-        cx.error(UnitsError::Missing { what, want, span, used: None, example });
+        let help = Help::write(span, &[format!("{name} [{unit}]")]);
+        cx.error(UnitsError::Missing { what, want, span, used: None, help });
         return None;
     }
     let column =

@@ -10,6 +10,7 @@ use crate::values::store::Values;
 use crate::values::typed::{Dim, Type, Typed, phrase};
 use assur_model::model::Expr;
 use assur_syntax::{between_digits, readings};
+use assur_text::source::Span;
 use assur_text::units::{Dimension, lookup};
 
 /// Reports values for what is no `given`.
@@ -40,7 +41,8 @@ fn unknown(names: &Names<'_>, problems: &mut Problems, name: &str) {
     }
     let given = names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
     let given = given.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
-    let help = suggestion(name, &given, "`given` of this file");
+    // it is of the command line, and has no place in the text
+    let help = suggestion(name, Span::default(), &given, "`given` of this file").map(|help| help.to_string());
     let why = "the file has no `given` of that name".to_owned();
     problems.error(RequestError::SetUnknown { name: name.to_owned(), why, declared: None, help });
 }

@@ -210,6 +210,8 @@ pub enum StructureError {
     },
 }
 
+impl assur_text::diagnostic::Problem for StructureError {}
+
 pub(super) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {
     LabeledSpan::new_with_span(Some(text.into()), span)
 }

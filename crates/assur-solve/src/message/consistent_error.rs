@@ -57,3 +57,5 @@ pub enum ConsistentError {
         labels: Vec<LabeledSpan>,
     },
 }
+
+impl assur_text::diagnostic::Problem for ConsistentError {}

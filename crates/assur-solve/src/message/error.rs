@@ -435,3 +435,5 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
 }
+
+impl assur_text::diagnostic::Problem for SolveError {}

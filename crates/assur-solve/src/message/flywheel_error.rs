@@ -42,3 +42,5 @@ pub enum FlywheelError {
         span: miette::SourceSpan,
     },
 }
+
+impl assur_text::diagnostic::Problem for FlywheelError {}

@@ -79,3 +79,5 @@ pub enum FrictionError {
         span: miette::SourceSpan,
     },
 }
+
+impl assur_text::diagnostic::Problem for FrictionError {}

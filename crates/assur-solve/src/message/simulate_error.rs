@@ -208,3 +208,5 @@ pub enum SimulateError {
         span: Span,
     },
 }
+
+impl assur_text::diagnostic::Problem for SimulateError {}

@@ -131,3 +131,5 @@ pub enum TrainError {
         labels: Vec<LabeledSpan>,
     },
 }
+
+impl assur_text::diagnostic::Problem for TrainError {}

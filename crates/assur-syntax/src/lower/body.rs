@@ -141,7 +141,7 @@ impl Lower<'_> {
             return None;
         }
         let gap = Span::new(word.span.start, function.span.start);
-        let help = format!("write: {}", corrected(self.text, gap, ""));
+        let help = corrected(self.text, gap, "");
         self.problems.push(SyntaxError::NeedlessSign { found: word.node.clone(), at: word.span, help });
         let span = Span::new(function.span.end, at.span.end);
         let kind = ExprKind::Vector(Box::new(x.value.clone()), Box::new(y.value.clone()));

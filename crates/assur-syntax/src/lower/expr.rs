@@ -225,7 +225,7 @@ impl Lower<'_> {
         };
         let Some([first, again]) = factors.windows(2).find(blank) else { return word };
         let at = Span::new(start + again.start, start + again.end);
-        let help = format!("write: {}", corrected(self.text, Span::new(start + first.end, at.end), ""));
+        let help = corrected(self.text, Span::new(start + first.end, at.end), "");
         self.problems.push(SyntaxError::NeedlessSign { found: again.symbol.to_owned(), at, help });
         &word[..first.end]
     }

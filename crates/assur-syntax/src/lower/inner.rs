@@ -3,7 +3,8 @@
 use crate::error::SyntaxError;
 use crate::line::Line;
 use crate::words::is_name_char;
-use assur_text::source::Span;
+use assur_text::diagnostic::Help;
+use assur_text::source::{Edit, Span};
 
 /// `{ S (150 mm, 0); force on crank at B = 10 N @ 0 deg }`: the braces, open at `open`, end after one statement that
 /// follows `members`. The place of the closing brace comes with it.
@@ -21,11 +22,13 @@ pub(super) fn statement_in_braces(
     let word = statement.split(|c| !is_name_char(c)).next()?;
     let line = Line::around(text, open.start);
     let help = if brace < line.end {
-        let before = text.get(line.start..start)?.trim_end_matches(blank).trim_start();
-        let behind = text.get(brace + 1..line.end)?.trim_end();
-        format!("write: {before} }}; {statement}{behind}")
+        let members = line.start + text.get(line.start..start)?.trim_end_matches(blank).len();
+        let end = start + statement.len();
+        let edits =
+            vec![Edit::new(Span::new(members, start), " }; "), Edit::new(Span::new(end, brace + 1), "")];
+        Help::lines(text, Span::new(members, brace), edits)
     } else {
-        "move it after the brace that closes these".to_owned()
+        "move it after the brace that closes these".into()
     };
     let at = Span::new(start, start + word.len());
     Some((SyntaxError::StatementInBraces { word: word.to_owned(), open, at, help }, brace))

@@ -6,7 +6,8 @@ use super::walk::{P, span};
 use crate::error::SyntaxError;
 use crate::grammar::Rule;
 use crate::line::{Line, corrected};
-use assur_text::source::Span;
+use assur_text::diagnostic::Help;
+use assur_text::source::{Edit, Span};
 use pest::iterators::Pairs;
 
 /// Reports every lenient form in a file, in one pass over all pairs.
@@ -33,13 +34,14 @@ pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
             Rule::lenient_late_brace => lower.problems.push(late_brace(lower.text, &pair)),
             Rule::lenient_colon_for_equals => {
                 let at = span(&pair);
-                let help = format!("write: {}", corrected(lower.text, at, " =").replace("  ", " "));
+                let help = corrected(lower.text, with_blanks(lower.text, at), " = ");
                 let found = pair.as_str().to_owned();
                 lower.problems.push(SyntaxError::EqualsExpected { found, at, help });
             }
             Rule::lenient_equals_for_colon => {
                 let at = span(&pair);
-                let help = format!("write: {}", corrected(lower.text, at, ":").replace(" :", ":"));
+                let before = Span::new(with_blanks(lower.text, at).start, at.end);
+                let help = corrected(lower.text, before, ":");
                 let found = pair.as_str().to_owned();
                 lower.problems.push(SyntaxError::ColonExpected { found, at, help });
             }
@@ -59,7 +61,25 @@ fn missing_brace(text: &str, open: Span, at: Span) -> SyntaxError {
     let before = if line.is_empty() { "at the end".to_owned() } else { format!("before: {line}") };
     let word = line.chars().take_while(|c| c.is_alphanumeric());
     let length = word.map(char::len_utf8).sum::<usize>();
-    SyntaxError::MissingBrace { open, at: Span::new(next, next + length), before }
+    let words = format!("write `}}` on a line of its own {before}");
+    // before the line, unless the brace is opened on it
+    let start = if line.is_empty() { text.len() } else { Line::around(text, next).start };
+    let newline = if start > 0 && !text[..start].ends_with('\n') { "\n" } else { "" };
+    let edit = Edit::new(Span::new(start, start), format!("{newline}}}\n"));
+    let help = if start > open.end {
+        Help::lines(text, edit.span, vec![edit]).in_words(words)
+    } else {
+        words.into()
+    };
+    SyntaxError::MissingBrace { open, at: Span::new(next, next + length), help }
+}
+
+/// A place with the blanks around it.
+fn with_blanks(text: &str, at: Span) -> Span {
+    let (before, behind) = (&text[..at.start], &text[at.end..]);
+    let blank = [' ', '\t'];
+    let start = before.trim_end_matches(blank).len();
+    Span::new(start, text.len() - behind.trim_start_matches(blank).len())
 }
 
 fn late_brace(text: &str, pair: &P<'_>) -> SyntaxError {
@@ -68,10 +88,13 @@ fn late_brace(text: &str, pair: &P<'_>) -> SyntaxError {
     let written = text.get(line.start..line.end).unwrap_or_default();
     let code = written.split_once("//").map_or(written, |(code, _)| code).trim();
     let start = line.start + (written.len() - written.trim_start().len());
+    let end = start + code.len();
+    let brace = Span::new(whole.end(), whole.end() + 1);
+    let edits = vec![Edit::new(Span::new(end, end), " {"), Edit::new(brace, "")];
     SyntaxError::BraceOnItsOwnLine {
-        brace: Span::new(whole.end(), whole.end() + 1),
-        statement: Span::new(start, start + code.len()),
-        help: format!("write: {code} {{"),
+        brace,
+        statement: Span::new(start, end),
+        help: Help::lines(text, Span::new(start, start), edits).in_words(format!("write: {code} {{")),
     }
 }
 
@@ -80,5 +103,5 @@ fn bare_point(text: &str, number: &str, at: Span) -> SyntaxError {
         Some(whole) => ("behind", format!("{whole}.0")),
         None => ("before", format!("0{number}")),
     };
-    SyntaxError::BareDecimalPoint { at, side, help: format!("write: {}", corrected(text, at, &fixed)) }
+    SyntaxError::BareDecimalPoint { at, side, help: corrected(text, at, &fixed) }
 }

@@ -19,6 +19,7 @@ mod walk;
 use super::document::{Bad, Definition, Statement};
 use super::error::SyntaxError;
 use super::grammar::{Grammar, Rule};
+use super::line::corrected;
 use super::prepare::whole_end;
 use super::recover::{self, What};
 use assur_text::diagnostic::Problems;
@@ -111,7 +112,7 @@ impl Lower<'_> {
         let written = self.text.get(at.start..at.end)?;
         let bare = |c: char| c.is_whitespace() || "\"“”„«»‟＂".contains(c);
         let title = written.trim_matches(bare).to_owned();
-        let help = format!("write: mechanism \"{title}\"");
+        let help = corrected(self.text, at, &format!("\"{title}\""));
         match part.as_rule() {
             Rule::lenient_unclosed_text => self.problems.push(SyntaxError::UnclosedText { at, help }),
             Rule::lenient_bare_title => self.problems.push(SyntaxError::TitleWithoutQuotes { at, help }),

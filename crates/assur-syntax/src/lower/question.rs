@@ -78,7 +78,7 @@ impl Lower<'_> {
         let written = self.read.get(values.start..values.end).unwrap_or_default();
         let Some(start) = written.find("+-").map(|at| values.start + at) else { return false };
         let at = Span::new(start, start + 2);
-        let help = format!("write: {}", corrected(self.text, at, "within"));
+        let help = corrected(self.text, at, "within");
         let (found, wanted) = ("+-".to_owned(), "within".to_owned());
         self.problems.push(SyntaxError::OtherWord { found, wanted, at, help });
         true
@@ -138,8 +138,9 @@ impl Lower<'_> {
         let mut number = self.number(&quantity.any()?);
         if let Some(unit) = quantity.any() {
             let unit = span(&unit);
-            let help =
-                format!("the header names the unit, the row is: {}", corrected(self.text, unit, "").trim());
+            let help = corrected(self.text, unit, "");
+            let row = help.to_string().replacen("write", "the header names the unit, the row is", 1);
+            let help = help.in_words(row);
             self.problems.push(SyntaxError::UnitInRow { at: unit, help });
         }
         if negative {

@@ -7,6 +7,7 @@ use crate::line::corrected;
 use crate::prepare::whole_end;
 use crate::words;
 use crate::words::is_name_char;
+use assur_text::diagnostic::Help;
 use assur_text::source::Span;
 use pest::Parser;
 use pest::error::{ErrorVariant, InputLocation};
@@ -61,12 +62,7 @@ impl<'a> Case<'a> {
     }
 
     /// The author's lines with a part of the piece replaced, as a help.
-    pub(super) fn help(&self, start: usize, end: usize, new: &str) -> String {
-        format!("write: {}", self.line(start, end, new))
-    }
-
-    /// The author's lines with a part of the piece replaced.
-    pub(super) fn line(&self, start: usize, end: usize, new: &str) -> String {
+    pub(super) fn help(&self, start: usize, end: usize, new: &str) -> Help {
         corrected(self.text, self.span(start, end - start), new)
     }
 

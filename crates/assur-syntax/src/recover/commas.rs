@@ -4,6 +4,7 @@ use super::case::Case;
 use super::what::What;
 use crate::comma;
 use crate::error::SyntaxError;
+use assur_text::diagnostic::Help;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     if matches!(case.what, What::Row | What::Header) {
@@ -87,6 +88,6 @@ fn semicolon_in_brackets(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// The author's lines with each of the texts in place of the piece.
-fn lines(case: &Case<'_>, readings: &[String]) -> Vec<String> {
-    readings.iter().map(|new| case.line(0, case.slice.len(), new)).collect()
+fn lines(case: &Case<'_>, readings: &[String]) -> Vec<Help> {
+    readings.iter().map(|new| case.help(0, case.slice.len(), new)).collect()
 }

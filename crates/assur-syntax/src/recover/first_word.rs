@@ -6,7 +6,7 @@ use crate::error::SyntaxError;
 use crate::grammar::{Grammar, Rule};
 use crate::line::{Line, corrected};
 use crate::words::{self, is_name_char};
-use assur_text::diagnostic::did_you_mean;
+use assur_text::diagnostic::{Help, did_you_mean};
 use assur_text::language::{Place, words_of};
 use assur_text::source::Span;
 use pest::Parser;
@@ -84,7 +84,7 @@ fn displaced(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
         .or_else(|| link_with_point(case))
         .unwrap_or_else(|| format!("put it there: {owner} NAME {{ {} }}", case.slice.trim()));
     let found = word.to_owned();
-    Some(SyntaxError::MisplacedMember { found, at: case.span(0, word.len()), place, help })
+    Some(SyntaxError::MisplacedMember { found, at: case.span(0, word.len()), place, help: help.into() })
 }
 
 /// `mass of coupler = 3 kg`: the line of that link with the member in its braces.
@@ -188,28 +188,28 @@ fn unknown(case: &Case<'_>, word: &str) -> SyntaxError {
         let asked = case.slice.get(word.len()..).unwrap_or_default().trim();
         let find = format!("find {asked}");
         let find = if case.reads(&find) { format!("`{find}`") } else { "`find …`".to_owned() };
-        format!("nothing is drawn from a file: write {find} and draw it with `assur draw FILE plot`")
+        format!("nothing is drawn from a file: write {find} and draw it with `assur draw FILE plot`").into()
     } else if OF_A_RUN.contains(&word) && case.text.lines().any(|l| l.trim_start().starts_with("simulate ")) {
         "the instants that are printed belong to `simulate`: write for example `simulate 0 s .. 2 s in 2000 steps`"
-            .to_owned()
+            .into()
     } else {
         lines_meant(case).unwrap_or_else(|| {
             "begin with the word of a statement: `given`, `ground`, `link`, `revolute`, `drive`, `force`, `find`, …; \
              the command `assur explain mech::syntax::unknown_statement` lists all"
-                .to_owned()
+                .into()
         })
     };
     SyntaxError::UnknownStatement { found: word.to_owned(), at: case.span(0, word.len()), help }
 }
 
 /// The line that reads with a statement's word before it.
-fn lines_meant(case: &Case<'_>) -> Option<String> {
-    if let Some(line) = list_goes_on(case) {
-        return Some(format!("write: {line}"));
+fn lines_meant(case: &Case<'_>) -> Option<Help> {
+    if let Some(help) = list_goes_on(case) {
+        return Some(help);
     }
     if case.slice.contains(":=") {
         let line = format!("given {}", case.slice.replace(":=", "="));
-        return case.reads(&line).then(|| format!("write: {}", case.line(0, case.slice.len(), &line)));
+        return case.reads(&line).then(|| case.help(0, case.slice.len(), &line));
     }
     let asked = case.slice.contains('(') || case.slice.contains(" as ");
     let bar = case.slice.contains('-') && !case.slice.contains([':', '=']);
@@ -233,7 +233,7 @@ fn lines_meant(case: &Case<'_>) -> Option<String> {
 }
 
 /// `find a; b`: the list of the statement before goes on after a semicolon.
-fn list_goes_on(case: &Case<'_>) -> Option<String> {
+fn list_goes_on(case: &Case<'_>) -> Option<Help> {
     let line = Line::around(case.text, case.offset);
     let before = case.text.get(line.start..case.offset)?.trim_end().strip_suffix(';')?;
     let statement = before.rsplit([';', '{', '}']).next()?;

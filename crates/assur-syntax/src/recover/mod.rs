@@ -22,7 +22,7 @@ use super::document::{Bad, Name};
 use super::error::SyntaxError;
 use super::line::{Line, corrected};
 use super::words::{self, Expected, is_name_char, is_reserved};
-use assur_text::diagnostic::{Problems, did_you_mean};
+use assur_text::diagnostic::{Help, Problems, did_you_mean};
 use assur_text::language::{Place, words_of};
 use assur_text::source::Span;
 use case::Case;
@@ -107,7 +107,7 @@ pub(super) fn point_without_coordinates(text: &str, name: &Name, at: Span) -> Sy
             found: name.node.clone(),
             at: name.span,
             wanted: (*wanted).to_owned(),
-            help: Some(format!("write: {}", corrected(text, name.span, wanted))),
+            help: Some(corrected(text, name.span, wanted)),
         },
         None => without_coordinates(&name.node, at),
     }
@@ -115,7 +115,7 @@ pub(super) fn point_without_coordinates(text: &str, name: &Name, at: Span) -> Sy
 
 fn without_coordinates(name: &str, at: Span) -> SyntaxError {
     let help = format!("give its coordinates, as in: {name} (100 mm, 20 mm)");
-    SyntaxError::PointWithoutCoordinates { at, help }
+    SyntaxError::PointWithoutCoordinates { at, help: help.into() }
 }
 
 /// The message if no repair helps.
@@ -141,14 +141,13 @@ fn unexpected(case: &Case<'_>) -> SyntaxError {
     let at = case.span(case.fail, token.len());
     let help = match case.what {
         What::Header | What::Row => Some(
-            "write the header and each row on a separate line: names with units, then plain numbers"
-                .to_owned(),
+            "write the header and each row on a separate line: names with units, then plain numbers".into(),
         ),
         _ if first == "link" && token.is_empty() && case.slice.contains('-') && !case.slice.contains('{') => {
-            Some(format!("give its length, as in: {} 100 mm", case.slice.trim()))
+            Some(format!("give its length, as in: {} 100 mm", case.slice.trim()).into())
         }
-        _ if case.slice.trim() == "gravity" => Some("write: gravity 9.81 m/s^2".to_owned()),
-        _ => help(first),
+        _ if case.slice.trim() == "gravity" => Some(case.help(0, case.slice.len(), "gravity 9.81 m/s^2")),
+        _ => help(first).map(Help::from),
     };
     SyntaxError::Unexpected { what, expected: words::list(expected), at, found, help }
 }

@@ -5,6 +5,7 @@ use super::what::What;
 use crate::error::SyntaxError;
 use crate::line::Line;
 use crate::words::is_name_char;
+use assur_text::diagnostic::Help;
 use assur_text::language::Collection;
 use assur_text::units::{Dimension, lookup};
 
@@ -41,7 +42,7 @@ fn at_in_find(case: &Case<'_>) -> Option<SyntaxError> {
         "give the drive this position"
     };
     Some(SyntaxError::FindAt {
-        help: format!("to see the value there {answer}; to check one: `expect {item} = … {place}`"),
+        help: format!("to see the value there {answer}; to check one: `expect {item} = … {place}`").into(),
         at: case.span(case.fail, "at".len()),
     })
 }
@@ -148,14 +149,11 @@ fn through(case: &Case<'_>) -> Option<SyntaxError> {
     let with = |point: &str| format!("through {point} ");
     let fits = |point: &&str| case.reads(&case.with(case.fail, case.fail, &with(point)));
     let points = points.into_iter().filter(fits).collect::<Vec<_>>();
-    let line = |point: &&str| case.line(case.fail, case.fail, &with(point));
+    let line = |point: &&str| case.help(case.fail, case.fail, &with(point));
     let (missing, help) = match points.as_slice() {
         [] => return None,
-        [point] => (format!("through {point}"), format!("write: {}", line(point))),
-        _ => {
-            let lines = points.iter().map(line).collect::<Vec<_>>();
-            ("through".to_owned(), format!("write one of\n  {}", lines.join("\n  ")))
-        }
+        [point] => (format!("through {point}"), line(point)),
+        _ => ("through".to_owned(), Help::one_of(points.iter().map(line).collect())),
     };
     let at = case.span(case.fail, case.token(case.fail).len());
     Some(SyntaxError::MissingWord { missing, at, help })

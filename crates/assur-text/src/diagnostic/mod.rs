@@ -4,6 +4,7 @@
 //! fields and a code `mech::<stage>::<what_is_wrong>`; [`Problems`] takes any of them.
 
 mod excerpt;
+mod fix;
 mod lines;
 mod problems;
 mod render;
@@ -11,7 +12,8 @@ mod suggest;
 mod view;
 
 pub use crate::language::{CODES, Code, explain};
-pub use problems::{AnyDiagnostic, Problems};
+pub use fix::{Fix, Help};
+pub use problems::{AnyDiagnostic, Problem, Problems};
 pub use render::{Style, render, render_most};
 pub use suggest::{did_you_mean, distance_allowed};
 pub use view::{DiagnosticView, Place, SpanView, place};

@@ -1,10 +1,19 @@
 //! The collection.
 
+use super::Fix;
 use miette::{Diagnostic, Severity};
 use std::sync::Arc;
 
+/// A diagnostic that can offer fixes.
+pub trait Problem: Diagnostic + Send + Sync + 'static {
+    /// What can be changed in the text; each fix alone makes the problem go.
+    fn fixes(&self) -> Vec<Fix> {
+        Vec::new()
+    }
+}
+
 /// Any stage's diagnostic.
-pub type AnyDiagnostic = Arc<dyn Diagnostic + Send + Sync + 'static>;
+pub type AnyDiagnostic = Arc<dyn Problem>;
 
 /// All errors, warnings and notes about one text.
 #[derive(Clone, Debug, Default)]
@@ -25,7 +34,7 @@ impl Problems {
 
     /// These alone.
     #[must_use]
-    pub fn of<D: Diagnostic + Send + Sync + 'static>(problems: impl IntoIterator<Item = D>) -> Self {
+    pub fn of<D: Problem>(problems: impl IntoIterator<Item = D>) -> Self {
         let mut all = Self::new();
         all.extend(problems);
         all
@@ -42,7 +51,7 @@ impl Problems {
     }
 
     /// Adds one.
-    pub fn push(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
+    pub fn push(&mut self, problem: impl Problem) {
         self.items.push(Arc::new(problem));
     }
 
@@ -131,16 +140,22 @@ impl Problems {
         self.items.iter().any(|p| p.code().is_some_and(|c| c.to_string() == code))
     }
 
+    /// Everything that can be changed, in the order of the problems.
+    #[must_use]
+    pub fn fixes(&self) -> Vec<Fix> {
+        self.sorted().into_iter().flat_map(Problem::fixes).collect()
+    }
+
     /// All of them by place; at equal place errors first, then in the order found. Those without place come first.
     #[must_use]
-    pub fn sorted(&self) -> Vec<&(dyn Diagnostic + Send + Sync + 'static)> {
+    pub fn sorted(&self) -> Vec<&dyn Problem> {
         let mut all = self.items.iter().map(AsRef::as_ref).collect::<Vec<_>>();
         all.sort_by_cached_key(|p| (offset(*p), !is_error(*p)));
         all
     }
 }
 
-impl<D: Diagnostic + Send + Sync + 'static> Extend<D> for Problems {
+impl<D: Problem> Extend<D> for Problems {
     fn extend<I: IntoIterator<Item = D>>(&mut self, problems: I) {
         problems.into_iter().for_each(|p| self.push(p));
     }

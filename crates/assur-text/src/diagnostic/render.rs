@@ -1,9 +1,9 @@
 //! Rendering of diagnostics.
 
-use super::Problems;
 use super::excerpt::Excerpt;
 use super::lines::Lines;
 use super::problems::is_error;
+use super::{Problem, Problems};
 use crate::source::{Source, shown};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan};
 use miette::{NarratableReportHandler, ReportHandler, Severity, SourceCode};
@@ -66,7 +66,7 @@ pub fn render_most(problems: &Problems, source: &Source, style: Style, most: usi
 }
 
 /// The problems that are drawn, by place.
-fn chosen(problems: &Problems, most: usize) -> Vec<&(dyn Diagnostic + Send + Sync + 'static)> {
+fn chosen(problems: &Problems, most: usize) -> Vec<&dyn Problem> {
     let mut all = problems.sorted();
     let kept = all.iter().filter(|p| is_error(**p)).count().min(most);
     let (mut errors, mut others) = (kept, most - kept);
@@ -116,7 +116,7 @@ impl Display for Shown<'_> {
 
 /// A diagnostic with the lines it speaks of. What comes from the text is shown without commands to the terminal.
 struct Located<'a> {
-    inner: &'a (dyn Diagnostic + Send + Sync + 'static),
+    inner: &'a dyn Problem,
     labels: Vec<LabeledSpan>,
     excerpt: Excerpt,
 }

@@ -216,3 +216,5 @@ pub enum LinkError {
         span: Span,
     },
 }
+
+impl assur_text::diagnostic::Problem for LinkError {}

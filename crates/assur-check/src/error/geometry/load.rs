@@ -88,3 +88,5 @@ pub enum LoadError {
         span: Span,
     },
 }
+
+impl assur_text::diagnostic::Problem for LoadError {}

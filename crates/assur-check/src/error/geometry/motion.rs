@@ -1,5 +1,6 @@
 //! Errors of drives, poses and clauses of `assemble`.
 
+use assur_text::diagnostic::{Fix, Help, Problem};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -178,7 +179,7 @@ pub enum MotionError {
         /// The name in the pose.
         name: String,
         /// The name of the drive.
-        help: String,
+        help: Help,
         /// Its place.
         #[label("no drive moves it")]
         span: Span,
@@ -279,4 +280,13 @@ pub enum MotionError {
         #[label("the same point")]
         span: Span,
     },
+}
+
+impl Problem for MotionError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::NotDriven { help, .. } => help.certain_fixes(),
+            _ => Vec::new(),
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! Errors of pairs, springs and groups.
 
+use assur_text::diagnostic::{Fix, Help, Problem};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -132,7 +133,7 @@ pub enum PairError {
         /// The property.
         name: String,
         /// Similar properties, or all that exist.
-        help: String,
+        help: Help,
         /// Its place.
         #[label("not known here")]
         span: Span,
@@ -218,4 +219,13 @@ pub enum PairError {
         #[label("not a link of a group")]
         span: Span,
     },
+}
+
+impl Problem for PairError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::UnknownProperty { help, .. } => help.certain_fixes(),
+            _ => Vec::new(),
+        }
+    }
 }

@@ -90,7 +90,7 @@ impl Context<'_> {
         }
         let all = self.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Flywheel(_)));
         let all = all.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
-        let help = suggestion(&name.node, &all, "flywheels");
+        let help = suggestion(&name.node, name.span, &all, "flywheels");
         let (name, span) = (name.node.clone(), name.span);
         self.error(NameError::Unknown { kind: "flywheel", name, place: String::new(), span, help });
     }

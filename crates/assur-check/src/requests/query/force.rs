@@ -296,7 +296,7 @@ impl Context<'_> {
         let help = if free {
             Some(format!("`{written}` is free: it moves as the loads make it, and has no effort of its own"))
         } else {
-            suggestion(&written, &all, "driven links and pairs")
+            suggestion(&written, first.span, &all, "driven links and pairs").map(|help| help.to_string())
         };
         self.error(RequestError::NotDriven { name: written, span: first.span.to(last.span), help });
         None

@@ -6,8 +6,8 @@ use crate::expr::results::Call;
 use crate::statements::written::written;
 use crate::values::typed::Type;
 use assur_model::model::LinkId;
-use assur_syntax::document::{Arg, Expr, ExprKind, Statement};
-use assur_text::diagnostic::did_you_mean;
+use assur_syntax::document::{Arg, Expr, ExprKind, Name, Statement};
+use assur_text::diagnostic::{Help, did_you_mean};
 use assur_text::language::{FUNCTIONS, Function};
 use assur_text::source::{Span, Spanned};
 
@@ -42,10 +42,11 @@ impl Context<'_> {
         if !self.problems.reported.insert(("function", name.clone())) {
             return;
         }
-        let help = self.meant(call).or_else(|| near(name)).unwrap_or_else(|| {
+        let meant = self.meant(call).map(Help::from);
+        let help = meant.or_else(|| near(call.name)).unwrap_or_else(|| {
             "ask for one of `position`, `velocity`, `acceleration`, `angle`, `omega`, `alpha`, `displacement`, `reaction`, \
              `moment`, `effort`, `power`, `efficiency`; the language has no others like it"
-                .to_owned()
+                .into()
         });
         let (name, span) = (name.clone(), call.name.span);
         let help = Some(help);
@@ -176,9 +177,10 @@ fn called(function: Function, args: &[Arg], span: Span) -> Expr {
 }
 
 /// `did you mean …?`, functions with which the name shares more than a few letters.
-fn near(name: &str) -> Option<String> {
+fn near(written: &Name) -> Option<Help> {
+    let name = &written.node;
     let all = did_you_mean(name, FUNCTIONS.iter().map(|f| f.name));
     let close = |f: &&str| 2 * f.len() > name.len() && 2 * name.len() >= f.len();
-    let quoted = all.into_iter().filter(close).map(|n| format!("`{n}`")).collect::<Vec<_>>();
-    (!quoted.is_empty()).then(|| format!("did you mean {}?", quoted.join(" or ")))
+    let near = all.into_iter().filter(close).map(str::to_owned).collect::<Vec<_>>();
+    (!near.is_empty()).then(|| Help::did_you_mean(written.span, &near))
 }

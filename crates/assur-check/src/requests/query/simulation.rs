@@ -212,8 +212,9 @@ impl Context<'_> {
             return None;
         }
         let events = self.names.events.keys().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&name.node, &events, "events")
-            .unwrap_or_else(|| format!("declare it, as in `event {}: omega(crank) = 0 rad/s`", name.node));
+        let help = suggestion(&name.node, name.span, &events, "events").unwrap_or_else(|| {
+            format!("declare it, as in `event {}: omega(crank) = 0 rad/s`", name.node).into()
+        });
         self.error(SimulateError::UnknownEvent { name: name.node.clone(), help, span: name.span });
         None
     }

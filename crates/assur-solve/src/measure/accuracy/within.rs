@@ -59,6 +59,8 @@ pub enum AccuracyError {
     },
 }
 
+impl assur_text::diagnostic::Problem for AccuracyError {}
+
 /// Settings for a wanted accuracy, the cheapest first.
 #[must_use]
 pub fn candidates(model: &Model<'_>, wanted: f64) -> Vec<Settings> {

@@ -1,0 +1,129 @@
+//! What to do about a problem, in words and as changes of the text.
+
+use crate::source::{Edit, Span, edited};
+use std::fmt;
+
+/// A change of a text after which a problem of it is gone.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fix {
+    /// What it does, as a sentence without its end.
+    pub title: String,
+    /// The changes, in order.
+    pub edits: Vec<Edit>,
+    /// Whether nothing else can be meant.
+    pub certain: bool,
+}
+
+impl Fix {
+    /// A text with the fix applied.
+    #[must_use]
+    pub fn apply(&self, text: &str) -> String {
+        edited(text, &self.edits)
+    }
+}
+
+/// The help of a diagnostic. Where it has the exact words, it is printed from the fixes that write them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Help {
+    text: String,
+    fixes: Vec<Fix>,
+}
+
+impl Help {
+    /// `write: …`: the lines of a place as they are with the edits.
+    #[must_use]
+    pub fn lines(text: &str, at: Span, edits: Vec<Edit>) -> Self {
+        let title = format!("write: {}", lines_with(text, at, &edits));
+        Self { text: title.clone(), fixes: vec![Fix { title, edits, certain: false }] }
+    }
+
+    /// ``write `…` or `…` ``: what may be in a place.
+    #[must_use]
+    pub fn write(at: Span, words: &[String]) -> Self {
+        let text = format!("write {}", alternatives(words));
+        Self { text, fixes: replacements(at, words) }
+    }
+
+    /// ``did you mean `…` or `…`?``: names that may be meant in a place.
+    #[must_use]
+    pub fn did_you_mean(at: Span, names: &[String]) -> Self {
+        let text = format!("did you mean {}?", alternatives(names));
+        Self { text, fixes: replacements(at, names) }
+    }
+
+    /// `write one of …`: several of which one is meant.
+    #[must_use]
+    pub fn one_of(helps: Vec<Self>) -> Self {
+        let line = |help: &Self| format!("\n  {}", help.text.strip_prefix("write: ").unwrap_or(&help.text));
+        let lines = helps.iter().map(line).collect::<String>();
+        let fixes = helps.into_iter().flat_map(|help| help.fixes).collect();
+        Self { text: format!("write one of{lines}"), fixes }
+    }
+
+    /// The same fixes in other words.
+    #[must_use]
+    pub fn in_words(self, text: impl Into<String>) -> Self {
+        Self { text: text.into(), ..self }
+    }
+
+    /// What can be changed.
+    #[must_use]
+    pub fn fixes(&self) -> &[Fix] {
+        &self.fixes
+    }
+
+    /// The fixes; if there is one alone, it is certain.
+    #[must_use]
+    pub fn certain_fixes(&self) -> Vec<Fix> {
+        let only = self.fixes.len() == 1;
+        self.fixes.iter().map(|fix| Fix { certain: only, ..fix.clone() }).collect()
+    }
+}
+
+impl fmt::Display for Help {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+/// Words alone.
+impl From<String> for Help {
+    fn from(text: String) -> Self {
+        Self { text, fixes: Vec::new() }
+    }
+}
+
+impl From<&str> for Help {
+    fn from(text: &str) -> Self {
+        text.to_owned().into()
+    }
+}
+
+fn alternatives(words: &[String]) -> String {
+    words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(" or ")
+}
+
+fn replacements(at: Span, words: &[String]) -> Vec<Fix> {
+    let fix = |word: &String| Fix {
+        title: format!("write `{word}`"),
+        edits: vec![Edit::new(at, word)],
+        certain: false,
+    };
+    words.iter().map(fix).collect()
+}
+
+/// The lines of a place as they are with edits in them, without the blanks around them.
+fn lines_with(text: &str, at: Span, edits: &[Edit]) -> String {
+    let is_end = |b: &u8| matches!(b, b'\n' | b'\r');
+    let bytes = text.as_bytes();
+    let from = at.start.min(bytes.len());
+    let to = at.end.min(bytes.len());
+    let start = bytes[..from].iter().rposition(is_end).map_or(0, |i| i + 1);
+    let end = bytes[to..].iter().position(is_end).map_or(bytes.len(), |i| to + i);
+    let moved = |edit: &Edit| {
+        let by = |at: usize| at.saturating_sub(start);
+        Edit::new(Span::new(by(edit.span.start), by(edit.span.end)), &*edit.with)
+    };
+    let edits = edits.iter().map(moved).collect::<Vec<_>>();
+    edited(text.get(start..end).unwrap_or_default(), &edits).trim().to_owned()
+}

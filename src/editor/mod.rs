@@ -1,0 +1,78 @@
+//! What an editor asks about a text, as plain data: no protocol is known here.
+
+mod folds;
+mod hover;
+mod symbols;
+
+pub use folds::folds;
+pub use hover::Hover;
+pub use symbols::{Symbol, SymbolKind, symbols};
+
+use crate::pipeline::{certain_edits, compile_document};
+use assur_check::Overrides;
+use assur_syntax::document::Document;
+use assur_syntax::{Token, parse_with_tokens};
+use assur_text::diagnostic::{Fix, Problem, Problems};
+use assur_text::source::{Edit, Source, Span};
+use std::ops::RangeInclusive;
+use std::sync::Arc;
+
+/// A text with all that is found in it before anything is solved: names, units, structure.
+#[derive(Debug)]
+pub struct Analysis {
+    /// The text.
+    pub source: Source,
+    /// Its statements.
+    pub document: Arc<Document>,
+    /// Its tokens.
+    pub tokens: Vec<Token>,
+    /// What is wrong with it.
+    pub problems: Problems,
+    /// Whether it reads.
+    is_read: bool,
+}
+
+impl Analysis {
+    /// Looks at a text.
+    #[must_use]
+    pub fn of(source: Source) -> Self {
+        let (document, tokens, found) = parse_with_tokens(&source);
+        let document = Arc::new(document);
+        let is_read = !found.has_errors();
+        let (_, problems) = compile_document(&source, &document, found, &Overrides::none());
+        Self { source, document, tokens, problems, is_read }
+    }
+
+    /// The fixes of the problems that touch a place, each with its problem.
+    #[must_use]
+    pub fn fixes_at(&self, at: Span) -> Vec<(&dyn Problem, Fix)> {
+        let touches = |span: Span| span.start <= at.end && at.start <= span.end;
+        let is_near = |problem: &dyn Problem, fix: &Fix| {
+            let mut labels = problem.labels().into_iter().flatten();
+            labels.any(|l| touches(Span::new(l.offset(), l.offset() + l.len())))
+                || fix.edits.iter().any(|edit| touches(edit.span))
+        };
+        let all = self.problems.sorted().into_iter();
+        let with_fixes = all.flat_map(|problem| problem.fixes().into_iter().map(move |fix| (problem, fix)));
+        with_fixes.filter(|(problem, fix)| is_near(*problem, fix)).collect()
+    }
+
+    /// The edits of all fixes that are certain and do not touch each other.
+    #[must_use]
+    pub fn certain_edits(&self) -> Vec<Edit> {
+        certain_edits(&self.problems).0
+    }
+
+    /// The edits that put the text, or some lines of it, in the one style; none where it does not read.
+    #[must_use]
+    pub fn formatting(&self, lines: Option<RangeInclusive<usize>>) -> Vec<Edit> {
+        if !self.is_read {
+            return Vec::new();
+        }
+        let edits = assur_format::edits_of(&self.source.text, &self.tokens, &self.document);
+        match lines {
+            Some(lines) => assur_format::touching(&self.source.text, edits, lines),
+            None => edits,
+        }
+    }
+}

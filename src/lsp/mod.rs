@@ -1,0 +1,158 @@
+//! The language server protocol: which question a message asks, and its answer as a message. No mechanics here, and no streams:
+//! messages come in and go out as JSON.
+
+mod answers;
+mod capabilities;
+mod convert;
+mod error;
+mod texts;
+
+use crate::editor::Analysis;
+use assur_text::source::Encoding;
+use error::Failure;
+use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
+use serde_json::{Value, json};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use texts::Texts;
+
+/// How far a session is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Stage {
+    /// Nothing but `initialize` is answered.
+    #[default]
+    New,
+    /// Everything is answered.
+    Ready,
+    /// `shutdown` came; `exit` follows.
+    Closed,
+}
+
+/// A session with one client.
+#[derive(Debug, Default)]
+pub struct Server {
+    stage: Stage,
+    encoding: Encoding,
+    texts: Texts,
+    is_over: bool,
+}
+
+impl Server {
+    /// The answers to a message: a response to a request, nothing to a notification.
+    pub fn handle(&mut self, message: &Value) -> Vec<Value> {
+        let method = message.get("method").and_then(Value::as_str);
+        let params = message.get("params").unwrap_or(&Value::Null);
+        match (method, message.get("id")) {
+            (Some(method), Some(id)) => vec![self.respond(method, id, params)],
+            (Some(method), None) => self.notice(method, params),
+            // the response to a request of ours, of which there are none
+            (None, Some(_)) if message.get("result").is_some() || message.get("error").is_some() => {
+                Vec::new()
+            }
+            (None, id) => vec![Failure::invalid_request("this is not a message").response(id)],
+        }
+    }
+
+    /// The response to what is not JSON.
+    #[must_use]
+    pub fn unreadable(why: &str) -> Value {
+        Failure::parse(why).response(None)
+    }
+
+    /// Diagnostics of the texts that changed. Ask when no other message waits, so that only the last of many changes is looked at.
+    pub fn publish(&mut self) -> Vec<Value> {
+        let encoding = self.encoding;
+        let published = self.texts.changed().into_iter().map(|(uri, version, text)| {
+            let look = || answers::diagnostics(&uri, &Analysis::of(text.clone()), encoding);
+            // an error of the program says nothing of the text; what was said before is no longer true
+            let diagnostics = guarded(look).unwrap_or_default();
+            let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
+            notification("textDocument/publishDiagnostics", &params)
+        });
+        published.collect()
+    }
+
+    /// Whether the client said `exit`.
+    #[must_use]
+    pub const fn is_over(&self) -> bool {
+        self.is_over
+    }
+
+    /// Whether it said `shutdown` before.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.stage == Stage::Closed
+    }
+
+    fn respond(&mut self, method: &str, id: &Value, params: &Value) -> Value {
+        let answer = match (LspRequestMethod::from(method), self.stage) {
+            (LspRequestMethod::Initialize, Stage::New) => Ok(self.initialize(params)),
+            (_, Stage::New) => Err(Failure::not_initialized()),
+            (_, Stage::Closed) => Err(Failure::invalid_request("the session is shut down")),
+            (LspRequestMethod::Initialize, Stage::Ready) => {
+                Err(Failure::invalid_request("the session is initialized already"))
+            }
+            (LspRequestMethod::Shutdown, Stage::Ready) => {
+                self.stage = Stage::Closed;
+                Ok(Value::Null)
+            }
+            (method, Stage::Ready) => {
+                let asked = || answers::answer(&method, params, &self.texts, self.encoding);
+                guarded(asked).unwrap_or_else(|| Err(Failure::internal()))
+            }
+        };
+        match answer {
+            Ok(result) => json!({ "jsonrpc": "2.0", "id": id, "result": result }),
+            Err(failure) => failure.response(Some(id)),
+        }
+    }
+
+    fn initialize(&mut self, params: &Value) -> Value {
+        self.stage = Stage::Ready;
+        let offered = params.pointer("/capabilities/general/positionEncodings").and_then(Value::as_array);
+        let reads_bytes = offered.is_some_and(|all| all.iter().any(|one| one == "utf-8"));
+        self.encoding = if reads_bytes { Encoding::Utf8 } else { Encoding::Utf16 };
+        capabilities::result(self.encoding)
+    }
+
+    fn notice(&mut self, method: &str, params: &Value) -> Vec<Value> {
+        let done = match (LspNotificationMethod::from(method), self.stage) {
+            (LspNotificationMethod::Exit, _) => {
+                self.is_over = true;
+                Ok(())
+            }
+            (LspNotificationMethod::TextDocumentDidOpen, Stage::Ready) => self.texts.open(params),
+            (LspNotificationMethod::TextDocumentDidChange, Stage::Ready) => {
+                self.texts.change(params, self.encoding)
+            }
+            (LspNotificationMethod::TextDocumentDidClose, Stage::Ready) => {
+                let closed = self.texts.close(params);
+                return match closed {
+                    // what was said of it goes with it
+                    Ok(uri) => {
+                        let params = json!({ "uri": uri, "diagnostics": [] });
+                        vec![notification("textDocument/publishDiagnostics", &params)]
+                    }
+                    Err(failure) => vec![log(method, &failure)],
+                };
+            }
+            _ => Ok(()),
+        };
+        done.err().map(|failure| log(method, &failure)).into_iter().collect()
+    }
+}
+
+/// Nothing where an error of the program ends it; the session goes on.
+fn guarded<T>(work: impl FnOnce() -> T) -> Option<T> {
+    catch_unwind(AssertUnwindSafe(work)).ok()
+}
+
+fn notification(method: &str, params: &Value) -> Value {
+    json!({ "jsonrpc": "2.0", "method": method, "params": params })
+}
+
+/// A notification that could not be used, for the log of the client: it has no response.
+fn log(method: &str, failure: &Failure) -> Value {
+    const ERROR: u32 = 1;
+    let message = format!("{method}: {failure}");
+    notification("window/logMessage", &json!({ "type": ERROR, "message": message }))
+}

@@ -1,0 +1,34 @@
+//! `assur check --fix`: what it changes, and what it leaves to the author.
+
+use crate::run::{Folder, assur, with_input};
+
+const WRONG: &str = "given r = 5mm\nlnk crank A-B r\ngiven v: 3\nground { A (0, 0) }\nrevolute A: ground - crnk\ndrive crank = 5,5 deg\n";
+
+#[test]
+fn what_is_certain_is_fixed() {
+    let folder = Folder::new("fix").with("a.mech", WRONG);
+    let out = assur(&folder, &["check", "--fix", "a.mech"]);
+    assert_eq!(out.status, 0, "{}", out.stderr);
+    assert_eq!(out.stderr, "a.mech: 4 fixes applied\n");
+    assert!(out.stdout.contains("mobility"), "{}", out.stdout);
+    let fixed = WRONG.replace("lnk", "link").replace("v: 3", "v = 3").replace("crnk", "crank");
+    assert_eq!(folder.read("a.mech"), fixed.replace("5,5", "5.5"));
+    let again = assur(&folder, &["check", "--fix", "a.mech"]);
+    assert_eq!((again.status, again.stderr.as_str(), again.stdout), (0, "", out.stdout));
+}
+
+#[test]
+fn what_may_mean_several_things_stays() {
+    let text = "given r = 5\nlink crank A-B r\ngiven t = 1,500 m\n";
+    let folder = Folder::new("fix-several").with("a.mech", text);
+    let out = assur(&folder, &["check", "--fix", "a.mech"]);
+    assert_eq!((out.status, folder.read("a.mech").as_str()), (1, text), "{}", out.stderr);
+    assert!(out.stderr.contains("write `given r = 5 mm`"), "{}", out.stderr);
+}
+
+#[test]
+fn standard_input_cannot_be_fixed() {
+    let out = with_input(&Folder::new("fix-stdin"), &["check", "--fix", "-"], WRONG);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("name a file"), "{}", out.stderr);
+}
