@@ -5,7 +5,7 @@ mod format;
 mod pages;
 mod report;
 
-pub use draw::{Draw, LoadsArg, Picture, ThemeArg};
+pub use draw::{Draw, DrawFormat, LoadsArg, Picture, ThemeArg};
 pub use format::{Format, ProfileFormat, SolveFormat};
 pub use pages::{Explain, Help, New, StartKind};
 pub use report::{Report, ReportFormat};
