@@ -51,8 +51,7 @@ fn of_file(args: &Report, format: ReportFormat, source: &Source, screen: &Screen
     let (read, found) = syntax::parse(source);
     let read = Arc::new(read);
     if args.sheet || args.key {
-        let sheets = Sheets { args, format, source, document: read };
-        return sheets.reply(found, screen);
+        return Sheets::new(args, format, source, read).reply(found, screen);
     }
     let overrides = args.overrides();
     let (solved, mut problems) = pipeline::solve_document_drawn(source, &read, found, &overrides, &KINDS);
