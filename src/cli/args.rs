@@ -8,7 +8,7 @@ mod pages;
 mod report;
 
 pub use command::Command;
-pub use draw::{Draw, LoadsArg, Picture, ThemeArg};
+pub use draw::{Draw, DrawFormat, LoadsArg, Picture, ThemeArg};
 pub use fmt::Fmt;
 pub use format::{Format, ProfileFormat, SolveFormat};
 #[cfg(feature = "lsp")]

@@ -21,7 +21,8 @@ mod new;
 mod profile;
 #[doc(hidden)]
 pub mod reply;
-mod report;
+#[doc(hidden)]
+pub mod report;
 #[doc(hidden)]
 pub mod screen;
 mod solve;
