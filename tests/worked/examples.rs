@@ -81,6 +81,23 @@ fn what_needs_no_position_balances_too() {
 }
 
 #[test]
+fn every_law_of_a_cam_has_its_formula() {
+    let stages = ["poly4567", "modified_sine", "modified_trapezoid", "cycloidal", "harmonic", "parabolic"];
+    let stages = stages.iter().enumerate().map(|(i, law)| match i % 2 {
+        0 => format!("rise 60 deg through 20 mm {law}; "),
+        _ => format!("fall 60 deg {law}; "),
+    });
+    let cam = "cam plate { base_radius 50 mm; follower translating roller { radius 10 mm }; turning ccw; ";
+    let text = format!("mech 1\nmechanism \"Laws\"\n{cam}{}}}\n", stages.collect::<String>());
+    let (_, solved) = solved("laws", &text).expect("solved");
+    let page = design(solved.compiled.model(), &solved.solution, Language::English);
+    assert_eq!(page.disagreements, Vec::<String>::new());
+    // s and s′ of every formula of every law
+    let letters = page.equations.iter().filter(|(_, e)| e.left.name.letter.starts_with('s'));
+    assert_eq!(letters.filter(|(_, e)| !e.left.name.sub.contains('α')).count(), 2 * (1 + 2 + 3 + 1 + 1 + 2));
+}
+
+#[test]
 fn every_group_and_every_load_has_its_steps() {
     let (mut wrong, mut stated) = (Vec::new(), Vec::new());
     for Example { name, solved, .. } in examples() {

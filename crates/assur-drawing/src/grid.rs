@@ -32,8 +32,11 @@ impl<T> Grid<T> {
     }
 
     fn span(&self, bounds: &Rect) -> [usize; 4] {
-        let column = |x: f64| index((x - self.origin.x) / self.cell).min(self.columns - 1);
-        let row = |y: f64| index((y - self.origin.y) / self.cell).min(self.rows - 1);
+        // below zero is zero
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let place = |x: f64, count: usize| ((x / self.cell) as usize).min(count - 1);
+        let column = |x: f64| place(x - self.origin.x, self.columns);
+        let row = |y: f64| place(y - self.origin.y, self.rows);
         [column(bounds.min.x), column(bounds.max.x), row(bounds.min.y), row(bounds.max.y)]
     }
 

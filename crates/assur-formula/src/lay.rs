@@ -111,7 +111,7 @@ impl Layer {
             Node::Letter { letter, sub, sup, arrow, .. } if sup.is_empty() => {
                 Node::Letter { letter, sub, sup, arrow, squared: true }
             }
-            Node::Number(_) | Node::Brackets(_) | Node::Bars(_) => Node::Square(Box::new(inner)),
+            Node::Number(_) | Node::Pi | Node::Brackets(_) | Node::Bars(_) => Node::Square(Box::new(inner)),
             inner => Node::Square(Box::new(brackets(inner))),
         }
     }

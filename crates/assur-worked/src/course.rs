@@ -256,7 +256,11 @@ impl<'a> Course<'a> {
     }
 
     fn lines_of(&self, equation: &Equation) -> Lines {
-        if self.shown { equation.lines() } else { stated(&equation.left) }
+        if self.shown {
+            equation.lines()
+        } else {
+            Lines { left: name_node(&equation.left.name), rows: Vec::new() }
+        }
     }
 
     /// A value that the solver states, without a derivation.

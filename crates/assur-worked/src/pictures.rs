@@ -7,11 +7,18 @@ use crate::words::{Language, Message};
 use assur_drawing::{Drawing, Theme};
 use assur_picture::{Kind, Options, draw};
 
+/// What A4 has between the margins, mm.
+const PAPER: f64 = 182.0;
+/// How often a picture is drawn with less space, and how much less than what it seems to need.
+const TRIES: u8 = 4;
+const LESS: f64 = 0.96;
+
 impl Course<'_> {
     /// The pictures of a kind, none where there is nothing to show.
     pub fn pictures(&self, kind: Kind, caption: Message, part: &str) -> Vec<Figure> {
-        let drawings = self.drawings(kind);
-        drawings.into_iter().map(|d| self.figure(d, kind.name().to_owned(), caption, part)).collect()
+        let drawings = self.drawings(kind, 1.0).into_iter().enumerate();
+        let figure = |(i, drawing)| self.figure(drawing, (kind, i), kind.name().to_owned(), caption, part);
+        drawings.map(figure).collect()
     }
 
     /// The scheme without anything that is found: loads against the motion show its sense, so that none is drawn with these.
@@ -21,15 +28,17 @@ impl Course<'_> {
         if against {
             options.scheme.loads = assur_picture::Loads::None;
         }
-        let Ok(drawings) = draw(Kind::Scheme, &self.scene, &options) else { return Vec::new() };
-        let name = || Kind::Scheme.name().to_owned();
-        let plain = |mut drawing: Drawing| {
+        let size = options.scheme.size;
+        let mut made = |smaller: f64| {
+            options.scheme.size = size * smaller;
+            let mut drawing = draw(Kind::Scheme, &self.scene, &options).ok()?.into_iter().next()?;
             // titles and descriptions tell of the position
             drawing.title = self.caption(Message::SchemeAt, "");
             drawing.description = drawing.title.clone();
-            self.figure(drawing, name(), Message::SchemeAt, "")
+            Some(drawing)
         };
-        drawings.into_iter().map(plain).collect()
+        let Some(drawing) = made(1.0) else { return Vec::new() };
+        vec![self.placed(drawing, &mut made, Kind::Scheme.name().to_owned(), Message::SchemeAt, "")]
     }
 
     /// Free bodies and polygons, each with the labels of its links as its name.
@@ -39,27 +48,65 @@ impl Course<'_> {
             let end = words.find(" freed").or_else(|| words.find(" at ")).or_else(|| words.find(':'));
             words[..end.unwrap_or(words.len())].to_owned()
         };
-        self.drawings(Kind::Forces)
+        self.drawings(Kind::Forces, 1.0)
             .into_iter()
-            .map(|drawing| {
+            .enumerate()
+            .map(|(i, drawing)| {
                 let links = of_links(&drawing);
                 let freed = drawing.title.contains(" freed");
                 let caption = if freed { Message::Freed } else { Message::Polygon };
                 let labels: Vec<&str> = links.split(", ").collect();
-                self.figure(drawing, labels.join(" "), caption, &links)
+                self.figure(drawing, (Kind::Forces, i), labels.join(" "), caption, &links)
             })
             .collect()
     }
 
-    fn drawings(&self, kind: Kind) -> Vec<Drawing> {
-        if self.shown { draw(kind, &self.scene, &Options::default()).unwrap_or_default() } else { Vec::new() }
+    /// Those of a kind, smaller by a factor than usual.
+    fn drawings(&self, kind: Kind, smaller: f64) -> Vec<Drawing> {
+        let mut options = Options::default();
+        options.scheme.size = options.scheme.size * smaller;
+        if self.shown { draw(kind, &self.scene, &options).unwrap_or_default() } else { Vec::new() }
     }
 
-    fn figure(&self, drawing: Drawing, name: String, caption: Message, part: &str) -> Figure {
-        let mut drawing = drawing_in(self.language, self.scene.mechanism(), drawing);
-        if self.language != Language::English {
-            drawing.title = self.caption(caption, part);
+    fn figure(
+        &self,
+        drawing: Drawing,
+        (kind, index): (Kind, usize),
+        name: String,
+        caption: Message,
+        part: &str,
+    ) -> Figure {
+        let mut again = |smaller: f64| self.drawings(kind, smaller).into_iter().nth(index);
+        self.placed(drawing, &mut again, name, caption, part)
+    }
+
+    /// With its labels in their places; what they make wider than paper is drawn again with less space.
+    fn placed(
+        &self,
+        drawing: Drawing,
+        again: &mut dyn FnMut(f64) -> Option<Drawing>,
+        name: String,
+        caption: Message,
+        part: &str,
+    ) -> Figure {
+        let place = |drawing: Drawing| {
+            let mut drawing = drawing_in(self.language, self.scene.mechanism(), drawing);
+            if self.language != Language::English {
+                drawing.title = self.caption(caption, part);
+            }
+            drawing.placed()
+        };
+        let mut sheet = place(drawing);
+        let mut smaller = 1.0;
+        for _ in 0..TRIES {
+            let wide = sheet.bounds.size().x;
+            if wide <= PAPER {
+                break;
+            }
+            smaller *= LESS * PAPER / wide;
+            let Some(next) = again(smaller) else { break };
+            sheet = place(next);
         }
-        Figure { svg: drawing.placed().svg(Theme::Auto), name, caption: self.caption(caption, part) }
+        Figure { svg: sheet.svg(Theme::Auto), name, caption: self.caption(caption, part) }
     }
 }

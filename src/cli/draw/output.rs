@@ -55,7 +55,7 @@ impl Output {
         }
     }
 
-    /// Its format, where that is said.
+    /// Its format, where it is known.
     fn format(&self) -> Option<DrawFormat> {
         match self {
             Self::Stdout(format) | Self::Folder(_, format) => *format,

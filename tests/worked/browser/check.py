@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Looks at worked solutions in a browser, on screens and on paper.
 
-    tests/worked/browser/check.py [--all]
+    tests/worked/browser/check.py [--all | EXAMPLE…]
 
-writes the solutions of examples of all chapters (of all examples with --all) with the program that ASSUR names (target/release/assur)
+writes the solutions of examples of all chapters (of all examples with --all, or of those named) with the program that ASSUR names (target/release/assur)
 and opens them 390, 900 and 1600 px wide, light and dark, and as wide as A4 has room: nothing wider than the page, no formula cut off, no
 message, no request, no scroll bar on paper, headings without gaps, tables with header cells, contrast of 4.5 : 1. Prints them and reads
 from the PDF how long the scale bars are on paper, and that no page but the last is more than half empty, unless a figure follows that has
@@ -95,6 +95,8 @@ def main():
     written = PAGES
     if "--all" in sys.argv[1:]:
         written = [(str(p.relative_to(ROOT / "examples"))[:-5], []) for p in sorted((ROOT / "examples").rglob("*.mech"))]
+    elif sys.argv[1:]:
+        written = [(name, []) for name in sys.argv[1:]]
     begin = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
         browser = Browser(program)

@@ -43,15 +43,15 @@ impl Course<'_> {
     fn kinetic_energy(&mut self) -> Option<Expr> {
         self.say(Message::EnergyHere, &[]);
         let value = self.state().kinetic_energy(self.scene.mechanism());
-        let right = self.twice_the_energy();
+        let right = self.energy_of_links();
         if right.is_zero() {
             return None;
         }
-        Some(self.equate(Name::new("T", ""), value, Unit::Work, right / Expr::Int(2)))
+        Some(self.equate(Name::new("T", ""), value, Unit::Work, right))
     }
 
-    /// Σ m v² + J ω²
-    fn twice_the_energy(&mut self) -> Expr {
+    /// Σ ½ m v² + ½ J ω², each term by itself: a line breaks between them.
+    fn energy_of_links(&mut self) -> Expr {
         let mut sum = Expr::ZERO;
         for (i, link) in self.scene.mechanism().links.iter().enumerate().skip(1) {
             let Some(mass) = link.mass else { continue };
@@ -62,12 +62,14 @@ impl Course<'_> {
                 let own = self.found.get(&name).cloned();
                 let own = own.unwrap_or_else(|| self.given(name, mass.mass, Unit::Mass));
                 let square = x.squared() + y.squared();
-                sum = sum + own * square;
+                sum = sum + own * square / Expr::Int(2);
             }
             let omega = self.bodies[i].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
             if mass.inertia > 0.0 && !omega.is_zero() {
                 let point = self.point_name(i, mass.centre);
-                sum = sum + self.given(Name::new("J", &point), mass.inertia, Unit::Inertia) * omega.squared();
+                sum = sum
+                    + self.given(Name::new("J", &point), mass.inertia, Unit::Inertia) * omega.squared()
+                        / Expr::Int(2);
             }
         }
         sum

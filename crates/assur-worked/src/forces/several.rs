@@ -74,12 +74,12 @@ impl Course<'_> {
                 let value = reduced.mass()[i * count + j];
                 let mass = self.equate(Name::new("m", &index), value, unit, right);
                 let both = mass * times(&rates[i], &rates[j], i == j);
-                sum = sum + if i == j { both } else { Expr::Int(2) * both };
+                sum = sum + if i == j { both / Expr::Int(2) } else { both };
             }
         }
         if !sum.is_zero() {
             self.say(Message::EnergyReduced, &[]);
-            self.confirm(Name::new("T", ""), energy.value(), Unit::Work, sum / Expr::Int(2));
+            self.confirm(Name::new("T", ""), energy.value(), Unit::Work, sum);
         }
     }
 

@@ -213,7 +213,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::FlywheelRim => "轮缘，质量集中于直径 D，高为宽的 c 倍：",
         Message::CamOf => "凸轮 {0}",
         Message::CamStages => {
-            "各阶段的运动规律；φ 自阶段起点计，Φ 为阶段转角，h 为升程变化，s′ 为对凸轮转角的导数。各阶段取四分之一处（下标 25），两段公式者另取四分之三处："
+            "各阶段的运动规律；φ 自阶段起点计，Φ 为阶段转角，h 为升程变化，s′ 为对凸轮转角的导数。下标为公式取值处在该阶段中的百分数；分段公式者各段均取一处："
         }
         Message::CamDwell => "{0}：停歇。",
         Message::CamOther => "{0}：无简短公式的规律，数值见表。",

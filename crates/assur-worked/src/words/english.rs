@@ -269,7 +269,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::FlywheelRim => "The rim, its mass on the diameter D, its height c times its width:",
         Message::CamOf => "Cam {0}",
         Message::CamStages => {
-            "The law by stages; φ is counted from the begin of a stage, Φ is its angle, h its change of the lift, s′ the derivative by the cam angle. In every stage at a quarter (index 25) of it, and for two formulas at three quarters:"
+            "The law by stages; φ is counted from the begin of a stage, Φ is its angle, h its change of the lift, s′ the derivative by the cam angle. The index says where in its stage, in hundredths, a formula is filled in; a law with several formulas has each of them:"
         }
         Message::CamDwell => "{0}: dwell.",
         Message::CamOther => "{0}: a law without a short formula; its values are in the table.",

@@ -1,7 +1,6 @@
 //! A document as one HTML file: no script, no request.
 
 use super::style::STYLE;
-use crate::course::plain;
 use crate::document::{Block, Document, Figure, Inline, Line, Table, Term};
 use assur_drawing::escaped;
 use assur_formula::{mathml, mathml_lines, name_node};
@@ -66,10 +65,13 @@ fn write_block(document: &Document, block: &Block, count: &mut Counted, out: &mu
             writeln!(out, "{begin}<div class=\"eq\">{}</div>{end}", mathml_lines(lines))
         }
         Block::Table(table) => {
-            let [begin, end] = fitted("tab", table_fit(table));
-            out.push_str(&begin);
-            write_table(table, out);
-            writeln!(out, "{end}")
+            for part in parts_of(table) {
+                let [begin, end] = fitted("tab", LINE / width_of(&part).max(LINE));
+                out.push_str(&begin);
+                write_table(&part, out);
+                let _ = writeln!(out, "{end}");
+            }
+            Ok(())
         }
         Block::Vectors(terms) => {
             vectors(document, terms, out);
@@ -94,18 +96,56 @@ fn fitted(class: &str, fit: f64) -> [String; 2] {
     [begin, "</div>".to_owned()]
 }
 
-/// The same of a table.
-fn table_fit(table: &Table) -> f64 {
-    // signs in a line, those between two columns, and the smallest that is read
-    const LINE: f64 = 94.0;
-    const BETWEEN: usize = 3;
-    const LEAST: f64 = 0.5;
-    let longest = |i: usize| {
-        let cells = table.rows.iter().filter_map(|row| row.get(i)).chain(table.headers.get(i));
-        cells.map(|cell| plain(cell).chars().count()).max().unwrap_or(0) + BETWEEN
+/// Signs in a line of a table, those between two columns, and how small letters may be.
+const LINE: f64 = 94.0;
+const BETWEEN: f64 = 3.0;
+const LEAST: f64 = 0.45;
+
+/// How wide a column is, in signs.
+fn column_of(table: &Table, column: usize) -> f64 {
+    let cells = table.rows.iter().filter_map(|row| row.get(column)).chain(table.headers.get(column));
+    cells.map(signs).fold(0.0, f64::max) + BETWEEN
+}
+
+fn width_of(table: &Table) -> f64 {
+    (0..table.headers.len()).map(|column| column_of(table, column)).sum()
+}
+
+/// A table that is too wide for the smallest letters, in several below each other, each with the first column.
+fn parts_of(table: &Table) -> Vec<Table> {
+    if width_of(table) <= LINE / LEAST {
+        return vec![table.clone()];
+    }
+    let first = column_of(table, 0);
+    let (mut parts, mut columns, mut taken) = (Vec::new(), vec![0], first);
+    for column in 1..table.headers.len() {
+        let width = column_of(table, column);
+        if columns.len() > 1 && taken + width > LINE {
+            parts.push(std::mem::replace(&mut columns, vec![0]));
+            taken = first;
+        }
+        columns.push(column);
+        taken += width;
+    }
+    parts.push(columns);
+    let of = |columns: Vec<usize>| Table {
+        headers: columns.iter().filter_map(|i| table.headers.get(*i).cloned()).collect(),
+        rows: (table.rows.iter())
+            .map(|row| columns.iter().filter_map(|i| row.get(*i).cloned()).collect())
+            .collect(),
+        numbers: (0..columns.len()).filter(|i| table.numbers.contains(&columns[*i])).collect(),
     };
-    let signs: usize = (0..table.headers.len()).map(longest).sum();
-    (LINE / (signs as f64).max(LINE)).max(LEAST)
+    parts.into_iter().map(of).collect()
+}
+
+/// How many signs a line takes.
+fn signs(line: &Line) -> f64 {
+    let part = |part: &Inline| match part {
+        Inline::Math(node) => node.width(),
+        Inline::Text(words) | Inline::Strong(words) => words.chars().count() as f64,
+        Inline::Figure(it) => it.words.chars().count() as f64,
+    };
+    line.iter().map(part).sum()
 }
 
 fn inline(line: &Line) -> String {
@@ -135,8 +175,24 @@ fn write_table(table: &Table, out: &mut String) {
     out.push_str("</tbody></table>");
 }
 
+/// The same of a vector equation.
+fn vectors_fit(document: &Document, terms: &[Term]) -> f64 {
+    // these tables have smaller letters, and a sign before every term
+    const LINE: f64 = 102.0;
+    const BETWEEN: f64 = 3.5;
+    let widest = |term: &Term| {
+        let name = name_node(&term.name).width();
+        name.max(signs(&term.magnitude)).max(signs(&term.direction)) + BETWEEN
+    };
+    let label = document.labels.rows.iter().map(|row| row.chars().count() as f64).fold(0.0, f64::max);
+    let all = label + terms.iter().map(widest).sum::<f64>();
+    LINE / all.max(LINE)
+}
+
 fn vectors(document: &Document, terms: &[Term], out: &mut String) {
-    out.push_str("<div class=\"tab\"><table class=\"vec\"><tbody>");
+    let [begin, end] = fitted("tab", vectors_fit(document, terms));
+    out.push_str(&begin);
+    out.push_str("<table class=\"vec\"><tbody>");
     for (row, label) in document.labels.rows.iter().enumerate() {
         let _ = write!(out, "<tr><th scope=\"row\">{label}</th>");
         for term in terms {
@@ -152,7 +208,7 @@ fn vectors(document: &Document, terms: &[Term], out: &mut String) {
         }
         out.push_str("</tr>");
     }
-    out.push_str("</tbody></table></div>\n");
+    let _ = writeln!(out, "</tbody></table>{end}");
 }
 
 fn write_figures(document: &Document, figures: &[Figure], count: &mut Counted, out: &mut String) {
