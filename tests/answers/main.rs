@@ -6,6 +6,7 @@ mod all_motion;
 mod busy;
 mod cycle;
 mod effects;
+mod energy;
 mod expectations;
 mod expressions;
 #[path = "../folder/mod.rs"]
@@ -16,6 +17,7 @@ mod number_cases;
 mod positions;
 mod powers;
 mod quick_rows;
+mod resting;
 mod run_accuracy;
 mod simulation;
 mod torsion_springs;

@@ -80,7 +80,8 @@ pub(super) fn run(
     if let Some(pair) = openings.at_once(&mut equations, begin.from, &y) {
         return Run::halted(begin.from, Halt::Opens { pair });
     }
-    let mut going = Going::new(&equations, (openings, stops), outputs, (begin.from, last), measures);
+    let mut going =
+        Going::new(&equations, (openings, stops), outputs, (begin.from, last), (tolerance, measures));
     equations.accepted(begin.from, &y);
     let mut part = match going.better(&mut equations, (begin.from, &y), charts) {
         Some(change) => Part::changed(change),
@@ -154,11 +155,20 @@ impl Going<'_, '_> {
         let asked = self.outputs.conduct.method;
         let (mut found, mut name) = if asked.is_none_or(|m| m == Method::Energy) && equations.conserves() {
             let method = ByEnergy::new(y.len(), tolerance, scale(equations));
-            (self.begin_with(method, equations, charts, (t, y)), Method::Energy)
+            equations.begin_walk(y[0]);
+            let found = self.begin_with(method, equations, charts, (t, y));
+            (found, Method::Energy)
         } else {
             let method = Dop853::new(allowed.clone());
             (self.begin_with(method, equations, charts, (t, y)), Method::Dop853)
         };
+        if matches!(found.ended, Ended::Stuck(_)) && equations.walk.take().is_some() {
+            // what is looked at far ahead may be out of reach, and the next short step not
+            let before = found.counts;
+            let y = std::mem::take(&mut found.y);
+            found = self.begin_with(Dop853::new(allowed.clone()), equations, charts, (found.end, &y));
+            (found.counts, name) = (sum(before, found.counts), Method::Dop853);
+        }
         if matches!(found.ended, Ended::Stiff) {
             let mut implicit = Radau::new(&allowed);
             if !self.measures {
@@ -227,7 +237,7 @@ impl Going<'_, '_> {
     /// What a run has found.
     fn end(self, part: Part, (counts, method): (Counts, Method)) -> Run {
         let stopped = match part.ended {
-            Ended::Halted(halt) => Some((part.end, halt)),
+            Ended::Halted(halt) | Ended::Stuck(halt) => Some((part.end, halt)),
             Ended::Done | Ended::Stiff | Ended::Changed(_) => None,
         };
         let end = part.end;
