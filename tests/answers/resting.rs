@@ -2,24 +2,20 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its text has failed
 
-/// A block on a rough floor, pulled by a spring; `more` is another pair that rubs.
-fn block(more: &str) -> String {
-    format!(
-        "gravity 9.81 m/s^2
-ground {{ O (0, 0); W (-1 m, 0); line floor through O along 0 deg }}
-link block {{ B (0, 0); mass 1 kg at B }}
-prismatic P: block.B - ground.floor {{ friction 0.25 }}
-spring s: ground.W - block.B {{ stiffness 100 N/m; free_length 1 m }}
+/// A block on a rough floor, pulled by a spring.
+const BLOCK: &str = "gravity 9.81 m/s^2
+ground { O (0, 0); W (-1 m, 0); line floor through O along 0 deg }
+link block { B (0, 0); mass 1 kg at B }
+prismatic P: block.B - ground.floor { friction 0.25 }
+spring s: ground.W - block.B { stiffness 100 N/m; free_length 1 m }
 start P = 500 mm
-{more}simulate 5 s in 50 steps within 1e-10
+simulate 5 s in 50 steps within 1e-10
 find x = displacement(P), F = friction(P, block), R = reaction(P, block), held = sticks(P)
-"
-    )
-}
+";
 
 #[test]
 fn a_pair_that_holds_alone_bears_what_is_left() {
-    let solution = assur::solve(&block("")).unwrap();
+    let solution = assur::solve(BLOCK).unwrap();
     let number = |pose: usize, name: &str| solution.poses()[pose][name].number().unwrap();
     let last = solution.poses().len() - 1;
     assert!((number(last, "F") - 100.0 * number(last, "x")).abs() < 1e-9);

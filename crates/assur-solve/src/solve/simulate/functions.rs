@@ -103,6 +103,9 @@ impl Watch<'_> {
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) {
+        if self.functions.is_empty() {
+            return;
+        }
         let mut parts = vec![(method.previous_t(), method.t(), HALVED)];
         while let Some((from, to, left)) = parts.pop() {
             let known = self.functions_between(equations, method, (from, to), left == 0);
