@@ -7,14 +7,16 @@ use super::batch::{Sink, end_at_once};
 use super::clock::seconds;
 use super::error::CliError;
 use super::files;
+use super::motion::OnTheWay;
 use super::reply::{Reply, Status, complaint, for_each_file};
 use super::screen::Screen;
-use crate::pipeline::{Solved, solve_source};
+use crate::pipeline::{Solved, solve_source, solve_source_conducted};
 use crate::report::{self, AccuracyShown, Precision};
 use assur_check::Overrides;
 use assur_solve::measure::accuracy::{self, AccuracyError, AccuracyStudy, study};
 use assur_solve::measure::{RunStudy, micros, study_runs};
 use assur_solve::message;
+use assur_solve::solve::Conduct;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -30,11 +32,16 @@ pub fn run(args: &Accuracy, screen: &Screen) -> Status {
         return Status::Unusable;
     }
     for_each_file(&args.problem.files, screen, args.format.apart(), |source, _| {
-        let (solved, mut problems) = solve_source(source, &overrides);
+        let way = OnTheWay::shown(&source.name);
+        let watch = |reached: f64, last: f64| way.goes_on(reached, last);
+        let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+        let (solved, mut problems) = solve_source_conducted(source, &overrides, &conduct);
         let Some(solved) = solved.filter(|_| !problems.has_errors()) else {
             return Reply::new(String::new(), &problems, source, screen);
         };
-        let measured = match Measured::of(&solved, args.wanted) {
+        let measured = Measured::of(&solved, args.wanted, &conduct);
+        drop(way);
+        let measured = match measured {
             Ok(measured) => measured,
             Err(failed) => {
                 problems.append(*failed);
@@ -58,10 +65,10 @@ enum Measured {
 }
 
 impl Measured {
-    fn of(solved: &Solved, wanted: f64) -> Result<Self, Box<Problems>> {
+    fn of(solved: &Solved, wanted: f64, conduct: &Conduct<'_>) -> Result<Self, Box<Problems>> {
         let model = solved.compiled.model();
         let told = |failure| Box::new(Problems::of([message::failure(&model, &failure)]));
-        Ok(match study_runs(&model, &solved.solution, wanted, seconds).map_err(told)? {
+        Ok(match study_runs(&model, &solved.solution, wanted, seconds, conduct).map_err(told)? {
             Some(runs) => Self::Runs(Box::new(runs)),
             None => Self::Positions(Box::new(study(&model, &solved.solution, wanted, seconds))),
         })

@@ -31,7 +31,7 @@ struct Shown {
     drawn: Instant,
     /// The instant that was reached when it was last looked at, s.
     before: f64,
-    /// The first one, s.
+    /// The first one, s, as far as it is known.
     first: f64,
     /// Runs go one after another.
     run: u32,
@@ -44,14 +44,23 @@ impl OnTheWay {
         let simulation = mechanism.simulation.as_ref()?;
         LISTENS.call_once(install);
         looks(true);
-        let (started, first) = (Instant::now(), simulation.from);
-        let shown = Shown { bar: None, drawn: started, before: first, first, run: 1 };
-        Some(Self {
+        Some(Self::from(file, simulation.from))
+    }
+
+    /// Of a file that may follow a motion: a signal ends the program.
+    pub fn shown(file: &str) -> Self {
+        Self::from(file, f64::INFINITY)
+    }
+
+    fn from(file: &str, first: f64) -> Self {
+        let started = Instant::now();
+        let shown = Shown { bar: None, drawn: started, before: f64::NEG_INFINITY, first, run: 1 };
+        Self {
             name: shown_in_line(file).to_string(),
             terminal: std::io::stderr().is_terminal(),
             started,
             shown: Mutex::new(shown),
-        })
+        }
     }
 
     /// Says how far it is; `false` where it is to end.
@@ -67,17 +76,18 @@ impl Shown {
     fn look(&mut self, way: &OnTheWay, reached: f64, last: f64) {
         self.run += u32::from(reached < self.before);
         self.before = reached;
+        self.first = self.first.min(reached);
         if way.started.elapsed() < PATIENCE || self.drawn.elapsed() < PAUSE {
             return;
         }
         self.drawn = Instant::now();
         let bar = self.bar.get_or_insert_with(bar);
         let part = PARTS * (reached - self.first) / (last - self.first);
+        let (reached, last) = (significant(reached, 4), significant(last, 4));
+        bar.set_message(format!("{}: {reached} of {last} s, run {}", way.name, self.run));
         // between 0 and 1000
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         bar.set_position(part.clamp(0.0, PARTS) as u64);
-        let (reached, last) = (significant(reached, 4), significant(last, 4));
-        bar.set_message(format!("{}: {reached} of {last} s, run {}", way.name, self.run));
     }
 }
 

@@ -2,11 +2,13 @@
 
 use super::args::{Format, Test};
 use super::files;
+use super::motion::OnTheWay;
 use super::reply::{Printer, Reply, Status, for_each_input};
 use super::screen::Screen;
 use crate::exercise::Outcome;
 use crate::pipeline::{FileVariants, test_document};
 use crate::report::document::{Column, Report, Section, Table};
+use assur_solve::solve::Conduct;
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Source, shown_in_line};
@@ -52,7 +54,11 @@ pub fn run(args: &Test, screen: &Screen) -> Status {
         let (tally, reply) = match FileVariants::of(&document, &overrides) {
             Some(Ok(rows)) if !found.has_errors() => of_rows(rows, source, found, screen),
             _ => {
-                let (solved, problems) = test_document(source, &document, found, &overrides);
+                let way = OnTheWay::shown(&source.name);
+                let watch = |reached: f64, last: f64| way.goes_on(reached, last);
+                let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+                let (solved, problems) = test_document(source, &document, found, &overrides, &conduct);
+                drop(way);
                 let outcomes = solved.as_ref().map(|s| s.outcomes.as_slice());
                 let tally = Tally { files: 1, ..Tally::of(outcomes, &problems) };
                 let words = tally.of_file(solved.is_some());

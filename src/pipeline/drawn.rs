@@ -1,10 +1,11 @@
 //! Text → solved problem for pictures, which may show more than the file asks for.
 
 use super::compile::compile_document;
-use super::solved::{Solved, solve};
+use super::solved::{Solved, solve_conducted};
 use assur_check::Overrides;
 use assur_picture::Kind;
 use assur_position::plan::{Effects, plan_with};
+use assur_solve::solve::Conduct;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
@@ -27,6 +28,19 @@ pub fn solve_document_drawn(
     overrides: &Overrides,
     kinds: &[Kind],
 ) -> (Option<Solved>, Problems) {
+    solve_drawn_conducted(source, document, found, overrides, kinds, &Conduct::default())
+}
+
+/// As [`solve_document_drawn()`]; a motion under loads is integrated as `conduct` says.
+#[must_use]
+pub fn solve_drawn_conducted(
+    source: &Source,
+    document: &Arc<Document>,
+    found: Problems,
+    overrides: &Overrides,
+    kinds: &[Kind],
+    conduct: &Conduct<'_>,
+) -> (Option<Solved>, Problems) {
     let (compiled, mut problems) = compile_document(source, document, found, overrides);
     let Some(mut compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
     let level = kinds.iter().map(|kind| kind.level()).max().unwrap_or_default();
@@ -36,7 +50,7 @@ pub fn solve_document_drawn(
     if effects != compiled.plan.effects {
         compiled.plan = plan_with(mechanism, structure, effects);
     }
-    let (solved, found) = solve(compiled);
+    let (solved, found) = solve_conducted(compiled, None, conduct);
     problems.append(found);
     (solved.ok().filter(|_| !problems.has_errors()), problems)
 }

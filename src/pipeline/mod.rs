@@ -18,13 +18,15 @@ mod variant_solver;
 
 pub use compile::{Compiled, Origin, check_source, compile, compile_document};
 pub use dimensions::dimensions;
-pub use drawn::{solve_document_drawn, solve_drawn};
+pub use drawn::{solve_document_drawn, solve_drawn, solve_drawn_conducted};
 pub use elsewhere::elsewhere;
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
 pub use fixed::{certain_edits, fixed};
 pub use followed::{Followed, Sink, SizeError, is_long, most_positions};
 pub use open_sizes::OpenSizeError;
-pub use solved::{Solved, solve, solve_conducted, solve_each, solve_source, solve_within};
+pub use solved::{
+    Solved, solve, solve_conducted, solve_each, solve_source, solve_source_conducted, solve_within,
+};
 pub use test::{diagnose, test_document, test_source, test_text};
 pub use turn::{turn, turn_in};
 pub use variant_solver::VariantSolver;

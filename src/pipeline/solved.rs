@@ -112,10 +112,20 @@ pub fn solve_conducted(
 /// evaluated.
 #[must_use]
 pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
+    solve_source_conducted(source, overrides, &Conduct::default())
+}
+
+/// As [`solve_source()`]; a motion under loads is integrated as `conduct` says.
+#[must_use]
+pub fn solve_source_conducted(
+    source: &Source,
+    overrides: &Overrides,
+    conduct: &Conduct<'_>,
+) -> (Option<Solved>, Problems) {
     let (document, found) = syntax::parse(source);
     let (compiled, mut problems) = compile_document(source, &Arc::new(document), found, overrides);
     let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
-    let (solved, found) = solve(compiled);
+    let (solved, found) = solve_so(compiled, conduct);
     problems.append(found);
     (solved.ok(), problems)
 }

@@ -2,12 +2,13 @@
 
 use super::compile::compile_document;
 use super::file_variants::FileVariants;
+use super::followed::Sink;
 use super::other_assembly::in_other_assembly;
 use super::solved::{Solved, solve_each};
 use crate::exercise;
 use crate::report::Answers;
 use assur_check::Overrides;
-use assur_solve::solve::Pose;
+use assur_solve::solve::{Conduct, Pose};
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{self, Problems};
@@ -31,7 +32,9 @@ pub fn test_text(
     overrides: &Overrides,
 ) -> (Option<Solved>, Problems) {
     let rows = if found.has_errors() { None } else { FileVariants::of(document, overrides) };
-    let Some(rows) = rows else { return test_document(source, document, found, overrides) };
+    let Some(rows) = rows else {
+        return test_document(source, document, found, overrides, &Conduct::default());
+    };
     let mut first = None;
     match rows {
         Ok(rows) => rows.solve(true).for_each(|row| {
@@ -50,10 +53,11 @@ pub fn test_document(
     document: &Arc<Document>,
     found: Problems,
     overrides: &Overrides,
+    conduct: &Conduct<'_>,
 ) -> (Option<Solved>, Problems) {
     let (compiled, mut problems) = compile_document(source, document, found, overrides);
     let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
-    let (solved, found) = solve_each(compiled, &mut |_: &Answers<'_>, _: &Pose| true);
+    let (solved, found) = solve_each(compiled, &mut Compared(conduct));
     problems.append(found);
     let solved = solved.ok();
     if let Some(solved) = &solved {
@@ -63,6 +67,19 @@ pub fn test_document(
         problems.extend(in_other_assembly(solved, (source, document), overrides, failed));
     }
     (solved, problems)
+}
+
+/// Keeps no position but for expectations.
+struct Compared<'c>(&'c Conduct<'c>);
+
+impl Sink for Compared<'_> {
+    fn add(&mut self, _: &Answers<'_>, _: &Pose) -> bool {
+        true
+    }
+
+    fn conduct(&self) -> Conduct<'_> {
+        *self.0
+    }
 }
 
 /// The diagnostics of a text, failed expectations included, without colour, 100 columns wide; empty where there are none.

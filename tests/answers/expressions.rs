@@ -141,6 +141,18 @@ expect v = (-8 m/s, 0) within 5 m/s";
     assert_eq!(units.collect::<Vec<_>>(), expected);
 }
 
+#[test]
+fn a_power_is_not_printed_in_the_unit_of_a_torque_that_grows() {
+    let of = |rest: &str| {
+        let mechanism = crank_slider("45 deg at 1500 rpm", rest).unwrap();
+        let FindKind::Value { display, .. } = &mechanism.finds[0].kind else { panic!("no value") };
+        display.unit.clone()
+    };
+    assert_eq!(of("given rise = 40 N*m/s\nfind P = 3 N*m * omega(crank)"), "W");
+    assert_eq!(of("given rise = 40 N*m/s\ngiven most = 2 kW\nfind P = 3 N*m * omega(crank)"), "kW");
+    assert_eq!(of("given rise = 40 N*m/s\nfind growth = rise as N*m/s"), "N*m/s");
+}
+
 fn tolerance(expect: &str) -> Tolerance {
     let mechanism = crank_slider("45 deg at 1500 rpm", &format!("given key = 4.17e2 mm\n{expect}"));
     mechanism.unwrap_or_else(|e| panic!("{e}")).expects.remove(0).tolerance

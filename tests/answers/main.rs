@@ -6,6 +6,7 @@ mod all_motion;
 mod busy;
 mod cycle;
 mod effects;
+mod energy;
 mod expectations;
 mod expressions;
 #[path = "../folder/mod.rs"]
@@ -17,6 +18,7 @@ mod number_cases;
 mod positions;
 mod powers;
 mod quick_rows;
+mod resting;
 mod run_accuracy;
 mod simulation;
 mod torsion_springs;

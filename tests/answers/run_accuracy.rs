@@ -6,7 +6,7 @@
 use assur::internals::check::Overrides;
 use assur::internals::measure::{MethodStudy, RunRow, RunStudy, study_runs};
 use assur::internals::report::diagram;
-use assur::internals::solve::Method;
+use assur::internals::solve::{Conduct, Method};
 use assur::internals::source::Source;
 use assur::internals::{compile, solve_source, solve_within};
 use std::path::Path;
@@ -26,7 +26,9 @@ fn counter() -> f64 {
 fn studied(name: &str) -> RunStudy {
     let source = example(name);
     let solved = solve_source(&source, &Overrides::none()).0.unwrap();
-    study_runs(&solved.compiled.model(), &solved.solution, 1e-6, counter).unwrap().unwrap()
+    study_runs(&solved.compiled.model(), &solved.solution, 1e-6, counter, &Conduct::default())
+        .unwrap()
+        .unwrap()
 }
 
 /// The number of an answer at the last instant, for an accuracy.
@@ -91,5 +93,9 @@ fn files_without_a_motion_have_no_runs() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/accuracy/four-bar.mech");
     let source = Source::new("four-bar", std::fs::read_to_string(path).unwrap());
     let solved = solve_source(&source, &Overrides::none()).0.unwrap();
-    assert!(study_runs(&solved.compiled.model(), &solved.solution, 1e-6, counter).unwrap().is_none());
+    assert!(
+        study_runs(&solved.compiled.model(), &solved.solution, 1e-6, counter, &Conduct::default())
+            .unwrap()
+            .is_none()
+    );
 }

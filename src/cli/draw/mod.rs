@@ -11,12 +11,14 @@ mod rows;
 use super::args::{Draw, Picture};
 use super::error::CliError;
 use super::files;
+use super::motion::OnTheWay;
 use super::reply::Printer;
 use super::reply::{Reply, Status, complaint, for_each_input};
 use super::screen::Screen;
 use crate::pipeline;
 use assur_check::Overrides;
 use assur_picture::Kind;
+use assur_solve::solve::Conduct;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
@@ -106,8 +108,13 @@ impl Drawing<'_> {
             kinds.push(Kind::Forces);
         }
         let found = std::mem::take(&mut row.problems);
+        let way = OnTheWay::shown(&source.name);
+        let watch = |reached: f64, last: f64| way.goes_on(reached, last);
+        let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+        let overrides = &row.overrides;
         let (solved, mut problems) =
-            pipeline::solve_document_drawn(source, document, found, &row.overrides, &kinds);
+            pipeline::solve_drawn_conducted(source, document, found, overrides, &kinds, &conduct);
+        drop(way);
         let pages = solved.map_or_else(Vec::new, |solved| {
             Pages { drawing: self, source, document, solved: &solved, row: &row }.all(&mut problems)
         });

@@ -45,7 +45,9 @@ pub fn suits(unit: &Unit, dimension: Dimension) -> bool {
     let ratio = dimension.is_dimensionless() && dimension.kind == Kind::Free;
     // The stiffness of a torsion spring has the dimension of a torque.
     let per_angle = ["/rad", "/deg"].iter().any(|angle| unit.text.contains(angle));
-    unit.dimension.fits(dimension) && !(percent || energy || ratio || per_angle)
+    // A torque that grows with time has the dimension of a power.
+    let growth = dimension == Dimension::POWER && unit.text.contains(['*', '/']);
+    unit.dimension.fits(dimension) && !(percent || energy || ratio || per_angle || growth)
 }
 
 /// The exponents and the kind as the model keeps them: 0 plain, 1 angle, 2 free.

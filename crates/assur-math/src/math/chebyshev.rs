@@ -124,6 +124,12 @@ pub fn derive(coefficients: &[f64], out: &mut [f64]) {
 
 #[allow(clippy::cast_precision_loss)] // the numbers of coefficients are far below 2^52
 impl Series {
+    /// With these coefficients, of T_0 first.
+    #[must_use]
+    pub const fn new(from: f64, to: f64, coefficients: Vec<f64>) -> Self {
+        Self { from, to, coefficients }
+    }
+
     /// Its coefficients, of T_0 first.
     #[must_use]
     pub fn coefficients(&self) -> &[f64] {

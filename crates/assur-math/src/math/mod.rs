@@ -6,6 +6,7 @@ mod dense;
 mod double;
 mod factors;
 mod lanes;
+pub mod lobatto;
 #[doc(hidden)]
 pub mod magnitudes;
 pub mod ode;

@@ -43,6 +43,8 @@ pub struct Grip {
     pub sense: f64,
     /// The torque or force on the element's body that holds it.
     pub effort: f64,
+    /// How much of what is held it bears is not determined.
+    pub open: bool,
 }
 
 impl State {
@@ -56,7 +58,9 @@ impl State {
     /// Adds what holds to the loads.
     pub(super) fn apply_grips(&mut self, plan: &Plan) {
         for (index, element) in plan.friction.iter().enumerate() {
-            let Some(Grip { sense: 0.0, effort }) = self.motion.grips.get(index).copied() else { continue };
+            let Some(Grip { sense: 0.0, effort, .. }) = self.motion.grips.get(index).copied() else {
+                continue;
+            };
             if effort != 0.0 {
                 self.apply_rub(element, effort);
             }

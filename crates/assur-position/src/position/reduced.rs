@@ -197,6 +197,17 @@ impl Reduced {
         out.iter().all(|x| x.is_finite()).then_some(condition)
     }
 
+    /// Accelerates the bodies that were moved last with the free coordinates. Forces are not found anew.
+    pub fn accelerate(&self, state: &mut State, accelerations: &[f64]) {
+        for ((&drive, column), &a) in self.free.iter().zip(&self.columns).zip(accelerations) {
+            state.motion.inputs[drive].acceleration = a;
+            for (k, body) in column.iter().zip(&mut state.motion.bodies) {
+                body.a += k.v * a;
+                body.alpha += k.omega * a;
+            }
+        }
+    }
+
     /// Solves M x = b in place, with the factors that the accelerations were found by.
     pub fn solve(&mut self, x: &mut [f64]) {
         if let [x] = x {

@@ -63,6 +63,13 @@ impl PoseAnswers<'_> {
         places.filter_map(|&i| Some((&self.plan.friction[i], *self.state.forces.frictions.get(i)?)))
     }
 
+    /// The same; where friction holds and how much is not determined, NaN.
+    fn determined(&self, pair: PairId) -> impl Iterator<Item = (&FrictionElement, f64)> + '_ {
+        let open = |i: usize| self.state.motion.grips.get(i).is_some_and(|grip| grip.open);
+        let places = self.plan.friction_of.places(pair).iter().map(move |&i| open(i));
+        self.elements(pair).zip(places).map(|((e, x), open)| (e, if open { f64::NAN } else { x }))
+    }
+
     /// Friction force on a link along the line of a pair; for a contact along the tangent, which is the common normal
     /// into the link turned by −90°.
     pub(super) fn friction(&self, pair: PairId, link: LinkId) -> f64 {
@@ -81,7 +88,7 @@ impl PoseAnswers<'_> {
     /// Friction force on a link in a pair, N, in ground axes; null in a revolute, whose friction is a couple.
     pub(super) fn friction_force(&self, pair: PairId, link: LinkId) -> crate::math::Vec2 {
         let mut sum = crate::math::Vec2::zero();
-        for (element, value) in self.elements(pair) {
+        for (element, value) in self.determined(pair) {
             let Some(line) = self.state.friction_line(element) else { continue };
             if element.body == link.index() {
                 sum += line.1 * value;
@@ -94,7 +101,7 @@ impl PoseAnswers<'_> {
 
     /// Friction couple on a link in a revolute, N m.
     pub(super) fn friction_couple(&self, pair: PairId, link: LinkId) -> f64 {
-        let couples = self.elements(pair).filter(|(e, _)| matches!(e.kind, FrictionLaw::Circle { .. }));
+        let couples = self.determined(pair).filter(|(e, _)| matches!(e.kind, FrictionLaw::Circle { .. }));
         couples
             .map(|(e, x)| {
                 if e.body == link.index() {

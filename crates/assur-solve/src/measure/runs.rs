@@ -95,15 +95,16 @@ pub fn study_runs(
     solution: &Solution,
     wanted: f64,
     clock: Clock,
+    conduct: &Conduct<'_>,
 ) -> Result<Option<RunStudy>, Failure> {
     let Some(trials) = Trials::new(model, &solution.statics)? else { return Ok(None) };
-    let Some(exact) = reference(&trials)? else { return Ok(None) };
+    let Some(exact) = reference(&trials, conduct)? else { return Ok(None) };
     let mut methods = Vec::new();
     for asked in [None, Some(Method::Dop853), Some(Method::Radau)] {
         // by the solver's own choice it may be done already
         let own = methods.first().map(|own: &MethodStudy| own.method);
         if asked != Some(Method::Dop853) || own == Some(Method::Energy) {
-            methods.push(measured(&trials, &exact, asked, clock)?);
+            methods.push(measured(&trials, &exact, (asked, conduct), clock)?);
         }
     }
     let report = exact.trial.report();
@@ -133,11 +134,11 @@ struct Exact {
 
 /// The motion that counts as exact: of several runs by both methods the one that reports the least error, where that can be with
 /// twice the digits at its instants.
-fn reference(trials: &Trials<'_, '_>) -> Result<Option<Exact>, Failure> {
+fn reference(trials: &Trials<'_, '_>, conduct: &Conduct<'_>) -> Result<Option<Exact>, Failure> {
     let mut all = Vec::new();
     for method in [None, Some(Method::Radau)] {
         for (within, steps) in REFERENCES {
-            all.extend(bounded(trials, within, Conduct { method, steps, ..Conduct::default() })?);
+            all.extend(bounded(trials, within, Conduct { method, steps, ..*conduct })?);
         }
     }
     all.sort_by(|a: &Trial, b| a.report().error.total_cmp(&b.report().error));
@@ -157,13 +158,13 @@ fn reference(trials: &Trials<'_, '_>) -> Result<Option<Exact>, Failure> {
 /// A trial that does not take too many steps.
 fn bounded(trials: &Trials<'_, '_>, within: f64, conduct: Conduct<'_>) -> Result<Option<Trial>, Failure> {
     let (steps, reached) = (AtomicUsize::new(0), AtomicU64::new(0));
-    let few = |time: f64, _: f64| {
+    let few = |time: f64, last: f64| {
         let before = f64::from_bits(reached.swap(time.to_bits(), Ordering::Relaxed));
         if time < before {
             // a run begins anew
             steps.store(0, Ordering::Relaxed);
         }
-        steps.fetch_add(1, Ordering::Relaxed) < MOST
+        conduct.goes_on(time, last) && steps.fetch_add(1, Ordering::Relaxed) < MOST
     };
     let trial = trials.run(within, &Conduct { watch: Some(&few), ..conduct })?;
     Ok((steps.into_inner() <= MOST).then_some(trial))
@@ -177,10 +178,11 @@ fn greatest(errors: &[f64]) -> f64 {
 fn measured(
     trials: &Trials<'_, '_>,
     exact: &Exact,
-    asked: Option<Method>,
+    (asked, conduct): (Option<Method>, &Conduct<'_>),
     clock: Clock,
 ) -> Result<MethodStudy, Failure> {
-    let conduct = Conduct { method: asked, ..Conduct::default() };
+    let conduct = Conduct { method: asked, ..*conduct };
+    let alone = Conduct { watch: None, ..conduct };
     let mut study = MethodStudy { asked, method: Method::default(), rows: Vec::new(), cut: false };
     let mut last = None;
     for power in (FINEST..=COARSEST).rev() {
@@ -198,7 +200,7 @@ fn measured(
         }
         let each = trials.errors(&trial, &exact.trial);
         let error = greatest(&each);
-        let time = |_| micros(clock, || drop(black_box(trials.run(within, &conduct))));
+        let time = |_| micros(clock, || drop(black_box(trials.run(within, &alone))));
         let micros = (0..REPEATS).map(time).fold(f64::INFINITY, f64::min);
         study.rows.push(RunRow {
             within,

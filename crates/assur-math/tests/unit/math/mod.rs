@@ -5,6 +5,7 @@ mod dense;
 mod double;
 mod factors;
 mod lanes;
+mod lobatto;
 mod magnitudes;
 mod ode;
 mod periodic;

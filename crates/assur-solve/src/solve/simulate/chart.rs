@@ -73,8 +73,8 @@ impl Chart {
     pub fn grips(&self, here: &[Grip]) -> Vec<Grip> {
         let each = self.back.friction.iter().map(|at| {
             at.map_or_else(Grip::default, |(i, sign)| {
-                let Grip { sense, effort } = here[i];
-                Grip { sense: sign * sense, effort: sign * effort }
+                let Grip { sense, effort, open } = here[i];
+                Grip { sense: sign * sense, effort: sign * effort, open }
             })
         });
         each.collect()

@@ -19,7 +19,7 @@ pub struct Conduct<'c> {
 
 impl Conduct<'_> {
     /// Whether the run goes on from an instant, s.
-    pub(super) fn goes_on(&self, reached: f64, last: f64) -> bool {
+    pub(crate) fn goes_on(&self, reached: f64, last: f64) -> bool {
         self.watch.is_none_or(|watch| watch(reached, last))
     }
 }

@@ -15,8 +15,7 @@ impl Equations<'_, '_> {
             && self.mode.is_none()
             && self.slipping.is_none()
             && mechanism.stops.is_empty()
-            && !self.loads_need_angles
-            && !plan.goes_on()
+            && plan.genevas.is_empty()
             && !plan.effects.loses()
             && !plan.loads.iter().any(damped)
             && mechanism.loads.iter().all(|load| of_position(mechanism, load))
@@ -25,6 +24,11 @@ impl Equations<'_, '_> {
     /// Mass and force along the coordinate at a value of it, and the powers whose works are asked for, at a unit rate.
     pub(super) fn mass_and_force(&mut self, q: f64, out: &mut [f64]) -> Result<bool, Undefined> {
         self.forget();
+        if let Err(group) = self.walk_to(q) {
+            self.why = Some(Halt::Open { group });
+            return Err(Undefined);
+        }
+        self.start_trial();
         self.reduce_at_rest(q);
         if let Some(group) = self.trial.motion.open {
             self.why = Some(Halt::Open { group });
@@ -68,5 +72,5 @@ fn is_of_position(mechanism: &Mechanism, expr: &Expr) -> bool {
 
 /// Whether a position tells it.
 const fn is_place(query: &Query) -> bool {
-    matches!(query, Query::Position(_) | Query::LinkDirection(_) | Query::Displacement(_))
+    matches!(query, Query::Position(_) | Query::LinkDirection(_) | Query::Angle(_) | Query::Displacement(_))
 }

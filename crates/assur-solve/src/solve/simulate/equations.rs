@@ -7,6 +7,7 @@ use super::drives::{moves, prescribed};
 use super::loads::{loads_need_angles, sides};
 use super::setup::Begin;
 use super::slipping::{Mode, Slipping};
+use super::walk::Walk;
 use crate::answer::{Switch, WholeCycle, switches};
 use crate::math::Vec2;
 use crate::math::ode::{System, Undefined};
@@ -45,8 +46,8 @@ pub(super) struct Equations<'a, 's> {
     /// Angles of the bodies in the last evaluation, where loads depend on them.
     pub angles: Vec<f64>,
     pub loads_need_angles: bool,
-    /// Whether a step of motion starts from where its bodies stand.
-    goes_on: bool,
+    /// The way to what is looked at far ahead.
+    pub walk: Option<Box<Walk>>,
     /// Memory for the values of the file's quantities, where loads name them.
     pub quantities: Option<Vec<Value>>,
     pub evaluated: Vec<(LoadId, Value)>,
@@ -104,7 +105,7 @@ impl<'a, 's> Equations<'a, 's> {
             accepted: (t, state.clone(), angles.clone()),
             angles,
             loads_need_angles: loads_need_angles(model),
-            goes_on: model.plan.goes_on(),
+            walk: None,
             quantities: loads_name_quantities(model.mechanism).then(Vec::new),
             evaluated: Vec::new(),
             switches: switches(model.mechanism),
@@ -145,9 +146,7 @@ impl<'a, 's> Equations<'a, 's> {
 
     /// Position and rate of all drives at an instant, from which steps of motion start where the step began.
     pub fn set_position(&mut self, t: f64, y: &[f64]) {
-        if self.goes_on {
-            self.trial.start_from(&self.accepted.1);
-        }
+        self.start_trial();
         self.set_inputs(t, y);
     }
 
@@ -168,10 +167,21 @@ impl<'a, 's> Equations<'a, 's> {
     pub fn observe(&mut self, t: f64, y: &[f64], deep: bool) -> bool {
         let mut dy = std::mem::take(&mut self.quiet);
         let known = self.rates(t, y, &mut dy).is_ok();
-        // where something rubs, accelerations and forces are there already
-        if known && deep && self.slipping.is_none() && self.mode.is_none_or(|mode| mode == Mode::Resting) {
-            let n = self.order();
-            self.place(t, y, &dy[n..2 * n], None);
+        let n = self.order();
+        match self.mode {
+            _ if !known || !deep || self.slipping.is_some() => {}
+            // where something rubs, accelerations and forces are there already
+            Some(Mode::Moving(_)) => {}
+            Some(Mode::Resting) => {
+                self.take_held();
+                self.place(t, y, &dy[n..2 * n], None);
+            }
+            None => {
+                self.reduced.accelerate(&mut self.trial, &dy[n..2 * n]);
+                if self.model.plan.effects.forces {
+                    self.trial.run_loads_and_forces(self.model, &self.evaluated);
+                }
+            }
         }
         if known {
             self.take_rates(y);
@@ -244,6 +254,10 @@ const NEAR_DEAD: f64 = 0.1;
 impl System<f64> for Equations<'_, '_> {
     fn rates(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Undefined> {
         let n = self.order();
+        if let Err(group) = self.walk_to(y[0]) {
+            self.why = Some(Halt::Open { group });
+            return Err(Undefined);
+        }
         self.set_position(t, y);
         self.trial.motion.stops.fill(0.0);
         if self.mode.is_some() || self.slipping.is_some() {
@@ -307,6 +321,7 @@ impl System<f64> for Equations<'_, '_> {
         self.accepted.0 = t;
         self.accepted.1.start_from(&self.trial);
         self.accepted.2.clone_from(&self.angles);
+        self.walk_begins(y[0]);
     }
 }
 

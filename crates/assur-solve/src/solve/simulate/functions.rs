@@ -4,13 +4,18 @@ use super::equations::Equations;
 use super::part::{is_known, part};
 use super::records::within_step;
 use super::watch::{AT_ONCE, Watch};
-use crate::math::chebyshev::{NODES, tail};
+use crate::math::chebyshev::Series;
+use crate::math::lobatto::PLACES;
 use crate::math::ode::Integrator;
 use crate::model::{Bound, Cycle, CycleFunction, Part};
 
-/// What the series of a function leaves off is less than this part of its greatest value, or its part of a step is halved, so often at most.
-const SMOOTH: f64 = 1e-11;
+/// What the series of a function leaves off is less than this part of its greatest value, or of the tolerance of that, or its part
+/// of a step is halved, so often at most.
+pub(super) const SMOOTH: f64 = 1e-11;
+pub(super) const OF_TOLERANCE: f64 = 0.02;
 const HALVED: u32 = 2;
+/// What the series leaves off does not make an extreme greater than by so many times its last terms.
+const SURPASSED: f64 = 10.0;
 
 /// A function over the run as far as it is known.
 pub(super) struct Function<'m> {
@@ -38,6 +43,57 @@ impl<'m> Function<'m> {
             lasted: 0.0,
         }
     }
+}
+
+impl Function<'_> {
+    /// The sign with which the extreme that is looked for is the greatest, or nothing.
+    const fn sign(&self) -> Option<f64> {
+        match self.cycle.how {
+            CycleFunction::Max | CycleFunction::Argmax => Some(1.0),
+            CycleFunction::Min => Some(-1.0),
+            CycleFunction::Mean | CycleFunction::Integral => None,
+        }
+    }
+
+    /// Whether the series over a part of a step, through these values, says all there is to say of it.
+    fn is_known(&self, series: &Series, values: &[f64; PLACES], smooth: f64) -> bool {
+        let smooth = if self.cycle.how == CycleFunction::Argmax { SMOOTH } else { smooth };
+        let greatest = greatest(values).max(self.greatest);
+        if series.tail() <= smooth * greatest {
+            return true;
+        }
+        // an extreme that is known already is not surpassed
+        self.sign().is_some_and(|sign| {
+            let most = extremes(series, values).map(|(_, x)| sign * x).fold(f64::NEG_INFINITY, f64::max);
+            sign * self.value > most + SURPASSED * series.tail()
+        })
+    }
+
+    /// Takes a part of a step.
+    fn take(&mut self, series: &Series, values: &[f64; PLACES]) {
+        self.lasted += series.to - series.from;
+        self.greatest = self.greatest.max(greatest(values));
+        let Some(sign) = self.sign() else {
+            self.value += series.integral();
+            return;
+        };
+        for (t, x) in extremes(series, values) {
+            if sign * x > sign * self.value {
+                (self.value, self.at) = (x, t);
+            }
+        }
+    }
+}
+
+/// The greatest magnitude.
+fn greatest(values: &[f64; PLACES]) -> f64 {
+    values.iter().fold(0.0_f64, |most, x| most.max(x.abs()))
+}
+
+/// Where a series turns, with the value there, and both ends.
+fn extremes<'s>(series: &'s Series, values: &[f64; PLACES]) -> impl Iterator<Item = (f64, f64)> + 's {
+    let ends = [(series.from, values[0]), (series.to, values[PLACES - 1])];
+    series.derivative().roots().into_iter().map(|t| (t, series.value(t))).chain(ends)
 }
 
 impl Watch<'_> {
@@ -69,55 +125,43 @@ impl Watch<'_> {
         (from, to): (f64, f64),
         anyway: bool,
     ) -> bool {
-        let mut values = vec![[0.0; NODES]; self.functions.len()];
-        let mut ends = vec![[0.0; 2]; self.functions.len()];
-        let places = (0..NODES).map(|node| (self.nodes.at(from, to, node), Some(node), 0));
-        let places: Vec<_> = places.chain([(from, None, 0), (to, None, 1)]).collect();
-        for (t, node, end) in places {
-            if !within_step(equations, method, t, &mut self.y) || !equations.observe(t, &self.y, self.deep) {
-                continue;
-            }
-            for ((function, values), ends) in self.functions.iter().zip(&mut values).zip(&mut ends) {
-                let value = equations.value(&function.cycle.expr);
-                match node {
-                    Some(node) => values[node] = value,
-                    None => ends[end] = value,
-                }
-            }
-        }
-        let smooth = |values: &[f64; NODES]| {
-            let greatest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-            tail(&self.nodes.coefficients(values)) <= SMOOTH * greatest
-        };
-        if !anyway && !values.iter().all(smooth) {
-            return false;
-        }
         let near = AT_ONCE * self.length;
-        for ((function, values), ends) in self.functions.iter_mut().zip(&values).zip(&ends) {
+        let counts = |function: &Function<'_>| {
             let (after, before) = part(function.cycle, &self.times);
-            if from < after - near || to > before + near {
-                continue;
-            }
-            function.lasted += to - from;
-            let series = self.nodes.series(from, to, values);
-            let greatest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-            function.greatest = function.greatest.max(greatest);
-            match function.cycle.how {
-                CycleFunction::Mean | CycleFunction::Integral => function.value += series.integral(),
-                how => {
-                    let inner = series.derivative().roots();
-                    let places = inner.into_iter().map(|t| (t, series.value(t)));
-                    for (t, x) in places.chain([(from, ends[0]), (to, ends[1])]) {
-                        let better =
-                            if how == CycleFunction::Min { x < function.value } else { x > function.value };
-                        if better {
-                            (function.value, function.at) = (x, t);
-                        }
-                    }
+            from >= after - near && to <= before + near
+        };
+        let asked: Vec<usize> = (0..self.functions.len()).filter(|&f| counts(&self.functions[f])).collect();
+        if asked.is_empty() {
+            return true;
+        }
+        let mut values = vec![[f64::NAN; PLACES]; asked.len()];
+        // first few places: most parts are far from an extreme
+        for (first, apart, step) in [(0, 4, 4), (2, 4, 2), (1, 2, 1)] {
+            for place in (first..PLACES).step_by(apart) {
+                let t = self.places.at(from, to, place);
+                if !within_step(equations, method, t, &mut self.y)
+                    || !equations.observe(t, &self.y, self.deep_functions)
+                {
+                    continue;
+                }
+                for (values, &function) in values.iter_mut().zip(&asked) {
+                    values[place] = equations.value(&self.functions[function].cycle.expr);
                 }
             }
+            let series = values.iter().map(|values| self.places.series(from, to, values, step));
+            let series: Vec<Series> = series.collect();
+            let each = || asked.iter().zip(&series).zip(&values);
+            let smooth = self.smooth;
+            let known =
+                each().all(|((&f, series), values)| self.functions[f].is_known(series, values, smooth));
+            if known || (anyway && step == 1) {
+                for ((&function, series), values) in each() {
+                    self.functions[function].take(series, values);
+                }
+                return true;
+            }
         }
-        true
+        false
     }
 
     /// The first instant within a step at which the part of a function begins or ends.

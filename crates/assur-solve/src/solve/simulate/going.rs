@@ -37,6 +37,8 @@ pub(super) enum Ended {
     Stiff,
     /// It goes on in other coordinates.
     Changed(Box<Change>),
+    /// There is no step on from where the last one ended.
+    Stuck(Halt),
     Halted(Halt),
 }
 
@@ -83,11 +85,11 @@ impl<'m, 'o> Going<'m, 'o> {
         (openings, stops): (Openings, Stops),
         outputs: &'o Outputs,
         (begin, last): (f64, f64),
-        measures: bool,
+        (tolerance, measures): (f64, bool),
     ) -> Self {
         let mechanism = equations.model.mechanism;
         let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
-        let mut watch = Watch::new(mechanism, equations.start().len(), (begin, last));
+        let mut watch = Watch::new(mechanism, equations.start().len(), (begin, last), tolerance);
         watch.guard = outputs.guard;
         Self {
             recorder: Recorder::new(equations),
@@ -131,7 +133,7 @@ impl Going<'_, '_> {
                 Err(Stopped::Stiff) if !exactly => return Ended::Stiff,
                 Err(Stopped::Stiff) => {}
                 Err(Stopped::TooManySteps) => return Ended::Halted(Halt::TooManySteps),
-                Err(Stopped::StepTooSmall | Stopped::Undefined) => return Ended::Halted(equations.halt()),
+                Err(Stopped::StepTooSmall | Stopped::Undefined) => return Ended::Stuck(equations.halt()),
             }
             if is_endless(method, self.begin, last) {
                 return Ended::Halted(Halt::TooManySteps);
@@ -154,7 +156,7 @@ impl Going<'_, '_> {
             let wanted = self.outputs.known.get(self.next).map_or(last, |output| output.0);
             let bound = self.watch.bound((method.previous_t(), method.t()));
             let event = happened.as_ref().map(|h| h.time);
-            let instants = [event, turned, opened.map(|(t, _)| t), touched.map(|(t, _)| t), bound];
+            let instants = [event, turned, opened.map(|(t, _)| t), touched.as_ref().map(|(t, _)| *t), bound];
             let first = instants.into_iter().flatten().fold(f64::INFINITY, f64::min);
             let cut = (first < method.t()).then_some(first);
             let exact = (exactly && method.previous_t() < wanted && wanted < method.t()).then_some(wanted);
@@ -320,7 +322,7 @@ impl Going<'_, '_> {
         if turned > most {
             method.shorten(equations, from + (to - from) * (most / turned))?;
         }
-        let fastest = equations.fastest(method.t(), method.y());
+        let fastest = if turned > most { equations.fastest(method.t(), method.y()) } else { after };
         let turning = if fastest > 0.0 { most / fastest } else { f64::INFINITY };
         let longest = self.longest.unwrap_or(f64::INFINITY).min(turning);
         method.progress_mut().longest = (longest < f64::INFINITY).then_some(longest);

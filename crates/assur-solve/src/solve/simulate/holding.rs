@@ -257,7 +257,7 @@ impl Equations<'_, '_> {
     }
 
     /// Whether the speed of an element does not depend on those of others, which it then joins.
-    fn is_independent(&mut self, element: usize, basis: &mut Vec<Vec<f64>>) -> bool {
+    pub fn is_independent(&mut self, element: usize, basis: &mut Vec<Vec<f64>>) -> bool {
         let mut row = Vec::with_capacity(self.order());
         self.slopes_of_element(element, &mut row);
         let size = norm(&row);

@@ -1,7 +1,6 @@
 //! What stops do to the rates and the accelerations.
 //!
-//! An impact is one linear equation. With the slopes j = ∂g/∂q of the pair's coordinate g an impulse Λ along it changes the
-//! rates by M⁻¹ j Λ, and ġ becomes −e ġ: Λ = −(1 + e) ġ / (j M⁻¹ j). A closed stop bears the effort λ for which its coordinate
+//! An impact is one linear equation (`strike`). A closed stop bears the effort λ for which its coordinate
 //! does not accelerate, (J M⁻¹ Jᵀ) λ = −(J q̈₀ + J̇ q̇), and opens where λ would have to pull. Rebounds from v under the
 //! acceleration −a follow each other in a geometric series: where they are lower than what is asked for, the run goes on from
 //! its limit, 2 v / (a (1 − e)) later.
@@ -69,7 +68,7 @@ impl Equations<'_, '_> {
     }
 
     /// What its coordinate does, away from the stop, for a unit rate of each free coordinate, where everything was evaluated.
-    fn slopes(&mut self, index: usize) -> Vec<f64> {
+    pub fn slopes(&mut self, index: usize) -> Vec<f64> {
         let (pair, side) = (self.stop(index).pair, self.stop(index).side);
         let model = self.model;
         let rate = |state: &crate::position::State| side * state.coordinate_rate(model, pair);
@@ -88,7 +87,7 @@ impl Equations<'_, '_> {
     }
 
     /// The part of this rate that the drives have whose motion is given.
-    fn given_rate(&mut self, index: usize) -> f64 {
+    pub fn given_rate(&mut self, index: usize) -> f64 {
         let drives = &self.model.mechanism.drives;
         let inputs = self.trial.motion.inputs.iter().zip(drives);
         if !inputs.into_iter().any(|(input, drive)| !drive.free && moves(input)) {
@@ -100,28 +99,6 @@ impl Equations<'_, '_> {
         let inputs = &self.trial.motion.inputs;
         let free = self.reduced.free().iter().zip(&slopes);
         all - free.map(|(&drive, slope)| slope * inputs[drive].rate).sum::<f64>()
-    }
-
-    /// An impulse along the coordinate that changes its rate by this much; the unknown work loses what the impact takes.
-    pub fn reflect(&mut self, index: usize, change: f64, y: &mut [f64]) -> Result<(), Halt> {
-        let n = self.order();
-        let (before, _) = self.rate(index, y);
-        let slopes = self.slopes(index);
-        let mut each = slopes.clone();
-        self.reduced.solve(&mut each);
-        let compliance: f64 = slopes.iter().zip(&each).map(|(a, b)| a * b).sum();
-        if compliance.is_nan() || compliance <= 0.0 {
-            return Err(Halt::NoInertia);
-        }
-        let impulse = change / compliance;
-        for (rate, each) in y[n..2 * n].iter_mut().zip(&each) {
-            *rate += each * impulse;
-        }
-        if n == 1 && (before + change).abs() <= f64::EPSILON * before.abs() && self.given_rate(index) == 0.0 {
-            y[1] = 0.0;
-        }
-        y[2 * n] += impulse * (before + 0.5 * change);
-        Ok(())
     }
 
     /// The acceleration of its coordinate away from the stop, where it rests there.

@@ -4,17 +4,16 @@ use super::bridge::Bridge;
 use super::chart::Given;
 use super::coordinates::measured;
 use super::equations::Equations;
+use super::records::Stand;
 use crate::answer::PoseAnswers;
 use crate::math::Vec2;
 use crate::position::Branch;
 
 impl Equations<'_, '_> {
     /// Motion at given accelerations of the free coordinates, as in a solution, and forces where they are planned.
-    pub fn place(&mut self, t: f64, y: &[f64], accelerations: &[f64], stand: Option<&[(Vec2, Vec2)]>) {
+    pub fn place(&mut self, t: f64, y: &[f64], accelerations: &[f64], stand: Option<&[Stand]>) {
         if let Some(stand) = stand {
-            for (body, (p, u)) in self.trial.motion.bodies.iter_mut().zip(stand) {
-                (body.p, body.u) = (*p, *u);
-            }
+            Stand::put(stand, &mut self.trial.motion.bodies);
         }
         self.set_inputs(t, y);
         for (&drive, a) in self.reduced.free().iter().zip(accelerations) {

@@ -1,7 +1,7 @@
 //! Positions of a trajectory, instant by instant.
 
 use super::drives::{Instant, prescribed};
-use super::records::Origin;
+use super::records::{Origin, Stand};
 use super::trajectory::Trajectory;
 use crate::model::{DriveTarget, Positions};
 use crate::position::{DriveInput, DriveValue, Model, PoseOrigin, Wanted};
@@ -38,9 +38,7 @@ impl Following<'_, '_> {
         let (wanted, instant) = trajectory.wanted(self.run.model, index);
         self.run.instant = Some(instant);
         if let Some(stand) = trajectory.records.stand(index) {
-            for (body, (p, u)) in trajectory.start.motion.bodies.iter_mut().zip(stand) {
-                (body.p, body.u) = (*p, *u);
-            }
+            Stand::put(stand, &mut trajectory.start.motion.bodies);
         }
         let assemblies = trajectory.records.assemblies[index].as_deref().unwrap_or(&trajectory.assemblies);
         trajectory.start.branches.copy_from_slice(assemblies);

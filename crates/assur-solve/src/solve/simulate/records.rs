@@ -5,7 +5,7 @@ use super::equations::Equations;
 use super::report::Energy;
 use crate::math::Vec2;
 use crate::math::ode::{Integrator, System};
-use crate::position::{Branch, Grip};
+use crate::position::{BodyState, Branch, Grip};
 
 /// What wants an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +14,27 @@ pub(crate) enum Origin {
     Printed,
     /// An expectation.
     Expected(usize),
+}
+
+/// Where a body stands, with its whole turns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stand {
+    p: Vec2,
+    u: Vec2,
+    turned: f64,
+}
+
+impl Stand {
+    fn of(body: &BodyState) -> Self {
+        Self { p: body.p, u: body.u, turned: body.turned }
+    }
+
+    /// Puts bodies there.
+    pub fn put(stands: &[Self], bodies: &mut [BodyState]) {
+        for (body, stand) in bodies.iter_mut().zip(stands) {
+            (body.p, body.u, body.turned) = (stand.p, stand.u, stand.turned);
+        }
+    }
 }
 
 /// The free coordinates at each instant, one after another.
@@ -33,12 +54,12 @@ pub(crate) struct Records {
     pub works: Vec<f64>,
     /// What closed stops bear, as many numbers each as there are stops.
     pub stops: Vec<f64>,
-    /// How the elements of friction move, where that is known, as many each as there are.
-    pub grips: Vec<Grip>,
+    /// How the elements of friction move, where that is known.
+    pub grips: Vec<Vec<Grip>>,
     /// Angles of the bodies, rad, continuous over the run.
     pub angles: Vec<f64>,
     /// Where the bodies stand, for steps of motion that start from there.
-    pub stands: Vec<(Vec2, Vec2)>,
+    pub stands: Vec<Stand>,
     /// Bodies.
     pub bodies: usize,
     /// The whole position, of instants that were found in other coordinates than those written.
@@ -72,8 +93,7 @@ impl Records {
 
     /// How the elements of friction move at an instant.
     pub fn grips(&self, index: usize) -> &[Grip] {
-        let each = self.grips.len() / self.count.max(1);
-        &self.grips[each * index..][..each]
+        &self.grips[index]
     }
 
     /// Angles of the bodies at an instant.
@@ -88,7 +108,7 @@ impl Records {
     }
 
     /// Where the bodies stand, if that is kept.
-    pub fn stand(&self, index: usize) -> Option<&[(Vec2, Vec2)]> {
+    pub fn stand(&self, index: usize) -> Option<&[Stand]> {
         self.stands.get(self.bodies * index..)?.get(..self.bodies).filter(|s| !s.is_empty())
     }
 }
@@ -141,6 +161,7 @@ impl Recorder {
         }
         equations.take_rates(&self.y);
         equations.follow_angles(time);
+        equations.take_held();
         let (n, records) = (self.records.order, &mut self.records);
         let given = equations.given((time, &self.y), &self.dy[n..2 * n]);
         records.count += 1;
@@ -157,10 +178,10 @@ impl Recorder {
         records.assemblies.push(equations.assemblies());
         records.works.extend_from_slice(&self.y[2 * n + 1..]);
         records.stops.extend_from_slice(&equations.trial.motion.stops);
-        records.grips.extend(equations.grips());
+        records.grips.push(equations.grips());
         records.angles.extend_from_slice(&equations.angles);
         if self.goes_on {
-            records.stands.extend(equations.trial.motion.bodies.iter().map(|b| (b.p, b.u)));
+            records.stands.extend(equations.trial.motion.bodies.iter().map(Stand::of));
         }
         self.energy(equations);
         true

@@ -73,7 +73,7 @@ impl Equations<'_, '_> {
         };
         let held = if self.held { &self.senses[..] } else { &[] };
         self.trial.motion.grips.clear();
-        self.trial.motion.grips.extend(held.iter().map(|&sense| Grip { sense, effort: 0.0 }));
+        self.trial.motion.grips.extend(held.iter().map(|&sense| Grip { sense, ..Grip::default() }));
         let acceleration = self.rubbing_acceleration(sense)?;
         // stages beyond a rest go on smoothly
         let rate = self.trial.motion.inputs[self.reduced.free()[0]].rate;
@@ -194,7 +194,7 @@ impl Equations<'_, '_> {
     }
 
     /// The effort that the coordinate would need for an acceleration.
-    fn effort(&mut self, acceleration: f64) -> Result<f64, Halt> {
+    pub fn effort(&mut self, acceleration: f64) -> Result<f64, Halt> {
         self.accelerate(acceleration);
         self.trial.run_loads_and_forces(self.model, &self.evaluated);
         if self.trial.forces.locked {

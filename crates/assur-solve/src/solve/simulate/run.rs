@@ -51,6 +51,8 @@ pub(super) struct Run {
     pub stopped: Option<(f64, Halt)>,
     /// The last instant that was reached, s.
     pub end: f64,
+    /// The error is not said to be less than a part of this.
+    pub floor: f64,
 }
 
 /// Integrates from the first of the instants, s, to the last.
@@ -80,22 +82,25 @@ pub(super) fn run(
     if let Some(pair) = openings.at_once(&mut equations, begin.from, &y) {
         return Run::halted(begin.from, Halt::Opens { pair });
     }
-    let mut going = Going::new(&equations, (openings, stops), outputs, (begin.from, last), measures);
+    let mut going =
+        Going::new(&equations, (openings, stops), outputs, (begin.from, last), (tolerance, measures));
     equations.accepted(begin.from, &y);
     let mut part = match going.better(&mut equations, (begin.from, &y), charts) {
         Some(change) => Part::changed(change),
         None => going.part(&mut equations, charts, tolerance, (begin.from, &y)),
     };
     drop(equations);
-    let (mut counts, mut method) = (part.counts, part.method);
+    let (mut counts, mut method, mut floor) = (part.counts, part.method, part.floor);
     while let Ended::Changed(to) = part.ended {
         going.changes.push((to.t, to.coordinates(begin.model)));
         part = going.changed(begin, charts, tolerance, &to);
         counts = sum(counts, part.counts);
+        floor = floor.max(part.floor);
         if part.method == Method::Radau {
             method = Method::Radau;
         }
     }
+    part.floor = floor;
     going.end(part, (counts, method))
 }
 
@@ -106,6 +111,8 @@ pub(super) struct Part {
     counts: Counts,
     /// Its last instant, s.
     end: f64,
+    /// The accuracy of its steps.
+    floor: f64,
 }
 
 /// Where a method has come to.
@@ -127,6 +134,7 @@ impl Part {
             method: Method::Dop853,
             counts: Counts::default(),
             end,
+            floor: 0.0,
         }
     }
 }
@@ -152,13 +160,26 @@ impl Going<'_, '_> {
         let steps = if self.measures { SHORTER * least } else { least };
         self.longest = (least > 0.0).then_some(length / steps);
         let asked = self.outputs.conduct.method;
+        let mut floor = tolerance;
         let (mut found, mut name) = if asked.is_none_or(|m| m == Method::Energy) && equations.conserves() {
-            let method = ByEnergy::new(y.len(), tolerance, scale(equations));
-            (self.begin_with(method, equations, charts, (t, y)), Method::Energy)
+            let mut method = ByEnergy::new(y.len(), tolerance, scale(equations));
+            equations.begin_walk(y[0]);
+            let found = self.begin_with(&mut method, equations, charts, (t, y));
+            floor = method.left_off();
+            (found, Method::Energy)
         } else {
-            let method = Dop853::new(allowed.clone());
-            (self.begin_with(method, equations, charts, (t, y)), Method::Dop853)
+            let mut method = Dop853::new(allowed.clone());
+            (self.begin_with(&mut method, equations, charts, (t, y)), Method::Dop853)
         };
+        if matches!(found.ended, Ended::Stuck(_)) && equations.walk.take().is_some() {
+            // what is looked at far ahead may be out of reach, and the next short step not
+            let before = found.counts;
+            let y = std::mem::take(&mut found.y);
+            let mut method = Dop853::new(allowed.clone());
+            found = self.begin_with(&mut method, equations, charts, (found.end, &y));
+            floor = tolerance;
+            (found.counts, name) = (sum(before, found.counts), Method::Dop853);
+        }
         if matches!(found.ended, Ended::Stiff) {
             let mut implicit = Radau::new(&allowed);
             if !self.measures {
@@ -175,13 +196,13 @@ impl Going<'_, '_> {
         }
         let Reached { ended, counts, end, .. } = found;
         self.crossed.append(&mut equations.crossed);
-        Part { ended, method: name, counts, end }
+        Part { ended, method: name, counts, end, floor }
     }
 
     /// Integrates by a method up to the end, or up to where an implicit one is asked for.
     fn begin_with<M: Integrator<f64>>(
         &mut self,
-        mut method: M,
+        method: &mut M,
         equations: &mut Equations<'_, '_>,
         charts: &mut Charts<'_>,
         (t, y): (f64, &[f64]),
@@ -189,7 +210,7 @@ impl Going<'_, '_> {
         method.progress_mut().longest = self.longest;
         let ended = match method.start(equations, t, y, self.last) {
             Ok(()) if self.outputs.conduct.method == Some(Method::Radau) => Ended::Stiff,
-            Ok(()) => self.integrate(equations, &mut method, (charts, false)),
+            Ok(()) => self.integrate(equations, method, (charts, false)),
             Err(Undefined) => {
                 equations.accepted(t, y);
                 Ended::Halted(equations.halt())
@@ -211,7 +232,7 @@ impl Going<'_, '_> {
             equations.mode = Some(Mode::Resting);
             if let Err(halt) = equations.choose_mode(to.t, &to.y) {
                 let (ended, method) = (Ended::Halted(halt), Method::Dop853);
-                return Part { ended, method, counts: Counts::default(), end: to.t };
+                return Part { ended, method, counts: Counts::default(), end: to.t, floor: 0.0 };
             }
         }
         let mut y = to.y.clone();
@@ -219,7 +240,7 @@ impl Going<'_, '_> {
             && let Err(halt) = equations.begin_slipping(to.t, &mut y, Some(held))
         {
             let (ended, method) = (Ended::Halted(halt), Method::Dop853);
-            return Part { ended, method, counts: Counts::default(), end: to.t };
+            return Part { ended, method, counts: Counts::default(), end: to.t, floor: 0.0 };
         }
         self.part(&mut equations, charts, tolerance, (to.t, &y))
     }
@@ -227,7 +248,7 @@ impl Going<'_, '_> {
     /// What a run has found.
     fn end(self, part: Part, (counts, method): (Counts, Method)) -> Run {
         let stopped = match part.ended {
-            Ended::Halted(halt) => Some((part.end, halt)),
+            Ended::Halted(halt) | Ended::Stuck(halt) => Some((part.end, halt)),
             Ended::Done | Ended::Stiff | Ended::Changed(_) => None,
         };
         let end = part.end;
@@ -267,6 +288,7 @@ impl Going<'_, '_> {
             ended_by,
             stopped,
             end,
+            floor: part.floor,
         }
     }
 }
@@ -333,6 +355,7 @@ impl Run {
             ended_by: None,
             stopped: Some((first, halt)),
             end: first,
+            floor: 0.0,
         }
     }
 }

@@ -65,14 +65,8 @@ impl Equations<'_, '_> {
 
     /// Angles of the bodies of the last evaluation, carried on from where the step began.
     pub fn follow_angles(&mut self, t: f64) {
-        let (began, accepted, angles) = &self.accepted;
-        let h = t - began;
-        let bodies = accepted.motion.bodies.iter().zip(&self.trial.motion.bodies);
-        for ((angle, before), (old, new)) in self.angles.iter_mut().zip(angles).zip(bodies) {
-            // the mean speed is near enough to tell the whole turns, the rest is read off the direction itself
-            let estimate = before + 0.5 * h * (old.omega + new.omega);
-            let principal = new.u.angle();
-            *angle = principal + TAU * ((estimate - principal) / TAU).round();
+        if !self.angles_of_walk() {
+            self.angles_after(t);
         }
         for (&drive, effort) in self.reduced.free().iter().zip(driven_bodies(self.model, self.reduced.free()))
         {
@@ -82,6 +76,21 @@ impl Equations<'_, '_> {
         }
         for &body in &self.model.plan.turning {
             self.angles[body] = self.trial.motion.bodies[body].turned;
+        }
+    }
+}
+
+impl Equations<'_, '_> {
+    /// The angles at an instant after the one where the step began.
+    fn angles_after(&mut self, t: f64) {
+        let (began, accepted, angles) = &self.accepted;
+        let h = t - began;
+        let bodies = accepted.motion.bodies.iter().zip(&self.trial.motion.bodies);
+        for ((angle, before), (old, new)) in self.angles.iter_mut().zip(angles).zip(bodies) {
+            // the mean speed is near enough to tell the whole turns, the rest is read off the direction itself
+            let estimate = before + 0.5 * h * (old.omega + new.omega);
+            let principal = new.u.angle();
+            *angle = principal + TAU * ((estimate - principal) / TAU).round();
         }
     }
 }

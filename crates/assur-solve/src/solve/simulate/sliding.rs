@@ -139,16 +139,7 @@ impl Equations<'_, '_> {
     fn take_grips(&mut self, slipping: &Slipping) {
         let grips = &mut self.trial.motion.grips;
         grips.clear();
-        grips.extend(slipping.senses.iter().map(|&sense| Grip { sense, effort: 0.0 }));
-    }
-
-    /// How all elements move, as the mechanism as it is written has them.
-    pub fn grips(&self) -> Vec<Grip> {
-        let grips = &self.trial.motion.grips;
-        if self.slipping.is_none() {
-            return Vec::new();
-        }
-        self.chart.map_or_else(|| grips.clone(), |chart| chart.grips(grips))
+        grips.extend(slipping.senses.iter().map(|&sense| Grip { sense, ..Grip::default() }));
     }
 }
 

@@ -17,14 +17,12 @@ pub(super) const ROUNDING: f64 = 1e-12;
 const FLIGHT: f64 = 1.2;
 
 /// What happens at a stop.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Touch {
-    /// Its coordinate comes to it.
-    Hits(usize),
+    /// The coordinates of these come to them.
+    Hits(Vec<usize>),
     /// It would have to pull.
     Opens(usize),
-    /// Two are hit at once.
-    Both(usize, usize),
 }
 
 /// The stops of a run.
@@ -93,17 +91,18 @@ impl Stops {
             let found = if equations.closed.contains(&index) {
                 opening(equations, method, index).map(|t| (t, Touch::Opens(index)))
             } else {
-                hit(equations, method, index, self.left[index]).map(|t| (t, Touch::Hits(index)))
+                hit(equations, method, index, self.left[index]).map(|t| (t, Touch::Hits(vec![index])))
             };
             let Some((t, touch)) = found else { continue };
-            match first {
-                Some((before, Touch::Hits(other)))
-                    if (t - before).abs() <= self.at_once && touch == Touch::Hits(index) =>
+            match (&mut first, touch) {
+                (Some((before, Touch::Hits(others))), Touch::Hits(mut own))
+                    if (t - *before).abs() <= self.at_once =>
                 {
-                    first = Some((before.min(t), Touch::Both(other, index)));
+                    others.append(&mut own);
+                    *before = before.min(t);
                 }
-                Some((before, _)) if before <= t => {}
-                _ => first = Some((t, touch)),
+                (Some((before, _)), _) if *before <= t => {}
+                (_, touch) => first = Some((t, touch)),
             }
         }
         first
@@ -136,7 +135,7 @@ impl Stops {
     /// The coordinate of a stop comes to it.
     ///
     /// # Errors
-    /// A stop that is closed would be hit as well, or there is no motion afterwards.
+    /// There are no impulses, or there is no motion afterwards.
     pub fn strike(
         &mut self,
         equations: &mut Equations<'_, '_>,
@@ -147,16 +146,13 @@ impl Stops {
         let restitution = equations.stop(index).restitution;
         let mut after = y.to_vec();
         equations.settle(t, y)?;
-        let (before, rounding) = equations.rate(index, y);
+        let before = equations.rate(index, y).0;
         let closed = std::mem::take(&mut equations.closed);
         let standing = closed.iter().map(|other| (*other, equations.rate(*other, y).0)).collect::<Vec<_>>();
-        equations.reflect(index, -(1.0 + restitution) * before, &mut after)?;
+        equations.reflect(&[(index, -restitution * before)], &closed, &mut after)?;
         self.left[index] = true;
         for (other, rate) in standing {
             let change = equations.rate(other, &after).0 - rate;
-            if change < -rounding.max(ROUNDING * before.abs()) {
-                return Err(Halt::StopsAtOnce { stops: vec![other, index] });
-            }
             if change > ROUNDING * before.abs() {
                 self.open(equations, t, other);
             } else {
@@ -176,11 +172,62 @@ impl Stops {
         // as without restitution
         let mut rest = y.to_vec();
         equations.settle(t, y)?;
-        equations.reflect(index, -before, &mut rest)?;
+        equations.reflect(&[(index, 0.0)], &closed, &mut rest)?;
         equations.close(index);
         self.rests[index].push((t + all, None));
         equations.settle(t, &rest)?;
         Ok(Struck { y: rest, closed: Some(all), step: f64::INFINITY })
+    }
+
+    /// Several stops are hit at once.
+    ///
+    /// # Errors
+    /// What becomes of it depends on their order.
+    pub fn strike_all(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        t: f64,
+        y: &[f64],
+        hit: &[usize],
+    ) -> Result<Struck, Halt> {
+        equations.settle(t, y)?;
+        if !equations.may_be_hit_at_once(hit) {
+            return Err(Halt::StopsAtOnce { stops: hit.to_vec() });
+        }
+        let mut all = Struck { y: y.to_vec(), closed: None, step: f64::INFINITY };
+        let plastic = hit.iter().all(|stop| equations.stop(*stop).restitution == 0.0);
+        if !plastic {
+            // none knows of the others
+            for &index in hit {
+                let struck = self.strike(equations, t, &all.y, index)?;
+                let closed = [all.closed, struck.closed].into_iter().flatten().reduce(f64::max);
+                all = Struck { y: struck.y, closed, step: all.step.min(struck.step) };
+            }
+            return Ok(all);
+        }
+        let wanted: Vec<(usize, f64)> = hit.iter().map(|stop| (*stop, 0.0)).collect();
+        let closed = std::mem::take(&mut equations.closed);
+        equations.reflect(&wanted, &closed, &mut all.y)?;
+        let greatest = hit.iter().map(|stop| equations.rate(*stop, y).0.abs()).fold(0.0, f64::max);
+        for index in closed.into_iter().chain(hit.iter().copied()) {
+            let stays = equations.rate(index, &all.y).0 <= ROUNDING * greatest;
+            if !stays && hit.contains(&index) {
+                self.left[index] = true;
+            } else if !stays {
+                self.open(equations, t, index);
+            } else {
+                equations.close(index);
+            }
+        }
+        equations.settle(t, &all.y)?;
+        for &index in hit {
+            // what is pulled away leaves at once
+            if equations.closed.contains(&index) {
+                self.rests[index].push((t, None));
+                all.closed = Some(0.0);
+            }
+        }
+        Ok(all)
     }
 }
 

@@ -24,7 +24,6 @@ impl Going<'_, '_> {
         let begun = self.watch.counts();
         let before = self.watch.values(equations, t, &y);
         let ended = match touch {
-            Touch::Both(one, other) => return Err(Halt::StopsAtOnce { stops: vec![one, other] }),
             Touch::Opens(index) => {
                 self.stops.open(equations, t, index);
                 if method.restart(equations, &y, last).is_err() {
@@ -32,9 +31,14 @@ impl Going<'_, '_> {
                 }
                 self.watch.situation(Situation::Rests(equations.stop(index).pair), false, t)
             }
-            Touch::Hits(index) => {
+            Touch::Hits(hit) => {
                 equations.held = false;
-                let struck = self.stops.strike(equations, t, &y, index)?;
+                let struck = match hit[..] {
+                    [only] => self.stops.strike(equations, t, &y, only)?,
+                    _ => self.stops.strike_all(equations, t, &y, &hit)?,
+                };
+                let closed: Vec<usize> =
+                    hit.into_iter().filter(|index| equations.closed.contains(index)).collect();
                 let until = struck.closed.map(|lasting| t + lasting).filter(|until| *until < last);
                 let resumed = match until.filter(|until| *until > t) {
                     None => {
@@ -53,10 +57,10 @@ impl Going<'_, '_> {
                 method.progress_mut().begin_with(struck.step);
                 let now = (method.t(), method.y().to_vec());
                 let ended = self.watch.jumped(equations, (now.0, &now.1), &before);
-                let closed = until.and_then(|until| {
-                    self.watch.situation(Situation::Rests(equations.stop(index).pair), true, until)
-                });
-                ended.or(closed)
+                closed.into_iter().fold(ended, |ended, index| {
+                    let rests = Situation::Rests(equations.stop(index).pair);
+                    ended.or(until.and_then(|until| self.watch.situation(rests, true, until)))
+                })
             }
         };
         self.ended_by = ended;

@@ -21,7 +21,8 @@ const FINER: f64 = 0.1;
 const LOOSER: f64 = 10.0;
 /// What two runs differ by is an estimate: so much of the accuracy it may take.
 const SURE: f64 = 0.5;
-/// Two runs may agree by chance: the error is not said to be less than this part of the finer one's tolerance.
+/// Two runs may agree by chance: the error is not said to be less than this part of the finer one's tolerance, or of what its series
+/// leave off.
 const LEAST: f64 = 0.2;
 /// A looser tolerance makes steps so long that what two runs differ by says nothing of their error.
 const LOOSEST: f64 = 1e-5;
@@ -154,7 +155,7 @@ pub(crate) fn trajectory(
         if let Some(found) = &steady {
             compared.steady(found.error);
         }
-        compared.error = compared.error.max(LEAST * FINER * tolerance).max(rounding(&fine));
+        compared.error = compared.error.max(LEAST * fine.floor).max(rounding(&fine));
         let interrupted = matches!(fine.stopped, Some((_, Halt::Interrupted)));
         if compared.error <= SURE * within || interrupted {
             break (fine, coarse.kinds, compared);

@@ -1,9 +1,9 @@
 //! Events of a run.
 
 use super::equations::Equations;
-use super::functions::Function;
+use super::functions::{Function, OF_TOLERANCE, SMOOTH};
 use super::records::within_step;
-use crate::math::chebyshev::Nodes;
+use crate::math::lobatto::Extremes;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
 use crate::model::{Event, Expr, Level, Mechanism, PairKind, Query, Situation};
@@ -14,6 +14,10 @@ pub(super) const AT_ONCE: f64 = 1e-12;
 /// What rounding leaves of a value that is zero, of its greatest.
 const ROUNDING: f64 = 1e-11;
 
+/// An event that was passed is not passed again so soon, times the tolerance, of the run, with values so small in between, of its
+/// greatest: a step that ends at a corner ends a little beside it.
+const AGAIN: f64 = 10.0;
+
 /// Crossings of one event within a step that are passed over at most.
 const MOST_TRIES: usize = 4;
 
@@ -21,19 +25,27 @@ const MOST_TRIES: usize = 4;
 pub(super) struct Watch<'m> {
     events: &'m [Event],
     pub(super) functions: Vec<Function<'m>>,
-    /// Something looked at depends on accelerations or forces.
-    pub(super) deep: bool,
+    /// An event depends on accelerations or forces.
+    deep: bool,
+    /// A function does.
+    pub(super) deep_functions: bool,
     /// Something looked at may come again with the turns of a body, however smooth its speed is.
     pub comes_again: bool,
-    pub(super) nodes: Nodes,
+    pub(super) places: Extremes,
+    /// What series of functions may leave off, of the greatest value.
+    pub(super) smooth: f64,
     /// Instants of every event, s.
     pub times: Vec<Vec<f64>>,
     /// The way in which an event was passed where the present step begins.
     passed: Vec<Option<bool>>,
     /// An event that does not count before this instant, s.
     pub guard: Option<(usize, f64)>,
-    /// The greatest value of every event before impacts.
+    /// The greatest value of every event.
     greatest: Vec<f64>,
+    /// When the value of every event passed zero last, in whatever way, s.
+    crossed: Vec<f64>,
+    /// Below this part values and times are those of the same event.
+    again: f64,
     pub(super) y: Vec<f64>,
     /// The length of the run, s.
     pub(super) length: f64,
@@ -49,12 +61,13 @@ pub(super) struct Happened {
 }
 
 impl<'m> Watch<'m> {
-    pub fn new(mechanism: &'m Mechanism, unknowns: usize, (begin, end): (f64, f64)) -> Self {
+    pub fn new(mechanism: &'m Mechanism, unknowns: usize, (begin, end): (f64, f64), tolerance: f64) -> Self {
         let functions: Vec<Function<'m>> = mechanism.cycles.iter().map(Function::new).collect();
         let events = mechanism.events.iter().map(|event| &event.value);
         let all = events.chain(functions.iter().map(|f| &f.cycle.expr));
         let all: Vec<&Expr> = all.collect();
-        let deep = all.iter().any(|expr| is_deep(mechanism, expr));
+        let deep = mechanism.events.iter().any(|event| is_deep(mechanism, &event.value));
+        let deep_functions = functions.iter().any(|f| is_deep(mechanism, &f.cycle.expr));
         let comes_again =
             (!all.is_empty() && is_linkage(mechanism)) || all.iter().any(|expr| comes_again(mechanism, expr));
         let count = mechanism.events.len();
@@ -62,12 +75,16 @@ impl<'m> Watch<'m> {
             events: &mechanism.events,
             functions,
             deep,
+            deep_functions,
             comes_again,
-            nodes: Nodes::new(),
+            places: Extremes::new(),
+            smooth: SMOOTH.max(OF_TOLERANCE * tolerance),
             times: vec![Vec::new(); count],
             passed: vec![None; count],
             guard: None,
             greatest: vec![0.0; count],
+            crossed: vec![f64::NEG_INFINITY; count],
+            again: AT_ONCE.max(AGAIN * tolerance),
             y: vec![0.0; unknowns],
             length: end - begin,
             begin,
@@ -82,7 +99,7 @@ impl<'m> Watch<'m> {
     ) -> Option<Happened> {
         let mut found: Vec<(usize, Crossing<f64>)> = Vec::new();
         for index in 0..self.events.len() {
-            let (value, way) = (&self.events[index].value, self.events[index].rising);
+            let way = self.events[index].rising;
             let step = (method.previous_t(), method.t());
             let passed = self.passed[index];
             // what it is in is told, not looked for
@@ -92,16 +109,22 @@ impl<'m> Watch<'m> {
             if !equations.closed.is_empty() && self.stays(equations, method, index) {
                 continue;
             }
-            let crossing = self.crossing(equations, method, value, step, passed);
+            let crossing = self.crossing(equations, method, index, step, passed);
             // the other way does not count, but what follows it in the same step may
             let (mut counted, mut tries) = (crossing, 0);
-            while let Some(crossing) = counted
-                && (way.is_some_and(|rising| rising != crossing.rising) || self.too_early(index, crossing.t))
-            {
+            while let Some(crossing) = counted {
+                let known = self.is_known(equations, method, index, (step.0, crossing.t));
+                let other = way.is_some_and(|rising| rising != crossing.rising);
+                if !known && !other && !self.too_early(index, crossing.t) {
+                    break;
+                }
+                if !known {
+                    self.crossed[index] = crossing.t;
+                }
                 let rest = (crossing.t, step.1);
                 tries += 1;
                 counted = if tries < MOST_TRIES && rest.0 < rest.1 {
-                    self.crossing(equations, method, value, rest, Some(crossing.rising))
+                    self.crossing(equations, method, index, rest, Some(crossing.rising))
                 } else {
                     None
                 };
@@ -133,11 +156,33 @@ impl<'m> Watch<'m> {
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
-        value: &Expr,
+        index: usize,
         step: (f64, f64),
         passed: Option<bool>,
     ) -> Option<Crossing<f64>> {
-        first_crossing(step, passed, |t| self.value(equations, method, t, value))
+        let value = &self.events[index].value;
+        first_crossing(step, passed, |t| {
+            let value = self.value(equations, method, t, value);
+            self.greatest[index] = self.greatest[index].max(value.abs());
+            value
+        })
+    }
+
+    /// Whether an event at an instant is the one that happened last: its value has stayed as good as zero since.
+    fn is_known<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        index: usize,
+        (from, t): (f64, f64),
+    ) -> bool {
+        let last = self.crossed[index];
+        if t - last > self.again * self.length {
+            return false;
+        }
+        let middle = 0.5 * (last.max(from) + t);
+        let value = self.value(equations, method, middle, &self.events[index].value);
+        value.abs() <= self.again * self.greatest[index]
     }
 
     fn value<M: Integrator<f64>>(
@@ -240,6 +285,7 @@ impl<'m> Watch<'m> {
             // at rest a value stays where it is
             self.passed[index] = Some(rising);
             self.times[index].push(method.t());
+            self.crossed[index] = method.t();
             if self.events[index].ends {
                 ends = ends.or(Some(index));
             }

@@ -70,6 +70,8 @@ pub struct Energy {
     current: Option<(usize, Stretch)>,
     values: Values,
     out: Vec<f64>,
+    /// The most that a series has left off.
+    worst: f64,
 }
 
 impl Energy {
@@ -91,7 +93,14 @@ impl Energy {
             current: None,
             values: vec![[0.0; NODES]; 2 + works],
             out: vec![0.0; 2 + works],
+            worst: 0.0,
         }
+    }
+
+    /// What the series of all steps so far leave off of integrals: a relative accuracy, that may be far better than the wanted one.
+    #[must_use]
+    pub fn left_off(&self) -> f64 {
+        self.worst / OFF
     }
 
     /// Mass, force and rates of works at a value of the coordinate.
@@ -149,6 +158,7 @@ impl Energy {
             let factor = (self.tolerance / left_off).sqrt().sqrt().sqrt().sqrt();
             let rounding = left_off < ROUNDING && left_off > LESS * before;
             if left_off <= self.tolerance || rounding {
+                self.worst = self.worst.max(left_off);
                 let next = length * if rounding { 1.0 } else { (SAFE * factor).min(MOST) };
                 self.length = if length < wanted { next.max(wanted.min(MOST * length)) } else { next };
                 break;
@@ -319,6 +329,7 @@ impl Integrator<f64> for Energy {
         let Some((stretch, rest)) = self.stretch(&self.ways[way], (q, sense)) else {
             return Err(self.undone(Stopped::StepTooSmall));
         };
+        self.worst = self.worst.max(stretch.left_off());
         let reached = t + stretch.duration();
         let (t, q) = if reached < limit {
             (reached, stretch.place(1.0))

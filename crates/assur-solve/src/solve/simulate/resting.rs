@@ -1,0 +1,84 @@
+//! What friction bears where it holds. A pair that holds alone bears what is left of the loads; how several share it that depend on each
+//! other, or a pair beside a brake, a loss or a stop, is not determined.
+
+use super::equations::Equations;
+use super::slipping::{Mode, Slipping};
+use crate::model::Load;
+use crate::position::Grip;
+
+impl Equations<'_, '_> {
+    /// Puts what the elements of friction bear that hold, where everything was evaluated.
+    pub fn take_held(&mut self) {
+        if let Some(slipping) = self.slipping.take() {
+            self.mark_open(&slipping);
+            self.slipping = Some(slipping);
+        } else if self.mode == Some(Mode::Resting) {
+            self.hold_at_rest();
+        } else if self.leaves_rest() {
+            // the speed does not tell the senses in which it begins to slide
+            let senses = self.trial.forces.senses.iter();
+            self.trial.motion.grips.clear();
+            self.trial.motion.grips.extend(senses.map(|&sense| Grip { sense, ..Grip::default() }));
+        }
+    }
+
+    /// Whether the one coordinate, which rubs, begins to move.
+    fn leaves_rest(&self) -> bool {
+        let rate = || self.trial.motion.inputs[self.reduced.free()[0]].rate;
+        matches!(self.mode, Some(Mode::Moving(_))) && rate() == 0.0
+    }
+
+    /// The one coordinate rests by friction.
+    fn hold_at_rest(&mut self) {
+        let count = self.model.plan.friction.len();
+        let grips = &mut self.trial.motion.grips;
+        grips.clear();
+        grips.resize(count, Grip { open: true, ..Grip::default() });
+        let against = self.model.mechanism.loads.iter().any(Load::is_against_motion);
+        if count != 1 || against || self.model.plan.effects.losses || !self.closed.is_empty() {
+            return;
+        }
+        self.evaluate_loads(self.trial.motion.time);
+        let left = self.left_with(0.0);
+        let holds = match left {
+            // the effort that is left is linear in what holds
+            Some(left) if left != 0.0 => self.left_with(left).map(|then| left * left / (left - then)),
+            none => none,
+        };
+        let known = holds.filter(|effort| effort.is_finite() && self.left_with(*effort).is_some());
+        if known.is_none() {
+            self.trial.motion.grips[0] = Grip { open: true, ..Grip::default() };
+        }
+    }
+
+    /// What is left of the effort of the coordinate where its element bears this.
+    fn left_with(&mut self, effort: f64) -> Option<f64> {
+        self.trial.motion.grips[0] = Grip { effort, ..Grip::default() };
+        self.effort(0.0).ok()
+    }
+
+    /// How all elements move, as the mechanism as it is written has them, where their speeds do not tell it.
+    pub fn grips(&self) -> Vec<Grip> {
+        let grips = &self.trial.motion.grips;
+        if self.slipping.is_none() && self.mode != Some(Mode::Resting) && !self.leaves_rest() {
+            return Vec::new();
+        }
+        self.chart.map_or_else(|| grips.clone(), |chart| chart.grips(grips))
+    }
+
+    /// Marks the elements that hold and whose speeds depend on those of others that hold.
+    fn mark_open(&mut self, slipping: &Slipping) {
+        let held: Vec<usize> = (0..slipping.senses.len()).filter(|&e| slipping.senses[e] == 0.0).collect();
+        if held.len() == slipping.held.len() {
+            return;
+        }
+        for &element in &held {
+            let mut basis = Vec::new();
+            for &other in held.iter().filter(|other| **other != element) {
+                self.is_independent(other, &mut basis);
+            }
+            let alone = !slipping.undetermined && self.is_independent(element, &mut basis);
+            self.trial.motion.grips[element].open = !alone;
+        }
+    }
+}
