@@ -27,6 +27,8 @@ pub(super) struct Function<'m> {
     greatest: f64,
     /// How long it was taken, s.
     lasted: f64,
+    /// What the series leave off that its value is of, of the greatest.
+    left_off: f64,
 }
 
 impl<'m> Function<'m> {
@@ -41,6 +43,7 @@ impl<'m> Function<'m> {
             at: f64::NAN,
             greatest: 0.0,
             lasted: 0.0,
+            left_off: 0.0,
         }
     }
 }
@@ -73,13 +76,15 @@ impl Function<'_> {
     fn take(&mut self, series: &Series, values: &[f64; PLACES]) {
         self.lasted += series.to - series.from;
         self.greatest = self.greatest.max(greatest(values));
+        let left_off = if self.greatest > 0.0 { series.tail() / self.greatest } else { 0.0 };
         let Some(sign) = self.sign() else {
             self.value += series.integral();
+            self.left_off = self.left_off.max(left_off);
             return;
         };
         for (t, x) in extremes(series, values) {
             if sign * x > sign * self.value {
-                (self.value, self.at) = (x, t);
+                (self.value, self.at, self.left_off) = (x, t, left_off);
             }
         }
     }
@@ -162,6 +167,11 @@ impl Watch<'_> {
             }
         }
         false
+    }
+
+    /// What the series of all functions leave off that their values are of, of the greatest.
+    pub fn left_off(&self) -> f64 {
+        self.functions.iter().map(|function| function.left_off).fold(0.0, f64::max)
     }
 
     /// The first instant within a step at which the part of a function begins or ends.

@@ -22,6 +22,9 @@ use crate::solve::failure::Halt;
 /// Steps of a run at least, where something may end a rest.
 const AT_REST: f64 = 200.0;
 
+/// What series of functions leave off counts so many times for the error.
+const OF_FUNCTIONS: f64 = 2.0;
+
 /// A run.
 pub(super) struct Run {
     pub method: Method,
@@ -165,7 +168,7 @@ impl Going<'_, '_> {
             let mut method = ByEnergy::new(y.len(), tolerance, scale(equations));
             equations.begin_walk(y[0]);
             let found = self.begin_with(&mut method, equations, charts, (t, y));
-            floor = method.left_off();
+            floor = method.left_off().max(OF_FUNCTIONS * self.watch.left_off());
             (found, Method::Energy)
         } else {
             let mut method = Dop853::new(allowed.clone());
