@@ -102,7 +102,7 @@ fn every_group_and_every_load_has_its_steps() {
     let (mut wrong, mut stated) = (Vec::new(), Vec::new());
     for Example { name, solved, .. } in examples() {
         let Some((source, solved)) = solved else { continue };
-        let Some((made, _)) = of_solved(&source, &solved) else { continue };
+        let Some((made, _)) = of_solved(source, solved) else { continue };
         let (model, counts) = (solved.compiled.model(), made.counts);
         let groups = model.structure.motion.iter().filter(|g| !g.bodies.is_empty()).count();
         if counts.motion.iter().sum::<usize>() != groups {

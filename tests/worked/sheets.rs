@@ -157,7 +157,7 @@ fn sheets_have_no_answers() {
         for row in 1.. {
             let Some(page) = folder.take(&format!("s-{row}.html")) else { break };
             sheets += 1;
-            if asks_for_positions(&words) && !page.contains("drawn at another position") {
+            if asks_for_positions(words) && !page.contains("drawn at another position") {
                 wrong.push(format!("{name}: the scheme shows the position that is asked for"));
             }
             let (text, mut found) = (read(&page), [Vec::new(), Vec::new()]);

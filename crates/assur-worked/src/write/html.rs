@@ -100,6 +100,8 @@ fn fitted(class: &str, fit: f64) -> [String; 2] {
 const LINE: f64 = 94.0;
 const BETWEEN: f64 = 3.0;
 const LEAST: f64 = 0.45;
+/// More rows than this are a long table.
+const LONG: usize = 12;
 
 /// How wide a column is, in signs.
 fn column_of(table: &Table, column: usize) -> f64 {
@@ -159,7 +161,9 @@ fn inline(line: &Line) -> String {
 }
 
 fn write_table(table: &Table, out: &mut String) {
-    out.push_str("<table><thead><tr>");
+    // on paper a long one may go on with the next page
+    let class = if table.rows.len() > LONG { " class=\"long\"" } else { "" };
+    let _ = write!(out, "<table{class}><thead><tr>");
     for header in &table.headers {
         let _ = write!(out, "<th scope=\"col\">{}</th>", inline(header));
     }
