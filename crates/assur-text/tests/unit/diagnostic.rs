@@ -1,6 +1,6 @@
 //! The collection of problems and how they are shown.
 
-use assur_text::diagnostic::{Problems, Style, did_you_mean, place, render};
+use assur_text::diagnostic::{Problem, Problems, Style, did_you_mean, place, render};
 use assur_text::source::{Source, Span};
 use miette::Diagnostic;
 use thiserror::Error;
@@ -20,6 +20,8 @@ enum Sample {
         at: Span,
     },
 }
+
+impl Problem for Sample {}
 
 #[test]
 fn sorted_by_place_errors_first() {
