@@ -10,6 +10,7 @@ use assur::internals::drawing::Theme;
 use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw};
 use assur::internals::pipeline::{solve_drawn, turn, turn_in};
 use assur::internals::source::Source;
+use assur::internals::worked::Language;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -92,7 +93,9 @@ fn measured(file: &Path, frames: Option<usize>, apart: bool) -> Option<Times> {
         let positions = turn_in(&solved.compiled, &solved.solution, frames);
         let scene = Scene { turn: &positions, ..scene };
         let options = Options { frames: Some(frames), ..Options::default() };
-        let (time, bytes) = least(|| animation(&scene, &options, Theme::Auto).map_or(0, |page| page.len()));
+        let (time, bytes) = least(|| {
+            animation(&scene, &options, Theme::Auto, &Language::English).map_or(0, |page| page.len())
+        });
         println!("{name}: {frames} frames in {time:.0} ms, {bytes} bytes");
     }
     Some(Times { name, scheme, all, pictures: count })

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes docs/reports: worked solutions of twelve examples of all chapters, an exercise sheet and its key. Run it from anywhere; ASSUR names a program
+# Writes docs/reports: worked solutions of thirteen examples of all chapters, an exercise sheet and its key. Run it from anywhere; ASSUR names a program
 # that is built already. The pages are the same on every machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -23,6 +23,7 @@ report gears/shifted gears
 report trains/planetary-gearbox planetary-gearbox
 report synthesis/crank-rocker synthesis
 report shaper/shaper-b shaper-project
+report simulation/rough-double-pendulum motion-under-loads
 
 report kinetostatics/six-bar six-bar-ru --lang ru
 report kinetostatics/six-bar six-bar-zh --lang zh

@@ -10,6 +10,7 @@ use assur::internals::drawing::Theme;
 use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw, moving};
 use assur::internals::pipeline::{dimensions, solve_document_drawn, turn, turn_in};
 use assur::internals::source::Source;
+use assur::internals::worked::Language;
 use libfuzzer_sys::fuzz_target;
 use std::sync::Arc;
 
@@ -43,8 +44,8 @@ fuzz_target!(|text: &str| {
             options.scheme.dimensions = dimensions(&document, &solved.compiled.mechanism);
             drawn(Kind::Scheme, &Scene { turn: &turn, ..scene }, &options, &mut problems);
             let scene = Scene { turn: &frames, ..scene };
-            let _ = animation(&scene, &Options::default(), Theme::Auto);
-            let _ = moving(&scene, &Options::default(), Theme::Mono);
+            let _ = animation(&scene, &Options::default(), Theme::Auto, &Language::English);
+            let _ = moving(&scene, &Options::default(), Theme::Mono, &Language::English);
         }
         Err(missing) => problems.push(missing),
     }

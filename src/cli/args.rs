@@ -1,18 +1,22 @@
 //! The manual of the command line.
 
+mod command;
 mod draw;
 mod fmt;
 mod format;
 mod pages;
 mod report;
 
-pub use draw::{Draw, LoadsArg, Picture, ThemeArg};
+pub use command::Command;
+pub use draw::{Draw, DrawFormat, LoadsArg, Picture, ThemeArg};
 pub use fmt::Fmt;
 pub use format::{Format, ProfileFormat, SolveFormat};
+#[cfg(feature = "lsp")]
+pub use pages::Lsp;
 pub use pages::{Explain, Help, New, StartKind};
 pub use report::{Report, ReportFormat};
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Parser, ValueEnum};
 
 use crate::exercise::grade::{Credit, Points, Submissions};
 use assur_check::Overrides;
@@ -69,40 +73,6 @@ Exit status:
   2  the command line, a value of `--set` or a file cannot be used, or the output is incomplete: the disk is full, or
      a pipe was closed (this is not reported)
   128 + n  signal n ended the program: 129 SIGHUP, 130 SIGINT (Ctrl-C), 143 SIGTERM; no temporary file is left";
-
-/// Subcommands.
-#[derive(Debug, Subcommand)]
-pub enum Command {
-    /// Show the structure of a mechanism: mobility, structural groups, effects, plan
-    Check(Check),
-    /// Solve and print the answers
-    Solve(Solve),
-    /// Compare the results with the file's `expect` lines
-    Test(Test),
-    /// Solve once per row of a table of variants, in parallel
-    Batch(Batch),
-    /// Grade answers by an answer key
-    Grade(Grade),
-    /// Show the time that accuracy costs: every accuracy setting, timed on this machine
-    Accuracy(Accuracy),
-    /// Print the profile of a cam, for other programs
-    Profile(Profile),
-    /// Draw a mechanism: its scheme and what the course draws next to it, as SVG
-    Draw(Draw),
-    /// Write the worked solution: formulas with numbers, plans and polygons
-    Report(Report),
-    /// Explain a diagnostic by its code
-    Explain(Explain),
-    /// Put files in the one style: blanks, empty lines, columns
-    Fmt(Fmt),
-    /// Write a file to start from
-    New(New),
-    /// Answer an editor by the language server protocol on standard input and output
-    #[cfg(feature = "lsp")]
-    Lsp,
-    /// Show the manual of a command, or the functions, units or statements of the language
-    Help(Help),
-}
 
 /// Files, and values from outside.
 #[derive(Clone, Debug, clap::Args)]

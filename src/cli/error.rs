@@ -74,6 +74,17 @@ pub enum CliError {
         /// The place.
         name: String,
     },
+    /// A format that the name of the output is not of.
+    #[error("`{name}` is no name of a {ending} file")]
+    #[diagnostic(help(
+        "let the name end in `{ending}`, leave `--format` out, or write to standard output: `-o -`"
+    ))]
+    OtherFormat {
+        /// As given.
+        name: String,
+        /// `.svg`
+        ending: &'static str,
+    },
     /// Several worked solutions, one place.
     #[error("`{name}` can contain one worked solution only, but there are several files")]
     #[diagnostic(help("write one at a time: `assur report engine.mech -o engine.html`"))]

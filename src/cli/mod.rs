@@ -21,7 +21,8 @@ mod new;
 mod profile;
 #[doc(hidden)]
 pub mod reply;
-mod report;
+#[doc(hidden)]
+pub mod report;
 #[doc(hidden)]
 pub mod screen;
 mod solve;
@@ -63,7 +64,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Fmt(args) => fmt::run(&args, &screen),
         Command::New(args) => new::run(&args, &screen),
         #[cfg(feature = "lsp")]
-        Command::Lsp => lsp::run(&screen),
+        Command::Lsp(_) => lsp::run(&screen),
         Command::Help(args) => help::run(&args, &screen),
     };
     let status = if screen.is_heard() { status } else { Status::Unusable };

@@ -8,6 +8,7 @@ use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw};
 use assur::internals::pipeline::solve_drawn;
 use assur::internals::solve::{Model, Pose, Solution};
 use assur::internals::source::Source;
+use assur::internals::worked::Language;
 
 /// A solved text; none where it has errors.
 pub fn solved(name: &str, text: &str) -> Option<(Source, Solved)> {
@@ -35,7 +36,7 @@ pub fn animated(source: &Source, solved: &Solved) -> Option<String> {
     let file = (source.name.as_str(), source.text.as_str());
     let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
     let scene = Scene { turn: &turn, ..scene };
-    animation(&scene, &Options::default(), Theme::Auto).ok()
+    animation(&scene, &Options::default(), Theme::Auto, &Language::English).ok()
 }
 
 /// The same as one picture without a script.
@@ -44,7 +45,7 @@ pub fn moving_picture(source: &Source, solved: &Solved) -> Option<String> {
     let file = (source.name.as_str(), source.text.as_str());
     let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
     let scene = Scene { turn: &turn, ..scene };
-    assur::internals::picture::moving(&scene, &Options::default(), Theme::Auto).ok()
+    assur::internals::picture::moving(&scene, &Options::default(), Theme::Auto, &Language::English).ok()
 }
 
 /// A solution that is drawn.

@@ -2,6 +2,8 @@
 
 use crate::drawn::{animated, sheets, solved};
 use crate::every_example::examples;
+use assur::internals::drawing::{Shape, Style};
+use assur::internals::math::Vec2;
 use assur::internals::picture::Kind;
 
 #[test]
@@ -37,11 +39,52 @@ fn plots_mark_the_extremes_that_the_file_asks_for() {
     let text = include_str!("../../examples/flywheel/engine.mech");
     let Some((source, solved)) = solved("engine.mech", text) else { panic!("the engine is solved") };
     let work = sheets(&source, &solved, Kind::Work);
-    assert_eq!(work.len(), 2, "a picture per flywheel");
+    assert_eq!(work.len(), 3, "a picture per flywheel, and a second of that which counts the links");
     // `expect fluctuation(J) = 324.118… J`, `argmax(-work(J)) = 255.77… deg` of the example
     let said = &work[0].drawing.description;
     assert!(said.contains("324.1 J") && said.contains("least at 255.8°"), "{said}");
     let plot = sheets(&source, &solved, Kind::Plot);
     let said = &plot[0].drawing.description;
     assert!(said.contains("c: least 11.25 mm at 90°, greatest 101.2 mm at 270°"), "{said}");
+}
+
+#[test]
+fn the_tangents_of_wittenbauer_are_those_of_the_answer() {
+    let text = include_str!("../../examples/flywheel/engine.mech");
+    let Some((source, solved)) = solved("engine.mech", text) else { panic!("the engine is solved") };
+    let drawing = &sheets(&source, &solved, Kind::Work)[2].drawing;
+    let tangents: Vec<_> = drawing
+        .marks
+        .iter()
+        .filter_map(|mark| match mark.shape {
+            Shape::Line(from, to) if mark.style == Style::Velocity => Some((from, to)),
+            _ => None,
+        })
+        .collect();
+    let [high, low] = tangents[..] else { panic!("two tangents, not {}", tangents.len()) };
+    // μ_J = 2.5e-5 kg·m²/mm, μ_T = 10 J/mm; 2400 rpm; y is down
+    let (inertia, energy, speed) = (2.5e-5, 10.0, 80.0 * std::f64::consts::PI);
+    for (from, to) in [high, low] {
+        let slope = -energy * (to.y - from.y) / (inertia * (to.x - from.x));
+        assert!((slope / (0.5 * speed * speed) - 1.0).abs() < 1e-9, "{slope}");
+    }
+    let apart = energy * (low.0.y - high.0.y);
+    assert!((apart / 324.118_356_369_868_4 - 1.0).abs() < 1e-9, "{apart}");
+    let below = |(from, to): (Vec2, Vec2), p: Vec2| (to - from).cross(p - from) / (to - from).norm();
+    let curve = drawing.marks.iter().filter(|mark| mark.style == Style::Curve1);
+    let points = curve.flat_map(|mark| match &mark.shape {
+        Shape::Lines { points, .. } => points.clone(),
+        _ => Vec::new(),
+    });
+    let points: Vec<_> = points.collect();
+    assert!(points.len() > 100);
+    assert!(points.iter().all(|p| below(high, *p) > -1e-6 && below(low, *p) < 1e-6), "it is between them");
+    let least = points.iter().map(|p| below(high, *p)).fold(f64::INFINITY, f64::min);
+    assert!(least < 0.005, "it is touched: {least}");
+    // with the reduced moments of inertia where they touch, (J_r(90.98 deg) + J_r(255.8 deg))/2, instead of their mean
+    assert!(
+        drawing.description.contains("0.30678 kg·m² instead of 0.30591 kg·m²"),
+        "{}",
+        drawing.description
+    );
 }

@@ -221,6 +221,36 @@ fn an_animation_is_a_page_or_a_picture() {
 }
 
 #[test]
+fn a_format_is_that_of_the_output() {
+    let folder = Folder::new("draw-format").with("a.mech", &one());
+    let drawn = |words: &[&str]| assur(&folder, &[&["draw", "a.mech"], words].concat());
+    let (plain, named) = (drawn(&[]), drawn(&["--format", "svg", "-o", "-"]));
+    assert_eq!((plain.stdout, plain.status), (named.stdout, named.status));
+    let page = drawn(&["scheme", "velocities", "--format", "html", "-o", "-"]);
+    assert_eq!((page.status, page.stderr.as_str()), (0, ""));
+    assert!(page.stdout.starts_with("<!doctype html>") && page.stdout.matches("<svg ").count() == 2);
+    let kept = drawn(&["scheme", "velocities", "-o", "a.html"]);
+    assert_eq!((kept.status, folder.read("a.html")), (0, page.stdout));
+    let other = drawn(&["--format", "svg", "-o", "b.html"]);
+    assert_eq!((other.status, other.stdout.as_str()), (2, ""));
+    assert!(other.stderr.contains("`b.html` is no name of a .svg file"), "{}", other.stderr);
+    assert_eq!(drawn(&["--format", "html", "-o", "pictures"]).status, 2);
+    assert_eq!(drawn(&["scheme", "velocities", "--format", "svg", "-o", "-"]).status, 2);
+    assert_eq!(folder.names(), ["a.html", "a.mech"]);
+}
+
+#[test]
+fn pictures_have_the_words_of_a_language() {
+    let folder = Folder::new("draw-language").with("a.mech", &one());
+    let drawn = |words: &[&str]| assur(&folder, &[&["draw", "a.mech"], words].concat()).stdout;
+    let russian = drawn(&["velocities", "--lang", "ru"]);
+    assert!(russian.contains("план скоростей") && russian.contains("Скорости из полюса p: "), "{russian}");
+    let chinese = drawn(&["--lang", "zh", "scheme", "--format", "html"]);
+    assert!(chinese.contains("<html lang=\"zh\">") && chinese.contains("机构运动简图"), "{chinese}");
+    assert_eq!(drawn(&["--lang", "en"]), drawn(&[]));
+}
+
+#[test]
 fn rows_of_variants_are_drawn() {
     let own = format!("{}\nvariants {{\n  variant, r [mm]\n  small, 60\n  large, 120\n}}\n", one());
     let own = own.replace("expect x_C = 450 mm within 1e-9 at pose 1\n", "");

@@ -33,6 +33,16 @@ fn a_png_has_the_size_of_its_picture() {
     let width: f64 = width.and_then(|width| width.parse().ok()).expect("a width");
     let pixels = u32::from_be_bytes([bytes[16], bytes[17], bytes[18], bytes[19]]);
     assert!((f64::from(pixels) - width / 25.4 * 300.0).abs() < 4.0, "{width} mm are {pixels} pixels");
+    // the same on standard output and in a folder
+    let out = std::process::Command::new(env!("CARGO_BIN_EXE_assur"))
+        .current_dir(folder.path(""))
+        .args(["draw", "a.mech", "velocities", "--pose", "2", "--format", "png", "-o", "-"])
+        .output()
+        .expect("the program runs");
+    assert!(out.stdout == bytes);
+    let out = assur(&folder, &["draw", "a.mech", "velocities", "--pose", "2", "--format", "png", "-o", "p"]);
+    assert_eq!((out.status, out.stdout.as_str()), (0, ""));
+    assert!(std::fs::read(folder.path("p/a-velocities.png")).expect("a picture") == bytes);
     // lines and letters, and no empty sheet
     assert!(bytes.len() > 4000, "{} bytes", bytes.len());
     let out = assur(&folder, &["draw", "a.mech", "scheme", "velocities", "-o", "b.png"]);

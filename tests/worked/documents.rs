@@ -1,14 +1,15 @@
 //! Pages as documents: well-formed, without scripts and requests, headings without gaps; the same in every language.
 
-use crate::examples::examples;
+use crate::examples::{Example, examples};
 use crate::made::solved;
 use crate::xml;
+use assur::internals::Solved;
 use assur::internals::picture::Scene;
+use assur::internals::source::Source;
 use assur::internals::worked::{Language, html, markdown, text, typst, worked};
 
-/// The pages of an example.
-fn pages(name: &str, words: &str, language: Language) -> Option<String> {
-    let (source, solved) = solved(name, words)?;
+/// The page of an example.
+fn page((source, solved): &(Source, Solved), language: Language) -> Option<String> {
     let file = (source.name.as_str(), source.text.as_str());
     let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
     Some(html(&worked(scene, language, &[]).document))
@@ -17,8 +18,8 @@ fn pages(name: &str, words: &str, language: Language) -> Option<String> {
 #[test]
 fn pages_are_well_formed_and_ask_for_nothing() {
     let (mut wrong, mut count) = (Vec::new(), 0);
-    for (name, words) in examples() {
-        let Some(page) = pages(&name, &words, Language::English) else { continue };
+    for Example { name, solved, .. } in examples() {
+        let Some(page) = solved.as_ref().and_then(|solved| page(solved, Language::English)) else { continue };
         count += 1;
         let body = page.trim_start_matches("<!doctype html>\n");
         if let Err(fault) = xml::check(body) {
@@ -56,10 +57,11 @@ fn pages_are_well_formed_and_ask_for_nothing() {
 #[test]
 fn a_solution_has_the_letters_and_signs_of_its_language() {
     let words = std::fs::read_to_string("examples/kinetostatics/six-bar.mech").expect("the example");
-    let russian = pages("six-bar", &words, Language::Russian).expect("a page");
+    let six_bar = solved("six-bar", &words).expect("solved");
+    let russian = page(&six_bar, Language::Russian).expect("a page");
     assert!(russian.contains("lang=\"ru\"") && russian.contains("<mn>0,28489</mn>"), "{russian}");
     assert!(!russian.contains("<mn>0.28489</mn>"));
-    let chinese = pages("six-bar", &words, Language::Chinese).expect("a page");
+    let chinese = page(&six_bar, Language::Chinese).expect("a page");
     assert!(chinese.contains("速度分析") && chinese.contains("<mn>0.28489</mn>"));
 }
 

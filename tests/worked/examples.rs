@@ -4,26 +4,41 @@ use crate::made::{Tally, of_position, of_solved, solved};
 use crate::reader::{Read, mathml};
 use assur::internals::Solved;
 use assur::internals::model::FindKind;
+use assur::internals::source::Source;
 use assur::internals::worked::{Block, Document, Inline, Language, Worked, design, html};
 use std::path::Path;
+use std::sync::OnceLock;
 
-pub fn examples() -> Vec<(String, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let files = crate::folder::files(&root, "mech").into_iter();
-    let texts = files.map(|path| {
-        let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
-        (name, std::fs::read_to_string(&path).expect("an example"))
-    });
-    texts.collect()
+/// An example with its solution; none where it has errors.
+pub struct Example {
+    pub name: String,
+    pub text: String,
+    pub solved: Option<(Source, Solved)>,
+}
+
+/// All of them, solved once for all tests.
+pub fn examples() -> &'static [Example] {
+    static ALL: OnceLock<Vec<Example>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+        let files = crate::folder::files(&root, "mech").into_iter();
+        let texts = files.map(|path| {
+            let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
+            let text = std::fs::read_to_string(&path).expect("an example");
+            let solved = solved(&name, &text);
+            Example { name, text, solved }
+        });
+        texts.collect()
+    })
 }
 
 #[test]
 fn every_printed_equation_balances() {
     let mut tally = Tally::default();
-    for (name, text) in examples() {
-        let Some((source, solved)) = solved(&name, &text) else { continue };
-        if let Some((made, condition)) = of_solved(&source, &solved) {
-            tally.judge(&name, &made, condition);
+    for Example { name, solved, .. } in examples() {
+        let Some((source, solved)) = solved else { continue };
+        if let Some((made, condition)) = of_solved(source, solved) {
+            tally.judge(name, &made, condition);
         }
     }
     tally.finish();
@@ -33,12 +48,12 @@ fn every_printed_equation_balances() {
 #[test]
 fn other_positions_balance_too() {
     let mut tally = Tally::default();
-    for (name, text) in examples() {
-        let Some((source, solved)) = solved(&name, &text) else { continue };
+    for Example { name, solved, .. } in examples() {
+        let Some((source, solved)) = solved else { continue };
         let poses = &solved.solution.poses;
         for part in [1, 2, 3].into_iter().filter(|_| poses.len() > 3) {
             let pose = &poses[poses.len() * part / 4].name;
-            if let Some((made, condition)) = of_position(&source, &solved, Some(pose)) {
+            if let Some((made, condition)) = of_position(source, solved, Some(pose)) {
                 tally.judge(&format!("{name} at {pose}"), &made, condition);
             }
         }
@@ -50,8 +65,8 @@ fn other_positions_balance_too() {
 #[test]
 fn what_needs_no_position_balances_too() {
     let mut tally = Tally::default();
-    for (name, text) in examples() {
-        let Some((_, solved)) = solved(&name, &text) else { continue };
+    for Example { name, solved, .. } in examples() {
+        let Some((_, solved)) = solved else { continue };
         let page = design(solved.compiled.model(), &solved.solution, Language::English);
         if page.blocks.is_empty() {
             continue;
@@ -59,7 +74,7 @@ fn what_needs_no_position_balances_too() {
         let document = Document { blocks: page.blocks, ..Document::default() };
         let equations = page.equations.into_iter().map(|(_, equation)| equation).collect();
         let disagreements = page.disagreements;
-        tally.judge(&name, &Worked { document, equations, disagreements, ..Worked::default() }, 1.0);
+        tally.judge(name, &Worked { document, equations, disagreements, ..Worked::default() }, 1.0);
     }
     tally.finish();
     assert!(tally.solutions > 20 && tally.equations > 300, "{tally:?}");
@@ -68,8 +83,8 @@ fn what_needs_no_position_balances_too() {
 #[test]
 fn every_group_and_every_load_has_its_steps() {
     let (mut wrong, mut stated) = (Vec::new(), Vec::new());
-    for (name, text) in examples() {
-        let Some((source, solved)) = solved(&name, &text) else { continue };
+    for Example { name, solved, .. } in examples() {
+        let Some((source, solved)) = solved else { continue };
         let Some((made, _)) = of_solved(&source, &solved) else { continue };
         let (model, counts) = (solved.compiled.model(), made.counts);
         let groups = model.structure.motion.iter().filter(|g| !g.bodies.is_empty()).count();
@@ -92,7 +107,7 @@ fn every_group_and_every_load_has_its_steps() {
             .filter(|(_, n)| *n > 0)
             .map(|(what, n)| format!("{name}: {what} × {n}")),
         );
-        wrong.extend(without_result(&name, &solved, &made));
+        wrong.extend(without_result(name, solved, &made));
     }
     println!("stated and not derived: {stated:#?}");
     assert!(wrong.is_empty(), "{wrong:#?}");

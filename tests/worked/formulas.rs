@@ -1,7 +1,6 @@
 //! Every formula in LaTeX parses, read by a parser that is not of this repository.
 
-use crate::examples::examples;
-use crate::made::solved;
+use crate::examples::{Example, examples};
 use assur::internals::picture::Scene;
 use assur::internals::worked::{Language, markdown, worked};
 use pulldown_latex::{Parser, Storage};
@@ -38,8 +37,8 @@ fn double_script(formula: &str) -> Option<String> {
 fn every_formula_in_latex_parses() {
     assert!(fault("a'_{1}^{2}").is_some() && fault("\\frac{1}{").is_some() && fault("\\nosuch{1}").is_some());
     let (mut wrong, mut count) = (Vec::new(), 0);
-    for (name, words) in examples() {
-        let Some((source, solved)) = solved(&name, &words) else { continue };
+    for Example { name, solved, .. } in examples() {
+        let Some((source, solved)) = solved else { continue };
         let file = (source.name.as_str(), source.text.as_str());
         let Ok(scene) = Scene::of(solved.compiled.model(), &solved.solution, file, None) else { continue };
         for language in [Language::English, Language::Russian] {

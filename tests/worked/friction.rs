@@ -1,14 +1,13 @@
 //! The iteration of friction as it is shown ends with the friction of the solver.
 
-use crate::examples::examples;
-use crate::made::solved;
+use crate::examples::{Example, examples};
 use assur::internals::plan::ForceStep;
 
 #[test]
 fn the_last_step_has_the_friction_of_the_solver() {
     let (mut groups, mut searched, mut wrong) = (0, 0, Vec::new());
-    for (name, text) in examples() {
-        let Some((_, solved)) = solved(&name, &text) else { continue };
+    for Example { name, solved, .. } in examples() {
+        let Some((_, solved)) = solved else { continue };
         let plan = solved.compiled.model().plan;
         for pose in solved.solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok()) {
             for (index, step) in plan.forces.iter().enumerate() {

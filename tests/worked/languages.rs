@@ -1,10 +1,11 @@
 //! Solutions in other languages: no sentence of another one, the letters of their courses, labels that stay apart.
 
 use crate::drawn::faults;
-use crate::examples::examples;
-use crate::made::solved;
+use crate::examples::{Example, examples};
+use assur::internals::cli::report::document;
 use assur::internals::picture::{Kind, Options, Scene, draw};
-use assur::internals::worked::{Language, drawing_in};
+use assur::internals::syntax::parse;
+use assur::internals::worked::{Language, drawing_in, html};
 use std::collections::BTreeSet;
 use std::process::Command;
 
@@ -66,15 +67,18 @@ const COMMON: [&str; 24] = [
 #[test]
 fn no_sentence_is_of_another_language() {
     let (mut wrong, mut count) = (Vec::new(), 0);
-    for (name, file) in examples() {
-        let own: BTreeSet<&str> = words(&file).into_iter().chain(COMMON).collect();
+    for Example { name, text: file, solved } in examples() {
+        let Some((source, solved)) = solved else { continue };
+        let (read, _) = parse(source);
+        let own: BTreeSet<&str> = words(file).into_iter().chain(COMMON).collect();
         // an index of two links has both their names
         let is_own = |w: &&str| {
             own.contains(*w) || (1..w.len()).any(|i| own.contains(&w[..i]) && own.contains(&w[i..]))
         };
-        for language in ["zh", "ru"] {
-            let page = page(&name, language);
-            count += usize::from(!page.is_empty());
+        for language in [Language::Chinese, Language::Russian] {
+            let Ok(page) = document(source, &read, solved, language, (None, &[])) else { continue };
+            let (page, language) = (html(&page), language.code());
+            count += 1;
             for text in texts(&page) {
                 let foreign: Vec<&str> = words(&text).into_iter().filter(|w| !is_own(w)).collect();
                 let sentence = foreign.iter().filter(|w| w.chars().all(|c| c.is_ascii_lowercase())).count();
@@ -111,7 +115,7 @@ fn pictures_have_the_letters_of_the_course() {
 }
 
 #[test]
-fn labels_are_apart_in_every_language() {
+fn labels_are_apart_and_words_are_of_the_language() {
     const PICTURES: [Kind; 9] = [
         Kind::Scheme,
         Kind::Velocities,
@@ -124,15 +128,25 @@ fn labels_are_apart_in_every_language() {
         Kind::Train,
     ];
     let (mut wrong, mut count) = (Vec::new(), 0);
-    for (name, text) in examples() {
-        let Some((source, solved)) = solved(&name, &text) else { continue };
+    for Example { name, text, solved } in examples() {
+        let Some((source, solved)) = solved else { continue };
+        let own: BTreeSet<&str> = words(text).into_iter().chain(words(name)).chain(COMMON).collect();
         let file = (source.name.as_str(), source.text.as_str());
         let Ok(scene) = Scene::of(solved.compiled.model(), &solved.solution, file, None) else { continue };
         for kind in PICTURES {
             for drawing in draw(kind, &scene, &Options::default()).unwrap_or_default() {
                 for language in [Language::Chinese, Language::Russian] {
                     count += 1;
-                    let sheet = drawing_in(language, &scene, drawing.clone()).placed();
+                    let sheet = drawing_in(language, scene.mechanism(), drawing.clone()).placed();
+                    let said = format!("{} {}", sheet.drawing.title, sheet.drawing.description);
+                    // an index of inertia, or of a pair, stands before the name of a link
+                    let is_own = |w: &&str| {
+                        own.contains(w) || w.get(1..).is_some_and(|w| own.contains(w) || w.len() < 3)
+                    };
+                    let foreign: Vec<&str> = words(&said).into_iter().filter(|w| !is_own(w)).collect();
+                    if !foreign.is_empty() {
+                        wrong.push(format!("{name}, {}: {foreign:?} in {said}", kind.name()));
+                    }
                     wrong.extend(
                         faults(&sheet).iter().map(|fault| format!("{name}, {}: {fault}", kind.name())),
                     );

@@ -1,8 +1,9 @@
 //! Sheets of all examples and rows have no answer in them; keys have them all, and are marked as right by themselves.
 
-use crate::examples::examples;
+use crate::examples::{Example, examples};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::OnceLock;
 
 /// A folder that is removed again.
 struct Folder(PathBuf);
@@ -128,19 +129,27 @@ fn is_rounded(number: f64, value: f64) -> bool {
     (rounded - number).abs() <= 1e-9 * number
 }
 
+/// The keys of all examples that have one, made once for all tests, by the place of the example.
+fn keys() -> &'static [(usize, String)] {
+    static ALL: OnceLock<Vec<(usize, String)>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let folder = Folder::new("all-keys");
+        let key = |(i, example): (usize, &Example)| {
+            assur(&["batch", &path(&example.name), "--key", &folder.at("key.csv")]);
+            // motions have thousands of instants, which a sheet does not show
+            Some((i, folder.take("key.csv").filter(|csv| csv.lines().count() <= 400)?))
+        };
+        examples().iter().enumerate().filter_map(key).collect()
+    })
+}
+
 #[test]
 fn sheets_have_no_answers() {
     let folder = Folder::new("sheets");
     let (mut wrong, mut sheets, mut count) = (Vec::new(), 0, 0);
-    for (name, words) in examples() {
-        let file = path(&name);
-        let key = folder.at("key.csv");
-        assur(&["batch", &file, "--key", &key]);
-        let Some(csv) = folder.take("key.csv") else { continue };
-        // motions have thousands of instants, which a sheet does not show
-        if csv.lines().count() > 400 {
-            continue;
-        }
+    for (i, csv) in keys() {
+        let Example { name, text: words, .. } = &examples()[*i];
+        let file = path(name);
         assur(&["report", &file, "--sheet", "--per-row", "-o", &folder.at("s.html")]);
         // what the text states before its expectations is given
         let stated = words.lines().filter(|l| !l.trim_start().starts_with("expect") && !l.starts_with("//"));
@@ -160,7 +169,7 @@ fn sheets_have_no_answers() {
                     .map(|t| t.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.'))
                     .collect::<String>(),
             );
-            for (header, value) in answers(&csv, row) {
+            for (header, value) in answers(csv, row) {
                 // the same length in mm and in m, the same angle in degrees and in radians
                 let units: &[f64] = match header.rsplit('[').next().unwrap_or_default() {
                     "deg]" | "rad]" => &[1.0, 180.0 / std::f64::consts::PI, std::f64::consts::PI / 180.0],
@@ -229,11 +238,10 @@ fn plain(cell: &str) -> String {
 fn a_key_marks_itself_as_right() {
     let folder = Folder::new("keys");
     let (mut wrong, mut count) = (Vec::new(), 0);
-    for (name, _) in examples() {
-        let file = path(&name);
-        assur(&["batch", &file, "--key", &folder.at("key.csv")]);
-        let Some(csv) = folder.take("key.csv").filter(|csv| csv.lines().count() <= 400) else { continue };
-        let (of_batch, _) = key_of(&csv);
+    for (i, csv) in keys() {
+        let name = &examples()[*i].name;
+        let file = path(name);
+        let (of_batch, _) = key_of(csv);
         if !of_batch.iter().any(|header| is_quantity(header)) {
             continue;
         }
@@ -255,7 +263,7 @@ fn a_key_marks_itself_as_right() {
             answers += &(line.into_iter().map(number).collect::<Vec<_>>().join(";") + "\n");
         }
         count += 1;
-        std::fs::write(folder.at("key.csv"), &csv).expect("a key");
+        std::fs::write(folder.at("key.csv"), csv).expect("a key");
         std::fs::write(folder.at("answers.csv"), &answers).expect("answers");
         let marked = assur(&["grade", &folder.at("key.csv"), &folder.at("answers.csv")]);
         if !marked.status.success() {

@@ -73,12 +73,16 @@ impl<T> Grid<T> {
     /// Whether any item near a box answers yes; each is asked once or more.
     pub fn any(&self, bounds: &Rect, mut asked: impl FnMut(&T) -> bool) -> bool {
         let [left, right, top, bottom] = self.span(bounds);
-        (top..=bottom).any(|row| {
-            self.cells[row * self.columns + left..=row * self.columns + right]
-                .iter()
-                .flatten()
-                .any(|id| asked(&self.items[*id as usize]))
-        })
+        for row in top..=bottom {
+            for cell in &self.cells[row * self.columns + left..=row * self.columns + right] {
+                for id in cell {
+                    if asked(&self.items[*id as usize]) {
+                        return true;
+                    }
+                }
+            }
+        }
+        false
     }
 }
 

@@ -114,11 +114,15 @@ struct Ground {
     thin: Grid<Segment>,
     /// Circles that only labels of what is in them may enter.
     insets: Vec<Obstacle>,
+    /// The directions around a point.
+    directions: [Vec2; DIRECTIONS],
 }
 
 impl Ground {
     fn of(marks: &[Mark], around: &Rect) -> Self {
-        let mut ground = Self { solid: Grid::over(around), thin: Grid::over(around), insets: Vec::new() };
+        let directions = std::array::from_fn(|i| Vec2::direction(TAU * i as f64 / DIRECTIONS as f64));
+        let (solid, thin) = (Grid::over(around), Grid::over(around));
+        let mut ground = Self { solid, thin, insets: Vec::new(), directions };
         for mark in marks {
             if let (Style::Inset, Shape::Circle { centre, radius }) = (mark.style, &mark.shape) {
                 ground.insets.push(Obstacle::Disc(*centre, *radius));
@@ -147,30 +151,31 @@ impl Ground {
     /// The free places of a label, the cheapest first.
     fn candidates(&self, label: &Label) -> Vec<Candidate> {
         let half = label.half();
-        let mut all = Vec::new();
+        let mut all = Vec::with_capacity(DISTANCES.len() * DIRECTIONS);
         let best = label.towards.and_then(Vec2::unit);
-        let mut offer = |from: Vec2, direction: Vec2, distance: f64, extra: f64| {
+        let away = best.unwrap_or(Vec2::new(0.707, -0.707));
+        let is_point = matches!(label.anchor, Anchor::Point(..));
+        let weight = if best.is_some() || is_point { PER_RADIAN } else { 0.3 };
+        let turned = |direction: Vec2| weight * libm::atan2(away.cross(direction).abs(), away.dot(direction));
+        let mut offer = |from: Vec2, (direction, turned): (Vec2, f64), distance: f64, extra: f64| {
             let bounds = beyond(from, direction, distance, half);
-            let away = best.unwrap_or(Vec2::new(0.707, -0.707));
-            let turned = libm::atan2(away.cross(direction).abs(), away.dot(direction));
-            let weight =
-                if best.is_some() || matches!(label.anchor, Anchor::Point(..)) { PER_RADIAN } else { 0.3 };
-            all.push(Candidate { bounds, cost: distance + weight * turned + extra });
+            all.push(Candidate { bounds, cost: distance + turned + extra });
         };
         match label.anchor {
             Anchor::Point(p, radius) => {
+                let directions = self.directions.map(|direction| (direction, turned(direction)));
                 for distance in DISTANCES {
-                    for i in 0..DIRECTIONS {
-                        let direction = Vec2::direction(TAU * i as f64 / DIRECTIONS as f64);
-                        offer(p + direction * radius, direction, distance, 0.0);
+                    for direction in directions {
+                        offer(p + direction.0 * radius, direction, distance, 0.0);
                     }
                 }
             }
             Anchor::Line(a, b) => {
                 let along = (b - a).unit().unwrap_or(Vec2::new(1.0, 0.0));
+                let normals = [along.perp(), -along.perp()].map(|normal| (normal, turned(normal)));
                 for part in ALONG {
                     let from = a + (b - a) * part;
-                    for normal in [along.perp(), -along.perp()] {
+                    for normal in normals {
                         for distance in DISTANCES {
                             offer(from, normal, distance, PER_PART * (part - 0.5).abs());
                         }
@@ -218,6 +223,8 @@ struct Board<'a> {
     candidates: &'a [Vec<Candidate>],
     later: &'a [Later],
     chosen: Vec<Option<usize>>,
+    /// The places that labels have, or had.
+    boxes: Vec<Rect>,
     /// Labels by the cells of the places that they have.
     taken: Grid<usize>,
     ranks: Vec<u8>,
@@ -230,7 +237,8 @@ impl<'a> Board<'a> {
     fn new(labels: &[Label], candidates: &'a [Vec<Candidate>], later: &'a [Later], around: &Rect) -> Self {
         let taken = Grid::knowing((0..labels.len()).collect(), around);
         let ranks = labels.iter().map(|l| l.rank).collect();
-        Self { candidates, later, chosen: vec![None; candidates.len()], taken, ranks }
+        let (chosen, boxes) = (vec![None; candidates.len()], vec![Rect::NOTHING; candidates.len()]);
+        Self { candidates, later, chosen, boxes, taken, ranks }
     }
 
     fn cost(&self, label: usize) -> f64 {
@@ -248,36 +256,43 @@ impl<'a> Board<'a> {
         }
         if let Some(new) = number {
             self.taken.put(label, &all[new].bounds, true);
+            self.boxes[label] = all[new].bounds;
         }
         self.chosen[label] = number;
     }
 
-    /// The labels whose boxes overlap a place; more than two are not listed.
-    fn in_the_way(&self, label: usize, bounds: &Rect) -> Vec<usize> {
+    /// The first labels whose boxes overlap a place: one of them where no more are wanted, else two.
+    fn in_the_way(&self, label: usize, bounds: &Rect, both: bool) -> [Option<usize>; 2] {
         let wanted = bounds.grown(APART);
-        let mut found = Vec::new();
+        let mut found = [None; 2];
         self.taken.any(&wanted, |&other| {
-            let place = self.chosen[other].map(|number| self.candidates[other][number].bounds);
-            if other != label && !found.contains(&other) && place.is_some_and(|p| p.overlaps(&wanted)) {
-                found.push(other);
+            if other == label || found[0] == Some(other) || !self.boxes[other].overlaps(&wanted) {
+                return false;
             }
-            found.len() > 1
+            found[usize::from(found[0].is_some())] = Some(other);
+            !both || found[1].is_some()
         });
-        if !self.later.is_empty() && found.len() < 2 {
-            let others = (0..self.chosen.len()).filter(|o| *o != label && !found.contains(o));
-            let meets = |other: &usize| {
-                self.chosen[*other].is_some_and(|number| {
-                    let place = self.candidates[*other][number].bounds;
-                    let on = |l: &&Later| {
-                        place.shifted(l.shifts[*other]).overlaps(&bounds.shifted(l.shifts[label]))
-                    };
-                    self.later.iter().filter(on).count() as f64 > PASSING * self.later.len() as f64
-                })
-            };
-            let more: Vec<usize> = others.filter(meets).take(2 - found.len()).collect();
-            found.extend(more);
+        if !self.later.is_empty() && found[usize::from(both)].is_none() {
+            self.in_the_way_later(label, bounds, &mut found);
         }
         found
+    }
+
+    /// Adds those that overlap it in too many of the later frames.
+    fn in_the_way_later(&self, label: usize, bounds: &Rect, found: &mut [Option<usize>; 2]) {
+        for other in (0..self.chosen.len()).filter(|o| *o != label && self.chosen[*o].is_some()) {
+            let on = |l: &&Later| {
+                self.boxes[other].shifted(l.shifts[other]).overlaps(&bounds.shifted(l.shifts[label]))
+            };
+            let passes = || self.later.iter().filter(on).count() as f64 <= PASSING * self.later.len() as f64;
+            if found.contains(&Some(other)) || passes() {
+                continue;
+            }
+            found[usize::from(found[0].is_some())] = Some(other);
+            if found[1].is_some() {
+                return;
+            }
+        }
     }
 
     fn take_cheapest(&mut self, label: usize) {
@@ -290,7 +305,7 @@ impl<'a> Board<'a> {
         let all = &self.candidates[label];
         (0..all.len())
             .take_while(|number| all[*number].cost < below)
-            .find(|number| self.in_the_way(label, &all[*number].bounds).is_empty())
+            .find(|number| self.in_the_way(label, &all[*number].bounds, false)[0].is_none())
     }
 
     /// Moves a label to a cheaper place, where needed by moving one neighbour; whether anything changed.
@@ -303,7 +318,7 @@ impl<'a> Board<'a> {
             if candidate.cost >= reached - 1e-9 {
                 break;
             }
-            let [neighbour] = self.in_the_way(label, &candidate.bounds)[..] else { continue };
+            let [Some(neighbour), None] = self.in_the_way(label, &candidate.bounds, true) else { continue };
             let before = self.cost(neighbour);
             let (old, old_neighbour) = (self.chosen[label], self.chosen[neighbour]);
             self.choose(neighbour, None);

@@ -24,6 +24,10 @@ pub enum Unit {
     Mass,
     /// kg·m²
     Inertia,
+    /// kg·m
+    MassLength,
+    /// 1/m
+    PerLength,
     /// N
     Force,
     /// N·m
@@ -53,6 +57,8 @@ impl Unit {
         match self {
             Self::One => "",
             Self::Length => "m",
+            Self::MassLength => "kg·m",
+            Self::PerLength => "1/m",
             Self::Area => "m²",
             Self::Angle => "°",
             Self::Velocity => "m/s",

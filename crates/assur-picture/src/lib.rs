@@ -21,6 +21,8 @@ mod scheme;
 mod shape;
 mod symbol;
 mod train;
+mod wittenbauer;
+mod wording;
 mod words;
 mod work;
 
@@ -32,3 +34,4 @@ pub use kind::{KINDS, Kind, Options, draw};
 pub use paper::{Paper, SCALED, Scaled, Scales};
 pub use scene::Scene;
 pub use scheme::{Dimension, Loads, Measured, Scheme, scheme};
+pub use wording::Wording;

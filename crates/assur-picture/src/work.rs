@@ -7,6 +7,7 @@ use crate::diagram::{
 use crate::error::Missing;
 use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
+use crate::wittenbauer::{Wittenbauer, links};
 use crate::words;
 use assur_drawing::{Drawing, Label, Level, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
@@ -38,7 +39,7 @@ struct Sheet<'a> {
     energy: Display,
 }
 
-/// A picture per flywheel.
+/// Per flywheel its work, and Wittenbauer's diagram where the links count.
 ///
 /// # Errors
 /// There is none.
@@ -48,16 +49,18 @@ pub fn work(scene: &Scene<'_>) -> Result<Vec<Drawing>, Missing> {
     if wheels.is_empty() {
         return Err(NoDiagram::no_flywheel(scene).into());
     }
-    let torque = |(i, (_, found)): (usize, &(&Flywheel, &FlywheelAnswer))| {
+    let numbers = |(i, (wheel, found)): (usize, &(&Flywheel, &FlywheelAnswer))| {
         let own = Expr::Query(Query::Flywheel(i, FlywheelPart::Torque));
-        vec![Expr::Binary(BinaryOp::Mul, Box::new(own), Box::new(Expr::number(found.ratio)))]
+        let torque = Expr::Binary(BinaryOp::Mul, Box::new(own), Box::new(Expr::number(found.ratio)));
+        std::iter::once(torque).chain(links(scene, i, wheel, found)).collect()
     };
-    let sets: Vec<Vec<Expr>> = wheels.iter().enumerate().map(torque).collect();
+    let sets: Vec<Vec<Expr>> = wheels.iter().enumerate().map(numbers).collect();
     let all = courses(&scene.model, &scene.solution.statics, &sets)
         .map_err(|cause| NoDiagram::no_sweep(scene, "work", &cause))?;
     let mut drawings = Vec::new();
     for ((wheel, found), courses) in wheels.into_iter().zip(all) {
-        let Some(torque) = courses.ok().and_then(|all| all.into_iter().next()) else { continue };
+        let mut courses = courses.into_iter().flatten();
+        let Some(torque) = courses.next() else { continue };
         let sheet = Sheet {
             wheel,
             found,
@@ -68,6 +71,8 @@ pub fn work(scene: &Scene<'_>) -> Result<Vec<Drawing>, Missing> {
             energy: Display { unit: "J".to_owned(), factor: 1.0, ..Display::default() },
         };
         drawings.push(sheet.draw(scene));
+        let diagram = courses.next().map(|links| Wittenbauer::of(wheel, found, &links, drive_axis(scene)));
+        drawings.extend(diagram.and_then(|diagram| diagram.draw(scene)));
     }
     Ok(drawings)
 }

@@ -27,6 +27,6 @@ pub use document::{Block, Document, Figure, Inline, Table, Term};
 pub use forces::quantity_name;
 pub use localised::{drawing_in, localised};
 pub use sheet::{Asked, Columns, Exercise, asks_for_positions, key, sheet};
-pub use words::Language;
+pub use words::{Language, phrase};
 pub use worked::{Part, Size, Worked, worked, worked_from};
 pub use write::{html, markdown, text, typst};

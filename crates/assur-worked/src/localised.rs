@@ -1,9 +1,10 @@
 //! Tables and pictures that are made in English, in the language and with the letters of a solution.
 
 use crate::document::{Block, Inline, Line, Table, commas};
-use crate::words::{Language, phrase};
+use crate::words::{Language, known, phrase, title};
 use assur_drawing::{Drawing, Level, Run, Text};
-use assur_picture::Scene;
+use assur_model::model::Mechanism;
+use assur_picture::Wording;
 
 /// Blocks of another document in a language; names of the file stay as they are.
 #[must_use]
@@ -32,24 +33,62 @@ pub fn localised(language: Language, blocks: Vec<Block>) -> Vec<Block> {
 
 /// A picture in a language, with the letters of its courses.
 #[must_use]
-pub fn drawing_in(language: Language, scene: &Scene<'_>, mut drawing: Drawing) -> Drawing {
+pub fn drawing_in(language: Language, mechanism: &Mechanism, mut drawing: Drawing) -> Drawing {
     if language == Language::English {
         return drawing;
     }
-    drawing.title = phrase(language, &drawing.title);
-    // the numbers of a description are those of the text
-    drawing.description.clone_from(&drawing.title);
+    let figures = |words: String| if language.letters().comma { commas(&words) } else { words };
+    drawing.title = figures(title(language, &drawing.title));
+    drawing.description = figures(said_in(language, &drawing.description));
+    if drawing.description.is_empty() {
+        drawing.description.clone_from(&drawing.title);
+    }
     let labels = drawing.labels.iter_mut().map(|label| &mut label.text);
     let captions = drawing.captions.iter_mut().flat_map(|caption| {
         std::iter::once(&mut caption.text).chain(caption.bar.as_mut().map(|(_, text)| text))
     });
     for text in labels.chain(captions) {
-        relabel(language, scene, text);
+        relabel(language, mechanism, text);
     }
     drawing
 }
 
-fn relabel(language: Language, scene: &Scene<'_>, text: &mut Text) {
+impl Wording for Language {
+    fn code(&self) -> &'static str {
+        (*self).code()
+    }
+
+    fn decimal(&self) -> char {
+        if self.letters().comma { ',' } else { '.' }
+    }
+
+    fn phrase(&self, english: &str) -> String {
+        phrase(*self, english)
+    }
+
+    fn drawing(&self, mechanism: &Mechanism, drawing: Drawing) -> Drawing {
+        drawing_in(*self, mechanism, drawing)
+    }
+}
+
+/// What a picture says, sentence by sentence; one that the language does not have is left out.
+fn said_in(language: Language, english: &str) -> String {
+    let sentences = english.split_inclusive(". ").flat_map(|sentence| {
+        let sentence = sentence.trim();
+        known(language, sentence).map_or_else(
+            || {
+                // what is said of one pair after another
+                let items = sentence.trim_end_matches('.').split("; ");
+                items.filter_map(|item| known(language, &format!("{item}."))).collect()
+            },
+            |said| vec![said],
+        )
+    });
+    let apart = if language == Language::Chinese { "" } else { " " };
+    sentences.collect::<Vec<_>>().join(apart)
+}
+
+fn relabel(language: Language, mechanism: &Mechanism, text: &mut Text) {
     let letters = language.letters();
     for i in 0..text.runs.len() {
         let next = text.runs.get(i + 1).cloned();
@@ -71,12 +110,12 @@ fn relabel(language: Language, scene: &Scene<'_>, text: &mut Text) {
         });
         let Some(index) = index.filter(|_| quantity) else { continue };
         let letter = text.runs[i].letters.clone();
-        let base = if letter.trim_end().ends_with('R') && is_reaction(scene, &index) {
+        let base = if letter.trim_end().ends_with('R') && is_reaction(mechanism, &index) {
             let (letter, lead) = letters.reaction;
             text.runs[i].letters = letter.to_owned();
             Some(format!("{lead}{index}"))
         } else {
-            let own = index.strip_prefix('I').filter(|own| is_link(scene, own));
+            let own = index.strip_prefix('I').filter(|own| is_link(mechanism, own));
             own.filter(|_| matches!(letter.as_str(), "F" | "M"))
                 .map(|own| format!("{}{own}", letters.inertia))
         };
@@ -90,14 +129,12 @@ fn relabel(language: Language, scene: &Scene<'_>, text: &mut Text) {
     }
 }
 
-fn is_link(scene: &Scene<'_>, label: &str) -> bool {
-    let mechanism = scene.mechanism();
+fn is_link(mechanism: &Mechanism, label: &str) -> bool {
     mechanism.links.iter().any(|link| link.number.as_deref().unwrap_or(&link.name) == label)
 }
 
 /// Whether an index is of a reaction: of two links by their numbers, or of a pair.
-fn is_reaction(scene: &Scene<'_>, index: &str) -> bool {
-    let mechanism = scene.mechanism();
+fn is_reaction(mechanism: &Mechanism, index: &str) -> bool {
     let number = |label: &str| mechanism.links.iter().any(|link| link.number.as_deref() == Some(label));
     let two = match index.split_once(',') {
         Some((from, on)) => number(from) && number(on),

@@ -56,10 +56,9 @@ impl Course<'_> {
     }
 
     fn figure(&self, drawing: Drawing, name: String, caption: Message, part: &str) -> Figure {
-        let mut drawing = drawing_in(self.language, &self.scene, drawing);
+        let mut drawing = drawing_in(self.language, self.scene.mechanism(), drawing);
         if self.language != Language::English {
             drawing.title = self.caption(caption, part);
-            drawing.description.clone_from(&drawing.title);
         }
         Figure { svg: drawing.placed().svg(Theme::Auto), name, caption: self.caption(caption, part) }
     }

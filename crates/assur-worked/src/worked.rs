@@ -5,8 +5,9 @@ use crate::document::{Block, Document, Figure, Line, cited};
 use crate::motion::Stage;
 use crate::words::{Language, Message};
 use assur_formula::{Equation, Expr, Name, Unit};
-use assur_model::model::Level;
+use assur_model::model::{Level, Value};
 use assur_picture::{Kind, Scene};
+use assur_text::units::Dimension;
 
 /// A part of a solution, by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -158,6 +159,8 @@ pub fn without_empty(blocks: Vec<Block>) -> Vec<Block> {
             let empty = match kept.last() {
                 None => true,
                 Some(Block::Heading(next, _)) => next <= level,
+                // the pictures of the section
+                Some(Block::Figures(_)) => *level > 2,
                 Some(_) => false,
             };
             if empty {
@@ -276,15 +279,20 @@ impl Course<'_> {
         self.requests(stage);
     }
 
-    /// ` at φ = 45 deg`, where the drives are.
+    /// `, φ = 45 deg`, where the drives are; of a motion under loads the instant before.
     fn position_words(&self) -> String {
         let mechanism = self.scene.mechanism();
         let said = mechanism.drives.iter().zip(&self.scene.pose.drives).filter_map(|(drive, value)| {
             let assur_solve::solve::DriveValue::Scalar(x) = value else { return None };
             let display = mechanism.drive_display(drive.target);
-            Some(format!("{} = {}", drive.name, display.text(assur_model::model::Value::Scalar(*x), 5)))
+            Some(format!("{} = {}", drive.name, display.text(Value::Scalar(*x), 5)))
         });
-        let said: Vec<String> = said.collect();
+        let instant = mechanism.simulation.as_ref().map(|_| {
+            let display = mechanism.display_of(Dimension::TIME);
+            let time = Value::Scalar(self.state().motion.time);
+            format!("t = {}", display.text(time, 5))
+        });
+        let said: Vec<String> = instant.into_iter().chain(said).collect();
         if said.is_empty() { String::new() } else { format!(", {}", said.join(", ")) }
     }
 }

@@ -1,5 +1,6 @@
 //! Arguments of `draw`.
 
+use super::report::LanguageArg;
 use super::setting;
 use crate::cli::error::CliError;
 use assur_check::Overrides;
@@ -18,6 +19,10 @@ pub struct Draw {
     /// complete) [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,
+    /// Format: of the picture on standard output, or of all files in the folder OUT; html is a page with all pictures
+    /// [default: that of the ending of OUT, else svg]
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub format: Option<DrawFormat>,
     /// Draw the pose of this name; may be repeated [default: all of a list, the first of a sweep]
     #[arg(long, value_name = "NAME")]
     pub pose: Vec<String>,
@@ -52,6 +57,9 @@ pub struct Draw {
     /// Colours: light that turns dark where the reader prefers it, light, dark, or black and white
     #[arg(long, value_enum, value_name = "THEME", default_value_t = ThemeArg::Auto)]
     pub theme: ThemeArg,
+    /// Language of the words in pictures, with the letters of its courses
+    #[arg(long = "lang", value_enum, value_name = "LANGUAGE", default_value_t = LanguageArg::En)]
+    pub language: LanguageArg,
     /// Draw with the rows of this table of variants, or with those that `--row` names
     #[arg(long, value_name = "TABLE.csv")]
     pub variants: Option<String>,
@@ -153,6 +161,35 @@ pub struct Picture {
 /// Whether an argument names a file or a folder.
 fn is_file(name: &str) -> bool {
     name == "-" || name.ends_with(".mech") || std::path::Path::new(name).exists()
+}
+
+/// A format of pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DrawFormat {
+    /// Lines and letters; an animation moves without a script
+    Svg,
+    /// One page
+    Html,
+    /// Pixels, in builds with the feature png
+    Png,
+}
+
+impl DrawFormat {
+    /// That of the ending of a name.
+    #[must_use]
+    pub fn of_ending(name: &str) -> Option<Self> {
+        [Self::Svg, Self::Html, Self::Png].into_iter().find(|format| name.ends_with(format.ending()))
+    }
+
+    /// The ending of its files.
+    #[must_use]
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Svg => ".svg",
+            Self::Html => ".html",
+            Self::Png => ".png",
+        }
+    }
 }
 
 /// Which loads are shown.

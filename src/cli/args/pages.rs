@@ -47,3 +47,8 @@ pub struct Help {
     #[arg(value_name = "TOPIC")]
     pub topic: Option<String>,
 }
+
+/// Arguments of `lsp`: none.
+#[cfg(feature = "lsp")]
+#[derive(Clone, Debug, clap::Args)]
+pub struct Lsp {}

@@ -36,7 +36,7 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
     let inputs = files::expand(&names);
     let one = inputs.len() == 1 && pictures.len() == 1;
     let animation = matches!(pictures.as_slice(), [picture] if picture.kind == Kind::Animation);
-    let output = match Output::of(args.out.as_deref(), one, animation) {
+    let output = match Output::of(args.out.as_deref(), args.format, one, animation) {
         Ok(output) => output,
         Err(error) => {
             screen.complain(&complaint(error, screen));
@@ -46,7 +46,7 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
     let overrides = args.overrides();
     let drawing = Drawing { args, screen, pictures, overrides, output, names, several: inputs.len() > 1 };
     let status = for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source));
-    match drawing.output.finish(&drawing.names) {
+    match drawing.output.finish(&drawing.names, args.language.into()) {
         Ok(()) => status,
         Err(error) => {
             screen.complain(&complaint(error, screen));

@@ -2,9 +2,12 @@
 
 use super::one_only;
 use super::pages::Page;
+use crate::cli::args::DrawFormat;
 use crate::cli::batch::Sink;
 use crate::cli::error::CliError;
 use assur_drawing::escaped;
+use assur_worked::{Language, phrase};
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -12,65 +15,87 @@ use std::path::{Path, PathBuf};
 /// Where pictures go.
 pub enum Output {
     /// Standard output: one picture.
-    Stdout,
+    Stdout(Option<DrawFormat>),
     /// One file: one picture.
     File(PathBuf),
-    /// One page with all pictures, until it is written.
-    Page(PathBuf, RefCell<String>),
+    /// One page with all pictures, until it is written: a file, or standard output.
+    Page(Option<PathBuf>, RefCell<String>),
     /// Files in a folder.
-    Folder(PathBuf),
+    Folder(PathBuf, Option<DrawFormat>),
 }
 
 impl Output {
-    /// What `-o` names; a name that ends in `.svg`, `.png` or `.html` is a file, any other a folder.
-    pub fn of(name: Option<&str>, one: bool, animation: bool) -> Result<Self, CliError> {
-        match name {
-            None | Some("-") if one => Ok(Self::Stdout),
-            None | Some("-") => Err(one_only("standard output")),
-            Some(name) if name.ends_with(".html") && one && animation => Ok(Self::File(PathBuf::from(name))),
-            Some(name) if name.ends_with(".html") => {
-                Ok(Self::Page(PathBuf::from(name), RefCell::new(String::new())))
-            }
-            #[cfg(not(feature = "png"))]
-            Some(name) if name.ends_with(".png") => Err(CliError::NoPng { name: name.to_owned() }),
-            Some(name) if (name.ends_with(".svg") || name.ends_with(".png")) && one => {
-                Ok(Self::File(PathBuf::from(name)))
-            }
-            Some(name) if name.ends_with(".svg") || name.ends_with(".png") => Err(one_only(name)),
-            Some(name) => Ok(Self::Folder(PathBuf::from(name))),
+    /// What `-o` names, in a format; a name that ends in `.svg`, `.png` or `.html` is a file, any other a folder.
+    pub fn of(
+        name: Option<&str>,
+        wanted: Option<DrawFormat>,
+        one: bool,
+        animation: bool,
+    ) -> Result<Self, CliError> {
+        let named = name.filter(|name| *name != "-");
+        let ending = named.and_then(DrawFormat::of_ending);
+        let format = wanted.or(ending);
+        let page = || RefCell::new(String::new());
+        let place = named.unwrap_or("standard output");
+        if let (Some(name), Some(wanted)) = (named, wanted)
+            && ending.map_or(wanted == DrawFormat::Html, |ending| ending != wanted)
+        {
+            return Err(CliError::OtherFormat { name: name.to_owned(), ending: wanted.ending() });
+        }
+        #[cfg(not(feature = "png"))]
+        if format == Some(DrawFormat::Png) {
+            return Err(CliError::NoPng { name: place.to_owned() });
+        }
+        match (named.map(PathBuf::from), format) {
+            (path, Some(DrawFormat::Html)) if !(one && animation) => Ok(Self::Page(path, page())),
+            (None, format) if one => Ok(Self::Stdout(format)),
+            (Some(path), format) if ending.is_none() => Ok(Self::Folder(path, format)),
+            (Some(path), _) if one => Ok(Self::File(path)),
+            _ => Err(one_only(place)),
+        }
+    }
+
+    /// Its format, where that is said.
+    fn format(&self) -> Option<DrawFormat> {
+        match self {
+            Self::Stdout(format) | Self::Folder(_, format) => *format,
+            Self::File(path) => DrawFormat::of_ending(&path.to_string_lossy()),
+            Self::Page(..) => Some(DrawFormat::Html),
         }
     }
 
     /// Whether it is one picture, in which an animation needs no script.
     pub fn is_picture(&self) -> bool {
-        matches!(self, Self::File(path) if ending(path) == "svg")
+        self.format() == Some(DrawFormat::Svg)
     }
 
     /// Whether nothing moves in it: a page of all pictures, or pixels.
     pub fn is_still(&self) -> bool {
-        matches!(self, Self::Page(..)) || matches!(self, Self::File(path) if ending(path) == "png")
+        matches!(self, Self::Page(..)) || self.format() == Some(DrawFormat::Png)
     }
 
     /// Whether it holds one picture.
     pub const fn is_single(&self) -> bool {
-        matches!(self, Self::Stdout | Self::File(..))
+        matches!(self, Self::Stdout(_) | Self::File(..))
     }
 
-    /// Writes pictures; what goes to standard output is given back.
+    /// Writes pictures; what goes to standard output as text is given back.
     pub fn write(&self, pages: &[Page], inputs: &[String]) -> Result<String, CliError> {
         match self {
             _ if pages.is_empty() => Ok(String::new()),
-            Self::Stdout => match pages {
+            Self::Stdout(_) => match pages {
+                #[cfg(feature = "png")]
+                [page] if self.is_still() => {
+                    let mut sink = Sink::stdout();
+                    sink.write(super::png::png(&page.text, "standard output")?)?;
+                    sink.finish().map(|_| String::new())
+                }
                 [page] => Ok(page.text.clone()),
                 _ => Err(one_only("standard output")),
             },
             Self::File(path) => match pages {
-                #[cfg(feature = "png")]
-                [page] if ending(path) == "png" => {
-                    let pixels = super::png::png(&page.text, &path.display().to_string())?;
-                    written(path, &pixels, inputs).map(|()| String::new())
-                }
-                [page] => written(path, page.text.as_bytes(), inputs).map(|()| String::new()),
+                [page] => written(path, &self.bytes(page, &path.display().to_string())?, inputs)
+                    .map(|()| String::new()),
                 _ => Err(one_only(&path.display().to_string())),
             },
             Self::Page(_, body) => {
@@ -82,41 +107,65 @@ impl Output {
                 }
                 Ok(String::new())
             }
-            Self::Folder(folder) => {
+            Self::Folder(folder, _) => {
                 std::fs::create_dir_all(folder).map_err(|error| CliError::NotCreated {
                     name: folder.display().to_string(),
                     why: error.to_string(),
                 })?;
                 for page in pages {
-                    written(
-                        &folder.join(format!("{}.{}", page.name, page.ending)),
-                        page.text.as_bytes(),
-                        inputs,
-                    )?;
+                    let ending = if self.is_still() { "png" } else { page.ending };
+                    let path = folder.join(format!("{}.{ending}", page.name));
+                    written(&path, &self.bytes(page, &path.display().to_string())?, inputs)?;
                 }
                 Ok(String::new())
             }
         }
     }
-}
 
-impl Output {
-    /// Writes the page, where there is one with pictures.
-    pub fn finish(&self, inputs: &[String]) -> Result<(), CliError> {
+    /// A picture as it is written.
+    #[cfg(feature = "png")]
+    fn bytes<'p>(&self, page: &'p Page, name: &str) -> Result<Cow<'p, [u8]>, CliError> {
+        if self.is_still() {
+            return super::png::png(&page.text, name).map(Cow::Owned);
+        }
+        Ok(Cow::Borrowed(page.text.as_bytes()))
+    }
+
+    /// A picture as it is written.
+    #[cfg(not(feature = "png"))]
+    #[allow(clippy::unnecessary_wraps, clippy::unused_self)] // pixels may fail
+    fn bytes<'p>(&self, page: &'p Page, _name: &str) -> Result<Cow<'p, [u8]>, CliError> {
+        Ok(Cow::Borrowed(page.text.as_bytes()))
+    }
+
+    /// Writes the page in a language, where there is one with pictures.
+    pub fn finish(&self, inputs: &[String], language: Language) -> Result<(), CliError> {
         let Self::Page(path, body) = self else { return Ok(()) };
         let body = body.borrow();
-        if body.is_empty() { Ok(()) } else { written(path, format!("{HEAD}{body}{FOOT}").as_bytes(), inputs) }
+        if body.is_empty() {
+            return Ok(());
+        }
+        let (code, title) = (language.code(), phrase(language, "Pictures"));
+        let page = format!(
+            "<!doctype html>\n<html lang=\"{code}\">\n{HEAD}<title>{title}</title>\n{STYLE}{body}{FOOT}"
+        );
+        match path {
+            Some(path) => written(path, page.as_bytes(), inputs),
+            None => {
+                let mut sink = Sink::stdout();
+                sink.write(page)?;
+                sink.finish().map(|_| ())
+            }
+        }
     }
 }
 
 /// Begin and end of a page: figures that shrink to the screen, with their own colours.
-const HEAD: &str = "<!doctype html>
-<html lang=\"en\">
-<head>
+const HEAD: &str = "<head>
 <meta charset=\"utf-8\">
 <meta name=\"viewport\" content=\"width=device-width\">
-<title>Pictures</title>
-<style>
+";
+const STYLE: &str = "<style>
 body{margin:1rem;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",serif;background:#fff;color:#111}
 figure{margin:0 0 2rem;break-inside:avoid}figcaption{margin-bottom:.5rem}
 figure svg{max-width:100%;height:auto}
@@ -127,11 +176,6 @@ figure svg{max-width:100%;height:auto}
 <body>
 ";
 const FOOT: &str = "</body>\n</html>\n";
-
-/// The ending of the name of a file.
-fn ending(path: &Path) -> &str {
-    path.extension().and_then(|ending| ending.to_str()).unwrap_or_default()
-}
 
 /// Writes a file, which appears only when complete.
 fn written(path: &Path, text: &[u8], inputs: &[String]) -> Result<(), CliError> {

@@ -13,6 +13,7 @@ use assur_solve::solve::Pose;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
+use assur_worked::{Language, drawing_in, phrase};
 
 /// A picture as text, with its title and the name of its file.
 pub struct Page {
@@ -137,11 +138,11 @@ impl Pages<'_, '_> {
         name: &str,
     ) -> Result<Vec<Page>, Missing> {
         if kind == Kind::Animation && !self.drawing.output.is_still() {
-            let theme = self.drawing.args.theme.into();
+            let (theme, language) = (self.drawing.args.theme.into(), self.language());
             let (text, ending) = if self.drawing.output.is_picture() {
-                (assur_picture::moving(scene, options, theme)?, "svg")
+                (assur_picture::moving(scene, options, theme, &language)?, "svg")
             } else {
-                (assur_picture::animation(scene, options, theme)?, "html")
+                (assur_picture::animation(scene, options, theme, &language)?, "html")
             };
             return Ok(vec![Page { name: name.to_owned(), title: String::new(), text, ending }]);
         }
@@ -160,6 +161,10 @@ impl Pages<'_, '_> {
         }
     }
 
+    fn language(&self) -> Language {
+        self.drawing.args.language.into()
+    }
+
     /// The begin of the names of pictures.
     fn stem(&self) -> String {
         let name = &self.source.name;
@@ -172,14 +177,16 @@ impl Pages<'_, '_> {
         let theme: Theme = self.drawing.args.theme.into();
         let many = drawings.len() > 1;
         let words = &self.row.words;
-        let pages = drawings.into_iter().enumerate().map(|(i, mut drawing)| {
+        let (language, mechanism) = (self.language(), &self.solved.compiled.mechanism);
+        let pages = drawings.into_iter().enumerate().map(|(i, drawing)| {
+            let mut drawing = drawing_in(language, mechanism, drawing);
             let name = if many { format!("{name}-{}", i + 1) } else { name.to_owned() };
             if self.drawing.several || !words.is_empty() {
                 // two files of one name, and rows of a table, may be in one page
                 drawing.id = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
             }
             if !words.is_empty() {
-                drawing.title += &format!(", {words}");
+                drawing.title += &format!(", {}", phrase(language, words));
             }
             Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme), ending: "svg" }
         });

@@ -12,7 +12,7 @@ use crate::cli::files;
 use crate::cli::reply::{Printer, Reply, Status, complaint, for_each_input};
 use crate::cli::screen::Screen;
 use crate::pipeline::{self, Solved};
-use assur_picture::{Kind, Scene};
+use assur_picture::{Kind, Missing, Scene};
 use assur_solve::solve::Pose;
 use assur_syntax as syntax;
 use assur_text::source::Source;
@@ -48,36 +48,21 @@ pub fn run(args: &Report, screen: &Screen) -> Status {
 }
 
 fn of_file(args: &Report, format: ReportFormat, source: &Source, screen: &Screen) -> Reply {
-    let (document, found) = syntax::parse(source);
+    let (read, found) = syntax::parse(source);
+    let read = Arc::new(read);
     if args.sheet || args.key {
-        let sheets = Sheets { args, format, source, document: Arc::new(document) };
-        return sheets.reply(found, screen);
+        return Sheets::new(args, format, source, read).reply(found, screen);
     }
     let overrides = args.overrides();
-    let read = Arc::new(document);
     let (solved, mut problems) = pipeline::solve_document_drawn(source, &read, found, &overrides, &KINDS);
     let Some(solved) = solved else { return Reply::new(String::new(), &problems, source, screen) };
-    let (model, solution) = (solved.compiled.model(), &solved.solution);
-    let file = (source.name.as_str(), source.text.as_str());
-    let none = solution.poses.is_empty() && args.pose.is_none();
-    let document = if none {
-        without_position(args, source, &solved)
-    } else {
-        let pose = args.pose.as_deref().or_else(|| moving(&solved));
-        let scene = match Scene::of(model, solution, file, pose) {
-            Ok(scene) => scene,
-            Err(missing) => {
-                problems.push(missing);
-                return Reply::new(String::new(), &problems, source, screen);
-            }
-        };
-        let sizes = sizes::sizes(&read, &solved.compiled.mechanism);
-        let mut document = worked_from(scene, args.language.into(), &args.steps, &sizes).document;
-        if args.steps.is_empty() || args.steps.contains(&Part::Results) {
-            let more = tables::blocks(source, &solved, Some(&scene), args.language.into());
-            document.blocks.extend(without_repeated(&document.blocks, more));
+    let made = document(source, &read, &solved, args.language.into(), (args.pose.as_deref(), &args.steps));
+    let document = match made {
+        Ok(document) => document,
+        Err(missing) => {
+            problems.push(missing);
+            return Reply::new(String::new(), &problems, source, screen);
         }
-        document
     };
     match written(args, format, document, args.out.as_deref()) {
         Ok(results) => Reply::new(results, &problems, source, screen),
@@ -86,6 +71,33 @@ fn of_file(args: &Report, format: ReportFormat, source: &Source, screen: &Screen
             Reply { results: String::new(), diagnostics, status: Status::Unusable }
         }
     }
+}
+
+/// The solution of a file in a language: of a position, with some of its parts or all of them.
+///
+/// # Errors
+/// There is no such position.
+#[doc(hidden)]
+pub fn document(
+    source: &Source,
+    read: &syntax::document::Document,
+    solved: &Solved,
+    language: Language,
+    (pose, parts): (Option<&str>, &[Part]),
+) -> Result<Document, Missing> {
+    if solved.solution.poses.is_empty() && pose.is_none() {
+        return Ok(without_position(language, source, solved));
+    }
+    let file = (source.name.as_str(), source.text.as_str());
+    let pose = pose.or_else(|| moving(solved));
+    let scene = Scene::of(solved.compiled.model(), &solved.solution, file, pose)?;
+    let sizes = sizes::sizes(read, &solved.compiled.mechanism);
+    let mut document = worked_from(scene, language, parts, &sizes).document;
+    if parts.is_empty() || parts.contains(&Part::Results) {
+        let more = tables::blocks(source, solved, Some(&scene), language);
+        document.blocks.extend(without_repeated(&document.blocks, more));
+    }
+    Ok(document)
 }
 
 /// Blocks without the figures that are there already: the scheme of a train is its section.
@@ -119,17 +131,17 @@ fn moving(solved: &Solved) -> Option<&str> {
 }
 
 /// Of a file without positions: its text, and the tables of its cams, gears and flywheels.
-fn without_position(args: &Report, source: &Source, solved: &Solved) -> Document {
+fn without_position(language: Language, source: &Source, solved: &Solved) -> Document {
     let mechanism = &solved.compiled.mechanism;
-    let mut document = Document { language: Language::from(args.language).code(), ..Document::default() };
+    let mut document = Document { language: language.code(), ..Document::default() };
     document.title = if mechanism.title.is_empty() { source.name.clone() } else { mechanism.title.clone() };
     let notes = mechanism.notes.join(" ");
     if !notes.is_empty() {
         document.blocks.push(Block::Paragraph(vec![Inline::Text(notes)]));
     }
-    let page = design(solved.compiled.model(), &solved.solution, args.language.into());
+    let page = design(solved.compiled.model(), &solved.solution, language);
     document.blocks.extend(page.blocks);
-    document.blocks.extend(tables::blocks(source, solved, None, args.language.into()).into_iter().map(
+    document.blocks.extend(tables::blocks(source, solved, None, language).into_iter().map(
         |block| match block {
             Block::Heading(_, words) => Block::Heading(2, words),
             block => block,

@@ -10,13 +10,15 @@ use crate::pipeline::{self, Solved};
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, Precision};
 use assur_check::{self as check, FileRow, Overrides};
-use assur_model::model::Value;
+use assur_model::model::{Level, Value};
 use assur_picture::Scene;
+use assur_position::plan::Effects;
 use assur_solve::solve::Pose;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use assur_worked::{Columns, Exercise, asks_for_positions, key, sheet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Sheets of a file.
@@ -25,12 +27,21 @@ pub struct Sheets<'a> {
     pub format: ReportFormat,
     pub source: &'a Source,
     pub document: Arc<Document>,
+    /// Names that are used outside of the table and of expectations.
+    used: BTreeSet<String>,
 }
 
 /// A row of variants: its name and its values.
 struct Row {
     name: String,
     overrides: Overrides,
+}
+
+impl<'a> Sheets<'a> {
+    /// Of a file.
+    pub fn new(args: &'a Report, format: ReportFormat, source: &'a Source, document: Arc<Document>) -> Self {
+        Self { args, format, source, document, used: used(&source.text) }
+    }
 }
 
 impl Sheets<'_> {
@@ -96,7 +107,14 @@ impl Sheets<'_> {
         let Some(solved) = self.solved(&overrides, problems) else { return Ok(String::new()) };
         let Ok(scene) = self.scene(&solved, problems) else { return Ok(String::new()) };
         // pictures may show more than the file asks for
-        let Some(asking) = self.answered(&overrides, &mut Problems::new()) else { return Ok(String::new()) };
+        let asked = Effects::at_least(&solved.compiled.mechanism, Level::Positions, false);
+        let own = if asked == solved.compiled.plan.effects {
+            None
+        } else {
+            let Some(own) = self.answered(&overrides, &mut Problems::new()) else { return Ok(String::new()) };
+            Some(own)
+        };
+        let asking = own.as_ref().unwrap_or(&solved);
         let answers = asking.answers(Precision::READABLE);
         let wanted = answers.poses().find(|pose| scene.is_some_and(|scene| scene.pose.name == pose.name));
         let mechanism = &solved.compiled.mechanism;
@@ -121,7 +139,7 @@ impl Sheets<'_> {
             scene,
             shown,
             asked: AnswerColumns::of(&answers.model).asked(&answers, wanted),
-            hidden: self.hidden(&asking),
+            hidden: self.hidden(asking),
             positions: self.positions(&answers),
             varied: &varied,
         };
@@ -261,15 +279,20 @@ impl Sheets<'_> {
 
     /// Whether a name is used outside of the table and of expectations.
     fn is_used(&self, name: &str) -> bool {
-        let text = &self.source.text;
-        let before = text.split_once("variants").map_or(text.as_str(), |(before, _)| before);
-        let is_own = |line: &str| {
-            let mut words = line.split_whitespace();
-            words.next() == Some("given") && words.next() == Some(name)
-        };
-        let mut lines =
-            before.lines().filter(|line| !line.trim_start().starts_with("expect") && !is_own(line));
-        let in_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
-        name == "variant" || lines.any(|line| line.split(|c| !in_name(c)).any(|word| word == name))
+        name == "variant" || self.used.contains(name)
     }
+}
+
+/// The names that a text uses before its table and outside of expectations; that which a line gives is not used by it.
+fn used(text: &str) -> BTreeSet<String> {
+    let before = text.split_once("variants").map_or(text, |(before, _)| before);
+    let mut used = BTreeSet::new();
+    for line in before.lines().filter(|line| !line.trim_start().starts_with("expect")) {
+        let mut words = line.split_whitespace();
+        let given = words.next().filter(|word| *word == "given").and_then(|_| words.next());
+        let in_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+        let names = line.split(|c| !in_name(c)).filter(|name| !name.is_empty() && Some(*name) != given);
+        used.extend(names.map(str::to_owned));
+    }
+    used
 }

@@ -73,7 +73,7 @@ fn table(rows: &Rows, most: usize) -> Table {
 fn pictures(scene: &Scene<'_>, kind: Kind, language: Language) -> Vec<Figure> {
     let drawings = draw(kind, scene, &Options::default()).unwrap_or_default().into_iter();
     let figure = |drawing: assur_drawing::Drawing| {
-        let drawing = drawing_in(language, scene, drawing);
+        let drawing = drawing_in(language, scene.mechanism(), drawing);
         let (name, caption) = (kind.name().to_owned(), drawing.title.clone());
         Figure { svg: drawing.placed().svg(Theme::Auto), name, caption }
     };

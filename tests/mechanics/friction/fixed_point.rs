@@ -25,13 +25,20 @@ pub fn laws(rubs: &[PairFriction], forces: &Forces) -> Vec<f64> {
     rubs.iter().map(|rub| -rub.sense() * rub.factor * force(rub)).collect()
 }
 
+/// What of a step of a fixed point is taken: all as long as each leaves half of what was off, else seven tenths.
+pub fn step(off: f64, before: &mut f64) -> f64 {
+    let halves = off < 0.5 * *before;
+    *before = off;
+    if halves { 1.0 } else { 0.7 }
+}
+
 /// Friction and forces by a damped fixed point from none; `None` where it does not settle.
 fn fixed_point(
     mechanism: &Mechanism,
     reference: &Reference,
     rubs: &[PairFriction],
 ) -> Option<(Vec<f64>, Forces)> {
-    let mut x = vec![0.0; rubs.len()];
+    let (mut x, mut before) = (vec![0.0; rubs.len()], f64::INFINITY);
     for _ in 0..400 {
         let forces = equilibrium(&loaded(mechanism, rubs, &x), &reference.bodies, &reference.rates)?;
         let next = laws(rubs, &forces);
@@ -43,7 +50,8 @@ fn fixed_point(
         if !off.is_finite() {
             return None;
         }
-        x.iter_mut().zip(&next).for_each(|(x, next)| *x += 0.7 * (next - *x));
+        let step = step(off, &mut before);
+        x.iter_mut().zip(&next).for_each(|(x, next)| *x += step * (next - *x));
     }
     None
 }

@@ -3,7 +3,7 @@
 
 use super::newton_euler::{Bodies, followed};
 use super::{condition, freed, times};
-use crate::friction::fixed_point::{laws, rubbing};
+use crate::friction::fixed_point::{laws, rubbing, step};
 use crate::friction::pair_friction::{loaded, pair_frictions};
 use crate::support::draft::Draft;
 use crate::support::equilibrium::equilibrium;
@@ -23,7 +23,7 @@ fn accelerations(mechanism: &Mechanism, draft: &Draft, reference: &Reference) ->
     if rubs.iter().any(|rub| rub.speed.abs() < SLOWEST) {
         return None;
     }
-    let mut x = vec![0.0; rubs.len()];
+    let (mut x, mut before) = (vec![0.0; rubs.len()], f64::INFINITY);
     for _ in 0..ROUNDS {
         let loaded = loaded(mechanism, &rubs, &x);
         let (rates, doubtful) = Bodies::new(&loaded)?.accelerations(&draft.frames, &reference.rates, 0.0)?;
@@ -42,7 +42,8 @@ fn accelerations(mechanism: &Mechanism, draft: &Draft, reference: &Reference) ->
         if !off.is_finite() {
             return None;
         }
-        x.iter_mut().zip(&next).for_each(|(x, next)| *x += 0.7 * (next - *x));
+        let step = step(off, &mut before);
+        x.iter_mut().zip(&next).for_each(|(x, next)| *x += step * (next - *x));
     }
     None
 }

@@ -6,7 +6,8 @@
 draws the pictures of a selection of the examples (of all with --all) with the program that ASSUR names
 (target/release/assur) and opens them 390, 900 and 1600 px wide, light, dark and printed: no label on another, nothing wider
 than the page, no message, no request, texts as wide as the table of widths says within 8 %. Presses slider, play and keys of
-animations and compares three frames with the schemes of these positions. Where rsvg-convert is installed, what it shows of the
+animations and compares three frames with the schemes of these positions, and with those of the picture that moves without a
+script. Where rsvg-convert is installed, what it shows of the
 twelve scenes is compared with the browser. Exits with 1 where anything is wrong.
 """
 
@@ -34,6 +35,8 @@ MOVING = {"shaper/full-stroke": [1, 7, 12], "drives/cylinder-lift": [1, 3, 5], "
 # pictures of the scenes of the design, and how they are drawn
 SCENES = ROOT / "tests/pictures/snapshots"
 WIDTHS = [390, 900, 1600]
+# frames of an animation with and without a script
+FRAMES = 24
 # of the length that holds a text, mm between a frame and its scheme, share of pixels
 WIDTH, FRAME, PIXELS = 0.08, 0.08, 0.02
 
@@ -157,6 +160,31 @@ class Check:
         if compared < 3:
             self.fault(name, [f"only {compared} hinges are compared"])
 
+    def without_script(self, name, source):
+        """The picture that moves without a script has its hinges where the page has them."""
+        page, picture = self.folder / "moving.html", self.folder / "moving.svg"
+        for out in [page, picture]:
+            draw(source, "animation", "--frames", FRAMES, "-o", out)
+        places = {}
+        for path, go in [(page, "show({0})"), (picture, "(e => (e.pauseAnimations(), e.setCurrentTime(6 * {0} / {1})))(document.documentElement)")]:
+            self.open(path)
+            selector = "svg.fig" if path == page else "svg"
+            for frame in [0, FRAMES // 3, FRAMES - 2]:
+                self.browser.run(go.format(frame, FRAMES - 1))
+                places.setdefault(frame, []).append(self.browser.run(f"hinges('{selector}')")["places"])
+            self.quiet(f"{name} without a script")
+        moved = 0.0
+        for frame, (there, here) in places.items():
+            if sorted(there) != sorted(here) or len(here) < 2:
+                self.fault(name, [f"frame {frame} without a script has the hinges {sorted(here)}, the page {sorted(there)}"])
+            for hinge in set(there) & set(here):
+                away = max(abs(there[hinge][i] - here[hinge][i]) for i in (0, 1))
+                moved = max([moved] + [abs(here[hinge][i] - places[0][1][hinge][i]) for i in (0, 1)])
+                if away > FRAME:
+                    self.fault(name, [f"{hinge} in frame {frame} without a script is {away:.3f} mm off"])
+        if moved < 1.0:
+            self.fault(name, ["nothing moves without a script"])
+
     def rasters(self):
         """librsvg shows what the browser shows."""
         shares = {}
@@ -201,6 +229,7 @@ def main():
                     check.animation(f"{name}, moving", moving)
             for name, poses in MOVING.items():
                 check.frames(name, f"examples/{name}.mech", poses)
+                check.without_script(name, f"examples/{name}.mech")
             differing = check.rasters() if shutil.which("rsvg-convert") else {}
         finally:
             browser.close()

@@ -8,6 +8,9 @@ import subprocess
 import tempfile
 import time
 
+# seconds until a browser that says nothing is taken for dead: long pages on a busy machine take a minute
+PATIENCE = 240
+
 
 class Failure(Exception):
     """The browser answers with an error, or not at all."""
@@ -87,7 +90,7 @@ class Browser:
             message["sessionId"] = self.session
         os.write(self.writes, json.dumps(message).encode() + b"\0")
         while True:
-            answer = self.read(60)
+            answer = self.read(PATIENCE)
             if answer is None:
                 raise Failure(f"no answer to {method}")
             if answer.get("id") == self.number:
@@ -100,7 +103,7 @@ class Browser:
         self.messages, self.requests, self.loaded = [], [], False
         self.call("Page.navigate", url="file://" + os.path.abspath(path))
         while not self.loaded:
-            if self.read(60) is None:
+            if self.read(PATIENCE) is None:
                 raise Failure(f"{path} does not load")
 
     def run(self, script):

@@ -23,7 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(ROOT / "tests/pictures/browser")]
 
-from devtools import Browser  # noqa: E402
+from devtools import Browser, Failure  # noqa: E402
 from paper import Page, pages  # noqa: E402
 
 ASSUR = os.environ.get("ASSUR", str(ROOT / "target/release/assur"))
@@ -106,7 +106,12 @@ def main():
                 name = " ".join([example, *words])
                 done = subprocess.run([ASSUR, "report", f"examples/{example}.mech", *words, "-o", path], capture_output=True, text=True, cwd=ROOT)
                 if path.exists():
-                    check.page(name, path)
+                    try:
+                        check.page(name, path)
+                    except Failure as failure:
+                        check.fault(name, [str(failure)])
+                        browser.close()
+                        browser = check.browser = Browser(program)
                 elif "--all" not in sys.argv[1:]:
                     check.fault(name, [f"no page: {done.stderr}"])
         finally:

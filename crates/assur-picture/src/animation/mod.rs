@@ -13,6 +13,7 @@ use crate::kind::Options;
 use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use crate::scheme::{Loads, Scheme, described, frame_of_all, scheme_in};
+use crate::wording::Wording;
 use crate::words;
 use assur_drawing::{Drawing, Later, Rect, Sheet};
 use assur_solve::answer::NoSweep;
@@ -77,11 +78,10 @@ struct Animated<'a> {
 }
 
 impl<'a> Animated<'a> {
-    fn of(scene: &Scene<'a>, options: &Options) -> Result<Self, Missing> {
+    fn of(scene: &Scene<'a>, options: &Options, wording: &dyn Wording) -> Result<Self, Missing> {
         let frames = frames(scene, options)?;
         let schemes: Vec<Drawing> = schemes(scene, &frames, options)?.collect();
         let moved = Moved::of(&schemes);
-        let title = format!("{}: animation", words::title(scene));
         let mut room = Rect::NOTHING;
         schemes.iter().for_each(|scheme| room.join(&scheme.extent()));
         let others = schemes.iter().step_by(schemes.len().div_ceil(LOOKED_AT));
@@ -91,7 +91,9 @@ impl<'a> Animated<'a> {
         first.id = words::id(scene, "animation");
         // labels are beside what moves
         first.room = Some(room.grown(LABELS));
-        first.title.clone_from(&title);
+        first.title = format!("{}: animation", words::title(scene));
+        let first = wording.drawing(scene.mechanism(), first);
+        let title = first.title.clone();
         let mut sheet = first.placed_through(&others);
         let count = sheet.drawing.labels.len().max(sheet.placed.len());
         sheet.moved = moved.classes.clone();

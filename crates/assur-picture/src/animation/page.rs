@@ -8,6 +8,7 @@ use crate::error::Missing;
 use crate::kind::Options;
 use crate::plot::{Curves, plot};
 use crate::scene::Scene;
+use crate::wording::Wording;
 use assur_drawing::{Theme, escaped, number};
 use std::fmt::Write;
 
@@ -18,26 +19,37 @@ const STEPS: (f64, f64) = (100.0, 18_000.0 / std::f64::consts::PI);
 ///
 /// # Errors
 /// There is no way to go.
-pub fn animation(scene: &Scene<'_>, options: &Options, theme: Theme) -> Result<String, Missing> {
+pub fn animation(
+    scene: &Scene<'_>,
+    options: &Options,
+    theme: Theme,
+    wording: &dyn Wording,
+) -> Result<String, Missing> {
     let ways = scene.all_ways();
     let scene = &Scene { ways: &ways, ..*scene };
-    let animated = Animated::of(scene, options)?;
+    let animated = Animated::of(scene, options, wording)?;
     let diagram = plot(scene, &[]).ok();
     let columns = columns(&animated.frames, diagram.as_ref().map(|(_, curves)| curves));
     let mut out = String::new();
     let heading = escaped(&animated.title);
-    let _ = write!(out, "{HEAD}<title>{heading}</title>\n{STYLE}</head>\n<body>\n<h1>{heading}</h1>\n");
+    let code = wording.code();
+    let _ = write!(
+        out,
+        "<!doctype html>\n<html lang=\"{code}\">\n{HEAD}<title>{heading}</title>\n{STYLE}</head>\n<body>\n<h1>{heading}</h1>\n"
+    );
     out.push_str(&animated.sheet.svg(theme));
     let last = animated.frames.len() - 1;
     let _ = write!(
         out,
-        "<div class=\"bar\"><button id=\"p\" type=\"button\" aria-label=\"play or pause\">▶</button><input id=\"s\" \
-         type=\"range\" min=\"0\" max=\"{last}\" value=\"0\" aria-label=\"pose\"></div>\n<output id=\"o\" for=\"s\">{}</output>\n",
-        escaped(&said(&columns, 0))
+        "<div class=\"bar\"><button id=\"p\" type=\"button\" aria-label=\"{}\">▶</button><input id=\"s\" \
+         type=\"range\" min=\"0\" max=\"{last}\" value=\"0\" aria-label=\"{}\"></div>\n<output id=\"o\" for=\"s\">{}</output>\n",
+        wording.phrase("play or pause"),
+        wording.phrase("pose"),
+        escaped(&said(&columns, 0, wording.decimal()))
     );
     let mut places = String::from("null");
     if let Some((drawing, curves)) = diagram {
-        let sheet = drawing.placed();
+        let sheet = wording.drawing(scene.mechanism(), drawing).placed();
         let top = number(sheet.bounds.min.y);
         let cursor = format!(
             "<path id=\"c\" fill=\"none\" stroke=\"#b84a00\" stroke-width=\".35\" visibility=\"hidden\" d=\"M0 {top}V{}\"/>\n</svg>",
@@ -49,11 +61,12 @@ pub fn animation(scene: &Scene<'_>, options: &Options, theme: Theme) -> Result<S
     let moved = &animated.moved;
     let _ = write!(
         out,
-        "<script>\nconst N={},B=[{}],R=[{}],V=[{}],X={places};\n{SCRIPT}</script>\n</body>\n</html>\n",
+        "<script>\nconst N={},B=[{}],R=[{}],V=[{}],X={places},P='{}';\n{SCRIPT}</script>\n</body>\n</html>\n",
         animated.frames.len(),
         moved.bodies.iter().map(body).collect::<Vec<_>>().join(",\n"),
         moved.redrawn.iter().map(redrawn).collect::<Vec<_>>().join(",\n"),
         columns.iter().map(column).collect::<Vec<_>>().join(",\n"),
+        wording.decimal(),
     );
     Ok(out)
 }
@@ -130,9 +143,7 @@ fn body(body: &Body) -> String {
     format!("[{},{},{},[{out}]]", number(body.centre.x), number(body.centre.y), u8::from(body.turns))
 }
 
-const HEAD: &str = "<!doctype html>
-<html lang=\"en\">
-<head>
+const HEAD: &str = "<head>
 <meta charset=\"utf-8\">
 <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">
 ";
@@ -156,7 +167,7 @@ const M=B.map((b,j)=>{const w=b[2]?3:2,q=[0,0,0];return[all('m'+j),b[3].map((x,i
 const D=R.map((r,j)=>[all('r'+j),r[1].map(i=>r[0][i])]),Q=V.map(v=>[v[0],v[1],v[2],sum(v[3])]),C=X&&sum(X);let k=0,on=false,t0=0;
 function show(i){k=i;for(const[g,q,w,b]of M){const t=`translate(${q[i*w]/100} ${q[i*w+1]/100})`+(w>2?` rotate(${q[i*w+2]/100})`:'')+` translate(${-b[0]} ${-b[1]})`;
 for(const e of g)e.setAttribute('transform',t)}for(const[g,r]of D)for(const e of g)e.innerHTML=r[i];
-$('o').textContent=Q.map(([n,u,d,s])=>n+' = '+(s[i]===null?'—':(s[i]/10**d).toFixed(d).replace('-','−')+u)).join('   ');
+$('o').textContent=Q.map(([n,u,d,s])=>n+' = '+(s[i]===null?'—':(s[i]/10**d).toFixed(d).replace('-','−').replace('.',P)+u)).join('   ');
 $('s').value=i;const c=$('c');if(c){const x=C[i];c.setAttribute('visibility',x!==null&&x>=-1&&x<=15001?'visible':'hidden');c.setAttribute('transform',`translate(${x/100} 0)`)}}
 function step(t){if(!on)return;const w=few.matches?1000:6000/N;if(t-t0>=w){const d=few.matches?Math.ceil(N/12):Math.max(1,Math.min(Math.ceil(N/45),Math.floor((t-t0)/w)));t0=t;show((k+d)%N)}requestAnimationFrame(step)}
 function play(y){on=y;$('p').textContent=on?'❚❚':'▶';if(on)requestAnimationFrame(step)}

@@ -5,6 +5,7 @@ use super::moved::{Body, Redrawn};
 use crate::error::Missing;
 use crate::kind::Options;
 use crate::scene::Scene;
+use crate::wording::Wording;
 use assur_drawing::{Theme, number};
 use assur_math::math::Vec2;
 use std::fmt::Write;
@@ -18,10 +19,15 @@ const MOST: usize = 120;
 ///
 /// # Errors
 /// There is no way to go.
-pub fn moving(scene: &Scene<'_>, options: &Options, theme: Theme) -> Result<String, Missing> {
+pub fn moving(
+    scene: &Scene<'_>,
+    options: &Options,
+    theme: Theme,
+    wording: &dyn Wording,
+) -> Result<String, Missing> {
     let ways = scene.all_ways();
     let scene = &Scene { ways: &ways, ..*scene };
-    let animated = Animated::of(scene, options)?;
+    let animated = Animated::of(scene, options, wording)?;
     let count = animated.frames.len();
     let every = if options.frames.is_some() { 1 } else { count.div_ceil(MOST) };
     let mut out = animated.sheet.svg(theme);

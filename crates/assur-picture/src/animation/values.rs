@@ -86,13 +86,14 @@ fn drives(frames: &[Scene<'_>]) -> Vec<Column> {
     all
 }
 
-/// The numbers of a frame in words.
-pub fn said(columns: &[Column], frame: usize) -> String {
+/// The numbers of a frame in words, with a sign before decimals.
+pub fn said(columns: &[Column], frame: usize, decimal: char) -> String {
     let said = columns.iter().map(|column| match column.numbers.get(frame).copied().flatten() {
         Some(number) => {
             #[allow(clippy::cast_precision_loss)] // four digits
             let value = number as f64 / 10_f64.powi(i32::from(column.decimals));
             let figures = format!("{value:.*}", usize::from(column.decimals)).replace('-', "−");
+            let figures = figures.replace('.', &decimal.to_string());
             format!("{} = {figures}{}", column.name, column.unit)
         }
         None => format!("{} = —", column.name),

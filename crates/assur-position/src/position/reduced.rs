@@ -13,6 +13,9 @@ use super::state::State;
 use crate::math::{Lu, Vec2};
 use crate::plan::{LoadStep, Plan};
 
+/// What positions of bodies that are found twice may differ by.
+const SAME_PLACE: f64 = 1e-9;
+
 /// Velocity of a body for a unit rate of a coordinate.
 #[derive(Clone, Copy, Debug)]
 struct Column {
@@ -53,6 +56,23 @@ impl Reduced {
             factors: Lu::new(n),
             free,
         }
+    }
+
+    /// M and the velocities for unit rates at the position of a state; none where its inputs do not lead there, as after a
+    /// dead position that was passed in other coordinates.
+    #[must_use]
+    pub fn at(plan: &Plan, free: &[usize], there: &State) -> Option<Self> {
+        let mut state = there.clone();
+        let mut reduced = Self::new(plan, free.to_vec(), true);
+        reduced.several(plan, &mut state);
+        let bodies = state.motion.bodies.iter().zip(&there.motion.bodies);
+        let far = bodies.map(|(a, b)| ((a.p - b.p).norm() / (1.0 + b.p.norm())).max((a.u - b.u).norm()));
+        let is_there = far.fold(0.0, f64::max) < SAME_PLACE;
+        if state.motion.open.is_some() || !is_there {
+            return None;
+        }
+        reduced.sum_up(plan, &state);
+        Some(reduced)
     }
 
     /// Slots of the drives that are free.

@@ -8,8 +8,8 @@ use assur_formula::{Expr, Function, Name, Unit, with_digits};
 use assur_math::element::cam::{Cam, Follower, Law, Phase, Quantity, Shape};
 use assur_model::model::{Mechanism, PlateCam};
 
-/// Where in a stage its formula is filled in, as parts of the stage.
-const PLACES: [f64; 2] = [0.25, 0.75];
+/// The most pieces of a spline that are written one by one.
+const PIECES: usize = 12;
 
 impl Page {
     pub(super) fn cams(&mut self, mechanism: &Mechanism) {
@@ -26,11 +26,13 @@ impl Page {
 
     fn stages(&mut self, plate: &PlateCam, letters: &Letters) {
         self.say(Message::CamStages, &[]);
-        for (i, phase) in plate.cam.program.phases().iter().enumerate() {
+        let phases = plate.cam.program.phases();
+        let long = phases.iter().filter(|phase| matches!(phase.law, Law::Spline(_))).count() > PIECES;
+        for (i, phase) in phases.iter().enumerate() {
             let at = degrees;
             let (from, to) = (at(phase.start), at(phase.start + phase.angle));
             let range: Line = vec![text(format!("{from}° … {to}°"))];
-            let Some(law) = law_of(phase.law) else {
+            let Some(law) = law_of(phase.law).filter(|law| !(long && *law == Message::LawSpline)) else {
                 let message = if phase.law == Law::Dwell { Message::CamDwell } else { Message::CamOther };
                 self.say(message, &[range]);
                 continue;
@@ -39,8 +41,7 @@ impl Page {
             let law = self.words(law);
             self.say(message, &[range, law]);
             let index = (i + 1).to_string();
-            let places: &[f64] = if phase.law == Law::Parabolic { &PLACES } else { &PLACES[..1] };
-            for place in places {
+            for place in places(phase.law) {
                 self.lift_at(plate, letters, phase, &index, *place);
             }
         }
@@ -59,13 +60,40 @@ impl Page {
             Unit::Angle,
         );
         let x = phi / angle.clone();
-        let Some((part, slope)) = shape(phase.law, &h, &x, place) else { return };
+        let constant = self.constant(phase, letters, index, scale);
+        let Some((part, slope)) = shape(phase.law, &h, &x, place, &constant) else { return };
         let [s, v, ..] = plate.cam.program.at(phase.start + way);
         let mark = with_digits(100.0 * place, 2).text();
         self.equate(letters.of("s", &format!("{index},{mark}")), scale * s, letters.unit(), from + part);
         let right = if letters.turns { slope / angle } else { Expr::Int(180) * slope / (Expr::Pi * angle) };
         let unit = if letters.turns { Unit::One } else { Unit::Length };
         self.equate(letters.of("s′", &format!("{index},{mark}")), v, unit, right);
+    }
+
+    /// What a law has besides the way: the greatest acceleration of modified ones, the terms of a piece of a spline.
+    fn constant(&mut self, phase: &Phase, letters: &Letters, index: &str, scale: f64) -> Vec<Expr> {
+        let int = Expr::Int;
+        let right = match phase.law {
+            Law::ModifiedTrapezoid => int(8) * Expr::Pi / (int(2) + Expr::Pi),
+            Law::ModifiedSine => int(4) * Expr::Pi.squared() / (int(4) + Expr::Pi),
+            Law::Spline(terms) => {
+                let term =
+                    |(letter, x)| self.constant_of(letters.of(letter, index), scale * x, letters.unit());
+                return ["a", "b", "c"].into_iter().zip(terms).map(term).collect();
+            }
+            _ => return Vec::new(),
+        };
+        let name = letters.of("A", index);
+        if let Some((_, known)) = self.equations.iter().find(|(_, e)| e.left.name == name) {
+            return vec![known.found()];
+        }
+        let value = right.value();
+        vec![self.equate(name, value, Unit::One, right)]
+    }
+
+    /// A number of the law that is stated; nothing where it is null.
+    fn constant_of(&mut self, name: Name, value: f64, unit: Unit) -> Expr {
+        if value == 0.0 { Expr::ZERO } else { self.stated(name, value, unit) }
     }
 
     /// Where the follower stands at lift zero.
@@ -183,12 +211,26 @@ const fn law_of(law: Law) -> Option<Message> {
         Law::Harmonic => Some(Message::LawHarmonic),
         Law::Cycloidal => Some(Message::LawCycloidal),
         Law::Poly345 => Some(Message::LawPoly345),
-        Law::Dwell | Law::Poly4567 | Law::ModifiedTrapezoid | Law::ModifiedSine | Law::Spline(_) => None,
+        Law::Poly4567 => Some(Message::LawPoly4567),
+        Law::ModifiedTrapezoid => Some(Message::LawModifiedTrapezoid),
+        Law::ModifiedSine => Some(Message::LawModifiedSine),
+        Law::Spline(_) => Some(Message::LawSpline),
+        Law::Dwell => None,
     }
 }
 
-/// The way h f(x) of a law, and h times its derivative by x.
-fn shape(law: Law, h: &Expr, x: &Expr, place: f64) -> Option<(Expr, Expr)> {
+/// Where in a stage its formula is filled in, as parts of the stage: in every formula that the law has in its first half.
+const fn places(law: Law) -> &'static [f64] {
+    match law {
+        Law::Parabolic => &[0.25, 0.75],
+        Law::ModifiedTrapezoid => &[0.1, 0.25, 0.4],
+        Law::ModifiedSine => &[0.1, 0.4],
+        _ => &[0.25],
+    }
+}
+
+/// The way h f(x) of a law, and h times its derivative by x, with the law's constants.
+fn shape(law: Law, h: &Expr, x: &Expr, place: f64, constants: &[Expr]) -> Option<(Expr, Expr)> {
     let int = Expr::Int;
     let (h, x) = (|| h.clone(), || x.clone());
     Some(match law {
@@ -209,8 +251,51 @@ fn shape(law: Law, h: &Expr, x: &Expr, place: f64) -> Option<(Expr, Expr)> {
             let slope = int(30) * h() * square() * (int(1) - x()).squared();
             (h() * square() * x() * sum, slope)
         }
-        _ => return None,
+        Law::Poly4567 => {
+            let square = || x().squared();
+            let sum = int(35) - int(84) * x() + int(70) * square() - int(20) * square() * x();
+            let slope = int(140) * h() * square() * x() * (int(1) - x()).squared() * (int(1) - x());
+            (h() * square().squared() * sum, slope)
+        }
+        Law::ModifiedTrapezoid | Law::ModifiedSine => {
+            let (way, slope) = modified(law, &x(), place);
+            let [constant] = constants else { return None };
+            (h() * constant.clone() * way, h() * constant.clone() * slope)
+        }
+        Law::Spline(_) => {
+            let [a, b, c] = constants else { return None };
+            let square = || x().squared();
+            let way = a.clone() * x() + b.clone() * square() + c.clone() * square() * x();
+            (way, a.clone() + int(2) * b.clone() * x() + int(3) * c.clone() * square())
+        }
+        Law::Dwell => return None,
     })
+}
+
+/// f and f′ of a modified law over its greatest acceleration, in the first half: one sine that is four times as fast, then
+/// constant acceleration or a slower sine, each integrated twice.
+fn modified(law: Law, x: &Expr, place: f64) -> (Expr, Expr) {
+    let int = Expr::Int;
+    let x = || x.clone();
+    let fourth = || int(4) * Expr::Pi;
+    let square = || int(16) * Expr::Pi.squared();
+    if place < 0.125 {
+        let angle = || Expr::Degrees(720) * x();
+        return (x() / fourth() - angle().sin() / square(), (int(1) - angle().cos()) / fourth());
+    }
+    if law == Law::ModifiedSine {
+        let angle = || Expr::Degrees(240) * x() + Expr::Degrees(60);
+        let way = x() / fourth() + (int(8) - int(9) * angle().sin()) / square();
+        return (way, (int(1) - int(3) * angle().cos()) / fourth());
+    }
+    if place < 0.375 {
+        let from = || x() - int(1) / int(8);
+        let way = x() / fourth() - int(1) / square() + from().squared() / int(2);
+        return (way, int(1) / fourth() + from());
+    }
+    let angle = || Expr::Degrees(720) * x() - Expr::Degrees(270);
+    let way = x() / fourth() + x() / int(4) - int(1) / int(16) - angle().cos() / square();
+    (way, int(1) / fourth() + int(1) / int(4) + angle().sin() / fourth())
 }
 
 /// An angle with the digits that it needs, up to six.

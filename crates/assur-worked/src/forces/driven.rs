@@ -28,6 +28,11 @@ impl Course<'_> {
         }
     }
 
+    /// Whether an effort is that of a coordinate which follows from the loads.
+    pub(super) fn has_no_effort(&self, slot: usize) -> bool {
+        matches!(self.structure().efforts[slot].source, EffortSource::Drive(id) if self.is_free(id.index()))
+    }
+
     /// Where an unknown force acts, in the frame of its body, and its direction.
     pub(super) fn line_of_effort(&self, slot: usize, body: usize) -> (Vec2, Angle, Vec2) {
         let (place, along) = self.state().forces.lines[slot];
@@ -93,7 +98,7 @@ impl Course<'_> {
             }
             EffortLine::Along(_) => {}
         }
-        self.sense_of_effort(&name, value, is_force);
+        self.sense_of_effort(&name, slot, is_force);
         let value = self.state().forces.reactions[hinge.slot].force;
         let right = [0, 1].map(|i| {
             let loads = Expr::sum(self.acting.forces[body].iter().map(|f| f.parts[i].clone()));
@@ -156,15 +161,16 @@ impl Course<'_> {
             }
             EffortLine::Torque { .. } => {}
         }
-        self.sense_of_effort(&name, value, true);
+        self.sense_of_effort(&name, slot, true);
         self.say(Message::SumAcrossGuide, &[]);
         let (normal, couple) = self.guide_reaction(guide, -across, d, at);
         self.carry_guide(guide, &way, &normal, &couple, at);
     }
 
-    /// In which sense an effort acts.
-    fn sense_of_effort(&mut self, name: &Name, value: f64, force: bool) {
-        let message = match (force, value < 0.0) {
+    /// In which sense an effort acts; a free coordinate has none.
+    fn sense_of_effort(&mut self, name: &Name, slot: usize, force: bool) {
+        let message = match (force, self.state().forces.efforts[slot] < 0.0) {
+            _ if self.has_no_effort(slot) => Message::NoEffort,
             (true, true) => Message::ForceAgainstLine,
             (true, false) => Message::ForceAlongLine,
             (false, true) => Message::ActsClockwise,

@@ -143,6 +143,10 @@ impl Course<'_> {
             self.say(Message::OnlyFriction, &[]);
             return;
         }
+        // without an effort there is nothing to compare
+        if (0..self.structure().efforts.len()).any(|slot| self.has_no_effort(slot)) {
+            return;
+        }
         let ideal = view.without_friction();
         let (mut with, mut without) = (Vec::new(), Vec::new());
         for slot in 0..self.structure().efforts.len() {

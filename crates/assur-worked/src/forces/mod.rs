@@ -14,6 +14,7 @@ mod rpr;
 mod rrp;
 mod rrr;
 mod run;
+mod several;
 mod stated;
 mod sums;
 mod together;

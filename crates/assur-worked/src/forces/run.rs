@@ -21,6 +21,7 @@ impl Course<'_> {
         let energy = self.kinetic_energy();
         if let Some(energy) = energy {
             self.reduced(report, &energy);
+            self.reduced_masses(report, &energy);
         }
         self.balance_of_energy(report);
         self.events(report);
@@ -109,7 +110,7 @@ impl Course<'_> {
     }
 
     /// The rate of a free coordinate, and whether it is an angle.
-    fn rate_of_drive(&mut self, target: DriveTarget) -> Option<(Expr, bool)> {
+    pub(super) fn rate_of_drive(&mut self, target: DriveTarget) -> Option<(Expr, bool)> {
         match target {
             DriveTarget::Link(link) => {
                 let kind = EffortKind::Angle(BodyId(link.index()));

@@ -33,11 +33,15 @@ impl Course<'_> {
                 };
                 self.bodies[body] =
                     Some(Body { reference: pin(&arm), angle, rates: [Expr::ZERO, Expr::ZERO] });
-                self.say(Message::DrivenAngle, &[super::of(&Name::new("φ", &label))]);
+                let free = self.is_free(drive);
+                let message = if free { Message::FreeCoordinate } else { Message::DrivenAngle };
+                self.say(message, &[super::of(&Name::new("φ", &label))]);
             }
             Stage::Velocities => {
                 let rate = self.rate(Name::new("ω", &label), base.body, 0, relative, input.rate, body);
-                self.say(Message::DrivenRate, &[super::of(&Name::new("ω", &label))]);
+                let free = self.is_free(drive);
+                let message = if free { Message::FreeCoordinate } else { Message::DrivenRate };
+                self.say(message, &[super::of(&Name::new("ω", &label))]);
                 self.set_rate(body, 0, rate);
             }
             Stage::Accelerations => {
@@ -49,6 +53,12 @@ impl Course<'_> {
                 self.set_rate(body, 1, rate);
             }
         }
+    }
+
+    /// Whether a coordinate is not driven and follows from the loads.
+    pub fn is_free(&self, drive: usize) -> bool {
+        let run = self.scene.solution.simulation.as_ref();
+        run.is_some_and(|run| run.coordinates.contains(&drive))
     }
 
     fn relative_angle(&mut self, body: usize, base: usize, degrees: f64) -> Angle {

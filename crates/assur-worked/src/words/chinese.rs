@@ -58,6 +58,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LinkOf => "构件 {0}",
         Message::DrivenAngle => "由驱动给定 {0}。",
         Message::DrivenRate => "由驱动给定 {0}。",
+        Message::FreeCoordinate => "载荷作用下的运动给出此时刻的 {0}。",
         Message::Uniform => "原动件匀速转动：{0} = 0。",
         Message::Triangle => "三角形 {0} 的三边已知：",
         Message::LeftOf => "{0} 位于由 {1} 到 {2} 的连线左侧：",
@@ -96,6 +97,11 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::BalanceShift => "构件 {0}：沿导路的平衡求得 {1}。",
         Message::ForceAlongLine => "{0} 为正：沿规定的方向作用。",
         Message::ForceAgainstLine => "{0} 为负：与规定的方向相反。",
+        Message::ReducedSeveral => {
+            "只让一个自由坐标以单位速度运动而其余静止时，质心和构件的速度（k，逗号后为该坐标）给出等效质量："
+        }
+        Message::EnergyReduced => "由此得到同样的动能：",
+        Message::NoEffort => "此自由坐标上没有驱动：由运动方程，{0} 为零。",
         Message::ActsCounterClockwise => "{0} 为正：逆时针作用。",
         Message::ActsClockwise => "{0} 为负：顺时针作用。",
         Message::VirtualPower => "所有载荷、惯性力和平衡力的功率之和为零；此式没有用到上面的任何平衡方程：",
@@ -218,6 +224,10 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LawHarmonic => "简谐运动",
         Message::LawCycloidal => "摆线运动",
         Message::LawPoly345 => "3-4-5 次多项式",
+        Message::LawPoly4567 => "4-5-6-7 次多项式",
+        Message::LawModifiedTrapezoid => "修正梯形（前半段；后半段与之对称）",
+        Message::LawModifiedSine => "修正正弦（前半段；后半段与之对称）",
+        Message::LawSpline => "样条的一段",
         Message::CamStart => "从动件在基圆上的位置：",
         Message::CamPressure => "压力角在凸轮转角 {0}° 处最大；该处（下标 α）：",
         Message::CamCurvature => "理论廓线在 {0}° 处曲率半径最小：",

@@ -64,6 +64,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LinkOf => "Link {0}",
         Message::DrivenAngle => "The drive gives {0}.",
         Message::DrivenRate => "The drive gives {0}.",
+        Message::FreeCoordinate => "The motion under the loads gives {0} at this instant.",
         Message::Uniform => "The drive turns uniformly: {0} = 0.",
         Message::Triangle => "The triangle {0} has three known sides:",
         Message::LeftOf => "{0} is to the left of the line from {1} to {2}:",
@@ -114,6 +115,13 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::BalanceShift => "Link {0}: forces along the guide give {1}.",
         Message::ForceAlongLine => "{0} is positive: it acts in its declared direction.",
         Message::ForceAgainstLine => "{0} is negative: it acts against its declared direction.",
+        Message::ReducedSeveral => {
+            "What mass centres and links move per unit rate of one free coordinate, the others at rest (k, the coordinate behind the comma), gives the reduced masses:"
+        }
+        Message::EnergyReduced => "By these the kinetic energy is the same:",
+        Message::NoEffort => {
+            "No effort acts on this free coordinate: {0} is zero, as the equation of motion demands."
+        }
         Message::ActsCounterClockwise => "{0} is positive: it acts counter-clockwise.",
         Message::ActsClockwise => "{0} is negative: it acts clockwise.",
         Message::VirtualPower => {
@@ -272,6 +280,12 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LawHarmonic => "simple harmonic motion",
         Message::LawCycloidal => "cycloidal motion",
         Message::LawPoly345 => "polynomial 3-4-5",
+        Message::LawPoly4567 => "polynomial 4-5-6-7",
+        Message::LawModifiedTrapezoid => {
+            "modified trapezoid, in the first half; in the second half symmetric"
+        }
+        Message::LawModifiedSine => "modified sine, in the first half; in the second half symmetric",
+        Message::LawSpline => "a piece of a spline",
         Message::CamStart => "On the base circle the follower is at:",
         Message::CamPressure => "The pressure angle is greatest at {0}° of the cam; there (index α):",
         Message::CamCurvature => "The pitch curve is sharpest at {0}°:",

@@ -101,6 +101,8 @@ pub enum Message {
     DrivenAngle,
     /// The rate of a driven link is given.
     DrivenRate,
+    /// A free coordinate, or its rate, at the instant that is shown.
+    FreeCoordinate,
     /// A drive without acceleration.
     Uniform,
     /// A triangle; 0: its corners.
@@ -177,6 +179,12 @@ pub enum Message {
     ForceAlongLine,
     /// Sense.
     ForceAgainstLine,
+    /// Reduced masses of several free coordinates.
+    ReducedSeveral,
+    /// The kinetic energy by these.
+    EnergyReduced,
+    /// A free coordinate has no effort.
+    NoEffort,
     /// Sense.
     ActsCounterClockwise,
     /// Sense.
@@ -353,6 +361,14 @@ pub enum Message {
     LawCycloidal,
     /// A law.
     LawPoly345,
+    /// A law.
+    LawPoly4567,
+    /// A law.
+    LawModifiedTrapezoid,
+    /// A law.
+    LawModifiedSine,
+    /// A law.
+    LawSpline,
     /// The follower at lift zero.
     CamStart,
     /// Pressure angle; 0: cam angle.

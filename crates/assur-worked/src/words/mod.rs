@@ -5,10 +5,11 @@ mod english;
 mod message;
 mod phrase;
 mod phrases;
+mod picture_phrases;
 mod russian;
 
 pub use message::Message;
-pub use phrase::phrase;
+pub use phrase::{known, phrase, title};
 
 use crate::document::{Inline, Labels, Line};
 

@@ -2,15 +2,27 @@
 
 use super::Language;
 use super::phrases::PHRASES;
+use super::picture_phrases::{ITEMS, PICTURES, TITLES};
 
 /// A sentence of a table or a picture in a language; as it is where it is of the author.
 #[must_use]
 pub fn phrase(language: Language, english: &str) -> String {
-    let column = match language {
-        Language::English => return english.to_owned(),
-        Language::Chinese => 1,
-        Language::Russian => 2,
-    };
+    if language == Language::English {
+        return english.to_owned();
+    }
+    known(language, english).unwrap_or_else(|| {
+        // a list of names, of which some are made here
+        let items = english
+            .split(", ")
+            .map(|item| if item == english { item.to_owned() } else { phrase(language, item) });
+        items.collect::<Vec<_>>().join(", ")
+    })
+}
+
+/// A sentence that the list has; none where it is of the author.
+#[must_use]
+pub fn known(language: Language, english: &str) -> Option<String> {
+    let Some(column) = column(language) else { return Some(english.to_owned()) };
     let spaced = english.trim_end();
     let tail = &english[spaced.len()..];
     // the unit of a header, and what a heading says besides
@@ -18,23 +30,54 @@ pub fn phrase(language: Language, english: &str) -> String {
         Some((words, _)) if spaced.ends_with(']') => (words, &spaced[words.len()..]),
         _ => (spaced, ""),
     };
-    let found = PHRASES.iter().find_map(|row| Some((row, parts(row[0], words)?)));
-    let Some((row, parts)) = found else {
-        // a list of names, of which some are made here
-        let items = english
-            .split(", ")
-            .map(|item| if item == english { item.to_owned() } else { phrase(language, item) });
-        return items.collect::<Vec<_>>().join(", ");
-    };
-    let mut parts = parts.into_iter();
-    let mut said = String::new();
-    for (i, literal) in row[column].split("{}").enumerate() {
-        if i > 0 {
-            said += &parts.next().map(|part| phrase(language, part)).unwrap_or_default();
-        }
-        said += literal;
+    // an item is not the first of several
+    let items = ITEMS.iter().filter(|_| !words.contains(", "));
+    // nor the first of several sentences
+    let several = words.contains("; ");
+    let pictures = PICTURES.iter().filter(|row| !(several && row[0].starts_with("{}")));
+    let mut rows = PHRASES.iter().chain(pictures).chain(items);
+    let (row, parts) = rows.find_map(|row| Some((row, parts(row[0], words)?)))?;
+    Some(filled(row[column], &parts, |_, part| phrase(language, part)) + unit + tail)
+}
+
+/// The title of a picture: what the author called the problem stays as it is.
+#[must_use]
+pub fn title(language: Language, english: &str) -> String {
+    let Some(column) = column(language) else { return english.to_owned() };
+    let found = TITLES.iter().find_map(|row| Some((row, parts(row[0], english)?)));
+    found.map_or_else(
+        || english.to_owned(),
+        |(row, parts)| {
+            filled(
+                row[column],
+                &parts,
+                |i, part| {
+                    if i == 0 { part.to_owned() } else { phrase(language, part) }
+                },
+            )
+        },
+    )
+}
+
+/// The column of a language; none of English.
+const fn column(language: Language) -> Option<usize> {
+    match language {
+        Language::English => None,
+        Language::Chinese => Some(1),
+        Language::Russian => Some(2),
     }
-    said + unit + tail
+}
+
+/// A pattern with its parts in their places.
+fn filled(pattern: &str, parts: &[&str], said: impl Fn(usize, &str) -> String) -> String {
+    let mut out = String::new();
+    for (i, literal) in pattern.split("{}").enumerate() {
+        if let Some(before) = i.checked_sub(1) {
+            out += &parts.get(before).map(|part| said(before, part)).unwrap_or_default();
+        }
+        out += literal;
+    }
+    out
 }
 
 /// What stands for the `{}` of a pattern; none where it is another sentence.

@@ -1,4 +1,4 @@
-//! Sentences of tables and pictures, which are made in English elsewhere: English, Chinese, Russian. `{}` is what is copied, or a phrase itself.
+//! Sentences of tables, which are made in English elsewhere: English, Chinese, Russian. `{}` is what is copied, or a phrase itself.
 
 pub(super) const PHRASES: &[[&str; 3]] = &[
     // headings
@@ -220,51 +220,4 @@ pub(super) const PHRASES: &[[&str; 3]] = &[
     ["{} held by friction from {} on", "{} 从 {} 起由摩擦保持静止", "{} удерживается трением начиная с {}"],
     ["{} rests on its stop from {} to {}", "{} 从 {} 到 {} 停在挡块上", "{} лежит на упоре от {} до {}"],
     ["{} rests on its stop from {} on", "{} 从 {} 起停在挡块上", "{} лежит на упоре начиная с {}"],
-    // pictures
-    [
-        "For a unit speed of the drive: the file gives its sense alone.",
-        "驱动取单位速度：题目只给出其方向。",
-        "Для единичной скорости привода: задано только её направление.",
-    ],
-    [
-        "All velocities are zero at this position: the plan is a point.",
-        "在此位置所有速度为零：多边形为一点。",
-        "В этом положении все скорости равны нулю: план есть точка.",
-    ],
-    [
-        "All accelerations are zero at this position: the plan is a point.",
-        "在此位置所有加速度为零：多边形为一点。",
-        "В этом положении все ускорения равны нулю: план есть точка.",
-    ],
-    ["Too short to draw:", "过短而未画出：", "Слишком коротки для чертежа:"],
-    ["springs", "弹簧", "пружины"],
-    ["share of the sweep", "行程的份额", "доля хода"],
-    [
-        "Pitch circles to scale; axial places are chosen for the drawing.",
-        "节圆按比例；轴向位置为示意。",
-        "Начальные окружности в масштабе; места вдоль осей условны.",
-    ],
-    [
-        "Section, not to scale: axial places and small wheels are chosen for the drawing.",
-        "剖面，不按比例：轴向位置和小轮为示意。",
-        "Разрез не в масштабе: места вдоль осей и малые колёса условны.",
-    ],
-    [
-        "Section, not to scale: sizes that the file leaves open are assumed.",
-        "剖面，不按比例：题目未给的尺寸为假定。",
-        "Разрез не в масштабе: незаданные размеры приняты условно.",
-    ],
-    ["The vector is zero over the whole sweep.", "矢量在整个行程中为零。", "Вектор равен нулю на всём ходе."],
-    ["{}: kinematic scheme", "{}：机构运动简图", "{}: кинематическая схема"],
-    ["{}: train in section", "{}：轮系剖面图", "{}: передача в разрезе"],
-    ["{}: work of the flywheel {}", "{}：飞轮 {} 的功", "{}: работа маховика {}"],
-    [
-        "{}: motion of the follower of the cam {}",
-        "{}：凸轮 {} 的从动件运动规律",
-        "{}: закон движения толкателя кулачка {}",
-    ],
-    ["{}: cam {}", "{}：凸轮 {}", "{}: кулачок {}"],
-    ["{} over the sweep", "{}，整个行程", "{} за ход"],
-    ["{} over time", "{}，随时间", "{} по времени"],
-    ["{} at pose {}", "{}，位置 {}", "{} в положении {}"],
 ];

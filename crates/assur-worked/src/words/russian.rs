@@ -66,6 +66,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LinkOf => "Звено {0}",
         Message::DrivenAngle => "Привод задаёт {0}.",
         Message::DrivenRate => "Привод задаёт {0}.",
+        Message::FreeCoordinate => "Движение под нагрузками даёт {0} в этот момент.",
         Message::Uniform => "Привод вращается равномерно: {0} = 0.",
         Message::Triangle => "В треугольнике {0} известны три стороны:",
         Message::LeftOf => "{0} слева от прямой из {1} в {2}:",
@@ -112,6 +113,13 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::BalanceShift => "Звено {0}: силы вдоль направляющей дают {1}.",
         Message::ForceAlongLine => "{0} положительна: действует в заданном направлении.",
         Message::ForceAgainstLine => "{0} отрицательна: действует против заданного направления.",
+        Message::ReducedSeveral => {
+            "Скорости центров масс и звеньев при единичной скорости одной свободной координаты, когда остальные покоятся (k, координата после запятой), дают приведённые массы:"
+        }
+        Message::EnergyReduced => "По ним кинетическая энергия та же:",
+        Message::NoEffort => {
+            "На эту свободную координату усилие не действует: {0} равно нулю, как требует уравнение движения."
+        }
         Message::ActsCounterClockwise => "{0} положителен: действует против часовой стрелки.",
         Message::ActsClockwise => "{0} отрицателен: действует по часовой стрелке.",
         Message::VirtualPower => {
@@ -270,6 +278,10 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LawHarmonic => "косинусоидальный закон",
         Message::LawCycloidal => "синусоидальный закон",
         Message::LawPoly345 => "полином 3-4-5",
+        Message::LawPoly4567 => "полином 4-5-6-7",
+        Message::LawModifiedTrapezoid => "изменённая трапеция (первая половина; вторая симметрична)",
+        Message::LawModifiedSine => "изменённая синусоида (первая половина; вторая симметрична)",
+        Message::LawSpline => "участок сплайна",
         Message::CamStart => "На основной окружности толкатель стоит при:",
         Message::CamPressure => "Угол давления наибольший при {0}° кулачка; там (индекс α):",
         Message::CamCurvature => "Кривизна теоретического профиля наибольшая при {0}°:",
