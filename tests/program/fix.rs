@@ -19,7 +19,8 @@ fn what_is_certain_is_fixed() {
 
 #[test]
 fn what_may_mean_several_things_stays() {
-    let text = "given r = 5\nlink crank A-B r\ngiven t = 1,500 m\n";
+    // a unit left out, thousands or decimals, another point, another short word, another unit
+    let text = "given r = 5\nlink crank A-B1 r\ngiven t = 1,500 m\nfind position(B2)\nforce F im crank = 5 N\ngiven s = 5 mn\n";
     let folder = Folder::new("fix-several").with("a.mech", text);
     let out = assur(&folder, &["check", "--fix", "a.mech"]);
     assert_eq!((out.status, folder.read("a.mech").as_str()), (1, text), "{}", out.stderr);

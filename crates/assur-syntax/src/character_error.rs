@@ -66,7 +66,7 @@ impl Problem for CharacterError {
             Self::FullWidth { help, .. }
             | Self::CurlyQuotes { help, .. }
             | Self::ForeignSign { help, .. }
-            | Self::InvisibleCharacter { help, .. } => help.certain_fixes(),
+            | Self::InvisibleCharacter { help, .. } => help.clone().certain().fixes().to_vec(),
             Self::LoneCarriageReturn { .. } => Vec::new(),
         }
     }

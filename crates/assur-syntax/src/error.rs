@@ -1,6 +1,6 @@
 //! Errors of the lines of a text: signs, words, statements.
 
-use assur_text::diagnostic::{Fix, Help, Problem};
+use assur_text::diagnostic::Help;
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -360,68 +360,4 @@ pub enum SyntaxError {
         #[help]
         help: Option<Help>,
     },
-}
-
-impl SyntaxError {
-    /// A comma within a number: the lines are those that may be meant.
-    pub(super) fn comma_in_number(at: Span, lines: Vec<Help>) -> Self {
-        match <[Help; 1]>::try_from(lines) {
-            Ok([help]) => Self::DecimalComma { at, help },
-            Err(lines) => Self::ThousandsComma { at, help: Help::one_of(lines) },
-        }
-    }
-
-    fn help(&self) -> Option<&Help> {
-        match self {
-            Self::BareDecimalPoint { help, .. }
-            | Self::DecimalComma { help, .. }
-            | Self::ThousandsComma { help, .. }
-            | Self::BraceOnItsOwnLine { help, .. }
-            | Self::StatementInBraces { help, .. }
-            | Self::EqualsExpected { help, .. }
-            | Self::ColonExpected { help, .. }
-            | Self::UnclosedText { help, .. }
-            | Self::TitleWithoutQuotes { help, .. }
-            | Self::UnitInRow { help, .. }
-            | Self::UnknownStatement { help, .. }
-            | Self::FindAt { help, .. }
-            | Self::MisplacedMember { help, .. }
-            | Self::ReservedName { help, .. }
-            | Self::TwoStatements { help, .. }
-            | Self::MissingWord { help, .. }
-            | Self::MissingOperator { help, .. }
-            | Self::OtherWord { help, .. }
-            | Self::NeedlessSign { help, .. }
-            | Self::CommaBetween { help, .. }
-            | Self::WithoutBrackets { help, .. }
-            | Self::DigitFirst { help, .. }
-            | Self::CommentSign { help, .. }
-            | Self::PointWithoutCoordinates { help, .. }
-            | Self::MissingBrace { help, .. } => Some(help),
-            Self::UnclosedBracket { help, .. }
-            | Self::UnmatchedBracket { help, .. }
-            | Self::MisspeltWord { help, .. }
-            | Self::Unexpected { help, .. } => help.as_ref(),
-            _ => None,
-        }
-    }
-}
-
-impl Problem for SyntaxError {
-    fn fixes(&self) -> Vec<Fix> {
-        let Some(help) = self.help() else { return Vec::new() };
-        match self {
-            Self::BareDecimalPoint { .. }
-            | Self::BraceOnItsOwnLine { .. }
-            | Self::ColonExpected { .. }
-            | Self::CommentSign { .. }
-            | Self::DecimalComma { .. }
-            | Self::EqualsExpected { .. }
-            | Self::MisspeltWord { .. }
-            | Self::NeedlessSign { .. }
-            | Self::TitleWithoutQuotes { .. }
-            | Self::UnclosedText { .. } => help.certain_fixes(),
-            _ => help.fixes().to_vec(),
-        }
-    }
 }

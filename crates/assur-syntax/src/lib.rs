@@ -7,6 +7,7 @@ mod character_error;
 mod comma;
 mod confusables;
 mod error;
+mod fixes;
 mod foreign;
 mod grammar;
 mod line;

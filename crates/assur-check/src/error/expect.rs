@@ -1,7 +1,7 @@
 //! The answer key.
 
 use assur_text::diagnostic::{Fix, Help, Problem};
-use assur_text::source::Span;
+use assur_text::source::{Edit, Span};
 use miette::Diagnostic;
 use thiserror::Error;
 
@@ -98,7 +98,7 @@ pub enum ExpectError {
         #[label(primary, "too wide")]
         span: Span,
         /// A tolerance that would do.
-        help: String,
+        help: Help,
     },
     /// A value that is compared with itself.
     #[error("a value is compared with itself")]
@@ -207,7 +207,12 @@ pub enum ExpectError {
 impl Problem for ExpectError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
-            Self::UnknownPose { help: Some(help), .. } => help.certain_fixes(),
+            Self::UnknownPose { help: Some(help), .. } | Self::AnyValue { help, .. } => help.fixes().to_vec(),
+            Self::PlusMinus { line, span } => vec![Fix {
+                title: format!("write `expect {line}`"),
+                edits: vec![Edit::new(*span, " within ")],
+                certain: false,
+            }],
             _ => Vec::new(),
         }
     }

@@ -142,7 +142,7 @@ pub enum NameError {
 impl Problem for NameError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
-            Self::Unknown { help: Some(help), .. } => help.certain_fixes(),
+            Self::Unknown { help: Some(help), .. } => help.fixes().to_vec(),
             _ => Vec::new(),
         }
     }

@@ -270,7 +270,7 @@ pub enum SimulateError {
 impl Problem for SimulateError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
-            Self::UnknownEvent { help, .. } => help.certain_fixes(),
+            Self::UnknownEvent { help, .. } => help.fixes().to_vec(),
             _ => Vec::new(),
         }
     }

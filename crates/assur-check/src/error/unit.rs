@@ -93,7 +93,7 @@ pub enum UnitsError {
         used: Option<Span>,
         /// The two possible values.
         #[help]
-        help: String,
+        help: Help,
     },
     /// A number where a vector is expected, or a vector where a number is expected, or a condition.
     #[error("{what} should be {want}, but this is {found}")]
@@ -164,9 +164,9 @@ pub enum UnitsError {
 impl Problem for UnitsError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
-            Self::Unknown { help: Some(help), .. } => help.certain_fixes(),
-            // the unit is a guess
-            Self::Missing { help, .. } => help.fixes().to_vec(),
+            Self::Unknown { help: Some(help), .. }
+            | Self::Missing { help, .. }
+            | Self::Hertz { help, .. } => help.fixes().to_vec(),
             _ => Vec::new(),
         }
     }

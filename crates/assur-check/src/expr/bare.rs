@@ -77,10 +77,10 @@ impl Context<'_> {
             (span, used) = (definition.value.span, Some(expr.span));
             defined = Some(name.clone());
         }
-        let lines = found.as_ref().and_then(|(number, before)| per_time(number, before));
+        let lines = found.as_ref().and_then(|(number, before)| per_time(number, before, span));
         let unit =
             found.and_then(|(number, _)| number.unit).map_or_else(|| "Hz".to_owned(), |unit| unit.node);
-        let help = lines.unwrap_or_else(|| "multiply it by `1 rev`, or by `1 rad`".to_owned());
+        let help = lines.unwrap_or_else(|| "multiply it by `1 rev`, or by `1 rad`".into());
         self.error(UnitsError::Hertz { what, unit, span, used, help });
         if let Some(name) = defined {
             self.values.definitions.settled.insert(name, Settled::Failed);
@@ -97,7 +97,7 @@ impl Context<'_> {
         let text = format!("{}*{}", number.text, word.node);
         if self.problems.reported.insert(("product", text.clone())) {
             let why = format!("`{}` is a name, not a unit: `*` is missing", word.node);
-            self.error(UnitsError::Unknown { why, span: at, help: Some(Help::write(at, &[text])) });
+            self.error(UnitsError::Unknown { why, span: at, help: Some(Help::write(at, &[text]).certain()) });
         }
         true
     }
@@ -135,8 +135,9 @@ fn literal(expr: &Expr) -> Option<&Number> {
 }
 
 /// The two values that a number per time may mean, with their definition.
-fn per_time(number: &Number, before: &str) -> Option<String> {
+fn per_time(number: &Number, before: &str, at: Span) -> Option<Help> {
     let unit = lookup(&number.unit.as_ref()?.node).ok()?;
     let [turns, radians] = revolutions_or_radians(&number.text, &unit);
-    Some(format!("write `{before}{turns}` or `{before}{radians}`"))
+    let words = format!("write `{before}{turns}` or `{before}{radians}`");
+    Some(Help::write(at, &[turns, radians]).in_words(words))
 }

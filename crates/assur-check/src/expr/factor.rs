@@ -91,7 +91,7 @@ impl Context<'_> {
             vec![format!("{number} {word}")]
         };
         let why = format!("`{written}` is not a unit");
-        self.error(UnitsError::Unknown { why, span, help: Some(Help::write(span, &quantities)) });
+        self.error(UnitsError::Unknown { why, span, help: Some(Help::write(span, &quantities).certain()) });
         true
     }
 }

@@ -35,6 +35,10 @@ impl Context<'_> {
                     let why = error.to_string();
                     let nearest = error.nearest();
                     let help = (!nearest.is_empty()).then(|| Help::write(word.span, nearest));
+                    // `mn` may be `MN` or `mN`, `Nm` is `N*m`
+                    let plain = |unit: &str| unit.chars().filter(|c| c.is_alphanumeric()).collect::<String>();
+                    let is_meant = nearest.iter().all(|unit| plain(unit) == plain(&word.node));
+                    let help = if is_meant { help.map(Help::certain) } else { help };
                     // what is proposed replaces the whole word
                     let span = if help.is_some() { word.span } else { part };
                     self.error(UnitsError::Unknown { why, span, help });

@@ -110,7 +110,7 @@ fn one(
         let known = specs.iter().map(|s| s.name).chain(others.iter().copied()).collect::<Vec<_>>();
         let usual = USUAL.iter().find(|(other, ours)| *other == name.as_str() && known.contains(ours));
         let help = usual
-            .map(|(_, ours)| Help::did_you_mean(property.name.span, &[(*ours).to_owned()]))
+            .map(|(_, ours)| Help::did_you_mean(name, property.name.span, &[(*ours).to_owned()]))
             .or_else(|| suggestion(name, property.name.span, &known, "properties"))
             .unwrap_or_else(|| format!("leave the braces out: {what} has no properties").into());
         let (what, name, span) = (what.to_owned(), name.clone(), property.name.span);

@@ -25,7 +25,7 @@ pub fn suggestion(name: &str, at: Span, all: &[&str], kind: &str) -> Option<Help
     let near = did_you_mean(name, all.iter().copied());
     if !near.is_empty() {
         let near = near.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
-        return Some(Help::did_you_mean(at, &near));
+        return Some(Help::did_you_mean(name, at, &near));
     }
     match all.len() {
         0 => None,

@@ -6,6 +6,7 @@ use crate::statements::walk;
 use crate::values::format_value::{digits, format_value, format_value_like};
 use crate::values::typed::Type;
 use assur_syntax::document::{Expr, ExprKind, Number, Statement};
+use assur_text::diagnostic::Help;
 use assur_text::source::Span;
 use assur_text::units::{Dimension, lookup};
 use std::f64::consts::PI;
@@ -27,7 +28,8 @@ pub(crate) fn relative(cx: &mut Context<'_>, within: &Expr, size: f64, ty: Type)
         _ => String::new(),
     };
     let why = format!("it is {} % of the value, so zero would pass", digits(size * 100.0));
-    let help = format!("write `within {percent}`{absolute}");
+    let words = format!("write `within {percent}`{absolute}");
+    let help = Help::write(within.span, &[percent]).in_words(words);
     cx.error(ExpectError::AnyValue { why, span: within.span, help });
     None
 }
@@ -67,12 +69,17 @@ pub(crate) fn absolute(
     let greatest = format_value_like(&cx.names, most, dimension, within);
     let why = format!("{is} is no less than the greatest such value in the file, {greatest}");
     let help = if expected.contains(&0.0) {
-        format!("write `within {}`", format_value_like(&cx.names, most * 1e-3, dimension, within))
+        instead(within.span, &format_value_like(&cx.names, most * 1e-3, dimension, within))
     } else {
-        "write `within 3 %`".to_owned()
+        instead(within.span, "3 %")
     };
     cx.error(ExpectError::AnyValue { why, span: within.span, help });
     None
+}
+
+/// Another tolerance in the place of this.
+fn instead(at: Span, size: &str) -> Help {
+    Help::write(at, &[size.to_owned()]).in_words(format!("write `within {size}`"))
 }
 
 /// The greatest number of a dimension that stands in the file, tolerances left out; SI.

@@ -81,7 +81,7 @@ impl Context<'_> {
             let alone = is_pi || did_you_mean(&name.node, all.iter().copied()).is_empty();
             let pi = || {
                 let near = alone && !did_you_mean(&name.node, ["pi"]).is_empty();
-                near.then(|| Help::did_you_mean(name.span, &["pi".to_owned()]))
+                near.then(|| Help::did_you_mean(&name.node, name.span, &["pi".to_owned()]))
             };
             let unit = || if alone { unit_apart(&name.node) } else { None };
             let effort = || if alone { self.no_balance(&name.node) } else { None };

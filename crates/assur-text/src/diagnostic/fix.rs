@@ -3,6 +3,9 @@
 use crate::source::{Edit, Span, edited};
 use std::fmt;
 
+/// The letters of a name in which one may be a slip.
+const LETTERS: usize = 4;
+
 /// A change of a text after which a problem of it is gone.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
@@ -44,11 +47,21 @@ impl Help {
         Self { text, fixes: replacements(at, words) }
     }
 
-    /// ``did you mean `…` or `…`?``: names that may be meant in a place.
+    /// ``did you mean `…` or `…`?``: names that may be meant by another in a place. One that is alone and differs by a slip is certain.
     #[must_use]
-    pub fn did_you_mean(at: Span, names: &[String]) -> Self {
-        let text = format!("did you mean {}?", alternatives(names));
-        Self { text, fixes: replacements(at, names) }
+    pub fn did_you_mean(name: &str, at: Span, names: &[String]) -> Self {
+        let help =
+            Self { text: format!("did you mean {}?", alternatives(names)), fixes: replacements(at, names) };
+        if names.iter().all(|meant| is_slip(name, meant)) { help.certain() } else { help }
+    }
+
+    /// The same, with nothing else that can be meant if it has one fix alone.
+    #[must_use]
+    pub fn certain(mut self) -> Self {
+        if let [only] = self.fixes.as_mut_slice() {
+            only.certain = true;
+        }
+        self
     }
 
     /// `write one of …`: several of which one is meant.
@@ -71,13 +84,6 @@ impl Help {
     pub fn fixes(&self) -> &[Fix] {
         &self.fixes
     }
-
-    /// The fixes; if there is one alone, it is certain.
-    #[must_use]
-    pub fn certain_fixes(&self) -> Vec<Fix> {
-        let only = self.fixes.len() == 1;
-        self.fixes.iter().map(|fix| Fix { certain: only, ..fix.clone() }).collect()
-    }
 }
 
 impl fmt::Display for Help {
@@ -97,6 +103,14 @@ impl From<&str> for Help {
     fn from(text: &str) -> Self {
         text.to_owned().into()
     }
+}
+
+/// Whether a name is another one with a slip of the pen: not `B2` for `B1`, and not `rod` for `bar`.
+fn is_slip(name: &str, meant: &str) -> bool {
+    let digits = |name: &str| name.chars().filter(|c| c.is_numeric()).collect::<String>();
+    let letters = |name: &str| name.chars().filter(|c| c.is_alphabetic()).count();
+    name.to_lowercase() == meant.to_lowercase()
+        || (digits(name) == digits(meant) && letters(meant) >= LETTERS && letters(name) >= LETTERS - 1)
 }
 
 fn alternatives(words: &[String]) -> String {

@@ -285,7 +285,7 @@ pub enum MotionError {
 impl Problem for MotionError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
-            Self::NotDriven { help, .. } => help.certain_fixes(),
+            Self::NotDriven { help, .. } => help.fixes().to_vec(),
             _ => Vec::new(),
         }
     }

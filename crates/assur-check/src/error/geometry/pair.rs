@@ -224,7 +224,7 @@ pub enum PairError {
 impl Problem for PairError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
-            Self::UnknownProperty { help, .. } => help.certain_fixes(),
+            Self::UnknownProperty { help, .. } => help.fixes().to_vec(),
             _ => Vec::new(),
         }
     }

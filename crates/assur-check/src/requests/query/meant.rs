@@ -182,5 +182,5 @@ fn near(written: &Name) -> Option<Help> {
     let all = did_you_mean(name, FUNCTIONS.iter().map(|f| f.name));
     let close = |f: &&str| 2 * f.len() > name.len() && 2 * name.len() >= f.len();
     let near = all.into_iter().filter(close).map(str::to_owned).collect::<Vec<_>>();
-    (!near.is_empty()).then(|| Help::did_you_mean(written.span, &near))
+    (!near.is_empty()).then(|| Help::did_you_mean(name, written.span, &near))
 }
