@@ -17,7 +17,7 @@ pub struct ReactionEntry {
     pub from: LinkId,
     /// The link it acts on.
     pub on: LinkId,
-    /// The force on `on`, N.
+    /// The force on `on`, N; NaN where it is not determined.
     pub force: Vec2,
     /// The couple on `on` about the pair's reference point, N m; `None` where it is not determined, or has no meaning.
     pub moment: Option<f64>,
@@ -25,6 +25,13 @@ pub struct ReactionEntry {
     pub at: Option<Vec2>,
     /// Forces at the two contact points of a guide.
     pub contacts: Vec<ContactEntry>,
+}
+
+impl ReactionEntry {
+    /// Whether its force is determined.
+    pub fn is_known(&self) -> bool {
+        !self.force.x.is_nan() && !self.force.y.is_nan()
+    }
 }
 
 /// The force at a contact point of a guide, on the sliding link.
@@ -179,10 +186,12 @@ impl<'a> Forces<'a> {
         let (mechanism, precision) = (self.answers.model.mechanism, self.answers.precision);
         let in_unit = self.force.of_si_vector(entry.force);
         let numbers = [in_unit.x, in_unit.y, libm::hypot(in_unit.x, in_unit.y)];
-        let mut cells = numbers.map(|x| precision.figures(x, self.greatest[0])).to_vec();
+        let is_known = entry.is_known();
+        let figure = |x| if is_known { precision.figures(x, self.greatest[0]) } else { NONE.to_owned() };
+        let mut cells = numbers.map(figure).to_vec();
         cells.push(match (&mechanism.pair(entry.pair).kind, entry.moment) {
             (_, Some(m)) => precision.figures(self.moment.of_si(m), self.greatest[1]),
-            (PairKind::Prismatic(_), None) => "not determined".to_owned(),
+            (PairKind::Prismatic(_), None) if is_known => "not determined".to_owned(),
             _ => NONE.to_owned(),
         });
         cells
@@ -290,16 +299,21 @@ fn remarks(mechanism: &Mechanism, answers: &Answers<'_>) -> Vec<String> {
     remarks
 }
 
-/// Poses without reactions.
+/// Poses without reactions, and those at which they are not determined.
 fn locked(answers: &Answers<'_>) -> Vec<String> {
-    let locks = |solved: &Solved| solved.state.forces.locked;
-    let poses = answers.poses().filter(|p| p.outcome.as_ref().is_ok_and(locks));
-    let names: Vec<&str> = poses.map(|p| p.name.as_str()).collect();
-    let at = match names.as_slice() {
-        [] => return Vec::new(),
-        [name] => format!("pose {name}"),
-        [first, second] => format!("poses {first} and {second}"),
-        [first, .., last] => format!("{} poses from {first} to {last}", names.len()),
+    let at = |which: &dyn Fn(&Solved) -> bool| {
+        let poses = answers.poses().filter(|p| p.outcome.as_ref().is_ok_and(which));
+        let names: Vec<&str> = poses.map(|p| p.name.as_str()).collect();
+        match names.as_slice() {
+            [] => None,
+            [name] => Some(format!("pose {name}")),
+            [first, second] => Some(format!("poses {first} and {second}")),
+            [first, .., last] => Some(format!("{} poses from {first} to {last}", names.len())),
+        }
     };
-    vec![format!("no reactions at {at}: friction locks the mechanism")]
+    let locked = at(&|solved| solved.state.forces.locked)
+        .map(|at| format!("no reactions at {at}: friction locks the mechanism"));
+    let shared = at(&|solved| !solved.state.forces.locked && solved.state.friction_shares())
+        .map(|at| format!("no reactions at {at}: how pairs share what friction holds is not determined"));
+    locked.into_iter().chain(shared).collect()
 }

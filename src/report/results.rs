@@ -184,7 +184,7 @@ fn reaction_quantities(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<Quantity> 
         quantities.push(Quantity {
             name: format!("reaction({pair}, {on})"),
             display: mechanism.display_of(Dimension::FORCE),
-            values: each(&|e| Some(Value::Vector(e.force))),
+            values: each(&|e| e.is_known().then_some(Value::Vector(e.force))),
             missing: NONE,
         });
         let moments = each(&|e| e.moment.map(Value::Scalar));

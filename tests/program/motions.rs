@@ -120,3 +120,37 @@ fn a_missed_accuracy_leaves_no_line_without_numbers() {
     let out = assur(&folder, &["solve", "a.mech"]);
     assert!(out.stdout.contains("wanted was 1e-11"), "{}", out.stdout);
 }
+
+/// An engine that friction stops; then more pairs hold than it takes.
+const STOPS: &str = r#"mech 1
+gravity 9.81 m/s^2
+ground { A (0, 0); line guide through A along 0 deg }
+link crank  A-B 60 mm { mass 2 kg at A; inertia 0.03 kg*m^2 }
+link rod    B-C 210 mm { S (70 mm, 0); mass 0.9 kg at S; inertia 0.006 kg*m^2 }
+link piston { C (0, 0); mass 0.7 kg at C }
+revolute  A: ground - crank { friction_circle 30 mm }
+revolute  B: crank - rod { friction_circle 4 mm }
+revolute  C: rod - piston { friction_circle 2 mm }
+prismatic D: piston.C - ground.guide { friction 0.4 }
+assemble C ahead of B
+start crank = 30 deg at 4 rad/s
+simulate 1 s in 2 steps within 1e-6
+find omega(crank), reaction(A, crank)
+find reactions
+"#;
+
+#[test]
+fn no_form_has_numbers_for_what_friction_shares() {
+    let folder = Folder::new("shared").with("a.mech", STOPS);
+    let said = "how pairs share what friction holds is not determined";
+    for format in ["table", "json", "jsonl", "csv", "markdown", "latex"] {
+        let out = assur(&folder, &["solve", "a.mech", "--format", format]).stdout;
+        assert!(!out.contains("NaN") && !out.contains("null"), "{format}: {out}");
+        assert!(format != "table" || out.contains(said), "{out}");
+    }
+    let report = assur(&folder, &["report", "a.mech", "--pose", "1"]);
+    assert!(report.stdout.contains("neither are the reactions"), "{}", report.stdout);
+    assert!(!report.stdout.contains("NaN"), "{}", report.stdout);
+    let drawn = assur(&folder, &["draw", "a.mech", "forces", "--pose", "1"]);
+    assert!(drawn.status == 1 && drawn.stderr.contains("mech::picture::no_forces"), "{}", drawn.stderr);
+}

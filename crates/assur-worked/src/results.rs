@@ -31,7 +31,7 @@ impl Course<'_> {
                 FindKind::Table(_) => {}
             }
         }
-        if reactions && !self.state().forces.locked {
+        if reactions && !self.state().forces.locked && !self.state().friction_shares() {
             let display = mechanism.display_of(Dimension::FORCE);
             for (i, pair) in mechanism.pairs.iter().enumerate() {
                 if matches!(pair.kind, PairKind::Transmission(_)) {

@@ -188,7 +188,8 @@ fn numbered(mut blocks: Vec<Block>) -> Vec<Block> {
 impl Course<'_> {
     fn part(&mut self, part: Part) {
         let level = self.scene.model.plan.effects.level;
-        let forces = self.scene.model.plan.has_forces() && !self.state().forces.locked;
+        let has_forces = self.scene.model.plan.has_forces() && !self.state().forces.locked;
+        let forces = has_forces && !self.state().friction_shares();
         match part {
             Part::Problem => {
                 let scheme = self.pictures(Kind::Scheme, Message::SchemeAt, &self.position_words());
@@ -215,7 +216,7 @@ impl Course<'_> {
                 self.figures(plan);
             }
             Part::Accelerations => {}
-            Part::Inertia if forces => {
+            Part::Inertia if has_forces => {
                 self.head(Message::Inertia);
                 self.masses();
                 self.loads();
@@ -228,6 +229,7 @@ impl Course<'_> {
             }
             Part::Inertia => {}
             Part::Forces if self.state().forces.locked => self.locked(),
+            Part::Forces if has_forces => self.held_by_many(),
             Part::Forces => self.remark(Message::NoForces, &[]),
             Part::Check => {
                 self.head(Message::Check);

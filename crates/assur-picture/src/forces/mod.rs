@@ -71,6 +71,11 @@ fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
         let help = "draw another pose, or lower the friction";
         return Err(Missing::no_forces_by_drive(scene, "friction locks the mechanism", "locked", help));
     }
+    if scene.solved.state.friction_shares() {
+        let help = "draw another pose, or give friction to fewer pairs";
+        let why = "pairs hold by friction, and how they share the loads is not determined";
+        return Err(Missing::no_forces_by_drive(scene, why, "held", help));
+    }
     if scene.model.plan.effects.forces { Ok(()) } else { Err(nothing_loads()) }
 }
 

@@ -48,6 +48,12 @@ pub struct Grip {
 }
 
 impl State {
+    /// Whether several pairs share by friction what one of them could hold: no force within the mechanism is determined.
+    #[must_use]
+    pub fn friction_shares(&self) -> bool {
+        self.motion.grips.iter().any(|grip| grip.open)
+    }
+
     /// Takes the senses from the grips.
     pub(super) fn take_grips(&mut self) {
         for (sense, grip) in self.forces.senses.iter_mut().zip(&self.motion.grips) {

@@ -199,6 +199,13 @@ impl Course<'_> {
         }
     }
 
+    /// What a position says where pairs share by friction what they hold.
+    pub fn held_by_many(&mut self) {
+        let heading = self.words(Message::Reactions);
+        self.heading(2, heading);
+        self.say(Message::FrictionShares, &[]);
+    }
+
     /// What a locked position says.
     pub fn locked(&mut self) {
         let heading = self.words(Message::Reactions);

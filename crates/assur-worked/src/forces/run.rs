@@ -41,10 +41,12 @@ impl Course<'_> {
 
     /// T = Σ ½ m v² + ½ J ω²
     fn kinetic_energy(&mut self) -> Option<Expr> {
+        let before = self.blocks.len();
         self.say(Message::EnergyHere, &[]);
         let value = self.state().kinetic_energy(self.scene.mechanism());
         let right = self.energy_of_links();
         if right.is_zero() {
+            self.blocks.truncate(before);
             return None;
         }
         Some(self.equate(Name::new("T", ""), value, Unit::Work, right))

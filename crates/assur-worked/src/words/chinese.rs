@@ -174,6 +174,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Locked => {
             "在此摩擦下任何有限的力都不能使机构运动：平衡与摩擦定律对此运动方向无解。机构自锁，效率为 0。"
         }
+        Message::FrictionShares => {
+            "摩擦在多于必要数目的运动副中使机构保持静止：各运动副如何分担载荷不能确定，反力也不能确定。"
+        }
         // loads
         Message::LoadHere => "题目给出 {0} = {1}。在此位置：",
         // guides

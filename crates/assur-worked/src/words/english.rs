@@ -220,6 +220,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Locked => {
             "With this friction no finite effort moves the mechanism: the laws of friction and equilibrium have no solution with the senses of this motion. It is locked, and its efficiency is 0."
         }
+        Message::FrictionShares => {
+            "Friction holds the mechanism at rest in more pairs than it takes. How they share the loads is not determined, and neither are the reactions."
+        }
         // loads
         Message::LoadHere => "The file gives {0} = {1}. At this position:",
         // guides

@@ -295,6 +295,8 @@ pub enum Message {
     LocksFrom,
     /// A locked position.
     Locked,
+    /// Pairs share by friction what they hold.
+    FrictionShares,
     /// A load by an expression; 0: its letters, 1: the expression.
     LoadHere,
     /// The couple of two guides; 0: the point.
