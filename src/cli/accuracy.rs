@@ -67,8 +67,8 @@ enum Measured {
 impl Measured {
     fn of(solved: &Solved, wanted: f64, conduct: &Conduct<'_>) -> Result<Self, Box<Problems>> {
         let model = solved.compiled.model();
-        let told = |failure| Box::new(Problems::of([message::failure(&model, &failure)]));
-        Ok(match study_runs(&model, &solved.solution, wanted, seconds, conduct).map_err(told)? {
+        let problems = |failure| Box::new(Problems::of([message::failure(&model, &failure)]));
+        Ok(match study_runs(&model, &solved.solution, wanted, seconds, conduct).map_err(problems)? {
             Some(runs) => Self::Runs(Box::new(runs)),
             None => Self::Positions(Box::new(study(&model, &solved.solution, wanted, seconds))),
         })

@@ -85,8 +85,11 @@ impl Shown {
         let part = PARTS * (reached - self.first) / (last - self.first);
         let (reached, last) = (significant(reached, 4), significant(last, 4));
         bar.set_message(format!("{}: {reached} of {last} s, run {}", way.name, self.run));
-        // between 0 and 1000
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "it is between 0 and 1000"
+        )]
         bar.set_position(part.clamp(0.0, PARTS) as u64);
     }
 }

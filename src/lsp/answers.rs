@@ -177,7 +177,7 @@ impl Looked<'_> {
     fn symbol(&self, symbol: &Symbol) -> DocumentSymbol {
         use gen_lsp_types::SymbolKind as Kind;
         let parts = symbol.parts.iter().map(|part| self.symbol(part)).collect::<Vec<_>>();
-        #[allow(deprecated)] // the field must be written
+        #[allow(deprecated, reason = "the type has no other way to be made than with all of its fields")]
         DocumentSymbol {
             name: symbol.name.clone(),
             detail: None,

@@ -57,7 +57,7 @@ impl<'a> VariantSolver<'a> {
         Self { within, ..self }
     }
 
-    /// With motions under loads that are told of.
+    /// With motions under loads that are watched, and ended where that is wanted.
     #[must_use]
     pub fn watched(self, watch: &'a Watch<'a>) -> Self {
         Self { conduct: Conduct { watch: Some(watch), ..self.conduct }, ..self }

@@ -133,7 +133,11 @@ impl Output {
 
     /// A picture as it is written.
     #[cfg(not(feature = "png"))]
-    #[allow(clippy::unnecessary_wraps, clippy::unused_self)] // pixels may fail
+    #[allow(
+        clippy::unnecessary_wraps,
+        clippy::unused_self,
+        reason = "a build with `png` draws pixels, which may fail"
+    )]
     fn bytes<'p>(&self, page: &'p Page, _name: &str) -> Result<Cow<'p, [u8]>, CliError> {
         Ok(Cow::Borrowed(page.text.as_bytes()))
     }
