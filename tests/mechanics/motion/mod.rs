@@ -86,6 +86,11 @@ fn missed(draft: &Draft) -> Result<Option<f64>, String> {
     let mut mechanism = draft.mechanism.clone();
     followed(&mut mechanism, 1e-4, None, 1e-3);
     let run = Run::new(&mechanism)?;
+    Ok(Some(off(&run, draft, &want)? * mass))
+}
+
+/// What the first position of a run misses of these accelerations, over the greatest and the condition.
+fn off(run: &Run, draft: &Draft, want: &[Rates]) -> Result<f64, String> {
     let (solved, view) = (run.solved(0)?, run.view(0)?);
     let greatest = |of: &dyn Fn(&Rates) -> f64| want.iter().map(of).fold(1.0, f64::max);
     let scale = greatest(&|r| r.a.norm().max(r.alpha.abs()).max(r.omega * r.omega).max(r.v.dot(r.v)));
@@ -100,7 +105,7 @@ fn missed(draft: &Draft) -> Result<Option<f64>, String> {
         let worst = (got - rates.a).norm().max((alpha - rates.alpha).abs());
         most = if worst.is_nan() { f64::INFINITY } else { most.max(worst) };
     }
-    Ok(Some(most / scale * solved.condition.powi(3) * mass))
+    Ok(most / scale * solved.condition.powi(3))
 }
 
 /// 200 random mechanisms with one to three free coordinates at their first instant.

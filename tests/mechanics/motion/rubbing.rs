@@ -2,15 +2,14 @@
 //! follow their laws by a damped fixed point.
 
 use super::newton_euler::{Bodies, followed};
-use super::{condition, freed, times};
+use super::{condition, freed, off, times};
 use crate::friction::fixed_point::{laws, rubbing, step};
 use crate::friction::pair_friction::{loaded, pair_frictions};
 use crate::support::draft::Draft;
 use crate::support::equilibrium::equilibrium;
 use crate::support::reference::{Body, Rates, Reference};
-use crate::support::run::{Run, scalar, vector};
-use assur::internals::math::Vec2;
-use assur::internals::model::{LinkId, Mechanism, PointRef, Query};
+use crate::support::run::Run;
+use assur::internals::model::Mechanism;
 
 /// Slower sliding may be rest.
 const SLOWEST: f64 = 1e-6;
@@ -57,24 +56,11 @@ fn missed(draft: &Draft) -> Result<Option<f64>, String> {
     let mut mechanism = mechanism;
     followed(&mut mechanism, 1e-4, None, 1e-3);
     let run = Run::new(&mechanism)?;
-    let (solved, view) = (run.solved(0)?, run.view(0)?);
-    let greatest = |of: &dyn Fn(&Rates) -> f64| want.iter().map(of).fold(1.0, f64::max);
-    let scale = greatest(&|r| r.a.norm().max(r.alpha.abs()).max(r.omega * r.omega).max(r.v.dot(r.v)));
-    let mut most = 0.0_f64;
-    for (i, rates) in want.iter().enumerate().skip(1) {
-        let link = LinkId::at(i);
-        if draft.rollers.contains(&link) {
-            continue;
-        }
-        let got = vector(&view, &Query::Acceleration(PointRef::Fixed(link, Vec2::zero())));
-        let alpha = scalar(&view, &Query::Alpha(link));
-        let worst = (got - rates.a).norm().max((alpha - rates.alpha).abs());
-        most = if worst.is_nan() { f64::INFINITY } else { most.max(worst) };
-    }
+    let (solved, off) = (run.solved(0)?, off(&run, draft, &want)?);
     if let Some(equilibrium) = solved.residuals.equilibrium.filter(|r| *r > 1e-10) {
         return Err(format!("equilibrium misses {equilibrium:e}"));
     }
-    Ok(Some(most / scale * solved.condition.powi(3) * mass))
+    Ok(Some(off * mass))
 }
 
 /// 500 random mechanisms with two or three free coordinates in which every pair slides.

@@ -111,15 +111,7 @@ impl Course<'_> {
     }
 
     /// The magnitude of a force from its components.
-    pub fn magnitude(&mut self, name: Name, [x, y]: &[Expr; 2]) -> Expr {
-        let value = libm::hypot(x.value(), y.value());
-        let right = if x.is_zero() {
-            y.clone().abs()
-        } else if y.is_zero() {
-            x.clone().abs()
-        } else {
-            (x.clone().squared() + y.clone().squared()).root()
-        };
-        self.equate(name, value, Unit::Force, right)
+    pub fn magnitude(&mut self, name: Name, parts: &[Expr; 2]) -> Expr {
+        self.length_of(name, Unit::Force, parts)
     }
 }

@@ -4,7 +4,7 @@ use crate::course::Course;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
-use assur_model::structure::{EffortKind, JointKind};
+use assur_model::structure::EffortKind;
 
 impl Course<'_> {
     /// ΣP = 0: all loads, inertia forces and efforts with the velocities of their points.
@@ -96,13 +96,7 @@ impl Course<'_> {
                 Some(angle.along(&v))
             }
             EffortKind::Coordinate(joint) => {
-                let JointKind::Prismatic { slider, point, guide, along, .. } =
-                    self.structure().replaced.joint(joint).kind.clone()
-                else {
-                    return None;
-                };
-                let own = self.direction_given(along, || Name::new("λ", &self.label(slider.0)));
-                let angle = self.bodies[guide.0].as_ref().map_or(own.clone(), |b| b.angle.plus(&own));
+                let (slider, point, guide, angle) = self.guide_of_coordinate(joint)?;
                 let [vx, vy] = self.velocity(slider.0, point);
                 let moved = self.moved(guide.0);
                 let at = (self.moved(slider.0).position(point) - moved.p).turned_back(moved.u);

@@ -9,7 +9,7 @@ use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::BalanceKind;
-use assur_model::structure::EffortSource;
+use assur_model::structure::{BodyId, EffortSource, JointId, JointKind};
 use assur_position::plan::{EffortLine, Guide, Hinge};
 
 impl Course<'_> {
@@ -54,6 +54,18 @@ impl Course<'_> {
             None => self.direction_given(along, name),
         };
         (at, angle, along)
+    }
+
+    /// The slider of a coordinate that an effort belongs to, its point, the guide, and the guide's angle.
+    pub(super) fn guide_of_coordinate(&mut self, joint: JointId) -> Option<(BodyId, Vec2, BodyId, Angle)> {
+        let JointKind::Prismatic { slider, point, guide, along, .. } =
+            self.structure().replaced.joint(joint).kind.clone()
+        else {
+            return None;
+        };
+        let own = self.direction_given(along, || Name::new("λ", &self.label(slider.0)));
+        let angle = self.bodies[guide.0].as_ref().map_or(own.clone(), |b| b.angle.plus(&own));
+        Some((slider, point, guide, angle))
     }
 
     pub(super) fn balance_turn(

@@ -248,13 +248,7 @@ impl Course<'_> {
             }
             EffortKind::Coordinate(joint) => {
                 let value = self.found.get(&self.effort_name(slot, true)).cloned()?;
-                let JointKind::Prismatic { slider, point, guide, along, .. } =
-                    self.structure().replaced.joint(joint).kind.clone()
-                else {
-                    return None;
-                };
-                let own = self.direction_given(along, || Name::new("λ", &self.label(slider.0)));
-                let angle = self.bodies[guide.0].as_ref().map_or(own.clone(), |b| b.angle.plus(&own));
+                let (slider, point, guide, angle) = self.guide_of_coordinate(joint)?;
                 let parts = [value.clone() * angle.cos(), value * angle.sin()];
                 let place = self.moved(slider.0).position(point);
                 self.position(slider.0, point);

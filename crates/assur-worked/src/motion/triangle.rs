@@ -15,7 +15,12 @@ pub fn wrapped(degrees: f64) -> f64 {
 
 impl Course<'_> {
     /// The distance of two points.
-    pub fn distance(&mut self, name: Name, [x, y]: &[Expr; 2]) -> Expr {
+    pub fn distance(&mut self, name: Name, parts: &[Expr; 2]) -> Expr {
+        self.length_of(name, Unit::Length, parts)
+    }
+
+    /// √(x² + y²), or the one component that is not zero.
+    pub fn length_of(&mut self, name: Name, unit: Unit, [x, y]: &[Expr; 2]) -> Expr {
         let value = libm::hypot(x.value(), y.value());
         let right = if x.is_zero() {
             y.clone().abs()
@@ -24,7 +29,7 @@ impl Course<'_> {
         } else {
             (x.clone().squared() + y.clone().squared()).root()
         };
-        self.equate(name, value, Unit::Length, right)
+        self.equate(name, value, unit, right)
     }
 
     /// The direction of a vector; `length` is found where that is needed.

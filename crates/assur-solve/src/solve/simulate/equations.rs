@@ -240,6 +240,22 @@ impl<'a, 's> Equations<'a, 's> {
         least.map_or(Halt::NotANumber, |(group, _)| Halt::Open { group })
     }
 
+    /// Moves to the position and rates that are set, with the loads there, and finds the accelerations that go with them where nothing
+    /// rubs.
+    pub fn accelerations_without_friction(&mut self, out: &mut [f64]) -> Result<(), Halt> {
+        self.reduced.run_motion(self.model.plan, &mut self.trial);
+        if let Some(group) = self.trial.motion.open {
+            return Err(Halt::Open { group });
+        }
+        let time = self.trial.motion.time;
+        self.evaluate_loads(time);
+        self.trial.run_loads(self.model, &self.evaluated);
+        match self.reduced.accelerations(self.model.plan, &self.trial, out) {
+            Some(_) => Ok(()),
+            None => Err(self.without_acceleration()),
+        }
+    }
+
     /// The least condition figure of the state from which the present step begins.
     pub fn condition(&self) -> f64 {
         self.accepted.1.motion.conditions.iter().fold(1.0, |least, c| least.min(c.abs()))

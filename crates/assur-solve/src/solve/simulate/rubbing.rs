@@ -141,17 +141,8 @@ impl Equations<'_, '_> {
             others.map(|(_, input)| input.rate.abs().max(input.velocity.norm())).fold(0.0, f64::max);
         let least = LEAST_RATE.max(LEAST_PART * fastest);
         self.trial.motion.inputs[drive].rate = sense * (sense * rate).max(least);
-        self.reduced.run_motion(self.model.plan, &mut self.trial);
-        if let Some(group) = self.trial.motion.open {
-            return Err(Halt::Open { group });
-        }
-        let time = self.trial.motion.time;
-        self.evaluate_loads(time);
-        self.trial.run_loads(self.model, &self.evaluated);
         let mut start = [0.0];
-        if self.reduced.accelerations(self.model.plan, &self.trial, &mut start).is_none() {
-            return Err(self.without_acceleration());
-        }
+        self.accelerations_without_friction(&mut start)?;
         if !self.model.plan.effects.loses() {
             self.accelerate(start[0]);
             return Ok(start[0]);

@@ -41,19 +41,9 @@ impl Equations<'_, '_> {
     /// that go with them.
     pub fn slipping_accelerations(&mut self, slipping: &mut Slipping) -> Result<(), Halt> {
         self.take_grips(slipping);
-        self.reduced.run_motion(self.model.plan, &mut self.trial);
-        if let Some(group) = self.trial.motion.open {
-            return Err(Halt::Open { group });
-        }
-        let time = self.trial.motion.time;
-        self.evaluate_loads(time);
-        self.trial.run_loads(self.model, &self.evaluated);
         let n = self.order();
         slipping.secants.resize(n + slipping.held.len());
-        let start = &mut slipping.secants.x[..n];
-        if self.reduced.accelerations(self.model.plan, &self.trial, start).is_none() {
-            return Err(self.without_acceleration());
-        }
+        self.accelerations_without_friction(&mut slipping.secants.x[..n])?;
         self.find_slopes(slipping);
         let Slipping { held, units, slopes, matrix, secants, efforts_of, greatest, .. } = slipping;
         for (x, unit) in secants.x.iter_mut().zip(&*units) {
