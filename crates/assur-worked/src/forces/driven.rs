@@ -179,8 +179,12 @@ impl Course<'_> {
         self.carry_guide(guide, &way, &normal, &couple, at);
     }
 
-    /// In which sense an effort acts; a free coordinate has none.
+    /// In which sense an effort acts; a free coordinate has none, and what is zero has no sense.
     fn sense_of_effort(&mut self, name: &Name, slot: usize, force: bool) {
+        let is_nothing = |found: &Expr| matches!(found, Expr::Leaf(q) if q.is_nothing());
+        if self.found.get(name).is_some_and(is_nothing) && !self.has_no_effort(slot) {
+            return;
+        }
         let message = match (force, self.state().forces.efforts[slot] < 0.0) {
             _ if self.has_no_effort(slot) => Message::NoEffort,
             (true, true) => Message::ForceAgainstLine,

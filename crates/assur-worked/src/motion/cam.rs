@@ -10,6 +10,20 @@ use assur_math::element::cam::Follower;
 use assur_model::structure::BodyOrigin;
 use assur_position::plan::CamStep;
 
+/// The law of a cam at its angle.
+pub(super) struct CamLaw {
+    /// The letters of the cam's angle and of the lift.
+    pub turned: Name,
+    /// The lift of the follower.
+    pub lift: Name,
+    /// The angle of the cam, rad.
+    pub angle: f64,
+    /// Lift, first and second derivative: m, or rad where the follower turns.
+    pub values: [f64; 3],
+    /// The follower turns.
+    pub turns: bool,
+}
+
 impl Course<'_> {
     /// A follower that its cam moves, on the ground. Whether it is such a one.
     pub(super) fn cam(&mut self, stage: Stage, index: usize, step: &CamStep) -> bool {
@@ -18,45 +32,62 @@ impl Course<'_> {
             return false;
         }
         let disk = contact.disk.index();
-        let sense = if step.cam.ccw { -1.0 } else { 1.0 };
-        let phi = sense * contact.towards.turned_back(self.moved(disk).u).angle();
-        let [s, first, second, _] = step.cam.at(phi).lift;
-        let turns = matches!(step.cam.follower, Follower::Oscillating { .. });
-        let pair = self.scene.mechanism().pair(contact.pair).name.clone();
+        let law = self.law_of_cam(step, "s");
         let rate = |course: &Self, order: usize| {
             let rate = course.bodies[disk].as_ref().map_or(Expr::ZERO, |b| b.rates[order].clone());
-            if sense > 0.0 { -rate } else { rate }
+            if step.cam.ccw { rate } else { -rate }
         };
-        let (letters, scale, unit) = if turns {
-            (Name::new("ψ", &pair), 180.0 / std::f64::consts::PI, [Unit::Angle, Unit::One])
-        } else {
-            (Name::new("s", &pair), 1.0, [Unit::Length, Unit::Length])
-        };
-        let primed = |marks: &str| Name { letter: format!("{}{marks}", letters.letter), ..letters.clone() };
         match stage {
             Stage::Positions => {
                 let cam = self.scene.mechanism().cams[contact.cam].name.clone();
-                let turned = Name::new("θ", &pair);
-                self.say(Message::CamTurned, &[vec![text(cam)], of(&turned), of(&letters)]);
-                self.stated(turned, phi.to_degrees(), Unit::Angle);
-                self.stated_of(letters, scale * s, unit[0], scale * step.cam.program.greatest_lift());
+                self.say(Message::CamTurned, &[vec![text(cam)], of(&law.turned), of(&law.lift)]);
+                self.stated(law.turned.clone(), law.angle.to_degrees(), Unit::Angle);
+                self.lift(&law, step);
                 self.bodies_of_cam(index, step);
             }
             Stage::Velocities => {
-                let turning = rate(self, 0);
-                let v = self.stated(primed("′"), first, unit[1]);
-                let right = v * turning;
-                self.rate_of_follower(0, index, step, turns, right);
+                let right = self.derivative(&law, 1) * rate(self, 0);
+                self.rate_of_follower(0, index, step, law.turns, right);
             }
             Stage::Accelerations => {
-                let (turning, more) = (rate(self, 0), rate(self, 1));
-                let v = self.stated(primed("′"), first, unit[1]);
-                let a = self.stated(primed("″"), second, unit[1]);
-                let right = a * turning.squared() + v * more;
-                self.rate_of_follower(1, index, step, turns, right);
+                let (first, second) = (self.derivative(&law, 1), self.derivative(&law, 2));
+                let right = second * rate(self, 0).squared() + first * rate(self, 1);
+                self.rate_of_follower(1, index, step, law.turns, right);
             }
         }
         true
+    }
+
+    /// The law of a cam where it stands now, with the letter of a lift that is a shift.
+    pub(super) fn law_of_cam(&self, step: &CamStep, shift: &'static str) -> CamLaw {
+        let contact = &step.contact;
+        let sense = if step.cam.ccw { -1.0 } else { 1.0 };
+        let angle = sense * contact.towards.turned_back(self.moved(contact.disk.index()).u).angle();
+        let [s, first, second, _] = step.cam.at(angle).lift;
+        let turns = matches!(step.cam.follower, Follower::Oscillating { .. });
+        let pair = self.scene.mechanism().pair(contact.pair).name.clone();
+        let lift = Name::new(if turns { "ψ" } else { shift }, &pair);
+        CamLaw { turned: Name::new("θ", &pair), lift, angle, values: [s, first, second], turns }
+    }
+
+    /// The lift as the law has it.
+    pub(super) fn lift(&mut self, law: &CamLaw, step: &CamStep) {
+        let (scale, unit) =
+            if law.turns { (180.0 / std::f64::consts::PI, Unit::Angle) } else { (1.0, Unit::Length) };
+        self.stated_of(
+            law.lift.clone(),
+            scale * law.values[0],
+            unit,
+            scale * step.cam.program.greatest_lift(),
+        );
+    }
+
+    /// A derivative of the lift by the angle of the cam.
+    pub(super) fn derivative(&mut self, law: &CamLaw, order: usize) -> Expr {
+        let marks = ["", "′", "″"][order];
+        let name = Name { letter: format!("{}{marks}", law.lift.letter), ..law.lift.clone() };
+        let unit = if law.turns { Unit::One } else { Unit::Length };
+        self.stated(name, law.values[order], unit)
     }
 
     /// Where the follower is; the block of the contact only where something needs it.
@@ -87,9 +118,7 @@ impl Course<'_> {
         let slot = contact.follower.index();
         let moved = *self.moved(slot);
         if turns {
-            let with_cam = matches!(step.cam.follower, Follower::Oscillating { with_cam: true, .. });
-            // as the lift counts, and counter-clockwise
-            let against = with_cam != step.cam.ccw;
+            let against = lifts_clockwise(step);
             let value = [moved.omega, moved.alpha][order];
             let name = Name::new(["ω", "α"][order], &self.label(slot));
             let unit = [Unit::AngularVelocity, Unit::AngularAcceleration][order];
@@ -105,7 +134,12 @@ impl Course<'_> {
             let parts = [found.clone() * direction.cos(), found * direction.sin()];
             self.keep(order + 1, &point, parts);
         }
-        for body in self.structure().motion[index].bodies.iter().map(|b| b.0).filter(|b| *b != slot) {
+        self.rates_of_blocks(order, index, slot);
+    }
+
+    /// What turns with the contact, only where something needs it.
+    pub(super) fn rates_of_blocks(&mut self, order: usize, index: usize, link: usize) {
+        for body in self.structure().motion[index].bodies.iter().map(|b| b.0).filter(|b| *b != link) {
             let moved = *self.moved(body);
             let value = [moved.omega, moved.alpha][order];
             let name = Name::new(["ω", "α"][order], &self.label(body));
@@ -115,4 +149,10 @@ impl Course<'_> {
             self.set_rate(body, order, found);
         }
     }
+}
+
+/// Whether the lift of a lever counts clockwise.
+pub(super) fn lifts_clockwise(step: &CamStep) -> bool {
+    let with_cam = matches!(step.cam.follower, Follower::Oscillating { with_cam: true, .. });
+    with_cam != step.cam.ccw
 }

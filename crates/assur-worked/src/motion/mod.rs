@@ -1,9 +1,11 @@
 //! Positions, velocities and accelerations, group by group.
 
 mod cam;
+mod cam_turned;
 mod closure;
 mod cylinder;
 mod driven;
+mod geneva;
 mod guide;
 mod prp;
 mod rpp;
@@ -101,6 +103,10 @@ impl Course<'_> {
             MotionStep::Train { train, .. } => self.train(stage, index, *train),
             MotionStep::Cam { cam, .. }
                 if self.cam(stage, index, &self.scene.model.plan.cams[*cam].clone()) => {}
+            MotionStep::CamTurned { cam, .. }
+                if self.cam_turned(stage, index, &self.scene.model.plan.cams[*cam].clone()) => {}
+            MotionStep::Geneva { branch, geneva }
+                if self.geneva(stage, *branch, &self.scene.model.plan.genevas[*geneva]) => {}
             MotionStep::DrivenRrr { legs, .. } if stage == Stage::Positions && self.on_cylinder(legs) => {}
             MotionStep::DrivenRrr { .. }
             | MotionStep::DrivenRrp { .. }

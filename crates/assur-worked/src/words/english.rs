@@ -301,6 +301,14 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CamTurned => {
             "Cam {0} has turned by {1} from where its x axis points to the follower; its law there gives the lift {2}, and its derivatives by the cam angle (′, ″):"
         }
+        Message::CamTurnedBy => {
+            "Cam {0} stands where its law has the lift {2} of the follower; {1} is the angle by which the cam has turned from where its x axis points to the follower:"
+        }
+        Message::LiftBegins => {
+            "The lift begins where the follower is at the distance {0} from the cam’s centre:"
+        }
+        Message::HeldByArc => "The pin is in no slot; the locking arc holds wheel {0} at {1}:",
+        Message::Rests => "Link {0} rests.",
         // motions under loads
         Message::Run => "Motion under the loads",
         Message::EnergyHere => "The kinetic energy at this instant, Σ ½ m v² + ½ J ω²:",

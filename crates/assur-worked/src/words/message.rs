@@ -387,6 +387,14 @@ pub enum Message {
     SizesOf,
     /// The follower of a cam; 0: cam, 1: angle, 2: lift.
     CamTurned,
+    /// A cam that its follower turns; 0: cam, 1: angle, 2: lift.
+    CamTurnedBy,
+    /// Where the lift of a follower on a guide begins; 0: that distance.
+    LiftBegins,
+    /// A Geneva wheel between two engagements; 0: wheel, 1: angle.
+    HeldByArc,
+    /// A link that rests; 0: it.
+    Rests,
     /// Heading: a motion under loads.
     Run,
     /// Kinetic energy.
