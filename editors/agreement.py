@@ -7,6 +7,7 @@ whole statements, has to be one for the others, which read words.
 """
 
 import ctypes
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -179,12 +180,18 @@ def main():
                     line = text[:start].count(b"\n") + 1
                     differences.append(f"{who}: {name}:{line}: `{piece}` is a {other[2]}, not a {word}")
         count.update(kind for _, kind, _ in assur[name].values())
+    blocks = 0
+    for page in sorted((ROOT / "docs").glob("*.md")):
+        for block in re.findall(r"^```mech.*?\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL):
+            blocks += 1
+            if of_tree_sitter(parser, block.encode())[1]:
+                errors.append(f"{page.name}: {block[:400]}")
     for line in errors:
         print(f"tree-sitter: {line}: an ERROR node", file=sys.stderr)
     for line in differences[:SHOWN]:
         print(line, file=sys.stderr)
     kinds = ", ".join(f"{n} {kind.lower()}s" for kind, n in count.most_common())
-    print(f"{len(names)} examples: {kinds}; {len(differences)} differences, {len(errors)} with errors")
+    print(f"{len(names)} examples, {blocks} blocks of docs: {kinds}; {len(differences)} differences, {len(errors)} with errors")
     sys.exit(1 if differences or errors else 0)
 
 

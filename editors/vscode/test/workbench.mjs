@@ -1,0 +1,148 @@
+// The packaged extension in VS Code's own workbench, in Chromium: colours, a mistake, hover, its fix by keyboard, formatting, and
+// what is shown where no program is found. ASSUR names the program, CODE_SERVER the folder with code-server and playwright-core,
+// PICTURE a file to keep the picture in.
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+
+const require = createRequire(join(resolve(process.env.CODE_SERVER), "package.json"));
+const { chromium } = require("playwright-core");
+const main = require.resolve("code-server/lib/vscode/out/server-main.js");
+const vsix = new URL("../mech.vsix", import.meta.url).pathname;
+
+const home = mkdtempSync(join(tmpdir(), "assur-workbench-"));
+const folder = join(home, "homework");
+const places = ["--server-data-dir", home, "--user-data-dir", join(home, "data"), "--extensions-dir", join(home, "extensions")];
+const settings = {
+  "assur.path": resolve(process.env.ASSUR),
+  "security.workspace.trust.enabled": false,
+  "workbench.startupEditor": "none",
+  "workbench.colorTheme": "Default Light Modern",
+  "workbench.tips.enabled": false,
+  "editor.minimap.enabled": false,
+  "editor.hover.delay": 100,
+  "files.autoSave": "off",
+};
+const text = `mech 1
+mechanism "A crank-slider engine"
+// Find the torque on the crank.
+given   n = 1500 rpm
+ground { A (0, 0); line guide through A along 0 deg }
+link crank  A-B 100 mm
+link rod    B-C 350 mm
+link piston { C (0, 0); mass 2.14 kg at C }
+
+revolute  A: ground - crank
+revolute  B: crank - rodd
+revolute  C: rod - piston
+prismatic D: piston.C - ground.guide
+
+drive crank = 45 deg at n
+assemble C ahead of B
+balance torque Mb on crank
+find Mb, v = velocity(C).x as m/s
+`;
+
+function prepare() {
+  execFileSync(process.execPath, [main, ...places, "--install-extension", vsix], { stdio: "ignore" });
+  for (const place of ["User", "Machine"]) {
+    mkdirSync(join(home, "data", place), { recursive: true });
+    writeFileSync(join(home, "data", place, "settings.json"), JSON.stringify(settings));
+  }
+  mkdirSync(folder);
+  writeFileSync(join(folder, "engine.mech"), text);
+}
+
+/** VS Code's server, on a port of its choice. */
+async function serve() {
+  const options = ["--host", "127.0.0.1", "--port", "0", "--without-connection-token", "--accept-server-license-terms"];
+  const server = spawn(process.execPath, [main, ...options, ...places, "--telemetry-level", "off"], { stdio: ["ignore", "pipe", "ignore"] });
+  const port = await new Promise((found, failed) => {
+    let said = "";
+    server.stdout.on("data", (part) => {
+      said += part;
+      const match = /listening on (\d+)/.exec(said);
+      if (match) found(match[1]);
+    });
+    server.on("exit", () => failed(new Error(`the server ends: ${said}`)));
+  });
+  return { server, port };
+}
+
+async function open(page, port) {
+  await page.goto(`http://127.0.0.1:${port}/?folder=${folder}`);
+  await page.locator(".explorer-folders-view").getByText("engine.mech").dblclick();
+  await page.locator(".view-line", { hasText: "prismatic" }).waitFor();
+}
+
+/** The colours of words of a line. */
+async function colours(page, line, words) {
+  const found = page.locator(".view-line", { hasText: line });
+  const colour = (word) => found.locator("span span", { hasText: word }).first().evaluate((e) => getComputedStyle(e).color);
+  return Promise.all(words.map(colour));
+}
+
+async function textOf(page) {
+  const lines = await page.locator(".view-line").all();
+  const placed = await Promise.all(lines.map(async (line) => [await line.evaluate((e) => parseInt(e.style.top)), await line.innerText()]));
+  return placed.sort((a, b) => a[0] - b[0]).map(([, words]) => words.replaceAll("\u00a0", " ")).join("\n");
+}
+
+async function test(page, port) {
+  await open(page, port);
+  const running = page.locator("[id='assur.mech.assur']");
+  await running.getByText(/^assur \d/).waitFor();
+  const [word, number] = await colours(page, "prismatic", ["prismatic", "D"]);
+  assert.notEqual(word, number, "words of the language and names have different colours");
+  await page.locator(".squiggly-error").first().waitFor();
+  assert.equal(await page.locator(".squiggly-error").count(), 1, "one mistake");
+
+  await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().hover();
+  const hover = page.locator(".monaco-hover:visible", { hasText: "rodd" }).first();
+  await hover.waitFor();
+  assert.match(await hover.innerText(), /did you mean `rod`/);
+  await page.waitForTimeout(500);
+  if (process.env.PICTURE) await page.screenshot({ path: process.env.PICTURE });
+
+  await page.keyboard.press("Escape");
+  await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().click();
+  await page.keyboard.press("Control+.");
+  await page.locator(".action-widget").getByText("rod", { exact: false }).first().waitFor();
+  await page.keyboard.press("Enter");
+  await page.locator(".view-line", { hasText: /crank.-.rod$/ }).waitFor();
+  await page.locator(".squiggly-error").waitFor({ state: "detached" });
+
+  await page.keyboard.press("Control+Shift+I");
+  await page.locator(".view-line", { hasText: /^given.n.=.1500/ }).waitFor();
+  const shown = await textOf(page);
+  assert.match(shown, /given n = 1500 rpm/);
+  await page.keyboard.press("Control+s");
+
+  writeFileSync(join(home, "data", "Machine", "settings.json"), JSON.stringify({ ...settings, "assur.path": "/no/such/assur" }));
+  writeFileSync(join(home, "data", "User", "settings.json"), JSON.stringify({ ...settings, "assur.path": "/no/such/assur" }));
+  await page.getByText("/no/such/assur, which is not a program", { exact: false }).first().waitFor();
+}
+
+prepare();
+const { server, port } = await serve();
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+const page = await browser.newPage({ viewport: { width: 1100, height: 640 } });
+page.setDefaultTimeout(15_000);
+try {
+  await test(page, port);
+  const saved = readFileSync(join(folder, "engine.mech"), "utf8");
+  assert.equal(saved, text.replace("given   n", "given n").replace("rodd", "rod"));
+  console.log("VS Code: colours, mistake, hover, fix by keyboard, format, program that is not there");
+} catch (error) {
+  console.error(await page.locator("[id='assur.mech.assur'] a").getAttribute("aria-label"));
+  await page.screenshot({ path: join(tmpdir(), "assur-workbench.png") });
+  console.error(`the picture of the failure is ${join(tmpdir(), "assur-workbench.png")}`);
+  throw error;
+} finally {
+  await browser.close();
+  server.kill();
+  rmSync(home, { recursive: true, force: true });
+}
