@@ -6,7 +6,7 @@
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif
 
-#define LANGUAGE_VERSION 15
+#define LANGUAGE_VERSION 14
 #define STATE_COUNT 793
 #define LARGE_STATE_COUNT 7
 #define SYMBOL_COUNT 261
@@ -17,7 +17,7 @@
 #define MAX_ALIAS_SEQUENCE_LENGTH 12
 #define MAX_RESERVED_WORD_SET_SIZE 0
 #define PRODUCTION_ID_COUNT 7
-#define SUPERTYPE_COUNT 4
+#define SUPERTYPE_COUNT 0
 
 enum ts_symbol_identifiers {
   sym_identifier = 1,
@@ -2709,78 +2709,6 @@ static const TSStateId ts_primary_state_ids[STATE_COUNT] = {
   [792] = 792,
 };
 
-static const TSSymbol ts_supertype_symbols[SUPERTYPE_COUNT] = {
-  sym_cam_member,
-  sym_expression,
-  sym_member,
-  sym_statement,
-};
-
-static const TSMapSlice ts_supertype_map_slices[] = {
-  [sym_cam_member] = {.index = 0, .length = 5},
-  [sym_expression] = {.index = 5, .length = 7},
-  [sym_member] = {.index = 12, .length = 8},
-  [sym_statement] = {.index = 20, .length = 31},
-};
-
-static const TSSymbol ts_supertype_map_entries[] = {
-  [0] =
-    sym_cam_phase,
-    sym_follower,
-    sym_lift,
-    sym_property,
-    sym_turning,
-  [5] =
-    alias_sym_name,
-    sym_binary,
-    sym_call,
-    sym_member_of,
-    sym_parenthesized,
-    sym_quantity,
-    sym_unary,
-  [12] =
-    sym_circle,
-    sym_inertia,
-    sym_line,
-    sym_mass,
-    sym_point,
-    sym_profile,
-    sym_weight,
-    sym_wheel,
-  [20] =
-    sym_all,
-    sym_assemble,
-    sym_balance,
-    sym_brake,
-    sym_cam,
-    sym_curve,
-    sym_drive,
-    sym_edition,
-    sym_event,
-    sym_expect,
-    sym_find,
-    sym_flywheel,
-    sym_given,
-    sym_gravity,
-    sym_ground,
-    sym_group,
-    sym_ignore,
-    sym_let,
-    sym_link,
-    sym_load,
-    sym_pair,
-    sym_pose,
-    sym_shaft,
-    sym_simulate,
-    sym_slider,
-    sym_spring,
-    sym_start,
-    sym_stop,
-    sym_title,
-    sym_until,
-    sym_variants,
-};
-
 static const TSCharacterRange sym_identifier_character_set_2[] = {
   {'\'', '\''}, {'0', '9'}, {'A', 'Z'}, {'_', '_'}, {'a', 'z'}, {0xaa, 0xaa}, {0xb5, 0xb5}, {0xba, 0xba},
   {0xc0, 0xd6}, {0xd8, 0xf6}, {0xf8, 0x2c1}, {0x2c6, 0x2d1}, {0x2e0, 0x2e4}, {0x2ec, 0x2ec}, {0x2ee, 0x2ee}, {0x300, 0x374},
@@ -4836,7 +4764,7 @@ static bool ts_lex_keywords(TSLexer *lexer, TSStateId state) {
   }
 }
 
-static const TSLexerMode ts_lex_modes[STATE_COUNT] = {
+static const TSLexMode ts_lex_modes[STATE_COUNT] = {
   [0] = {.lex_state = 0, .external_lex_state = 1},
   [1] = {.lex_state = 0},
   [2] = {.lex_state = 0},
@@ -22569,7 +22497,6 @@ TS_PUBLIC const TSLanguage *tree_sitter_mech(void) {
     .state_count = STATE_COUNT,
     .large_state_count = LARGE_STATE_COUNT,
     .production_id_count = PRODUCTION_ID_COUNT,
-    .supertype_count = SUPERTYPE_COUNT,
     .field_count = FIELD_COUNT,
     .max_alias_sequence_length = MAX_ALIAS_SEQUENCE_LENGTH,
     .parse_table = &ts_parse_table[0][0],
@@ -22580,9 +22507,6 @@ TS_PUBLIC const TSLanguage *tree_sitter_mech(void) {
     .field_names = ts_field_names,
     .field_map_slices = ts_field_map_slices,
     .field_map_entries = ts_field_map_entries,
-    .supertype_map_slices = ts_supertype_map_slices,
-    .supertype_map_entries = ts_supertype_map_entries,
-    .supertype_symbols = ts_supertype_symbols,
     .symbol_metadata = ts_symbol_metadata,
     .public_symbol_map = ts_symbol_map,
     .alias_map = ts_non_terminal_alias_map,
@@ -22601,13 +22525,6 @@ TS_PUBLIC const TSLanguage *tree_sitter_mech(void) {
       tree_sitter_mech_external_scanner_deserialize,
     },
     .primary_state_ids = ts_primary_state_ids,
-    .name = "mech",
-    .max_reserved_word_set_size = 0,
-    .metadata = {
-      .major_version = 0,
-      .minor_version = 1,
-      .patch_version = 0,
-    },
   };
   return &language;
 }
