@@ -1,17 +1,15 @@
 // The packaged extension in VS Code's own workbench, in Chromium: colours, a mistake, hover, its fix by keyboard, formatting, and
-// what is shown where no program is found. ASSUR names the program, CODE_SERVER the folder with code-server and playwright-core,
-// PICTURE a file to keep the picture in.
+// what is shown where no program is found. ASSUR names the program, PICTURE a file to keep the picture in.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
+import { chromium } from "playwright-core";
 
-const require = createRequire(join(resolve(process.env.CODE_SERVER), "package.json"));
-const { chromium } = require("playwright-core");
-const main = require.resolve("code-server/lib/vscode/out/server-main.js");
-const vsix = new URL("../mech.vsix", import.meta.url).pathname;
+const main = createRequire(import.meta.url).resolve("code-server/lib/vscode/out/server-main.js");
+const vsix = new URL("../../mech.vsix", import.meta.url).pathname;
 
 const home = mkdtempSync(join(tmpdir(), "assur-workbench-"));
 const folder = join(home, "homework");
