@@ -192,3 +192,21 @@ fn tokens_of_examples_cover_their_texts() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     std::fs::write(folder.join("tokens.txt"), lines).expect("target/tmp");
 }
+
+/// The lines to paste, in their languages.
+fn blocks(text: &str) -> Vec<&str> {
+    let parts = text.split("\n```").skip(1).step_by(2);
+    parts.filter(|part| ["lua", "toml", "elisp"].iter().any(|l| part.starts_with(l))).collect()
+}
+
+#[test]
+fn lines_to_paste_are_those_of_the_editors_own_pages() {
+    let pages = ["neovim", "helix", "emacs"].map(|editor| read(&format!("editors/{editor}/README.md")));
+    let known: Vec<&str> = pages.iter().flat_map(|page| blocks(page)).collect();
+    let page = read("docs/editors.md");
+    let pasted = blocks(&page);
+    assert_eq!(pasted.len(), 3);
+    for block in pasted {
+        assert!(known.contains(&block), "docs/editors.md: {block}");
+    }
+}

@@ -1,5 +1,5 @@
 // The packaged extension in VS Code's own workbench, in Chromium: colours, a mistake, hover, its fix by keyboard, formatting, and
-// what is shown where no program is found. ASSUR names the program, PICTURE a file to keep the picture in.
+// what is shown where no program is found. ASSUR names the program, PICTURES a folder for the pictures of the documents.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -76,6 +76,12 @@ async function open(page, port) {
   await page.locator(".view-line", { hasText: "prismatic" }).waitFor();
 }
 
+/** A picture for docs/pictures, when nothing moves any more. */
+async function keep(page, name) {
+  await page.waitForTimeout(1000);
+  await page.screenshot({ path: join(process.env.PICTURES, `${name}.png`), clip: { x: 323, y: 36, width: 777, height: 400 } });
+}
+
 /** The colours of words of a line. */
 async function colours(page, line, words) {
   const found = page.locator(".view-line", { hasText: line });
@@ -102,13 +108,13 @@ async function test(page, port) {
   const hover = page.locator(".monaco-hover:visible", { hasText: "rodd" }).first();
   await hover.waitFor();
   assert.match(await hover.innerText(), /did you mean `rod`/);
-  await page.waitForTimeout(500);
-  if (process.env.PICTURE) await page.screenshot({ path: process.env.PICTURE });
+  if (process.env.PICTURES) await keep(page, "vscode-hover");
 
   await page.keyboard.press("Escape");
   await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().click();
   await page.keyboard.press("Control+.");
   await page.locator(".action-widget").getByText("rod", { exact: false }).first().waitFor();
+  if (process.env.PICTURES) await keep(page, "vscode-fix");
   await page.keyboard.press("Enter");
   await page.locator(".view-line", { hasText: /crank.-.rod$/ }).waitFor();
   await page.locator(".squiggly-error").waitFor({ state: "detached" });
