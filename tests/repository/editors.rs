@@ -54,6 +54,13 @@ fn properties(table: &[Property], names: &mut BTreeSet<&'static str>, values: &m
     }
 }
 
+/// What the grammar reads as the second part of a unit: `N m`.
+fn units_after_a_blank() -> Vec<&'static str> {
+    let grammar = include_str!("../../grammar/mech.pest");
+    let rule = grammar.lines().find(|line| line.starts_with("unit_last ")).expect("the rule");
+    rule.split('"').skip(1).step_by(2).collect()
+}
+
 /// The words of a list.
 fn words(list: &str) -> Vec<&'static str> {
     let (mut names, mut values) = (BTreeSet::new(), BTreeSet::new());
@@ -71,6 +78,7 @@ fn words(list: &str) -> Vec<&'static str> {
         "properties" => names.into_iter().collect(),
         "values of properties" => values.into_iter().collect(),
         "units" => UNITS.iter().map(|unit| unit.text).collect(),
+        "units after a blank" => units_after_a_blank(),
         _ => panic!("no list is called `{list}`"),
     }
 }
@@ -112,6 +120,13 @@ fn grammars_of_editors_have_the_words_of_the_tables() {
             assert!(text == wanted, "{path}: UPDATE=1 cargo test --test repository editors");
         }
     }
+}
+
+#[test]
+fn textmate_has_the_units_after_a_blank() {
+    // within the line of all units
+    let wanted = format!("[ .]({})", units_after_a_blank().join("|"));
+    assert!(read("editors/vscode/syntaxes/mech.tmLanguage.json").contains(&wanted), "{wanted}");
 }
 
 /// The words of a generated grammar.

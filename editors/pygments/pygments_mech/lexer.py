@@ -15,7 +15,7 @@ POWER = r"(?:\^[-−]?[0-9]+|[²³¹⁰⁴-⁹⁻]+)?"
 AFTER = rf"(?![(^]|\.{LETTER})"
 FACTOR = rf"(?:{'|'.join(map(re.escape, w.UNITS))}){END}{POWER}"
 # what may come after a blank or a point: `N m`
-LAST = rf"(?:mm|cm|min|ms|m|kg|s|h|rad|inch|ft){END}{POWER}"
+LAST = rf"(?:{'|'.join(w.LAST_UNITS)}){END}{POWER}"
 UNIT = rf"(?:1/)?{FACTOR}(?:[*/·⋅]{FACTOR}{AFTER}|[ .]{LAST}{AFTER})*"
 NUMBER = r"[0-9]+(?:\.[0-9]+)?(?:[eE][+−-]?[0-9]+)?"
 NAME = rf"{LETTER}{MORE}*"
