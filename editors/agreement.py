@@ -6,22 +6,20 @@ have the same place and kind in tree-sitter, TextMate and Pygments; and what is 
 whole statements, has to be one for the others, which read words.
 """
 
-import ctypes
 import re
 import subprocess
 import sys
 from collections import Counter
 from pathlib import Path
 
-import tree_sitter
-
 EDITORS = Path(__file__).resolve().parent
 ROOT = EDITORS.parent
-sys.path.insert(0, str(EDITORS / "pygments"))
+sys.path[:0] = [str(EDITORS / "pygments"), str(EDITORS / "tree-sitter-mech")]
 
 from pygments.token import Comment, Keyword, Name, Number, String, Whitespace  # noqa: E402
 from pygments_mech import MechLexer  # noqa: E402
 from pygments_mech import words  # noqa: E402
+from corpus import tree_sitter_parser  # noqa: E402
 
 SHOWN = 12
 
@@ -52,20 +50,6 @@ def of_textmate(scope):
             return kind, None
     classes = (("keyword", "word"), ("support.constant", "word"), ("support.type", "property"), ("support.function", "function"))
     return "Word", next((word for head, word in classes if scope.startswith(head)), "name")
-
-
-def tree_sitter_parser():
-    """The committed parser, compiled with the system's compiler."""
-    source = EDITORS / "tree-sitter-mech" / "src"
-    library = ROOT / "target" / "tmp" / "mech.so"
-    library.parent.mkdir(parents=True, exist_ok=True)
-    files = [source / "parser.c", source / "scanner.c"]
-    subprocess.run(["cc", "-O1", "-shared", "-fPIC", "-I", source, *files, "-o", library], check=True)
-    function = ctypes.CDLL(str(library)).tree_sitter_mech
-    function.restype = ctypes.c_void_p
-    capsule = ctypes.pythonapi.PyCapsule_New
-    capsule.restype, capsule.argtypes = ctypes.py_object, [ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p]
-    return tree_sitter.Parser(tree_sitter.Language(capsule(function(), b"tree_sitter.Language", None)))
 
 
 def of_tree_sitter(parser, text):

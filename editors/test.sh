@@ -32,6 +32,8 @@ editors/vscode/test.sh
 # Every grammar against the tokens of `assur`.
 tools=target/editors
 [ -x "$tools/bin/python" ] || python3 -m venv "$tools"
-"$tools/bin/pip" install --quiet tree-sitter pygments
+"$tools/bin/pip" install --quiet tree-sitter ./editors/pygments
+"$tools/bin/pygmentize" -l mech -F raiseonerror -f null examples/crank-slider.mech
+"$tools/bin/python" editors/tree-sitter-mech/corpus.py
 [ -f target/tmp/tokens.txt ] || cargo test --test repository editors
 "$tools/bin/python" editors/agreement.py
