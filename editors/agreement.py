@@ -48,7 +48,7 @@ def of_textmate(scope):
     for head, kind in (("comment", "Comment"), ("string", "Text"), ("constant.numeric", "Number"), ("keyword.other.unit", "Unit")):
         if scope.startswith(head):
             return kind, None
-    classes = (("keyword", "word"), ("support.constant", "word"), ("support.type", "property"), ("support.function", "function"))
+    classes = (("keyword", "word"), ("constant.language", "word"), ("support.type", "property"), ("support.function", "function"))
     return "Word", next((word for head, word in classes if scope.startswith(head)), "name")
 
 

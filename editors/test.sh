@@ -20,7 +20,7 @@ if [ ${#missing[@]} -gt 0 ]; then
 fi
 
 # an error in a script leaves Neovim with 0 and the reason on its last lines
-for script in test colours; do
+for script in test fixes colours; do
   said=$(timeout 60 nvim --headless --clean -c "luafile editors/neovim/$script.lua" -c "cquit" 2>&1) || { echo "$said" >&2; exit 1; }
   echo "$said"
 done
@@ -33,7 +33,7 @@ editors/vscode/test.sh
 tools=target/editors
 [ -x "$tools/bin/python" ] || python3 -m venv "$tools"
 "$tools/bin/pip" install --quiet tree-sitter ./editors/pygments
-"$tools/bin/pygmentize" -l mech -F raiseonerror -f null examples/crank-slider.mech
+"$tools/bin/pygmentize" -l mech -F raiseonerror -f null examples/crank-slider.mech >/dev/null
 "$tools/bin/python" editors/tree-sitter-mech/corpus.py
 [ -f target/tmp/tokens.txt ] || cargo test --test repository editors
 "$tools/bin/python" editors/agreement.py

@@ -26,8 +26,16 @@
   "GOT has to be WANTED."
   (unless (equal got wanted) (error "%S, not %S" got wanted)))
 
+(defun accept-fix (place)
+  "Apply the first fix at PLACE."
+  (let ((actions (eglot-code-actions place (1+ place) "quickfix")))
+    (eglot--apply-workspace-edit (plist-get (car (append actions nil)) :edit))
+    ;; which waits for an idle user otherwise
+    (eglot--signal-textDocument/didChange)))
+
 (let* ((folder (make-temp-file "assur" t))
        (file (expand-file-name "wrong.mech" folder))
+       (fixed 0)
        (eglot-sync-connect 20)
        (eglot-autoshutdown t))
   (with-temp-file file
@@ -42,15 +50,24 @@
     (same (line-number-at-pos (flymake-diagnostic-beg (car found))) 3)
     (unless (string-match-p "help: write: link crank A-B φ" (flymake-diagnostic-text (car found)))
       (error "%s" (flymake-diagnostic-text (car found)))))
-  (goto-char (point-min))
-  (forward-line 2)
-  (let* ((actions (eglot-code-actions (point) (1+ (point)) "quickfix"))
-         (edit (plist-get (car (append actions nil)) :edit)))
-    (eglot--apply-workspace-edit edit))
+  (accept-fix (flymake-diagnostic-beg (car (flymake-diagnostics))))
   (eglot-format-buffer)
   (same (buffer-string)
         "mech 1\ngiven φ = 5 mm\nlink crank A-B φ\nground { A (0, 0) }\nrevolute A: ground - crank\n")
   (set-buffer-modified-p nil)
+  ;; each of these files has one mistake with one fix
+  (dolist (name (split-string (with-temp-buffer (insert-file-contents (expand-file-name "../fixes.txt" here)) (buffer-string))))
+    (copy-file (expand-file-name (format "../../tests/errors/%s.mech" name) here)
+               (setq file (expand-file-name (concat (string-replace "/" "-" name) ".mech") folder)))
+    (find-file file)
+    (eglot--maybe-activate-editing-mode)
+    (flymake-mode 1)
+    (let ((found (wait-for name (lambda () (flymake-start) (flymake-diagnostics)))))
+      (accept-fix (flymake-diagnostic-beg (car found))))
+    (wait-for (concat "the fix of " name) (lambda () (flymake-start) (null (flymake-diagnostics))))
+    (setq fixed (1+ fixed))
+    (set-buffer-modified-p nil))
+  (same fixed 10)
   (eglot-shutdown (eglot-current-server))
   (delete-directory folder t)
-  (message "emacs: diagnostics, fix, formatting"))
+  (message "emacs: colours, diagnostics, formatting, %d fixes" fixed))

@@ -2,7 +2,7 @@
 // what is shown where no program is found. ASSUR names the program, PICTURES a folder for the pictures of the documents.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -10,6 +10,11 @@ import { chromium } from "playwright-core";
 
 const main = createRequire(import.meta.url).resolve("code-server/lib/vscode/out/server-main.js");
 const vsix = new URL("../../mech.vsix", import.meta.url).pathname;
+
+const root = new URL("../../../..", import.meta.url).pathname;
+// files with one mistake and one fix each
+const fixes = readFileSync(join(root, "editors", "fixes.txt"), "utf8").trim().split("\n");
+const fileOf = (name) => `${name.replaceAll("/", "-")}.mech`;
 
 const home = mkdtempSync(join(tmpdir(), "assur-workbench-"));
 const folder = join(home, "homework");
@@ -52,6 +57,7 @@ function prepare() {
   }
   mkdirSync(folder);
   writeFileSync(join(folder, "engine.mech"), text);
+  for (const name of fixes) copyFileSync(join(root, "tests", "errors", `${name}.mech`), join(folder, fileOf(name)));
 }
 
 /** VS Code's server, on a port of its choice. */
@@ -95,6 +101,26 @@ async function textOf(page) {
   return placed.sort((a, b) => a[0] - b[0]).map(([, words]) => words.replaceAll("\u00a0", " ")).join("\n");
 }
 
+/** Waits for the bulb at a fix: VS Code offers nothing while it still asks for it. */
+function bulb(page) {
+  return page.locator("[class*=lightbulb]:visible, [class*=light-bulb]:visible").first().waitFor();
+}
+
+/** Goes to the only problem of a file and accepts what is offered, by keyboard. */
+async function acceptFix(page, file) {
+  await page.locator(".explorer-folders-view").getByText(file).dblclick();
+  await page.locator(".tab.active", { hasText: file }).waitFor();
+  await page.locator(".squiggly-error").first().waitFor();
+  await page.keyboard.press("F8");
+  await page.locator(".marker-widget").waitFor();
+  await bulb(page);
+  await page.keyboard.press("Control+.");
+  await page.locator(".action-widget").waitFor();
+  await page.keyboard.press("Enter");
+  await page.locator(".squiggly-error").first().waitFor({ state: "detached" });
+  await page.keyboard.press("Escape");
+}
+
 async function test(page, port) {
   await open(page, port);
   const running = page.locator("[id='assur.mech.assur']");
@@ -112,8 +138,9 @@ async function test(page, port) {
 
   await page.keyboard.press("Escape");
   await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().click();
+  await bulb(page);
   await page.keyboard.press("Control+.");
-  await page.locator(".action-widget").getByText("rod", { exact: false }).first().waitFor();
+  await page.locator(".action-widget").getByText("write `rod`").waitFor();
   if (process.env.PICTURES) await keep(page, "vscode-fix");
   await page.keyboard.press("Enter");
   await page.locator(".view-line", { hasText: /crank.-.rod$/ }).waitFor();
@@ -124,6 +151,8 @@ async function test(page, port) {
   const shown = await textOf(page);
   assert.match(shown, /given n = 1500 rpm/);
   await page.keyboard.press("Control+s");
+
+  for (const name of fixes) await acceptFix(page, fileOf(name));
 
   writeFileSync(join(home, "data", "Machine", "settings.json"), JSON.stringify({ ...settings, "assur.path": "/no/such/assur" }));
   writeFileSync(join(home, "data", "User", "settings.json"), JSON.stringify({ ...settings, "assur.path": "/no/such/assur" }));
@@ -139,7 +168,7 @@ try {
   await test(page, port);
   const saved = readFileSync(join(folder, "engine.mech"), "utf8");
   assert.equal(saved, text.replace("given   n", "given n").replace("rodd", "rod"));
-  console.log("VS Code: colours, mistake, hover, fix by keyboard, format, program that is not there");
+  console.log(`VS Code: colours, mistake, hover, format, ${fixes.length + 1} fixes by keyboard, program that is not there`);
 } catch (error) {
   console.error(await page.locator("[id='assur.mech.assur'] a").getAttribute("aria-label"));
   await page.screenshot({ path: join(tmpdir(), "assur-workbench.png") });
