@@ -20,7 +20,6 @@ const home = mkdtempSync(join(tmpdir(), "assur-workbench-"));
 const folder = join(home, "homework");
 const places = ["--server-data-dir", home, "--user-data-dir", join(home, "data"), "--extensions-dir", join(home, "extensions")];
 const settings = {
-  "assur.path": resolve(process.env.ASSUR),
   "security.workspace.trust.enabled": false,
   "workbench.startupEditor": "none",
   "workbench.colorTheme": "Default Light Modern",
@@ -51,20 +50,28 @@ find Mb, v = velocity(C).x as m/s
 
 function prepare() {
   execFileSync(process.execPath, [main, ...places, "--install-extension", vsix], { stdio: "ignore" });
-  for (const place of ["User", "Machine"]) {
-    mkdirSync(join(home, "data", place), { recursive: true });
-    writeFileSync(join(home, "data", place, "settings.json"), JSON.stringify(settings));
-  }
+  choose(resolve(process.env.ASSUR));
   mkdirSync(folder);
   writeFileSync(join(folder, "engine.mech"), text);
   writeFileSync(join(folder, "new.mech"), "");
   for (const name of fixes) copyFileSync(join(root, "tests", "errors", `${name}.mech`), join(folder, fileOf(name)));
 }
 
+/** Writes the settings, with the program to be taken. */
+function choose(program) {
+  for (const place of ["User", "Machine"]) {
+    mkdirSync(join(home, "data", place), { recursive: true });
+    writeFileSync(join(home, "data", place, "settings.json"), JSON.stringify({ ...settings, "assur.path": program }));
+  }
+}
+
 /** VS Code's server, on a port of its choice. */
 async function serve() {
   const options = ["--host", "127.0.0.1", "--port", "0", "--without-connection-token", "--accept-server-license-terms"];
-  const server = spawn(process.execPath, [main, ...options, ...places, "--telemetry-level", "off"], { stdio: ["ignore", "pipe", "ignore"] });
+  // no program of that name is on this path
+  const env = { ...process.env, PATH: "/usr/bin:/bin" };
+  const stdio = ["ignore", "pipe", "ignore"];
+  const server = spawn(process.execPath, [main, ...options, ...places, "--telemetry-level", "off"], { env, stdio });
   const port = await new Promise((found, failed) => {
     let said = "";
     server.stdout.on("data", (part) => {
@@ -163,9 +170,10 @@ async function test(page, port) {
   await insertSnippet(page);
   for (const name of fixes) await acceptFix(page, fileOf(name));
 
-  writeFileSync(join(home, "data", "Machine", "settings.json"), JSON.stringify({ ...settings, "assur.path": "/no/such/assur" }));
-  writeFileSync(join(home, "data", "User", "settings.json"), JSON.stringify({ ...settings, "assur.path": "/no/such/assur" }));
-  await page.getByText("/no/such/assur, which is not a program", { exact: false }).first().waitFor();
+  choose("/no/such/assur");
+  await page.getByText("/no/such/assur, which is not a program").first().waitFor();
+  choose("");
+  await page.getByText("No program `assur` is on PATH").first().waitFor();
 }
 
 prepare();
