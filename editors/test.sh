@@ -35,5 +35,8 @@ tools=target/editors
 "$tools/bin/pip" install --quiet tree-sitter ./editors/pygments
 "$tools/bin/pygmentize" -l mech -F raiseonerror -f null examples/crank-slider.mech >/dev/null
 "$tools/bin/python" editors/tree-sitter-mech/corpus.py
-[ -f target/tmp/tokens.txt ] || cargo test --test repository editors
+tokens=target/tmp/tokens.txt
+if [ ! -f "$tokens" ] || [ -n "$(find examples -name '*.mech' -newer "$tokens" -print -quit)" ]; then
+  cargo test --test repository editors
+fi
 "$tools/bin/python" editors/agreement.py

@@ -54,6 +54,7 @@ function prepare() {
   mkdirSync(folder);
   writeFileSync(join(folder, "engine.mech"), text);
   writeFileSync(join(folder, "new.mech"), "");
+  writeFileSync(join(folder, "notes.md"), "# Notes\n\n```mech\nmech 1\nlink rod B-C 5 mm\n```\n");
   for (const name of fixes) copyFileSync(join(root, "tests", "errors", `${name}.mech`), join(folder, fileOf(name)));
 }
 
@@ -118,6 +119,18 @@ async function insertSnippet(page) {
   await page.keyboard.press("Escape");
 }
 
+/** A block of Markdown that is marked as `mech` has the colours of a file. */
+async function colourMarkdown(page) {
+  await page.locator(".explorer-folders-view").getByText("notes.md").dblclick();
+  await page.locator(".tab.active", { hasText: "notes.md" }).waitFor();
+  await page.locator(".view-line", { hasText: "rod" }).waitFor();
+  const differs = async () => new Set(await colours(page, /link.rod/, ["link", "rod", "5"])).size === 3;
+  for (let tries = 0; !(await differs()); tries += 1) {
+    assert.ok(tries < 20, "words, names and numbers of a block in Markdown have colours of their own");
+    await page.waitForTimeout(250);
+  }
+}
+
 /** Waits for the bulb at a fix: VS Code offers nothing while it still asks for it. */
 function bulb(page) {
   return page.locator("[class*=lightbulb]:visible, [class*=light-bulb]:visible").first().waitFor();
@@ -167,6 +180,7 @@ async function test(page, port) {
   await page.locator(".view-line", { hasText: /^given.n.=.1500/ }).waitFor();
   await page.keyboard.press("Control+s");
 
+  await colourMarkdown(page);
   await insertSnippet(page);
   for (const name of fixes) await acceptFix(page, fileOf(name));
 
@@ -185,7 +199,7 @@ try {
   await test(page, port);
   const saved = readFileSync(join(folder, "engine.mech"), "utf8");
   assert.equal(saved, text.replace("given   n", "given n").replace("rodd", "rod"));
-  console.log(`VS Code: colours, mistake, hover, format, snippet, ${fixes.length + 1} fixes by keyboard, program that is not there`);
+  console.log(`VS Code: colours, also in Markdown, mistake, hover, format, snippet, ${fixes.length + 1} fixes by keyboard, program that is not there`);
 } catch (error) {
   await page.screenshot({ path: join(tmpdir(), "assur-workbench.png") });
   console.error(`the picture of the failure is ${join(tmpdir(), "assur-workbench.png")}`);
