@@ -2,6 +2,7 @@
 
 mod architecture;
 mod docs;
+mod editors;
 mod floors;
 #[path = "../folder/mod.rs"]
 mod folder;

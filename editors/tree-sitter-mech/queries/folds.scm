@@ -1,0 +1,2 @@
+[(body) (properties) (table) (cam)] @fold
+(comment)+ @fold

@@ -1,0 +1,2 @@
+[(body) (properties) (table) (cam) (parenthesized) (call)] @indent.begin
+["}" ")"] @indent.branch @indent.end

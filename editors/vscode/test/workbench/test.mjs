@@ -1,0 +1,211 @@
+// The packaged extension in VS Code's own workbench, in Chromium: colours, a mistake, hover, its fix by keyboard, formatting, and
+// what is shown where no program is found. ASSUR names the program, PICTURES a folder for the pictures of the documents.
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { chromium } from "playwright-core";
+
+const main = createRequire(import.meta.url).resolve("code-server/lib/vscode/out/server-main.js");
+const vsix = new URL("../../mech.vsix", import.meta.url).pathname;
+
+const root = new URL("../../../..", import.meta.url).pathname;
+// files with one mistake and one fix each
+const fixes = readFileSync(join(root, "editors", "fixes.txt"), "utf8").trim().split("\n");
+const fileOf = (name) => `${name.replaceAll("/", "-")}.mech`;
+
+const home = mkdtempSync(join(tmpdir(), "assur-workbench-"));
+const folder = join(home, "homework");
+const places = ["--server-data-dir", home, "--user-data-dir", join(home, "data"), "--extensions-dir", join(home, "extensions")];
+const settings = {
+  "security.workspace.trust.enabled": false,
+  "workbench.startupEditor": "none",
+  "workbench.colorTheme": "Default Light Modern",
+  "workbench.tips.enabled": false,
+  "editor.minimap.enabled": false,
+  "editor.hover.delay": 100,
+  "files.autoSave": "off",
+};
+const text = `mech 1
+mechanism "A crank-slider engine"
+// Find the torque on the crank.
+given   n = 1500 rpm
+ground { A (0, 0); line guide through A along 0 deg }
+link crank  A-B 100 mm
+link rod    B-C 350 mm
+link piston { C (0, 0); mass 2.14 kg at C }
+
+revolute  A: ground - crank
+revolute  B: crank - rodd
+revolute  C: rod - piston
+prismatic D: piston.C - ground.guide
+
+drive crank = 45 deg at n
+assemble C ahead of B
+balance torque Mb on crank
+find Mb, v = velocity(C).x as m/s
+`;
+
+function prepare() {
+  execFileSync(process.execPath, [main, ...places, "--install-extension", vsix], { stdio: "ignore" });
+  choose(resolve(process.env.ASSUR));
+  mkdirSync(folder);
+  writeFileSync(join(folder, "engine.mech"), text);
+  writeFileSync(join(folder, "new.mech"), "");
+  writeFileSync(join(folder, "notes.md"), "# Notes\n\n```mech\nmech 1\nlink rod B-C 5 mm\n```\n");
+  for (const name of fixes) copyFileSync(join(root, "tests", "errors", `${name}.mech`), join(folder, fileOf(name)));
+}
+
+/** Writes the settings, with the program to be taken. */
+function choose(program) {
+  for (const place of ["User", "Machine"]) {
+    mkdirSync(join(home, "data", place), { recursive: true });
+    writeFileSync(join(home, "data", place, "settings.json"), JSON.stringify({ ...settings, "assur.path": program }));
+  }
+}
+
+/** VS Code's server, on a port of its choice. */
+async function serve() {
+  const options = ["--host", "127.0.0.1", "--port", "0", "--without-connection-token", "--accept-server-license-terms"];
+  // no program of that name is on this path
+  const env = { ...process.env, PATH: "/usr/bin:/bin" };
+  const stdio = ["ignore", "pipe", "ignore"];
+  const server = spawn(process.execPath, [main, ...options, ...places, "--telemetry-level", "off"], { env, stdio });
+  const port = await new Promise((found, failed) => {
+    let said = "";
+    server.stdout.on("data", (part) => {
+      said += part;
+      const match = /listening on (\d+)/.exec(said);
+      if (match) found(match[1]);
+    });
+    server.on("exit", () => failed(new Error(`the server ends: ${said}`)));
+  });
+  return { server, port };
+}
+
+async function open(page, port) {
+  await page.goto(`http://127.0.0.1:${port}/?folder=${folder}`);
+  await page.locator(".explorer-folders-view").getByText("engine.mech").dblclick();
+  await page.locator(".view-line", { hasText: "prismatic" }).waitFor();
+}
+
+/** A picture for docs/pictures, when nothing moves any more. */
+async function keep(page, name) {
+  await page.waitForTimeout(1000);
+  await page.screenshot({ path: join(process.env.PICTURES, `${name}.png`), clip: { x: 323, y: 36, width: 777, height: 400 } });
+}
+
+/** The colours of words of a line. */
+async function colours(page, line, words) {
+  const found = page.locator(".view-line", { hasText: line });
+  const colour = (word) => found.locator("span span", { hasText: word }).first().evaluate((e) => getComputedStyle(e).color);
+  return Promise.all(words.map(colour));
+}
+
+/** A whole problem by its snippet: there is nothing against it. */
+async function insertSnippet(page) {
+  await page.locator(".explorer-folders-view").getByText("new.mech").dblclick();
+  await page.locator(".tab.active", { hasText: "new.mech" }).waitFor();
+  await page.locator(".monaco-editor .view-lines").first().click();
+  await page.waitForTimeout(500);
+  await page.keyboard.type("crank-slider", { delay: 20 });
+  await page.locator(".suggest-widget", { hasText: "crank-slider" }).waitFor();
+  await page.keyboard.press("Tab");
+  await page.locator(".view-line", { hasText: /balance.torque.Mb.on.crank/ }).waitFor();
+  await page.waitForTimeout(500);
+  assert.equal(await page.locator(".squiggly-error").count(), 0, "a whole problem has no mistakes");
+  await page.keyboard.press("Escape");
+}
+
+/** A block of Markdown that is marked as `mech` has the colours of a file. */
+async function colourMarkdown(page) {
+  await page.locator(".explorer-folders-view").getByText("notes.md").dblclick();
+  await page.locator(".tab.active", { hasText: "notes.md" }).waitFor();
+  await page.locator(".view-line", { hasText: "rod" }).waitFor();
+  const differs = async () => new Set(await colours(page, /link.rod/, ["link", "rod", "5"])).size === 3;
+  for (let tries = 0; !(await differs()); tries += 1) {
+    assert.ok(tries < 20, "words, names and numbers of a block in Markdown have colours of their own");
+    await page.waitForTimeout(250);
+  }
+}
+
+/** Waits for the bulb at a fix: VS Code offers nothing while it still asks for it. */
+function bulb(page) {
+  return page.locator("[class*=lightbulb]:visible, [class*=light-bulb]:visible").first().waitFor();
+}
+
+/** Goes to the only problem of a file and accepts what is offered, by keyboard. */
+async function acceptFix(page, file) {
+  await page.locator(".explorer-folders-view").getByText(file).dblclick();
+  await page.locator(".tab.active", { hasText: file }).waitFor();
+  await page.locator(".squiggly-error").first().waitFor();
+  await page.keyboard.press("F8");
+  await page.locator(".marker-widget").waitFor();
+  await bulb(page);
+  await page.keyboard.press("Control+.");
+  await page.locator(".action-widget").waitFor();
+  await page.keyboard.press("Enter");
+  await page.locator(".squiggly-error").first().waitFor({ state: "detached" });
+  await page.keyboard.press("Escape");
+}
+
+async function test(page, port) {
+  await open(page, port);
+  const running = page.locator("[id='assur.mech.assur']");
+  await running.getByText(/^assur \d/).waitFor();
+  const [word, name] = await colours(page, "prismatic", ["prismatic", "D"]);
+  assert.notEqual(word, name, "words of the language and names have different colours");
+  await page.locator(".squiggly-error").first().waitFor();
+  assert.equal(await page.locator(".squiggly-error").count(), 1, "one mistake");
+
+  await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().hover();
+  const hover = page.locator(".monaco-hover:visible", { hasText: "rodd" }).first();
+  await hover.waitFor();
+  assert.match(await hover.innerText(), /did you mean `rod`/);
+  if (process.env.PICTURES) await keep(page, "vscode-hover");
+
+  await page.keyboard.press("Escape");
+  await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().click();
+  await bulb(page);
+  await page.keyboard.press("Control+.");
+  await page.locator(".action-widget").getByText("write `rod`").waitFor();
+  if (process.env.PICTURES) await keep(page, "vscode-fix");
+  await page.keyboard.press("Enter");
+  await page.locator(".view-line", { hasText: /crank.-.rod$/ }).waitFor();
+  await page.locator(".squiggly-error").waitFor({ state: "detached" });
+
+  await page.keyboard.press("Control+Shift+I");
+  await page.locator(".view-line", { hasText: /^given.n.=.1500/ }).waitFor();
+  await page.keyboard.press("Control+s");
+
+  await colourMarkdown(page);
+  await insertSnippet(page);
+  for (const name of fixes) await acceptFix(page, fileOf(name));
+
+  choose("/no/such/assur");
+  await page.getByText("/no/such/assur, which is not a program").first().waitFor();
+  choose("");
+  await page.getByText("No program `assur` is on PATH").first().waitFor();
+}
+
+prepare();
+const { server, port } = await serve();
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+const page = await browser.newPage({ viewport: { width: 1100, height: 640 } });
+page.setDefaultTimeout(15_000);
+try {
+  await test(page, port);
+  const saved = readFileSync(join(folder, "engine.mech"), "utf8");
+  assert.equal(saved, text.replace("given   n", "given n").replace("rodd", "rod"));
+  console.log(`VS Code: colours, also in Markdown, mistake, hover, format, snippet, ${fixes.length + 1} fixes by keyboard, program that is not there`);
+} catch (error) {
+  await page.screenshot({ path: join(tmpdir(), "assur-workbench.png") });
+  console.error(`the picture of the failure is ${join(tmpdir(), "assur-workbench.png")}`);
+  throw error;
+} finally {
+  await browser.close();
+  server.kill();
+  rmSync(home, { recursive: true, force: true });
+}
