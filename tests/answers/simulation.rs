@@ -311,6 +311,33 @@ find displacement(P), relative_velocity(P), relative_acceleration(P)
     }
 }
 
+/// Digits of a coordinate are all that is known of it: far from the scheme's other points the steps are no shorter.
+#[test]
+fn a_block_that_begins_far_away_takes_no_more_steps() {
+    let far = |start: f64| {
+        let text = format!(
+            "
+ground {{ O (0, 0); line floor through O along 0 deg }}
+link block {{ B (0, 0); mass 2 kg at B }}
+prismatic P: block.B - ground.floor
+force F on block at B = 1 N*sin(1 rad/s*time) @ 0 deg
+spring s: block.B - ground.O {{ stiffness 400 N/m; free_length 0 m }}
+start P = {start} m
+simulate 0.7 s in 14 steps
+find displacement(P)
+"
+        );
+        let run = solved(&text, &Overrides::none());
+        let end = run.solution.poses.last().unwrap().outcome.as_ref().unwrap().state.motion.bodies[1].p.x;
+        let want = start * (200f64.sqrt() * 0.7).cos();
+        // the force moves it by less than 1 N/k
+        assert!((end - want).abs() < 1e-8 * start + 5e-3, "{end} not {want}");
+        run.solution.simulation.unwrap().evaluations
+    };
+    let (near, away) = (far(1.0), far(1e12));
+    assert!(away <= near + near / 10, "{near}, {away}");
+}
+
 /// Loads against the motion of each of several free coordinates.
 #[test]
 fn several_coordinates_are_braked_each_by_its_own() {

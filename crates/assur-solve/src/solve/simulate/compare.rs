@@ -2,7 +2,7 @@
 
 use super::equations::Equations;
 use super::records::Records;
-use crate::position::{BodyState, extent};
+use crate::position::BodyState;
 
 /// Kinds of results whose errors are judged apart.
 pub const KINDS: [&str; 12] = [
@@ -83,7 +83,7 @@ impl Compared {
         let differ = coarse.count != fine.count || events.clone().any(|(a, b)| a.len() != b.len());
         // where both come to a halt, they do so at instants that differ a little
         let missing = differ && !(coarse_run.halted && fine_run.halted);
-        let mut found = kinds.worst(extent(equations.model), missing);
+        let mut found = kinds.worst(equations.extent(), missing);
         let length = fine_run.end - equations.from;
         for (a, b) in events.flat_map(|(a, b)| a.iter().zip(b)) {
             found.look((a - b).abs() / length, STATES);

@@ -5,7 +5,7 @@ use super::bridge::Bridge;
 use super::chart::Chart;
 use super::drives::{moves, prescribed};
 use super::loads::{loads_need_angles, sides};
-use super::setup::Begin;
+use super::setup::{Begin, is_length};
 use super::slipping::{Mode, Slipping};
 use super::walk::Walk;
 use crate::answer::{Switch, WholeCycle, switches};
@@ -134,9 +134,11 @@ impl<'a, 's> Equations<'a, 's> {
         values.chain(rates).chain(works).collect()
     }
 
-    /// A length of the mechanism's order, m.
+    /// A length of the mechanism's order, m: what begins far away is not known better than its digits.
     pub fn extent(&self) -> f64 {
-        extent(self.model)
+        let drives = &self.model.mechanism.drives;
+        let lengths = self.reduced.free().iter().filter(|&&i| is_length(self.model, &drives[i]));
+        lengths.map(|&i| self.first[i].value.abs()).fold(extent(self.model), f64::max)
     }
 
     /// Where the present step begins: the instant, s, the state and the angles of its bodies.

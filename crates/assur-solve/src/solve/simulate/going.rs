@@ -333,6 +333,7 @@ impl Going<'_, '_> {
 /// Whether the steps are so short that the run would never come to its end.
 #[allow(clippy::cast_precision_loss)] // far below 2^52
 fn is_endless<M: Integrator<f64>>(method: &M, first: f64, last: f64) -> bool {
-    let steps = method.counts().steps;
+    let counts = method.counts();
+    let steps = counts.steps + counts.rejected;
     steps >= LOOKED_AT && steps as f64 * (last - first) > ENDLESS * (method.t() - first)
 }

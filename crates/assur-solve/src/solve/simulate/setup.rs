@@ -6,9 +6,9 @@ use super::equations::Equations;
 use super::records::Origin;
 use crate::answer::{WholeCycle, first_angles};
 use crate::math::ode::Tolerance;
-use crate::model::{At, DriveTarget, Mechanism, Occasion, Simulation};
+use crate::model::{At, Drive, DriveTarget, Mechanism, Occasion, Simulation};
 use crate::plan::{Plan, plan_with};
-use crate::position::{DriveInput, DriveValue, Model, State, extent, turns};
+use crate::position::{DriveInput, DriveValue, Model, State, turns};
 use crate::solve::assemble::assemble;
 use crate::solve::failure::Failure;
 use crate::solve::inputs::Rates;
@@ -138,7 +138,10 @@ pub(super) fn scale(equations: &Equations<'_, '_>) -> f64 {
 
 fn scale_of(equations: &Equations<'_, '_>, drive: usize) -> f64 {
     let model = equations.model;
-    let drive = &model.mechanism.drives[drive];
-    let lengths = !matches!(drive.target, DriveTarget::Point(..)) && !turns(model, drive);
-    if lengths { extent(model) } else { 1.0 }
+    if is_length(model, &model.mechanism.drives[drive]) { equations.extent() } else { 1.0 }
+}
+
+/// Whether the coordinate of a drive is a length.
+pub(super) fn is_length(model: &Model<'_>, drive: &Drive) -> bool {
+    !matches!(drive.target, DriveTarget::Point(..)) && !turns(model, drive)
 }
