@@ -64,10 +64,32 @@ pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
 pub fn compile_document(
     source: &Source,
     document: &Arc<Document>,
-    mut found: Problems,
+    found: Problems,
     overrides: &Overrides,
 ) -> (Option<Compiled>, Problems) {
-    let (mechanism, checked) = check::check(document, overrides);
+    compile_checked(source, document, found, overrides, check::check(document, overrides))
+}
+
+/// As [`compile_document`], with the uses of all names, in a text with errors too.
+#[must_use]
+pub fn look(
+    source: &Source,
+    document: &Arc<Document>,
+    found: Problems,
+) -> (Option<Compiled>, Problems, Vec<check::Use>) {
+    let none = Overrides::none();
+    let check::Looked { mechanism, problems, uses } = check::look(document, &none);
+    let (compiled, problems) = compile_checked(source, document, found, &none, (mechanism, problems));
+    (compiled, problems, uses)
+}
+
+fn compile_checked(
+    source: &Source,
+    document: &Arc<Document>,
+    mut found: Problems,
+    overrides: &Overrides,
+    (mechanism, checked): (Option<Mechanism>, Problems),
+) -> (Option<Compiled>, Problems) {
     let is_read = !found.has_errors();
     let Some(mechanism) = mechanism.filter(|_| is_read && !checked.has_errors()) else {
         match if is_read { structural_cause(source, document, overrides, &checked) } else { None } {

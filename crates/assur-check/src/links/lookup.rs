@@ -22,6 +22,7 @@ pub fn is_linkage_pair(kind: JointKind) -> bool {
 impl Context<'_> {
     /// The link of that name; `ground` too. Reports a name that is not one of a link.
     pub fn link(&mut self, name: &Name) -> Option<LinkId> {
+        self.names.note_thing(name);
         let found = self.find_link(&name.node);
         if found.is_none() {
             self.no_thing(name, "link", "a link", |kind| kind == ThingKind::Link);
@@ -67,6 +68,7 @@ impl Context<'_> {
     /// The pair of that name. Reports a name that is not one of a pair; silent where the pair has an error. Only once
     /// the pairs are in the mechanism.
     pub fn pair(&mut self, name: &Name) -> Option<PairId> {
+        self.names.note_thing(name);
         let found = self.find_pair(&name.node);
         if found.is_none() {
             // what is declared as one and is not in the mechanism has an error
@@ -82,6 +84,7 @@ impl Context<'_> {
 
     /// The asserted group of that name, as its place in `Mechanism::groups`.
     pub fn group(&mut self, name: &Name) -> Option<usize> {
+        self.names.note_thing(name);
         let found = self.builder.mech.groups.iter().position(|g| g.name == name.node);
         if found.is_none() {
             self.no_thing(name, "group", "a group", |kind| kind == ThingKind::Group);
@@ -134,6 +137,7 @@ impl Context<'_> {
         name: &Name,
         kind: &'static str,
     ) -> Option<T> {
+        self.names.note_inside(link, name);
         if found.is_some() {
             return found;
         }
@@ -178,6 +182,7 @@ impl Context<'_> {
         wanted: &str,
         fits: impl Fn(ThingKind) -> bool,
     ) {
+        self.names.note_thing(name);
         if let Some(declared) = self.names.things.get(&name.node) {
             if !fits(declared.what) && !self.names.bad.contains(&name.node) {
                 let (is, declared) = (declared.what.phrase(), Some(declared.span));
@@ -209,6 +214,7 @@ impl Context<'_> {
     /// The point that a name alone stands for: the pin or named point of the pair of that name, or the points of that
     /// name where a pin joins all of them. Reports what is unknown or ambiguous.
     pub fn point_of_shared_name(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {
+        self.names.note_shared(name);
         let own = self.find_pair(&name.node).and_then(|id| place_of_pair(&self.builder.mech.pair(id).kind));
         let bearers = self.bearers(&name.node);
         let first = own.or_else(|| bearers.first().copied());
