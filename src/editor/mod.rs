@@ -2,14 +2,16 @@
 
 mod folds;
 mod hover;
+mod names;
+mod rename;
 mod symbols;
 
 pub use folds::folds;
 pub use hover::Hover;
+pub use names::{Declaration, Names};
 pub use symbols::{Symbol, SymbolKind, symbols};
 
-use crate::pipeline::{certain_edits, compile_document};
-use assur_check::Overrides;
+use crate::pipeline::{certain_edits, look};
 use assur_syntax::document::Document;
 use assur_syntax::{Token, parse_with_tokens};
 use assur_text::diagnostic::{Fix, Problem, Problems};
@@ -28,6 +30,8 @@ pub struct Analysis {
     pub tokens: Vec<Token>,
     /// What is wrong with it.
     pub problems: Problems,
+    /// Its names.
+    pub names: Names,
     /// Whether it reads.
     is_read: bool,
 }
@@ -39,8 +43,9 @@ impl Analysis {
         let (document, tokens, found) = parse_with_tokens(&source);
         let document = Arc::new(document);
         let is_read = !found.has_errors();
-        let (_, problems) = compile_document(&source, &document, found, &Overrides::none());
-        Self { source, document, tokens, problems, is_read }
+        let (_, problems, uses) = look(&source, &document, found);
+        let names = Names::of(&source.text, &tokens, &document, &uses);
+        Self { source, document, tokens, problems, names, is_read }
     }
 
     /// The fixes of the problems that touch a place, each with its problem.

@@ -1,6 +1,6 @@
 //! What a text declares, in its order.
 
-use assur_syntax::document::{Body, Document, Member, Name, Statement};
+use assur_syntax::document::{Body, Document, End, Member, Name, Statement};
 use assur_text::source::{Span, Spanned};
 
 /// What a symbol is.
@@ -22,8 +22,10 @@ pub enum SymbolKind {
     Element,
     /// A force, a torque, an unknown effort.
     Load,
-    /// A pose, an event.
+    /// A pose.
     Pose,
+    /// An event.
+    Event,
     /// An asserted group.
     Group,
     /// A named answer.
@@ -46,7 +48,7 @@ pub struct Symbol {
 }
 
 impl Symbol {
-    fn new(name: &Name, kind: SymbolKind, whole: Span) -> Self {
+    pub(super) fn new(name: &Name, kind: SymbolKind, whole: Span) -> Self {
         Self { name: name.node.clone(), kind, whole, at: name.span, parts: Vec::new() }
     }
 
@@ -84,11 +86,19 @@ fn of_statement(statement: &Spanned<Statement>) -> Vec<Symbol> {
         Statement::Slider(slider) => {
             vec![Symbol::new(&slider.name, SymbolKind::Link, whole).with(&slider.body)]
         }
-        Statement::Joint(joint) => one(&joint.name, SymbolKind::Pair),
+        Statement::Joint(joint) => {
+            let mut symbol = Symbol::new(&joint.name, SymbolKind::Pair, whole);
+            let idlers = joint.ends.iter().filter_map(|end| match end {
+                End::Over(name) => Some(name),
+                _ => None,
+            });
+            symbol.parts = idlers.map(|name| Symbol::new(name, SymbolKind::Shape, name.span)).collect();
+            vec![symbol]
+        }
         Statement::Spring(spring) => one(&spring.name, SymbolKind::Pair),
         Statement::Group(group) => one(&group.name, SymbolKind::Group),
         Statement::Pose(pose) => one(&pose.name, SymbolKind::Pose),
-        Statement::Event(event) => one(&event.name, SymbolKind::Pose),
+        Statement::Event(event) => one(&event.name, SymbolKind::Event),
         Statement::Balance(balance) => one(&balance.name, SymbolKind::Load),
         Statement::Load(load) => load.name.iter().flat_map(|name| one(name, SymbolKind::Load)).collect(),
         Statement::Brake(brake) => one(&brake.name, SymbolKind::Element),

@@ -2,8 +2,8 @@
 
 use assur_text::source::Encoding;
 use gen_lsp_types::{
-    CodeActionKind, CodeActionOptions, InitializeResult, PositionEncodingKind, ServerCapabilities,
-    ServerInfo, TextDocumentSyncKind, TextDocumentSyncOptions,
+    CodeActionKind, CodeActionOptions, InitializeResult, PositionEncodingKind, RenameOptions,
+    ServerCapabilities, ServerInfo, TextDocumentSyncKind, TextDocumentSyncOptions,
 };
 use serde_json::Value;
 
@@ -16,6 +16,7 @@ pub fn result(encoding: Encoding) -> Value {
     };
     let kinds = vec![CodeActionKind::QuickFix, CodeActionKind::SourceFixAll];
     let actions = CodeActionOptions { code_action_kinds: Some(kinds), ..CodeActionOptions::default() };
+    let rename = RenameOptions { prepare_provider: Some(true), ..RenameOptions::default() };
     let capabilities = ServerCapabilities {
         position_encoding: Some(match encoding {
             Encoding::Utf8 => PositionEncodingKind::UTF8,
@@ -28,6 +29,10 @@ pub fn result(encoding: Encoding) -> Value {
         document_symbol_provider: Some(true.into()),
         hover_provider: Some(true.into()),
         folding_range_provider: Some(true.into()),
+        definition_provider: Some(true.into()),
+        references_provider: Some(true.into()),
+        document_highlight_provider: Some(true.into()),
+        rename_provider: Some(rename.into()),
         ..ServerCapabilities::default()
     };
     let info = ServerInfo { name: "assur".to_owned(), version: Some(env!("CARGO_PKG_VERSION").to_owned()) };

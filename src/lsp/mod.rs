@@ -2,12 +2,14 @@
 //! messages come in and go out as JSON.
 
 mod answers;
+mod asked;
 mod capabilities;
 mod convert;
 mod error;
+mod names;
 mod texts;
 
-use crate::editor::Analysis;
+use asked::diagnostics;
 use assur_text::source::Encoding;
 use error::Failure;
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
@@ -61,10 +63,11 @@ impl Server {
     /// Diagnostics of the texts that changed. Ask when no other message waits, so that only the last of many changes is looked at.
     pub fn publish(&mut self) -> Vec<Value> {
         let encoding = self.encoding;
-        let published = self.texts.changed().into_iter().map(|(uri, version, text)| {
-            let look = || answers::diagnostics(&uri, &Analysis::of(text.clone()), encoding);
+        let changed = self.texts.changed();
+        let published = changed.into_iter().map(|(uri, version)| {
+            let look = || self.texts.look(&uri).map(|analysis| diagnostics(&uri, analysis, encoding));
             // an error of the program says nothing of the text; what was said before is no longer true
-            let diagnostics = guarded(look).unwrap_or_default();
+            let diagnostics = guarded(look).and_then(Result::ok).unwrap_or_default();
             let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
             notification("textDocument/publishDiagnostics", &params)
         });

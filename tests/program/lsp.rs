@@ -293,3 +293,44 @@ fn the_program_speaks_on_its_streams() {
     let out = with_input(&folder, &["lsp"], &broken);
     assert!(out.stdout.contains("-32700") && out.stdout.contains("capabilities"), "{}", out.stdout);
 }
+
+#[test]
+fn names_lead_to_their_places() {
+    let text = "given φ = 5 mm\nground { B (0, 0) }\nlink crank B-C φ\nrevolute B: ground - crank\ndrive crank = 4 deg\nfind velocity(C)\n";
+    let (mut server, _) = session(text, "utf-16");
+    let mut ask = |method: &str, line: u32, character: u32, more: &Value| {
+        let at = json!({ "line": line, "character": character });
+        let mut params = json!({ "textDocument": document(), "position": at });
+        if let (Some(params), Some(more)) = (params.as_object_mut(), more.as_object()) {
+            params.extend(more.clone());
+        }
+        let answer = request(&mut server, &format!("textDocument/{method}"), &params);
+        if answer["error"].is_null() { answer["result"].clone() } else { answer["error"]["message"].clone() }
+    };
+    let ranges = |found: &Value| {
+        found.as_array().expect("places").iter().map(|at| at["range"].clone()).collect::<Vec<_>>()
+    };
+    let none = json!({});
+    let crank = range((2, 5), (2, 10));
+    assert_eq!(ranges(&ask("definition", 4, 8, &none)), [crank.clone()]);
+    let points = [range((1, 9), (1, 10)), range((2, 11), (2, 12))];
+    assert_eq!(ranges(&ask("definition", 3, 9, &none)), points, "a pair leads to its points");
+    let (with, without) = (
+        json!({ "context": { "includeDeclaration": true } }),
+        json!({ "context": { "includeDeclaration": false } }),
+    );
+    let uses = [range((3, 21), (3, 26)), range((4, 6), (4, 11))];
+    assert_eq!(ranges(&ask("references", 4, 8, &without)), uses);
+    assert_eq!(ranges(&ask("references", 4, 8, &with)), [&[crank], &uses[..]].concat());
+    let marked = ask("documentHighlight", 0, 6, &none);
+    assert_eq!((marked[0]["kind"].as_i64(), marked[1]["kind"].as_i64()), (Some(3), Some(2)), "{marked}");
+    assert_eq!(
+        ask("prepareRename", 2, 16, &none),
+        json!({ "range": range((2, 15), (2, 16)), "placeholder": "φ" })
+    );
+    assert_eq!(ask("prepareRename", 2, 1, &none), "there is no name here");
+    let edits = ask("rename", 3, 9, &json!({ "newName": "Ω" }))["changes"][URI].clone();
+    let renamed = text.replace("B (", "Ω (").replace("B-C", "Ω-C").replace("B:", "Ω:");
+    assert_eq!(applied(text, &edits), renamed);
+    assert_eq!(ask("rename", 3, 9, &json!({ "newName": "crank" })), "`crank` is declared twice");
+}
