@@ -1,17 +1,31 @@
 //! What an editor asks about a text, as plain data: no protocol is known here.
 
+mod about;
+mod complete;
 mod folds;
+mod hints;
 mod hover;
+mod lenses;
 mod names;
 mod rename;
+mod results;
+mod selection;
+mod signature;
 mod symbols;
+mod tokens;
 
+pub use complete::{Completion, CompletionKind};
 pub use folds::folds;
+pub use hints::Hint;
 pub use hover::Hover;
+pub use lenses::{Action, Lens};
 pub use names::{Declaration, Names};
+pub use results::{GoesOn, Results};
+pub use signature::Signature;
 pub use symbols::{Symbol, SymbolKind, symbols};
+pub use tokens::{Coloured, TOKEN_COLOURS};
 
-use crate::pipeline::{certain_edits, look};
+use crate::pipeline::{Compiled, Looked, certain_edits, look};
 use assur_syntax::document::Document;
 use assur_syntax::{Token, parse_with_tokens};
 use assur_text::diagnostic::{Fix, Problem, Problems};
@@ -34,6 +48,10 @@ pub struct Analysis {
     pub names: Names,
     /// Whether it reads.
     is_read: bool,
+    /// It compiled, where it can be.
+    compiled: Option<Compiled>,
+    /// Definitions that are constant numbers.
+    constants: Vec<(String, String)>,
 }
 
 impl Analysis {
@@ -43,9 +61,9 @@ impl Analysis {
         let (document, tokens, found) = parse_with_tokens(&source);
         let document = Arc::new(document);
         let is_read = !found.has_errors();
-        let (_, problems, uses) = look(&source, &document, found);
+        let Looked { compiled, problems, uses, constants } = look(&source, &document, found);
         let names = Names::of(&source.text, &tokens, &document, &uses);
-        Self { source, document, tokens, problems, names, is_read }
+        Self { source, document, tokens, problems, names, is_read, compiled, constants }
     }
 
     /// The fixes of the problems that touch a place, each with its problem.

@@ -14,8 +14,10 @@ pub enum SymbolKind {
     Link,
     /// A point of a link.
     Point,
-    /// A line, a circle, a profile or a wheel of a link.
+    /// A line, a circle or a profile of a link.
     Shape,
+    /// A wheel of a link, an idler of a rope.
+    Wheel,
     /// A pair, a transmission, a spring.
     Pair,
     /// A cam, a flywheel, a brake.
@@ -30,6 +32,28 @@ pub enum SymbolKind {
     Group,
     /// A named answer.
     Answer,
+}
+
+impl SymbolKind {
+    /// What it is called, with its article.
+    #[must_use]
+    pub const fn phrase(self) -> &'static str {
+        match self {
+            Self::Given => "a given value",
+            Self::Derived => "a computed value",
+            Self::Link => "a link",
+            Self::Point => "a point",
+            Self::Shape => "a line, circle or profile",
+            Self::Wheel => "a wheel",
+            Self::Pair => "a pair or a transmission",
+            Self::Element => "a machine element",
+            Self::Load => "a load",
+            Self::Pose => "a pose",
+            Self::Event => "an event",
+            Self::Group => "a structural group",
+            Self::Answer => "an answer",
+        }
+    }
 }
 
 /// A declared name.
@@ -92,7 +116,7 @@ fn of_statement(statement: &Spanned<Statement>) -> Vec<Symbol> {
                 End::Over(name) => Some(name),
                 _ => None,
             });
-            symbol.parts = idlers.map(|name| Symbol::new(name, SymbolKind::Shape, name.span)).collect();
+            symbol.parts = idlers.map(|name| Symbol::new(name, SymbolKind::Wheel, name.span)).collect();
             vec![symbol]
         }
         Statement::Spring(spring) => one(&spring.name, SymbolKind::Pair),
@@ -120,7 +144,7 @@ fn parts(body: &Body) -> Vec<Symbol> {
             Member::Line(line) => (&line.name, SymbolKind::Shape),
             Member::Circle(circle) => (&circle.name, SymbolKind::Shape),
             Member::Profile(profile) => (&profile.name, SymbolKind::Shape),
-            Member::Wheel(wheel) => (&wheel.name, SymbolKind::Shape),
+            Member::Wheel(wheel) => (&wheel.name, SymbolKind::Wheel),
             _ => return None,
         };
         Some(Symbol::new(name, kind, member.span))

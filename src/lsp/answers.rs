@@ -1,13 +1,15 @@
 //! Which question a request asks.
 
 use super::asked::Asked;
+use super::capabilities::{SOLVE, TEST};
 use super::error::Failure;
 use super::texts::{Texts, params};
 use crate::editor::{folds, symbols};
 use assur_text::source::{Encoding, Lines};
 use gen_lsp_types::{
-    CodeActionParams, DocumentRangeFormattingParams, LspRequestMethod as Method, ReferenceParams,
-    RenameParams, TextDocumentIdentifier, TextDocumentPositionParams,
+    CodeActionParams, DocumentRangeFormattingParams, ExecuteCommandParams, InlayHintParams,
+    LspRequestMethod as Method, ReferenceParams, RenameParams, SelectionRangeParams, TextDocumentIdentifier,
+    TextDocumentPositionParams, WorkspaceSymbolParams,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -44,6 +46,23 @@ pub fn answer(
             let name = params::<RenameParams>(message)?.new_name;
             session.at(message, |text, byte| text.rename(byte, &name))
         }
+        Method::TextDocumentInlayHint => {
+            let asked = params::<InlayHintParams>(message)?;
+            session.of(&asked.text_document, |text| text.hints(asked.range))
+        }
+        Method::TextDocumentSelectionRange => {
+            let asked = params::<SelectionRangeParams>(message)?;
+            session.of(&asked.text_document, |text| text.selections(&asked.positions))
+        }
+        Method::WorkspaceSymbol => {
+            let query = params::<WorkspaceSymbolParams>(message)?.query.to_lowercase();
+            session.symbols(&query)
+        }
+        Method::WorkspaceExecuteCommand => session.execute(&params(message)?),
+        Method::TextDocumentCodeLens => session.whole(message, |text| text.lenses()),
+        Method::TextDocumentSemanticTokensFull => session.whole(message, |text| text.semantic_tokens()),
+        Method::TextDocumentCompletion => session.at(message, |text, byte| Ok(text.completions(byte))),
+        Method::TextDocumentSignatureHelp => session.at(message, |text, byte| Ok(text.signatures(byte))),
         Method::TextDocumentFormatting => {
             session.whole(message, |text| text.edits(&text.analysis.formatting(None)))
         }
@@ -54,9 +73,9 @@ pub fn answer(
             let found = folds(&text.analysis.source.text, &text.analysis.tokens);
             found.into_iter().map(|span| text.fold(span)).collect::<Vec<_>>()
         }),
-        Method::TextDocumentHover => {
-            session.at(message, |text, byte| Ok(text.analysis.hover(byte).map(|hover| text.hover(hover))))
-        }
+        Method::TextDocumentHover => session.at(message, |text, byte| {
+            Ok(text.analysis.hover(byte, text.results).map(|hover| text.hover(hover)))
+        }),
         Method::TextDocumentDefinition => session.at(message, |text, byte| Ok(text.definition(byte))),
         Method::TextDocumentDocumentHighlight => session.at(message, |text, byte| Ok(text.highlights(byte))),
         Method::TextDocumentPrepareRename => session.at(message, |text, byte| text.prepare_rename(byte)),
@@ -80,7 +99,8 @@ impl Session<'_> {
         let uri = document.uri.to_string();
         let analysis = self.texts.look(&uri)?;
         let lines = Lines::of(&analysis.source.text);
-        let answer = ask(&Asked { uri: &uri, analysis, lines, encoding: self.encoding })?;
+        let results = self.texts.results(&uri);
+        let answer = ask(&Asked { uri: &uri, analysis, results, lines, encoding: self.encoding })?;
         serde_json::to_value(answer).map_err(|_| Failure::internal())
     }
 
@@ -90,6 +110,30 @@ impl Session<'_> {
         ask: impl FnOnce(&Asked<'_>) -> T,
     ) -> Result<Value, Failure> {
         self.of(&params::<Whole>(message)?.text_document, |text| Ok(ask(text)))
+    }
+
+    /// The symbols of all open texts in whose names a text is.
+    fn symbols(&self, query: &str) -> Result<Value, Failure> {
+        let mut found = Vec::new();
+        for uri in self.texts.uris() {
+            let own =
+                self.of(&TextDocumentIdentifier { uri: uri.into() }, |text| Ok(text.symbols_called(query)))?;
+            found.extend(own.as_array().cloned().unwrap_or_default());
+        }
+        Ok(Value::Array(found))
+    }
+
+    /// What a command prints.
+    fn execute(&self, asked: &ExecuteCommandParams) -> Result<Value, Failure> {
+        let uri = asked.arguments.iter().flatten().find_map(Value::as_str);
+        let uri =
+            uri.ok_or_else(|| Failure::params(format!("`{}` needs the address of a text", asked.command)))?;
+        let analysis = self.texts.look(uri)?;
+        match asked.command.as_str() {
+            SOLVE => Ok(Value::String(analysis.solved_page())),
+            TEST => Ok(Value::String(analysis.tested_page())),
+            other => Err(Failure::params(format!("there is no command `{other}`"))),
+        }
     }
 
     /// What is asked of a place.

@@ -2,7 +2,7 @@
 
 use super::convert::{edits, range, span};
 use super::error::Failure;
-use crate::editor::{Analysis, Hover, Symbol, SymbolKind};
+use crate::editor::{Analysis, Declaration, Hover, Results, Symbol, SymbolKind};
 use assur_text::diagnostic::{Fix, Problem};
 use assur_text::source::{Edit, Encoding, Lines, Span};
 use gen_lsp_types::{
@@ -10,21 +10,31 @@ use gen_lsp_types::{
     FoldingRange, Location, MarkupContent, MarkupKind, Position, TextEdit, WorkspaceEdit,
 };
 use miette::Severity;
+use serde_json::{Value, json};
 use std::collections::HashMap;
 
 /// A text that is looked at.
 pub struct Asked<'a> {
     pub uri: &'a str,
     pub analysis: &'a Analysis,
+    /// Its answers, where it is solved.
+    pub results: Option<&'a Results>,
     pub lines: Lines<'a>,
     pub encoding: Encoding,
 }
 
-/// What is wrong with a text.
-pub fn diagnostics(uri: &str, analysis: &Analysis, encoding: Encoding) -> Vec<Diagnostic> {
+/// What is wrong with a text, with what its answers show where it is solved.
+pub fn diagnostics(
+    uri: &str,
+    analysis: &Analysis,
+    results: Option<&Results>,
+    encoding: Encoding,
+) -> Vec<Diagnostic> {
     let lines = Lines::of(&analysis.source.text);
-    let text = Asked { uri, analysis, lines, encoding };
-    analysis.problems.sorted().into_iter().map(|problem| text.diagnostic(problem)).collect()
+    let text = Asked { uri, analysis, results, lines, encoding };
+    let solved = results.map(|results| results.problems.sorted()).unwrap_or_default();
+    let all = analysis.problems.sorted().into_iter().chain(solved);
+    all.map(|problem| text.diagnostic(problem)).collect()
 }
 
 impl Asked<'_> {
@@ -117,23 +127,23 @@ impl Asked<'_> {
         WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() }
     }
 
+    /// The declarations in whose names a text is.
+    pub fn symbols_called(&self, query: &str) -> Vec<Value> {
+        let called = self.analysis.names.declared().filter(|d| d.name.to_lowercase().contains(query));
+        let symbol = |d: &Declaration| {
+            let location = Location { uri: self.uri.into(), range: self.range(d.at) };
+            json!({ "name": d.name, "kind": kind(d.kind), "location": location, "containerName": d.owner })
+        };
+        called.map(symbol).collect()
+    }
+
     pub fn symbol(&self, symbol: &Symbol) -> DocumentSymbol {
-        use gen_lsp_types::SymbolKind as Kind;
         let parts = symbol.parts.iter().map(|part| self.symbol(part)).collect::<Vec<_>>();
         #[allow(deprecated, reason = "the type has no other way to be made than with all of its fields")]
         DocumentSymbol {
             name: symbol.name.clone(),
             detail: None,
-            kind: match symbol.kind {
-                SymbolKind::Given => Kind::Constant,
-                SymbolKind::Derived | SymbolKind::Answer => Kind::Variable,
-                SymbolKind::Link => Kind::Class,
-                SymbolKind::Point | SymbolKind::Shape => Kind::Field,
-                SymbolKind::Pair => Kind::Interface,
-                SymbolKind::Element => Kind::Object,
-                SymbolKind::Load | SymbolKind::Pose | SymbolKind::Event => Kind::Event,
-                SymbolKind::Group => Kind::Namespace,
-            },
+            kind: kind(symbol.kind),
             tags: None,
             deprecated: None,
             range: self.range(symbol.whole),
@@ -150,5 +160,20 @@ impl Asked<'_> {
     pub fn fold(&self, span: Span) -> FoldingRange {
         let range = self.range(span);
         FoldingRange { start_line: range.start.line, end_line: range.end.line, ..FoldingRange::default() }
+    }
+}
+
+/// What a symbol is called in the protocol.
+const fn kind(kind: SymbolKind) -> gen_lsp_types::SymbolKind {
+    use gen_lsp_types::SymbolKind as Kind;
+    match kind {
+        SymbolKind::Given => Kind::Constant,
+        SymbolKind::Derived | SymbolKind::Answer => Kind::Variable,
+        SymbolKind::Link => Kind::Class,
+        SymbolKind::Point | SymbolKind::Shape | SymbolKind::Wheel => Kind::Field,
+        SymbolKind::Pair => Kind::Interface,
+        SymbolKind::Element => Kind::Object,
+        SymbolKind::Load | SymbolKind::Pose | SymbolKind::Event => Kind::Event,
+        SymbolKind::Group => Kind::Namespace,
     }
 }

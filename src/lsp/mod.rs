@@ -7,15 +7,19 @@ mod capabilities;
 mod convert;
 mod error;
 mod names;
+mod shown;
 mod texts;
+mod typing;
 
 use asked::diagnostics;
 use assur_text::source::Encoding;
+use capabilities::Refreshes;
 use error::Failure;
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
 use serde_json::{Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use texts::Texts;
+pub use texts::{Patience, Stop};
 
 /// How far a session is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,6 +39,7 @@ pub struct Server {
     stage: Stage,
     encoding: Encoding,
     texts: Texts,
+    refreshes: Refreshes,
     is_over: bool,
 }
 
@@ -62,16 +67,30 @@ impl Server {
 
     /// Diagnostics of the texts that changed. Ask when no other message waits, so that only the last of many changes is looked at.
     pub fn publish(&mut self) -> Vec<Value> {
-        let encoding = self.encoding;
         let changed = self.texts.changed();
-        let published = changed.into_iter().map(|(uri, version)| {
-            let look = || self.texts.look(&uri).map(|analysis| diagnostics(&uri, analysis, encoding));
-            // an error of the program says nothing of the text; what was said before is no longer true
-            let diagnostics = guarded(look).and_then(Result::ok).unwrap_or_default();
-            let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
-            notification("textDocument/publishDiagnostics", &params)
+        changed.into_iter().map(|(uri, version)| self.published(&uri, version)).collect()
+    }
+
+    /// Solves the texts that changed, until `patience` says to stop: diagnostics of their answers, and requests to ask for hints and
+    /// lenses again.
+    pub fn solve(&mut self, patience: &Patience<'_>) -> Vec<Value> {
+        let solved = self.texts.solve(patience);
+        if solved.is_empty() {
+            return Vec::new();
+        }
+        let published = solved.into_iter().map(|(uri, version)| self.published(&uri, version));
+        published.chain(self.refreshes.requests()).collect()
+    }
+
+    fn published(&self, uri: &str, version: i32) -> Value {
+        let found = guarded(|| {
+            let analysis = self.texts.look(uri)?;
+            Ok::<_, Failure>(diagnostics(uri, analysis, self.texts.results(uri), self.encoding))
         });
-        published.collect()
+        // an error of the program says nothing of the text; what was said before is no longer true
+        let diagnostics = found.and_then(Result::ok).unwrap_or_default();
+        let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
+        notification("textDocument/publishDiagnostics", &params)
     }
 
     /// Whether the client said `exit`.
@@ -113,6 +132,7 @@ impl Server {
         self.stage = Stage::Ready;
         let offered = params.pointer("/capabilities/general/positionEncodings").and_then(Value::as_array);
         let reads_bytes = offered.is_some_and(|all| all.iter().any(|one| one == "utf-8"));
+        self.refreshes = Refreshes::of(params);
         self.encoding = if reads_bytes { Encoding::Utf8 } else { Encoding::Utf16 };
         capabilities::result(self.encoding)
     }

@@ -2,7 +2,8 @@
 
 use super::convert::span;
 use super::error::Failure;
-use crate::editor::Analysis;
+use super::guarded;
+use crate::editor::{Analysis, Results};
 use assur_text::source::{Edit, Encoding, Lines, Source, edited};
 use gen_lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
@@ -13,6 +14,18 @@ use serde_json::Value;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
+/// Why solving is to stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// A message waits.
+    Later,
+    /// It takes too long.
+    Never,
+}
+
+/// Asked again and again while a text is solved.
+pub type Patience<'p> = dyn Fn() -> Option<Stop> + Sync + 'p;
+
 #[derive(Debug)]
 struct Text {
     source: Source,
@@ -20,11 +33,19 @@ struct Text {
     is_new: bool,
     /// What is found in it, once it is asked for.
     analysis: OnceCell<Analysis>,
+    /// What it comes to; `None` inside where it has no answers or takes too long.
+    results: Option<Option<Results>>,
 }
 
 impl Text {
     fn new(uri: &str, text: String, version: i32) -> Self {
-        Self { source: Source::new(uri, text), version, is_new: true, analysis: OnceCell::new() }
+        Self {
+            source: Source::new(uri, text),
+            version,
+            is_new: true,
+            analysis: OnceCell::new(),
+            results: None,
+        }
     }
 
     fn look(&self) -> &Analysis {
@@ -47,6 +68,33 @@ impl Texts {
     /// What is found in a text.
     pub fn look(&self, uri: &str) -> Result<&Analysis, Failure> {
         self.get(uri).map(Text::look)
+    }
+
+    /// Its answers, where it is solved.
+    pub fn results(&self, uri: &str) -> Option<&Results> {
+        self.open.get(uri)?.results.as_ref()?.as_ref()
+    }
+
+    /// The addresses of all texts.
+    pub fn uris(&self) -> impl Iterator<Item = &str> {
+        self.open.keys().map(String::as_str)
+    }
+
+    /// Solves the texts that are not solved yet; gives those that have answers now, with their versions. A text that is to be
+    /// solved later stays so; one that takes too long has no answers.
+    pub fn solve(&mut self, patience: &Patience<'_>) -> Vec<(String, i32)> {
+        let mut solved = Vec::new();
+        for (uri, text) in self.open.iter_mut().filter(|(_, text)| text.results.is_none()) {
+            let found = guarded(|| text.look().solve(&|| patience().is_none())).flatten();
+            if found.is_none() && patience() == Some(Stop::Later) {
+                break;
+            }
+            if found.is_some() {
+                solved.push((uri.clone(), text.version));
+            }
+            text.results = Some(found);
+        }
+        solved
     }
 
     fn get(&self, uri: &str) -> Result<&Text, Failure> {

@@ -70,17 +70,26 @@ pub fn compile_document(
     compile_checked(source, document, found, overrides, check::check(document, overrides))
 }
 
-/// As [`compile_document`], with the uses of all names, in a text with errors too.
+/// What is found in a document before anything is solved.
+#[derive(Debug)]
+pub struct Looked {
+    /// It compiled, as [`compile_document`] does.
+    pub compiled: Option<Compiled>,
+    /// All that was found wrong.
+    pub problems: Problems,
+    /// Where names are used, in a text with errors too.
+    pub uses: Vec<check::Use>,
+    /// The definitions that are constant numbers, in the units of the text.
+    pub constants: Vec<(String, String)>,
+}
+
+/// As [`compile_document`], with what an editor asks for.
 #[must_use]
-pub fn look(
-    source: &Source,
-    document: &Arc<Document>,
-    found: Problems,
-) -> (Option<Compiled>, Problems, Vec<check::Use>) {
+pub fn look(source: &Source, document: &Arc<Document>, found: Problems) -> Looked {
     let none = Overrides::none();
-    let check::Looked { mechanism, problems, uses } = check::look(document, &none);
+    let check::Looked { mechanism, problems, uses, constants } = check::look(document, &none);
     let (compiled, problems) = compile_checked(source, document, found, &none, (mechanism, problems));
-    (compiled, problems, uses)
+    Looked { compiled, problems, uses, constants }
 }
 
 fn compile_checked(

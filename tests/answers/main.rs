@@ -4,6 +4,7 @@ mod accuracy;
 mod all_motion;
 #[path = "../busy/mod.rs"]
 mod busy;
+mod completed;
 mod cycle;
 mod effects;
 mod energy;

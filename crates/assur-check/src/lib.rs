@@ -70,6 +70,8 @@ pub struct Looked {
     pub problems: Problems,
     /// Where names are used, in a text with errors too.
     pub uses: Vec<Use>,
+    /// The definitions that are constant numbers, in the units of the text.
+    pub constants: Vec<(String, String)>,
 }
 
 /// As [`check`], with the uses of all names.
@@ -80,8 +82,9 @@ pub fn look(document: &Document, overrides: &Overrides) -> Looked {
     definitions(&mut cx);
     meaning(&mut cx);
     let uses = std::mem::take(&mut cx.names.uses).into_sorted();
+    let constants = texts::constants(&cx.names, &cx.values.definitions);
     let (mechanism, problems) = cx.finish();
-    Looked { mechanism, problems, uses }
+    Looked { mechanism, problems, uses, constants }
 }
 
 /// As [`check`], with one `given` that has this SI value for any document and overrides.

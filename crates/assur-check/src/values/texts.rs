@@ -30,11 +30,23 @@ pub fn filled(text: &str, at: Span, names: &mut Names<'_>, definitions: &Definit
     out + rest
 }
 
+/// All definitions that are constant numbers, with their values.
+pub fn constants(names: &Names<'_>, definitions: &Definitions) -> Vec<(String, String)> {
+    let all = definitions.order.iter();
+    all.filter_map(|name| Some((name.clone(), constant(name, names, definitions)?))).collect()
+}
+
 fn value(name: &str, at: Span, names: &mut Names<'_>, definitions: &Definitions) -> Option<String> {
+    if let QuantityKind::Given(_) | QuantityKind::Let(_) = names.quantities.get(name)?.what {
+        names.note_quantity(&Spanned::new(name.to_owned(), at));
+    }
+    constant(name, names, definitions)
+}
+
+fn constant(name: &str, names: &Names<'_>, definitions: &Definitions) -> Option<String> {
     let (QuantityKind::Given(like) | QuantityKind::Let(like)) = names.quantities.get(name)?.what else {
         return None;
     };
-    names.note_quantity(&Spanned::new(name.to_owned(), at));
     let Settled::Constant(t) = definitions.settled(name)? else { return None };
     let value = fold::scalar(&t.expr)?;
     Some(format_value_like(names, value, t.ty.dimension(), like))
