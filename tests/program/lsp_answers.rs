@@ -2,6 +2,7 @@
 
 use crate::lsp::{URI, document, notify, range, request, session};
 use assur::internals::lsp::{Server, Stop};
+use proptest::prelude::*;
 use serde_json::{Value, json};
 
 const ENGINE: &str = "\
@@ -118,6 +119,73 @@ fn solving_waits_for_messages() {
     assert_eq!(count(&mut server), Some(2));
     assert!(server.solve(&|| Some(Stop::Never)).is_empty());
     assert_eq!((server.solve(&|| None).len(), count(&mut server)), (0, Some(2)));
+}
+
+/// What a client sees of a text: diagnostics, and everything that is shown without a cursor.
+fn shown(server: &mut Server, diagnostics: &Value, lines: u32) -> Value {
+    let everything = json!({ "range": range((0, 0), (lines - 1, 0)) });
+    let whole = json!({});
+    json!({
+        "diagnostics": diagnostics,
+        "hints": ask(server, "inlayHint", &everything),
+        "lenses": ask(server, "codeLens", &whole),
+        "tokens": ask(server, "semanticTokens/full", &whole),
+        "symbols": ask(server, "documentSymbol", &whole),
+    })
+}
+
+/// Solves what is left, and gives the last diagnostics.
+fn settled(server: &mut Server, published: &[Value]) -> Value {
+    let solved = server.solve(&|| None);
+    let last = published
+        .iter()
+        .chain(&solved)
+        .rev()
+        .find(|said| said["method"] == "textDocument/publishDiagnostics");
+    last.map_or(Value::Null, |said| said["params"]["diagnostics"].clone())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(60) })]
+
+    /// After any edits, with or without time to solve between them, a client sees what a fresh start shows of the text.
+    #[test]
+    fn no_history_is_seen_in_answers(edits in prop::collection::vec((2..19_u32, 0..30_u32, 0..4_u32, 0..8_usize, 0..3_u8), 1..12)) {
+        const PUT: [&str; 8] = ["", "1", " ", "B", "crank", "\n", "deg", "φ"];
+        let (mut server, _) = session(ENGINE, "utf-16");
+        let mut text = ENGINE.to_owned();
+        let mut published = Vec::new();
+        for (version, (line, column, length, put, time)) in edits.into_iter().enumerate() {
+            let lines = text.lines().collect::<Vec<_>>();
+            let Some(written) = lines.get(line as usize) else { continue };
+            let count = u32::try_from(written.chars().count()).expect("short");
+            let (from, to) = (column.min(count), (column + length).min(count));
+            let change = json!({ "range": range((line, from), (line, to)), "text": PUT[put] });
+            let version = json!({ "uri": URI, "version": version + 2 });
+            notify(&mut server, "textDocument/didChange", &json!({ "textDocument": version, "contentChanges": [change] }));
+            let cut = |n: u32| written.chars().take(n as usize).map(char::len_utf8).sum::<usize>();
+            let start = lines[..line as usize].iter().map(|l| l.len() + 1).sum::<usize>();
+            text.replace_range(start + cut(from)..start + cut(to), PUT[put]);
+            match time {
+                0 => {}
+                1 => published = server.publish(),
+                _ => {
+                    published = server.publish();
+                    server.solve(&|| if put % 2 == 0 { Some(Stop::Later) } else { None });
+                }
+            }
+        }
+        published.extend(server.publish());
+        // solved already, or not: a change without effect makes it new
+        let version = json!({ "uri": URI, "version": 99 });
+        notify(&mut server, "textDocument/didChange", &json!({ "textDocument": version, "contentChanges": [] }));
+        published.extend(server.publish());
+        let seen = settled(&mut server, &published);
+        let (mut fresh, published) = session(&text, "utf-16");
+        let wanted = settled(&mut fresh, &published);
+        let lines = u32::try_from(text.lines().count()).expect("few");
+        prop_assert_eq!(shown(&mut server, &seen, lines), shown(&mut fresh, &wanted, lines), "{}", text);
+    }
 }
 
 /// The labels that are offered at `|`.
