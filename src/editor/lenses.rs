@@ -58,8 +58,9 @@ impl Analysis {
 
     /// The answers as a page, or why there are none.
     #[must_use]
-    pub fn solved_page(&self) -> String {
-        match self.solve(&|| true) {
+    pub fn solved_page(&self, results: Option<&Results>) -> String {
+        let solved_now = if results.is_some() { None } else { self.solve(&|| true) };
+        match results.or(solved_now.as_ref()) {
             Some(results) => {
                 let answers = results.solved.answers(Precision::READABLE);
                 let report = of_answers(&self.source.name, &answers, AccuracyShown::Worst);

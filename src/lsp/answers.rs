@@ -130,7 +130,7 @@ impl Session<'_> {
             uri.ok_or_else(|| Failure::params(format!("`{}` needs the address of a text", asked.command)))?;
         let analysis = self.texts.look(uri)?;
         match asked.command.as_str() {
-            SOLVE => Ok(Value::String(analysis.solved_page())),
+            SOLVE => Ok(Value::String(analysis.solved_page(self.texts.results(uri)))),
             TEST => Ok(Value::String(analysis.tested_page())),
             other => Err(Failure::params(format!("there is no command `{other}`"))),
         }

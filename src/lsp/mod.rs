@@ -49,7 +49,13 @@ impl Server {
         let method = message.get("method").and_then(Value::as_str);
         let params = message.get("params").unwrap_or(&Value::Null);
         match (method, message.get("id")) {
-            (Some(method), Some(id)) => vec![self.respond(method, id, params)],
+            (Some(method), Some(id)) => {
+                let response = self.respond(method, id, params);
+                let is_command = method == "workspace/executeCommand";
+                // clients do nothing with what a command returns
+                let text = response["result"].as_str().filter(|_| is_command).map(|text| shown(INFO, text));
+                [Some(response), text].into_iter().flatten().collect()
+            }
             (Some(method), None) => self.notice(method, params),
             // the response to a request of ours, of which there are none
             (None, Some(_)) if message.get("result").is_some() || message.get("error").is_some() => {
@@ -173,9 +179,17 @@ fn notification(method: &str, params: &Value) -> Value {
     json!({ "jsonrpc": "2.0", "method": method, "params": params })
 }
 
+/// Kinds of messages to the author.
+const ERROR: u32 = 1;
+const INFO: u32 = 3;
+
+/// A text for the author.
+fn shown(kind: u32, text: &str) -> Value {
+    notification("window/showMessage", &json!({ "type": kind, "message": text }))
+}
+
 /// A notification that could not be used, for the log of the client: it has no response.
 fn log(method: &str, failure: &Failure) -> Value {
-    const ERROR: u32 = 1;
     let message = format!("{method}: {failure}");
     notification("window/logMessage", &json!({ "type": ERROR, "message": message }))
 }

@@ -94,12 +94,16 @@ fn hints_show_structure_values_and_outcomes() {
     let lenses = ask(&mut server, "codeLens", &json!({}));
     let titles = lenses.as_array().expect("lenses").iter().map(|l| l["command"]["title"].clone());
     assert_eq!(titles.collect::<Vec<_>>(), ["solve", "1 of 2 expectations fail"]);
-    let execute = json!({ "command": "assur.solve", "arguments": [URI] });
-    let page = request(&mut server, "workspace/executeCommand", &execute)["result"].clone();
-    assert!(page.as_str().is_some_and(|page| page.contains("Mb") && page.contains("472.519")), "{page}");
-    let execute = json!({ "command": "assur.test", "arguments": [URI] });
-    let tested = request(&mut server, "workspace/executeCommand", &execute)["result"].clone();
-    assert_eq!(tested, "1 of 2 expectations fail");
+    let mut execute = |command: &str| {
+        let params = json!({ "command": command, "arguments": [URI] });
+        let message =
+            json!({ "jsonrpc": "2.0", "id": 1, "method": "workspace/executeCommand", "params": params });
+        let said = server.handle(&message);
+        assert_eq!(said[0]["result"], said[1]["params"]["message"], "returned and shown");
+        said[0]["result"].as_str().map(str::to_owned)
+    };
+    assert!(execute("assur.solve").is_some_and(|page| page.contains("Mb") && page.contains("472.519")));
+    assert_eq!(execute("assur.test").as_deref(), Some("1 of 2 expectations fail"));
 }
 
 #[test]

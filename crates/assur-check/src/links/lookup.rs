@@ -19,6 +19,11 @@ pub fn is_linkage_pair(kind: JointKind) -> bool {
     matches!(kind, Revolute | Prismatic | Slot | Contact | Cylinder)
 }
 
+/// Whether a thing is a pair of a linkage.
+pub(crate) fn is_pair(kind: ThingKind) -> bool {
+    matches!(kind, ThingKind::Joint(kind) if is_linkage_pair(kind))
+}
+
 impl Context<'_> {
     /// The link of that name; `ground` too. Reports a name that is not one of a link.
     pub fn link(&mut self, name: &Name) -> Option<LinkId> {
@@ -214,7 +219,10 @@ impl Context<'_> {
     /// The point that a name alone stands for: the pin or named point of the pair of that name, or the points of that
     /// name where a pin joins all of them. Reports what is unknown or ambiguous.
     pub fn point_of_shared_name(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {
-        self.names.note_shared(name);
+        if matches!(self.names.things.get(&name.node), Some(d) if is_pair(d.what)) {
+            self.names.note_thing(name);
+        }
+        self.names.note_points(name);
         let own = self.find_pair(&name.node).and_then(|id| place_of_pair(&self.builder.mech.pair(id).kind));
         let bearers = self.bearers(&name.node);
         let first = own.or_else(|| bearers.first().copied());
@@ -271,7 +279,7 @@ impl Context<'_> {
     fn no_point(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {
         let declared = |i: &Inside| i.points.contains_key(&name.node) || i.bad.contains(&name.node);
         let pair = self.names.things.get(&name.node).map(|d| d.what);
-        let pair = pair.filter(|kind| matches!(kind, ThingKind::Joint(kind) if is_linkage_pair(*kind)));
+        let pair = pair.filter(|kind| is_pair(*kind));
         if self.find_pair(&name.node).is_some() {
             let is = pair.map_or_else(|| "a pair".into(), ThingKind::phrase);
             self.error(NameError::WrongKind {

@@ -1,8 +1,8 @@
 //! Where names are used, each with the declaration that it leads to.
 
-use crate::names::declared::{Names, ThingKind};
+use crate::names::declared::Names;
 use assur_model::model::LinkId;
-use assur_syntax::document::{JointKind, Name, Path};
+use assur_syntax::document::{Name, Path};
 use assur_text::source::Span;
 use indexmap::IndexSet;
 
@@ -45,41 +45,50 @@ impl Uses {
         all.sort_unstable();
         all
     }
-
-    fn note(&mut self, at: Span, of: Option<Span>) {
-        if let (Some(seen), Some(of)) = (&mut self.seen, of) {
-            seen.insert(Use { at, of });
-        }
-    }
 }
 
 impl Names<'_> {
+    fn note(&mut self, name: &Name, of: impl FnOnce(&Self) -> Option<Span>) {
+        // rows of variants are checked without
+        if self.uses.seen.is_none() {
+            return;
+        }
+        let of = of(self);
+        if let (Some(seen), Some(of)) = (&mut self.uses.seen, of) {
+            seen.insert(Use { at: name.span, of });
+        }
+    }
+
     /// Notes the use of a link, a pair or an element; of nothing else.
     pub fn note_thing(&mut self, name: &Name) {
-        let ground = if name.node == "ground" { self.ground } else { None };
-        self.uses.note(name.span, self.things.get(&name.node).map(|d| d.span).or(ground));
+        self.note(name, |names| {
+            let ground = if name.node == "ground" { names.ground } else { None };
+            names.things.get(&name.node).map(|d| d.span).or(ground)
+        });
     }
 
     /// Notes the use of a quantity.
     pub fn note_quantity(&mut self, name: &Name) {
-        self.uses.note(name.span, self.quantities.get(&name.node).map(|d| d.span));
+        self.note(name, |names| names.quantities.get(&name.node).map(|d| d.span));
     }
 
     /// Notes the use of a pose.
     pub fn note_pose(&mut self, name: &Name) {
-        self.uses.note(name.span, self.poses.get(&name.node).copied());
+        self.note(name, |names| names.poses.get(&name.node).copied());
     }
 
     /// Notes the use of an event.
     pub fn note_event(&mut self, name: &Name) {
-        self.uses.note(name.span, self.events.get(&name.node).copied());
+        self.note(name, |names| names.events.get(&name.node).copied());
     }
 
     /// Notes the use of a part of a link: a point, a line or a circle.
     pub fn note_inside(&mut self, link: LinkId, name: &Name) {
-        let Some(inside) = self.inside.get(link.index()) else { return };
-        let lists = [&inside.points, &inside.lines, &inside.circles];
-        self.uses.note(name.span, lists.iter().find_map(|list| list.get(&name.node)).copied());
+        self.note(name, |names| {
+            let inside = names.inside.get(link.index())?;
+            let lists = [&inside.points, &inside.lines, &inside.circles];
+            lists.iter().find_map(|list| list.get(&name.node)).copied()
+        });
     }
 
     /// Notes the use of a thing, or of a part of a link.
@@ -90,12 +99,10 @@ impl Names<'_> {
         }
     }
 
-    /// Notes the use of a name that stands for a point: of the pair of that name, and of all points of that name.
-    pub fn note_shared(&mut self, name: &Name) {
-        use JointKind::{Contact, Cylinder, Prismatic, Revolute, Slot};
-        let pair = self.things.get(&name.node).map(|d| d.what);
-        if let Some(ThingKind::Joint(Revolute | Prismatic | Slot | Contact | Cylinder)) = pair {
-            self.note_thing(name);
+    /// Notes the use of all points of a name.
+    pub fn note_points(&mut self, name: &Name) {
+        if self.uses.seen.is_none() {
+            return;
         }
         for link in self.bearers.get(&name.node).cloned().unwrap_or_default() {
             self.note_inside(link, name);
