@@ -1,4 +1,4 @@
--- The language server in Neovim without a screen: diagnostics, a fix, formatting. Run by editors/test.sh; ASSUR names the program.
+-- The language server in Neovim without a screen: diagnostics, a fix, formatting, names. Run by editors/test.sh; ASSUR names the program.
 
 local function wait_for(what, holds)
   assert(vim.wait(10000, holds, 20), "waited in vain for " .. what)
@@ -45,7 +45,18 @@ local symbols = ask("textDocument/documentSymbol", { textDocument = document })
 local names = vim.tbl_map(function(symbol) return symbol.name end, symbols)
 assert(vim.deep_equal(names, { "φ", "crank", "ground", "A" }), vim.inspect(names))
 
+-- a name: what it is, where it is declared, another one
+local on_use = { textDocument = document, position = { line = 4, character = 22 } }
+local hover = ask("textDocument/hover", on_use)
+assert(hover.contents.value:find("link crank A%-B φ"), vim.inspect(hover))
+local places = ask("textDocument/definition", on_use)
+assert(#places == 1 and places[1].range.start.line == 2, vim.inspect(places))
+on_use.newName = "handle"
+vim.lsp.util.apply_workspace_edit(ask("textDocument/rename", on_use), "utf-16")
+text = table.concat(vim.api.nvim_buf_get_lines(buffer, 0, -1, false), "\n")
+assert(text:find("link handle A%-B φ") and text:find("ground %- handle"), text)
+
 vim.lsp.stop_client(client)
 vim.fn.delete(folder, "rf")
-print("neovim: diagnostics, fix, formatting, symbols\n")
+print("neovim: diagnostics, fix, formatting, symbols, hover, definition, rename\n")
 vim.cmd("qall!")

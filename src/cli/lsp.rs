@@ -1,16 +1,23 @@
 //! `assur lsp`
 
 use std::io::{self, BufRead, IsTerminal, Read, Write};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
+use std::time::{Duration, Instant};
 
 use super::reply::{Status, quiet_panics};
 use super::screen::Screen;
-use crate::lsp::Server;
+use crate::lsp::{Server, Stop};
 use serde_json::Value;
 
 /// The most bytes of a message; no text of a mechanism is as long.
 const LONGEST: usize = 64 << 20;
+
+/// A pause of the author before a text is solved.
+const PAUSE: Duration = Duration::from_millis(50);
+/// A text that takes longer has no answers in the editor.
+const LONGEST_SOLUTION: Duration = Duration::from_secs(2);
 
 /// A message, or why it is none.
 type Received = Result<Value, String>;
@@ -36,7 +43,7 @@ pub fn run(screen: &Screen) -> Status {
         }
     });
     let mut server = Server::default();
-    match serve(&mut server, &receiver) {
+    match serve(&mut server, &Inbox::new(receiver)) {
         Ok(()) if server.is_over() && !server.is_closed() => Status::Wrong,
         Ok(()) => Status::Fine,
         // nobody reads any more
@@ -45,18 +52,53 @@ pub fn run(screen: &Screen) -> Status {
     }
 }
 
-/// Handles messages as they come; diagnostics go out when none waits.
-fn serve(server: &mut Server, receiver: &Receiver<Received>) -> io::Result<()> {
-    while !server.is_over() {
-        let received = match receiver.try_recv() {
-            Ok(received) => received,
-            Err(TryRecvError::Disconnected) => return Ok(()),
-            Err(TryRecvError::Empty) => {
-                write(&server.publish())?;
-                let Ok(received) = receiver.recv() else { return Ok(()) };
-                received
+/// Messages as they come in. Whether one waits can be seen without taking it.
+struct Inbox {
+    inside: Mutex<(Receiver<Received>, Option<Received>)>,
+}
+
+impl Inbox {
+    fn new(receiver: Receiver<Received>) -> Self {
+        Self { inside: Mutex::new((receiver, None)) }
+    }
+
+    /// Whether a message comes within a time; at the end of the stream too, which is then found by [`Inbox::next`].
+    fn waits(&self, time: Duration) -> bool {
+        let mut inside = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
+        let (receiver, next) = &mut *inside;
+        if next.is_none() {
+            match receiver.recv_timeout(time) {
+                Ok(received) => *next = Some(received),
+                Err(RecvTimeoutError::Timeout) => return false,
+                Err(RecvTimeoutError::Disconnected) => {}
             }
-        };
+        }
+        true
+    }
+
+    /// The next message; nothing at the end of the stream.
+    fn next(&self) -> Option<Received> {
+        let mut inside = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
+        let (receiver, next) = &mut *inside;
+        next.take().or_else(|| receiver.recv().ok())
+    }
+}
+
+/// Handles messages as they come. Diagnostics go out when none waits; in a longer pause texts are solved, until the next comes.
+fn serve(server: &mut Server, inbox: &Inbox) -> io::Result<()> {
+    while !server.is_over() {
+        if !inbox.waits(Duration::ZERO) {
+            write(&server.publish())?;
+            if !inbox.waits(PAUSE) {
+                let begun = Instant::now();
+                let patience = || match inbox.waits(Duration::ZERO) {
+                    true => Some(Stop::Later),
+                    false => (begun.elapsed() > LONGEST_SOLUTION).then_some(Stop::Never),
+                };
+                write(&server.solve(&patience))?;
+            }
+        }
+        let Some(received) = inbox.next() else { return Ok(()) };
         write(&match received {
             Ok(message) => server.handle(&message),
             Err(why) => vec![Server::unreadable(&why)],

@@ -14,6 +14,7 @@ mod files;
 mod fmt;
 mod grade;
 mod help;
+mod install;
 #[cfg(feature = "lsp")]
 mod lsp;
 mod motion;
@@ -65,6 +66,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::New(args) => new::run(&args, &screen),
         #[cfg(feature = "lsp")]
         Command::Lsp(_) => lsp::run(&screen),
+        Command::Completions(args) => install::completions(&args, &screen),
+        Command::Man(args) => install::manual(&args, &screen),
         Command::Help(args) => help::run(&args, &screen),
     };
     let status = if screen.is_heard() { status } else { Status::Unusable };

@@ -1,6 +1,6 @@
-//! What a word of the language means, at its place: from the tables of the language.
+//! What is at a place: a name, or a word of the language from its tables.
 
-use super::Analysis;
+use super::{Analysis, Results};
 use assur_syntax::{Token, TokenKind};
 use assur_text::language::{Function, Place, WORDS, Word};
 use assur_text::source::Span;
@@ -16,9 +16,13 @@ pub struct Hover {
 }
 
 impl Analysis {
-    /// What is at a byte: a unit, a function, or a word of the language; nothing for names.
+    /// What is at a byte: a name, a unit, a function, or a word of the language.
     #[must_use]
-    pub fn hover(&self, byte: usize) -> Option<Hover> {
+    pub fn hover(&self, byte: usize, results: Option<&Results>) -> Option<Hover> {
+        self.about(byte, results).or_else(|| self.of_language(byte))
+    }
+
+    fn of_language(&self, byte: usize) -> Option<Hover> {
         let index = self.tokens.iter().position(|t| t.span.start <= byte && byte < t.span.end)?;
         let token = self.tokens[index];
         let text = match token.kind {

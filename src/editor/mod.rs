@@ -1,15 +1,31 @@
 //! What an editor asks about a text, as plain data: no protocol is known here.
 
+mod about;
+mod complete;
 mod folds;
+mod hints;
 mod hover;
+mod lenses;
+mod names;
+mod rename;
+mod results;
+mod selection;
+mod signature;
 mod symbols;
+mod tokens;
 
+pub use complete::{Completion, CompletionKind};
 pub use folds::folds;
+pub use hints::Hint;
 pub use hover::Hover;
+pub use lenses::{Action, Lens};
+pub use names::{Declaration, Names};
+pub use results::{GoesOn, Results};
+pub use signature::Signature;
 pub use symbols::{Symbol, SymbolKind, symbols};
+pub use tokens::{Coloured, TOKEN_COLOURS};
 
-use crate::pipeline::{certain_edits, compile_document};
-use assur_check::Overrides;
+use crate::pipeline::{Compiled, Looked, certain_edits, look};
 use assur_syntax::document::Document;
 use assur_syntax::{Token, parse_with_tokens};
 use assur_text::diagnostic::{Fix, Problem, Problems};
@@ -28,8 +44,14 @@ pub struct Analysis {
     pub tokens: Vec<Token>,
     /// What is wrong with it.
     pub problems: Problems,
+    /// Its names.
+    pub names: Names,
     /// Whether it reads.
     is_read: bool,
+    /// It compiled, where it can be.
+    compiled: Option<Compiled>,
+    /// Definitions that are constant numbers.
+    constants: Vec<(String, String)>,
 }
 
 impl Analysis {
@@ -39,8 +61,9 @@ impl Analysis {
         let (document, tokens, found) = parse_with_tokens(&source);
         let document = Arc::new(document);
         let is_read = !found.has_errors();
-        let (_, problems) = compile_document(&source, &document, found, &Overrides::none());
-        Self { source, document, tokens, problems, is_read }
+        let Looked { compiled, problems, uses, constants } = look(&source, &document, found);
+        let names = Names::of(&source.text, &tokens, &document, &uses);
+        Self { source, document, tokens, problems, names, is_read, compiled, constants }
     }
 
     /// The fixes of the problems that touch a place, each with its problem.

@@ -1,6 +1,6 @@
 //! What a text declares, in its order.
 
-use assur_syntax::document::{Body, Document, Member, Name, Statement};
+use assur_syntax::document::{Body, Document, End, Member, Name, Statement};
 use assur_text::source::{Span, Spanned};
 
 /// What a symbol is.
@@ -14,20 +14,46 @@ pub enum SymbolKind {
     Link,
     /// A point of a link.
     Point,
-    /// A line, a circle, a profile or a wheel of a link.
+    /// A line, a circle or a profile of a link.
     Shape,
+    /// A wheel of a link, an idler of a rope.
+    Wheel,
     /// A pair, a transmission, a spring.
     Pair,
     /// A cam, a flywheel, a brake.
     Element,
     /// A force, a torque, an unknown effort.
     Load,
-    /// A pose, an event.
+    /// A pose.
     Pose,
+    /// An event.
+    Event,
     /// An asserted group.
     Group,
     /// A named answer.
     Answer,
+}
+
+impl SymbolKind {
+    /// What it is called, with its article.
+    #[must_use]
+    pub const fn phrase(self) -> &'static str {
+        match self {
+            Self::Given => "a given value",
+            Self::Derived => "a computed value",
+            Self::Link => "a link",
+            Self::Point => "a point",
+            Self::Shape => "a line, circle or profile",
+            Self::Wheel => "a wheel",
+            Self::Pair => "a pair or a transmission",
+            Self::Element => "a machine element",
+            Self::Load => "a load",
+            Self::Pose => "a pose",
+            Self::Event => "an event",
+            Self::Group => "a structural group",
+            Self::Answer => "an answer",
+        }
+    }
 }
 
 /// A declared name.
@@ -46,7 +72,7 @@ pub struct Symbol {
 }
 
 impl Symbol {
-    fn new(name: &Name, kind: SymbolKind, whole: Span) -> Self {
+    pub(super) fn new(name: &Name, kind: SymbolKind, whole: Span) -> Self {
         Self { name: name.node.clone(), kind, whole, at: name.span, parts: Vec::new() }
     }
 
@@ -84,11 +110,19 @@ fn of_statement(statement: &Spanned<Statement>) -> Vec<Symbol> {
         Statement::Slider(slider) => {
             vec![Symbol::new(&slider.name, SymbolKind::Link, whole).with(&slider.body)]
         }
-        Statement::Joint(joint) => one(&joint.name, SymbolKind::Pair),
+        Statement::Joint(joint) => {
+            let mut symbol = Symbol::new(&joint.name, SymbolKind::Pair, whole);
+            let idlers = joint.ends.iter().filter_map(|end| match end {
+                End::Over(name) => Some(name),
+                _ => None,
+            });
+            symbol.parts = idlers.map(|name| Symbol::new(name, SymbolKind::Wheel, name.span)).collect();
+            vec![symbol]
+        }
         Statement::Spring(spring) => one(&spring.name, SymbolKind::Pair),
         Statement::Group(group) => one(&group.name, SymbolKind::Group),
         Statement::Pose(pose) => one(&pose.name, SymbolKind::Pose),
-        Statement::Event(event) => one(&event.name, SymbolKind::Pose),
+        Statement::Event(event) => one(&event.name, SymbolKind::Event),
         Statement::Balance(balance) => one(&balance.name, SymbolKind::Load),
         Statement::Load(load) => load.name.iter().flat_map(|name| one(name, SymbolKind::Load)).collect(),
         Statement::Brake(brake) => one(&brake.name, SymbolKind::Element),
@@ -110,7 +144,7 @@ fn parts(body: &Body) -> Vec<Symbol> {
             Member::Line(line) => (&line.name, SymbolKind::Shape),
             Member::Circle(circle) => (&circle.name, SymbolKind::Shape),
             Member::Profile(profile) => (&profile.name, SymbolKind::Shape),
-            Member::Wheel(wheel) => (&wheel.name, SymbolKind::Shape),
+            Member::Wheel(wheel) => (&wheel.name, SymbolKind::Wheel),
             _ => return None,
         };
         Some(Symbol::new(name, kind, member.span))

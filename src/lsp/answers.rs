@@ -1,211 +1,148 @@
-//! Answers to questions about a text.
+//! Which question a request asks.
 
-use super::convert::{edits, range, span};
+use super::asked::Asked;
+use super::capabilities::{SOLVE, TEST};
 use super::error::Failure;
 use super::texts::{Texts, params};
-use crate::editor::{Analysis, Hover, Symbol, SymbolKind, folds, symbols};
-use assur_text::diagnostic::{Fix, Problem};
-use assur_text::source::{Edit, Encoding, Lines, Span};
+use crate::editor::{folds, symbols};
+use assur_text::source::{Encoding, Lines};
 use gen_lsp_types::{
-    CodeAction, CodeActionKind, CodeActionParams, Diagnostic, DiagnosticRelatedInformation,
-    DiagnosticSeverity, DocumentFormattingParams, DocumentRangeFormattingParams, DocumentSymbol,
-    DocumentSymbolParams, FoldingRange, FoldingRangeParams, HoverParams, Location, LspRequestMethod,
-    MarkupContent, MarkupKind, WorkspaceEdit,
+    CodeActionParams, DocumentRangeFormattingParams, ExecuteCommandParams, InlayHintParams,
+    LspRequestMethod as Method, ReferenceParams, RenameParams, SelectionRangeParams, TextDocumentIdentifier,
+    TextDocumentPositionParams, WorkspaceSymbolParams,
 };
-use miette::Severity;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use std::collections::HashMap;
 
-/// A text that is looked at.
-struct Looked<'a> {
-    uri: &'a str,
-    analysis: &'a Analysis,
-    lines: Lines<'a>,
-    encoding: Encoding,
+/// What a request about a whole text carries.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Whole {
+    text_document: TextDocumentIdentifier,
 }
 
 /// The answer to a request.
 pub fn answer(
-    method: &LspRequestMethod<'_>,
+    method: &Method<'_>,
     message: &Value,
     texts: &Texts,
     encoding: Encoding,
 ) -> Result<Value, Failure> {
+    let session = Session { texts, encoding };
     match method {
-        LspRequestMethod::TextDocumentCodeAction => {
+        Method::TextDocumentCodeAction => {
             let asked = params::<CodeActionParams>(message)?;
-            let uri = asked.text_document.uri.to_string();
-            of(texts, &uri, encoding, |text| Ok(text.actions(text.span(asked.range)?)))
+            session.of(&asked.text_document, |text| Ok(text.actions(text.span(asked.range)?)))
         }
-        LspRequestMethod::TextDocumentFormatting => {
-            let uri = params::<DocumentFormattingParams>(message)?.text_document.uri.to_string();
-            of(texts, &uri, encoding, |text| Ok(text.edits(&text.analysis.formatting(None))))
-        }
-        LspRequestMethod::TextDocumentRangeFormatting => {
+        Method::TextDocumentRangeFormatting => {
             let asked = params::<DocumentRangeFormattingParams>(message)?;
-            let uri = asked.text_document.uri.to_string();
-            of(texts, &uri, encoding, |text| {
-                let at = text.span(asked.range)?;
-                let line = |byte| text.lines.place(byte, encoding).line + 1;
-                Ok(text.edits(&text.analysis.formatting(Some(line(at.start)..=line(at.end)))))
-            })
+            session.of(&asked.text_document, |text| text.formatting(asked.range))
         }
-        LspRequestMethod::TextDocumentDocumentSymbol => {
-            let uri = params::<DocumentSymbolParams>(message)?.text_document.uri.to_string();
-            of(texts, &uri, encoding, |text| {
-                Ok(symbols(&text.analysis.document).iter().map(|s| text.symbol(s)).collect::<Vec<_>>())
-            })
+        Method::TextDocumentReferences => {
+            let with_declarations = params::<ReferenceParams>(message)?.context.include_declaration;
+            session.at(message, |text, byte| text.references(byte, with_declarations))
         }
-        LspRequestMethod::TextDocumentFoldingRange => {
-            let uri = params::<FoldingRangeParams>(message)?.text_document.uri.to_string();
-            of(texts, &uri, encoding, |text| {
-                let found = folds(&text.analysis.source.text, &text.analysis.tokens);
-                Ok(found.into_iter().map(|span| text.fold(span)).collect::<Vec<_>>())
-            })
+        Method::TextDocumentRename => {
+            let name = params::<RenameParams>(message)?.new_name;
+            session.at(message, |text, byte| text.rename(byte, &name))
         }
-        LspRequestMethod::TextDocumentHover => {
-            let asked = params::<HoverParams>(message)?.text_document_position_params;
-            let uri = asked.text_document.uri.to_string();
-            of(texts, &uri, encoding, |text| {
-                let at = text.span(gen_lsp_types::Range { start: asked.position, end: asked.position })?;
-                Ok(text.analysis.hover(at.start).map(|hover| text.hover(hover)))
-            })
+        Method::TextDocumentInlayHint => {
+            let asked = params::<InlayHintParams>(message)?;
+            session.of(&asked.text_document, |text| text.hints(asked.range))
         }
+        Method::TextDocumentSelectionRange => {
+            let asked = params::<SelectionRangeParams>(message)?;
+            session.of(&asked.text_document, |text| text.selections(&asked.positions))
+        }
+        Method::WorkspaceSymbol => {
+            let query = params::<WorkspaceSymbolParams>(message)?.query.to_lowercase();
+            session.symbols(&query)
+        }
+        Method::WorkspaceExecuteCommand => session.execute(&params(message)?),
+        Method::TextDocumentCodeLens => session.whole(message, |text| text.lenses()),
+        Method::TextDocumentSemanticTokensFull => session.whole(message, |text| text.semantic_tokens()),
+        Method::TextDocumentCompletion => session.at(message, |text, byte| Ok(text.completions(byte))),
+        Method::TextDocumentSignatureHelp => session.at(message, |text, byte| Ok(text.signatures(byte))),
+        Method::TextDocumentFormatting => {
+            session.whole(message, |text| text.edits(&text.analysis.formatting(None)))
+        }
+        Method::TextDocumentDocumentSymbol => session.whole(message, |text| {
+            symbols(&text.analysis.document).iter().map(|s| text.symbol(s)).collect::<Vec<_>>()
+        }),
+        Method::TextDocumentFoldingRange => session.whole(message, |text| {
+            let found = folds(&text.analysis.source.text, &text.analysis.tokens);
+            found.into_iter().map(|span| text.fold(span)).collect::<Vec<_>>()
+        }),
+        Method::TextDocumentHover => session.at(message, |text, byte| {
+            Ok(text.analysis.hover(byte, text.results).map(|hover| text.hover(hover)))
+        }),
+        Method::TextDocumentDefinition => session.at(message, |text, byte| Ok(text.definition(byte))),
+        Method::TextDocumentDocumentHighlight => session.at(message, |text, byte| Ok(text.highlights(byte))),
+        Method::TextDocumentPrepareRename => session.at(message, |text, byte| text.prepare_rename(byte)),
         other => Err(Failure::unknown_method(other.as_str())),
     }
 }
 
-/// What is asked of an open text.
-fn of<T: Serialize>(
-    texts: &Texts,
-    uri: &str,
+/// The open texts, and how the client counts columns.
+struct Session<'t> {
+    texts: &'t Texts,
     encoding: Encoding,
-    ask: impl FnOnce(&Looked<'_>) -> Result<T, Failure>,
-) -> Result<Value, Failure> {
-    let analysis = Analysis::of(texts.get(uri)?.clone());
-    let lines = Lines::of(&analysis.source.text);
-    let answer = ask(&Looked { uri, analysis: &analysis, lines, encoding })?;
-    serde_json::to_value(answer).map_err(|_| Failure::internal())
 }
 
-/// What is wrong with a text.
-pub fn diagnostics(uri: &str, analysis: &Analysis, encoding: Encoding) -> Vec<Diagnostic> {
-    let lines = Lines::of(&analysis.source.text);
-    let text = Looked { uri, analysis, lines, encoding };
-    analysis.problems.sorted().into_iter().map(|problem| text.diagnostic(problem)).collect()
-}
-
-impl Looked<'_> {
-    fn span(&self, range: gen_lsp_types::Range) -> Result<Span, Failure> {
-        span(&self.lines, range, self.encoding)
+impl Session<'_> {
+    /// What is asked of an open text.
+    fn of<T: Serialize>(
+        &self,
+        document: &TextDocumentIdentifier,
+        ask: impl FnOnce(&Asked<'_>) -> Result<T, Failure>,
+    ) -> Result<Value, Failure> {
+        let uri = document.uri.to_string();
+        let analysis = self.texts.look(&uri)?;
+        let lines = Lines::of(&analysis.source.text);
+        let results = self.texts.results(&uri);
+        let answer = ask(&Asked { uri: &uri, analysis, results, lines, encoding: self.encoding })?;
+        serde_json::to_value(answer).map_err(|_| Failure::internal())
     }
 
-    fn range(&self, span: Span) -> gen_lsp_types::Range {
-        range(&self.lines, span, self.encoding)
+    fn whole<T: Serialize>(
+        &self,
+        message: &Value,
+        ask: impl FnOnce(&Asked<'_>) -> T,
+    ) -> Result<Value, Failure> {
+        self.of(&params::<Whole>(message)?.text_document, |text| Ok(ask(text)))
     }
 
-    fn edits(&self, edits_of: &[Edit]) -> Vec<gen_lsp_types::TextEdit> {
-        edits(&self.lines, edits_of, self.encoding)
+    /// The symbols of all open texts in whose names a text is.
+    fn symbols(&self, query: &str) -> Result<Value, Failure> {
+        let mut found = Vec::new();
+        for uri in self.texts.uris() {
+            let own =
+                self.of(&TextDocumentIdentifier { uri: uri.into() }, |text| Ok(text.symbols_called(query)))?;
+            found.extend(own.as_array().cloned().unwrap_or_default());
+        }
+        Ok(Value::Array(found))
     }
 
-    fn diagnostic(&self, problem: &dyn Problem) -> Diagnostic {
-        let mut labels = problem.labels().map(Iterator::collect::<Vec<_>>).unwrap_or_default();
-        labels.sort_by_key(|label| !label.primary());
-        let places = labels.iter().map(|label| {
-            let at = Span::new(label.offset(), label.offset() + label.len());
-            (self.range(at), label.label().unwrap_or_default().to_owned())
-        });
-        let mut places = places.collect::<Vec<_>>().into_iter();
-        let (range, _) = places.next().unwrap_or_default();
-        let related = places.map(|(range, message)| {
-            let location = Location { uri: self.uri.into(), range };
-            DiagnosticRelatedInformation { location, message }
-        });
-        let code = problem.code().map(|code| code.to_string());
-        let help = problem.help().map(|help| format!("\nhelp: {help}")).unwrap_or_default();
-        Diagnostic {
-            range,
-            severity: Some(match problem.severity() {
-                Some(Severity::Advice) => DiagnosticSeverity::Information,
-                Some(Severity::Warning) => DiagnosticSeverity::Warning,
-                _ => DiagnosticSeverity::Error,
-            }),
-            code: code.map(Into::into),
-            code_description: None,
-            source: Some("assur".to_owned()),
-            message: format!("{problem}{help}").into(),
-            tags: None,
-            related_information: Some(related.collect()),
-            data: None,
+    /// What a command prints.
+    fn execute(&self, asked: &ExecuteCommandParams) -> Result<Value, Failure> {
+        let uri = asked.arguments.iter().flatten().find_map(Value::as_str);
+        let uri =
+            uri.ok_or_else(|| Failure::params(format!("`{}` needs the address of a text", asked.command)))?;
+        let analysis = self.texts.look(uri)?;
+        match asked.command.as_str() {
+            SOLVE => Ok(Value::String(analysis.solved_page(self.texts.results(uri)))),
+            TEST => Ok(Value::String(analysis.tested_page())),
+            other => Err(Failure::params(format!("there is no command `{other}`"))),
         }
     }
 
-    /// The fixes at a place, and all certain ones at once.
-    fn actions(&self, at: Span) -> Vec<CodeAction> {
-        let fixes = self.analysis.fixes_at(at);
-        let fixes = fixes.into_iter().map(|(problem, fix)| self.action(problem, &fix));
-        let mut actions = fixes.collect::<Vec<_>>();
-        let all = self.analysis.certain_edits();
-        if !all.is_empty() {
-            actions.push(CodeAction {
-                title: "fix all that is certain".to_owned(),
-                kind: Some(CodeActionKind::SourceFixAll),
-                edit: Some(self.change(&all)),
-                ..CodeAction::default()
-            });
-        }
-        actions
-    }
-
-    fn action(&self, problem: &dyn Problem, fix: &Fix) -> CodeAction {
-        CodeAction {
-            title: fix.title.clone(),
-            kind: Some(CodeActionKind::QuickFix),
-            diagnostics: Some(vec![self.diagnostic(problem)]),
-            is_preferred: Some(fix.certain),
-            edit: Some(self.change(&fix.edits)),
-            ..CodeAction::default()
-        }
-    }
-
-    fn change(&self, edits: &[Edit]) -> WorkspaceEdit {
-        let changes = HashMap::from([(self.uri.into(), self.edits(edits))]);
-        WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() }
-    }
-
-    fn symbol(&self, symbol: &Symbol) -> DocumentSymbol {
-        use gen_lsp_types::SymbolKind as Kind;
-        let parts = symbol.parts.iter().map(|part| self.symbol(part)).collect::<Vec<_>>();
-        #[allow(deprecated, reason = "the type has no other way to be made than with all of its fields")]
-        DocumentSymbol {
-            name: symbol.name.clone(),
-            detail: None,
-            kind: match symbol.kind {
-                SymbolKind::Given => Kind::Constant,
-                SymbolKind::Derived | SymbolKind::Answer => Kind::Variable,
-                SymbolKind::Link => Kind::Class,
-                SymbolKind::Point | SymbolKind::Shape => Kind::Field,
-                SymbolKind::Pair => Kind::Interface,
-                SymbolKind::Element => Kind::Object,
-                SymbolKind::Load | SymbolKind::Pose => Kind::Event,
-                SymbolKind::Group => Kind::Namespace,
-            },
-            tags: None,
-            deprecated: None,
-            range: self.range(symbol.whole),
-            selection_range: self.range(symbol.at),
-            children: (!parts.is_empty()).then_some(parts),
-        }
-    }
-
-    fn hover(&self, hover: Hover) -> gen_lsp_types::Hover {
-        let contents = MarkupContent { kind: MarkupKind::Markdown, value: hover.text };
-        gen_lsp_types::Hover { contents: contents.into(), range: Some(self.range(hover.at)) }
-    }
-
-    fn fold(&self, span: Span) -> FoldingRange {
-        let range = self.range(span);
-        FoldingRange { start_line: range.start.line, end_line: range.end.line, ..FoldingRange::default() }
+    /// What is asked of a place.
+    fn at<T: Serialize>(
+        &self,
+        message: &Value,
+        ask: impl FnOnce(&Asked<'_>, usize) -> Result<T, Failure>,
+    ) -> Result<Value, Failure> {
+        let asked = params::<TextDocumentPositionParams>(message)?;
+        self.of(&asked.text_document, |text| ask(text, text.byte(asked.position)?))
     }
 }

@@ -1,36 +1,71 @@
 //! What the server can do.
 
+use crate::editor::TOKEN_COLOURS;
 use assur_text::source::Encoding;
-use gen_lsp_types::{
-    CodeActionKind, CodeActionOptions, InitializeResult, PositionEncodingKind, ServerCapabilities,
-    ServerInfo, TextDocumentSyncKind, TextDocumentSyncOptions,
-};
-use serde_json::Value;
+use serde_json::{Value, json};
+
+/// The commands behind code lenses.
+pub const SOLVE: &str = "assur.solve";
+pub const TEST: &str = "assur.test";
 
 /// The result of `initialize`.
 pub fn result(encoding: Encoding) -> Value {
-    let sync = TextDocumentSyncOptions {
-        open_close: Some(true),
-        change: Some(TextDocumentSyncKind::Incremental),
-        ..TextDocumentSyncOptions::default()
+    let encoding = match encoding {
+        Encoding::Utf8 => "utf-8",
+        Encoding::Utf16 => "utf-16",
     };
-    let kinds = vec![CodeActionKind::QuickFix, CodeActionKind::SourceFixAll];
-    let actions = CodeActionOptions { code_action_kinds: Some(kinds), ..CodeActionOptions::default() };
-    let capabilities = ServerCapabilities {
-        position_encoding: Some(match encoding {
-            Encoding::Utf8 => PositionEncodingKind::UTF8,
-            Encoding::Utf16 => PositionEncodingKind::UTF16,
-        }),
-        text_document_sync: Some(sync.into()),
-        code_action_provider: Some(actions.into()),
-        document_formatting_provider: Some(true.into()),
-        document_range_formatting_provider: Some(true.into()),
-        document_symbol_provider: Some(true.into()),
-        hover_provider: Some(true.into()),
-        folding_range_provider: Some(true.into()),
-        ..ServerCapabilities::default()
-    };
-    let info = ServerInfo { name: "assur".to_owned(), version: Some(env!("CARGO_PKG_VERSION").to_owned()) };
-    let result = InitializeResult { capabilities, server_info: Some(info) };
-    serde_json::to_value(result).unwrap_or_default()
+    const INCREMENTAL: u32 = 2;
+    json!({
+        "capabilities": {
+            "positionEncoding": encoding,
+            "textDocumentSync": { "openClose": true, "change": INCREMENTAL },
+            "codeActionProvider": { "codeActionKinds": ["quickfix", "source.fixAll"] },
+            "codeLensProvider": {},
+            "completionProvider": { "triggerCharacters": [".", ":", "(", " "] },
+            "definitionProvider": true,
+            "documentFormattingProvider": true,
+            "documentHighlightProvider": true,
+            "documentRangeFormattingProvider": true,
+            "documentSymbolProvider": true,
+            "executeCommandProvider": { "commands": [SOLVE, TEST] },
+            "foldingRangeProvider": true,
+            "hoverProvider": true,
+            "inlayHintProvider": true,
+            "referencesProvider": true,
+            "renameProvider": { "prepareProvider": true },
+            "selectionRangeProvider": true,
+            "semanticTokensProvider": {
+                "legend": { "tokenTypes": TOKEN_COLOURS, "tokenModifiers": ["declaration"] },
+                "full": true,
+            },
+            "signatureHelpProvider": { "triggerCharacters": ["(", ","] },
+            "workspaceSymbolProvider": true,
+        },
+        "serverInfo": { "name": "assur", "version": env!("CARGO_PKG_VERSION") },
+    })
+}
+
+/// What the client asks for again when a text is solved.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Refreshes {
+    hints: bool,
+    lenses: bool,
+}
+
+impl Refreshes {
+    /// Those that a client offers in its `initialize`.
+    pub fn of(params: &Value) -> Self {
+        let offers = |what: &str| {
+            let path = format!("/capabilities/workspace/{what}/refreshSupport");
+            params.pointer(&path).and_then(Value::as_bool).unwrap_or_default()
+        };
+        Self { hints: offers("inlayHint"), lenses: offers("codeLens") }
+    }
+
+    /// The requests to the client.
+    pub fn requests(self) -> Vec<Value> {
+        let all = [(self.hints, "workspace/inlayHint/refresh"), (self.lenses, "workspace/codeLens/refresh")];
+        let asked = all.into_iter().filter(|(offered, _)| *offered);
+        asked.map(|(_, method)| json!({ "jsonrpc": "2.0", "id": method, "method": method })).collect()
+    }
 }

@@ -27,6 +27,11 @@ impl Failure {
         Self { code: -32602, message: message.into() }
     }
 
+    /// What is asked cannot be done.
+    pub(super) fn request(why: String) -> Self {
+        Self { code: -32803, message: why }
+    }
+
     pub(super) fn internal() -> Self {
         let version = env!("CARGO_PKG_VERSION");
         Self { code: -32603, message: format!("internal error of assur {version}") }

@@ -2,18 +2,24 @@
 //! messages come in and go out as JSON.
 
 mod answers;
+mod asked;
 mod capabilities;
 mod convert;
 mod error;
+mod names;
+mod shown;
 mod texts;
+mod typing;
 
-use crate::editor::Analysis;
+use asked::diagnostics;
 use assur_text::source::Encoding;
+use capabilities::Refreshes;
 use error::Failure;
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
 use serde_json::{Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use texts::Texts;
+pub use texts::{Patience, Stop};
 
 /// How far a session is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,6 +39,7 @@ pub struct Server {
     stage: Stage,
     encoding: Encoding,
     texts: Texts,
+    refreshes: Refreshes,
     is_over: bool,
 }
 
@@ -42,7 +49,13 @@ impl Server {
         let method = message.get("method").and_then(Value::as_str);
         let params = message.get("params").unwrap_or(&Value::Null);
         match (method, message.get("id")) {
-            (Some(method), Some(id)) => vec![self.respond(method, id, params)],
+            (Some(method), Some(id)) => {
+                let response = self.respond(method, id, params);
+                let is_command = method == "workspace/executeCommand";
+                // clients do nothing with what a command returns
+                let text = response["result"].as_str().filter(|_| is_command).map(|text| shown(INFO, text));
+                [Some(response), text].into_iter().flatten().collect()
+            }
             (Some(method), None) => self.notice(method, params),
             // the response to a request of ours, of which there are none
             (None, Some(_)) if message.get("result").is_some() || message.get("error").is_some() => {
@@ -60,15 +73,30 @@ impl Server {
 
     /// Diagnostics of the texts that changed. Ask when no other message waits, so that only the last of many changes is looked at.
     pub fn publish(&mut self) -> Vec<Value> {
-        let encoding = self.encoding;
-        let published = self.texts.changed().into_iter().map(|(uri, version, text)| {
-            let look = || answers::diagnostics(&uri, &Analysis::of(text.clone()), encoding);
-            // an error of the program says nothing of the text; what was said before is no longer true
-            let diagnostics = guarded(look).unwrap_or_default();
-            let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
-            notification("textDocument/publishDiagnostics", &params)
+        let changed = self.texts.changed();
+        changed.into_iter().map(|(uri, version)| self.published(&uri, version)).collect()
+    }
+
+    /// Solves the texts that changed, until `patience` says to stop: diagnostics of their answers, and requests to ask for hints and
+    /// lenses again.
+    pub fn solve(&mut self, patience: &Patience<'_>) -> Vec<Value> {
+        let solved = self.texts.solve(patience);
+        if solved.is_empty() {
+            return Vec::new();
+        }
+        let published = solved.into_iter().map(|(uri, version)| self.published(&uri, version));
+        published.chain(self.refreshes.requests()).collect()
+    }
+
+    fn published(&self, uri: &str, version: i32) -> Value {
+        let found = guarded(|| {
+            let analysis = self.texts.look(uri)?;
+            Ok::<_, Failure>(diagnostics(uri, analysis, self.texts.results(uri), self.encoding))
         });
-        published.collect()
+        // an error of the program says nothing of the text; what was said before is no longer true
+        let diagnostics = found.and_then(Result::ok).unwrap_or_default();
+        let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
+        notification("textDocument/publishDiagnostics", &params)
     }
 
     /// Whether the client said `exit`.
@@ -110,6 +138,7 @@ impl Server {
         self.stage = Stage::Ready;
         let offered = params.pointer("/capabilities/general/positionEncodings").and_then(Value::as_array);
         let reads_bytes = offered.is_some_and(|all| all.iter().any(|one| one == "utf-8"));
+        self.refreshes = Refreshes::of(params);
         self.encoding = if reads_bytes { Encoding::Utf8 } else { Encoding::Utf16 };
         capabilities::result(self.encoding)
     }
@@ -150,9 +179,17 @@ fn notification(method: &str, params: &Value) -> Value {
     json!({ "jsonrpc": "2.0", "method": method, "params": params })
 }
 
+/// Kinds of messages to the author.
+const ERROR: u32 = 1;
+const INFO: u32 = 3;
+
+/// A text for the author.
+fn shown(kind: u32, text: &str) -> Value {
+    notification("window/showMessage", &json!({ "type": kind, "message": text }))
+}
+
 /// A notification that could not be used, for the log of the client: it has no response.
 fn log(method: &str, failure: &Failure) -> Value {
-    const ERROR: u32 = 1;
     let message = format!("{method}: {failure}");
     notification("window/logMessage", &json!({ "type": ERROR, "message": message }))
 }

@@ -2,6 +2,8 @@
 
 use super::convert::span;
 use super::error::Failure;
+use super::guarded;
+use crate::editor::{Analysis, Results};
 use assur_text::source::{Edit, Encoding, Lines, Source, edited};
 use gen_lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
@@ -9,13 +11,46 @@ use gen_lsp_types::{
 };
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
+
+/// Why solving is to stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// A message waits.
+    Later,
+    /// It takes too long.
+    Never,
+}
+
+/// Asked again and again while a text is solved.
+pub type Patience<'p> = dyn Fn() -> Option<Stop> + Sync + 'p;
 
 #[derive(Debug)]
 struct Text {
     source: Source,
     version: i32,
     is_new: bool,
+    /// What is found in it, once it is asked for.
+    analysis: OnceCell<Analysis>,
+    /// What it comes to; `None` inside where it has no answers or takes too long.
+    results: Option<Option<Results>>,
+}
+
+impl Text {
+    fn new(uri: &str, text: String, version: i32) -> Self {
+        Self {
+            source: Source::new(uri, text),
+            version,
+            is_new: true,
+            analysis: OnceCell::new(),
+            results: None,
+        }
+    }
+
+    fn look(&self) -> &Analysis {
+        self.analysis.get_or_init(|| Analysis::of(self.source.clone()))
+    }
 }
 
 /// Texts by their address.
@@ -30,17 +65,46 @@ pub fn params<T: DeserializeOwned>(params: &Value) -> Result<T, Failure> {
 }
 
 impl Texts {
-    /// A text.
-    pub fn get(&self, uri: &str) -> Result<&Source, Failure> {
-        let text = self.open.get(uri).map(|text| &text.source);
-        text.ok_or_else(|| Failure::params(format!("`{uri}` is not open")))
+    /// What is found in a text.
+    pub fn look(&self, uri: &str) -> Result<&Analysis, Failure> {
+        self.get(uri).map(Text::look)
+    }
+
+    /// Its answers, where it is solved.
+    pub fn results(&self, uri: &str) -> Option<&Results> {
+        self.open.get(uri)?.results.as_ref()?.as_ref()
+    }
+
+    /// The addresses of all texts.
+    pub fn uris(&self) -> impl Iterator<Item = &str> {
+        self.open.keys().map(String::as_str)
+    }
+
+    /// Solves the texts that are not solved yet; gives those that have answers now, with their versions. A text that is to be
+    /// solved later stays so; one that takes too long has no answers.
+    pub fn solve(&mut self, patience: &Patience<'_>) -> Vec<(String, i32)> {
+        let mut solved = Vec::new();
+        for (uri, text) in self.open.iter_mut().filter(|(_, text)| text.results.is_none()) {
+            let found = guarded(|| text.look().solve(&|| patience().is_none())).flatten();
+            if found.is_none() && patience() == Some(Stop::Later) {
+                break;
+            }
+            if found.is_some() {
+                solved.push((uri.clone(), text.version));
+            }
+            text.results = Some(found);
+        }
+        solved
+    }
+
+    fn get(&self, uri: &str) -> Result<&Text, Failure> {
+        self.open.get(uri).ok_or_else(|| Failure::params(format!("`{uri}` is not open")))
     }
 
     /// The texts that have changed since this was asked last, with their versions.
-    pub fn changed(&mut self) -> Vec<(String, i32, Source)> {
+    pub fn changed(&mut self) -> Vec<(String, i32)> {
         let changed = |(uri, text): (&String, &mut Text)| {
-            let is_new = std::mem::take(&mut text.is_new);
-            is_new.then(|| (uri.clone(), text.version, text.source.clone()))
+            std::mem::take(&mut text.is_new).then(|| (uri.clone(), text.version))
         };
         self.open.iter_mut().filter_map(changed).collect()
     }
@@ -48,8 +112,8 @@ impl Texts {
     pub fn open(&mut self, message: &Value) -> Result<(), Failure> {
         let opened = params::<DidOpenTextDocumentParams>(message)?.text_document;
         let uri = opened.uri.to_string();
-        let source = Source::new(&*uri, opened.text);
-        self.open.insert(uri, Text { source, version: opened.version, is_new: true });
+        let text = Text::new(&uri, opened.text, opened.version);
+        self.open.insert(uri, text);
         Ok(())
     }
 
@@ -57,7 +121,7 @@ impl Texts {
     pub fn change(&mut self, message: &Value, encoding: Encoding) -> Result<(), Failure> {
         let change = params::<DidChangeTextDocumentParams>(message)?;
         let uri = change.text_document.text_document_identifier.uri.to_string();
-        let mut text = self.get(&uri)?.text.clone();
+        let mut text = self.get(&uri)?.source.text.clone();
         for change in change.content_changes {
             text = match change {
                 TextDocumentContentChangeEvent::TextDocumentContentChangeWholeDocument(whole) => whole.text,
@@ -67,9 +131,8 @@ impl Texts {
                 }
             };
         }
-        let version = change.text_document.version;
-        let source = Source::new(&*uri, text);
-        self.open.insert(uri, Text { source, version, is_new: true });
+        let text = Text::new(&uri, text, change.text_document.version);
+        self.open.insert(uri, text);
         Ok(())
     }
 

@@ -64,10 +64,41 @@ pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
 pub fn compile_document(
     source: &Source,
     document: &Arc<Document>,
-    mut found: Problems,
+    found: Problems,
     overrides: &Overrides,
 ) -> (Option<Compiled>, Problems) {
-    let (mechanism, checked) = check::check(document, overrides);
+    compile_checked(source, document, found, overrides, check::check(document, overrides))
+}
+
+/// What is found in a document before anything is solved.
+#[derive(Debug)]
+pub struct Looked {
+    /// It compiled, as [`compile_document`] does.
+    pub compiled: Option<Compiled>,
+    /// All that was found wrong.
+    pub problems: Problems,
+    /// Where names are used, in a text with errors too.
+    pub uses: Vec<check::Use>,
+    /// The definitions that are constant numbers, in the units of the text.
+    pub constants: Vec<(String, String)>,
+}
+
+/// As [`compile_document`], with what an editor asks for.
+#[must_use]
+pub fn look(source: &Source, document: &Arc<Document>, found: Problems) -> Looked {
+    let none = Overrides::none();
+    let check::Looked { mechanism, problems, uses, constants } = check::look(document, &none);
+    let (compiled, problems) = compile_checked(source, document, found, &none, (mechanism, problems));
+    Looked { compiled, problems, uses, constants }
+}
+
+fn compile_checked(
+    source: &Source,
+    document: &Arc<Document>,
+    mut found: Problems,
+    overrides: &Overrides,
+    (mechanism, checked): (Option<Mechanism>, Problems),
+) -> (Option<Compiled>, Problems) {
     let is_read = !found.has_errors();
     let Some(mechanism) = mechanism.filter(|_| is_read && !checked.has_errors()) else {
         match if is_read { structural_cause(source, document, overrides, &checked) } else { None } {

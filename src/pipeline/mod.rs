@@ -16,7 +16,7 @@ mod test;
 mod turn;
 mod variant_solver;
 
-pub use compile::{Compiled, Origin, check_source, compile, compile_document};
+pub use compile::{Compiled, Looked, Origin, check_source, compile, compile_document, look};
 pub use dimensions::dimensions;
 pub use drawn::{solve_document_drawn, solve_drawn, solve_drawn_conducted};
 pub use elsewhere::elsewhere;

@@ -61,15 +61,19 @@ pub(super) fn link_names(model: &Model<'_>, group: &Group) -> Vec<String> {
     if links.is_empty() { pairs } else { links }
 }
 
+/// The groups in the order in which they move: the links of each, and its class and kind.
+#[must_use]
+pub fn groups_in_order(model: &Model<'_>) -> Vec<(Vec<String>, String)> {
+    let kind = |group| format!("{}, {}", Group::class_name(group), kind_name(model, group));
+    model.structure.motion.iter().map(|group| (link_names(model, group), kind(group))).collect()
+}
+
 /// The facts in short, as shown above the answers.
 pub(super) fn summary(model: &Model<'_>, report: &mut Report) {
     let mut section = Section::new("Structure");
-    let groups: Vec<String> = model
-        .structure
-        .motion
-        .iter()
-        .map(|g| format!("{} ({}, {})", link_names(model, g).join(", "), g.class_name(), kind_name(model, g)))
-        .collect();
+    let groups =
+        groups_in_order(model).into_iter().map(|(links, kind)| format!("{} ({kind})", links.join(", ")));
+    let groups = groups.collect::<Vec<_>>();
     let mut facts = vec![("mobility".to_owned(), format!("F = {}", model.structure.count.formula()))];
     if !groups.is_empty() {
         facts.push(("groups".to_owned(), groups.join("; ")));

@@ -48,6 +48,7 @@ pub use accuracy::AccuracyShown;
 pub use answers::{Answers, Precision};
 pub use brief::brief;
 pub use element::full as full_table;
+pub use mobility::groups_in_order;
 pub use page::Page;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
 pub use run_tradeoff::{of_run_study, run_study_json};

@@ -6,12 +6,12 @@ use assur::internals::source::{Edit, Encoding, LineColumn, Lines, Span, edited};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
-const URI: &str = "untitled:a";
+pub const URI: &str = "untitled:a";
 const WRONG: &str =
     "given φ = 5 mm\nlnk crank A-B φ\nground {\n  A (0, 0)\n}\n// one\n// two\nrevolute A: ground - crnk\n";
 
 /// A session with a text open, in the encoding that the client offers.
-fn session(text: &str, encoding: &str) -> (Server, Vec<Value>) {
+pub fn session(text: &str, encoding: &str) -> (Server, Vec<Value>) {
     let mut server = Server::default();
     let capabilities = json!({ "general": { "positionEncodings": [encoding] } });
     let initialized = request(&mut server, "initialize", &json!({ "capabilities": capabilities }));
@@ -23,23 +23,23 @@ fn session(text: &str, encoding: &str) -> (Server, Vec<Value>) {
     (server, published)
 }
 
-fn request(server: &mut Server, method: &str, params: &Value) -> Value {
+pub fn request(server: &mut Server, method: &str, params: &Value) -> Value {
     let answers = server.handle(&json!({ "jsonrpc": "2.0", "id": 7, "method": method, "params": params }));
     let [answer] = <[Value; 1]>::try_from(answers).expect("one answer");
     assert_eq!(answer["id"], 7);
     answer
 }
 
-fn notify(server: &mut Server, method: &str, params: &Value) {
+pub fn notify(server: &mut Server, method: &str, params: &Value) {
     let answers = server.handle(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
     assert!(answers.is_empty(), "{method}: {answers:?}");
 }
 
-fn document() -> Value {
+pub fn document() -> Value {
     json!({ "uri": URI })
 }
 
-fn range(from: (u32, u32), to: (u32, u32)) -> Value {
+pub fn range(from: (u32, u32), to: (u32, u32)) -> Value {
     json!({ "start": { "line": from.0, "character": from.1 }, "end": { "line": to.0, "character": to.1 } })
 }
 
@@ -224,7 +224,10 @@ fn words_of_the_language_are_explained() {
     assert_eq!(range_of, range((0, 29), (0, 33)));
     assert!(hover(0, 23).0.is_some_and(|text| text.contains("mass")));
     assert!(hover(1, 7).0.is_some_and(|text| text.starts_with("```mech\nvelocity(")));
-    assert_eq!(hover(0, 6), (None, Value::Null), "a name");
+    assert_eq!(
+        hover(0, 6).0.as_deref(),
+        Some("```mech\nlink crank A-B 5 mm { mass 2 kN*m }\n```\npoints `A`, `B`")
+    );
 }
 
 #[test]
@@ -292,4 +295,45 @@ fn the_program_speaks_on_its_streams() {
     let broken = framed(&["{\"id\": ".to_owned(), initialize.to_string()]);
     let out = with_input(&folder, &["lsp"], &broken);
     assert!(out.stdout.contains("-32700") && out.stdout.contains("capabilities"), "{}", out.stdout);
+}
+
+#[test]
+fn names_lead_to_their_places() {
+    let text = "given φ = 5 mm\nground { B (0, 0) }\nlink crank B-C φ\nrevolute B: ground - crank\ndrive crank = 4 deg\nfind velocity(C)\n";
+    let (mut server, _) = session(text, "utf-16");
+    let mut ask = |method: &str, line: u32, character: u32, more: &Value| {
+        let at = json!({ "line": line, "character": character });
+        let mut params = json!({ "textDocument": document(), "position": at });
+        if let (Some(params), Some(more)) = (params.as_object_mut(), more.as_object()) {
+            params.extend(more.clone());
+        }
+        let answer = request(&mut server, &format!("textDocument/{method}"), &params);
+        if answer["error"].is_null() { answer["result"].clone() } else { answer["error"]["message"].clone() }
+    };
+    let ranges = |found: &Value| {
+        found.as_array().expect("places").iter().map(|at| at["range"].clone()).collect::<Vec<_>>()
+    };
+    let none = json!({});
+    let crank = range((2, 5), (2, 10));
+    assert_eq!(ranges(&ask("definition", 4, 8, &none)), std::slice::from_ref(&crank));
+    let points = [range((1, 9), (1, 10)), range((2, 11), (2, 12))];
+    assert_eq!(ranges(&ask("definition", 3, 9, &none)), points, "a pair leads to its points");
+    let (with, without) = (
+        json!({ "context": { "includeDeclaration": true } }),
+        json!({ "context": { "includeDeclaration": false } }),
+    );
+    let uses = [range((3, 21), (3, 26)), range((4, 6), (4, 11))];
+    assert_eq!(ranges(&ask("references", 4, 8, &without)), uses);
+    assert_eq!(ranges(&ask("references", 4, 8, &with)), [&[crank], &uses[..]].concat());
+    let marked = ask("documentHighlight", 0, 6, &none);
+    assert_eq!((marked[0]["kind"].as_i64(), marked[1]["kind"].as_i64()), (Some(3), Some(2)), "{marked}");
+    assert_eq!(
+        ask("prepareRename", 2, 16, &none),
+        json!({ "range": range((2, 15), (2, 16)), "placeholder": "φ" })
+    );
+    assert_eq!(ask("prepareRename", 2, 1, &none), "there is no name here");
+    let edits = ask("rename", 3, 9, &json!({ "newName": "Ω" }))["changes"][URI].clone();
+    let renamed = text.replace("B (", "Ω (").replace("B-C", "Ω-C").replace("B:", "Ω:");
+    assert_eq!(applied(text, &edits), renamed);
+    assert_eq!(ask("rename", 3, 9, &json!({ "newName": "crank" })), "`crank` is declared twice");
 }

@@ -15,6 +15,7 @@ mod formats;
 mod grade;
 #[cfg(feature = "lsp")]
 mod lsp;
+mod lsp_answers;
 mod motions;
 mod output;
 mod plan;

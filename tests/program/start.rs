@@ -75,7 +75,19 @@ fn the_manual_has_every_command() {
     assert_eq!((whole.status, whole.stderr.as_str()), (0, ""));
     assert_eq!(whole.stdout, assur(&folder, &["--help"]).stdout);
     for command in [
-        "check", "solve", "test", "batch", "grade", "accuracy", "profile", "explain", "fmt", "lsp", "new",
+        "check",
+        "solve",
+        "test",
+        "batch",
+        "grade",
+        "accuracy",
+        "profile",
+        "explain",
+        "fmt",
+        "lsp",
+        "new",
+        "completions",
+        "man",
         "help",
     ] {
         let out = assur(&folder, &["help", command]);
@@ -86,4 +98,26 @@ fn the_manual_has_every_command() {
     let unknown = assur(&folder, &["help", "function"]);
     assert_eq!((unknown.status, unknown.stdout.as_str()), (2, ""));
     assert!(unknown.stderr.contains("did you mean `assur help functions`?"), "{}", unknown.stderr);
+}
+
+#[test]
+fn shells_and_manuals_know_every_command() {
+    let folder = Folder::new("completions");
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = assur(&folder, &["completions", shell]);
+        assert_eq!((script.status, script.stderr.as_str()), (0, ""), "{shell}");
+        for word in ["assur", "solve", "variants", "threads"] {
+            assert!(script.stdout.contains(word), "{word} in {shell}");
+        }
+    }
+    let bash = assur(&folder, &["completions", "bash"]).stdout;
+    assert!(bash.contains("latex") && bash.contains("crank-slider"), "the values of options");
+    let page = assur(&folder, &["man"]);
+    assert_eq!((page.status, page.stderr.as_str()), (0, ""));
+    assert!(page.stdout.contains(".TH assur 1") && page.stdout.contains("solve"), "{}", page.stdout);
+    let page = assur(&folder, &["man", "solve"]);
+    assert!(page.stdout.contains("assur solve") && page.stdout.contains("\\-\\-within"), "{}", page.stdout);
+    let unknown = assur(&folder, &["man", "slove"]);
+    assert_eq!((unknown.status, unknown.stdout.as_str()), (2, ""));
+    assert!(unknown.stderr.contains("did you mean `assur man solve`?"), "{}", unknown.stderr);
 }

@@ -22,6 +22,7 @@ mod template;
 mod trains;
 mod values;
 
+pub use names::uses::Use;
 pub use requests::variants::{FileRow, file_rows, table};
 pub use row_patch::RowPatches;
 pub use template::Template;
@@ -58,6 +59,32 @@ use values::unit_use;
 #[must_use]
 pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
     run(start(document, overrides))
+}
+
+/// What a check finds for an editor.
+#[derive(Debug)]
+pub struct Looked {
+    /// The mechanism, if nothing is wrong.
+    pub mechanism: Option<Mechanism>,
+    /// All that was found wrong.
+    pub problems: Problems,
+    /// Where names are used, in a text with errors too.
+    pub uses: Vec<Use>,
+    /// The definitions that are constant numbers, in the units of the text.
+    pub constants: Vec<(String, String)>,
+}
+
+/// As [`check`], with the uses of all names.
+#[must_use]
+pub fn look(document: &Document, overrides: &Overrides) -> Looked {
+    let mut cx = start(document, overrides);
+    cx.names.uses.keep();
+    definitions(&mut cx);
+    meaning(&mut cx);
+    let uses = std::mem::take(&mut cx.names.uses).into_sorted();
+    let constants = texts::constants(&cx.names, &cx.values.definitions);
+    let (mechanism, problems) = cx.finish();
+    Looked { mechanism, problems, uses, constants }
 }
 
 /// As [`check`], with one `given` that has this SI value for any document and overrides.
@@ -139,11 +166,13 @@ fn definitions(cx: &mut Context<'_>) {
 
 /// Puts values into the title and the problem's text.
 fn fill_texts(cx: &mut Context<'_>) {
-    let Context { names, values, builder, .. } = cx;
+    let Context { doc, names, values, builder, .. } = cx;
     let mech = &mut builder.mech;
-    for text in std::iter::once(&mut mech.title).chain(&mut mech.notes) {
+    let title = doc.title().map(|title| (&mut mech.title, title.span));
+    let notes = mech.notes.iter_mut().zip(doc.notes.iter().map(|note| note.span));
+    for (text, at) in title.into_iter().chain(notes) {
         if text.contains('{') {
-            *text = texts::filled(text, names, &values.definitions);
+            *text = texts::filled(text, at, names, &values.definitions);
         }
     }
 }

@@ -57,8 +57,8 @@ export async function activate(context: ExtensionContext): Promise<void> {
   context.subscriptions.push(
     status,
     commands.registerCommand("assur.restart", restart),
-    commands.registerCommand("assur.solve", () => runOnFile(program, "solve")),
-    commands.registerCommand("assur.test", () => runOnFile(program, "test")),
+    commands.registerCommand("assur.terminal.solve", () => runOnFile(program, "solve")),
+    commands.registerCommand("assur.terminal.test", () => runOnFile(program, "test")),
     commands.registerCommand("assur.format", () => commands.executeCommand("editor.action.formatDocument")),
     commands.registerCommand("assur.log", () => client?.outputChannel.show()),
     workspace.onDidChangeConfiguration((change) => (change.affectsConfiguration("assur.path") ? restart() : undefined)),

@@ -5,7 +5,10 @@ use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 
 #[cfg(feature = "lsp")]
 use super::Lsp;
-use super::{Accuracy, Batch, Check, Draw, Explain, Fmt, Grade, Help, New, Profile, Report, Solve, Test};
+use super::{
+    Accuracy, Batch, Check, Completions, Draw, Explain, Fmt, Grade, Help, Man, New, Profile, Report, Solve,
+    Test,
+};
 
 /// Subcommands from their names, words and sentences.
 macro_rules! commands {
@@ -68,5 +71,7 @@ commands! {
     Fmt "fmt" "Put files in the one style: blanks, empty lines, columns";
     New "new" "Write a file to start from";
     #[cfg(feature = "lsp")] Lsp "lsp" "Answer an editor by the language server protocol on standard input and output";
+    Completions "completions" "Print the script that completes the command line in a shell";
+    Man "man" "Print the manual page of the program or of a command, in roff";
     Help "help" "Show the manual of a command, or the functions, units or statements of the language";
 }

@@ -48,6 +48,22 @@ pub struct Help {
     pub topic: Option<String>,
 }
 
+/// Arguments of `completions`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Completions {
+    /// The shell
+    #[arg(value_enum, value_name = "SHELL")]
+    pub shell: clap_complete::Shell,
+}
+
+/// Arguments of `man`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Man {
+    /// A command; the whole program where it is left out
+    #[arg(value_name = "COMMAND")]
+    pub command: Option<String>,
+}
+
 /// Arguments of `lsp`: none.
 #[cfg(feature = "lsp")]
 #[derive(Clone, Debug, clap::Args)]

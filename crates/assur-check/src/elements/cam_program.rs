@@ -21,6 +21,7 @@ const SWING: f64 = 1e-3;
 
 /// The curve of `lift along NAME`: a smooth one of the cam angle whose values are lifts.
 pub(crate) fn curve(cx: &mut Context<'_>, name: &Name, way: Dimension) -> Option<Arc<Curve>> {
+    cx.names.note_quantity(name);
     if !cx.is_curve(&name.node) {
         cx.no_curve_of_name(name);
         return None;

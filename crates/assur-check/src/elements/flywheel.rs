@@ -135,6 +135,7 @@ fn torque(cx: &mut Context<'_>, name: &Name) -> Option<FlywheelTorque> {
         QuantityKind::Balance(id, _) => Some(FlywheelTorque::Balance(*id)),
         _ => None,
     };
+    cx.names.note_quantity(name);
     let declared = cx.names.quantities.get(&name.node);
     if let Some(found) = declared.and_then(|d| torque(&d.what)) {
         return Some(found);

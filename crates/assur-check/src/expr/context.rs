@@ -39,9 +39,10 @@ impl<'a> Context<'a> {
 
     /// What `look` finds, with nothing reported.
     pub fn quietly<T>(&mut self, look: impl FnOnce(&mut Self) -> T) -> T {
-        let before = self.problems.start_trial();
+        let (before, uses) = (self.problems.start_trial(), self.names.uses.len());
         let found = look(self);
         self.problems = before;
+        self.names.uses.truncate(uses);
         found
     }
 

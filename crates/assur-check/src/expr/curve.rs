@@ -163,6 +163,7 @@ impl Context<'_> {
 
     /// A call of a curve.
     pub(crate) fn curve(&mut self, call: Call<'_>, part: CurvePart) -> Option<Typed> {
+        self.names.note_quantity(call.name);
         let args = self.arguments(call, 1, 1)?;
         let argument = self.read(args[0]);
         let checked = self.values.curves.get(&call.name.node)?.clone();

@@ -13,6 +13,7 @@ use assur_text::units::{Dimension, Kind};
 impl Context<'_> {
     /// The value a name stands for.
     pub(crate) fn named(&mut self, name: &Name) -> Option<Typed> {
+        self.names.note_quantity(name);
         let Some(declared) = self.names.quantities.get(&name.node) else {
             return self.values.outside.key(&name.node).or_else(|| self.undeclared(name));
         };

@@ -73,7 +73,10 @@ fn shape(cx: &mut Context<'_>, link: LinkId, bar: Option<&Bar>, body: &Body) {
 /// A point that another member of the link refers to. Reports an unknown one, silent on one that has an error.
 pub(crate) fn known(cx: &mut Context<'_>, link: LinkId, points: &Points<'_>, name: &Name) -> Option<Vec2> {
     match points.get(name.node.as_str()) {
-        Some(point) => *point,
+        Some(point) => {
+            cx.names.note_inside(link, name);
+            *point
+        }
         None => cx.point(link, name),
     }
 }

@@ -19,9 +19,15 @@ pub fn is_linkage_pair(kind: JointKind) -> bool {
     matches!(kind, Revolute | Prismatic | Slot | Contact | Cylinder)
 }
 
+/// Whether a thing is a pair of a linkage.
+pub(crate) fn is_pair(kind: ThingKind) -> bool {
+    matches!(kind, ThingKind::Joint(kind) if is_linkage_pair(kind))
+}
+
 impl Context<'_> {
     /// The link of that name; `ground` too. Reports a name that is not one of a link.
     pub fn link(&mut self, name: &Name) -> Option<LinkId> {
+        self.names.note_thing(name);
         let found = self.find_link(&name.node);
         if found.is_none() {
             self.no_thing(name, "link", "a link", |kind| kind == ThingKind::Link);
@@ -67,6 +73,7 @@ impl Context<'_> {
     /// The pair of that name. Reports a name that is not one of a pair; silent where the pair has an error. Only once
     /// the pairs are in the mechanism.
     pub fn pair(&mut self, name: &Name) -> Option<PairId> {
+        self.names.note_thing(name);
         let found = self.find_pair(&name.node);
         if found.is_none() {
             // what is declared as one and is not in the mechanism has an error
@@ -82,6 +89,7 @@ impl Context<'_> {
 
     /// The asserted group of that name, as its place in `Mechanism::groups`.
     pub fn group(&mut self, name: &Name) -> Option<usize> {
+        self.names.note_thing(name);
         let found = self.builder.mech.groups.iter().position(|g| g.name == name.node);
         if found.is_none() {
             self.no_thing(name, "group", "a group", |kind| kind == ThingKind::Group);
@@ -134,6 +142,7 @@ impl Context<'_> {
         name: &Name,
         kind: &'static str,
     ) -> Option<T> {
+        self.names.note_inside(link, name);
         if found.is_some() {
             return found;
         }
@@ -178,6 +187,7 @@ impl Context<'_> {
         wanted: &str,
         fits: impl Fn(ThingKind) -> bool,
     ) {
+        self.names.note_thing(name);
         if let Some(declared) = self.names.things.get(&name.node) {
             if !fits(declared.what) && !self.names.bad.contains(&name.node) {
                 let (is, declared) = (declared.what.phrase(), Some(declared.span));
@@ -209,6 +219,10 @@ impl Context<'_> {
     /// The point that a name alone stands for: the pin or named point of the pair of that name, or the points of that
     /// name where a pin joins all of them. Reports what is unknown or ambiguous.
     pub fn point_of_shared_name(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {
+        if matches!(self.names.things.get(&name.node), Some(d) if is_pair(d.what)) {
+            self.names.note_thing(name);
+        }
+        self.names.note_points(name);
         let own = self.find_pair(&name.node).and_then(|id| place_of_pair(&self.builder.mech.pair(id).kind));
         let bearers = self.bearers(&name.node);
         let first = own.or_else(|| bearers.first().copied());
@@ -265,7 +279,7 @@ impl Context<'_> {
     fn no_point(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {
         let declared = |i: &Inside| i.points.contains_key(&name.node) || i.bad.contains(&name.node);
         let pair = self.names.things.get(&name.node).map(|d| d.what);
-        let pair = pair.filter(|kind| matches!(kind, ThingKind::Joint(kind) if is_linkage_pair(*kind)));
+        let pair = pair.filter(|kind| is_pair(*kind));
         if self.find_pair(&name.node).is_some() {
             let is = pair.map_or_else(|| "a pair".into(), ThingKind::phrase);
             self.error(NameError::WrongKind {

@@ -3,9 +3,8 @@
 use crate::error::{LinkError, MotionError};
 use crate::expr::context::Context;
 use crate::expr::want::Want;
-use crate::links::lookup::{is_linkage_pair, place_of_pair};
+use crate::links::lookup::{is_pair, place_of_pair};
 use crate::motion::drive::coordinate;
-use crate::names::declared::ThingKind;
 use crate::statements::lines::text;
 use assur_model::model;
 use assur_model::model::{Hint, HintKind, LinkPoint, PairId, PairKind, Positions};
@@ -132,7 +131,6 @@ fn point(cx: &mut Context<'_>, path: &Path) -> Option<LinkPoint> {
         let link = cx.link(head)?;
         return cx.point(link, tail).map(|at| (link, at));
     }
-    let is_pair = |kind| matches!(kind, ThingKind::Joint(kind) if is_linkage_pair(kind));
     if !cx.names.things.get(&head.node).is_some_and(|d| is_pair(d.what)) {
         return cx.point_of_shared_name(head);
     }

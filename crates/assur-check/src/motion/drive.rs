@@ -126,6 +126,7 @@ pub(crate) fn target(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(O
         return Some((Some(DriveTarget::Point(link, at)), Moves::Freely));
     }
     let name = &path.head;
+    cx.names.note_thing(name);
     match cx.names.things.get(&name.node).map(|d| d.what) {
         Some(ThingKind::Slider) => Some((cx.find_pair(&name.node).map(DriveTarget::Pair), Moves::Sliding)),
         Some(ThingKind::Joint(kind)) if is_linkage_pair(kind) => {

@@ -78,6 +78,7 @@ pub(crate) fn settings(
 
 fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<(DriveId, Expr)> {
     let span = setting.target.span();
+    cx.names.note_path(&setting.target);
     if let Some(index) = cx.builder.mech.drives.iter().position(|d| d.name == name) {
         let moves = moves(cx, cx.builder.mech.drives[index].target);
         return value(cx, &setting.value, moves, 0, name).map(|v| (DriveId::at(index), v));

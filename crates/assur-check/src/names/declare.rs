@@ -84,6 +84,7 @@ fn things(cx: &mut Scope<'_, '_>, statement: &Statement, span: Span) {
             let link = &mut cx.builder.mech.links[0];
             if link.span == Span::default() {
                 link.span = span;
+                cx.names.ground = Some(Span::new(span.start, span.start + "ground".len()));
             }
             if link.number.is_none() {
                 link.number = ground.number.as_ref().map(|n| n.node.clone());

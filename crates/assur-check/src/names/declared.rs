@@ -1,5 +1,6 @@
 //! Declared names: what they are and where.
 
+use crate::names::uses::Uses;
 use assur_model::model::{BalanceId, Link, LinkId, LoadId, Mechanism, PairId};
 use assur_syntax::document::{Balance, Column, Curve, Expect, Expr, FindItem, JointKind, Load};
 use assur_text::source::Span;
@@ -136,6 +137,10 @@ pub struct Names<'a> {
     pub bad: IndexSet<String>,
     /// The file follows a motion under loads: `time` is its instant.
     pub simulates: bool,
+    /// The word `ground`, where the ground is described.
+    pub ground: Option<Span>,
+    /// Where names are used.
+    pub uses: Uses,
 }
 
 impl Names<'_> {

@@ -9,3 +9,4 @@ pub mod result;
 pub mod scope;
 pub mod suggestion;
 pub mod taken;
+pub mod uses;

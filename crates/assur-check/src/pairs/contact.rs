@@ -55,6 +55,7 @@ pub(crate) fn contact(
 }
 
 fn profile(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Profile> {
+    cx.names.note_inside(end.link, &end.part);
     let rim =
         cx.builder.mech.link(end.link).cam_profiles.iter().find(|r| r.name == end.part.node).map(|r| r.cam);
     let shape = match cx.kind_inside(end.link, &end.part.node) {

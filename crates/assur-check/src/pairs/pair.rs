@@ -12,7 +12,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
 use assur_syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
 use assur_syntax::skeleton;
-use assur_text::source::{Span, Spanned};
+use assur_text::source::Span;
 
 /// Enters all pairs of the linkage into the mechanism.
 pub(crate) fn pairs(cx: &mut Context<'_>) {
@@ -138,7 +138,7 @@ fn joined(cx: &mut Context<'_>, joint: &Joint, end: &End) -> Option<Joined> {
         }
     };
     let link = cx.link(&path.head)?;
-    let part = path.tail.clone().unwrap_or_else(|| Spanned::new(joint.name.node.clone(), path.head.span));
+    let part = path.tail.as_ref().unwrap_or(&joint.name).clone();
     Some(Joined { link, part, span: path.span(), implied: path.tail.is_none() })
 }
 

@@ -259,6 +259,7 @@ fn instant(cx: &mut Context<'_>, settings: &[Setting]) -> Option<f64> {
 
 /// Reports a pose that does not exist.
 fn pose(cx: &mut Context<'_>, name: &Name) -> Option<()> {
+    cx.names.note_pose(name);
     let count = sweep(cx).map_or(Some(1), |(count, ..)| count);
     let number = name.node.parse::<usize>().ok();
     let in_sweep = number.is_some_and(|n| n >= 1 && count.is_none_or(|count| n <= count));

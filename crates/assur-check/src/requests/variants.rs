@@ -124,6 +124,7 @@ fn check_column(cx: &mut Context<'_>, column: &Column) -> Option<RowColumn> {
     let checked = |what, dimension, unit: Unit| {
         Some(RowColumn { name: name.node.clone(), unit, dimension, what, set: None })
     };
+    cx.names.note_quantity(name);
     let of_expect = |cx: &Context<'_>| cx.used_by_expect(&name.node);
     match cx.names.quantities.get(&name.node).map(|d| d.what) {
         Some(QuantityKind::Given(_)) => {

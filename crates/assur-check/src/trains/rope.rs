@@ -111,6 +111,7 @@ fn station(cx: &mut Context<'_>, end: &End) -> Option<Station> {
         End::Over(_) => Some(Station::Over),
         End::Under(name) => slider(cx, name).map(|(rate, link)| Station::Under(rate, link)),
         End::At(path) => {
+            cx.names.note_thing(&path.head);
             if path.head.node == "ground" {
                 if let Some(point) = &path.tail {
                     cx.point(LinkId::GROUND, point)?;
@@ -149,6 +150,7 @@ fn station(cx: &mut Context<'_>, end: &End) -> Option<Station> {
 }
 
 fn slider(cx: &mut Context<'_>, name: &Name) -> Option<(Rate, LinkId)> {
+    cx.names.note_thing(name);
     if !cx.names.things.get(&name.node).is_some_and(|d| d.what == ThingKind::Slider) {
         cx.no_thing(name, "slider", "a slider", |k| k == ThingKind::Slider);
         return None;

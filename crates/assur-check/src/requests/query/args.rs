@@ -6,7 +6,7 @@ use crate::expr::results::Call;
 use crate::names::declared::ThingKind;
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairId, PairKind};
-use assur_syntax::document::{Expr, ExprKind, Name};
+use assur_syntax::document::{Expr, ExprKind, Name, Path};
 use assur_text::source::{Span, Spanned};
 
 /// What turns or moves.
@@ -36,11 +36,19 @@ fn joined(head: &Name, tail: &Name) -> Name {
 }
 
 impl Context<'_> {
+    /// Notes the names of an argument that no other function looks up: a drive, a slider, the end of a rope.
+    pub(crate) fn note_names(&mut self, expr: &Expr) {
+        if let Some([head, tail @ ..]) = path(expr).as_deref() {
+            self.names.note_path(&Path { head: head.clone(), tail: tail.first().cloned() });
+        }
+    }
+
     /// An argument that names what moves.
     pub(crate) fn mover(&mut self, call: Call<'_>, expr: &Expr) -> Option<Mover> {
         let names = path(expr);
         match names.as_deref() {
             Some([name]) => {
+                self.names.note_thing(name);
                 if self.names.things.get(&name.node).is_some_and(|d| d.what == ThingKind::Slider) {
                     return Some(Mover::Slider);
                 }
@@ -63,6 +71,7 @@ impl Context<'_> {
     }
 
     fn link_of_cylinder(&mut self, head: &Name, tail: &Name, call: Call<'_>) -> Option<LinkId> {
+        self.names.note_thing(head);
         let name = joined(head, tail);
         if let Some(link) = self.find_link(&name.node) {
             return Some(link);

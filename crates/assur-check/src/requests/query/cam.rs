@@ -32,9 +32,10 @@ fn part_list() -> String {
 
 impl Context<'_> {
     /// The designed cam an expression names; `None` where it names none, `Some(None)` where that one has an error.
-    fn cam_of(&self, expr: &Expr) -> Option<Option<PlateCam>> {
+    fn cam_of(&mut self, expr: &Expr) -> Option<Option<PlateCam>> {
         let names = path(expr)?;
         let [name] = names.as_slice() else { return None };
+        self.names.note_thing(name);
         let is_cam = self.names.things.get(&name.node).is_some_and(|d| d.what == ThingKind::Cam);
         is_cam.then(|| self.builder.mech.cams.iter().find(|c| c.name == name.node).cloned())
     }
@@ -55,7 +56,7 @@ impl Context<'_> {
     }
 
     /// Whether the first argument names a designed cam.
-    pub(crate) fn asks_cam(&self, args: &[Arg]) -> bool {
+    pub(crate) fn asks_cam(&mut self, args: &[Arg]) -> bool {
         args.first().is_some_and(|a| self.cam_of(&a.value).is_some())
     }
 

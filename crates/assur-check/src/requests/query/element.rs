@@ -20,6 +20,7 @@ impl Context<'_> {
             return None;
         };
         let name = Spanned::new(name.clone(), args[0].span);
+        self.names.note_thing(&name);
         if self.names.things.get(&name.node).is_some_and(|d| fits(d.what)) {
             return Some(());
         }

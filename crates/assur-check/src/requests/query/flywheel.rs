@@ -69,6 +69,7 @@ impl Context<'_> {
             return None;
         };
         let name = Spanned::new(name.clone(), args[0].span);
+        self.names.note_quantity(&name);
         match self.names.quantities.get(&name.node).map(|d| d.what) {
             Some(QuantityKind::Flywheel(index)) => Some(index),
             Some(_) => {

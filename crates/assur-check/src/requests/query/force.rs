@@ -236,6 +236,7 @@ impl Context<'_> {
             self.error(RequestError::Argument { function, wanted, span: call.span, usage });
             return None;
         };
+        self.note_names(end);
         let named = path(end).map(|p| p.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join("."));
         match named {
             Some(name) if name == outer[0] => Some(0),
@@ -255,6 +256,7 @@ impl Context<'_> {
             self.wrong_argument(call, "a driven link or pair", args[0].span);
             return None;
         };
+        self.note_names(args[0]);
         let drive = self.drive(&names)?;
         let statement = self.drive_statements()[drive.index()];
         let vector = statement.target.tail.is_some();
@@ -319,6 +321,7 @@ impl Context<'_> {
             self.wrong_argument(call, "a load, an unknown effort or a drive", args[0].span);
             return None;
         };
+        self.names.note_quantity(&names[0]);
         let declared = self.names.quantities.get(&names[0].node).map(|d| (d.what, d.span));
         let query = match declared {
             Some((QuantityKind::Load(id, _) | QuantityKind::Brake(id), _)) if names.len() == 1 => {
@@ -337,6 +340,7 @@ impl Context<'_> {
                 return None;
             }
             _ => {
+                self.note_names(args[0]);
                 let drive = self.drive(&names)?;
                 self.own_effort(args[0])?;
                 Query::EffortPower(drive)

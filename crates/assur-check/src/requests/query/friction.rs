@@ -24,6 +24,7 @@ impl Context<'_> {
             self.wrong_argument(call, wanted, args[0].span);
             return None;
         };
+        self.names.note_quantity(&Spanned::new(name.clone(), args[0].span));
         match self.names.quantities.get(name).map(|d| d.what) {
             Some(QuantityKind::Given(_)) => {}
             Some(_) => {

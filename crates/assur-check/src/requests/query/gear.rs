@@ -119,6 +119,7 @@ impl Context<'_> {
         };
         let name = Spanned::new(name.clone(), expr.span);
         let fits = |k: ThingKind| k == ThingKind::Joint(JointKind::Mesh);
+        self.names.note_thing(&name);
         if self.names.things.get(&name.node).is_some_and(|d| fits(d.what)) {
             return self.gear_pair(&name.node, call.span);
         }

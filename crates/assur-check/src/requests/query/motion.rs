@@ -55,10 +55,12 @@ impl Context<'_> {
     }
 
     /// The pair of a slider on a rope.
-    fn slider(&self, expr: &Expr) -> Option<PairId> {
+    fn slider(&mut self, expr: &Expr) -> Option<PairId> {
         let ExprKind::Name(name) = &expr.kind else { return None };
         let is_slider = self.names.things.get(name).is_some_and(|d| d.what == ThingKind::Slider);
-        self.find_pair(name).filter(|_| is_slider)
+        let found = self.find_pair(name).filter(|_| is_slider)?;
+        self.note_names(expr);
+        Some(found)
     }
 
     /// `speed(A)`: the magnitude of a slider's velocity.

@@ -129,6 +129,9 @@ impl Context<'_> {
             self.wrong_argument(call, "the name of a load or a spring", args[0].span);
             return None;
         };
+        let whole = Spanned::new(name.clone(), args[0].span);
+        self.names.note_quantity(&whole);
+        self.names.note_thing(&whole);
         let power = match self.names.quantities.get(name).map(|d| d.what) {
             Some(QuantityKind::Load(id, _) | QuantityKind::Brake(id)) => Some(Query::LoadPower(id)),
             _ => self.spring_power(name),
@@ -205,6 +208,7 @@ impl Context<'_> {
 
     /// An event by its name. Reports what is none.
     pub(crate) fn event(&mut self, name: &Name) -> Option<usize> {
+        self.names.note_event(name);
         if let Some(index) = self.names.events.get_index_of(&name.node) {
             return Some(index);
         }

@@ -55,6 +55,7 @@ impl Context<'_> {
 
     fn path_as_value(&mut self, whole: &Expr, head: &Name, tail: &Name) -> Option<Typed> {
         let path = format!("{}.{}", head.node, tail.node);
+        self.names.note_thing(head);
         let Some(link) = self.find_link(&head.node) else {
             if self.find_link(&path).is_some() {
                 let help = Some(format!("ask for one of its quantities: `angle({path})` or `omega({path})`"));
@@ -63,6 +64,7 @@ impl Context<'_> {
             }
             return self.named(head);
         };
+        self.names.note_inside(link, tail);
         if self.kind_inside(link, &tail.node) == Some("point") {
             let help =
                 Some(format!("ask for one of its quantities: `position({path})` or `velocity({path})`"));

@@ -1,0 +1,189 @@
+//! What a text comes to: its answers at all positions.
+
+use super::Analysis;
+use super::lenses::in_words;
+use crate::exercise::{Outcome, mismatches};
+use crate::pipeline::{Sink, Solved, compile_document, is_long, solve_each};
+use crate::report::rows::AnswerColumns;
+use crate::report::{Answers, Precision};
+use assur_check::Overrides;
+use assur_model::model::{Display, Query, Value};
+use assur_solve::solve::{Conduct, Pose, PoseAnswers, Watch};
+use assur_syntax::document::Statement;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Span;
+use assur_text::units::Dimension;
+use indexmap::IndexMap;
+
+/// Digits of a value.
+const DIGITS: usize = 6;
+
+/// Asked at every position: whether to go on.
+pub type GoesOn<'g> = dyn Fn() -> bool + Sync + 'g;
+
+/// The values of one answer, one per position.
+#[derive(Clone, Debug)]
+struct Series {
+    display: Display,
+    values: Vec<Option<Value>>,
+}
+
+/// A solved text.
+#[derive(Debug)]
+pub struct Results {
+    pub(super) solved: Solved,
+    series: IndexMap<String, Series>,
+    /// What is wrong with it, failed expectations among it.
+    pub problems: Problems,
+}
+
+impl Analysis {
+    /// Solves the text; nothing where it cannot be, has very many positions, or is not to go on.
+    #[must_use]
+    pub fn solve(&self, goes_on: &GoesOn<'_>) -> Option<Results> {
+        let compiled = self.compiled.as_ref().filter(|compiled| !is_long(&compiled.model()));
+        if compiled.is_none() || self.problems.has_errors() {
+            return None;
+        }
+        let none = Overrides::none();
+        let (compiled, _) = compile_document(&self.source, &self.document, Problems::new(), &none);
+        let watch = |_, _| goes_on();
+        let (solved, problems) = solve_each(compiled?, &mut Watched { goes_on, watch: &watch });
+        // the keys of variants are those of their rows
+        let with_rows = self.document.statements.iter().any(|s| matches!(s.node, Statement::Variants(_)));
+        let solved = solved.ok().filter(|_| goes_on())?;
+        Some(Results::of(solved, if with_rows { None } else { Some(problems) }))
+    }
+}
+
+/// Keeps the positions as long as it is to go on.
+struct Watched<'g> {
+    goes_on: &'g GoesOn<'g>,
+    watch: &'g Watch<'g>,
+}
+
+impl Sink for Watched<'_> {
+    fn add(&mut self, _: &Answers<'_>, _: &Pose) -> bool {
+        (self.goes_on)()
+    }
+
+    fn conduct(&self) -> Conduct<'_> {
+        Conduct { watch: Some(self.watch), ..Conduct::default() }
+    }
+}
+
+impl Results {
+    fn of(mut solved: Solved, problems: Option<Problems>) -> Self {
+        match problems {
+            Some(mut problems) => {
+                problems.extend(mismatches(&solved.outcomes));
+                let series = series(&solved);
+                Self { solved, series, problems }
+            }
+            None => {
+                solved.outcomes.clear();
+                let series = series(&solved);
+                Self { solved, series, problems: Problems::new() }
+            }
+        }
+    }
+
+    /// An answer or a definition by its name: its value, or its range over all positions.
+    #[must_use]
+    pub fn value(&self, name: &str) -> Option<String> {
+        self.series.get(name)?.text()
+    }
+
+    /// The names of the answers that begin so, each with its value.
+    pub fn beginning<'r>(&'r self, with: &'r str) -> impl Iterator<Item = (&'r str, String)> {
+        let found = self.series.iter().filter(move |(name, _)| name.starts_with(with));
+        found.filter_map(|(name, series)| Some((name.as_str(), series.text()?)))
+    }
+
+    /// What a query gives, or its range over all positions.
+    #[must_use]
+    pub fn query(&self, query: &Query, dimension: Dimension) -> Option<String> {
+        let display = self.solved.compiled.mechanism.display_of(dimension);
+        let values = views(&self.solved).map(|view| view.map(|view| view.query(query))).collect();
+        Series { display, values }.text()
+    }
+
+    /// `✓`, or the answer that an expectation of a statement fails by.
+    #[must_use]
+    pub fn outcome(&self, statement: Span) -> Option<String> {
+        let own = || self.solved.outcomes.iter().filter(|o| o.span == statement);
+        let failed = own().filter(|o| !o.passed).collect::<Vec<&Outcome>>();
+        match (own().count(), failed.as_slice()) {
+            (0, _) => None,
+            (_, []) => Some("✓".to_owned()),
+            (1, [only]) => Some(format!("✗ {}", only.display.text(only.got, DIGITS))),
+            (all, [first, ..]) => {
+                let got = first.display.text(first.got, DIGITS);
+                Some(format!("✗ {} of {all}: {got}{}", failed.len(), first.place))
+            }
+        }
+    }
+
+    /// `3 of 3 expectations met`
+    #[must_use]
+    pub fn outcomes_in_words(&self) -> String {
+        in_words(&self.solved.outcomes)
+    }
+}
+
+/// The positions that are asked for, as answers see them; nothing for one without a solution.
+fn views(solved: &Solved) -> impl Iterator<Item = Option<PoseAnswers<'_>>> {
+    let answers = solved.answers(Precision::READABLE);
+    let model = answers.model;
+    answers.poses().map(move |pose| {
+        let found = pose.outcome.as_ref().ok()?;
+        Some(solved.solution.view(&model, found))
+    })
+}
+
+fn series(solved: &Solved) -> IndexMap<String, Series> {
+    let answers = solved.answers(Precision::READABLE);
+    let columns = AnswerColumns::of_file(&answers.model);
+    let whole = columns.whole(&answers);
+    let rows = answers.poses().map(|pose| columns.values(&answers, pose, &whole)).collect::<Vec<_>>();
+    let mut found = IndexMap::new();
+    for (index, (name, display)) in columns.names().zip(columns.displays()).enumerate() {
+        let of_poses = rows.iter().map(|row| row.get(index).copied().flatten()).collect::<Vec<_>>();
+        let values = if rows.is_empty() { vec![whole.get(index).copied().flatten()] } else { of_poses };
+        found.insert(name, Series { display: display.clone(), values });
+    }
+    for (index, quantity) in solved.compiled.mechanism.quantities.iter().enumerate() {
+        let values = views(solved).map(|view| view?.quantities.get(index).copied()).collect();
+        let series = Series { display: quantity.display.clone(), values };
+        found.entry(quantity.name.clone()).or_insert(series);
+    }
+    found
+}
+
+impl Series {
+    /// `12 N`, `3 … 12 N`, `true at 4 of 13`; nothing where there is no value.
+    fn text(&self) -> Option<String> {
+        let known = self.values.iter().flatten().copied().collect::<Vec<_>>();
+        let (first, rest) = known.split_first()?;
+        if rest.iter().all(|value| value == first) {
+            return Some(self.display.text(*first, DIGITS));
+        }
+        let numbers = known.iter().filter_map(|value| match value {
+            Value::Scalar(x) => Some(*x),
+            Value::Vector(v) => Some(v.norm()),
+            Value::Bool(_) => None,
+        });
+        let numbers = numbers.collect::<Vec<_>>();
+        if numbers.is_empty() {
+            let count = known.iter().filter(|value| **value == Value::Bool(true)).count();
+            return Some(format!("true at {count} of {}", known.len()));
+        }
+        let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [least, most] =
+            [least, most].map(|x| if x.abs() < 1e-12 * most.abs().max(least.abs()) { 0.0 } else { x });
+        let from = self.display.figures(Value::Scalar(least), DIGITS);
+        let range = format!("{from} … {}", self.display.text(Value::Scalar(most), DIGITS));
+        Some(if matches!(first, Value::Vector(_)) { format!("magnitude {range}") } else { range })
+    }
+}

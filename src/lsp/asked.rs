@@ -1,0 +1,179 @@
+//! An open text of which something is asked, and what is found in it in the words of the protocol.
+
+use super::convert::{edits, range, span};
+use super::error::Failure;
+use crate::editor::{Analysis, Declaration, Hover, Results, Symbol, SymbolKind};
+use assur_text::diagnostic::{Fix, Problem};
+use assur_text::source::{Edit, Encoding, Lines, Span};
+use gen_lsp_types::{
+    CodeAction, CodeActionKind, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DocumentSymbol,
+    FoldingRange, Location, MarkupContent, MarkupKind, Position, TextEdit, WorkspaceEdit,
+};
+use miette::Severity;
+use serde_json::{Value, json};
+use std::collections::HashMap;
+
+/// A text that is looked at.
+pub struct Asked<'a> {
+    pub uri: &'a str,
+    pub analysis: &'a Analysis,
+    /// Its answers, where it is solved.
+    pub results: Option<&'a Results>,
+    pub lines: Lines<'a>,
+    pub encoding: Encoding,
+}
+
+/// What is wrong with a text, with what its answers show where it is solved.
+pub fn diagnostics(
+    uri: &str,
+    analysis: &Analysis,
+    results: Option<&Results>,
+    encoding: Encoding,
+) -> Vec<Diagnostic> {
+    let lines = Lines::of(&analysis.source.text);
+    let text = Asked { uri, analysis, results, lines, encoding };
+    let solved = results.map(|results| results.problems.sorted()).unwrap_or_default();
+    let all = analysis.problems.sorted().into_iter().chain(solved);
+    all.map(|problem| text.diagnostic(problem)).collect()
+}
+
+impl Asked<'_> {
+    pub fn span(&self, range: gen_lsp_types::Range) -> Result<Span, Failure> {
+        span(&self.lines, range, self.encoding)
+    }
+
+    /// The byte at a position.
+    pub fn byte(&self, at: Position) -> Result<usize, Failure> {
+        Ok(self.span(gen_lsp_types::Range { start: at, end: at })?.start)
+    }
+
+    pub fn range(&self, span: Span) -> gen_lsp_types::Range {
+        range(&self.lines, span, self.encoding)
+    }
+
+    pub fn edits(&self, edits_of: &[Edit]) -> Vec<TextEdit> {
+        edits(&self.lines, edits_of, self.encoding)
+    }
+
+    fn diagnostic(&self, problem: &dyn Problem) -> Diagnostic {
+        let mut labels = problem.labels().map(Iterator::collect::<Vec<_>>).unwrap_or_default();
+        labels.sort_by_key(|label| !label.primary());
+        let places = labels.iter().map(|label| {
+            let at = Span::new(label.offset(), label.offset() + label.len());
+            (self.range(at), label.label().unwrap_or_default().to_owned())
+        });
+        let mut places = places.collect::<Vec<_>>().into_iter();
+        let (range, _) = places.next().unwrap_or_default();
+        let related = places.map(|(range, message)| {
+            let location = Location { uri: self.uri.into(), range };
+            DiagnosticRelatedInformation { location, message }
+        });
+        let code = problem.code().map(|code| code.to_string());
+        let help = problem.help().map(|help| format!("\nhelp: {help}")).unwrap_or_default();
+        Diagnostic {
+            range,
+            severity: Some(match problem.severity() {
+                Some(Severity::Advice) => DiagnosticSeverity::Information,
+                Some(Severity::Warning) => DiagnosticSeverity::Warning,
+                _ => DiagnosticSeverity::Error,
+            }),
+            code: code.map(Into::into),
+            code_description: None,
+            source: Some("assur".to_owned()),
+            message: format!("{problem}{help}").into(),
+            tags: None,
+            related_information: Some(related.collect()),
+            data: None,
+        }
+    }
+
+    /// The edits that put the lines of a range in the one style.
+    pub fn formatting(&self, range: gen_lsp_types::Range) -> Result<Vec<TextEdit>, Failure> {
+        let at = self.span(range)?;
+        let line = |byte| self.lines.place(byte, self.encoding).line + 1;
+        Ok(self.edits(&self.analysis.formatting(Some(line(at.start)..=line(at.end)))))
+    }
+
+    /// The fixes at a place, and all certain ones at once.
+    pub fn actions(&self, at: Span) -> Vec<CodeAction> {
+        let fixes = self.analysis.fixes_at(at);
+        let fixes = fixes.into_iter().map(|(problem, fix)| self.action(problem, &fix));
+        let mut actions = fixes.collect::<Vec<_>>();
+        let all = self.analysis.certain_edits();
+        if !all.is_empty() {
+            actions.push(CodeAction {
+                title: "fix all that is certain".to_owned(),
+                kind: Some(CodeActionKind::SourceFixAll),
+                edit: Some(self.change(&all)),
+                ..CodeAction::default()
+            });
+        }
+        actions
+    }
+
+    fn action(&self, problem: &dyn Problem, fix: &Fix) -> CodeAction {
+        CodeAction {
+            title: fix.title.clone(),
+            kind: Some(CodeActionKind::QuickFix),
+            diagnostics: Some(vec![self.diagnostic(problem)]),
+            is_preferred: Some(fix.certain),
+            edit: Some(self.change(&fix.edits)),
+            ..CodeAction::default()
+        }
+    }
+
+    pub fn change(&self, edits: &[Edit]) -> WorkspaceEdit {
+        let changes = HashMap::from([(self.uri.into(), self.edits(edits))]);
+        WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() }
+    }
+
+    /// The declarations in whose names a text is.
+    pub fn symbols_called(&self, query: &str) -> Vec<Value> {
+        let called = self.analysis.names.declared().filter(|d| d.name.to_lowercase().contains(query));
+        let symbol = |d: &Declaration| {
+            let location = Location { uri: self.uri.into(), range: self.range(d.at) };
+            json!({ "name": d.name, "kind": kind(d.kind), "location": location, "containerName": d.owner })
+        };
+        called.map(symbol).collect()
+    }
+
+    pub fn symbol(&self, symbol: &Symbol) -> DocumentSymbol {
+        let parts = symbol.parts.iter().map(|part| self.symbol(part)).collect::<Vec<_>>();
+        #[allow(deprecated, reason = "the type has no other way to be made than with all of its fields")]
+        DocumentSymbol {
+            name: symbol.name.clone(),
+            detail: None,
+            kind: kind(symbol.kind),
+            tags: None,
+            deprecated: None,
+            range: self.range(symbol.whole),
+            selection_range: self.range(symbol.at),
+            children: (!parts.is_empty()).then_some(parts),
+        }
+    }
+
+    pub fn hover(&self, hover: Hover) -> gen_lsp_types::Hover {
+        let contents = MarkupContent { kind: MarkupKind::Markdown, value: hover.text };
+        gen_lsp_types::Hover { contents: contents.into(), range: Some(self.range(hover.at)) }
+    }
+
+    pub fn fold(&self, span: Span) -> FoldingRange {
+        let range = self.range(span);
+        FoldingRange { start_line: range.start.line, end_line: range.end.line, ..FoldingRange::default() }
+    }
+}
+
+/// What a symbol is called in the protocol.
+const fn kind(kind: SymbolKind) -> gen_lsp_types::SymbolKind {
+    use gen_lsp_types::SymbolKind as Kind;
+    match kind {
+        SymbolKind::Given => Kind::Constant,
+        SymbolKind::Derived | SymbolKind::Answer => Kind::Variable,
+        SymbolKind::Link => Kind::Class,
+        SymbolKind::Point | SymbolKind::Shape | SymbolKind::Wheel => Kind::Field,
+        SymbolKind::Pair => Kind::Interface,
+        SymbolKind::Element => Kind::Object,
+        SymbolKind::Load | SymbolKind::Pose | SymbolKind::Event => Kind::Event,
+        SymbolKind::Group => Kind::Namespace,
+    }
+}
