@@ -302,7 +302,7 @@ pub(super) const fn template(message: Message) -> &'static str {
             "Cam {0} has turned by {1} from where its x axis points to the follower; its law there gives the lift {2}, and its derivatives by the cam angle (′, ″):"
         }
         Message::CamTurnedBy => {
-            "Cam {0} stands where its law has the lift {2} of the follower; {1} is the angle by which the cam has turned from where its x axis points to the follower:"
+            "Cam {0} is where its law has the lift {2} of the follower; {1} is the angle by which the cam has turned from where its x axis points to the follower:"
         }
         Message::LiftBegins => {
             "The lift begins where the follower is at the distance {0} from the cam’s centre:"
