@@ -107,6 +107,14 @@ fn hints_show_structure_values_and_outcomes() {
 }
 
 #[test]
+fn positions_that_cannot_be_are_reported() {
+    let (_, said) =
+        solved(&ENGINE.replace("let l = 3.5*r", "let l = 0.5*r").replace("45 deg at", "90 deg at"));
+    let found = said[0]["params"]["diagnostics"].to_string();
+    assert!(found.contains("mech::assembly::") && found.contains("help:"), "{found}");
+}
+
+#[test]
 fn solving_waits_for_messages() {
     let (mut server, _) = session(ENGINE, "utf-16");
     let everything = json!({ "range": range((0, 0), (19, 0)) });
