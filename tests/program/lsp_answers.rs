@@ -62,9 +62,12 @@ fn names_are_explained_with_their_values() {
         assert!(rod.contains(part), "{part} in {rod}");
     }
     let hinge = hover(&mut server, 10, 9);
-    for part in
-        ["revolute B: crank - rod", "joins `crank` and `rod`", "`reaction(B, rod)` = (", "`position(rod.B)`"]
-    {
+    for part in [
+        "revolute B: crank - rod",
+        "a pin: two links turn on each other; joins `crank` and `rod`",
+        "`reaction(B, rod)` = (",
+        "`position(rod.B)`",
+    ] {
         assert!(hinge.contains(part), "{part} in {hinge}");
     }
     assert!(hover(&mut server, 4, 12).ends_with("`r` = 100 mm"));
