@@ -6,6 +6,7 @@ use super::{Analysis, Hover, Results};
 use crate::pipeline::Compiled;
 use crate::report::groups_in_order;
 use assur_model::model::{LinkId, PairId, PairKind, PointRef, Query, Value};
+use assur_text::language::PAIRS;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -97,7 +98,9 @@ impl Analysis {
         let Some(index) = mechanism.pairs.iter().position(|p| p.name == *name) else { return Vec::new() };
         let kind = &mechanism.pairs[index].kind;
         let links = kind.links().iter().map(|l| format!("`{}`", mechanism.link(*l).name)).collect::<Vec<_>>();
-        let mut facts = vec![format!("joins {}", links.join(" and "))];
+        let means = self.shown(declared.whole).split(' ').next().and_then(meaning);
+        let means = means.map_or_else(String::new, |means| format!("{means}; "));
+        let mut facts = vec![format!("{means}joins {}", links.join(" and "))];
         let dimension = match kind {
             PairKind::Revolute(pins) if pins.len() == 2 => Some(Dimension::ANGLE),
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => Some(Dimension::LENGTH),
@@ -115,6 +118,11 @@ impl Analysis {
         }
         facts
     }
+}
+
+/// What the word of a pair means.
+fn meaning(word: &str) -> Option<&'static str> {
+    PAIRS.iter().find(|row| row.word == word).map(|row| row.means)
 }
 
 fn mass(compiled: &Compiled, link: &str) -> Option<String> {

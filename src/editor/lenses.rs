@@ -60,9 +60,9 @@ impl Analysis {
     #[must_use]
     pub fn solved_page(&self, results: Option<&Results>) -> String {
         let solved_now = if results.is_some() { None } else { self.solve(&|| true) };
-        match results.or(solved_now.as_ref()) {
-            Some(results) => {
-                let answers = results.solved.answers(Precision::READABLE);
+        match results.or(solved_now.as_ref()).and_then(|results| results.solved.as_ref()) {
+            Some(solved) => {
+                let answers = solved.answers(Precision::READABLE);
                 let report = of_answers(&self.source.name, &answers, AccuracyShown::Worst);
                 Page::Text(Look::PLAIN).render(&report)
             }

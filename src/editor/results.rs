@@ -31,7 +31,8 @@ struct Series {
 /// A solved text.
 #[derive(Debug)]
 pub struct Results {
-    pub(super) solved: Solved,
+    /// Its positions; nothing where there is none.
+    pub(super) solved: Option<Solved>,
     series: IndexMap<String, Series>,
     /// What is wrong with it, failed expectations among it.
     pub problems: Problems,
@@ -51,8 +52,7 @@ impl Analysis {
         let (solved, problems) = solve_each(compiled?, &mut Watched { goes_on, watch: &watch });
         // the keys of variants are those of their rows
         let with_rows = self.document.statements.iter().any(|s| matches!(s.node, Statement::Variants(_)));
-        let solved = solved.ok().filter(|_| goes_on())?;
-        Some(Results::of(solved, if with_rows { None } else { Some(problems) }))
+        goes_on().then(|| Results::of(solved.ok(), problems, with_rows))
     }
 }
 
@@ -73,19 +73,14 @@ impl Sink for Watched<'_> {
 }
 
 impl Results {
-    fn of(mut solved: Solved, problems: Option<Problems>) -> Self {
-        match problems {
-            Some(mut problems) => {
-                problems.extend(mismatches(&solved.outcomes));
-                let series = series(&solved);
-                Self { solved, series, problems }
-            }
-            None => {
-                solved.outcomes.clear();
-                let series = series(&solved);
-                Self { solved, series, problems: Problems::new() }
-            }
+    fn of(mut solved: Option<Solved>, mut problems: Problems, with_rows: bool) -> Self {
+        if with_rows {
+            problems = Problems::new();
+            solved.iter_mut().for_each(|solved| solved.outcomes.clear());
         }
+        problems.extend(solved.iter().flat_map(|solved| mismatches(&solved.outcomes)));
+        let series = solved.as_ref().map(series).unwrap_or_default();
+        Self { solved, series, problems }
     }
 
     /// An answer or a definition by its name: its value, or its range over all positions.
@@ -103,15 +98,17 @@ impl Results {
     /// What a query gives, or its range over all positions.
     #[must_use]
     pub fn query(&self, query: &Query, dimension: Dimension) -> Option<String> {
-        let display = self.solved.compiled.mechanism.display_of(dimension);
-        let values = views(&self.solved).map(|view| view.map(|view| view.query(query))).collect();
+        let solved = self.solved.as_ref()?;
+        let display = solved.compiled.mechanism.display_of(dimension);
+        let values = views(solved).map(|view| view.map(|view| view.query(query))).collect();
         Series { display, values }.text()
     }
 
     /// `✓`, or the answer that an expectation of a statement fails by.
     #[must_use]
     pub fn outcome(&self, statement: Span) -> Option<String> {
-        let own = || self.solved.outcomes.iter().filter(|o| o.span == statement);
+        let solved = self.solved.as_ref()?;
+        let own = || solved.outcomes.iter().filter(|o| o.span == statement);
         let failed = own().filter(|o| !o.passed).collect::<Vec<&Outcome>>();
         match (own().count(), failed.as_slice()) {
             (0, _) => None,
@@ -127,7 +124,7 @@ impl Results {
     /// `3 of 3 expectations met`
     #[must_use]
     pub fn outcomes_in_words(&self) -> String {
-        in_words(&self.solved.outcomes)
+        self.solved.as_ref().map_or_else(|| "no solution".to_owned(), |solved| in_words(&solved.outcomes))
     }
 }
 

@@ -62,9 +62,12 @@ fn names_are_explained_with_their_values() {
         assert!(rod.contains(part), "{part} in {rod}");
     }
     let hinge = hover(&mut server, 10, 9);
-    for part in
-        ["revolute B: crank - rod", "joins `crank` and `rod`", "`reaction(B, rod)` = (", "`position(rod.B)`"]
-    {
+    for part in [
+        "revolute B: crank - rod",
+        "a pin: two links turn on each other; joins `crank` and `rod`",
+        "`reaction(B, rod)` = (",
+        "`position(rod.B)`",
+    ] {
         assert!(hinge.contains(part), "{part} in {hinge}");
     }
     assert!(hover(&mut server, 4, 12).ends_with("`r` = 100 mm"));
@@ -104,6 +107,14 @@ fn hints_show_structure_values_and_outcomes() {
     };
     assert!(execute("assur.solve").is_some_and(|page| page.contains("Mb") && page.contains("472.519")));
     assert_eq!(execute("assur.test").as_deref(), Some("1 of 2 expectations fail"));
+}
+
+#[test]
+fn positions_that_cannot_be_are_reported() {
+    let (_, said) =
+        solved(&ENGINE.replace("let l = 3.5*r", "let l = 0.5*r").replace("45 deg at", "90 deg at"));
+    let found = said[0]["params"]["diagnostics"].to_string();
+    assert!(found.contains("mech::assembly::") && found.contains("help:"), "{found}");
 }
 
 #[test]

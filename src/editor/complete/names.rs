@@ -5,6 +5,7 @@ use super::place::Place;
 use super::{Completion, CompletionKind, words};
 use assur_syntax::TokenKind;
 use assur_text::language::{COLLECTIONS, FUNCTIONS, Function, JointKind, Takes};
+use indexmap::IndexMap;
 
 const VALUES: &[SymbolKind] =
     &[SymbolKind::Given, SymbolKind::Derived, SymbolKind::Load, SymbolKind::Element, SymbolKind::Answer];
@@ -168,7 +169,7 @@ fn name(label: &str, declared: &Declaration) -> Completion {
 }
 
 fn distinct(all: impl Iterator<Item = Completion>) -> Vec<Completion> {
-    let mut found: indexmap::IndexMap<String, Completion> = indexmap::IndexMap::new();
+    let mut found: IndexMap<String, Completion> = IndexMap::new();
     for one in all {
         found.entry(one.label.clone()).or_insert(one);
     }
