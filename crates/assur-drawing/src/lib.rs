@@ -1,5 +1,6 @@
 //! Pictures without mechanics: marks in millimetres of paper, x to the right and y down, labels that never overlap, SVG.
 
+mod board;
 mod drawing;
 mod geometry;
 mod glyph;

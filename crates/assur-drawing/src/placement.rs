@@ -2,6 +2,7 @@
 //! each moves to something cheaper or takes the place of one neighbour where both together gain. What finds no place is put
 //! outside by `outside`. Nothing is random, so that the same labels come to the same places.
 
+use crate::board::Board;
 use crate::geometry::{Rect, Segment};
 use crate::grid::{Grid, bounds, pieces, touches};
 use crate::label::{Anchor, Label};
@@ -30,9 +31,9 @@ const PER_PART: f64 = 4.0;
 
 /// A place that a label may take.
 #[derive(Clone, Copy, Debug)]
-struct Candidate {
-    bounds: Rect,
-    cost: f64,
+pub(crate) struct Candidate {
+    pub bounds: Rect,
+    pub cost: f64,
 }
 
 /// What there is later, where the marks move and labels with them.
@@ -46,9 +47,6 @@ pub struct Later {
 
 /// Price of a place that marks lie on in all later frames, in millimetres of distance.
 const LATER: f64 = 20.0;
-/// The part of the later frames in which two labels may overlap.
-const PASSING: f64 = 0.1;
-
 /// The boxes of all labels, in their order; none for those that found no place.
 pub fn place(marks: &[Mark], labels: &[Label], later: &[Later]) -> Vec<Option<Rect>> {
     let mut all = Rect::NOTHING;
@@ -98,14 +96,7 @@ pub fn place(marks: &[Mark], labels: &[Label], later: &[Later]) -> Vec<Option<Re
             break;
         }
     }
-    // better in the way later than outside
-    board.later = &[];
-    for &label in &order {
-        if board.chosen[label].is_none() {
-            board.take_cheapest(label);
-        }
-    }
-    board.chosen.iter().zip(&candidates).map(|(chosen, all)| chosen.map(|c| all[c].bounds)).collect()
+    board.end(&order)
 }
 
 /// What is drawn.
@@ -216,124 +207,4 @@ fn beyond(from: Vec2, direction: Vec2, distance: f64, half: Vec2) -> Rect {
     let near = from + direction * distance;
     let centre = near + Vec2::new(half.x * direction.x / largest, half.y * direction.y / largest);
     Rect::around(centre, half)
-}
-
-/// Who sits where.
-struct Board<'a> {
-    candidates: &'a [Vec<Candidate>],
-    later: &'a [Later],
-    chosen: Vec<Option<usize>>,
-    /// The places that labels have, or had.
-    boxes: Vec<Rect>,
-    /// Labels by the cells of the places that they have.
-    taken: Grid<usize>,
-    ranks: Vec<u8>,
-}
-
-/// What it costs to have no place inside, mm.
-const OUTSIDE: f64 = 60.0;
-
-impl<'a> Board<'a> {
-    fn new(labels: &[Label], candidates: &'a [Vec<Candidate>], later: &'a [Later], around: &Rect) -> Self {
-        let taken = Grid::knowing((0..labels.len()).collect(), around);
-        let ranks = labels.iter().map(|l| l.rank).collect();
-        let (chosen, boxes) = (vec![None; candidates.len()], vec![Rect::NOTHING; candidates.len()]);
-        Self { candidates, later, chosen, boxes, taken, ranks }
-    }
-
-    fn cost(&self, label: usize) -> f64 {
-        match self.chosen[label] {
-            Some(number) => self.candidates[label][number].cost,
-            None => OUTSIDE - f64::from(self.ranks[label]),
-        }
-    }
-
-    /// Moves a label to another place, or to none.
-    fn choose(&mut self, label: usize, number: Option<usize>) {
-        let all = &self.candidates[label];
-        if let Some(old) = self.chosen[label] {
-            self.taken.put(label, &all[old].bounds, false);
-        }
-        if let Some(new) = number {
-            self.taken.put(label, &all[new].bounds, true);
-            self.boxes[label] = all[new].bounds;
-        }
-        self.chosen[label] = number;
-    }
-
-    /// The first labels whose boxes overlap a place: one of them where no more are wanted, else two.
-    fn in_the_way(&self, label: usize, bounds: &Rect, both: bool) -> [Option<usize>; 2] {
-        let wanted = bounds.grown(APART);
-        let mut found = [None; 2];
-        self.taken.any(&wanted, |&other| {
-            if other == label || found[0] == Some(other) || !self.boxes[other].overlaps(&wanted) {
-                return false;
-            }
-            found[usize::from(found[0].is_some())] = Some(other);
-            !both || found[1].is_some()
-        });
-        if !self.later.is_empty() && found[usize::from(both)].is_none() {
-            self.in_the_way_later(label, bounds, &mut found);
-        }
-        found
-    }
-
-    /// Adds those that overlap it in too many of the later frames.
-    fn in_the_way_later(&self, label: usize, bounds: &Rect, found: &mut [Option<usize>; 2]) {
-        for other in (0..self.chosen.len()).filter(|o| *o != label && self.chosen[*o].is_some()) {
-            let on = |l: &&Later| {
-                self.boxes[other].shifted(l.shifts[other]).overlaps(&bounds.shifted(l.shifts[label]))
-            };
-            let passes = || self.later.iter().filter(on).count() as f64 <= PASSING * self.later.len() as f64;
-            if found.contains(&Some(other)) || passes() {
-                continue;
-            }
-            found[usize::from(found[0].is_some())] = Some(other);
-            if found[1].is_some() {
-                return;
-            }
-        }
-    }
-
-    fn take_cheapest(&mut self, label: usize) {
-        let number = self.cheapest(label, f64::INFINITY);
-        self.choose(label, number);
-    }
-
-    /// The cheapest place that is free and costs less.
-    fn cheapest(&self, label: usize, below: f64) -> Option<usize> {
-        let all = &self.candidates[label];
-        (0..all.len())
-            .take_while(|number| all[*number].cost < below)
-            .find(|number| self.in_the_way(label, &all[*number].bounds, false)[0].is_none())
-    }
-
-    /// Moves a label to a cheaper place, where needed by moving one neighbour; whether anything changed.
-    fn improve(&mut self, label: usize) -> bool {
-        let own = self.cost(label);
-        let free = self.cheapest(label, own - 1e-9);
-        let reached = free.map_or(own, |number| self.candidates[label][number].cost);
-        for number in 0..self.candidates[label].len() {
-            let candidate = self.candidates[label][number];
-            if candidate.cost >= reached - 1e-9 {
-                break;
-            }
-            let [Some(neighbour), None] = self.in_the_way(label, &candidate.bounds, true) else { continue };
-            let before = self.cost(neighbour);
-            let (old, old_neighbour) = (self.chosen[label], self.chosen[neighbour]);
-            self.choose(neighbour, None);
-            self.choose(label, Some(number));
-            let most = reached - candidate.cost + before;
-            if let Some(moved) = self.cheapest(neighbour, most - 1e-9) {
-                self.choose(neighbour, Some(moved));
-                return true;
-            }
-            self.choose(label, old);
-            self.choose(neighbour, old_neighbour);
-        }
-        if free.is_some() {
-            self.choose(label, free);
-        }
-        free.is_some()
-    }
 }
