@@ -181,4 +181,4 @@ def load(
     within: float | None = None,
 ) -> Problem:
     """Compiles a file: see :func:`compile`."""
-    return compile(Path(path).read_text(encoding="utf-8"), name=str(path), set=set, within=within)
+    return compile(Path(path).read_bytes().decode("utf-8"), name=str(path), set=set, within=within)
