@@ -1,17 +1,19 @@
 //! A text that is checked once, and solved at any positions.
 
-use super::columns::{Columns, Filling};
+use super::again::OnePosition;
+use super::columns::{Blank, Columns, Filling};
 use super::diagnostics::Diagnostics;
-use super::positions::{self, Drive, DrivePositions, PositionsError};
+use super::positions::{self, Drive, GivenPositions, PositionsError};
 use super::solution::Expectation;
 use super::workers::Workers;
 use crate::exercise;
 use crate::pipeline::{Compiled, followed, solve_conducted};
 use crate::report::{Answers, Precision};
 use assur_model::model::Mechanism;
-use assur_solve::solve::{Conduct, Model};
+use assur_solve::solve::{Conduct, Model, Watch};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
+use std::sync::{Mutex, OnceLock};
 use thiserror::Error;
 
 /// A text without errors, ready to be solved.
@@ -22,6 +24,8 @@ pub struct Checked {
     /// Warnings of the check.
     problems: Problems,
     within: Option<f64>,
+    blank: OnceLock<Blank>,
+    one: Mutex<Option<OnePosition>>,
 }
 
 /// Why there are no columns.
@@ -39,13 +43,9 @@ pub enum ColumnsError {
 }
 
 impl Checked {
-    pub(super) const fn new(
-        source: Source,
-        compiled: Compiled,
-        problems: Problems,
-        within: Option<f64>,
-    ) -> Self {
-        Self { source, compiled, problems, within }
+    pub(super) fn new(source: Source, compiled: Compiled, problems: Problems, within: Option<f64>) -> Self {
+        let (blank, one) = (OnceLock::new(), Mutex::new(None));
+        Self { source, compiled, problems, within, blank, one }
     }
 
     /// The drives, in the order of the text.
@@ -59,7 +59,7 @@ impl Checked {
     /// # Errors
     /// The diagnostics of a text that cannot be solved. Positions without a solution are listed in [`Columns::failures`].
     pub fn columns(&self, workers: &dyn Workers) -> Result<Columns, ColumnsError> {
-        self.filled(&self.compiled.mechanism, workers)
+        self.filled(&self.compiled.mechanism, 0, workers)
     }
 
     /// Solves the text at other positions: by the names of its drives, without a name for the only one. A drive that is not named keeps
@@ -67,27 +67,49 @@ impl Checked {
     ///
     /// # Errors
     /// Positions that cannot be used, and as [`Checked::columns`].
-    pub fn columns_at(
-        &self,
-        given: Vec<(Option<String>, DrivePositions)>,
-        workers: &dyn Workers,
-    ) -> Result<Columns, ColumnsError> {
-        let empty = given.iter().any(|(_, positions)| positions.is_empty());
+    pub fn columns_at(&self, given: GivenPositions, workers: &dyn Workers) -> Result<Columns, ColumnsError> {
+        let lengths = given.iter().map(|(_, positions)| positions.len());
+        let (least, most) = (lengths.clone().min().unwrap_or(0), lengths.max().unwrap_or(0));
+        if (least, most) == (1, 1) && self.within.is_none() {
+            let filling = self.filling(workers, &|_, _| true);
+            if let Some(columns) = self.at_one(given.clone(), filling)? {
+                return Ok(Columns { diagnostics: Diagnostics::of(&self.problems, &self.source), ..columns });
+            }
+        }
+        let empty = !given.is_empty() && least == 0;
         let moved = positions::moved(&self.compiled.mechanism, given)?;
         if empty {
-            return Ok(Filling::of(&self.model(&moved), workers, &|_, _| true).end());
+            return Ok(self.filling(workers, &|_, _| true).end());
         }
-        self.filled(&moved, workers)
+        self.filled(&moved, most, workers)
+    }
+
+    /// In the memory of the last position, if nobody else uses it.
+    fn at_one(&self, given: GivenPositions, filling: Filling<'_>) -> Result<Option<Columns>, PositionsError> {
+        let Ok(mut one) = self.one.try_lock() else { return Ok(None) };
+        let one = one.get_or_insert_with(|| OnePosition::of(&self.compiled));
+        one.solve(&self.compiled, given, filling)
+    }
+
+    fn filling<'w>(&self, workers: &'w dyn Workers, watch: &'w Watch<'w>) -> Filling<'w> {
+        let blank = self.blank.get_or_init(|| Blank::of(&self.compiled.model()));
+        Filling::of(blank.clone(), workers, watch)
     }
 
     const fn model<'m>(&'m self, mechanism: &'m Mechanism) -> Model<'m> {
         Model { mechanism, structure: &self.compiled.structure, plan: &self.compiled.plan }
     }
 
-    fn filled(&self, mechanism: &Mechanism, workers: &dyn Workers) -> Result<Columns, ColumnsError> {
+    fn filled(
+        &self,
+        mechanism: &Mechanism,
+        count: usize,
+        workers: &dyn Workers,
+    ) -> Result<Columns, ColumnsError> {
         let watch = |_: f64, _: f64| workers.goes_on();
         let model = self.model(mechanism);
-        let mut filling = Filling::of(&model, workers, &watch);
+        let mut filling = self.filling(workers, &watch);
+        filling.reserve(count);
         let (found, mut problems) = match self.within {
             None => self.each_position(&model, &mut filling),
             Some(within) => self.accurate(mechanism, within, &mut filling),

@@ -92,6 +92,15 @@ pub struct PoseFailure {
     pub message: String,
 }
 
+/// The columns of a text without a position yet.
+#[derive(Clone, Debug)]
+pub(super) struct Blank {
+    columns: Columns,
+    rows: NumberRows,
+    /// They show angles.
+    angles: bool,
+}
+
 /// Takes positions and makes columns of them.
 pub(super) struct Filling<'w> {
     columns: Columns,
@@ -113,8 +122,8 @@ struct Piece {
     cells: Vec<Vec<f64>>,
 }
 
-impl<'w> Filling<'w> {
-    pub fn of(model: &Model<'_>, workers: &'w dyn Workers, watch: &'w Watch<'w>) -> Self {
+impl Blank {
+    pub fn of(model: &Model<'_>) -> Self {
         let written = AnswerColumns::of_file(model).each_once();
         let in_units = written.fields(model.mechanism);
         let si = written.in_si();
@@ -128,8 +137,23 @@ impl<'w> Filling<'w> {
         let columns = si.fields(model.mechanism).into_iter().zip(in_units).map(column).collect();
         let columns = Columns { pose_header: si.pose_header().to_owned(), columns, ..Columns::default() };
         let rows = NumberRows::of(si);
-        let (angles, row, pieces) = (rows.reads_angles(model), Vec::new(), Vec::new());
-        Self { columns, rows, angles, row, pieces, workers, watch, goes_on: true }
+        let angles = rows.reads_angles(model);
+        Self { columns, rows, angles }
+    }
+}
+
+impl<'w> Filling<'w> {
+    pub fn of(blank: Blank, workers: &'w dyn Workers, watch: &'w Watch<'w>) -> Self {
+        let Blank { columns, rows, angles } = blank;
+        Self { columns, rows, angles, row: Vec::new(), pieces: Vec::new(), workers, watch, goes_on: true }
+    }
+
+    /// Makes room for positions.
+    pub fn reserve(&mut self, count: usize) {
+        let Residuals { closure, equilibrium, power } = &mut self.columns.residuals;
+        let own = [closure, equilibrium, power, &mut self.columns.condition];
+        let all = self.columns.columns.iter_mut().map(|column| &mut column.values).chain(own);
+        all.for_each(|values| values.reserve_exact(count));
     }
 
     /// Adds the one row of a text without positions.

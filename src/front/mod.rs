@@ -1,5 +1,6 @@
 //! The front door of the library: a text goes in, answers come out by name.
 
+mod again;
 mod answer;
 mod checked;
 mod columns;
@@ -21,7 +22,7 @@ pub use diagnostics::Diagnostics;
 pub use document::{explain, format};
 pub use drawn::DrawError;
 pub use graded::{GradeError, Marking, grade};
-pub use positions::{Drive, DrivePositions, PositionsError};
+pub use positions::{Drive, DrivePositions, GivenPositions, PositionsError};
 pub use problem::{Options, Problem, solve};
 pub use row_answers::RowAnswers;
 pub use rows::{Cells, RowField, RowLayout, Rows};

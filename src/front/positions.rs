@@ -66,7 +66,7 @@ pub enum PositionsError {
         count: usize,
     },
     /// Not a number.
-    #[error("position {row} of drive `{name}` is not a finite number")]
+    #[error("position {row} of drive `{name}`, counted from 0, is not a finite number")]
     NotFinite {
         /// The drive.
         name: String,
@@ -101,66 +101,84 @@ pub(super) fn drives(mechanism: &Mechanism) -> Vec<Drive> {
     mechanism.drives.iter().map(drive).collect()
 }
 
+/// Positions by the names of drives, without a name for the only one.
+pub type GivenPositions = Vec<(Option<String>, DrivePositions)>;
+
 /// The mechanism at other positions, without what is about those of its own: poses, expectations.
-pub(super) fn moved(
+pub(super) fn moved(mechanism: &Mechanism, given: GivenPositions) -> Result<Mechanism, PositionsError> {
+    let mut moved = mechanism.clone();
+    (moved.poses, moved.expects) = (Vec::new(), Vec::new());
+    place(mechanism, given, &mut moved)?;
+    Ok(moved)
+}
+
+/// Puts the drives of a mechanism at positions; those that are not given have their own.
+pub(super) fn place(
     mechanism: &Mechanism,
-    mut given: Vec<(Option<String>, DrivePositions)>,
-) -> Result<Mechanism, PositionsError> {
+    given: GivenPositions,
+    moved: &mut Mechanism,
+) -> Result<(), PositionsError> {
     if mechanism.simulation.is_some() {
         return Err(PositionsError::OfMotion);
     }
-    let drives = drives(mechanism);
-    if let Some(unnamed) = given.iter_mut().find(|(name, _)| name.is_none()) {
-        match drives.as_slice() {
-            [] => return Err(PositionsError::NoDrive),
-            [only] => unnamed.0 = Some(only.name.clone()),
-            _ => return Err(PositionsError::Several(drives.into_iter().map(|d| d.name).collect())),
-        }
-    }
-    let mut moved = mechanism.clone();
-    (moved.poses, moved.expects) = (Vec::new(), Vec::new());
-    let mut longest: Option<(String, usize)> = None;
-    let mut placed = vec![false; drives.len()];
+    let mut placed: Vec<Option<DrivePositions>> = vec![None; mechanism.drives.len()];
     for (name, positions) in given {
-        let name = name.unwrap_or_default();
-        let index = drives.iter().position(|d| d.name == name).ok_or_else(|| unknown(&name, &drives))?;
-        if std::mem::replace(&mut placed[index], true) {
-            return Err(PositionsError::Twice(name));
+        let index = drive_of(mechanism, name.as_deref())?;
+        let name = || mechanism.drives[index].name.clone();
+        if placed[index].is_some() {
+            return Err(PositionsError::Twice(name()));
         }
-        let drive = &mut moved.drives[index];
-        if matches!(drive.positions, Positions::None) {
-            return Err(PositionsError::NoPosition(name));
+        if matches!(mechanism.drives[index].positions, Positions::None) {
+            return Err(PositionsError::NoPosition(name()));
         }
-        let count = positions.len();
-        match &longest {
-            Some((_, longest)) if count == *longest || count == 1 => {}
-            Some((other, longest)) if *longest != 1 => {
-                return Err(PositionsError::Length {
-                    name,
-                    found: count,
-                    other: other.clone(),
-                    count: *longest,
-                });
-            }
-            _ => longest = Some((name, count)),
-        }
-        drive.positions = Positions::List(positions.exprs(&drives[index])?);
+        placed[index] = Some(positions);
     }
-    let has_several = |positions: &Positions| match positions {
-        Positions::None => false,
-        Positions::List(list) => list.len() != 1,
-        Positions::Range { .. } => true,
-    };
-    let open =
-        moved.drives.iter().zip(&placed).find(|(drive, placed)| !**placed && has_several(&drive.positions));
-    match open {
-        Some((drive, _)) => Err(PositionsError::Missing(drive.name.clone())),
-        None => Ok(moved),
+    fits(mechanism, &placed)?;
+    for ((own, drive), positions) in mechanism.drives.iter().zip(&mut moved.drives).zip(placed) {
+        drive.positions = match positions {
+            Some(positions) => Positions::List(positions.exprs(own)?),
+            None => own.positions.clone(),
+        };
     }
+    Ok(())
 }
 
-fn unknown(name: &str, drives: &[Drive]) -> PositionsError {
-    let names = || drives.iter().map(|d| d.name.as_str());
+fn drive_of(mechanism: &Mechanism, name: Option<&str>) -> Result<usize, PositionsError> {
+    let drives = &mechanism.drives;
+    let Some(name) = name else {
+        return match drives.len() {
+            0 => Err(PositionsError::NoDrive),
+            1 => Ok(0),
+            _ => Err(PositionsError::Several(drives.iter().map(|d| d.name.clone()).collect())),
+        };
+    };
+    drives.iter().position(|d| d.name == name).ok_or_else(|| unknown(name, mechanism))
+}
+
+/// Whether all drives have as many positions, or one that stays.
+fn fits(mechanism: &Mechanism, placed: &[Option<DrivePositions>]) -> Result<(), PositionsError> {
+    let mut longest: Option<(&str, usize)> = None;
+    for (drive, positions) in mechanism.drives.iter().zip(placed) {
+        let count = match (positions, &drive.positions) {
+            (Some(positions), _) => positions.len(),
+            (None, Positions::None) => continue,
+            (None, Positions::List(list)) if list.len() == 1 => continue,
+            (None, _) => return Err(PositionsError::Missing(drive.name.clone())),
+        };
+        match longest {
+            Some((other, longest)) if longest != 1 && count != 1 && count != longest => {
+                let (name, other) = (drive.name.clone(), other.to_owned());
+                return Err(PositionsError::Length { name, found: count, other, count: longest });
+            }
+            Some((_, longest)) if longest != 1 => {}
+            _ => longest = Some((&drive.name, count)),
+        }
+    }
+    Ok(())
+}
+
+fn unknown(name: &str, mechanism: &Mechanism) -> PositionsError {
+    let names = || mechanism.drives.iter().map(|d| d.name.as_str());
     let help = match did_you_mean(name, names()).first() {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("there are {}", listed(&names().map(str::to_owned).collect::<Vec<_>>())),
@@ -184,8 +202,8 @@ impl DrivePositions {
         self.len() == 0
     }
 
-    fn exprs(self, drive: &Drive) -> Result<Vec<Expr>, PositionsError> {
-        let name = || drive.name.clone();
+    fn exprs(self, drive: &assur_model::model::Drive) -> Result<Vec<Expr>, PositionsError> {
+        let (name, is_point) = (|| drive.name.clone(), matches!(drive.target, DriveTarget::Point(..)));
         let finite = |row: usize, value: Value, finite: bool| {
             if finite {
                 Ok(Expr::Constant(value))
@@ -194,11 +212,11 @@ impl DrivePositions {
             }
         };
         match self {
-            Self::Numbers(numbers) if !drive.is_point => {
+            Self::Numbers(numbers) if !is_point => {
                 let number = |(row, x): (usize, f64)| finite(row, Value::Scalar(x), x.is_finite());
                 numbers.into_iter().enumerate().map(number).collect()
             }
-            Self::Points(points) if drive.is_point => {
+            Self::Points(points) if is_point => {
                 let point = |(row, [x, y]): (usize, [f64; 2])| {
                     finite(row, Value::Vector(Vec2::new(x, y)), x.is_finite() && y.is_finite())
                 };

@@ -220,7 +220,9 @@ fn header_cell(document: &Document, (name, unit): &(String, Option<String>)) -> 
         Some(unit) if !name.contains('[') => format!("{name} [{unit}]"),
         _ => name.clone(),
     };
-    format!("\"{}\"", text.replace('"', "\"\"").replace(['\r', '\n'], " "))
+    let text = text.replace(['\r', '\n'], " ");
+    let needs_quotes = text.contains([',', ';', '\t', '"']);
+    if needs_quotes { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }
 
 /// The unit in which a document gives the value of a name.

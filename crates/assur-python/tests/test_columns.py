@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pyarrow as pa
 import pytest
+from conftest import ROOT
 
 import assur
 
@@ -106,8 +107,34 @@ def test_positions_that_do_not_fit(problem: assur.Problem) -> None:
 
 
 def test_several_drives() -> None:
-    problem = assur.load("examples/drives/two-drives.mech") if False else None
-    del problem
+    problem = assur.load("examples/drives/excavator.mech")
+    assert problem.drives == {"c1": "m", "c2": "m"}
+    own = problem.solve()
+    moved = problem.solve({"c1": np.linspace(2.2, 2.3, 5), "c2": 2.5})
+    assert len(moved) == 5 and (moved["c2"] == 2.5).all()
+    assert (problem.solve({"c1": [own["c1"][0]]})["c2"] == own["c2"]).all()
+    for wrong, why in [([2.25], "2 drives"), ({"c1": [2.2, 2.3], "c2": [2.5] * 3}, "3 positions"), ({"c3": 1.0}, "c3")]:
+        with pytest.raises(ValueError, match=why):
+            problem.solve(wrong)
+
+
+def test_points_as_positions() -> None:
+    problem = assur.load("examples/drives/point-drive.mech")
+    own = problem.solve()
+    point = np.array([own["crank.A"]])[:, :, 0]
+    again = problem.solve({"crank.A": point})
+    for name in own:
+        assert np.array_equal(own[name], again[name], equal_nan=True)
+    with pytest.raises(ValueError, match=r"drive `crank.A` takes two numbers"):
+        problem.solve({"crank.A": [1.0]})
+
+
+def test_a_motion_has_instants_of_its_own() -> None:
+    file = next(iter(sorted(ROOT.glob("examples/simulation/*.mech"))))
+    problem = assur.load(file)
+    assert len(problem.solve()) > 1
+    with pytest.raises(ValueError, match="motion under loads"):
+        problem.solve([0.1])
 
 
 def test_positions_without_a_solution_are_null() -> None:

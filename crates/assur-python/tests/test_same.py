@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
 
 import pytest
 from conftest import ROOT, documents, files, program
@@ -101,42 +102,47 @@ def test_errors_look_as_in_the_terminal() -> None:
     assert str(raised.value).strip() in program("check", file).stderr
 
 
-@pytest.mark.parametrize("file", [f for f in EXAMPLES if "exercise-set" in f or "variants" in f])
-def test_rows_of_a_file(file: str, tmp_path) -> None:
+def own_table(text: str) -> dict[str, list] | None:
+    """The table of variants in a file, as columns."""
+    found = re.search(r"^variants \{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL)
+    if not found:
+        return None
+    lines = [line.split("//")[0].strip() for line in found[1].splitlines()]
+    head, *rows = csv.reader((line for line in lines if line), skipinitialspace=True)
+    columns = {name.strip(): [row[i].strip() for row in rows] for i, name in enumerate(head)}
+    return {name: cells if name == "variant" else [float(x) for x in cells] for name, cells in columns.items()}
+
+
+TABLES = [file for file in EXAMPLES if own_table((ROOT / file).read_text(encoding="utf-8"))]
+
+
+@pytest.mark.parametrize("file", TABLES)
+def test_rows_of_a_file(file: str) -> None:
     """The rows of a file's own table as a table of arrays: the lines of `assur batch`, to all its 15 digits."""
-    printed = program("batch", file, "--format", "csv").stdout
-    head, *lines = csv.reader(io.StringIO(printed))
-    text = (ROOT / file).read_text(encoding="utf-8")
-    if "variants" not in text.replace("--variants", ""):
-        pytest.skip("no table")
-    problem = assur.load(file)
-    givens = head[1 : head.index("pose")]
-    table = {name: [row[head.index(name)] for row in lines] for name in givens}
-    table = {name: cells if name == "variant" else [float(x) for x in cells] for name, cells in table.items()}
-    firsts = [i for i, row in enumerate(lines) if i == 0 or row[0] != lines[i - 1][0]]
-    table = {name: [cells[i] for i in firsts] for name, cells in table.items()}
-    if not table:
-        pytest.skip("its table has keys alone")
-    try:
-        answers = problem.batch(table).read()
-    except assur.ProblemError as error:
-        assert {d["code"] for d in error.diagnostics} <= {"mech::expect::key_column", "mech::request::key_column"}, error
-        pytest.skip("its keys are columns that are not printed")
-    assert len(answers) == len(lines)
+    head, *lines = csv.reader(io.StringIO(program("batch", file, "--format", "csv").stdout))
+    answers = assur.load(file).batch(own_table((ROOT / file).read_text(encoding="utf-8"))).read()
     units = answers.units
     heads = [f"{name} [{units[name]}]" if name in units else name for name in answers]
     assert heads == head
-    for name, title in zip(answers, heads):
+    assert len(answers) == len(lines)
+    for i, name in enumerate(answers):
         for found, row in zip(answers[name], lines):
-            cell = row[head.index(title)]
-            if isinstance(found, str) or found is None:
-                assert (found or "") == cell
-            elif cell in ("true", "false"):
-                assert found == (cell == "true")
-            elif cell:
-                assert float(f"{found:.15g}") == float(cell), (name, row)
-            else:
-                assert math.isnan(found)
+            assert as_printed(found) == as_number(row[i]), (name, row)
+
+
+def as_printed(cell: object) -> object:
+    """A cell of an answer as CSV has it; numbers to 15 digits."""
+    if cell is None or isinstance(cell, (str, bool)):
+        return {None: "", True: "true", False: "false"}.get(cell, cell)
+    return "" if math.isnan(cell) else float(f"{cell:.15g}")
+
+
+def as_number(cell: str) -> object:
+    """A cell of CSV."""
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
 
 
 def test_the_program_is_the_module() -> None:
