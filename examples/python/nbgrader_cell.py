@@ -10,5 +10,5 @@ v = -13.4  # m/s
 problem = assur.load("engine.mech")
 key = problem.batch({"r [mm]": [100]}, key=True).read()
 graded = assur.grade(key, {"row": [1], "Mb [N*m]": [Mb], "v [m/s]": [v]}, within=0.01)
-assert graded["right"] == graded["entries"], graded
+assert graded["right"] == graded["total"], graded
 ### END HIDDEN TESTS

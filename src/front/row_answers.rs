@@ -15,8 +15,8 @@ pub struct RowAnswers {
     pub events: Vec<String>,
     /// The columns of the layout, in the author's units. NaN where there is no answer; 1 and 0 for conditions.
     pub values: Vec<Vec<f64>>,
-    /// Why a line has no answers; empty if it has.
-    pub errors: Vec<String>,
+    /// Lines without answers, with the reasons, in their order.
+    pub errors: Vec<(usize, String)>,
 }
 
 impl RowAnswers {
@@ -40,15 +40,16 @@ impl RowAnswers {
         self.rows.truncate(count);
         self.poses.truncate(count);
         self.events.truncate(count);
-        self.errors.truncate(count);
+        self.errors.retain(|(line, _)| *line < count);
         self.values.iter_mut().for_each(|values| values.truncate(count));
     }
 
     pub(super) fn append(&mut self, mut other: Self) {
+        let before = self.len();
+        self.errors.extend(other.errors.drain(..).map(|(line, why)| (before + line, why)));
         self.rows.append(&mut other.rows);
         self.poses.append(&mut other.poses);
         self.events.append(&mut other.events);
-        self.errors.append(&mut other.errors);
         self.values.iter_mut().zip(&mut other.values).for_each(|(all, values)| all.append(values));
     }
 }
@@ -57,6 +58,8 @@ impl RowAnswers {
 pub(super) struct Line<'a> {
     pub layout: &'a RowLayout,
     pub index: usize,
+    /// Memory for its numbers.
+    pub numbers: &'a mut Vec<f64>,
     pub out: &'a mut RowAnswers,
 }
 
@@ -67,7 +70,7 @@ impl Line<'_> {
         let columns = &self.layout.answers;
         let whole = columns.whole_if_any(answers);
         let greatest = self.layout.key.then(|| answers.greatest());
-        let mut row = Vec::new();
+        let mut row = std::mem::take(self.numbers);
         let mut any = false;
         for pose in answers.asked_for() {
             any = true;
@@ -81,6 +84,7 @@ impl Line<'_> {
             self.push_event(None);
             self.push("", &row, error);
         }
+        *self.numbers = row;
     }
 
     /// The line of a row without answers.
@@ -97,9 +101,12 @@ impl Line<'_> {
     }
 
     fn push(&mut self, pose: &str, row: &[f64], error: &str) {
+        if !error.is_empty() {
+            let one_line = error.split_whitespace().collect::<Vec<_>>().join(" ");
+            self.out.errors.push((self.out.len(), one_line));
+        }
         self.out.rows.push(self.index);
         self.out.poses.push(pose.to_owned());
-        self.out.errors.push(error.split_whitespace().collect::<Vec<_>>().join(" "));
         let finite = |x: f64| if x.is_finite() { x } else { f64::NAN };
         self.out.values.iter_mut().zip(row).for_each(|(values, x)| values.push(finite(*x)));
     }

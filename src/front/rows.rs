@@ -12,7 +12,7 @@ use assur_check::{self as check, ColumnUse, Overrides, Row, RowCell, RowColumn};
 use assur_solve::solve::Watch;
 use assur_syntax::document::{Document, ExprKind, Statement};
 use assur_text::diagnostic::Problems;
-use assur_text::source::Source;
+use assur_text::source::{Source, Spanned};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -29,6 +29,8 @@ pub struct Rows {
     overrides: Overrides,
     within: Option<f64>,
     columns: Arc<[RowColumn]>,
+    /// The digits of numbers count: an expectation may take its tolerance from them.
+    digits: bool,
 }
 
 /// What a column of rows holds.
@@ -88,7 +90,9 @@ impl Rows {
             let of_table = Diagnostics::of(&problems, &table.header);
             return Err(if problems.is_empty() { own() } else { of_table });
         };
-        Ok(Self { source, document, overrides, within, columns: columns.into() })
+        let expects = |statement: &Spanned<Statement>| matches!(statement.node, Statement::Expect(_));
+        let digits = document.statements.iter().any(expects);
+        Ok(Self { source, document, overrides, within, columns: columns.into(), digits })
     }
 
     /// The columns of the rows.
@@ -114,7 +118,9 @@ impl Rows {
             if compiled.is_some() {
                 break;
             }
-            compiled = self.row(cells, index).ok().and_then(|row| solver.compile(&row).0);
+            let mut row = Row::default();
+            let read = self.read(cells, index, &mut row);
+            compiled = read.ok().and_then(|()| solver.compile(&row).0);
         }
         let Some(compiled) = compiled else { return Err(Diagnostics::of(&problems, &self.source)) };
         let answers = AnswerColumns::of(&compiled.model());
@@ -144,8 +150,13 @@ impl Rows {
             let mut pieces: Vec<RowAnswers> = starts.iter().map(|_| RowAnswers::of(layout)).collect();
             each_of(workers, &mut pieces, |i, piece| {
                 let mut solver = lock().pop().unwrap_or_else(|| self.solver(&watch));
+                let (mut row, mut numbers) = (Row::default(), Vec::new());
                 for index in starts[i]..(starts[i] + PIECE).min(count) {
-                    self.one((layout, cells), index, (&mut solver, &watch), piece);
+                    let mut line = Line { layout, index, numbers: &mut numbers, out: piece };
+                    match self.read(cells, index, &mut row) {
+                        Ok(()) => self.one(&row, (&mut solver, &watch), &mut line),
+                        Err(why) => line.without_answers(&why),
+                    }
                 }
                 lock().push(solver);
             });
@@ -164,19 +175,13 @@ impl Rows {
     /// Solves a row. An error of our own ends one row, not the batch.
     fn one<'r>(
         &'r self,
-        (layout, cells): (&RowLayout, &[Cells<'_>]),
-        index: usize,
+        row: &Row,
         (solver, watch): (&mut VariantSolver<'r>, &'r Watch<'r>),
-        out: &mut RowAnswers,
+        line: &mut Line<'_>,
     ) {
-        let mut line = Line { layout, index, out };
-        let row = match self.row(cells, index) {
-            Ok(row) => row,
-            Err(why) => return line.without_answers(&why),
-        };
         let before = line.out.len();
         let found = catch_unwind(AssertUnwindSafe(|| {
-            let (solved, problems) = solver.solve_in_place(&row);
+            let (solved, problems) = solver.solve_in_place(row);
             let answers = solved.map(|solved| solved.answers(Precision::READABLE));
             line.all(answers.as_ref(), &first_error(&problems));
         }));
@@ -188,9 +193,8 @@ impl Rows {
         }
     }
 
-    /// A row in SI, or what is wrong with it.
-    fn row(&self, cells: &[Cells<'_>], index: usize) -> Result<Row, String> {
-        let mut row = Row::default();
+    /// Reads a row in SI, or what is wrong with it.
+    fn read(&self, cells: &[Cells<'_>], index: usize, row: &mut Row) -> Result<(), String> {
         row.begin(&self.columns);
         for (column, cells) in self.columns.iter().zip(cells) {
             let number = match cells {
@@ -204,13 +208,19 @@ impl Rows {
             if number.is_nan() {
                 return Err(format!("the value of `{}` is missing", column.name));
             }
-            let written = Written::read(&number.to_string(), Separator::Comma);
-            let Written { value, digit } =
-                written.map_err(|(why, _)| format!("column `{}`: {why}", column.name))?;
-            row.push(RowCell { value: column.unit.to_si(value), digit: column.unit.to_si(digit) });
+            if number.is_infinite() {
+                return Err(format!("the value of `{}` is infinite", column.name));
+            }
+            let digit = if self.digits { last_digit(number) } else { 0.0 };
+            row.push(RowCell { value: column.unit.to_si(number), digit: column.unit.to_si(digit) });
         }
-        Ok(row)
+        Ok(())
     }
+}
+
+/// One unit in the last digit of a number as it would be written.
+fn last_digit(number: f64) -> f64 {
+    Written::read(&number.to_string(), Separator::Comma).map_or(0.0, |written| written.digit)
 }
 
 /// The header of a column as in a table of text: without a unit of its own the `given` has that of its declaration.

@@ -6,7 +6,6 @@ use crate::given::{Cell, cells};
 use crate::import::{Reader, of_arrow};
 use crate::numbers::Numbers;
 use crate::solving::{Begin, Form, Solving};
-use crate::workers::Crew;
 use arrow_array::cast::AsArray;
 use arrow_array::ffi::{FFI_ArrowArray, FFI_ArrowSchema};
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
@@ -124,8 +123,8 @@ pub struct Batches {
 
 impl Batches {
     /// Of a reader of rows, whose columns fit the problem.
-    pub fn of(py: Python<'_>, rows: Rows, reader: Reader, (key, numbered): (bool, bool)) -> PyResult<Self> {
-        let mut solving = Solving::of(rows, reader, Form { key, numbered });
+    pub fn of(py: Python<'_>, rows: Rows, reader: Reader, form: Form) -> PyResult<Self> {
+        let mut solving = Solving::of(rows, reader, form);
         py.detach(|| solving.begin()).map_err(|error| match error {
             Begin::Diagnostics(diagnostics) => errors::outside(py, &diagnostics),
             Begin::Arrow(error) => arrow(error),
@@ -158,7 +157,7 @@ impl Batches {
     /// All answers that are left, as one batch.
     fn read(&self, py: Python<'_>) -> PyResult<Batch> {
         let mut solving = self.taken()?;
-        let crew = Crew::of(None);
+        let crew = solving.crew();
         let all = py.detach(|| {
             let batches = std::iter::from_fn(|| solving.next_batch(&crew)).collect::<Result<Vec<_>, _>>()?;
             match batches.as_slice() {
@@ -178,7 +177,7 @@ impl Batches {
 
     fn __next__(&self, py: Python<'_>) -> PyResult<Batch> {
         let mut solving = self.taken()?;
-        let crew = Crew::of(None);
+        let crew = solving.crew();
         let next = py.detach(|| solving.next_batch(&crew));
         let error = crew.error();
         *self.solving.lock().unwrap_or_else(PoisonError::into_inner) = Some(solving);

@@ -4,6 +4,7 @@ use crate::batches::Batches;
 use crate::columns::Columns;
 use crate::errors;
 use crate::import::{GivenColumn, Reader, of_arrow, of_bytes, of_columns};
+use crate::solving::Form;
 use crate::workers::Crew;
 use arrow_array::RecordBatchReader;
 use assur::{Checked, ColumnsError, Diagnostics, DrawError, DrivePositions, Options};
@@ -113,10 +114,9 @@ impl Problem {
         &self,
         py: Python<'_>,
         table: &Bound<'_, PyAny>,
-        key: bool,
-        numbered: bool,
+        form: (bool, bool, Option<usize>),
     ) -> PyResult<Batches> {
-        self.batch(py, of_arrow(table)?, (key, numbered))
+        self.batch(py, of_arrow(table)?, form.into())
     }
 
     /// Solves the rows of a mapping of columns.
@@ -124,10 +124,9 @@ impl Problem {
         &self,
         py: Python<'_>,
         columns: Vec<(String, GivenColumn<'_>)>,
-        key: bool,
-        numbered: bool,
+        form: (bool, bool, Option<usize>),
     ) -> PyResult<Batches> {
-        self.batch(py, of_columns(columns)?, (key, numbered))
+        self.batch(py, of_columns(columns)?, form.into())
     }
 
     /// Draws pictures of a kind.
@@ -155,7 +154,7 @@ impl Problem {
         checked.as_ref().map_err(|diagnostics| errors::outside(py, diagnostics))
     }
 
-    fn batch(&self, py: Python<'_>, reader: Reader, form: (bool, bool)) -> PyResult<Batches> {
+    fn batch(&self, py: Python<'_>, reader: Reader, form: Form) -> PyResult<Batches> {
         let header: Vec<(String, Option<String>)> = reader
             .schema()
             .fields()

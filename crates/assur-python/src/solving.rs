@@ -21,6 +21,14 @@ pub struct Form {
     pub key: bool,
     /// With the number of each row.
     pub numbered: bool,
+    /// How many threads solve them: one for every processor without a number.
+    pub threads: Option<usize>,
+}
+
+impl From<(bool, bool, Option<usize>)> for Form {
+    fn from((key, numbered, threads): (bool, bool, Option<usize>)) -> Self {
+        Self { key, numbered, threads }
+    }
 }
 
 /// Why it cannot begin.
@@ -49,7 +57,7 @@ impl Iterator for Solving {
     type Item = Result<RecordBatch, ArrowError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        let crew = Crew::of(None);
+        let crew = self.crew();
         let next = self.next_batch(&crew);
         if crew.error().is_some() {
             // the reader cannot raise an exception of Python: the signal is handled when it returns
@@ -88,7 +96,7 @@ impl Solving {
     }
 
     fn fields(&self, layout: &RowLayout) -> Vec<Field> {
-        let Form { key, numbered } = self.form;
+        let Form { key, numbered, .. } = self.form;
         let mut fields = Vec::new();
         fields.extend(numbered.then(|| Field::new("row", DataType::Int64, false)));
         let label = self.fields.iter().find(|field| field.is_label);
@@ -117,6 +125,11 @@ impl Solving {
             self.waiting.push_front(batch.slice(ROWS, count - ROWS));
         }
         Some(Ok(batch.slice(0, count.min(ROWS))))
+    }
+
+    /// Who solves them.
+    pub fn crew(&self) -> Crew {
+        Crew::of(self.form.threads)
     }
 
     /// The answers to the next rows.
@@ -173,7 +186,11 @@ impl Solving {
             arrays.push(array(&values.into(), *condition));
         }
         if !self.form.key {
-            arrays.push(Arc::new(errors.iter().map(some_text).collect::<StringArray>()));
+            let mut reasons = vec![None; rows.len()];
+            for (line, reason) in &errors {
+                reasons[*line] = Some(reason.as_str());
+            }
+            arrays.push(Arc::new(StringArray::from(reasons)));
         }
         RecordBatch::try_new(Arc::clone(&self.schema), arrays)
     }

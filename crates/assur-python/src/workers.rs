@@ -6,25 +6,31 @@ use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+/// Threads that are kept for the next call.
+struct Kept {
+    /// The process that started them.
+    process: u32,
+    /// How many were wanted.
+    wanted: Option<usize>,
+    threads: Arc<Threads>,
+}
+
 /// The threads of this process: a forked one starts its own.
-static THREADS: Mutex<Option<(u32, Option<usize>, Arc<Threads>)>> = Mutex::new(None);
+static KEPT: Mutex<Option<Kept>> = Mutex::new(None);
 
 fn threads(wanted: Option<usize>) -> Arc<Threads> {
     let process = std::process::id();
-    let mut kept = THREADS.lock().unwrap_or_else(PoisonError::into_inner);
-    match kept.as_ref() {
-        Some((of, count, threads)) if (*of, *count) == (process, wanted) => Arc::clone(threads),
-        _ => {
-            let threads = Arc::new(Threads::new(wanted));
-            if let Some((of, _, old)) = kept.replace((process, wanted, Arc::clone(&threads)))
-                && of != process
-            {
-                // its threads are those of the parent: there is nobody to end
-                std::mem::forget(old);
-            }
-            threads
-        }
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(kept) = kept.as_ref().filter(|kept| (kept.process, kept.wanted) == (process, wanted)) {
+        return Arc::clone(&kept.threads);
     }
+    let threads = Arc::new(Threads::new(wanted));
+    let old = kept.replace(Kept { process, wanted, threads: Arc::clone(&threads) });
+    if let Some(old) = old.filter(|old| old.process != process) {
+        // its threads are those of the parent: there is nobody to end
+        std::mem::forget(old);
+    }
+    threads
 }
 
 /// Threads that work until Python has a signal to handle.

@@ -19,10 +19,11 @@ def test_the_guide() -> None:
         pytest.importorskip(needed)
     page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
     names: dict = {}
-    blocks = re.findall(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    blocks = list(re.finditer(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL))
     assert len(blocks) > 10
     for block in blocks:
-        exec(compile(block, "docs/python.md", "exec"), names)
+        lines_before = page[: block.start(1)].count("\n")
+        exec(compile("\n" * lines_before + block[1], "docs/python.md", "exec"), names)
 
 
 def test_prairielearn(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -127,22 +127,14 @@ def test_rows_of_a_file(file: str) -> None:
     assert len(answers) == len(lines)
     for i, name in enumerate(answers):
         for found, row in zip(answers[name], lines):
-            assert as_printed(found) == as_number(row[i]), (name, row)
+            assert is_printed(found, row[i]), (name, row)
 
 
-def as_printed(cell: object) -> object:
-    """A cell of an answer as CSV has it; numbers to 15 digits."""
-    if cell is None or isinstance(cell, (str, bool)):
-        return {None: "", True: "true", False: "false"}.get(cell, cell)
-    return "" if math.isnan(cell) else float(f"{cell:.15g}")
-
-
-def as_number(cell: str) -> object:
-    """A cell of CSV."""
-    try:
-        return float(cell)
-    except ValueError:
-        return cell
+def is_printed(found: object, cell: str) -> bool:
+    """Whether a cell of an answer is that of CSV; numbers to 15 digits."""
+    if found is None or isinstance(found, (str, bool)):
+        return {None: "", True: "true", False: "false"}.get(found, found) == cell
+    return cell == "" if math.isnan(found) else float(f"{found:.15g}") == float(cell)
 
 
 def test_the_program_is_the_module() -> None:

@@ -78,10 +78,10 @@ class AnswerStream:
         return self._batches.__arrow_c_stream__(requested_schema)
 
 
-def batch(problem: _assur.Problem, table: Any, key: bool, numbered: bool) -> AnswerStream:
-    """The answers to the rows of a table."""
+def batch(problem: _assur.Problem, table: Any, form: tuple[bool, bool, int | None]) -> AnswerStream:
+    """The answers to the rows of a table; ``form`` is whether they are a key, whether rows have numbers, and how many threads."""
     if is_arrow(table):
-        return AnswerStream(problem.batch_arrow(table, key, numbered))
+        return AnswerStream(problem.batch_arrow(table, form))
     if isinstance(table, Mapping):
-        return AnswerStream(problem.batch_columns(of_mapping(table), key, numbered))
+        return AnswerStream(problem.batch_columns(of_mapping(table), form))
     raise TypeError(f"rows are a table of Arrow or a mapping of arrays, not {type(table).__name__}")

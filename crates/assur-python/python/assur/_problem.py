@@ -66,9 +66,7 @@ class Problem:
             merged = {**self._set, **(set or {})}
             other = Problem(self.text, self.name, merged, self._within if within is None else within)
             return other.solve(positions, threads=threads)
-        if threads is not None and threads < 1:
-            raise ValueError(f"`threads` must be at least 1, but is {threads}")
-        return Solution(self._problem.solve(self._given(positions), threads))
+        return Solution(self._problem.solve(self._given(positions), checked_threads(threads)))
 
     def _given(self, positions: Positions | None) -> list[tuple[str | None, Any]] | None:
         if positions is None:
@@ -108,7 +106,7 @@ class Problem:
         """
         return Diagnostics(*self._problem.test())
 
-    def batch(self, table: Any, key: bool = False) -> AnswerStream:
+    def batch(self, table: Any, key: bool = False, *, threads: int | None = None) -> AnswerStream:
         """Solves a row of values after another, on all processors: a table, batch or stream of Arrow, or a mapping of arrays.
 
         A column is named after a ``given``. The unit of its numbers is in the field's metadata (``unit``), in brackets in its
@@ -118,7 +116,7 @@ class Problem:
 
         Raises :class:`ProblemError` for a column that fits nothing, :class:`UnitError` for a unit that does not fit.
         """
-        return batch(self._problem, table, key, True)
+        return batch(self._problem, table, (key, True, checked_threads(threads)))
 
     def draw(self, pose: str | int | None = None, kind: str = "scheme") -> Picture:
         """Draws a picture at a pose, at the first without a name: ``scheme``, ``velocities``, ``accelerations``, ``forces``, …
@@ -145,6 +143,13 @@ class Problem:
             except (ProblemError, IndexError) as error:
                 reason = error
         return getattr(reason, "_repr_html_", self.__repr__)()
+
+
+def checked_threads(threads: int | None) -> int | None:
+    """A number of threads, or none."""
+    if threads is not None and threads < 1:
+        raise ValueError(f"`threads` must be at least 1, but is {threads}")
+    return threads
 
 
 def written(values: Values) -> list[tuple[str, str]]:

@@ -40,7 +40,7 @@ class Solver:
 
     def __call__(self, table: Any) -> Any:
         """The answers to the rows of a table."""
-        stream = batch(self._compiled()._problem, table, self._args["key"], False)
+        stream = batch(self._compiled()._problem, table, (self._args["key"], False, None))
         if type(table).__module__.partition(".")[0] == "pyarrow":
             return sys.modules["pyarrow"].table(stream)
         return Answers(stream._batches.read())
