@@ -117,9 +117,14 @@ pub(super) struct Filling<'w> {
 /// The numbers of a block of positions.
 #[derive(Default)]
 struct Piece {
+    /// The index of its first position.
+    first: usize,
     row: Vec<f64>,
     /// Column by column.
     cells: Vec<Vec<f64>>,
+    quality: Vec<[f64; 4]>,
+    /// Names of positions that are not their number.
+    names: Vec<(usize, String)>,
 }
 
 impl Blank {
@@ -160,7 +165,7 @@ impl<'w> Filling<'w> {
     pub fn add_without_pose(&mut self, answers: &Answers<'_>) {
         self.rows.read_without_pose(answers, &mut self.row);
         self.push_row();
-        self.push_quality(None);
+        self.push_quality(&[f64::NAN; 4]);
         self.columns.names.push((0, String::new()));
         self.columns.len = 1;
     }
@@ -182,10 +187,8 @@ impl<'w> Filling<'w> {
     /// Adds name, residuals and condition of a position, or why it has none.
     fn push_pose(&mut self, model: &Model<'_>, pose: &Pose) {
         let index = self.columns.len;
-        if !is_number(&pose.name, index + 1) {
-            self.columns.names.push((index, pose.name.clone()));
-        }
-        self.push_quality(Some(pose));
+        self.columns.names.extend(other_name(pose, index));
+        self.push_quality(&quality(pose));
         if let Err(why) = &pose.outcome {
             let why = failure(model, why);
             let (code, message) = (why.code().map(|code| code.to_string()), why.to_string());
@@ -194,15 +197,37 @@ impl<'w> Filling<'w> {
         self.columns.len += 1;
     }
 
-    fn push_quality(&mut self, pose: Option<&Pose>) {
-        let solved = pose.and_then(|pose| pose.outcome.as_ref().ok());
-        let Residuals { closure, equilibrium, power } = &mut self.columns.residuals;
-        let found = solved.map(|solved| &solved.residuals);
-        closure.push(finite(found.map_or(f64::NAN, |r| r.closure)));
-        equilibrium.push(finite(found.and_then(|r| r.equilibrium).unwrap_or(f64::NAN)));
-        power.push(finite(found.and_then(|r| r.power).unwrap_or(f64::NAN)));
-        self.columns.condition.push(finite(solved.map_or(f64::NAN, |solved| solved.condition)));
+    fn push_quality(&mut self, [closure, equilibrium, power, condition]: &[f64; 4]) {
+        let residuals = &mut self.columns.residuals;
+        residuals.closure.push(*closure);
+        residuals.equilibrium.push(*equilibrium);
+        residuals.power.push(*power);
+        self.columns.condition.push(*condition);
     }
+
+    /// Adds what was found of a block.
+    fn push_piece(&mut self, piece: &mut Piece) {
+        for (column, cells) in self.columns.columns.iter_mut().zip(&piece.cells) {
+            column.values.extend_from_slice(cells);
+        }
+        piece.quality.iter().for_each(|quality| self.push_quality(quality));
+        self.columns.names.append(&mut piece.names);
+        self.columns.len += piece.quality.len();
+    }
+}
+
+/// Residuals and condition of a position.
+fn quality(pose: &Pose) -> [f64; 4] {
+    let Ok(solved) = &pose.outcome else { return [f64::NAN; 4] };
+    let residuals = &solved.residuals;
+    let or_none = |x: Option<f64>| x.unwrap_or(f64::NAN);
+    let all = [residuals.closure, or_none(residuals.equilibrium), or_none(residuals.power), solved.condition];
+    all.map(finite)
+}
+
+/// The name of a position where it is not its number, with its index.
+fn other_name(pose: &Pose, index: usize) -> Option<(usize, String)> {
+    (!is_number(&pose.name, index + 1)).then(|| (index, pose.name.clone()))
 }
 
 impl Sink for Filling<'_> {
@@ -237,20 +262,20 @@ impl Sink for Filling<'_> {
     fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
         self.rows.begin(answers);
         let (rows, angles, width) = (&self.rows, self.angles, self.columns.columns.len());
-        self.pieces.resize_with(blocks.len().max(self.pieces.len()), Piece::default);
-        let mut work: Vec<(&mut Block, &mut Piece)> = blocks.iter_mut().zip(&mut self.pieces).collect();
+        let mut pieces = std::mem::take(&mut self.pieces);
+        pieces.resize_with(blocks.len(), Piece::default);
+        let mut first = self.columns.len;
+        for (piece, block) in pieces.iter_mut().zip(&*blocks) {
+            piece.first = first;
+            first += block.poses().len();
+        }
+        let mut work: Vec<(&mut Block, &mut Piece)> = blocks.iter_mut().zip(&mut pieces).collect();
         each_of(self.workers, &mut work, |_, (block, piece)| {
             ahead.answer(block, angles);
             piece.fill(answers, rows, block.poses(), width);
         });
-        for piece in &self.pieces[..blocks.len()] {
-            for (column, cells) in self.columns.columns.iter_mut().zip(&piece.cells) {
-                column.values.extend_from_slice(cells);
-            }
-        }
-        for pose in blocks.iter().flat_map(Block::poses) {
-            self.push_pose(&answers.model, pose);
-        }
+        pieces.iter_mut().for_each(|piece| self.push_piece(piece));
+        self.pieces = pieces;
         self.goes_on = self.workers.goes_on();
         self.goes_on
     }
@@ -260,9 +285,12 @@ impl Piece {
     fn fill(&mut self, answers: &Answers<'_>, rows: &NumberRows, poses: &[Pose], width: usize) {
         self.cells.resize_with(width, Vec::new);
         self.cells.iter_mut().for_each(Vec::clear);
-        for pose in poses {
+        self.quality.clear();
+        for (i, pose) in poses.iter().enumerate() {
             rows.read(answers, pose, &mut self.row);
             self.cells.iter_mut().zip(&self.row).for_each(|(cells, x)| cells.push(finite(*x)));
+            self.quality.push(quality(pose));
+            self.names.extend(other_name(pose, self.first + i));
         }
     }
 }

@@ -40,6 +40,12 @@ def test_no_column_is_copied(solution: assur.Solution) -> None:
         assert not solution[name].flags.writeable
 
 
+def test_data_frames_of_pandas(solution: assur.Solution) -> None:
+    pytest.importorskip("pandas")
+    frame = solution.to_pandas()
+    assert list(frame.columns) == solution.keys() and (frame["Mb"] == solution["Mb"]).all()
+
+
 def test_a_view_keeps_its_memory(problem: assur.Problem) -> None:
     view = problem.solve(WAY)["Mb"]
     kept = view.copy()
@@ -156,7 +162,7 @@ find angle(c)
     solution = problem.solve([0.0, 3.0, 0.1])
     assert np.isnan(solution["angle(c)"]).tolist() == [False, True, False]
     (failure,) = solution.failures
-    assert failure.index == 1 and failure.code and failure.message
+    assert failure.position == 1 and failure.code and failure.message
     table = pa.table(solution)
     assert table["angle(c)"].null_count == 1
     assert table["error"][1].as_py() == failure.message and table["error"][0].as_py() is None

@@ -14,7 +14,7 @@ def numbers(values: Any, what: str, width: int = 1) -> bytes:
     import numpy
 
     if isinstance(values, numpy.ma.MaskedArray):
-        values = values.astype(float).filled(numpy.nan)
+        values = numpy.ma.filled(values.astype(float), numpy.nan)
     try:
         array = numpy.asarray(values)
     except ValueError as error:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
 
-class Diagnostics(list):
+class Diagnostics(list["dict[str, Any]"]):
     """Errors and warnings, each a dictionary as in the program's JSON: ``code``, ``severity``, ``message``, ``help``, ``spans``.
 
     Printed, they look as in the terminal.
     """
 
     def __init__(self, text: str, items: str) -> None:
+        import json
+
         super().__init__(json.loads(items))
         self._text = text
 
@@ -23,6 +24,8 @@ class Diagnostics(list):
         return preformatted(self._text)
 
     def __reduce__(self) -> tuple[Any, ...]:
+        import json
+
         return Diagnostics, (self._text, json.dumps(list(self)))
 
 

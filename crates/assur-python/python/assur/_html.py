@@ -28,7 +28,7 @@ def table(solution: Solution, most: int) -> str:
         parts.append(f"<p>{count} of {len(shown)} positions</p>")
     if solution.failures:
         first = solution.failures[0]
-        parts.append(f"<p>{len(solution.failures)} without a solution; position {first.index + 1}: {escape(first.message)}</p>")
+        parts.append(f"<p>{len(solution.failures)} without a solution; position {first.position + 1}: {escape(first.message)}</p>")
     if solution.diagnostics:
         parts.append(solution.diagnostics._repr_html_())
     return "".join(parts)

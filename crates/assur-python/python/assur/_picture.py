@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
 
 class Picture(str):
@@ -16,7 +15,8 @@ class Picture(str):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes it to a file."""
-        Path(path).write_text(self, encoding="utf-8")
+        with open(path, "w", encoding="utf-8", newline="\n") as file:
+            file.write(self)
 
     def _repr_html_(self) -> str:
         from ._html import frame

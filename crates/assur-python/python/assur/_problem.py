@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _assur
@@ -42,7 +40,10 @@ class Problem:
 
     def check(self) -> dict[str, Any]:
         """Structure, effects and diagnostics, as in the program's JSON. Nothing is solved, and nothing is raised."""
-        return json.loads(self._problem.check())
+        import json
+
+        found: dict[str, Any] = json.loads(self._problem.check())
+        return found
 
     def solve(
         self,
@@ -92,7 +93,10 @@ class Problem:
 
     def document(self) -> dict[str, Any]:
         """The document of ``assur solve --format json``: all that is known of every position, in SI and radians."""
-        return json.loads(self._problem.document())
+        import json
+
+        found: dict[str, Any] = json.loads(self._problem.document())
+        return found
 
     @property
     def drives(self) -> dict[str, str]:
@@ -186,4 +190,6 @@ def load(
     within: float | None = None,
 ) -> Problem:
     """Compiles a file: see :func:`compile`."""
-    return compile(Path(path).read_bytes().decode("utf-8"), name=str(path), set=set, within=within)
+    with open(path, "rb") as file:
+        text = file.read().decode("utf-8")
+    return compile(text, name=str(path), set=set, within=within)

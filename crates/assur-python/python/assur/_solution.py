@@ -21,7 +21,7 @@ SHOWN = 20
 class Failure(NamedTuple):
     """A position without a solution."""
 
-    index: int
+    position: int
     """Its index, from 0."""
     code: str | None
     """The code of the reason: ``assur.explain(code)``."""
@@ -111,7 +111,7 @@ class Solution:
 
     def to_pandas(self) -> Any:
         """A data frame with the columns and their names."""
-        import pandas
+        import pandas  # type: ignore[import-untyped]
 
         return pandas.DataFrame({name: self._view(name) for name in self})
 

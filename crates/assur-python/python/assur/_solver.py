@@ -28,25 +28,25 @@ class Solver:
         within: float | None = None,
         key: bool = False,
     ) -> None:
-        self._args = {"name": name, "set": dict(set or {}), "within": within, "key": key}
-        self._text = text
+        self._text, self._name, self._key = text, name, key
+        self._set, self._within = dict(set or {}), within
         self._problem: Problem | None = None
 
     def _compiled(self) -> Problem:
         if self._problem is None:
-            given = {name: value for name, value in self._args.items() if name != "key"}
-            self._problem = compile(self._text, **given)
+            self._problem = compile(self._text, name=self._name, set=self._set, within=self._within)
         return self._problem
 
     def __call__(self, table: Any) -> Any:
         """The answers to the rows of a table."""
-        stream = batch(self._compiled()._problem, table, (self._args["key"], False, None))
+        stream = batch(self._compiled()._problem, table, (self._key, False, None))
         if type(table).__module__.partition(".")[0] == "pyarrow":
             return sys.modules["pyarrow"].table(stream)
         return Answers(stream._batches.read())
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"_args": self._args, "_text": self._text, "_problem": None}
+        # what was compiled stays here
+        return {**self.__dict__, "_problem": None}
 
     def __repr__(self) -> str:
-        return f"<assur.Solver {self._args['name']}>"
+        return f"<assur.Solver {self._name}>"

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import json
 import os
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from . import _assur
@@ -39,16 +35,21 @@ def grade(
     ``within`` is the greatest relative difference allowed, 0.03 without a word; ``points`` of quantities, ``credit`` for slips, as
     ``{"sign": 0.5}``.
     """
+    import json
+
     pairs = [",".join(f"{name}={part}" for name, part in rules.items()) if rules else None for rules in (points, credit)]
-    return json.loads(_assur.grade(text_of(key), text_of(answers), within, only_answered, *pairs))
+    graded: dict[str, Any] = json.loads(
+        _assur.grade(text_of(key), text_of(answers), within, only_answered, *pairs)
+    )
+    return graded
 
 
 def text_of(table: Any) -> str:
     """A table as comma-separated values."""
     if isinstance(table, os.PathLike):
-        return Path(table).read_text(encoding="utf-8")
+        return read(table)
     if isinstance(table, str):
-        return table if "\n" in table else Path(table).read_text(encoding="utf-8")
+        return table if "\n" in table else read(table)
     if is_arrow(table):
         return "".join(written(batch, i == 0) for i, batch in enumerate(_assur.batches(table)))
     if isinstance(table, Mapping):
@@ -57,6 +58,12 @@ def text_of(table: Any) -> str:
             raise ValueError("the columns of a table have the same number of rows")
         return rows_of([list(table), *zip(*columns)])
     raise TypeError(f"a table is a path, a text, a table of Arrow or a mapping, not {type(table).__name__}")
+
+
+def read(path: str | os.PathLike[str]) -> str:
+    """The text of a file."""
+    with open(path, encoding="utf-8", newline="") as file:
+        return file.read()
 
 
 def written(batch: _assur.Batch, headed: bool) -> str:
@@ -69,7 +76,10 @@ def written(batch: _assur.Batch, headed: bool) -> str:
 
 def rows_of(rows: list[Any]) -> str:
     """Rows as comma-separated values; a missing one is empty."""
+    import csv
+    import io
+
     out = io.StringIO()
-    missing = lambda x: x is None or x != x
-    csv.writer(out, lineterminator="\n").writerows([["" if missing(x) else x for x in row] for row in rows])
+    filled = [["" if x is None or x != x else x for x in row] for row in rows]
+    csv.writer(out, lineterminator="\n").writerows(filled)
     return out.getvalue()
