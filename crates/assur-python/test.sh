@@ -14,5 +14,5 @@ rm -rf "$target/fresh"
 python3 -m venv "$target/fresh"
 "$target/fresh/bin/pip" install --quiet "$target"/wheels/assur-*.whl
 "$target/fresh/bin/python" -c 'import assur; assert assur.load("../../examples/crank-slider.mech").solve()["Mb"][0] > 0'
-"$target/fresh/bin/pip" install --quiet pytest pytest-xdist pyarrow polars joblib ipython hypothesis
+"$target/fresh/bin/pip" install --quiet pytest pytest-xdist pyarrow polars joblib dask ipython hypothesis
 "$target/fresh/bin/python" -m pytest -q -p no:cacheprovider "$@"

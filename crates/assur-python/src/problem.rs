@@ -17,6 +17,8 @@ use std::sync::OnceLock;
 #[pyclass(frozen, module = "assur")]
 pub struct Problem {
     problem: assur::Problem,
+    /// It has values from outside.
+    set: bool,
     checked: OnceLock<Result<Checked, Diagnostics>>,
 }
 
@@ -55,9 +57,10 @@ impl Problem {
         if let Some(within) = within.filter(|within| !(*within > 0.0 && within.is_finite())) {
             return Err(PyValueError::new_err(format!("`within` must be a number above 0, but is {within}")));
         }
+        let is_set = !set.is_empty();
         let options = Options { set, within };
         let problem = py.detach(|| assur::Problem::new(name, text).with(options));
-        Ok(Self { problem, checked: OnceLock::new() })
+        Ok(Self { problem, set: is_set, checked: OnceLock::new() })
     }
 
     /// Raises the diagnostics of a text with errors.
@@ -151,7 +154,8 @@ impl Problem {
                 self.checked.get_or_init(|| found)
             }
         };
-        checked.as_ref().map_err(|diagnostics| errors::outside(py, diagnostics))
+        let raised = if self.set { errors::outside } else { errors::problem };
+        checked.as_ref().map_err(|diagnostics| raised(py, diagnostics))
     }
 
     fn batch(&self, py: Python<'_>, reader: Reader, form: Form) -> PyResult<Batches> {

@@ -176,6 +176,9 @@ def test_values_from_outside(engine: str) -> None:
         assur.compile(engine, set={"r": "3 N"})
     with pytest.raises(assur.UnitError):
         assur.compile(engine, set={"r": 3})
+    with pytest.raises(assur.ProblemError) as of_the_text:
+        assur.compile("link a A-B 10 kg\n")
+    assert not isinstance(of_the_text.value, assur.UnitError)
     with pytest.raises(assur.ProblemError, match="no `given`"):
         assur.compile(engine, set={"rr": "3 mm"})
     with pytest.raises(TypeError, match="`r`"):

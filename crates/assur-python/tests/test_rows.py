@@ -175,6 +175,14 @@ def test_processes(engine: str, rows: dict) -> None:
     assert pa.concat_tables(parts).combine_chunks().equals(whole)
 
 
+def test_dask(engine: str, rows: dict) -> None:
+    dask = pytest.importorskip("dask")
+    table, solver = pa.table(rows), assur.Solver(engine)
+    parts = [dask.delayed(solver)(table.slice(at, 1500)) for at in (0, 1500)]
+    found = dask.compute(*parts, scheduler="processes", num_workers=2)
+    assert pa.concat_tables(found).combine_chunks().equals(solver(table).combine_chunks())
+
+
 def test_forked_workers(engine: str, rows: dict) -> None:
     import multiprocessing
 
