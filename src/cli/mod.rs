@@ -29,7 +29,8 @@ pub mod screen;
 mod solve;
 mod stream;
 mod test;
-mod threads;
+#[doc(hidden)]
+pub mod threads;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -39,15 +40,20 @@ use clap::Parser;
 use reply::Status;
 use screen::Screen;
 
-/// Runs the program: results on standard output, diagnostics on standard error. 0: success; 1: a problem has errors; 2: the
-/// command line or a file cannot be used, or not all could be written; 128 + n: signal n ended it.
+/// Runs the program: results on standard output, diagnostics on standard error.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    ExitCode::from(status(args))
+}
+
+/// As [`run`]; the exit status. 0: success; 1: a problem has errors; 2: the command line or a file cannot be used, or not all could be
+/// written; 128 + n: signal n ended it.
+pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
     let args = match Args::try_parse_from(args) {
         Ok(args) => args,
         Err(error) => {
             // help goes to standard output; there is nobody to tell where that cannot be written
             let status = error.print().map_or(2, |()| error.exit_code());
-            return ExitCode::from(u8::try_from(status).unwrap_or(2));
+            return u8::try_from(status).unwrap_or(2);
         }
     };
     let screen = Screen::new(&args);
@@ -71,5 +77,5 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Help(args) => help::run(&args, &screen),
     };
     let status = if screen.is_heard() { status } else { Status::Unusable };
-    ExitCode::from(batch::signal().map_or(status as u8, |signal| 128 + signal))
+    batch::signal().map_or(status as u8, |signal| 128 + signal)
 }

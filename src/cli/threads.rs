@@ -1,5 +1,6 @@
 //! Work on several threads, which are started when there is the first of it.
 
+use crate::Workers;
 use assur_solve::solve::{Ahead, BLOCK, Block};
 use rayon::prelude::*;
 use std::sync::OnceLock;
@@ -41,5 +42,15 @@ impl Threads {
             Some(pool) => pool.install(|| items.par_iter_mut().enumerate().for_each(&work)),
             None => items.iter_mut().enumerate().for_each(work),
         }
+    }
+}
+
+impl Workers for Threads {
+    fn pieces(&self) -> usize {
+        self.blocks()
+    }
+
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        Self::each(self, &mut vec![(); count], |(i, ())| work(i));
     }
 }

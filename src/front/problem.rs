@@ -1,6 +1,8 @@
 //! A text that is checked and solved.
 
+use super::checked::Checked;
 use super::diagnostics::Diagnostics;
+use super::rows::Rows;
 use super::solution::Solution;
 use crate::pipeline::{FileVariants, SolvedRow, compile_document, solve_within, test_text};
 use assur_check::Overrides;
@@ -34,11 +36,11 @@ pub struct Options {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Problem {
-    source: Source,
-    document: Arc<Document>,
+    pub(super) source: Source,
+    pub(super) document: Arc<Document>,
     /// The problems found on reading.
-    found: Problems,
-    options: Options,
+    pub(super) found: Problems,
+    pub(super) options: Options,
 }
 
 /// Solves a text: [`Problem::solve`] without options.
@@ -78,6 +80,33 @@ impl Problem {
         let (_, problems) =
             compile_document(&self.source, &self.document, self.found.clone(), &self.overrides());
         self.diagnostics(&problems)
+    }
+
+    /// Checks the text for solving it at many positions, or again and again: see [`Checked::columns`]. A table of `variants` is
+    /// ignored, as in [`Problem::solve`].
+    ///
+    /// # Errors
+    /// The diagnostics of a text with errors.
+    pub fn checked(&self) -> Result<Checked, Diagnostics> {
+        let (compiled, problems) =
+            compile_document(&self.source, &self.document, self.found.clone(), &self.overrides());
+        match compiled.filter(|_| !problems.has_errors()) {
+            Some(compiled) => Ok(Checked::new(self.source.clone(), compiled, problems, self.options.within)),
+            None => Err(self.diagnostics(&problems)),
+        }
+    }
+
+    /// Prepares the text for rows of values from outside, whose columns have these names and units. A name may have its unit in brackets, as
+    /// in a table of text; without a unit a column has that of its `given`.
+    ///
+    /// # Errors
+    /// The diagnostics of a text that cannot be read, or of columns that fit nothing.
+    pub fn rows(&self, header: &[(String, Option<String>)]) -> Result<Rows, Diagnostics> {
+        if self.found.has_errors() {
+            return Err(self.diagnostics(&self.found));
+        }
+        let (source, document) = (self.source.clone(), Arc::clone(&self.document));
+        Rows::new(source, document, self.overrides(), self.options.within, header)
     }
 
     /// Solves the text at all its positions. A table of `variants` is ignored: the `given` values are used, see
@@ -131,11 +160,11 @@ impl Problem {
         self.diagnostics(&problems)
     }
 
-    fn overrides(&self) -> Overrides {
+    pub(super) fn overrides(&self) -> Overrides {
         Overrides::set(self.options.set.clone())
     }
 
-    fn diagnostics(&self, problems: &Problems) -> Diagnostics {
+    pub(super) fn diagnostics(&self, problems: &Problems) -> Diagnostics {
         Diagnostics::of(problems, &self.source)
     }
 }

@@ -42,6 +42,12 @@ pub struct Expectation {
     pub met: bool,
 }
 
+impl Expectation {
+    pub(super) fn of(outcome: &Outcome) -> Self {
+        Self { text: outcome.text.clone(), pose: outcome.pose.clone(), met: outcome.passed }
+    }
+}
+
 impl Solution {
     pub(super) fn of(solved: &Solved, diagnostics: Diagnostics) -> Self {
         let answers = solved.answers(Precision::READABLE);
@@ -50,12 +56,10 @@ impl Solution {
         let whole = columns.whole(&answers);
         let poses = answers.poses().map(|pose| Pose::of(&answers, &columns, &whole, &names, pose)).collect();
         let of_no_pose = columns.displays().zip(&whole).map(|(display, value)| Answer::of(*value, display));
-        let expectation =
-            |o: &Outcome| Expectation { text: o.text.clone(), pose: o.pose.clone(), met: o.passed };
         Self {
             poses,
             whole: Pose { name: String::new(), names, answers: of_no_pose.collect(), failure: None },
-            expectations: solved.outcomes.iter().map(expectation).collect(),
+            expectations: solved.outcomes.iter().map(Expectation::of).collect(),
             diagnostics,
         }
     }

@@ -22,7 +22,7 @@ pub use drawn::{solve_document_drawn, solve_drawn, solve_drawn_conducted};
 pub use elsewhere::elsewhere;
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
 pub use fixed::{certain_edits, fixed};
-pub use followed::{Followed, Sink, SizeError, is_long, most_positions};
+pub use followed::{Followed, Sink, SizeError, followed, is_long, most_positions};
 pub use open_sizes::OpenSizeError;
 pub use solved::{
     Solved, solve, solve_conducted, solve_each, solve_source, solve_source_conducted, solve_within,

@@ -2,12 +2,12 @@
 //! where a position has none; positions one after another, none is kept.
 
 use super::answers::{Answers, pose_header};
+use super::row_numbers::{NumberField, NumberRows};
 use super::rows::AnswerColumns;
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray};
 use arrow_ipc::writer::StreamWriter;
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
-use assur_model::model::Value;
-use assur_solve::solve::{Model, NumberColumns, Pose};
+use assur_solve::solve::{Model, Pose};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -16,10 +16,7 @@ const BATCH: usize = 4096;
 
 /// Writes positions.
 pub struct ArrowRows {
-    columns: AnswerColumns,
-    /// The answers that need no pose, once known.
-    whole: Option<Vec<Option<Value>>>,
-    numbers: Option<NumberColumns>,
+    rows: NumberRows,
     schema: SchemaRef,
     names: Vec<String>,
     /// By column; NaN for null, 1 and 0 for conditions.
@@ -35,24 +32,25 @@ impl ArrowRows {
     /// The schema cannot be written.
     pub fn of(model: &Model<'_>) -> Result<Self, ArrowError> {
         let columns = AnswerColumns::of_file(model);
-        let field = |(name, unit, condition): (String, String, bool)| {
-            let kind = if condition { DataType::Boolean } else { DataType::Float64 };
-            let unit = (!unit.is_empty()).then(|| ("unit".to_owned(), unit));
-            Field::new(name, kind, true).with_metadata(unit.into_iter().collect::<HashMap<_, _>>())
+        let field = |field: NumberField| {
+            let kind = if field.condition { DataType::Boolean } else { DataType::Float64 };
+            let unit = Some(field.display.unit).filter(|unit| !unit.is_empty());
+            let unit = unit.map(|unit| ("unit".to_owned(), unit));
+            Field::new(field.name, kind, true).with_metadata(unit.into_iter().collect::<HashMap<_, _>>())
         };
         let numbers = columns.fields(model.mechanism).into_iter().map(field);
         let pose = Field::new(pose_header(model.mechanism), DataType::Utf8, false);
         let schema = Arc::new(Schema::new(std::iter::once(pose).chain(numbers).collect::<Vec<_>>()));
         let writer = StreamWriter::try_new(Vec::new(), &schema)?;
         let cells = vec![Vec::new(); schema.fields().len() - 1];
-        let (whole, numbers, names, row) = (None, None, Vec::new(), Vec::new());
-        Ok(Self { columns, whole, numbers, schema, names, cells, row, writer })
+        let (rows, names, row) = (NumberRows::of(columns), Vec::new(), Vec::new());
+        Ok(Self { rows, schema, names, cells, row, writer })
     }
 
     /// Whether a column shows the angle of a link or of a hinge.
     #[must_use]
     pub fn reads_angles(&self, model: &Model<'_>) -> bool {
-        self.columns.reads_angles(model)
+        self.rows.reads_angles(model)
     }
 
     /// Adds a position.
@@ -60,18 +58,8 @@ impl ArrowRows {
     /// # Errors
     /// A batch cannot be written.
     pub fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> Result<(), ArrowError> {
-        let whole = self.whole.get_or_insert_with(|| {
-            let whole = self.columns.whole(answers);
-            self.numbers = self.columns.numbers(&whole);
-            whole
-        });
-        let solved = pose.outcome.as_ref().ok().filter(|solved| !solved.state.forces.locked);
-        let read = self.numbers.as_ref().zip(solved).is_some_and(|(numbers, solved)| {
-            numbers.read(&answers.solution.view(&answers.model, solved), &pose.drives, &mut self.row)
-        });
-        if !read {
-            self.columns.write_cells(answers, pose, whole, &mut self.row);
-        }
+        self.rows.begin(answers);
+        self.rows.read(answers, pose, &mut self.row);
         self.names.push(pose.name.clone());
         self.cells.iter_mut().zip(&self.row).for_each(|(cells, x)| cells.push(*x));
         if self.names.len() == BATCH { self.write() } else { Ok(()) }

@@ -1,22 +1,108 @@
-//! Answers of a position as a row of numbers, for streams of positions: in CSV, in columns of Arrow.
+//! Answers of a position as a row of numbers, for streams of positions: in CSV, in columns of Arrow, in columns in memory.
 
-#[cfg(feature = "arrow")]
 use super::answers::Answers;
-#[cfg(feature = "arrow")]
-use super::rows::Answer;
-use super::rows::{AnswerColumns, Content};
-#[cfg(feature = "arrow")]
-use assur_model::model::Mechanism;
-use assur_model::model::{FindKind, Value};
-#[cfg(feature = "arrow")]
-use assur_solve::solve::Pose;
-use assur_solve::solve::{Model, NumberColumns, Shown};
+use super::rows::{Answer, AnswerColumns, Content};
+use assur_model::model::{Display, FindKind, Mechanism, Value};
+use assur_solve::solve::{Greatest, Model, NumberColumns, Pose, Shown};
+use assur_text::units::{Dimension, Kind};
+
+/// A column of numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NumberField {
+    /// Its name, with `.x` or `.y` for a component of a vector.
+    pub name: String,
+    /// The unit of its numbers.
+    pub display: Display,
+    /// It shows a condition: 1 is true, 0 false.
+    pub condition: bool,
+}
+
+/// Reads positions as rows of numbers: in the units of its columns, 1 and 0 for conditions, NaN where there is no answer.
+#[derive(Clone, Debug)]
+pub struct NumberRows {
+    columns: AnswerColumns,
+    /// The answers that need no pose, once known.
+    whole: Option<Vec<Option<Value>>>,
+    /// The columns, where a state decides them.
+    numbers: Option<NumberColumns>,
+}
+
+impl NumberRows {
+    /// For these columns.
+    #[must_use]
+    pub const fn of(columns: AnswerColumns) -> Self {
+        Self { columns, whole: None, numbers: None }
+    }
+
+    /// Finds the answers that need no pose, once.
+    pub fn begin(&mut self, answers: &Answers<'_>) {
+        if self.whole.is_none() {
+            let whole = self.columns.whole(answers);
+            self.numbers = self.columns.numbers(&whole);
+            self.whole = Some(whole);
+        }
+    }
+
+    /// Writes a position, once it has [begun](NumberRows::begin).
+    pub fn read(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>) {
+        let solved = pose.outcome.as_ref().ok().filter(|solved| !solved.state.forces.locked);
+        let read = self.numbers.as_ref().zip(solved).is_some_and(|(numbers, solved)| {
+            numbers.read(&answers.solution.view(&answers.model, solved), &pose.drives, row)
+        });
+        if !read {
+            let whole = self.whole.as_deref().unwrap_or_default();
+            self.columns.write_row(answers, pose, whole, None, row);
+        }
+    }
+
+    /// Writes what needs no pose, for a file that has none.
+    pub fn read_without_pose(&self, answers: &Answers<'_>, row: &mut Vec<f64>) {
+        self.columns.write_row_without_pose(answers, row);
+    }
+
+    /// Whether a column shows the angle of a link or of a hinge, or a quantity does that it may show.
+    #[must_use]
+    pub fn reads_angles(&self, model: &Model<'_>) -> bool {
+        self.columns.reads_angles(model)
+    }
+}
 
 impl AnswerColumns {
-    /// Names and units of the columns, and whether each shows a condition.
-    #[cfg(feature = "arrow")]
+    /// The same in SI, angles in radians.
     #[must_use]
-    pub fn fields(&self, mechanism: &Mechanism) -> Vec<(String, String, bool)> {
+    pub fn in_si(mut self) -> Self {
+        for answer in &mut self.answers {
+            let [length, mass, time, angle] = answer.display.dimension;
+            let kind = match answer.display.unit.as_str() {
+                "" => Kind::Plain,
+                _ if angle != 0 => Kind::Angle,
+                _ => Kind::Free,
+            };
+            let unit = Dimension { length, mass, time, kind }.si_text();
+            answer.display = Display { unit, factor: 1.0, ..answer.display.clone() };
+        }
+        self
+    }
+
+    /// Each name once: a reaction that is asked for by its own name, too, has one column.
+    #[must_use]
+    pub fn each_once(mut self) -> Self {
+        let names: Vec<String> = self.names().collect();
+        let mut places = 0..;
+        self.answers.retain(|_| places.next().is_some_and(|i| !names[..i].contains(&names[i])));
+        self
+    }
+
+    /// The same without the values of drives.
+    #[must_use]
+    pub fn without_drives(mut self) -> Self {
+        self.answers.drain(..std::mem::take(&mut self.drives));
+        self
+    }
+
+    /// The columns, two for a vector.
+    #[must_use]
+    pub fn fields(&self, mechanism: &Mechanism) -> Vec<NumberField> {
         let condition = |answer: &Answer| match answer.content {
             Content::Find { index, .. } => match &mechanism.finds[index].kind {
                 FindKind::Value { expr, .. } => mechanism.is_condition(expr),
@@ -25,29 +111,35 @@ impl AnswerColumns {
             _ => false,
         };
         let field = |answer: &Answer| {
-            let (unit, condition) = (answer.display.unit.clone(), condition(answer));
-            answer.columns().map(move |name| (name, unit.clone(), condition)).collect::<Vec<_>>()
+            let (display, condition) = (&answer.display, condition(answer));
+            let named = |name| NumberField { name, display: display.clone(), condition };
+            answer.columns().map(named).collect::<Vec<_>>()
         };
         self.answers.iter().flat_map(field).collect()
     }
 
-    /// The cells of a position: numbers in the author's units, 1 and 0 for conditions, NaN where there is no answer.
-    #[cfg(feature = "arrow")]
-    pub fn write_cells(
+    /// The cells of a position: numbers in the units of the columns, 1 and 0 for conditions, NaN where there is no answer. What is
+    /// rounding against what is `greatest` is 0, if that is given, as in an answer key.
+    pub fn write_row(
         &self,
         answers: &Answers<'_>,
         pose: &Pose,
         whole: &[Option<Value>],
+        greatest: Option<&Greatest>,
         out: &mut Vec<f64>,
     ) {
         out.clear();
-        self.each_value(0, answers, pose, whole, |answer, value| match (value, answer.vector) {
-            (Some(Value::Vector(v)), true) => out.extend([v.x, v.y].map(|x| answer.display.of_si(x))),
-            (Some(Value::Scalar(x)), false) => out.push(answer.display.of_si(x)),
-            (Some(Value::Bool(truth)), false) => out.push(f64::from(u8::from(truth))),
-            (_, true) => out.extend([f64::NAN; 2]),
-            (_, false) => out.push(f64::NAN),
+        self.each_value(0, answers, pose, whole, |answer, value| {
+            let value = greatest.map_or(value, |greatest| answer.cleared(value, greatest));
+            answer.push_cells(value, out);
         });
+    }
+
+    /// The cells of a file without positions: what needs none.
+    pub fn write_row_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<f64>) {
+        out.clear();
+        let whole = self.whole(answers);
+        self.answers.iter().zip(whole).for_each(|(answer, value)| answer.push_cells(value, out));
     }
 
     /// The same columns as numbers, with what needs no pose known. `None` where some depend on more than a state.
@@ -82,5 +174,18 @@ impl AnswerColumns {
             expr.queries(&mut |query| reads |= query.facts().continuous.is_some());
         }
         reads
+    }
+}
+
+impl Answer {
+    /// Adds its cells.
+    fn push_cells(&self, value: Option<Value>, out: &mut Vec<f64>) {
+        match (value, self.vector) {
+            (Some(Value::Vector(v)), true) => out.extend([v.x, v.y].map(|x| self.display.of_si(x))),
+            (Some(Value::Scalar(x)), false) => out.push(self.display.of_si(x)),
+            (Some(Value::Bool(truth)), false) => out.push(f64::from(u8::from(truth))),
+            (_, true) => out.extend([f64::NAN; 2]),
+            (_, false) => out.push(f64::NAN),
+        }
     }
 }

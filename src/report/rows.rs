@@ -57,11 +57,7 @@ impl AnswerColumns {
     /// Those of a file, whatever the values of its givens.
     #[must_use]
     pub fn of(model: &Model<'_>) -> Self {
-        let mut columns = Self::with_moments(model, false);
-        // a reaction that is asked for by its own name, too, has one column
-        let names: Vec<String> = columns.names().collect();
-        let mut places = 0..;
-        columns.answers.retain(|a| places.next().is_some_and(|i| !names[..i].contains(&a.name)));
+        let mut columns = Self::with_moments(model, false).each_once();
         // with other values a reaction may be made up of others, as where nothing rubs any more
         for answer in &mut columns.answers {
             if let Content::Reaction(_, _, joints) | Content::Moment(_, _, joints) = &mut answer.content {

@@ -1,0 +1,229 @@
+//! The solution of a problem as columns.
+
+use crate::batches::{Capsules, array_capsules, schema_capsule, stream_capsule};
+use crate::cells::{array, field};
+use crate::numbers::Numbers;
+use arrow_array::{ArrayRef, RecordBatch, RecordBatchIterator, StringArray};
+use arrow_buffer::ScalarBuffer;
+use arrow_schema::{ArrowError, DataType, Field, Schema};
+use assur::internals::diagnostic::did_you_mean;
+use assur::{Diagnostics, PoseFailure, WrittenUnit};
+use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyCapsule;
+use std::fmt::Write;
+use std::sync::Arc;
+
+/// The answers of all positions.
+#[pyclass(frozen, module = "assur")]
+pub struct Columns {
+    columns: Vec<Column>,
+    quality: [Column; 4],
+    solved: Arc<Solved>,
+}
+
+/// A column and its unit.
+struct Column {
+    name: String,
+    unit: String,
+    written: WrittenUnit,
+    condition: bool,
+    values: ScalarBuffer<f64>,
+}
+
+/// What columns in all units have in common.
+struct Solved {
+    pose_header: String,
+    len: usize,
+    names: Vec<(usize, String)>,
+    failures: Vec<PoseFailure>,
+    expectations: Vec<assur::Expectation>,
+    diagnostics: Diagnostics,
+}
+
+impl Columns {
+    /// Takes the columns of the library over: nothing is copied.
+    pub fn of(found: assur::Columns) -> Self {
+        let assur::Columns { pose_header, len, names, failures, expectations, diagnostics, .. } = found;
+        let column = |c: assur::Column| Column {
+            name: c.name,
+            unit: c.unit,
+            written: c.written,
+            condition: c.condition,
+            values: c.values.into(),
+        };
+        let plain = |name: &str, values: Vec<f64>| Column {
+            name: name.to_owned(),
+            unit: String::new(),
+            written: WrittenUnit::default(),
+            condition: false,
+            values: values.into(),
+        };
+        let assur::Residuals { closure, equilibrium, power } = found.residuals;
+        Self {
+            columns: found.columns.into_iter().map(column).collect(),
+            quality: [
+                plain("residual(closure)", closure),
+                plain("residual(equilibrium)", equilibrium),
+                plain("residual(power)", power),
+                plain("condition", found.condition),
+            ],
+            solved: Arc::new(Solved { pose_header, len, names, failures, expectations, diagnostics }),
+        }
+    }
+
+    fn column(&self, name: &str) -> PyResult<&Column> {
+        let found = self.columns.iter().chain(&self.quality).find(|column| column.name == name);
+        found.ok_or_else(|| {
+            let names = || self.columns.iter().map(|column| column.name.as_str());
+            let help = match did_you_mean(name, names()).first() {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("there are {}", names().collect::<Vec<_>>().join(", ")),
+            };
+            PyKeyError::new_err(format!("no answer is called `{name}`; {help}"))
+        })
+    }
+
+    /// All of it as a batch of Arrow.
+    fn batch(&self) -> Result<RecordBatch, ArrowError> {
+        let Solved { pose_header, len, names, failures, .. } = &*self.solved;
+        let mut fields = vec![Field::new(pose_header, DataType::Utf8, false)];
+        let mut arrays: Vec<ArrayRef> = vec![Arc::new(pose_names(*len, names))];
+        for column in self.columns.iter().chain(&self.quality) {
+            fields.push(field(&column.name, &column.unit, column.condition));
+            arrays.push(array(&column.values, column.condition));
+        }
+        let mut reasons: Vec<Option<&str>> = vec![None; *len];
+        for failure in failures {
+            reasons[failure.index] = Some(&failure.message);
+        }
+        fields.push(Field::new("error", DataType::Utf8, true));
+        arrays.push(Arc::new(StringArray::from(reasons)));
+        RecordBatch::try_new(Arc::new(Schema::new(fields)), arrays)
+    }
+}
+
+/// The names of positions: their numbers, counted from 1, but for some.
+fn pose_names(count: usize, others: &[(usize, String)]) -> StringArray {
+    let mut others = others.iter().peekable();
+    let mut name = String::new();
+    let names = (0..count).map(|i| {
+        name.clear();
+        match others.next_if(|(index, _)| *index == i) {
+            Some((_, other)) => name.push_str(other),
+            // writing to a String does not fail
+            None => drop(write!(name, "{}", i + 1)),
+        }
+        name.clone()
+    });
+    StringArray::from_iter_values(names)
+}
+
+#[pymethods]
+impl Columns {
+    fn __len__(&self) -> usize {
+        self.solved.len
+    }
+
+    /// The names of the columns.
+    #[getter]
+    fn names(&self) -> Vec<&str> {
+        self.columns.iter().map(|column| column.name.as_str()).collect()
+    }
+
+    /// The units of the columns, by name.
+    #[getter]
+    fn units(&self) -> Vec<(&str, &str)> {
+        self.columns.iter().map(|column| (column.name.as_str(), column.unit.as_str())).collect()
+    }
+
+    /// The numbers of a column.
+    fn numbers(&self, name: &str) -> PyResult<Numbers> {
+        self.column(name).map(|column| Numbers::of(column.values.clone()))
+    }
+
+    /// The names of positions.
+    #[getter]
+    fn poses(&self) -> Vec<String> {
+        pose_names(self.solved.len, &self.solved.names).iter().flatten().map(str::to_owned).collect()
+    }
+
+    /// Positions without a solution: index, code, reason.
+    #[getter]
+    fn failures(&self) -> Vec<(usize, Option<&str>, &str)> {
+        let failures = self.solved.failures.iter();
+        failures.map(|f| (f.index, f.code.as_deref(), f.message.as_str())).collect()
+    }
+
+    /// Expectations: text, pose, whether they are met.
+    #[getter]
+    fn expectations(&self) -> Vec<(&str, Option<&str>, bool)> {
+        let expectations = self.solved.expectations.iter();
+        expectations.map(|e| (e.text.as_str(), e.pose.as_deref(), e.met)).collect()
+    }
+
+    /// Warnings as the terminal shows them, and as JSON.
+    #[getter]
+    fn diagnostics(&self) -> (String, String) {
+        (self.solved.diagnostics.to_string(), self.solved.diagnostics.to_json())
+    }
+
+    /// The same in the units of the file.
+    fn in_file_units(&self) -> Self {
+        let column = |c: &Column| Column {
+            name: c.name.clone(),
+            unit: c.written.text().to_owned(),
+            written: c.written.clone(),
+            condition: c.condition,
+            values: match c.condition {
+                true => c.values.clone(),
+                false => c.values.iter().map(|x| c.written.of_si(*x)).collect(),
+            },
+        };
+        let same = |c: &Column| Column {
+            name: c.name.clone(),
+            unit: String::new(),
+            written: WrittenUnit::default(),
+            condition: false,
+            values: c.values.clone(),
+        };
+        Self {
+            columns: self.columns.iter().map(column).collect(),
+            quality: self.quality.each_ref().map(same),
+            solved: Arc::clone(&self.solved),
+        }
+    }
+
+    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
+        schema_capsule(py, &self.batch().map_err(arrow)?.schema())
+    }
+
+    #[pyo3(signature = (requested_schema = None))]
+    fn __arrow_c_array__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Capsules<'py>> {
+        // a schema may be asked for; this is the only one there is
+        drop(requested_schema);
+        array_capsules(py, self.batch().map_err(arrow)?)
+    }
+
+    #[pyo3(signature = (requested_schema = None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        drop(requested_schema);
+        let batch = self.batch().map_err(arrow)?;
+        let schema = batch.schema();
+        stream_capsule(py, Box::new(RecordBatchIterator::new([Ok(batch)], schema)))
+    }
+}
+
+/// An error of Arrow as an exception.
+#[allow(clippy::needless_pass_by_value, reason = "for `map_err`")]
+pub fn arrow(error: ArrowError) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}

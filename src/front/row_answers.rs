@@ -1,0 +1,113 @@
+//! The answers to rows of variants as columns: one line per row and position.
+
+use super::rows::RowLayout;
+use crate::report::Answers;
+use assur_solve::message::failure;
+
+/// Answers to rows: one line per position of a row, and one without answers where a row has none.
+#[derive(Clone, Debug, Default)]
+pub struct RowAnswers {
+    /// The row of each line, from 0.
+    pub rows: Vec<usize>,
+    /// The position of each line.
+    pub poses: Vec<String>,
+    /// The events at the instant of each line, where the layout has them.
+    pub events: Vec<String>,
+    /// The columns of the layout, in the author's units. NaN where there is no answer; 1 and 0 for conditions.
+    pub values: Vec<Vec<f64>>,
+    /// Lines without answers, with the reasons, in their order.
+    pub errors: Vec<(usize, String)>,
+}
+
+impl RowAnswers {
+    pub(super) fn of(layout: &RowLayout) -> Self {
+        Self { values: vec![Vec::new(); layout.fields.len()], ..Self::default() }
+    }
+
+    /// How many lines there are.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    pub(super) fn truncate(&mut self, count: usize) {
+        self.rows.truncate(count);
+        self.poses.truncate(count);
+        self.events.truncate(count);
+        self.errors.retain(|(line, _)| *line < count);
+        self.values.iter_mut().for_each(|values| values.truncate(count));
+    }
+
+    pub(super) fn append(&mut self, mut other: Self) {
+        let before = self.len();
+        self.errors.extend(other.errors.drain(..).map(|(line, why)| (before + line, why)));
+        self.rows.append(&mut other.rows);
+        self.poses.append(&mut other.poses);
+        self.events.append(&mut other.events);
+        self.values.iter_mut().zip(&mut other.values).for_each(|(all, values)| all.append(values));
+    }
+}
+
+/// The lines of a row.
+pub(super) struct Line<'a> {
+    pub layout: &'a RowLayout,
+    pub index: usize,
+    /// Memory for its numbers.
+    pub numbers: &'a mut Vec<f64>,
+    pub out: &'a mut RowAnswers,
+}
+
+impl Line<'_> {
+    /// One line per position, as in a table of text.
+    pub fn all(&mut self, answers: Option<&Answers<'_>>, error: &str) {
+        let Some(answers) = answers else { return self.without_answers(error) };
+        let columns = &self.layout.answers;
+        let whole = columns.whole_if_any(answers);
+        let greatest = self.layout.key.then(|| answers.greatest());
+        let mut row = std::mem::take(self.numbers);
+        let mut any = false;
+        for pose in answers.asked_for() {
+            any = true;
+            columns.write_row(answers, pose, &whole, greatest.as_ref(), &mut row);
+            let why = pose.outcome.as_ref().err().map(|why| failure(&answers.model, why).to_string());
+            self.push_event(columns.events_at(answers, pose));
+            self.push(&pose.name, &row, why.as_deref().unwrap_or(error));
+        }
+        if !any {
+            columns.write_row_without_pose(answers, &mut row);
+            self.push_event(None);
+            self.push("", &row, error);
+        }
+        *self.numbers = row;
+    }
+
+    /// The line of a row without answers.
+    pub fn without_answers(&mut self, error: &str) {
+        let none = vec![f64::NAN; self.layout.fields.len()];
+        self.push_event(None);
+        self.push("", &none, error);
+    }
+
+    fn push_event(&mut self, event: Option<String>) {
+        if self.layout.names_events {
+            self.out.events.push(event.unwrap_or_default());
+        }
+    }
+
+    fn push(&mut self, pose: &str, row: &[f64], error: &str) {
+        if !error.is_empty() {
+            let one_line = error.split_whitespace().collect::<Vec<_>>().join(" ");
+            self.out.errors.push((self.out.len(), one_line));
+        }
+        self.out.rows.push(self.index);
+        self.out.poses.push(pose.to_owned());
+        let finite = |x: f64| if x.is_finite() { x } else { f64::NAN };
+        self.out.values.iter_mut().zip(row).for_each(|(values, x)| values.push(finite(*x)));
+    }
+}

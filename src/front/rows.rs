@@ -1,0 +1,257 @@
+//! Rows of variants from columns in memory.
+
+use super::columns::WrittenUnit;
+use super::diagnostics::Diagnostics;
+use super::row_answers::{Line, RowAnswers};
+use super::workers::{Workers, each_of};
+use crate::exercise::table::{Separator, Table, Written};
+use crate::pipeline::VariantSolver;
+use crate::report::rows::AnswerColumns;
+use crate::report::{NumberField, Precision};
+use assur_check::{self as check, ColumnUse, Overrides, Row, RowCell, RowColumn};
+use assur_solve::solve::Watch;
+use assur_syntax::document::{Document, ExprKind, Statement};
+use assur_text::diagnostic::Problems;
+use assur_text::source::{Source, Spanned};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Rows that one worker takes at a time.
+const PIECE: usize = 256;
+/// Rows that are looked at for the columns of the answers.
+const LOOKED_AT: usize = 256;
+
+/// A text that is solved for rows of values from outside.
+#[derive(Debug)]
+pub struct Rows {
+    source: Source,
+    document: Arc<Document>,
+    overrides: Overrides,
+    within: Option<f64>,
+    columns: Arc<[RowColumn]>,
+    /// The digits of numbers count: an expectation may take its tolerance from them.
+    digits: bool,
+}
+
+/// What a column of rows holds.
+#[derive(Clone, Copy, Debug)]
+pub enum Cells<'c> {
+    /// Numbers in the unit of the column; NaN where one is missing.
+    Numbers(&'c [f64]),
+    /// Names of rows.
+    Names(&'c [Option<String>]),
+}
+
+/// A column of the rows that a text takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowField {
+    /// Its name.
+    pub name: String,
+    /// The unit of its numbers; empty for plain numbers.
+    pub unit: String,
+    /// It names the rows.
+    pub is_label: bool,
+    /// It replaces a `given`, and is repeated with the answers.
+    pub is_given: bool,
+}
+
+/// The columns of the answers to rows.
+#[derive(Clone, Debug)]
+pub struct RowLayout {
+    /// What heads the names of positions.
+    pub pose_header: String,
+    /// Names and units, in the author's units, whether each is a condition; drives first.
+    pub fields: Vec<(String, WrittenUnit, bool)>,
+    /// A column says which events happen at an instant.
+    pub names_events: bool,
+    pub(super) answers: AnswerColumns,
+    pub(super) key: bool,
+}
+
+impl Rows {
+    pub(super) fn new(
+        source: Source,
+        document: Arc<Document>,
+        overrides: Overrides,
+        within: Option<f64>,
+        header: &[(String, Option<String>)],
+    ) -> Result<Self, Diagnostics> {
+        let line = header.iter().map(|column| header_cell(&document, column)).collect::<Vec<_>>().join(", ");
+        let table = Table::open("rows", line.as_bytes());
+        let table = match table {
+            Ok(Ok(table)) => table,
+            Ok(Err((text, error))) => return Err(Diagnostics::of(&Problems::of([*error]), &text)),
+            // a text in memory is always read
+            Err(_) => return Err(Diagnostics::default()),
+        };
+        let (columns, problems) = check::columns(&document, &overrides, &table.columns);
+        let Some(columns) = columns else {
+            let own = || Diagnostics::of(&check::check(&document, &overrides).1, &source);
+            let of_table = Diagnostics::of(&problems, &table.header);
+            return Err(if problems.is_empty() { own() } else { of_table });
+        };
+        let expects = |statement: &Spanned<Statement>| matches!(statement.node, Statement::Expect(_));
+        let digits = document.statements.iter().any(expects);
+        Ok(Self { source, document, overrides, within, columns: columns.into(), digits })
+    }
+
+    /// The columns of the rows.
+    #[must_use]
+    pub fn fields(&self) -> Vec<RowField> {
+        let field = |column: &RowColumn| RowField {
+            name: column.name.clone(),
+            unit: column.unit.text.clone(),
+            is_label: column.what == ColumnUse::Label,
+            is_given: column.what == ColumnUse::Given,
+        };
+        self.columns.iter().map(field).collect()
+    }
+
+    /// The columns of the answers, found with the text as it is written, else with the first rows.
+    ///
+    /// # Errors
+    /// The diagnostics of a text that is wrong whatever the row.
+    pub fn layout(&self, cells: &[Cells<'_>], count: usize, key: bool) -> Result<RowLayout, Diagnostics> {
+        let mut solver = self.solver(&|_, _| true);
+        let (mut compiled, problems) = solver.compile(&Row::default());
+        for index in 0..count.min(LOOKED_AT) {
+            if compiled.is_some() {
+                break;
+            }
+            let mut row = Row::default();
+            let read = self.read(cells, index, &mut row);
+            compiled = read.ok().and_then(|()| solver.compile(&row).0);
+        }
+        let Some(compiled) = compiled else { return Err(Diagnostics::of(&problems, &self.source)) };
+        let answers = AnswerColumns::of(&compiled.model());
+        let answers = if key { answers.without_drives() } else { answers };
+        let field = |f: NumberField| (f.name, WrittenUnit::of(f.display), f.condition);
+        let fields = answers.fields(&compiled.mechanism).into_iter().map(field).collect();
+        let pose_header = if key { "pose" } else { answers.pose_header() }.to_owned();
+        let names_events = answers.names_events() && !key;
+        Ok(RowLayout { pose_header, fields, names_events, answers, key })
+    }
+
+    /// Solves rows; `None` where the workers did not want to go on.
+    #[must_use]
+    pub fn solve(
+        &self,
+        layout: &RowLayout,
+        cells: &[Cells<'_>],
+        count: usize,
+        workers: &dyn Workers,
+    ) -> Option<RowAnswers> {
+        let watch = |_: f64, _: f64| !workers.is_stopped();
+        let idle: Mutex<Vec<VariantSolver<'_>>> = Mutex::new(Vec::new());
+        let lock = || idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut all = RowAnswers::of(layout);
+        let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
+        for starts in starts.chunks(workers.pieces().max(1)) {
+            let mut pieces: Vec<RowAnswers> = starts.iter().map(|_| RowAnswers::of(layout)).collect();
+            each_of(workers, &mut pieces, |i, piece| {
+                let mut solver = lock().pop().unwrap_or_else(|| self.solver(&watch));
+                let (mut row, mut numbers) = (Row::default(), Vec::new());
+                for index in starts[i]..(starts[i] + PIECE).min(count) {
+                    let mut line = Line { layout, index, numbers: &mut numbers, out: piece };
+                    match self.read(cells, index, &mut row) {
+                        Ok(()) => self.one(&row, (&mut solver, &watch), &mut line),
+                        Err(why) => line.without_answers(&why),
+                    }
+                }
+                lock().push(solver);
+            });
+            if !workers.goes_on() {
+                return None;
+            }
+            pieces.into_iter().for_each(|piece| all.append(piece));
+        }
+        Some(all)
+    }
+
+    fn solver<'r>(&'r self, watch: &'r Watch<'r>) -> VariantSolver<'r> {
+        VariantSolver::new(&self.document, &self.overrides).within(self.within).watched(watch)
+    }
+
+    /// Solves a row. An error of our own ends one row, not the batch.
+    fn one<'r>(
+        &'r self,
+        row: &Row,
+        (solver, watch): (&mut VariantSolver<'r>, &'r Watch<'r>),
+        line: &mut Line<'_>,
+    ) {
+        let before = line.out.len();
+        let found = catch_unwind(AssertUnwindSafe(|| {
+            let (solved, problems) = solver.solve_in_place(row);
+            let answers = solved.map(|solved| solved.answers(Precision::READABLE));
+            line.all(answers.as_ref(), &first_error(&problems));
+        }));
+        if found.is_err() {
+            // what the row left behind is not to be used again
+            *solver = self.solver(watch);
+            line.out.truncate(before);
+            line.without_answers("internal error: please report this row with the file");
+        }
+    }
+
+    /// Reads a row in SI, or what is wrong with it.
+    fn read(&self, cells: &[Cells<'_>], index: usize, row: &mut Row) -> Result<(), String> {
+        row.begin(&self.columns);
+        for (column, cells) in self.columns.iter().zip(cells) {
+            let number = match cells {
+                _ if column.what == ColumnUse::Label => {
+                    row.push(RowCell::default());
+                    continue;
+                }
+                Cells::Numbers(numbers) => numbers.get(index).copied().unwrap_or(f64::NAN),
+                Cells::Names(_) => f64::NAN,
+            };
+            if number.is_nan() {
+                return Err(format!("the value of `{}` is missing", column.name));
+            }
+            if number.is_infinite() {
+                return Err(format!("the value of `{}` is infinite", column.name));
+            }
+            let digit = if self.digits { last_digit(number) } else { 0.0 };
+            row.push(RowCell { value: column.unit.to_si(number), digit: column.unit.to_si(digit) });
+        }
+        Ok(())
+    }
+}
+
+/// One unit in the last digit of a number as it would be written.
+fn last_digit(number: f64) -> f64 {
+    Written::read(&number.to_string(), Separator::Comma).map_or(0.0, |written| written.digit)
+}
+
+/// The header of a column as in a table of text: without a unit of its own the `given` has that of its declaration.
+fn header_cell(document: &Document, (name, unit): &(String, Option<String>)) -> String {
+    let unit = unit.clone().or_else(|| declared_unit(document, name));
+    let text = match unit.filter(|unit| !unit.is_empty()) {
+        Some(unit) if !name.contains('[') => format!("{name} [{unit}]"),
+        _ => name.clone(),
+    };
+    let text = text.replace(['\r', '\n'], " ");
+    let needs_quotes = text.contains([',', ';', '\t', '"']);
+    if needs_quotes { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+}
+
+/// The unit in which a document gives the value of a name.
+fn declared_unit(document: &Document, name: &str) -> Option<String> {
+    document.statements.iter().find_map(|statement| match &statement.node {
+        Statement::Given(given) if given.name.node == name => match &given.value.kind {
+            ExprKind::Number(number) => number.unit.as_ref().map(|unit| unit.node.clone()),
+            _ => None,
+        },
+        _ => None,
+    })
+}
+
+fn first_error(problems: &Problems) -> String {
+    if problems.is_empty() {
+        return String::new();
+    }
+    let is_error = |p: &&dyn assur_text::diagnostic::Problem| {
+        matches!(p.severity(), None | Some(miette::Severity::Error))
+    };
+    problems.sorted().into_iter().find(is_error).map(ToString::to_string).unwrap_or_default()
+}
