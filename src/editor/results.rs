@@ -3,7 +3,7 @@
 use super::Analysis;
 use super::lenses::in_words;
 use crate::exercise::{Outcome, mismatches};
-use crate::pipeline::{Sink, Solved, compile_document, is_long, solve_each};
+use crate::pipeline::{Sink, Solved, compile_document, is_long, solve, solve_each};
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, Precision};
 use assur_check::Overrides;
@@ -41,18 +41,34 @@ impl Analysis {
     /// Solves the text; nothing where it cannot be, has very many positions, or is not to go on.
     #[must_use]
     pub fn solve(&self, goes_on: &GoesOn<'_>) -> Option<Results> {
-        let compiled = self.compiled.as_ref().filter(|compiled| !is_long(&compiled.model()));
-        if compiled.is_none() || self.problems.has_errors() {
-            return None;
+        let is_short = self.compiled.as_ref().is_some_and(|compiled| !is_long(&compiled.model()));
+        if is_short { self.solve_or_why(goes_on).ok() } else { None }
+    }
+
+    /// As [`Analysis::solve`].
+    ///
+    /// # Errors
+    /// What makes all positions meaningless; nothing that the analysis has found, and nothing where it is not to go on.
+    pub fn solve_or_why(&self, goes_on: &GoesOn<'_>) -> Result<Results, Problems> {
+        if self.compiled.is_none() || self.problems.has_errors() {
+            return Err(Problems::new());
         }
         let none = Overrides::none();
         let (compiled, _) = compile_document(&self.source, &self.document, Problems::new(), &none);
-        let watch = |_, _| goes_on();
-        let (solved, problems) = solve_each(compiled?, &mut Watched { goes_on, watch: &watch });
+        let Some(compiled) = compiled else { return Err(Problems::new()) };
+        let (solved, problems) = if is_long(&compiled.model()) {
+            // the error says how many there are
+            solve(compiled)
+        } else {
+            solve_each(compiled, &mut Watched { goes_on, watch: &|_, _| goes_on() })
+        };
         // the keys of variants are those of their rows
         let with_rows = self.document.statements.iter().any(|s| matches!(s.node, Statement::Variants(_)));
-        let solved = solved.ok().filter(|_| goes_on())?;
-        Some(Results::of(solved, if with_rows { None } else { Some(problems) }))
+        match solved {
+            Ok(solved) if goes_on() => Ok(Results::of(solved, if with_rows { None } else { Some(problems) })),
+            Ok(_) => Err(Problems::new()),
+            Err(_) => Err(problems),
+        }
     }
 }
 
