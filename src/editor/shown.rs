@@ -8,7 +8,7 @@ use crate::report::{AccuracyShown, Precision, of_answers};
 use assur_drawing::Theme;
 use assur_picture::{Kind, Missing, Options, Scene, animation, draw};
 use assur_text::diagnostic::{Problems, Style, place, render_most};
-use assur_text::source::shown_in_line;
+use assur_text::source::{Span, shown_in_line};
 use assur_worked::Language;
 use serde::Serialize;
 
@@ -41,6 +41,9 @@ pub struct Declared {
     pub line: usize,
     /// The first line of the statement.
     pub text: String,
+    /// All of it.
+    #[serde(skip)]
+    pub whole: Span,
 }
 
 impl Analysis {
@@ -51,7 +54,7 @@ impl Analysis {
         let of_answers = results.map_or_else(|problems| problems, |results| &results.problems);
         diagnostics += &render_most(of_answers, &self.source, STYLE, MOST);
         let Ok(results) = results else { return Shown { diagnostics, ..Shown::default() } };
-        let picture = match self.picture(results) {
+        let picture = match self.moving(results) {
             Ok(picture) => Some(picture),
             Err(missing) => {
                 diagnostics += &render_most(&Problems::of([missing]), &self.source, STYLE, MOST);
@@ -62,15 +65,14 @@ impl Analysis {
     }
 
     /// The animation; of what does not move the scheme.
-    fn picture(&self, results: &Results) -> Result<String, Missing> {
+    fn moving(&self, results: &Results) -> Result<String, Missing> {
         let solved = &results.solved;
         let file = (self.source.name.as_str(), self.source.text.as_str());
         let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None)?;
         let turn = turn(&solved.compiled, &solved.solution);
         let scene = Scene { turn: &turn, ..scene };
         let options = Options::default();
-        let moving = animation(&scene, &options, Theme::Auto, &Language::English);
-        moving.or_else(|_| {
+        animation(&scene, &options, Theme::Auto, &Language::English).or_else(|_| {
             let drawings = draw(Kind::Scheme, &scene, &options)?;
             Ok(drawings.into_iter().map(|drawing| drawing.placed().svg(Theme::Auto)).collect())
         })
@@ -82,7 +84,7 @@ impl Analysis {
     }
 
     /// Links and pairs first, where several things have one name.
-    fn declared(&self) -> Vec<Declared> {
+    pub(super) fn declared(&self) -> Vec<Declared> {
         let all = symbols(&self.document);
         let parts = all.iter().flat_map(|symbol| &symbol.parts);
         all.iter().chain(parts).map(|symbol| self.declaration(symbol)).collect()
@@ -99,6 +101,7 @@ impl Analysis {
             },
             line: place(&self.source.text, symbol.whole.start).line,
             text: shown_in_line(text.lines().next().unwrap_or_default().trim_end()).to_string(),
+            whole: symbol.whole,
         }
     }
 }

@@ -4,10 +4,11 @@
 #![allow(clippy::unwrap_used)] // a test without its page has failed
 
 use crate::run::{Folder, Said, assur, end, start};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
-use std::process::{Child, Command};
+use std::ops::Deref;
+use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 const CRANK: &str = "mech 1\nground { A (0, 0) }\nlink crank A-B 100 mm\nrevolute A: ground - crank\n\
@@ -15,21 +16,17 @@ const CRANK: &str = "mech 1\nground { A (0, 0) }\nlink crank A-B 100 mm\nrevolut
 /// A page never waits as long.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// A program that shows a file.
-struct Preview {
-    child: Option<Child>,
+/// A page by its address.
+struct Page {
     port: u16,
     key: String,
 }
 
-impl Preview {
-    fn of(folder: &Folder, words: &[&str]) -> Self {
-        let mut child = start(folder, &[&["preview", "--no-open"], words].concat());
-        let mut line = String::new();
-        BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
-        let address = line.trim().strip_prefix("http://127.0.0.1:").unwrap_or_else(|| panic!("{line}"));
-        let (port, key) = address.split_once('/').unwrap();
-        Self { child: Some(child), port: port.parse().unwrap(), key: key.trim_end_matches('/').to_owned() }
+impl Page {
+    fn at(address: &str) -> Self {
+        let behind = address.strip_prefix("http://127.0.0.1:").unwrap_or_else(|| panic!("{address}"));
+        let (port, key) = behind.split_once('/').unwrap();
+        Self { port: port.parse().unwrap(), key: key.strip_suffix('/').unwrap().to_owned() }
     }
 
     /// What is answered to the lines of a head.
@@ -60,6 +57,29 @@ impl Preview {
             let data = lines.find_map(|line| line.unwrap().strip_prefix("data: ").map(str::to_owned));
             serde_json::from_str(&data.unwrap()).unwrap()
         }
+    }
+}
+
+/// A program that shows a file.
+struct Preview {
+    child: Option<Child>,
+    page: Page,
+}
+
+impl Deref for Preview {
+    type Target = Page;
+
+    fn deref(&self) -> &Page {
+        &self.page
+    }
+}
+
+impl Preview {
+    fn of(folder: &Folder, words: &[&str]) -> Self {
+        let mut child = start(folder, &[&["preview", "--no-open"], words].concat());
+        let mut line = String::new();
+        BufReader::new(child.stdout.as_mut().unwrap()).read_line(&mut line).unwrap();
+        Self { child: Some(child), page: Page::at(line.trim()) }
     }
 
     /// Ends it with a signal.
@@ -199,4 +219,99 @@ fn what_cannot_be_shown_is_said() {
         assert_eq!((said.status, said.stdout.as_str()), (2, ""), "{words:?}");
         assert!(said.stderr.contains(wanted), "{words:?}: {}", said.stderr);
     }
+}
+
+/// A program that answers an editor.
+#[cfg(feature = "lsp")]
+struct Session {
+    child: Child,
+}
+
+#[cfg(feature = "lsp")]
+impl Session {
+    fn start() -> Self {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_assur"));
+        let piped = command.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped());
+        Self { child: piped.spawn().unwrap() }
+    }
+
+    fn send(&mut self, message: &Value) {
+        let body = message.to_string();
+        write!(self.child.stdin.as_mut().unwrap(), "Content-Length: {}\r\n\r\n{body}", body.len()).unwrap();
+    }
+
+    fn notify(&mut self, method: &str, params: &Value) {
+        self.send(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
+    }
+
+    fn ask(&mut self, method: &str, params: &Value) -> Value {
+        self.send(&json!({ "jsonrpc": "2.0", "id": method, "method": method, "params": params }));
+        self.wait(|message| message["id"] == method)
+    }
+
+    /// The next message of a kind.
+    fn wait(&mut self, is_wanted: impl Fn(&Value) -> bool) -> Value {
+        loop {
+            let message = self.next();
+            if is_wanted(&message) {
+                return message;
+            }
+        }
+    }
+
+    fn next(&mut self) -> Value {
+        let out = self.child.stdout.as_mut().unwrap();
+        let mut head = Vec::new();
+        while !head.ends_with(b"\r\n\r\n") {
+            let mut byte = [0];
+            out.read_exact(&mut byte).unwrap();
+            head.push(byte[0]);
+        }
+        let length = String::from_utf8(head).unwrap().trim().rsplit(' ').next().unwrap().parse().unwrap();
+        let mut body = vec![0; length];
+        out.read_exact(&mut body).unwrap();
+        serde_json::from_slice(&body).unwrap()
+    }
+}
+
+#[cfg(feature = "lsp")]
+#[test]
+fn an_editor_shows_a_text_that_has_no_file() {
+    let uri = "untitled:crank";
+    let mut session = Session::start();
+    let capabilities = json!({ "window": { "showDocument": { "support": true } } });
+    session.ask("initialize", &json!({ "capabilities": capabilities }));
+    session.notify("initialized", &json!({}));
+    let opened = json!({ "uri": uri, "languageId": "mech", "version": 1, "text": CRANK });
+    session.notify("textDocument/didOpen", &json!({ "textDocument": opened }));
+    let command = json!({ "command": "assur.preview", "arguments": [uri] });
+    let answer = session.ask("workspace/executeCommand", &command);
+    let address = answer["result"]["address"].as_str().unwrap().to_owned();
+    let shown = session.wait(|message| message["method"] == "window/showDocument");
+    assert_eq!((&shown["params"]["uri"], &shown["params"]["external"]), (&json!(address), &json!(true)));
+    // a second time it is the same page, and what shows it by itself is not asked to
+    let quiet = json!({ "command": "assur.preview", "arguments": [uri, false] });
+    assert_eq!(session.ask("workspace/executeCommand", &quiet)["result"]["address"], json!(address));
+
+    let page = Page::at(&address);
+    let mut next = page.events();
+    assert_eq!((&next()["old"], page.get("picture").contains("data-name=\"crank\"")), (&json!(false), true));
+    for (version, text, is_old) in
+        [(2, CRANK.replace("link", "lnk"), true), (3, CRANK.replace("crank", "arm"), false)]
+    {
+        let change = json!({ "textDocument": { "uri": uri, "version": version }, "contentChanges": [{ "text": text }] });
+        session.notify("textDocument/didChange", &change);
+        assert_eq!(next()["old"], json!(is_old));
+    }
+    assert!(page.get("picture").contains("data-name=\"arm\""));
+    let said = session.ask("assur/picture", &json!({ "uri": uri, "pose": "4" }));
+    let picture = &said["result"];
+    assert!(picture["svg"].as_str().unwrap().contains("data-name=\"arm\""), "{said}");
+    assert_eq!(picture["poses"].as_array().unwrap().len(), 12);
+    let place = picture["places"].as_array().unwrap().iter().find(|p| p["name"] == "arm").unwrap();
+    assert_eq!((&place["class"], &place["range"]["start"]["line"]), (&json!("link"), &json!(2)));
+    let wrong = session.ask("assur/picture", &json!({ "uri": uri, "pose": "40" }));
+    assert!(wrong["error"]["message"].as_str().unwrap().contains("no solved pose is named `40`"), "{wrong}");
+    drop(session.child.stdin.take());
+    assert_eq!(session.child.wait().unwrap().code(), Some(0));
 }

@@ -3,6 +3,8 @@
 mod board;
 mod file;
 mod opener;
+#[cfg(feature = "lsp")]
+mod pages;
 mod request;
 mod site;
 
@@ -13,6 +15,8 @@ use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
 use board::Board;
 use file::Followed;
+#[cfg(feature = "lsp")]
+pub use pages::Pages;
 use site::Site;
 use std::sync::Arc;
 

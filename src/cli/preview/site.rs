@@ -3,8 +3,8 @@
 use super::board::Board;
 use super::request::{Refusal, Request};
 use std::collections::BTreeMap;
-use std::io::{self, BufReader, Write};
-use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::io::{self, BufReader, Read, Write};
+use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
@@ -18,6 +18,8 @@ const MOST: usize = 64;
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Where nothing changes, a word to see whether the browser is still there.
 const PULSE: Duration = Duration::from_secs(15);
+/// Bytes that are read of a request that is refused.
+const REST: u64 = 64 << 10;
 /// Bytes of a key.
 const KEY: usize = 16;
 
@@ -116,8 +118,11 @@ const HEADERS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosnif
     Content-Security-Policy: default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; connect-src 'self'; \
     frame-src 'self'; base-uri 'none'; form-action 'none'\r\nConnection: close\r\n";
 
+/// What is still on its way is read, a little of it: a connection that is closed before loses the answer.
 fn refuse(stream: &TcpStream, refusal: Refusal) -> io::Result<()> {
-    whole(stream, refusal.status(), "text/plain", refusal.status())
+    whole(stream, refusal.status(), "text/plain", refusal.status())?;
+    stream.shutdown(Shutdown::Write)?;
+    io::copy(&mut stream.take(REST), &mut io::sink()).map(drop)
 }
 
 fn whole(mut stream: &TcpStream, status: &str, kind: &str, body: &str) -> io::Result<()> {
