@@ -14,6 +14,9 @@ use serde::Serialize;
 
 /// How diagnostics are drawn: as in a terminal of 100 columns, without colours.
 const STYLE: Style = Style::Graphical { colour: false, width: 100 };
+/// What is around a picture that does not move.
+const STILL: &str = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>scheme</title>\n\
+    <style>:root{color-scheme:light dark}body{margin:1rem auto;max-width:200mm}svg{max-width:100%;height:auto}</style>\n";
 /// The most diagnostics, as in a terminal.
 const MOST: usize = 50;
 
@@ -74,7 +77,8 @@ impl Analysis {
         let options = Options::default();
         animation(&scene, &options, Theme::Auto, &Language::English).or_else(|_| {
             let drawings = draw(Kind::Scheme, &scene, &options)?;
-            Ok(drawings.into_iter().map(|drawing| drawing.placed().svg(Theme::Auto)).collect())
+            let drawn = drawings.into_iter().map(|drawing| drawing.placed().svg(Theme::Auto));
+            Ok(drawn.fold(STILL.to_owned(), |page, svg| page + &svg))
         })
     }
 

@@ -173,9 +173,6 @@ impl Server {
                 return match closed {
                     // what was said of it goes with it
                     Ok(uri) => {
-                        if let Some(pages) = &mut self.pages {
-                            pages.close(&uri);
-                        }
                         let params = json!({ "uri": uri, "diagnostics": [] });
                         vec![notification("textDocument/publishDiagnostics", &params)]
                     }

@@ -14,7 +14,7 @@ pub type View = Box<dyn FnOnce(&GoesOn<'_>) -> Option<Shown> + Send>;
 
 /// Where texts are shown as pages: given by a program that has sockets and threads.
 pub trait Pages: Debug {
-    /// The address of the page of a text, the same whenever it is asked.
+    /// The address of the page of a text, the same whenever it is asked, after the text was closed and opened again too.
     ///
     /// # Errors
     /// Why there is none, in words.
@@ -25,9 +25,6 @@ pub trait Pages: Debug {
 
     /// Shows a text on its page, drawn elsewhere: this returns at once, and a newer view replaces one that waits.
     fn show(&mut self, uri: &str, view: View);
-
-    /// Forgets a text that is closed.
-    fn close(&mut self, uri: &str);
 }
 
 /// What a client is asked to show.

@@ -22,20 +22,10 @@ struct Page {
     slot: Arc<Slot>,
 }
 
-/// What is to be shown next.
-#[derive(Default)]
-enum Next {
-    #[default]
-    Nothing,
-    View(View),
-    /// The text is closed.
-    End,
-}
-
 /// Where the newest view waits for the thread that draws it.
 #[derive(Default)]
 struct Slot {
-    next: Mutex<Next>,
+    next: Mutex<Option<View>>,
     filled: Condvar,
 }
 
@@ -46,24 +36,29 @@ impl std::fmt::Debug for Slot {
 }
 
 impl Slot {
-    fn fill(&self, next: Next) {
-        *self.next.lock().unwrap_or_else(PoisonError::into_inner) = next;
+    fn fill(&self, view: View) {
+        *self.next.lock().unwrap_or_else(PoisonError::into_inner) = Some(view);
         self.filled.notify_one();
     }
 
-    fn take(&self) -> Next {
-        let next = self.next.lock().unwrap_or_else(PoisonError::into_inner);
-        let waited = self.filled.wait_while(next, |next| matches!(next, Next::Nothing));
-        std::mem::take(&mut *waited.unwrap_or_else(PoisonError::into_inner))
+    fn take(&self) -> View {
+        let mut next = self.next.lock().unwrap_or_else(PoisonError::into_inner);
+        loop {
+            if let Some(view) = next.take() {
+                return view;
+            }
+            next = self.filled.wait(next).unwrap_or_else(PoisonError::into_inner);
+        }
     }
 
     fn is_empty(&self) -> bool {
-        matches!(*self.next.lock().unwrap_or_else(PoisonError::into_inner), Next::Nothing)
+        self.next.lock().unwrap_or_else(PoisonError::into_inner).is_none()
     }
 
-    /// Draws one view after another.
-    fn draw(&self, board: &Board) {
-        while let Next::View(view) = self.take() {
+    /// Draws one view after another, until the program ends.
+    fn draw(&self, board: &Board) -> ! {
+        loop {
+            let view = self.take();
             match catch_unwind(AssertUnwindSafe(|| view(&|| self.is_empty()))) {
                 Ok(Some(shown)) => board.show(shown),
                 Ok(None) => {}
@@ -106,13 +101,7 @@ impl lsp::Pages for Pages {
 
     fn show(&mut self, uri: &str, view: View) {
         if let Some(page) = self.open.get(uri) {
-            page.slot.fill(Next::View(view));
-        }
-    }
-
-    fn close(&mut self, uri: &str) {
-        if let Some(page) = self.open.remove(uri) {
-            page.slot.fill(Next::End);
+            page.slot.fill(view);
         }
     }
 }

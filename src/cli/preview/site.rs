@@ -113,7 +113,7 @@ fn events(mut stream: &TcpStream, board: &Board) -> io::Result<()> {
     }
 }
 
-/// Nothing is kept, nothing is loaded from elsewhere, nobody is told the address.
+/// Nothing is kept, nothing is loaded from elsewhere, the address goes to no other site.
 const HEADERS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n\
     Content-Security-Policy: default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; connect-src 'self'; \
     frame-src 'self'; base-uri 'none'; form-action 'none'\r\nConnection: close\r\n";
