@@ -22,6 +22,7 @@ from devtools import Browser
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 ASSUR = os.environ.get("ASSUR", str(ROOT / "target/release/assur"))
 EXAMPLE = ROOT / "examples/crank-slider.mech"
+UPRIGHT = ROOT / "examples/flywheel/engine.mech"
 # seconds for a change to arrive
 PATIENCE = 10
 INSIDE = "document.querySelector('iframe:not([hidden])').contentDocument"
@@ -89,6 +90,11 @@ class Check:
         self.wait("the change", f"{INSIDE}.querySelector('g.link[data-name=\"arm\"]')")
         self.hold("a change keeps the pose", int(self.inside("d.getElementById('s').value")) == pose + 1)
         self.hold("without a mistake", self.browser.run("document.getElementById('diagnostics').textContent") == "")
+        self.file.write_text(UPRIGHT.read_text())
+        self.wait("another mechanism", f"{INSIDE}.querySelector('title').textContent.includes('Flywheel')")
+        height = self.inside("d.querySelector('svg').getBoundingClientRect().height")
+        self.hold(f"a high picture fits the window: {height}", height < 0.7 * 900)
+        self.shot("preview-upright")
         self.browser.look(390, dark=True)
         self.shot("preview-phone")
         self.hold("it fits a phone", self.browser.run("document.documentElement.scrollWidth <= innerWidth"))
