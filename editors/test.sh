@@ -21,6 +21,9 @@ timeout 60 emacs --batch -l editors/emacs/test.el 2>&1 | tail -n 1
 
 editors/vscode/test.sh
 
+# the page of `assur preview`
+tests/pictures/browser/preview.py
+
 # Every grammar against the tokens of `assur`.
 "$tools/bin/pygmentize" -l mech -F raiseonerror -f null examples/crank-slider.mech >/dev/null
 "$tools/bin/python" editors/tree-sitter-mech/corpus.py

@@ -13,7 +13,7 @@ pub use fmt::Fmt;
 pub use format::{Format, ProfileFormat, SolveFormat};
 #[cfg(feature = "lsp")]
 pub use pages::Lsp;
-pub use pages::{Completions, Explain, Help, Man, New, StartKind};
+pub use pages::{Completions, Explain, Help, Man, New, Preview, StartKind};
 pub use report::{Report, ReportFormat};
 
 use clap::{Parser, ValueEnum};

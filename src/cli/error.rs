@@ -63,6 +63,22 @@ pub enum CliError {
     #[error("`--fix` changes files, and standard input is none")]
     #[diagnostic(help("name a file: `assur check --fix engine.mech`"))]
     FixesStdin,
+    /// A preview without a file to follow.
+    #[error("`assur preview` follows one file, and `{name}` is none")]
+    #[diagnostic(help("name a file: `assur preview engine.mech`"))]
+    PreviewsNoFile {
+        /// As given.
+        name: String,
+    },
+    /// A page that cannot be served.
+    #[error("the page cannot be served{port}: {why}")]
+    #[diagnostic(help("without `--port` the system chooses one that is free"))]
+    NotServed {
+        /// ` on port 80`, or empty.
+        port: String,
+        /// The message of the system.
+        why: String,
+    },
     /// Several files, one range of lines.
     #[error("`--range` is of one file, but there are several")]
     #[diagnostic(help("name one file"))]

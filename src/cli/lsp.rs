@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use super::preview::Pages;
 use super::reply::{Status, quiet_panics};
 use super::screen::Screen;
 use crate::lsp::{Server, Stop};
@@ -42,7 +43,7 @@ pub fn run(screen: &Screen) -> Status {
             }
         }
     });
-    let mut server = Server::default();
+    let mut server = Server::with_pages(Box::<Pages>::default());
     match serve(&mut server, &Inbox::new(receiver)) {
         Ok(()) if server.is_over() && !server.is_closed() => Status::Wrong,
         Ok(()) => Status::Fine,

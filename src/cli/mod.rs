@@ -19,6 +19,7 @@ mod install;
 mod lsp;
 mod motion;
 mod new;
+mod preview;
 mod profile;
 #[doc(hidden)]
 pub mod reply;
@@ -66,6 +67,7 @@ pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Accuracy(args) => accuracy::run(&args, &screen),
         Command::Profile(args) => profile::run(&args, &screen),
         Command::Draw(args) => draw::run(&args, &screen),
+        Command::Preview(args) => preview::run(&args, &screen),
         Command::Report(args) => report::run(&args, &screen),
         Command::Explain(args) => explain::run(&args, &screen),
         Command::Fmt(args) => fmt::run(&args, &screen),

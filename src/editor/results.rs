@@ -3,7 +3,7 @@
 use super::Analysis;
 use super::lenses::in_words;
 use crate::exercise::{Outcome, mismatches};
-use crate::pipeline::{Sink, Solved, compile_document, is_long, solve_each};
+use crate::pipeline::{Sink, Solved, compile_document, is_long, solve, solve_each};
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, Precision};
 use assur_check::Overrides;
@@ -42,14 +42,24 @@ impl Analysis {
     /// Solves the text; nothing where it cannot be, has very many positions, or is not to go on.
     #[must_use]
     pub fn solve(&self, goes_on: &GoesOn<'_>) -> Option<Results> {
-        let compiled = self.compiled.as_ref().filter(|compiled| !is_long(&compiled.model()));
-        if compiled.is_none() || self.problems.has_errors() {
+        let is_short = self.compiled.as_ref().is_some_and(|compiled| !is_long(&compiled.model()));
+        if is_short { self.solve_however_long(goes_on) } else { None }
+    }
+
+    /// As [`Analysis::solve`]; of very many positions the problem is how many there are.
+    #[must_use]
+    pub fn solve_however_long(&self, goes_on: &GoesOn<'_>) -> Option<Results> {
+        if self.compiled.is_none() || self.problems.has_errors() {
             return None;
         }
         let none = Overrides::none();
         let (compiled, _) = compile_document(&self.source, &self.document, Problems::new(), &none);
-        let watch = |_, _| goes_on();
-        let (solved, problems) = solve_each(compiled?, &mut Watched { goes_on, watch: &watch });
+        let compiled = compiled?;
+        let (solved, problems) = if is_long(&compiled.model()) {
+            solve(compiled)
+        } else {
+            solve_each(compiled, &mut Watched { goes_on, watch: &|_, _| goes_on() })
+        };
         // the keys of variants are those of their rows
         let with_rows = self.document.statements.iter().any(|s| matches!(s.node, Statement::Variants(_)));
         goes_on().then(|| Results::of(solved.ok(), problems, with_rows))
@@ -74,7 +84,7 @@ impl Sink for Watched<'_> {
 
 impl Results {
     fn of(mut solved: Option<Solved>, mut problems: Problems, with_rows: bool) -> Self {
-        if with_rows {
+        if with_rows && solved.is_some() {
             problems = Problems::new();
             solved.iter_mut().for_each(|solved| solved.outcomes.clear());
         }

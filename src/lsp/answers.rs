@@ -9,7 +9,7 @@ use assur_text::source::{Encoding, Lines};
 use gen_lsp_types::{
     CodeActionParams, DocumentRangeFormattingParams, ExecuteCommandParams, InlayHintParams,
     LspRequestMethod as Method, ReferenceParams, RenameParams, SelectionRangeParams, TextDocumentIdentifier,
-    TextDocumentPositionParams, WorkspaceSymbolParams,
+    TextDocumentPositionParams, Uri, WorkspaceSymbolParams,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -19,6 +19,16 @@ use serde_json::Value;
 #[serde(rename_all = "camelCase")]
 struct Whole {
     text_document: TextDocumentIdentifier,
+}
+
+/// Our own request: the mechanism at a position.
+const PICTURE: &str = "assur/picture";
+
+/// What it carries.
+#[derive(Deserialize)]
+struct PictureParams {
+    uri: Uri,
+    pose: Option<String>,
 }
 
 /// The answer to a request.
@@ -79,6 +89,10 @@ pub fn answer(
         Method::TextDocumentDefinition => session.at(message, |text, byte| Ok(text.definition(byte))),
         Method::TextDocumentDocumentHighlight => session.at(message, |text, byte| Ok(text.highlights(byte))),
         Method::TextDocumentPrepareRename => session.at(message, |text, byte| text.prepare_rename(byte)),
+        other if other.as_str() == PICTURE => {
+            let asked = params::<PictureParams>(message)?;
+            session.of(&TextDocumentIdentifier { uri: asked.uri }, |text| text.picture(asked.pose.as_deref()))
+        }
         other => Err(Failure::unknown_method(other.as_str())),
     }
 }

@@ -4,6 +4,8 @@ use crate::editor::TOKEN_COLOURS;
 use assur_text::source::Encoding;
 use serde_json::{Value, json};
 
+/// The command that shows a text in the browser.
+pub const PREVIEW: &str = "assur.preview";
 /// The commands behind code lenses.
 pub const SOLVE: &str = "assur.solve";
 pub const TEST: &str = "assur.test";
@@ -27,7 +29,7 @@ pub fn result(encoding: Encoding) -> Value {
             "documentHighlightProvider": true,
             "documentRangeFormattingProvider": true,
             "documentSymbolProvider": true,
-            "executeCommandProvider": { "commands": [SOLVE, TEST] },
+            "executeCommandProvider": { "commands": [SOLVE, TEST, PREVIEW] },
             "foldingRangeProvider": true,
             "hoverProvider": true,
             "inlayHintProvider": true,

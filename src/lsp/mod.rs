@@ -7,6 +7,7 @@ mod capabilities;
 mod convert;
 mod error;
 mod names;
+mod preview;
 mod shown;
 mod texts;
 mod typing;
@@ -16,6 +17,7 @@ use assur_text::source::Encoding;
 use capabilities::Refreshes;
 use error::Failure;
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
+pub use preview::{Pages, View};
 use serde_json::{Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use texts::Texts;
@@ -40,6 +42,9 @@ pub struct Server {
     encoding: Encoding,
     texts: Texts,
     refreshes: Refreshes,
+    /// Whether the client opens addresses.
+    shows_documents: bool,
+    pages: Option<Box<dyn Pages>>,
     is_over: bool,
 }
 
@@ -54,7 +59,8 @@ impl Server {
                 let is_command = method == "workspace/executeCommand";
                 // clients do nothing with what a command returns
                 let text = response["result"].as_str().filter(|_| is_command).map(|text| shown(INFO, text));
-                [Some(response), text].into_iter().flatten().collect()
+                let page = is_command.then(|| self.opened(&response["result"], params)).flatten();
+                [Some(response), text, page].into_iter().flatten().collect()
             }
             (Some(method), None) => self.notice(method, params),
             // the response to a request of ours, of which there are none
@@ -81,6 +87,7 @@ impl Server {
     /// lenses again.
     pub fn solve(&mut self, patience: &Patience<'_>) -> Vec<Value> {
         let solved = self.texts.solve(patience);
+        self.show_pages();
         if solved.is_empty() {
             return Vec::new();
         }
@@ -123,10 +130,11 @@ impl Server {
                 self.stage = Stage::Closed;
                 Ok(Value::Null)
             }
-            (method, Stage::Ready) => {
-                let asked = || answers::answer(&method, params, &self.texts, self.encoding);
-                guarded(asked).unwrap_or_else(|| Err(Failure::internal()))
-            }
+            (LspRequestMethod::WorkspaceExecuteCommand, Stage::Ready) => match self.preview(params) {
+                Some(answer) => answer,
+                None => self.answered(&LspRequestMethod::WorkspaceExecuteCommand, params),
+            },
+            (method, Stage::Ready) => self.answered(&method, params),
         };
         match answer {
             Ok(result) => json!({ "jsonrpc": "2.0", "id": id, "result": result }),
@@ -134,11 +142,18 @@ impl Server {
         }
     }
 
+    fn answered(&self, method: &LspRequestMethod<'_>, params: &Value) -> Result<Value, Failure> {
+        let asked = || answers::answer(method, params, &self.texts, self.encoding);
+        guarded(asked).unwrap_or_else(|| Err(Failure::internal()))
+    }
+
     fn initialize(&mut self, params: &Value) -> Value {
         self.stage = Stage::Ready;
         let offered = params.pointer("/capabilities/general/positionEncodings").and_then(Value::as_array);
         let reads_bytes = offered.is_some_and(|all| all.iter().any(|one| one == "utf-8"));
         self.refreshes = Refreshes::of(params);
+        let shows = params.pointer("/capabilities/window/showDocument/support");
+        self.shows_documents = shows.and_then(Value::as_bool).unwrap_or_default();
         self.encoding = if reads_bytes { Encoding::Utf8 } else { Encoding::Utf16 };
         capabilities::result(self.encoding)
     }

@@ -3,6 +3,7 @@
 use super::convert::span;
 use super::error::Failure;
 use super::guarded;
+use super::preview::View;
 use crate::editor::{Analysis, Results};
 use assur_text::source::{Edit, Encoding, Lines, Source, edited};
 use gen_lsp_types::{
@@ -13,6 +14,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Why solving is to stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,10 +33,12 @@ struct Text {
     source: Source,
     version: i32,
     is_new: bool,
+    /// It was settled before: it is solved, or has no answers.
+    is_settled: bool,
     /// What is found in it, once it is asked for.
-    analysis: OnceCell<Analysis>,
+    analysis: OnceCell<Arc<Analysis>>,
     /// What it comes to; `None` inside where it has no answers or takes too long.
-    results: Option<Option<Results>>,
+    results: Option<Option<Arc<Results>>>,
 }
 
 impl Text {
@@ -43,13 +47,14 @@ impl Text {
             source: Source::new(uri, text),
             version,
             is_new: true,
+            is_settled: false,
             analysis: OnceCell::new(),
             results: None,
         }
     }
 
-    fn look(&self) -> &Analysis {
-        self.analysis.get_or_init(|| Analysis::of(self.source.clone()))
+    fn look(&self) -> &Arc<Analysis> {
+        self.analysis.get_or_init(|| Arc::new(Analysis::of(self.source.clone())))
     }
 }
 
@@ -67,12 +72,12 @@ pub fn params<T: DeserializeOwned>(params: &Value) -> Result<T, Failure> {
 impl Texts {
     /// What is found in a text.
     pub fn look(&self, uri: &str) -> Result<&Analysis, Failure> {
-        self.get(uri).map(Text::look)
+        self.get(uri).map(|text| text.look().as_ref())
     }
 
     /// Its answers, where it is solved.
     pub fn results(&self, uri: &str) -> Option<&Results> {
-        self.open.get(uri)?.results.as_ref()?.as_ref()
+        self.open.get(uri)?.results.as_ref()?.as_deref()
     }
 
     /// The addresses of all texts.
@@ -92,9 +97,30 @@ impl Texts {
             if found.is_some() {
                 solved.push((uri.clone(), text.version));
             }
-            text.results = Some(found);
+            text.results = Some(found.map(Arc::new));
         }
         solved
+    }
+
+    /// What a page shows of a text that is solved or has no answers. A text that took too long is solved there.
+    pub fn view(&self, uri: &str) -> Option<View> {
+        let text = self.open.get(uri)?;
+        let (analysis, results) = (Arc::clone(text.look()), text.results.clone()?);
+        Some(Box::new(move |goes_on| match results {
+            Some(results) => Some(analysis.preview(Some(&*results))),
+            None => {
+                let found = analysis.solve_however_long(goes_on);
+                goes_on().then(|| analysis.preview(found.as_ref()))
+            }
+        }))
+    }
+
+    /// The texts that are solved, or have no answers, since this was asked last.
+    pub fn settled(&mut self) -> Vec<String> {
+        let settled = self.open.iter_mut().filter(|(_, text)| text.results.is_some());
+        settled
+            .filter_map(|(uri, text)| (!std::mem::replace(&mut text.is_settled, true)).then(|| uri.clone()))
+            .collect()
     }
 
     fn get(&self, uri: &str) -> Result<&Text, Failure> {

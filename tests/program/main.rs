@@ -19,6 +19,7 @@ mod lsp_answers;
 mod motions;
 mod output;
 mod plan;
+mod preview;
 mod profile;
 mod reply;
 mod report;

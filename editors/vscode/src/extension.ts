@@ -2,6 +2,7 @@
 
 import { commands, window, workspace, type ExtensionContext } from "vscode";
 import { LanguageClient, type Executable } from "vscode-languageclient/node";
+import { openPreview } from "./preview";
 import { findProgram, type Program } from "./program";
 import { Status } from "./status";
 import { runOnFile } from "./terminal";
@@ -59,6 +60,7 @@ export async function activate(context: ExtensionContext): Promise<void> {
     commands.registerCommand("assur.restart", restart),
     commands.registerCommand("assur.terminal.solve", () => runOnFile(program, "solve")),
     commands.registerCommand("assur.terminal.test", () => runOnFile(program, "test")),
+    commands.registerCommand("assur.openPreview", () => openPreview(client)),
     commands.registerCommand("assur.format", () => commands.executeCommand("editor.action.formatDocument")),
     commands.registerCommand("assur.log", () => client?.outputChannel.show()),
     workspace.onDidChangeConfiguration((change) => (change.affectsConfiguration("assur.path") ? restart() : undefined)),

@@ -6,8 +6,8 @@ use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 #[cfg(feature = "lsp")]
 use super::Lsp;
 use super::{
-    Accuracy, Batch, Check, Completions, Draw, Explain, Fmt, Grade, Help, Man, New, Profile, Report, Solve,
-    Test,
+    Accuracy, Batch, Check, Completions, Draw, Explain, Fmt, Grade, Help, Man, New, Preview, Profile, Report,
+    Solve, Test,
 };
 
 /// Subcommands from their names, words and sentences.
@@ -66,6 +66,7 @@ commands! {
     Accuracy "accuracy" "Show the time that accuracy costs: every accuracy setting, timed on this machine";
     Profile "profile" "Print the profile of a cam, for other programs";
     Draw "draw" "Draw a mechanism: its scheme and what the course draws next to it, as SVG";
+    Preview "preview" "Show a file in the browser, in motion, and follow its changes";
     Report "report" "Write the worked solution: formulas with numbers, plans and polygons";
     Explain "explain" "Explain a diagnostic by its code";
     Fmt "fmt" "Put files in the one style: blanks, empty lines, columns";

@@ -1,4 +1,4 @@
-//! The manual of commands that work on no file.
+//! The manual of commands with few options.
 
 use clap::ValueEnum;
 use clap::builder::NonEmptyStringValueParser;
@@ -62,6 +62,20 @@ pub struct Man {
     /// A command; the whole program where it is left out
     #[arg(value_name = "COMMAND")]
     pub command: Option<String>,
+}
+
+/// Arguments of `preview`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Preview {
+    /// The file to show
+    #[arg(value_name = "FILE")]
+    pub file: String,
+    /// Port of the page on this machine [default: one that is free]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub port: Option<u16>,
+    /// Print the address and open no browser
+    #[arg(long)]
+    pub no_open: bool,
 }
 
 /// Arguments of `lsp`: none.

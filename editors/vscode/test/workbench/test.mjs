@@ -131,6 +131,31 @@ async function colourMarkdown(page) {
   }
 }
 
+/** The frame of a page of the preview, once its picture is there. */
+async function previewed(page) {
+  for (let tries = 0; ; tries += 1) {
+    const frame = page.frames().find((one) => /^http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\/picture/.test(one.url()));
+    if (frame && (await frame.locator("#s").count()) === 1) return frame;
+    assert.ok(tries < 40, `a page of the preview: ${page.frames().map((one) => one.url()).join(" ")}`);
+    await page.waitForTimeout(250);
+  }
+}
+
+/** The mechanism next to its text: the slider moves it, and it follows what is typed. */
+async function movePreview(page) {
+  await page.keyboard.press("F1");
+  await page.keyboard.type("Show the Mechanism to the Side");
+  await page.locator(".quick-input-list", { hasText: "Show the Mechanism to the Side" }).waitFor();
+  await page.keyboard.press("Enter");
+  const frame = await previewed(page);
+  const crank = () => frame.locator('g.link[data-name="crank"] line').first().evaluate((line) => line.getBoundingClientRect().x);
+  const before = await crank();
+  await frame.locator("#s").evaluate((slider) => { slider.value = slider.max / 4; slider.oninput({ target: slider }); });
+  assert.notEqual(await crank(), before, "the slider moves the crank");
+  if (process.env.PICTURES) await page.screenshot({ path: join(process.env.PICTURES, "vscode-preview.png") });
+  await page.locator(".tab", { hasText: "Simple Browser" }).locator(".codicon-close").click();
+}
+
 /** Waits for the bulb at a fix: VS Code offers nothing while it still asks for it. */
 function bulb(page) {
   return page.locator("[class*=lightbulb]:visible, [class*=light-bulb]:visible").first().waitFor();
@@ -179,6 +204,7 @@ async function test(page, port) {
   await page.keyboard.press("Control+Shift+I");
   await page.locator(".view-line", { hasText: /^given.n.=.1500/ }).waitFor();
   await page.keyboard.press("Control+s");
+  await movePreview(page);
 
   await colourMarkdown(page);
   await insertSnippet(page);
@@ -199,7 +225,7 @@ try {
   await test(page, port);
   const saved = readFileSync(join(folder, "engine.mech"), "utf8");
   assert.equal(saved, text.replace("given   n", "given n").replace("rodd", "rod"));
-  console.log(`VS Code: colours, also in Markdown, mistake, hover, format, snippet, ${fixes.length + 1} fixes by keyboard, program that is not there`);
+  console.log(`VS Code: colours, also in Markdown, mistake, hover, format, snippet, ${fixes.length + 1} fixes by keyboard, preview, program that is not there`);
 } catch (error) {
   await page.screenshot({ path: join(tmpdir(), "assur-workbench.png") });
   console.error(`the picture of the failure is ${join(tmpdir(), "assur-workbench.png")}`);

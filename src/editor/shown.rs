@@ -1,0 +1,113 @@
+//! What a page shows of a text: its picture in motion, its answers, what is wrong with it, and where what is drawn is declared.
+
+use super::symbols::{Symbol, SymbolKind};
+use super::{Analysis, Results, symbols};
+use crate::pipeline::{Solved, turn};
+use crate::report::text::{self, Look};
+use crate::report::{AccuracyShown, Precision, of_answers};
+use assur_drawing::Theme;
+use assur_picture::{Kind, Missing, Options, Scene, animation, draw};
+use assur_text::diagnostic::{Problems, Style, place, render_most};
+use assur_text::source::{Span, shown_in_line};
+use assur_worked::Language;
+use serde::Serialize;
+
+/// How diagnostics are drawn: as in a terminal of 100 columns, without colours.
+const STYLE: Style = Style::Graphical { colour: false, width: 100 };
+/// What is around a picture that does not move.
+const STILL: &str = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>scheme</title>\n\
+    <style>:root{color-scheme:light dark}body{margin:1rem auto;max-width:200mm}svg{max-width:100%;height:auto}</style>\n";
+/// The most diagnostics, as in a terminal.
+const MOST: usize = 50;
+
+/// What a page shows of a text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Shown {
+    /// The mechanism as a page of its own, in motion where it can move; none where nothing is solved.
+    pub picture: Option<String>,
+    /// The answers as in a terminal.
+    pub answers: String,
+    /// What is wrong, as in a terminal.
+    pub diagnostics: String,
+    /// Where names are declared.
+    pub declared: Vec<Declared>,
+}
+
+/// A name with the statement that declares it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Declared {
+    /// The name.
+    pub name: String,
+    /// As groups of a picture are called: `link`, `pair`, else empty.
+    pub class: &'static str,
+    /// Its line, from 1.
+    pub line: usize,
+    /// The first line of the statement.
+    pub text: String,
+    /// All of it.
+    #[serde(skip)]
+    pub whole: Span,
+}
+
+impl Analysis {
+    /// The text with its answers, or with why it has none.
+    #[must_use]
+    pub fn preview(&self, results: Option<&Results>) -> Shown {
+        let mut diagnostics = render_most(&self.problems, &self.source, STYLE, MOST);
+        if let Some(results) = results {
+            diagnostics += &render_most(&results.problems, &self.source, STYLE, MOST);
+        }
+        let Some(solved) = results.and_then(|results| results.solved.as_ref()) else {
+            return Shown { diagnostics, ..Shown::default() };
+        };
+        let picture = match self.moving(solved) {
+            Ok(picture) => Some(picture),
+            Err(missing) => {
+                diagnostics += &render_most(&Problems::of([missing]), &self.source, STYLE, MOST);
+                None
+            }
+        };
+        Shown { picture, answers: self.answers(solved), diagnostics, declared: self.declared() }
+    }
+
+    /// The animation; of what does not move the scheme.
+    fn moving(&self, solved: &Solved) -> Result<String, Missing> {
+        let file = (self.source.name.as_str(), self.source.text.as_str());
+        let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None)?;
+        let turn = turn(&solved.compiled, &solved.solution);
+        let scene = Scene { turn: &turn, ..scene };
+        let options = Options::default();
+        animation(&scene, &options, Theme::Auto, &Language::English).or_else(|_| {
+            let drawings = draw(Kind::Scheme, &scene, &options)?;
+            let drawn = drawings.into_iter().map(|drawing| drawing.placed().svg(Theme::Auto));
+            Ok(drawn.fold(STILL.to_owned(), |page, svg| page + &svg))
+        })
+    }
+
+    fn answers(&self, solved: &Solved) -> String {
+        let answers = solved.answers(Precision::READABLE);
+        text::render(&of_answers(&self.source.name, &answers, AccuracyShown::Worst), Look::PLAIN)
+    }
+
+    /// Links and pairs first, where several things have one name.
+    pub(super) fn declared(&self) -> Vec<Declared> {
+        let all = symbols(&self.document);
+        let parts = all.iter().flat_map(|symbol| &symbol.parts);
+        all.iter().chain(parts).map(|symbol| self.declaration(symbol)).collect()
+    }
+
+    fn declaration(&self, symbol: &Symbol) -> Declared {
+        let text = self.source.text.get(symbol.whole.start..symbol.whole.end).unwrap_or_default();
+        Declared {
+            name: symbol.name.clone(),
+            class: match symbol.kind {
+                SymbolKind::Link => "link",
+                SymbolKind::Pair => "pair",
+                _ => "",
+            },
+            line: place(&self.source.text, symbol.whole.start).line,
+            text: shown_in_line(text.lines().next().unwrap_or_default().trim_end()).to_string(),
+            whole: symbol.whole,
+        }
+    }
+}

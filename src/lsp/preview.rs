@@ -1,0 +1,87 @@
+//! Pages of open texts in a browser, and pictures of them.
+
+use super::Server;
+use super::capabilities::PREVIEW;
+use super::error::Failure;
+use super::texts::params;
+use crate::editor::{GoesOn, Shown};
+use gen_lsp_types::ExecuteCommandParams;
+use serde_json::{Value, json};
+use std::fmt::Debug;
+
+/// What a page shows of a text, once it is drawn; nothing where it is not to go on.
+pub type View = Box<dyn FnOnce(&GoesOn<'_>) -> Option<Shown> + Send>;
+
+/// Where texts are shown as pages: given by a program that has sockets and threads.
+pub trait Pages: Debug {
+    /// The address of the page of a text, the same whenever it is asked, after the text was closed and opened again too.
+    ///
+    /// # Errors
+    /// Why there is none, in words.
+    fn address(&mut self, uri: &str) -> Result<String, String>;
+
+    /// Whether a text has a page.
+    fn has(&self, uri: &str) -> bool;
+
+    /// Shows a text on its page, drawn elsewhere: this returns at once, and a newer view replaces one that waits.
+    fn show(&mut self, uri: &str, view: View);
+}
+
+/// What a client is asked to show.
+pub const SHOW: &str = "window/showDocument";
+
+impl Server {
+    /// A session that can show texts as pages.
+    #[must_use]
+    pub fn with_pages(pages: Box<dyn Pages>) -> Self {
+        Self { pages: Some(pages), ..Self::default() }
+    }
+
+    /// The address of the page of a text, and how it is brought before the author; nothing for another command.
+    pub(super) fn preview(&mut self, message: &Value) -> Option<Result<Value, Failure>> {
+        let asked = params::<ExecuteCommandParams>(message).ok().filter(|asked| asked.command == PREVIEW)?;
+        let uri = asked.arguments.iter().flatten().find_map(Value::as_str);
+        let Some(uri) = uri else {
+            return Some(Err(Failure::params(format!("`{PREVIEW}` needs the address of a text"))));
+        };
+        Some(self.page(uri))
+    }
+
+    fn page(&mut self, uri: &str) -> Result<Value, Failure> {
+        self.texts.look(uri)?;
+        let pages = self.pages.as_mut();
+        let pages = pages.ok_or_else(|| Failure::request("this server has no pages to show".to_owned()))?;
+        let address = pages.address(uri).map_err(Failure::request)?;
+        if let Some(view) = self.texts.view(uri) {
+            pages.show(uri, view);
+        }
+        Ok(json!({ "address": address }))
+    }
+
+    /// Shows the texts that are solved now, or cannot be, on their pages.
+    pub(super) fn show_pages(&mut self) {
+        let Some(pages) = &mut self.pages else { return };
+        for uri in self.texts.settled() {
+            if pages.has(&uri)
+                && let Some(view) = self.texts.view(&uri)
+            {
+                pages.show(&uri, view);
+            }
+        }
+    }
+
+    /// Asks the client to open an address; of one that cannot, the author reads it. Who names `false` behind the text shows it.
+    pub(super) fn opened(&self, result: &Value, message: &Value) -> Option<Value> {
+        let address = result["address"].as_str()?;
+        let is_quiet = message["arguments"].as_array().is_some_and(|all| all.contains(&Value::Bool(false)));
+        if is_quiet {
+            return None;
+        }
+        Some(if self.shows_documents {
+            let params = json!({ "uri": address, "external": true, "takeFocus": true });
+            json!({ "jsonrpc": "2.0", "id": SHOW, "method": SHOW, "params": params })
+        } else {
+            super::shown(super::INFO, &format!("the preview is at {address}"))
+        })
+    }
+}
