@@ -93,6 +93,7 @@ impl Batch {
         py: Python<'py>,
         requested_schema: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Capsules<'py>> {
+        // a schema may be asked for; this is the only one there is
         drop(requested_schema);
         array_capsules(py, self.0.clone())
     }
