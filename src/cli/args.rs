@@ -16,7 +16,9 @@ pub use pages::Lsp;
 pub use pages::{Completions, Explain, Help, Man, New, Preview, StartKind};
 pub use report::{Report, ReportFormat};
 
-use clap::{Parser, ValueEnum};
+use std::ffi::OsString;
+
+use clap::{Args as _, FromArgMatches, Parser, ValueEnum};
 
 use crate::exercise::grade::{Credit, Points, Submissions};
 use assur_check::Overrides;
@@ -31,12 +33,35 @@ pub struct Args {
     /// The command
     #[command(subcommand)]
     pub command: Command,
+    /// What every command takes
+    #[command(flatten)]
+    pub shared: Shared,
+}
+
+/// What every command takes.
+#[derive(Debug, clap::Args)]
+pub struct Shared {
     /// Use of colours; `auto` respects NO_COLOR and pipes
-    #[arg(long, global = true, value_enum, value_name = "WHEN", default_value_t = Color::Auto)]
+    #[arg(long, global = true, display_order = 100, value_enum, value_name = "WHEN", default_value_t = Color::Auto)]
     pub color: Color,
     /// Maximum number of diagnostics shown per file; the others are counted
-    #[arg(long, global = true, value_name = "N", default_value_t = 50, value_parser = at_least_one)]
+    #[arg(long, global = true, display_order = 100, value_name = "N", default_value_t = 50, value_parser = at_least_one)]
     pub max_errors: usize,
+}
+
+impl Args {
+    /// The arguments of the program. Where the first names a command, the others are not built.
+    ///
+    /// # Errors
+    /// What is wrong with them, or the help that they ask for.
+    pub fn of(args: impl IntoIterator<Item = OsString>) -> Result<Self, clap::Error> {
+        let args: Vec<OsString> = args.into_iter().collect();
+        let named = args.get(1).and_then(|first| first.to_str()).and_then(Command::named);
+        let Some(command) = named else { return Self::try_parse_from(args) };
+        let program = clap::Command::new("assur").disable_help_subcommand(true).subcommand(command);
+        let program = Shared::augment_args(program);
+        Self::from_arg_matches(&program.try_get_matches_from(args)?)
+    }
 }
 
 const EXAMPLES: &str = "Example: assur solve engine.mech";

@@ -37,7 +37,6 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use args::{Args, Command};
-use clap::Parser;
 use reply::Status;
 use screen::Screen;
 
@@ -49,7 +48,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
 /// As [`run`]; the exit status. 0: success; 1: a problem has errors; 2: the command line or a file cannot be used, or not all could be
 /// written; 128 + n: signal n ended it.
 pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
-    let args = match Args::try_parse_from(args) {
+    let args = match Args::of(args) {
         Ok(args) => args,
         Err(error) => {
             // help goes to standard output; there is nobody to tell where that cannot be written

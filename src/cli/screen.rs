@@ -31,7 +31,7 @@ impl Screen {
     /// The streams as the command line wants them.
     #[must_use]
     pub fn new(args: &Args) -> Self {
-        let wanted = match args.color {
+        let wanted = match args.shared.color {
             Color::Auto => ColorChoice::Auto,
             Color::Always => ColorChoice::Always,
             Color::Never => ColorChoice::Never,
@@ -41,7 +41,7 @@ impl Screen {
         Self {
             out: coloured(AutoStream::choice(&io::stdout())),
             err: coloured(AutoStream::choice(&io::stderr())),
-            most: args.max_errors,
+            most: args.shared.max_errors,
         }
     }
 

@@ -19,17 +19,26 @@ macro_rules! commands {
             $($(#[$when])? #[doc = $about] $name($name),)+
         }
 
+        impl Command {
+            /// The subcommand of this name.
+            pub(super) fn named(name: &str) -> Option<clap::Command> {
+                match name {
+                    $(
+                        $(#[$when])?
+                        $word => Some(
+                            clap::Command::new($word)
+                                .about($about)
+                                .defer(|command| $name::augment_args(command).about($about).long_about(None)),
+                        ),
+                    )+
+                    _ => None,
+                }
+            }
+        }
+
         impl Subcommand for Command {
             fn augment_subcommands(program: clap::Command) -> clap::Command {
-                $(
-                    $(#[$when])?
-                    let program = program.subcommand(
-                        clap::Command::new($word)
-                            .about($about)
-                            .defer(|command| $name::augment_args(command).about($about).long_about(None)),
-                    );
-                )+
-                program
+                program.subcommands([$($(#[$when])? $word),+].into_iter().filter_map(Self::named))
             }
 
             fn augment_subcommands_for_update(program: clap::Command) -> clap::Command {

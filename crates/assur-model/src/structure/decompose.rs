@@ -4,8 +4,6 @@
 //! scalar unknown to an equation of equilibrium). Bodies that hang together in a circle through the matching form one
 //! group; this is the fine decomposition of Dulmage and Mendelsohn, so that the groups are the smallest possible.
 
-use std::collections::HashMap;
-
 use super::defect::Defect;
 use super::echelon::{Echelon, row};
 use super::effort::Effort;
@@ -28,21 +26,21 @@ pub(super) enum Side {
 /// Groups in the order of solution.
 pub(super) fn decompose(
     replaced: &Replaced,
+    incidence: &Incidence,
     efforts: &[Effort],
     side: Side,
 ) -> Result<Vec<Group>, Box<Defect>> {
-    let incidence = Incidence::new(replaced, efforts);
     let matching = match_all(&incidence.conditions, &incidence.capacity);
-    let order = order(&incidence, &matching, side);
+    let order = order(incidence, &matching, side);
     let is_complete = matching.is_complete(&incidence.capacity);
-    if !(is_complete && order.iter().all(|vertices| is_determinate(&incidence, &matching, vertices)))
+    if !(is_complete && are_determinate(incidence, &matching, &order))
         && let Some(defect) = incidence.defect(replaced)
     {
         return Err(Box::new(defect));
     }
     let members = Members::new(replaced, &order, side);
     let mut joints = members.joints(replaced);
-    let mut inside = inside(replaced, &incidence, &matching, &order);
+    let mut inside = inside(replaced, incidence, &matching, &order);
     let groups = (0..order.len()).filter_map(|rank| {
         let bodies = members.bodies(rank)?;
         let (joints, inside) = (std::mem::take(&mut joints[rank]), std::mem::take(&mut inside[rank]));
@@ -71,27 +69,29 @@ fn order(incidence: &Incidence, matching: &Matching, side: Side) -> Vec<Vec<usiz
     components(&successors)
 }
 
-/// Whether the conditions matched to some bodies and pins determine them, those outside being known: the count of a whole
-/// can agree where one part of it has too many conditions and another too few.
-fn is_determinate(incidence: &Incidence, matching: &Matching, vertices: &[usize]) -> bool {
-    let nodes = |v: usize| match v.checked_sub(incidence.bodies) {
-        Some(pin) => vec![2 * incidence.bodies + pin],
-        None => vec![2 * v, 2 * v + 1],
-    };
-    let mut index = HashMap::new();
-    let mut conditions = Vec::new();
-    for node in vertices.iter().flat_map(|&v| nodes(v)) {
-        for column in incidence.columns_of(node) {
-            let next = index.len();
-            index.insert(column, next);
+/// Whether the conditions matched to the bodies and pins of every set determine them, those before it being known: the
+/// count of a whole can agree where one part of it has too many conditions and another too few.
+fn are_determinate(incidence: &Incidence, matching: &Matching, order: &[Vec<usize>]) -> bool {
+    // the set of every column, and its place there
+    let mut places = vec![(usize::MAX, 0); incidence.columns()];
+    order.iter().enumerate().all(|(set, vertices)| {
+        let nodes = || vertices.iter().flat_map(|&vertex| incidence.nodes_of(vertex));
+        let mut size = 0;
+        for column in nodes().flat_map(|node| incidence.columns_of(node)) {
+            places[column] = (set, size);
+            size += 1;
         }
-        conditions.extend_from_slice(&matching.held[node]);
-    }
-    conditions.sort_unstable();
-    let inside = |t: &(usize, Number)| index.get(&t.0).map(|&column| (column, t.1));
-    let rows = conditions.iter().map(|&c| row(incidence.rows[c].iter().filter_map(inside).collect()));
-    let mut echelon = Echelon::new(index.len());
-    conditions.len() == index.len() && rows.into_iter().all(|row| echelon.add(row))
+        let mut conditions: Vec<usize> =
+            nodes().flat_map(|node| matching.held[node].iter().copied()).collect();
+        conditions.sort_unstable();
+        let inside = |t: &(usize, Number)| {
+            let (its_set, place) = places[t.0];
+            (its_set == set).then_some((place, t.1))
+        };
+        let rows = conditions.iter().map(|&c| row(incidence.rows[c].iter().filter_map(inside).collect()));
+        let mut echelon = Echelon::new(size);
+        conditions.len() == size && rows.into_iter().all(|row| echelon.add(row))
+    })
 }
 
 /// The efforts and the laws of every group, by rank.

@@ -8,15 +8,15 @@ pub type Row = Vec<(usize, Number)>;
 /// Puts the terms of a row in order and adds up those of one column.
 pub fn row(mut terms: Vec<(usize, Number)>) -> Row {
     terms.sort_by_key(|t| std::cmp::Reverse(t.0));
-    let mut out: Row = Vec::with_capacity(terms.len());
-    for (column, x) in terms {
-        match out.last_mut() {
-            Some(last) if last.0 == column => last.1 += x,
-            _ => out.push((column, x)),
+    terms.dedup_by(|next, last| {
+        let same = next.0 == last.0;
+        if same {
+            last.1 += next.1;
         }
-    }
-    out.retain(|t| !t.1.is_zero());
-    out
+        same
+    });
+    terms.retain(|t| !t.1.is_zero());
+    terms
 }
 
 /// Rows in echelon form: each begins with 1 in a column of its own, the highest in which it has a coefficient.

@@ -31,17 +31,16 @@ impl Number {
         self.0 == 0
     }
 
-    /// Its inverse, by Fermat's theorem; zero for zero.
+    /// Its inverse, by Euclid's algorithm; zero for zero.
     pub fn inverse(self) -> Self {
-        let (mut power, mut rest, mut out) = (self, PRIME - 2, Self::ONE);
-        while rest > 0 {
-            if rest & 1 == 1 {
-                out = out * power;
-            }
-            power = power * power;
-            rest >>= 1;
+        // r = t·self modulo the prime, for both
+        let (mut r, mut t) = ((PRIME, self.0), (Self::ZERO, Self::ONE));
+        while r.1 != 0 {
+            let quotient = r.0 / r.1;
+            r = (r.1, r.0 - quotient * r.1);
+            t = (t.1, t.0 - Self(quotient) * t.1);
         }
-        out
+        if r.0 == 1 { t.0 } else { Self::ZERO }
     }
 }
 

@@ -2,7 +2,7 @@
 //! Only what the text makes one stays one: a point of a link that several joints share is one point for all of them, and
 //! a line that several joints share has one direction.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use super::field::Number;
 use super::joint::{BodyId, BodyOrigin, JointId, JointKind, Replaced};
@@ -12,48 +12,38 @@ use crate::math::Vec2;
 pub(super) type Vector = [Number; 2];
 
 /// Points and directions of the joints.
+#[derive(Clone)]
 pub(super) struct Generic {
     points: Vec<Vector>,
     directions: Vec<Vector>,
 }
 
-/// What is one point in the world, or one direction.
-#[derive(PartialEq, Eq, Hash)]
-enum Name {
-    /// A place of a body, or a line of it.
-    Of(BodyId, Vec<u64>),
-    /// What one joint has for itself.
-    Joint(usize),
-}
+/// A place of a body, or a line of it.
+type Name = (BodyId, [u64; 4]);
 
 impl Generic {
     pub(super) fn new(replaced: &Replaced) -> Self {
-        let (mut points, mut directions) = (Classes::default(), Classes::default());
+        let joints = replaced.joints.len();
+        let (mut points, mut directions) = (Classes::new(joints), Classes::new(joints));
         for (i, joint) in replaced.joints.iter().enumerate() {
-            let own = points.add(Name::Joint(i));
-            directions.add(Name::Joint(i));
             match &joint.kind {
                 JointKind::Revolute(members) => {
                     // the profile of a designed cam moves on along the cam
                     let along_rim = members.iter().any(|m| replaced.bodies[m.0.0].on_rim);
                     let real = members.iter().filter(|m| is_link(replaced, m.0) && !along_rim);
                     for (body, at) in real {
-                        let point = points.add(Name::Of(*body, bits(&[*at])));
-                        points.join(own, point);
+                        points.join(i, (*body, bits(*at, Vec2::new(0.0, 0.0))));
                     }
                 }
                 JointKind::Prismatic { slider, guide, through, along, .. } => {
                     if is_link(replaced, *guide) && !replaced.bodies[slider.0].on_rim {
-                        let line = directions.add(Name::Of(*guide, bits(&[*through, *along])));
-                        let own = directions.add(Name::Joint(i));
-                        directions.join(own, line);
+                        directions.join(i, (*guide, bits(*through, *along)));
                     }
                 }
                 JointKind::Law(_) => {}
             }
         }
-        let joints = replaced.joints.len();
-        Self { points: points.vectors(joints, 0), directions: directions.vectors(joints, 1 << 40) }
+        Self { points: points.vectors(0), directions: directions.vectors(1 << 40) }
     }
 
     /// The place of a joint in the world.
@@ -71,26 +61,22 @@ fn is_link(replaced: &Replaced, body: BodyId) -> bool {
     matches!(replaced.bodies[body.0].origin, BodyOrigin::Link(_))
 }
 
-fn bits(vectors: &[Vec2]) -> Vec<u64> {
+fn bits(first: Vec2, second: Vec2) -> [u64; 4] {
     // −0 is 0
-    vectors.iter().flat_map(|v| [(v.x + 0.0).to_bits(), (v.y + 0.0).to_bits()]).collect()
+    [first.x, first.y, second.x, second.y].map(|x| (x + 0.0).to_bits())
 }
 
-/// Names that stand for one and the same.
-#[derive(Default)]
+/// Joints whose places, or whose directions, are one.
 struct Classes {
-    index: HashMap<Name, usize>,
+    /// A joint of every name.
+    first: BTreeMap<Name, usize>,
+    /// Of every joint, one of its class before it, or itself.
     parent: Vec<usize>,
 }
 
 impl Classes {
-    fn add(&mut self, name: Name) -> usize {
-        let next = self.parent.len();
-        let index = *self.index.entry(name).or_insert(next);
-        if index == next {
-            self.parent.push(next);
-        }
-        index
+    fn new(joints: usize) -> Self {
+        Self { first: BTreeMap::new(), parent: (0..joints).collect() }
     }
 
     fn root(&self, mut at: usize) -> usize {
@@ -100,14 +86,16 @@ impl Classes {
         at
     }
 
-    fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.root(a), self.root(b));
+    /// Puts a joint into the class of a name.
+    fn join(&mut self, joint: usize, name: Name) {
+        let first = *self.first.entry(name).or_insert(joint);
+        let (a, b) = (self.root(joint), self.root(first));
         self.parent[a.max(b)] = a.min(b);
     }
 
     /// The random vector of every joint.
-    fn vectors(&self, joints: usize, seed: u64) -> Vec<Vector> {
-        let root = |i| self.index.get(&Name::Joint(i)).map_or(0, |&own| self.root(own) as u64);
-        (0..joints).map(|i| [0, 1].map(|k| Number::random(seed + 2 * root(i) + k))).collect()
+    fn vectors(&self, seed: u64) -> Vec<Vector> {
+        let root = |i| self.root(i) as u64;
+        (0..self.parent.len()).map(|i| [0, 1].map(|k| Number::random(seed + 2 * root(i) + k))).collect()
     }
 }

@@ -22,6 +22,7 @@ pub(super) enum Owner {
 
 /// Conditions with their owners, over nodes: two per body (place with two freedoms, angle with one), one per pin of more
 /// than two links (two freedoms).
+#[derive(Clone)]
 pub(super) struct Incidence {
     pub conditions: Vec<Condition>,
     pub owners: Vec<Owner>,
@@ -33,11 +34,16 @@ pub(super) struct Incidence {
     generic: Generic,
 }
 
-/// Terms of an equation: body, coefficients of the velocity of its origin and of its angular velocity.
-type Terms = Vec<(BodyId, [Number; 3])>;
+/// A term of an equation: body, coefficients of the velocity of its origin and of its angular velocity.
+type Term = (BodyId, [Number; 3]);
 
 impl Incidence {
     pub(super) fn new(replaced: &Replaced, efforts: &[Effort]) -> Self {
+        Self::of_joints(replaced).with_efforts(replaced, efforts)
+    }
+
+    /// The conditions of the joints alone, which both sides have.
+    pub(super) fn of_joints(replaced: &Replaced) -> Self {
         let capacity = replaced.bodies.iter().flat_map(|b| if b.known { [0, 0] } else { [2, 1] }).collect();
         let mut this = Self {
             conditions: Vec::new(),
@@ -52,12 +58,17 @@ impl Incidence {
             this.add_joint(replaced, JointId(i), joint);
         }
         for link in &replaced.passive {
-            this.add(Owner::Passive, vec![(BodyId(link.index()), TURN)], None);
-        }
-        for (i, effort) in efforts.iter().enumerate() {
-            this.add_effort(replaced, i, effort);
+            this.add(Owner::Passive, &[(BodyId(link.index()), TURN)], None);
         }
         this
+    }
+
+    /// With those of efforts behind them.
+    pub(super) fn with_efforts(mut self, replaced: &Replaced, efforts: &[Effort]) -> Self {
+        for (i, effort) in efforts.iter().enumerate() {
+            self.add_effort(replaced, i, effort);
+        }
+        self
     }
 
     /// The number of columns, those of known bodies (in which no row has a coefficient) among them.
@@ -84,14 +95,23 @@ impl Incidence {
         first..first + self.capacity[node]
     }
 
+    /// The nodes of a body, or of a pin that is counted behind the bodies.
+    pub(super) fn nodes_of(&self, vertex: usize) -> std::ops::Range<usize> {
+        match vertex.checked_sub(self.bodies) {
+            Some(pin) => 2 * self.bodies + pin..2 * self.bodies + pin + 1,
+            None => 2 * vertex..2 * vertex + 2,
+        }
+    }
+
     /// The body of a node, or the number of bodies plus that of the pin.
     pub(super) fn vertex(&self, node: usize) -> usize {
         if node < 2 * self.bodies { node / 2 } else { node - self.bodies }
     }
 
-    fn add(&mut self, owner: Owner, terms: Terms, pin: Option<(usize, Vector)>) {
-        let (mut nodes, mut row_terms) = (Vec::new(), Vec::new());
-        for (body, [x, y, turn]) in terms.into_iter().filter(|t| !self.known[t.0.0]) {
+    fn add(&mut self, owner: Owner, terms: &[Term], pin: Option<(usize, Vector)>) {
+        let mut nodes = Vec::with_capacity(2 * terms.len() + 1);
+        let mut row_terms = Vec::with_capacity(3 * terms.len() + 2);
+        for &(body, [x, y, turn]) in terms.iter().filter(|t| !self.known[t.0.0]) {
             if !(x.is_zero() && y.is_zero()) {
                 nodes.push(2 * body.0);
             }
@@ -115,7 +135,7 @@ impl Incidence {
             JointKind::Revolute(members) => {
                 if let [a, b] = members.as_slice() {
                     for axis in AXES {
-                        self.add(Owner::Joint(id), less(a.0, b.0, at, axis), None);
+                        self.add(Owner::Joint(id), &less(a.0, b.0, at, axis), None);
                     }
                     return;
                 }
@@ -123,26 +143,26 @@ impl Incidence {
                 self.capacity.push(2);
                 for member in members {
                     for axis in AXES {
-                        self.add(Owner::Joint(id), vec![(member.0, along(at, axis))], Some((pin, axis)));
+                        self.add(Owner::Joint(id), &[(member.0, along(at, axis))], Some((pin, axis)));
                     }
                 }
             }
             JointKind::Prismatic { slider, guide, angle_redundant, .. } => {
                 if !angle_redundant {
-                    self.add(Owner::Joint(id), vec![(*slider, TURN), (*guide, NO_TURN)], None);
+                    self.add(Owner::Joint(id), &[(*slider, TURN), (*guide, NO_TURN)], None);
                 }
                 let [x, y] = self.generic.direction(id);
-                self.add(Owner::Joint(id), less(*slider, *guide, at, [-y, x]), None);
+                self.add(Owner::Joint(id), &less(*slider, *guide, at, [-y, x]), None);
             }
             JointKind::Law(terms) => {
                 let terms = self.law(replaced, id, terms);
-                self.add(Owner::Joint(id), terms, None);
+                self.add(Owner::Joint(id), &terms, None);
             }
         }
     }
 
     /// A law with random coefficients. Those of a mesh on a carrier stay such that wheels and carrier can turn as one.
-    fn law(&self, replaced: &Replaced, id: JointId, terms: &[(BodyRate, f64)]) -> Terms {
+    fn law(&self, replaced: &Replaced, id: JointId, terms: &[(BodyRate, f64)]) -> Vec<Term> {
         let sum: f64 = terms.iter().map(|t| t.1).sum();
         let size: f64 = terms.iter().map(|t| t.1.abs()).sum();
         let as_one = terms.len() > 2
@@ -158,7 +178,7 @@ impl Incidence {
             match rate {
                 BodyRate::Turn(body) => out.push((*body, [Number::ZERO, Number::ZERO, c])),
                 BodyRate::Slide(joint) => {
-                    let scaled = |t: (BodyId, [Number; 3])| (t.0, t.1.map(|x| c * x));
+                    let scaled = |t: Term| (t.0, t.1.map(|x| c * x));
                     out.extend(self.slide(replaced, *joint).into_iter().map(scaled));
                 }
             }
@@ -167,10 +187,10 @@ impl Incidence {
     }
 
     /// The rate of the coordinate of a prismatic joint.
-    fn slide(&self, replaced: &Replaced, joint: JointId) -> Terms {
+    fn slide(&self, replaced: &Replaced, joint: JointId) -> Vec<Term> {
         match replaced.joint(joint).kind {
             JointKind::Prismatic { slider, guide, .. } => {
-                less(slider, guide, self.generic.point(joint), self.generic.direction(joint))
+                less(slider, guide, self.generic.point(joint), self.generic.direction(joint)).to_vec()
             }
             JointKind::Revolute(_) | JointKind::Law(_) => Vec::new(),
         }
@@ -190,8 +210,8 @@ impl Incidence {
                 vec![(body, [0, 1, 2].map(|k| Number::random(seed + k)))]
             }
         };
-        let terms = effort.places().flat_map(terms).collect();
-        self.add(Owner::Effort(index), terms, None);
+        let terms: Vec<Term> = effort.places().flat_map(terms).collect();
+        self.add(Owner::Effort(index), &terms, None);
     }
 }
 
@@ -205,7 +225,7 @@ fn along(at: Vector, [x, y]: Vector) -> [Number; 3] {
 }
 
 /// The velocity of the first body at a point along a direction, less that of the second.
-fn less(first: BodyId, second: BodyId, at: Vector, direction: Vector) -> Terms {
+fn less(first: BodyId, second: BodyId, at: Vector, direction: Vector) -> [Term; 2] {
     let c = along(at, direction);
-    vec![(first, c), (second, c.map(|x| -x))]
+    [(first, c), (second, c.map(|x| -x))]
 }
