@@ -11,7 +11,7 @@ const BLOCKS: usize = 4;
 /// Threads, started when they are needed.
 #[derive(Debug)]
 pub struct Threads {
-    count: usize,
+    count: OnceLock<usize>,
     pool: OnceLock<Option<rayon::ThreadPool>>,
 }
 
@@ -19,14 +19,18 @@ impl Threads {
     /// This number of them, or one for every processor.
     #[must_use]
     pub fn new(count: Option<usize>) -> Self {
+        Self { count: count.map(OnceLock::from).unwrap_or_default(), pool: OnceLock::new() }
+    }
+
+    fn count(&self) -> usize {
         let all = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        Self { count: count.unwrap_or_else(all), pool: OnceLock::new() }
+        *self.count.get_or_init(all)
     }
 
     /// How many blocks of positions are solved at once.
     #[must_use]
-    pub const fn blocks(&self) -> usize {
-        self.count * BLOCKS
+    pub fn blocks(&self) -> usize {
+        self.count() * BLOCKS
     }
 
     /// Solves blocks of positions.
@@ -36,8 +40,8 @@ impl Threads {
 
     /// Does the work on every item with its number. Where threads cannot be started it is done here.
     pub fn each<T: Send>(&self, items: &mut [T], work: impl Fn((usize, &mut T)) + Sync) {
-        let start = || rayon::ThreadPoolBuilder::new().num_threads(self.count).build().ok();
-        let several = self.count > 1 && items.len() > 1;
+        let start = || rayon::ThreadPoolBuilder::new().num_threads(self.count()).build().ok();
+        let several = items.len() > 1 && self.count() > 1;
         match if several { self.pool.get_or_init(start) } else { &None } {
             Some(pool) => pool.install(|| items.par_iter_mut().enumerate().for_each(&work)),
             None => items.iter_mut().enumerate().for_each(work),

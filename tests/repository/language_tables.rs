@@ -154,7 +154,9 @@ fn the_grammar_has_the_words_of_the_tables() {
     words.extend(&reserved);
     words.extend(of(PAIRS));
     assert_eq!(words, WORDS.iter().flat_map(|(place, _)| words_of(*place)).collect());
-    for unit in rule(&grammar, "unit_last").split('"').skip(1).step_by(2) {
+    for unit in
+        ["unit_last", "unit_common"].map(|name| rule(&grammar, name)).join(" ").split('"').skip(1).step_by(2)
+    {
         assert!(units::is_unit(unit), "{unit}");
     }
 }

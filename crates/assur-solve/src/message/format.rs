@@ -100,7 +100,7 @@ pub(super) fn four(x: f64) -> String {
         return format!("{x:.3e}");
     }
     #[allow(clippy::cast_possible_truncation)] // between −6 and 9
-    let digits = (3 - x.abs().log10().floor() as i32).max(0);
+    let digits = (3 - libm::log10(x.abs()).floor() as i32).max(0);
     let text = format!("{x:.*}", usize::try_from(digits).unwrap_or(0));
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

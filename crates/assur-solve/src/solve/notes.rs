@@ -102,7 +102,7 @@ impl Notes {
         // forces of inertia add up what the accelerations of several links lose
         let gathers = loss == Loss::Accelerations && model.plan.effects.inertia;
         let gathered = if gathers { GATHERED } else { 0.0 };
-        let left = power * condition.max(f64::MIN_POSITIVE).log10() - f64::EPSILON.log10();
+        let left = power * libm::log10(condition.max(f64::MIN_POSITIVE)) - libm::log10(f64::EPSILON);
         let digits = left - gathered;
         // what is no number is reported by itself
         if condition.is_nan() || digits >= FEW_DIGITS || self.fewest.as_ref().is_some_and(|f| f.0 <= digits) {

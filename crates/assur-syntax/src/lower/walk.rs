@@ -22,7 +22,9 @@ impl<'i> Parts<'i> {
     }
 
     fn skip(&mut self) {
-        while self.pairs.next_if(|p| is_plumbing(p.as_rule())).is_some() {}
+        while self.pairs.peek().is_some_and(|p| is_plumbing(p.as_rule())) {
+            self.pairs.next();
+        }
     }
 
     /// The next part.
