@@ -1,7 +1,7 @@
 //! Whether a mechanism is after whole turns of its drive where it began: the last position of such a sweep is left out.
 
 use super::note::Note;
-use super::sweep::Run;
+use super::run::Run;
 use super::track::Tracker;
 use crate::math::Vec2;
 use crate::position::{Wanted, extent};

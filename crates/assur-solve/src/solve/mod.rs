@@ -25,6 +25,7 @@ mod positions;
 mod refusal;
 mod refusals;
 mod replay;
+mod run;
 mod simulate;
 mod solution;
 mod steps;
