@@ -83,7 +83,7 @@ impl Sink for Out<'_, '_, '_> {
         self.threads.blocks()
     }
 
-    fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+    fn solve(&mut self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
         self.threads.solve(&ahead.without_residuals(), blocks);
     }
 

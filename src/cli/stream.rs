@@ -89,7 +89,7 @@ struct Out<'p, 'o, 'w> {
     /// The lines show angles.
     angles: bool,
     text: Vec<u8>,
-    /// Of blocks, until they are written.
+    /// Of blocks, until they are written: while the next ones are solved.
     texts: Vec<Vec<u8>>,
     /// A position has a meaning.
     begun: bool,
@@ -125,10 +125,11 @@ impl Sink for Out<'_, '_, '_> {
         self.threads.blocks()
     }
 
-    fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+    fn solve(&mut self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
         // CSV shows no residuals
         let ahead = if matches!(self.lines, Lines::Csv(_)) { ahead.without_residuals() } else { *ahead };
-        self.threads.solve(&ahead, blocks);
+        let threads = self.threads;
+        threads.solve_while(&ahead, blocks, || self.print_texts());
     }
 
     fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
@@ -137,20 +138,16 @@ impl Sink for Out<'_, '_, '_> {
             ahead.answer(first, self.angles);
             self.lines.begin(answers, first.poses().first());
         }
+        self.flush();
         self.texts.resize_with(blocks.len(), Vec::new);
         let (lines, angles) = (&self.lines, self.angles);
         let mut work: Vec<(&mut Block, &mut Vec<u8>)> = blocks.iter_mut().zip(&mut self.texts).collect();
         self.threads.each(&mut work, |(_, (block, text))| {
             ahead.answer(block, angles);
-            text.clear();
             let mut row = Vec::new();
             let poses = block.poses().iter().filter(|pose| pose.is_position());
             poses.for_each(|pose| lines.add(answers, pose, &mut row, text));
         });
-        self.flush();
-        for text in &self.texts {
-            self.failed |= !self.printer.print(text);
-        }
         !self.failed
     }
 }
@@ -167,7 +164,16 @@ impl Out<'_, '_, '_> {
     }
 
     fn flush(&mut self) {
+        self.print_texts();
         self.failed |= !self.printer.print(&self.text);
         self.text.clear();
+    }
+
+    /// Writes the texts of blocks that are not written yet.
+    fn print_texts(&mut self) {
+        for text in &mut self.texts {
+            self.failed |= !self.printer.print(&*text);
+            text.clear();
+        }
     }
 }

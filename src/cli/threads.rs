@@ -35,14 +35,34 @@ impl Threads {
 
     /// Solves blocks of positions.
     pub fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
-        self.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
+        self.solve_while(ahead, blocks, || ());
+    }
+
+    /// Solves blocks of positions, and does something else on this thread in the meantime.
+    pub fn solve_while(&self, ahead: &Ahead<'_>, blocks: &mut [Block], meanwhile: impl FnOnce()) {
+        let solve = |(i, block): (usize, &mut Block)| ahead.solve(block, i * BLOCK);
+        match self.pool_for(blocks.len()) {
+            Some(pool) => pool.in_place_scope(|scope| {
+                scope.spawn(|_| blocks.par_iter_mut().enumerate().for_each(solve));
+                meanwhile();
+            }),
+            None => {
+                meanwhile();
+                blocks.iter_mut().enumerate().for_each(solve);
+            }
+        }
+    }
+
+    /// The threads, where so many items are worth them.
+    fn pool_for(&self, items: usize) -> Option<&rayon::ThreadPool> {
+        let start = || rayon::ThreadPoolBuilder::new().num_threads(self.count()).build().ok();
+        let several = items > 1 && self.count() > 1;
+        several.then(|| self.pool.get_or_init(start).as_ref()).flatten()
     }
 
     /// Does the work on every item with its number. Where threads cannot be started it is done here.
     pub fn each<T: Send>(&self, items: &mut [T], work: impl Fn((usize, &mut T)) + Sync) {
-        let start = || rayon::ThreadPoolBuilder::new().num_threads(self.count()).build().ok();
-        let several = items.len() > 1 && self.count() > 1;
-        match if several { self.pool.get_or_init(start) } else { &None } {
+        match self.pool_for(items.len()) {
             Some(pool) => pool.install(|| items.par_iter_mut().enumerate().for_each(&work)),
             None => items.iter_mut().enumerate().for_each(work),
         }

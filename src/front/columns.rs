@@ -255,7 +255,7 @@ impl Sink for Filling<'_> {
         self.workers.pieces()
     }
 
-    fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+    fn solve(&mut self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
         each_of(self.workers, blocks, |i, block| ahead.solve(block, i * BLOCK));
     }
 

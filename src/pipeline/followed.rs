@@ -42,7 +42,7 @@ pub trait Sink {
     }
 
     /// Solves blocks of positions: on several threads if there are.
-    fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+    fn solve(&mut self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
         blocks.iter_mut().enumerate().for_each(|(i, block)| ahead.solve(block, i * BLOCK));
     }
 
