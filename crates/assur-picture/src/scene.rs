@@ -28,6 +28,8 @@ pub struct Scene<'a> {
     pub turn: &'a [Pose],
     /// The ways of the pairs, where many positions of one scene are drawn; else they are looked up in all positions.
     pub ways: &'a [(f64, f64)],
+    /// Some shaft has no place.
+    pub is_open: bool,
 }
 
 impl<'a> Scene<'a> {
@@ -46,7 +48,8 @@ impl<'a> Scene<'a> {
             let solved = pose.outcome.as_ref().ok()?;
             let all = solution.poses.iter().filter_map(|pose| pose.outcome.as_ref().ok());
             let greatest = Greatest::of(&model, all);
-            Some(Self { model, solution, pose, solved, file, text, greatest, turn: &[], ways: &[] })
+            let is_open = model.mechanism.pairs.iter().any(|p| p.bearing == Some(Bearing::Open));
+            Some(Self { model, solution, pose, solved, file, text, greatest, turn: &[], ways: &[], is_open })
         });
         found.ok_or_else(|| Missing::no_position(model.mechanism, solution, name))
     }
@@ -96,6 +99,7 @@ impl<'a> Scene<'a> {
     #[must_use]
     pub fn is_placed(&self, link: LinkId) -> bool {
         link == LinkId::GROUND
+            || !self.is_open
             || !self
                 .mechanism()
                 .pairs
