@@ -149,6 +149,14 @@ impl Series {
         sum(&self.coefficients, t)
     }
 
+    /// Values that it does not pass within the interval: |T_k| ≤ 1.
+    #[must_use]
+    pub fn bounds(&self) -> (f64, f64) {
+        let [first, rest @ ..] = self.coefficients.as_slice() else { return (0.0, 0.0) };
+        let away: f64 = rest.iter().map(|c| c.abs()).sum();
+        (first - away, first + away)
+    }
+
     /// The integral over the interval.
     #[must_use]
     pub fn integral(&self) -> f64 {

@@ -1,6 +1,7 @@
 //! What two runs differ by, kind by kind: the error of the coarser one.
 
 use super::equations::Equations;
+use super::functions::OverRun;
 use super::records::Records;
 use crate::position::BodyState;
 
@@ -31,8 +32,8 @@ pub(in crate::solve) struct Outcome<'r> {
     pub records: &'r Records,
     /// Instants of every event, s.
     pub events: &'r [Vec<f64>],
-    /// Functions over the run, each with the greatest magnitude in play.
-    pub functions: &'r [(f64, f64)],
+    /// Functions over the run.
+    pub functions: &'r [OverRun],
     /// The greatest magnitudes of each kind, where they are measured.
     pub kinds: &'r Kinds,
     /// It ended early.
@@ -93,8 +94,8 @@ impl Compared {
         }
         found.works(coarse, fine, both);
         for (a, b) in coarse_run.functions.iter().zip(fine_run.functions) {
-            let difference = (a.0 - b.0).abs();
-            found.look(if difference == 0.0 { 0.0 } else { difference / b.1 }, STATES + 1);
+            let difference = (a.value - b.value).abs();
+            found.look(if difference == 0.0 { 0.0 } else { difference / b.scale }, STATES + 1);
         }
         found
     }

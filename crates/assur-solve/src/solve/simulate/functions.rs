@@ -17,9 +17,22 @@ const HALVED: u32 = 2;
 /// What the series leaves off does not make an extreme greater than by so many times its last terms.
 const SURPASSED: f64 = 10.0;
 
+/// A function over the run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OverRun {
+    /// Its value, SI.
+    pub value: f64,
+    /// The greatest magnitude in play.
+    pub scale: f64,
+    /// Where its extreme is, s; NaN where it is none.
+    pub at: f64,
+}
+
 /// A function over the run as far as it is known.
 pub(super) struct Function<'m> {
     pub(super) cycle: &'m Cycle,
+    /// The first function of the same expression.
+    source: usize,
     /// Integral, or the extreme.
     value: f64,
     /// Where the extreme is, s.
@@ -32,9 +45,16 @@ pub(super) struct Function<'m> {
 }
 
 impl<'m> Function<'m> {
-    pub fn new(cycle: &'m Cycle) -> Self {
+    /// The functions of a file.
+    pub fn all(cycles: &'m [Cycle]) -> Vec<Self> {
+        let source = |i: usize| cycles[..i].iter().position(|c| c.expr == cycles[i].expr).unwrap_or(i);
+        cycles.iter().enumerate().map(|(i, cycle)| Self::new(cycle, source(i))).collect()
+    }
+
+    fn new(cycle: &'m Cycle, source: usize) -> Self {
         Self {
             cycle,
+            source,
             value: match cycle.how {
                 CycleFunction::Max | CycleFunction::Argmax => f64::NEG_INFINITY,
                 CycleFunction::Min => f64::INFINITY,
@@ -67,8 +87,9 @@ impl Function<'_> {
         }
         // an extreme that is known already is not surpassed
         self.sign().is_some_and(|sign| {
-            let most = extremes(series, values).map(|(_, x)| sign * x).fold(f64::NEG_INFINITY, f64::max);
-            sign * self.value > most + SURPASSED * series.tail()
+            let surpasses = |most: f64| sign * self.value > most + SURPASSED * series.tail();
+            let most = || extremes(series, values).map(|(_, x)| sign * x).fold(f64::NEG_INFINITY, f64::max);
+            surpasses(most_possible(sign, series)) || surpasses(most())
         })
     }
 
@@ -82,12 +103,21 @@ impl Function<'_> {
             self.left_off = self.left_off.max(left_off);
             return;
         };
+        if most_possible(sign, series) < sign * self.value {
+            return;
+        }
         for (t, x) in extremes(series, values) {
             if sign * x > sign * self.value {
                 (self.value, self.at, self.left_off) = (x, t, left_off);
             }
         }
     }
+}
+
+/// What a series, or its opposite, is at most.
+fn most_possible(sign: f64, series: &Series) -> f64 {
+    let (least, greatest) = series.bounds();
+    if sign > 0.0 { greatest } else { -least }
 }
 
 /// The greatest magnitude.
@@ -139,7 +169,17 @@ impl Watch<'_> {
         if asked.is_empty() {
             return true;
         }
-        let mut values = vec![[f64::NAN; PLACES]; asked.len()];
+        // several functions may be of one expression
+        let mut sets: Vec<usize> = Vec::with_capacity(asked.len());
+        let set_of = asked.iter().map(|&f| {
+            let source = self.functions[f].source;
+            sets.iter().position(|&set| set == source).unwrap_or_else(|| {
+                sets.push(source);
+                sets.len() - 1
+            })
+        });
+        let set_of: Vec<usize> = set_of.collect();
+        let mut values = vec![[f64::NAN; PLACES]; sets.len()];
         // first few places: most parts are far from an extreme
         for (first, apart, step) in [(0, 4, 4), (2, 4, 2), (1, 2, 1)] {
             for place in (first..PLACES).step_by(apart) {
@@ -149,19 +189,18 @@ impl Watch<'_> {
                 {
                     continue;
                 }
-                for (values, &function) in values.iter_mut().zip(&asked) {
-                    values[place] = equations.value(&self.functions[function].cycle.expr);
+                for (values, &source) in values.iter_mut().zip(&sets) {
+                    values[place] = equations.value(&self.functions[source].cycle.expr);
                 }
             }
             let series = values.iter().map(|values| self.places.series(from, to, values, step));
             let series: Vec<Series> = series.collect();
-            let each = || asked.iter().zip(&series).zip(&values);
+            let each = || asked.iter().zip(&set_of).map(|(&f, &set)| (f, &series[set], &values[set]));
             let smooth = self.smooth;
-            let known =
-                each().all(|((&f, series), values)| self.functions[f].is_known(series, values, smooth));
+            let known = each().all(|(f, series, values)| self.functions[f].is_known(series, values, smooth));
             if known || (anyway && step == 1) {
-                for ((&function, series), values) in each() {
-                    self.functions[function].take(series, values);
+                for (f, series, values) in each() {
+                    self.functions[f].take(series, values);
                 }
                 return true;
             }
@@ -185,8 +224,8 @@ impl Watch<'_> {
         instants.filter(|t| from + near < *t && *t < to - near).min_by(f64::total_cmp)
     }
 
-    /// The functions over the run up to its end, each with the greatest magnitude in play.
-    pub fn functions(&self, end: f64) -> Vec<(f64, f64)> {
+    /// The functions over the run up to its end.
+    pub fn functions(&self, end: f64) -> Vec<OverRun> {
         let whole = |f: &Function<'_>| f.cycle.part == Part::default();
         let length = |f: &Function<'_>| if whole(f) { end - self.begin } else { f.lasted };
         let value = |f: &Function<'_>| match f.cycle.how {
@@ -200,6 +239,6 @@ impl Watch<'_> {
             CycleFunction::Integral => f.greatest * length(f),
             CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => f.greatest,
         };
-        self.functions.iter().map(|f| (value(f), scale(f))).collect()
+        self.functions.iter().map(|f| OverRun { value: value(f), scale: scale(f), at: f.at }).collect()
     }
 }

@@ -57,14 +57,7 @@ pub fn over_time(model: &Model<'_>, exprs: &[Expr]) -> Result<Option<OverTime>, 
     mechanism.expects.clear();
     let known = mechanism.cycles.len();
     for expr in exprs {
-        let less = Expr::Negate(Box::new(expr.clone()));
-        // the instant of the least is that of the greatest of the opposite
-        for (how, expr) in [
-            (CycleFunction::Min, expr),
-            (CycleFunction::Argmax, &less),
-            (CycleFunction::Max, expr),
-            (CycleFunction::Argmax, expr),
-        ] {
+        for how in [CycleFunction::Min, CycleFunction::Max] {
             let (span, part) = (Span::default(), Part::default());
             mechanism.cycles.push(Cycle { span, how, expr: expr.clone(), part });
         }
@@ -85,10 +78,10 @@ pub fn over_time(model: &Model<'_>, exprs: &[Expr]) -> Result<Option<OverTime>, 
         }
     }
     let found = solution.statics.cycles.get(known..).unwrap_or_default();
-    for (course, extremes) in courses.iter_mut().zip(found.chunks_exact(4)) {
+    for (course, extremes) in courses.iter_mut().zip(found.chunks_exact(2)) {
         course.lines.retain(|line| line.len() > 1);
-        course.least = course.at_once(extremes[1].value, extremes[0].value);
-        course.greatest = course.at_once(extremes[3].value, extremes[2].value);
+        course.least = course.at_once(extremes[0].at, extremes[0].value);
+        course.greatest = course.at_once(extremes[1].at, extremes[1].value);
     }
     let events = solution.simulation.map(|report| report.events).unwrap_or_default();
     Ok(Some(OverTime { courses, events }))

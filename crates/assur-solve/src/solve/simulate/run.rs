@@ -5,6 +5,7 @@ use super::compare::{Kinds, Outcome};
 use super::coordinates::{Change, Charts};
 use super::corners::Corners;
 use super::equations::Equations;
+use super::functions::OverRun;
 use super::going::{Ended, Going, SHORTER};
 use super::opening::Openings;
 use super::records::Records;
@@ -37,7 +38,7 @@ pub(super) struct Run {
     /// The greatest magnitudes of each kind, where they are measured.
     pub kinds: Kinds,
     /// Functions over the run, each with the greatest magnitude in play.
-    pub functions: Vec<(f64, f64)>,
+    pub functions: Vec<OverRun>,
     /// When the coordinate comes to rest by friction, and when it leaves again, s.
     pub rests: Vec<(f64, Option<f64>)>,
     /// From when to when a pair is held by friction, where every pair moves in a way of its own, s.

@@ -3,6 +3,7 @@
 use super::compare::{Compared, Kinds, Outcome};
 use super::conduct::Conduct;
 use super::coordinates::Charts;
+use super::functions::OverRun;
 use super::records::Records;
 use super::report::SimulationReport;
 use super::run::{Run, run};
@@ -42,8 +43,8 @@ pub(crate) struct Trajectory {
     pub records: Records,
     /// How many printed instants were handed out.
     pub handed_out: usize,
-    /// Functions over the run, each with the greatest magnitude in play.
-    pub functions: Vec<(f64, f64)>,
+    /// Functions over the run.
+    pub functions: Vec<OverRun>,
     /// The greatest magnitudes of each kind.
     pub kinds: Kinds,
     /// What the run says of itself.
@@ -91,9 +92,10 @@ impl Trajectory {
         statics.events.clone_from(&self.report.events);
         statics.period = self.report.steady.map(|steady| steady.period);
         statics.situations = self.report.situations(mechanism);
-        let answer = |&(value, scale): &(f64, f64)| CycleAnswer {
+        let answer = |&OverRun { value, scale, at }: &OverRun| CycleAnswer {
             value,
             scale,
+            at,
             error: self.report.error * scale,
             samples: self.report.evaluations,
             ..CycleAnswer::default()

@@ -62,7 +62,7 @@ pub(super) struct Happened {
 
 impl<'m> Watch<'m> {
     pub fn new(mechanism: &'m Mechanism, unknowns: usize, (begin, end): (f64, f64), tolerance: f64) -> Self {
-        let functions: Vec<Function<'m>> = mechanism.cycles.iter().map(Function::new).collect();
+        let functions = Function::all(&mechanism.cycles);
         let events = mechanism.events.iter().map(|event| &event.value);
         let all = events.chain(functions.iter().map(|f| &f.cycle.expr));
         let all: Vec<&Expr> = all.collect();
