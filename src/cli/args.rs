@@ -58,9 +58,11 @@ impl Args {
         let args: Vec<OsString> = args.into_iter().collect();
         let named = args.get(1).and_then(|first| first.to_str()).and_then(Command::named);
         let Some(command) = named else { return Self::try_parse_from(args) };
+        let command = Shared::augment_args(command);
         let program = clap::Command::new("assur").disable_help_subcommand(true).subcommand(command);
-        let program = Shared::augment_args(program);
-        Self::from_arg_matches(&program.try_get_matches_from(args)?)
+        let found = program.try_get_matches_from(args)?;
+        let shared = found.subcommand().map_or(&found, |(_, own)| own);
+        Ok(Self { shared: Shared::from_arg_matches(shared)?, command: Command::from_arg_matches(&found)? })
     }
 }
 
