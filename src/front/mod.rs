@@ -18,10 +18,10 @@ mod workers;
 
 pub use answer::{Answer, Quantity};
 pub use cells::Cells;
-#[cfg(feature = "cli")]
-pub(crate) use cells::digits_count;
 #[cfg(feature = "arrow")]
-pub(crate) use cells::{Missing, header_line, read_row};
+pub(crate) use cells::header_line;
+#[cfg(feature = "cli")]
+pub(crate) use cells::{Missing, digits_count, read_row};
 pub use checked::{Checked, ColumnsError};
 pub use columns::{Column, Columns, PoseFailure, Residuals, WrittenUnit};
 pub use diagnostics::Diagnostics;

@@ -66,10 +66,12 @@ impl Out {
     }
 
     /// What was written, with the end of a table.
-    pub fn end(mut self) -> Result<Sink, CliError> {
+    pub fn end(self) -> Result<Sink, CliError> {
         #[cfg(feature = "arrow")]
         if let Some(table) = self.table {
-            self.sink.write(table.end()?)?;
+            let mut sink = self.sink;
+            sink.write(table.end()?)?;
+            return Ok(sink);
         }
         Ok(self.sink)
     }

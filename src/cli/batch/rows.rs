@@ -3,15 +3,10 @@
 use std::sync::Arc;
 
 use super::filled::Cited;
-#[cfg(feature = "arrow")]
-use crate::exercise::table::TableError;
-use crate::exercise::table::{Cell, Fault, Lines, RawRow, Read, Separator, Written};
-#[cfg(feature = "arrow")]
+use crate::exercise::table::{Cell, Fault, Lines, RawRow, Read, Separator, TableError, Written};
 use crate::front::{Cells, Missing, read_row};
 use assur_check::{FileRow, Row, RowColumn};
-#[cfg(feature = "arrow")]
-use assur_text::source::Source;
-use assur_text::source::Span;
+use assur_text::source::{Source, Span};
 
 /// The source of rows.
 #[derive(Debug)]
@@ -42,7 +37,7 @@ pub enum Chunk<'a> {
         separator: Separator,
     },
     /// Rows of a table of columns, after a number of them.
-    #[cfg(feature = "arrow")]
+    #[cfg_attr(not(feature = "arrow"), expect(dead_code, reason = "this build reads no such tables"))]
     Columns {
         cells: &'a [Cells<'a>],
         count: usize,
@@ -60,7 +55,6 @@ pub enum AsWritten<'a> {
     /// Those of a line.
     Line(Vec<Cell<'a>>, Separator),
     /// Those of columns, with the index of the row.
-    #[cfg(feature = "arrow")]
     Columns(&'a [Cells<'a>], usize),
 }
 
@@ -80,7 +74,6 @@ impl AsWritten<'_> {
                 let read = cells.get(column).and_then(|cell| Written::read(&cell.text, *separator).ok());
                 read.map_or(f64::NAN, |written| written.value)
             }
-            #[cfg(feature = "arrow")]
             Self::Columns(cells, index) => match cells.get(column) {
                 Some(Cells::Numbers(numbers)) => numbers.get(*index).copied().unwrap_or(f64::NAN),
                 Some(Cells::Names(_)) | None => f64::NAN,
@@ -118,7 +111,6 @@ impl Chunk<'_> {
             Self::One => 1,
             Self::Own { rows, .. } => rows.len(),
             Self::Csv { lines, .. } => lines.len(),
-            #[cfg(feature = "arrow")]
             Self::Columns { count, .. } => *count,
         }
     }
@@ -126,7 +118,6 @@ impl Chunk<'_> {
     /// The cells of a row that cannot be read.
     pub fn as_written(&self, index: usize) -> (Option<String>, AsWritten<'_>) {
         match self {
-            #[cfg(feature = "arrow")]
             Self::Columns { cells, .. } => (name_of(cells, index), AsWritten::Columns(cells, index)),
             _ => (None, AsWritten::No),
         }
@@ -160,7 +151,6 @@ impl Chunk<'_> {
                 let written = AsWritten::Line(cells, *separator);
                 Ok(Input { number: raw.number, label, written, row, span: None })
             }
-            #[cfg(feature = "arrow")]
             Self::Columns { cells, before, table, .. } => {
                 let (number, mut row) = (before + index + 1, old.map(|old| old.row).unwrap_or_default());
                 read_row(columns, cells, index, digits, &mut row).map_err(|missing| {
@@ -174,7 +164,6 @@ impl Chunk<'_> {
     }
 }
 
-#[cfg(feature = "arrow")]
 fn name_of(cells: &[Cells<'_>], index: usize) -> Option<String> {
     cells.iter().find_map(|cells| match cells {
         Cells::Names(names) => names.get(index).cloned().flatten(),
