@@ -1,5 +1,6 @@
 //! The manual of the command line.
 
+mod batch;
 mod command;
 mod draw;
 mod fmt;
@@ -7,13 +8,15 @@ mod format;
 mod pages;
 mod report;
 
+pub use batch::Batch;
+pub(in crate::cli) use batch::ending;
 pub use command::Command;
 pub use draw::{Draw, DrawFormat, LoadsArg, Picture, ThemeArg};
 pub use fmt::Fmt;
-pub use format::{Format, ProfileFormat, SolveFormat};
+pub use format::{BatchFormat, Format, ProfileFormat, SolveFormat};
 #[cfg(feature = "lsp")]
 pub use pages::Lsp;
-pub use pages::{Completions, Explain, Help, Man, New, Preview, StartKind};
+pub use pages::{Completions, Explain, Help, Info, InfoFormat, Man, New, Preview, StartKind};
 pub use report::{Report, ReportFormat};
 
 use std::ffi::OsString;
@@ -185,41 +188,6 @@ fn accuracy(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(x) if x > 0.0 && x < 1.0 => Ok(x),
         _ => Err("write a number between 0 and 1, e.g. 1e-6".to_owned()),
-    }
-}
-
-/// Arguments of `batch`.
-#[derive(Clone, Debug, clap::Args)]
-pub struct Batch {
-    /// Files to solve
-    #[command(flatten)]
-    pub problem: Problem,
-    /// Table of variants that replaces those of the files: names with units in the header, plain numbers below
-    #[arg(long, value_name = "TABLE.csv")]
-    pub variants: Option<String>,
-    /// Output format [default: by the ending of --out, else table]
-    #[arg(long, value_enum)]
-    pub format: Option<Format>,
-    /// Write the answers to this file (created only when complete)
-    #[arg(long, value_name = "FILE")]
-    pub out: Option<String>,
-    /// Write the answer key for `assur grade` to this file
-    #[arg(long, value_name = "KEY.csv")]
-    pub key: Option<String>,
-    /// Maximum relative error of every row, e.g. 1e-6; the fastest sufficient settings are used
-    #[arg(long, value_name = "ERROR", value_parser = accuracy)]
-    pub within: Option<f64>,
-    /// Number of threads [default: all processors]
-    #[arg(long, value_name = "N", value_parser = threads)]
-    pub threads: Option<usize>,
-}
-
-impl Batch {
-    /// The format of the option, else of the file name.
-    #[must_use]
-    pub fn format(&self) -> Format {
-        let ending = self.out.as_deref().and_then(|name| name.rsplit_once('.')).map(|(_, ending)| ending);
-        self.format.or_else(|| ending.and_then(Format::of_ending)).unwrap_or(Format::Table)
     }
 }
 

@@ -17,7 +17,9 @@ use std::io::IsTerminal;
 pub fn refusal(several: bool) -> Option<CliError> {
     match several {
         true => Some(CliError::OneStream),
-        false => std::io::stdout().is_terminal().then_some(CliError::OnScreen),
+        false => std::io::stdout()
+            .is_terminal()
+            .then_some(CliError::OnScreen { how: "`assur solve FILE --format arrow > answers.arrows`" }),
     }
 }
 

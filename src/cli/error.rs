@@ -144,6 +144,17 @@ pub enum CliError {
         /// As given.
         name: String,
     },
+    /// A build without files of columns.
+    #[error("`{name}` takes the feature `{feature}`, which this build of assur does not have")]
+    #[diagnostic(help(
+        "use comma-separated values, or install it: `cargo install assur --features {feature}`"
+    ))]
+    NoColumns {
+        /// As given.
+        name: String,
+        /// The feature.
+        feature: &'static str,
+    },
     /// No font.
     #[cfg(feature = "png")]
     #[error("`{name}` cannot be written: no font for its letters is installed")]
@@ -197,9 +208,17 @@ pub enum CliError {
     OneStream,
     /// A stream on a screen.
     #[cfg(feature = "arrow")]
-    #[error("a stream of Arrow cannot be read on a screen")]
-    #[diagnostic(help("write it to a file: `assur solve FILE --format arrow > answers.arrow`"))]
-    OnScreen,
+    #[error("columns cannot be read on a screen")]
+    #[diagnostic(help("write it to a file: {how}"))]
+    OnScreen {
+        /// The words to add.
+        how: &'static str,
+    },
+    /// Several files, one table.
+    #[cfg(feature = "arrow")]
+    #[error("a table of columns contains the answers of one file")]
+    #[diagnostic(help("name one file, or write comma-separated values"))]
+    OneTable,
     /// Results that cannot be printed.
     #[error("standard output cannot be written: {why}")]
     Unprinted {

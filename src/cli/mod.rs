@@ -14,6 +14,7 @@ mod files;
 mod fmt;
 mod grade;
 mod help;
+mod info;
 mod install;
 #[cfg(feature = "lsp")]
 mod lsp;
@@ -75,6 +76,7 @@ pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Lsp(_) => lsp::run(&screen),
         Command::Completions(args) => install::completions(&args, &screen),
         Command::Man(args) => install::manual(&args, &screen),
+        Command::Info(args) => info::run(&args, &screen),
         Command::Help(args) => help::run(&args, &screen),
     };
     let status = if screen.is_heard() { status } else { Status::Unusable };

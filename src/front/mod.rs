@@ -2,6 +2,7 @@
 
 mod again;
 mod answer;
+mod cells;
 mod checked;
 mod columns;
 mod diagnostics;
@@ -16,6 +17,11 @@ mod solution;
 mod workers;
 
 pub use answer::{Answer, Quantity};
+pub use cells::Cells;
+#[cfg(feature = "arrow")]
+pub(crate) use cells::header_line;
+#[cfg(feature = "cli")]
+pub(crate) use cells::{Missing, digits_count, read_row};
 pub use checked::{Checked, ColumnsError};
 pub use columns::{Column, Columns, PoseFailure, Residuals, WrittenUnit};
 pub use diagnostics::Diagnostics;
@@ -24,7 +30,9 @@ pub use drawn::DrawError;
 pub use graded::{GradeError, Marking, grade};
 pub use positions::{Drive, DrivePositions, GivenPositions, PositionsError};
 pub use problem::{Options, Problem, solve};
+#[cfg(feature = "cli")]
+pub(crate) use row_answers::Line;
 pub use row_answers::RowAnswers;
-pub use rows::{Cells, RowField, RowLayout, Rows};
+pub use rows::{RowField, RowLayout, Rows};
 pub use solution::{Expectation, Pose, Solution};
 pub use workers::{Alone, Workers};

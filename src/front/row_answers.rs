@@ -20,7 +20,7 @@ pub struct RowAnswers {
 }
 
 impl RowAnswers {
-    pub(super) fn of(layout: &RowLayout) -> Self {
+    pub(crate) fn of(layout: &RowLayout) -> Self {
         Self { values: vec![Vec::new(); layout.fields.len()], ..Self::default() }
     }
 
@@ -36,7 +36,7 @@ impl RowAnswers {
         self.rows.is_empty()
     }
 
-    pub(super) fn truncate(&mut self, count: usize) {
+    pub(crate) fn truncate(&mut self, count: usize) {
         self.rows.truncate(count);
         self.poses.truncate(count);
         self.events.truncate(count);
@@ -44,7 +44,7 @@ impl RowAnswers {
         self.values.iter_mut().for_each(|values| values.truncate(count));
     }
 
-    pub(super) fn append(&mut self, mut other: Self) {
+    pub(crate) fn append(&mut self, mut other: Self) {
         let before = self.len();
         self.errors.extend(other.errors.drain(..).map(|(line, why)| (before + line, why)));
         self.rows.append(&mut other.rows);
@@ -55,7 +55,7 @@ impl RowAnswers {
 }
 
 /// The lines of a row.
-pub(super) struct Line<'a> {
+pub(crate) struct Line<'a> {
     pub layout: &'a RowLayout,
     pub index: usize,
     /// Memory for its numbers.

@@ -1,18 +1,19 @@
 //! Rows of variants from columns in memory.
 
+use super::cells::{Cells, digits_count, header_line, read_row};
 use super::columns::WrittenUnit;
 use super::diagnostics::Diagnostics;
 use super::row_answers::{Line, RowAnswers};
 use super::workers::{Workers, each_of};
-use crate::exercise::table::{Separator, Table, Written};
-use crate::pipeline::VariantSolver;
+use crate::exercise::table::Table;
+use crate::pipeline::{Compiled, VariantSolver};
 use crate::report::rows::AnswerColumns;
 use crate::report::{NumberField, Precision};
-use assur_check::{self as check, ColumnUse, Overrides, Row, RowCell, RowColumn};
+use assur_check::{self as check, ColumnUse, Overrides, Row, RowColumn};
 use assur_solve::solve::Watch;
-use assur_syntax::document::{Document, ExprKind, Statement};
+use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
-use assur_text::source::{Source, Spanned};
+use assur_text::source::Source;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -33,15 +34,6 @@ pub struct Rows {
     digits: bool,
 }
 
-/// What a column of rows holds.
-#[derive(Clone, Copy, Debug)]
-pub enum Cells<'c> {
-    /// Numbers in the unit of the column; NaN where one is missing.
-    Numbers(&'c [f64]),
-    /// Names of rows.
-    Names(&'c [Option<String>]),
-}
-
 /// A column of the rows that a text takes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowField {
@@ -56,7 +48,7 @@ pub struct RowField {
 }
 
 /// The columns of the answers to rows.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct RowLayout {
     /// What heads the names of positions.
     pub pose_header: String,
@@ -64,8 +56,21 @@ pub struct RowLayout {
     pub fields: Vec<(String, WrittenUnit, bool)>,
     /// A column says which events happen at an instant.
     pub names_events: bool,
-    pub(super) answers: AnswerColumns,
+    pub(crate) answers: AnswerColumns,
     pub(super) key: bool,
+}
+
+impl RowLayout {
+    /// That of a file that was compiled with one of its rows.
+    pub(crate) fn of(compiled: &Compiled, key: bool) -> Self {
+        let answers = AnswerColumns::of(&compiled.model());
+        let answers = if key { answers.without_drives() } else { answers };
+        let field = |f: NumberField| (f.name, WrittenUnit::of(f.display), f.condition);
+        let fields = answers.fields(&compiled.mechanism).into_iter().map(field).collect();
+        let pose_header = if key { "pose" } else { answers.pose_header() }.to_owned();
+        let names_events = answers.names_events() && !key;
+        Self { pose_header, fields, names_events, answers, key }
+    }
 }
 
 impl Rows {
@@ -76,7 +81,7 @@ impl Rows {
         within: Option<f64>,
         header: &[(String, Option<String>)],
     ) -> Result<Self, Diagnostics> {
-        let line = header.iter().map(|column| header_cell(&document, column)).collect::<Vec<_>>().join(", ");
+        let line = header_line(&document, header);
         let table = Table::open("rows", line.as_bytes());
         let table = match table {
             Ok(Ok(table)) => table,
@@ -90,8 +95,7 @@ impl Rows {
             let of_table = Diagnostics::of(&problems, &table.header);
             return Err(if problems.is_empty() { own() } else { of_table });
         };
-        let expects = |statement: &Spanned<Statement>| matches!(statement.node, Statement::Expect(_));
-        let digits = document.statements.iter().any(expects);
+        let digits = digits_count(&document);
         Ok(Self { source, document, overrides, within, columns: columns.into(), digits })
     }
 
@@ -119,17 +123,11 @@ impl Rows {
                 break;
             }
             let mut row = Row::default();
-            let read = self.read(cells, index, &mut row);
+            let read = read_row(&self.columns, cells, index, self.digits, &mut row);
             compiled = read.ok().and_then(|()| solver.compile(&row).0);
         }
         let Some(compiled) = compiled else { return Err(Diagnostics::of(&problems, &self.source)) };
-        let answers = AnswerColumns::of(&compiled.model());
-        let answers = if key { answers.without_drives() } else { answers };
-        let field = |f: NumberField| (f.name, WrittenUnit::of(f.display), f.condition);
-        let fields = answers.fields(&compiled.mechanism).into_iter().map(field).collect();
-        let pose_header = if key { "pose" } else { answers.pose_header() }.to_owned();
-        let names_events = answers.names_events() && !key;
-        Ok(RowLayout { pose_header, fields, names_events, answers, key })
+        Ok(RowLayout::of(&compiled, key))
     }
 
     /// Solves rows; `None` where the workers did not want to go on.
@@ -153,9 +151,9 @@ impl Rows {
                 let (mut row, mut numbers) = (Row::default(), Vec::new());
                 for index in starts[i]..(starts[i] + PIECE).min(count) {
                     let mut line = Line { layout, index, numbers: &mut numbers, out: piece };
-                    match self.read(cells, index, &mut row) {
+                    match read_row(&self.columns, cells, index, self.digits, &mut row) {
                         Ok(()) => self.one(&row, (&mut solver, &watch), &mut line),
-                        Err(why) => line.without_answers(&why),
+                        Err(missing) => line.without_answers(&missing.to_string()),
                     }
                 }
                 lock().push(solver);
@@ -192,58 +190,6 @@ impl Rows {
             line.without_answers("internal error: please report this row with the file");
         }
     }
-
-    /// Reads a row in SI, or what is wrong with it.
-    fn read(&self, cells: &[Cells<'_>], index: usize, row: &mut Row) -> Result<(), String> {
-        row.begin(&self.columns);
-        for (column, cells) in self.columns.iter().zip(cells) {
-            let number = match cells {
-                _ if column.what == ColumnUse::Label => {
-                    row.push(RowCell::default());
-                    continue;
-                }
-                Cells::Numbers(numbers) => numbers.get(index).copied().unwrap_or(f64::NAN),
-                Cells::Names(_) => f64::NAN,
-            };
-            if number.is_nan() {
-                return Err(format!("the value of `{}` is missing", column.name));
-            }
-            if number.is_infinite() {
-                return Err(format!("the value of `{}` is infinite", column.name));
-            }
-            let digit = if self.digits { last_digit(number) } else { 0.0 };
-            row.push(RowCell { value: column.unit.to_si(number), digit: column.unit.to_si(digit) });
-        }
-        Ok(())
-    }
-}
-
-/// One unit in the last digit of a number as it would be written.
-fn last_digit(number: f64) -> f64 {
-    Written::read(&number.to_string(), Separator::Comma).map_or(0.0, |written| written.digit)
-}
-
-/// The header of a column as in a table of text: without a unit of its own the `given` has that of its declaration.
-fn header_cell(document: &Document, (name, unit): &(String, Option<String>)) -> String {
-    let unit = unit.clone().or_else(|| declared_unit(document, name));
-    let text = match unit.filter(|unit| !unit.is_empty()) {
-        Some(unit) if !name.contains('[') => format!("{name} [{unit}]"),
-        _ => name.clone(),
-    };
-    let text = text.replace(['\r', '\n'], " ");
-    let needs_quotes = text.contains([',', ';', '\t', '"']);
-    if needs_quotes { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
-}
-
-/// The unit in which a document gives the value of a name.
-fn declared_unit(document: &Document, name: &str) -> Option<String> {
-    document.statements.iter().find_map(|statement| match &statement.node {
-        Statement::Given(given) if given.name.node == name => match &given.value.kind {
-            ExprKind::Number(number) => number.unit.as_ref().map(|unit| unit.node.clone()),
-            _ => None,
-        },
-        _ => None,
-    })
 }
 
 fn first_error(problems: &Problems) -> String {

@@ -39,7 +39,7 @@ pub(super) struct Answer {
 }
 
 /// The columns of the answers of a file: drives, quantities, what needs no pose, reactions where they are asked for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct AnswerColumns {
     pub(super) drives: usize,
     /// Heads the column of poses, or of instants.

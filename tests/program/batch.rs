@@ -320,3 +320,17 @@ fn rows_have_names_of_their_own() {
     let said = assur(&folder, &["grade", "key.csv", "a.csv", "--only-answered"]);
     assert!(said.stdout.contains("1 of 1 right"), "{}{}", said.stdout, said.stderr);
 }
+
+#[test]
+fn a_build_without_columns_says_so() {
+    if cfg!(feature = "parquet") {
+        return;
+    }
+    let folder = Folder::new("no_columns").with("p.mech", PRESS).with("t.parquet", "");
+    for args in [["--variants", "t.parquet"], ["--out", "a.parquet"]] {
+        let said = assur(&folder, &[&["batch", "p.mech"][..], &args].concat());
+        assert_eq!((said.status, said.stdout.as_str()), (2, ""), "{args:?}");
+        assert!(said.stderr.contains("`cargo install assur --features parquet`"), "{}", said.stderr);
+    }
+    assert_eq!(folder.names(), ["p.mech", "t.parquet"]);
+}

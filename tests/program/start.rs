@@ -88,6 +88,7 @@ fn the_manual_has_every_command() {
         "new",
         "completions",
         "man",
+        "info",
         "help",
     ] {
         let out = assur(&folder, &["help", command]);
@@ -120,4 +121,24 @@ fn shells_and_manuals_know_every_command() {
     let unknown = assur(&folder, &["man", "slove"]);
     assert_eq!((unknown.status, unknown.stdout.as_str()), (2, ""));
     assert!(unknown.stderr.contains("did you mean `assur man solve`?"), "{}", unknown.stderr);
+}
+
+#[test]
+fn a_build_says_what_it_can_do() {
+    let folder = Folder::new("info");
+    let text = assur(&folder, &["info"]);
+    assert_eq!((text.status, text.stderr.as_str()), (0, ""));
+    let version = env!("CARGO_PKG_VERSION");
+    assert!(text.stdout.starts_with(&format!("assur {version}\ntarget ")), "{}", text.stdout);
+    let json = assur(&folder, &["info", "--format", "json"]);
+    let about: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    assert_eq!(about["version"], version);
+    assert!(about["processors"].as_u64().unwrap() > 0 && about["target"].as_str().unwrap().contains('-'));
+    let has = |what: &str, name: &str| about[what].as_array().unwrap().iter().any(|found| found == name);
+    assert_eq!(has("features", "arrow"), cfg!(feature = "arrow"));
+    assert_eq!(has("features", "lsp"), cfg!(feature = "lsp"));
+    let writes = about["writes"]["batch"].as_array().unwrap();
+    assert!(writes.iter().any(|name| name == "csv"));
+    assert_eq!(writes.iter().any(|name| name == "parquet"), cfg!(feature = "parquet"));
+    assert_eq!(about["reads"]["problems"], serde_json::json!(["mech"]));
 }

@@ -2,10 +2,11 @@
 
 use crate::columns::arrow;
 use crate::errors;
-use crate::given::{Cell, cells};
+
 use crate::import::{Reader, of_arrow};
 use crate::numbers::Numbers;
 use crate::solving::{Begin, Form, Solving};
+use crate::values::{Cell, cells};
 use arrow_array::cast::AsArray;
 use arrow_array::ffi::{FFI_ArrowArray, FFI_ArrowSchema};
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;

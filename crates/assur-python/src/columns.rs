@@ -1,13 +1,13 @@
 //! The solution of a problem as columns.
 
 use crate::batches::{Capsules, array_capsules, schema_capsule, stream_capsule};
-use crate::cells::{array, field};
 use crate::numbers::Numbers;
 use arrow_array::{ArrayRef, RecordBatch, RecordBatchIterator, StringArray};
 use arrow_buffer::ScalarBuffer;
 use arrow_schema::{ArrowError, DataType, Field, Schema};
 use assur::internals::diagnostic::did_you_mean;
 use assur::{Diagnostics, PoseFailure, WrittenUnit};
+use assur_arrow::{array, field};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;

@@ -1,15 +1,14 @@
 //! The compiled part of the Python package: glue between Python and the library.
 
 mod batches;
-mod cells;
 mod columns;
 mod errors;
-mod given;
 mod import;
 mod numbers;
 mod problem;
 mod solving;
 mod tools;
+mod values;
 mod workers;
 
 use pyo3::prelude::*;

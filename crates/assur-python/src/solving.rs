@@ -1,12 +1,11 @@
 //! Rows of a reader, solved batch by batch.
 
-use crate::cells::{array, field};
-use crate::given::{Column, columns};
 use crate::import::Reader;
 use crate::workers::Crew;
-use arrow_array::{ArrayRef, Int64Array, RecordBatch, RecordBatchReader, StringArray};
-use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
-use assur::{Cells, RowAnswers, RowField, RowLayout, Rows};
+use arrow_array::{RecordBatch, RecordBatchReader};
+use arrow_schema::{ArrowError, Schema, SchemaRef};
+use assur::{Cells, RowAnswers, RowField, RowLayout, Rows, WrittenUnit};
+use assur_arrow::{Column, Head, Lines, columns};
 use pyo3::prelude::*;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -47,6 +46,7 @@ pub struct Solving {
     /// Rows that were read and not solved yet.
     waiting: VecDeque<RecordBatch>,
     layout: Option<RowLayout>,
+    head: Head,
     schema: SchemaRef,
     /// How many rows were solved.
     before: usize,
@@ -78,37 +78,39 @@ impl Solving {
     pub fn of(rows: Rows, reader: Reader, form: Form) -> Self {
         let fields = rows.fields();
         let (waiting, schema) = (VecDeque::new(), Arc::new(Schema::empty()));
-        Self { rows, fields, reader, waiting, layout: None, schema, before: 0, form }
+        Self { rows, fields, reader, waiting, layout: None, head: Head::default(), schema, before: 0, form }
     }
 
     /// Reads the first rows and finds the columns of the answers.
     pub fn begin(&mut self) -> Result<(), Begin> {
         let first = self.read().transpose().map_err(Begin::Arrow)?;
-        let columns = first.as_ref().map(|batch| columns(&self.fields, batch)).transpose();
+        let columns = first.as_ref().map(|batch| self.columns(batch)).transpose();
         let columns = columns.map_err(Begin::Arrow)?.unwrap_or_default();
-        let cells: Vec<Cells<'_>> = columns.iter().map(Column::cells).collect();
+        let cells: Vec<Cells<'_>> = columns.iter().map(cells).collect();
         let count = first.as_ref().map_or(0, RecordBatch::num_rows);
         let layout = self.rows.layout(&cells, count, self.form.key).map_err(Begin::Diagnostics)?;
-        self.schema = Arc::new(Schema::new(self.fields(&layout)));
+        self.head = self.head(&layout);
+        self.schema = self.head.schema();
         self.layout = Some(layout);
         self.waiting.extend(first);
         Ok(())
     }
 
-    fn fields(&self, layout: &RowLayout) -> Vec<Field> {
+    fn head(&self, layout: &RowLayout) -> Head {
         let Form { key, numbered, .. } = self.form;
-        let mut fields = Vec::new();
-        fields.extend(numbered.then(|| Field::new("row", DataType::Int64, false)));
-        let label = self.fields.iter().find(|field| field.is_label);
-        fields.extend(label.map(|label| Field::new(&label.name, DataType::Utf8, true)));
+        let label = self.fields.iter().find(|field| field.is_label).map(|label| label.name.clone());
         let givens = self.fields.iter().filter(|field| field.is_given && !key);
-        fields.extend(givens.map(|given| field(&given.name, &given.unit, false)));
-        fields.push(Field::new(&layout.pose_header, DataType::Utf8, true));
-        fields.extend(layout.names_events.then(|| Field::new("event", DataType::Utf8, true)));
-        fields
-            .extend(layout.fields.iter().map(|(name, unit, condition)| field(name, unit.text(), *condition)));
-        fields.extend((!key).then(|| Field::new("error", DataType::Utf8, true)));
-        fields
+        let answer =
+            |(name, unit, condition): &(String, _, bool)| (name.clone(), unit_text(unit), *condition);
+        Head {
+            numbered,
+            label,
+            givens: givens.map(|given| (given.name.clone(), given.unit.clone())).collect(),
+            pose: layout.pose_header.clone(),
+            events: layout.names_events,
+            answers: layout.fields.iter().map(answer).collect(),
+            errors: !key,
+        }
     }
 
     /// The next rows, no more than are solved at a time.
@@ -151,52 +153,45 @@ impl Solving {
         batch: &RecordBatch,
         crew: &Crew,
     ) -> Result<RecordBatch, ArrowError> {
-        let columns = columns(&self.fields, batch)?;
-        let cells: Vec<Cells<'_>> = columns.iter().map(Column::cells).collect();
+        let columns = self.columns(batch)?;
+        let cells: Vec<Cells<'_>> = columns.iter().map(cells).collect();
         let answers = self.rows.solve(layout, &cells, batch.num_rows(), crew);
         let Some(answers) = answers else {
             return Err(ArrowError::ExternalError("interrupted".into()));
         };
         let RowAnswers { rows, poses, errors, events, values } = answers;
-        let mut arrays: Vec<ArrayRef> = Vec::new();
+        let number = |row: &usize| i64::try_from(self.before + row + 1).unwrap_or(i64::MAX);
+        let mut lines = Lines { poses, events, answers: values, errors, ..Lines::default() };
         if self.form.numbered {
-            let number = |row: &usize| i64::try_from(self.before + row + 1).unwrap_or(i64::MAX);
-            arrays.push(Arc::new(rows.iter().map(number).collect::<Int64Array>()));
+            lines.rows = rows.iter().map(number).collect();
         }
         for (column, field) in columns.iter().zip(&self.fields) {
             match column {
-                Column::Names(names) => {
-                    arrays.insert(
-                        usize::from(self.form.numbered),
-                        Arc::new(rows.iter().map(|row| names[*row].as_deref()).collect::<StringArray>()),
-                    );
-                }
+                Column::Names(names) => lines.labels = rows.iter().map(|row| names[*row].clone()).collect(),
                 Column::Numbers(numbers) if field.is_given && !self.form.key => {
-                    let cells: Vec<f64> = rows.iter().map(|row| numbers[*row]).collect();
-                    arrays.push(array(&cells.into(), false));
+                    lines.givens.push(rows.iter().map(|row| numbers[*row]).collect());
                 }
                 Column::Numbers(_) => {}
             }
         }
-        arrays.push(Arc::new(poses.iter().map(some_text).collect::<StringArray>()));
-        if layout.names_events {
-            arrays.push(Arc::new(events.iter().map(some_text).collect::<StringArray>()));
-        }
-        for (values, (_, _, condition)) in values.into_iter().zip(&layout.fields) {
-            arrays.push(array(&values.into(), *condition));
-        }
-        if !self.form.key {
-            let mut reasons = vec![None; rows.len()];
-            for (line, reason) in &errors {
-                reasons[*line] = Some(reason.as_str());
-            }
-            arrays.push(Arc::new(StringArray::from(reasons)));
-        }
-        RecordBatch::try_new(Arc::clone(&self.schema), arrays)
+        self.head.batch(&self.schema, lines)
+    }
+
+    /// The columns of rows.
+    fn columns(&self, batch: &RecordBatch) -> Result<Vec<Column>, ArrowError> {
+        let fields = self.fields.iter().map(|field| (field.name.as_str(), field.is_label));
+        columns(fields, batch).map_err(ArrowError::CastError)
     }
 }
 
-#[allow(clippy::ptr_arg, reason = "called with the items of a list")]
-fn some_text(text: &String) -> Option<&str> {
-    Some(text.as_str()).filter(|text| !text.is_empty())
+/// As the library takes them.
+fn cells(column: &Column) -> Cells<'_> {
+    match column {
+        Column::Numbers(numbers) => Cells::Numbers(numbers),
+        Column::Names(names) => Cells::Names(names),
+    }
+}
+
+fn unit_text(unit: &WrittenUnit) -> String {
+    unit.text().to_owned()
 }

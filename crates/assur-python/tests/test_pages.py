@@ -11,6 +11,8 @@ import xml.etree.ElementTree as xml
 import pytest
 from conftest import ROOT
 
+import assur
+
 PYTHON = ROOT / "examples/python"
 
 
@@ -60,6 +62,14 @@ def test_notebooks() -> None:
     shell.run_cell_magic("mech", "gears", text)
     assert shell.user_ns["gears"]["omega(O)"].tolist() == [-4.0]
     assert "mech::name::unknown" in str(shell.run_cell_magic("mech", "", text.replace("a - b", "a - c")))
+
+
+def test_the_lexer_is_in_the_wheel() -> None:
+    pygments = pytest.importorskip("pygments.lexers")
+    text = "link crank A-B 100 mm // <b>\n"
+    assert type(pygments.get_lexer_by_name("mech")).__module__.startswith("assur.")
+    page = assur.Problem(text).text._repr_html_()
+    assert "<span style" in page and "&lt;b&gt;" in page and assur.Problem(text).text == text
 
 
 def test_import_is_light() -> None:

@@ -6,8 +6,8 @@ use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 #[cfg(feature = "lsp")]
 use super::Lsp;
 use super::{
-    Accuracy, Batch, Check, Completions, Draw, Explain, Fmt, Grade, Help, Man, New, Preview, Profile, Report,
-    Solve, Test,
+    Accuracy, Batch, Check, Completions, Draw, Explain, Fmt, Grade, Help, Info, Man, New, Preview, Profile,
+    Report, Solve, Test,
 };
 
 /// Subcommands from their names, words and sentences.
@@ -83,5 +83,6 @@ commands! {
     #[cfg(feature = "lsp")] Lsp "lsp" "Answer an editor by the language server protocol on standard input and output";
     Completions "completions" "Print the script that completes the command line in a shell";
     Man "man" "Print the manual page of the program or of a command, in roff";
+    Info "info" "Show the version of the program, its features and the formats that it reads and writes";
     Help "help" "Show the manual of a command, or the functions, units or statements of the language";
 }

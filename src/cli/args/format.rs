@@ -93,6 +93,84 @@ impl ValueEnum for ProfileFormat {
     }
 }
 
+/// A form of the answers to rows: files of columns too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BatchFormat {
+    /// As in every command.
+    Common(Format),
+    /// Columns.
+    #[cfg(feature = "arrow")]
+    Columns(assur_arrow::Kind),
+}
+
+impl Default for BatchFormat {
+    fn default() -> Self {
+        Self::Common(Format::Table)
+    }
+}
+
+impl BatchFormat {
+    /// The common form; columns are filled line by line as those of comma-separated values.
+    pub(in crate::cli) const fn common(self) -> Format {
+        match self {
+            Self::Common(format) => format,
+            #[cfg(feature = "arrow")]
+            Self::Columns(_) => Format::Csv,
+        }
+    }
+
+    /// The form of a file with this ending.
+    pub(super) fn of_ending(ending: &str) -> Option<Self> {
+        match ending {
+            #[cfg(feature = "arrow")]
+            "arrow" | "feather" => Some(Self::Columns(assur_arrow::Kind::File)),
+            #[cfg(feature = "arrow")]
+            "arrows" => Some(Self::Columns(assur_arrow::Kind::Stream)),
+            #[cfg(feature = "parquet")]
+            "parquet" => Some(Self::Columns(assur_arrow::Kind::Parquet)),
+            _ => Format::of_ending(ending).map(Self::Common),
+        }
+    }
+}
+
+impl ValueEnum for BatchFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[
+            Self::Common(Format::Table),
+            Self::Common(Format::Json),
+            Self::Common(Format::Jsonl),
+            Self::Common(Format::Csv),
+            Self::Common(Format::Markdown),
+            Self::Common(Format::Latex),
+            #[cfg(feature = "arrow")]
+            Self::Columns(assur_arrow::Kind::Stream),
+            #[cfg(feature = "arrow")]
+            Self::Columns(assur_arrow::Kind::File),
+            #[cfg(feature = "parquet")]
+            Self::Columns(assur_arrow::Kind::Parquet),
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Self::Common(format) => format.to_possible_value(),
+            #[cfg(feature = "arrow")]
+            Self::Columns(kind) => Some(match kind {
+                assur_arrow::Kind::Stream => PossibleValue::new("arrow").help(STREAM),
+                assur_arrow::Kind::File => PossibleValue::new("feather")
+                    .help("The same as a file of Arrow IPC, with the places of its batches"),
+                #[cfg(feature = "parquet")]
+                assur_arrow::Kind::Parquet => {
+                    PossibleValue::new("parquet").help("The same as a file of Parquet, compressed by Snappy")
+                }
+            }),
+        }
+    }
+}
+
+#[cfg(feature = "arrow")]
+const STREAM: &str = "A stream of Arrow IPC: columns with their units as metadata";
+
 /// A form of answers: a stream of columns too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SolveFormat {
@@ -132,10 +210,7 @@ impl ValueEnum for SolveFormat {
         match self {
             Self::Common(format) => format.to_possible_value(),
             #[cfg(feature = "arrow")]
-            Self::Arrow => Some(
-                PossibleValue::new("arrow")
-                    .help("A stream of Arrow IPC: columns with their units as metadata"),
-            ),
+            Self::Arrow => Some(PossibleValue::new("arrow").help(STREAM)),
         }
     }
 }

@@ -48,6 +48,23 @@ pub struct Help {
     pub topic: Option<String>,
 }
 
+/// Arguments of `info`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Info {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = InfoFormat::Text)]
+    pub format: InfoFormat,
+}
+
+/// A form of what a build can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum InfoFormat {
+    /// Lines to read
+    Text,
+    /// One object
+    Json,
+}
+
 /// Arguments of `completions`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Completions {

@@ -5,19 +5,17 @@ use std::io::BufReader;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use super::super::args::Format;
+use super::super::args::ending;
 use super::super::error::CliError;
 use super::super::reply::Status;
 use super::super::screen::Screen;
-use super::idle::Idle;
-use super::layout::{ERROR, EVENT, Layout};
-use super::line::Said;
-use super::progress::Progress;
+#[cfg(feature = "arrow")]
+use super::columns;
+use super::layout::{ERROR, EVENT};
 use super::rows::{Chunk, Rows};
-use super::sink::Sink;
 use super::stop;
-use super::tally::{Kind, Tally};
 use crate::exercise::table::{Fault, Lines, Table};
+use crate::front::{RowLayout, digits_count};
 use crate::pipeline::VariantSolver;
 use crate::report::rows::AnswerColumns;
 use assur_check as check;
@@ -28,17 +26,11 @@ use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
 /// The first chunk of rows; it grows until a chunk takes its time.
-const FIRST_CHUNK: usize = 256;
-/// The same of motions under loads.
-const FIRST_MOTIONS: usize = 16;
-/// Rows in memory at the most.
-const LARGEST_CHUNK: usize = 8192;
+pub const FIRST_CHUNK: usize = 256;
+/// Rows in memory at the most, and lines of columns that are written at a time.
+pub const LARGEST_CHUNK: usize = 8192;
 /// A chunk shorter than this is made larger.
 const SHORT: Duration = Duration::from_millis(40);
-/// Rows of one table to read.
-const TABLE_CHUNK: usize = 1000;
-/// The number of rows that are explained of those that fail for one reason; the others are named.
-const EXPLAINED: usize = 3;
 const BUFFER: usize = 1 << 17;
 
 /// A file that could be read, with its rows.
@@ -54,29 +46,39 @@ pub struct Job {
     within: Option<f64>,
     rows: Rows,
     pub(super) columns: Arc<[RowColumn]>,
-    answers: Option<AnswerColumns>,
+    layout: RowLayout,
+    /// There are answers to write: a row could be compiled.
+    answered: bool,
+    /// The digits of numbers count.
+    pub(super) digits: bool,
 }
 
 type Csv = Table<BufReader<File>>;
 /// Processes a chunk of rows, with their total number if it is known; returns whether to continue.
-type Work<'a> = dyn FnMut(&Chunk<'_>, Option<usize>) -> Result<bool, CliError> + 'a;
+pub type Work<'a> = dyn FnMut(&Chunk<'_>, Option<usize>) -> Result<bool, CliError> + 'a;
 
 /// Opens a table and reads its header.
 pub fn open_table(name: &str) -> Result<Result<Csv, Fault>, CliError> {
-    let fail = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => CliError::Missing { name: name.to_owned() },
-        _ => CliError::Unreadable { name: name.to_owned(), why: error.to_string() },
-    };
+    let fail = |error: std::io::Error| unread(name, &error);
     let file = File::open(name).map_err(fail)?;
     Table::open(name, BufReader::with_capacity(BUFFER, file)).map_err(fail)
 }
 
+/// A table that cannot be read.
+pub fn unread(name: &str, error: &std::io::Error) -> CliError {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => CliError::Missing { name: name.to_owned() },
+        _ => CliError::Unreadable { name: name.to_owned(), why: error.to_string() },
+    }
+}
+
 /// Says what is wrong with one text.
-fn tell(problems: &Problems, source: &Source, screen: &Screen) {
+pub fn tell(problems: &Problems, source: &Source, screen: &Screen) {
     screen.complain(&screen.diagnostics(problems, source));
 }
 
-fn tell_fault((source, error): Fault, screen: &Screen) {
+/// Says what is wrong with a table.
+pub fn tell_fault((source, error): Fault, screen: &Screen) {
     let mut problems = Problems::new();
     problems.push(*error);
     tell(&problems, &source, screen);
@@ -106,27 +108,14 @@ impl Job {
             }
         }
         let (rows, columns) = match table {
-            Some(name) => match open_table(name)? {
-                Ok(table) => {
-                    let (columns, problems) = check::columns(&document, overrides, &table.columns);
-                    tell(&problems, &table.header, screen);
-                    (Rows::Csv(name.to_owned()), columns)
-                }
+            Some(name) => match outer(&document, overrides, name, screen)? {
+                Ok(found) => found,
                 Err(fault) => {
                     tell_fault(fault, screen);
                     return Ok(Err(Status::Wrong));
                 }
             },
-            None => match check::table(&document) {
-                Some(table) => {
-                    let (columns, problems) = check::columns(&document, overrides, table);
-                    tell(&problems, &source, screen);
-                    let columns: Option<Arc<[RowColumn]>> = columns.map(Arc::from);
-                    let rows = columns.as_ref().map(|c| check::file_rows(table, c)).unwrap_or_default();
-                    (Rows::Own(rows), columns.map(|c| c.to_vec()))
-                }
-                None => (Rows::One, Some(Vec::new())),
-            },
+            None => own(&source, &document, overrides, screen),
         };
         let overrides = overrides.clone();
         let Some(columns) = columns else {
@@ -135,19 +124,21 @@ impl Job {
             return Ok(Err(Status::Wrong));
         };
         let columns = Arc::from(columns);
-        let mut job = Self { source, document, overrides, within, rows, columns, answers: None };
-        job.answers = job.first_answers()?;
+        let (layout, answered, digits) = (RowLayout::default(), false, digits_count(&document));
+        let mut job = Self { source, document, overrides, within, rows, columns, layout, answered, digits };
+        if let Some(layout) = job.first_layout()? {
+            (job.layout, job.answered) = (layout, true);
+        }
         Ok(Ok(job))
     }
 
     /// The columns of the first row that has some.
-    fn first_answers(&self) -> Result<Option<AnswerColumns>, CliError> {
+    fn first_layout(&self) -> Result<Option<RowLayout>, CliError> {
         let mut family = self.family();
         let mut found = None;
         self.each_chunk(FIRST_CHUNK, None, &mut |chunk, _| {
-            let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, &self.columns, None).ok());
-            found =
-                inputs.filter_map(|i| family.compile(&i.row).0).map(|c| AnswerColumns::of(&c.model())).next();
+            let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, (&self.columns, false), None).ok());
+            found = inputs.filter_map(|i| family.compile(&i.row).0).map(|c| RowLayout::of(&c, false)).next();
             Ok(found.is_none() && !stop::wanted())
         })?;
         Ok(found)
@@ -160,7 +151,7 @@ impl Job {
 
     /// Whether it follows a motion under loads.
     pub fn moves(&self) -> bool {
-        self.answers.as_ref().is_some_and(AnswerColumns::moves)
+        self.layout.answers.moves()
     }
 
     /// The headers of its lines.
@@ -171,11 +162,11 @@ impl Job {
             headers.extend(self.givens().map(|(_, column)| column.header()));
         }
         // an answer key is read by this name
-        let pose = self.answers.as_ref().filter(|_| !key).map_or("pose", AnswerColumns::pose_header);
+        let pose = self.answers().filter(|_| !key).map_or("pose", AnswerColumns::pose_header);
         headers.push(pose.to_owned());
-        let events = self.answers.as_ref().is_some_and(|answers| !key && answers.names_events());
+        let events = self.answers().is_some_and(|answers| !key && answers.names_events());
         headers.extend(events.then(|| EVENT.to_owned()));
-        headers.extend(self.answers.iter().flat_map(|a| a.headers(key)));
+        headers.extend(self.answers().into_iter().flat_map(|a| a.headers(key)));
         if !key {
             headers.push(ERROR.to_owned());
         }
@@ -193,13 +184,23 @@ impl Job {
     }
 
     /// The columns of its answers, where one of its rows has any.
-    pub const fn answers(&self) -> Option<&AnswerColumns> {
-        self.answers.as_ref()
+    pub fn answers(&self) -> Option<&AnswerColumns> {
+        self.answered.then_some(&self.layout.answers)
+    }
+
+    /// The columns of its answers; none where none of its rows has any.
+    pub const fn layout(&self) -> &RowLayout {
+        &self.layout
     }
 
     /// Calls `work` on its rows, chunk by chunk, until that says it is enough. Without a size of its own a chunk is as
     /// large as takes a while.
-    fn each_chunk(&self, first: usize, fixed: Option<usize>, work: &mut Work<'_>) -> Result<(), CliError> {
+    pub fn each_chunk(
+        &self,
+        first: usize,
+        fixed: Option<usize>,
+        work: &mut Work<'_>,
+    ) -> Result<(), CliError> {
         let mut size = fixed.unwrap_or(first);
         let grown = |size: usize, taken: Duration| {
             if fixed.is_none() && taken < SHORT { (2 * size).min(LARGEST_CHUNK) } else { size }
@@ -218,6 +219,18 @@ impl Job {
                     size = grown(size, started.elapsed());
                 }
                 Ok(())
+            }
+            #[cfg(feature = "arrow")]
+            Rows::Columns(name) => {
+                let mut started = Instant::now();
+                let next = |before: usize| {
+                    if before > 0 {
+                        size = grown(size, started.elapsed());
+                    }
+                    started = Instant::now();
+                    size
+                };
+                columns::each_chunk(name, &self.columns, next, work)
             }
             Rows::Csv(name) => {
                 // the header is known to be fine
@@ -246,115 +259,78 @@ impl Job {
     }
 
     /// What is wrong with a table without rows.
-    fn without_rows(&self) -> Result<Option<Fault>, CliError> {
+    pub fn without_rows(&self) -> Result<Option<Fault>, CliError> {
         match &self.rows {
             Rows::Csv(name) => Ok(open_table(name)?.ok().and_then(|table| table.without_rows())),
             Rows::Own(rows) if rows.is_empty() => {
                 let error = crate::exercise::table::TableError::Empty { what: "no rows", span: None };
                 Ok(Some((self.source.clone(), Box::new(error))))
             }
+            #[cfg(feature = "arrow")]
+            Rows::Columns(name) => {
+                let error = crate::exercise::table::TableError::Empty { what: "no rows", span: None };
+                Ok(Some((Source::new(name.as_str(), ""), Box::new(error))))
+            }
             _ => Ok(None),
         }
     }
 }
 
+/// The feature that a kind of files with columns takes.
+const fn feature_of(ending: &str) -> Option<(&'static str, bool)> {
+    match ending.as_bytes() {
+        b"arrow" | b"arrows" | b"feather" => Some(("arrow", cfg!(feature = "arrow"))),
+        b"parquet" => Some(("parquet", cfg!(feature = "parquet"))),
+        _ => None,
+    }
+}
+
+/// That feature, where this build does not have it.
+pub fn lacking(name: &str) -> Option<&'static str> {
+    ending(name).and_then(feature_of).filter(|(_, has)| !has).map(|(feature, _)| feature)
+}
+
+/// Rows and their columns, where these fit.
+type Found = (Rows, Option<Vec<RowColumn>>);
+
+/// Those of a separate table.
+fn outer(
+    document: &Document,
+    overrides: &Overrides,
+    name: &str,
+    screen: &Screen,
+) -> Result<Result<Found, Fault>, CliError> {
+    if let Some(feature) = lacking(name) {
+        return Err(CliError::NoColumns { name: name.to_owned(), feature });
+    }
+    #[cfg(feature = "arrow")]
+    if ending(name).and_then(feature_of).is_some() {
+        let reader = columns::open(name)?;
+        return Ok(columns::header(document, name, &reader).and_then(|table| {
+            let (columns, problems) = check::columns(document, overrides, &table.columns);
+            tell(&problems, &table.header, screen);
+            let wrong = columns.as_ref().and_then(|c| columns::wrong_kind(&table.header, &reader, c));
+            wrong.map_or_else(|| Ok((Rows::Columns(name.to_owned()), columns)), Err)
+        }));
+    }
+    Ok(open_table(name)?.map(|table| {
+        let (columns, problems) = check::columns(document, overrides, &table.columns);
+        tell(&problems, &table.header, screen);
+        (Rows::Csv(name.to_owned()), columns)
+    }))
+}
+
+/// Those of a file itself.
+fn own(source: &Source, document: &Document, overrides: &Overrides, screen: &Screen) -> Found {
+    let Some(table) = check::table(document) else { return (Rows::One, Some(Vec::new())) };
+    let (columns, problems) = check::columns(document, overrides, table);
+    tell(&problems, source, screen);
+    let columns: Option<Arc<[RowColumn]>> = columns.map(Arc::from);
+    let rows = columns.as_ref().map(|c| check::file_rows(table, c)).unwrap_or_default();
+    (Rows::Own(rows), columns.map(|c| c.to_vec()))
+}
+
 /// A motion goes on until a signal comes.
 fn goes_on(_: f64, _: f64) -> bool {
     !stop::wanted()
-}
-
-/// A job and what to write of it.
-pub struct Run<'a> {
-    /// The job.
-    pub job: &'a Job,
-    /// How.
-    pub format: Format,
-    /// The columns of the answers.
-    pub layout: &'a Layout,
-    /// Those of the key, where one is wanted.
-    pub key: Option<&'a Layout>,
-    /// Where diagnostics go.
-    pub screen: &'a Screen,
-}
-
-impl<'r> Run<'r> {
-    /// Solves all rows in parallel and writes them in order.
-    pub fn all(&self, out: &mut Sink, key_out: &mut Option<Sink>) -> Result<Tally, CliError> {
-        let mut tally = Tally::default();
-        let mut progress = None;
-        let idle = Idle::default();
-        let places = self.layout.places(self.job);
-        let key_places = self.key.and_then(|key| key.places(self.job));
-        let name = &self.job.source.name;
-        let fixed = self.format.is_read().then_some(TABLE_CHUNK);
-        let first = if self.job.moves() { FIRST_MOTIONS } else { FIRST_CHUNK };
-        self.job.each_chunk(first, fixed, &mut |chunk, total| {
-            let progress = progress.get_or_insert_with(|| Progress::new(name, total));
-            let mut shown = String::new();
-            let mut whole = true;
-            for piece in self.chunk(chunk, &idle) {
-                let lines = match (&places, self.format) {
-                    (Some(places), format) if format.is_read() || format == Format::Csv => {
-                        self.layout.placed(&piece.out, places, name)
-                    }
-                    _ => piece.out,
-                };
-                if self.format.is_read() {
-                    shown += &lines;
-                } else {
-                    out.write(&lines)?;
-                }
-                if let (Some(sink), Some(key)) = (key_out.as_mut(), self.key) {
-                    let key_lines = key_places.as_ref().map(|places| key.placed(&piece.key, places, name));
-                    sink.write(key_lines.as_ref().unwrap_or(&piece.key))?;
-                }
-                self.tell(piece.said, &mut tally, progress);
-                if !piece.whole {
-                    whole = false;
-                    break;
-                }
-            }
-            if self.format.is_read() {
-                out.write(self.layout.table(&shown, name, self.format.page(self.screen.look())))?;
-            }
-            progress.rows(tally.rows());
-            Ok(whole && !out.closed() && !stop::wanted())
-        })?;
-        if tally.rows() == 0
-            && !stop::wanted()
-            && let Some(fault) = self.job.without_rows()?
-        {
-            tell_fault(fault, self.screen);
-            tally.failed_row(0, "mech::table::empty");
-        }
-        Ok(tally)
-    }
-
-    /// Counts rows; explains the first that fail for a reason.
-    fn tell(&self, said: Vec<(usize, Said)>, tally: &mut Tally, progress: &Progress) {
-        for (number, said) in said {
-            said.reached.iter().for_each(|reached| tally.reached(reached));
-            if said.is_nothing() {
-                tally.solved();
-                continue;
-            }
-            let fails = said.failed.is_some();
-            let failed = said.failed.iter().map(|code| (Kind::Failed, code.clone()));
-            let all = failed.chain(said.unmet.then(|| (Kind::Unmet, String::new())));
-            let all: Vec<_> = all.chain(said.warned.into_iter().map(|code| (Kind::Warned, code))).collect();
-            let explain =
-                all.iter().any(|(kind, code)| *kind != Kind::Unmet && tally.said(*kind, code) < EXPLAINED);
-            match &said.failed {
-                Some(code) => tally.failed_row(number, code),
-                None => tally.solved(),
-            }
-            for (kind, code) in all.iter().skip(usize::from(fails)) {
-                tally.note(*kind, number, code);
-            }
-            if let (true, Some((source, problems))) = (explain, said.problems) {
-                let source = source.as_ref().unwrap_or(&self.job.source);
-                progress.aside(|| tell(&problems, source, self.screen));
-            }
-        }
-    }
 }

@@ -4,11 +4,12 @@ use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::super::args::Format;
+use super::filled::{Cited, Filled};
 use super::job::Job;
 use super::layout::Layout;
 use super::rows::Input;
 use crate::exercise::ForRow;
-use crate::exercise::table::Fault;
+use crate::exercise::table::{Fault, TableError};
 use crate::pipeline::Solved;
 use crate::pipeline::{VariantSolver, row_words};
 use crate::report::csv::LINE_END;
@@ -22,7 +23,7 @@ use assur_text::source::Source;
 use assur_text::units::write_significant;
 
 /// Where a row is written.
-pub struct Written<'a> {
+pub struct Written<'a, 'f> {
     /// The file.
     pub job: &'a Job,
     /// How.
@@ -33,6 +34,8 @@ pub struct Written<'a> {
     pub key: Option<&'a Layout>,
     /// The lines of answers.
     pub out: &'a mut String,
+    /// The columns of answers, where they are written as such.
+    pub filled: Option<&'a mut Filled<'f>>,
     /// The lines of the key.
     pub key_out: &'a mut String,
     /// Memory for the cells before the answers.
@@ -66,11 +69,12 @@ impl Said {
 /// Solves a row and writes its lines: one per pose, and one without answers where there are none.
 pub fn write_row<'f>(
     job: &'f Job,
-    written: &mut Written<'_>,
+    written: &mut Written<'_, 'f>,
     family: &mut VariantSolver<'f>,
     input: &Input<'_>,
 ) -> Said {
     let (written_before, key_before) = (written.out.len(), written.key_out.len());
+    let filled_before = written.filled.as_ref().map_or(0, |filled| filled.answers.len());
     let found = catch_unwind(AssertUnwindSafe(|| {
         let (solved, problems) = family.solve_in_place(&input.row);
         written.row(input, solved, problems)
@@ -80,11 +84,12 @@ pub fn write_row<'f>(
         *family = job.family();
         written.out.truncate(written_before);
         written.key_out.truncate(key_before);
+        written.filled.iter_mut().for_each(|filled| filled.truncate(filled_before));
         written.panicked(input)
     })
 }
 
-impl Written<'_> {
+impl Written<'_, '_> {
     fn row(&mut self, input: &Input<'_>, solved: Option<&Solved>, problems: Problems) -> Said {
         let mut said = Said::default();
         if !problems.is_empty() {
@@ -94,7 +99,9 @@ impl Written<'_> {
         said.unmet = solved.is_some_and(|s| s.outcomes.iter().any(|o| !o.passed));
         let error = if said.failed.is_some() { first_error(&problems) } else { String::new() };
         let answers = solved.map(|s| s.answers(Precision::READABLE));
-        if matches!(self.format, Format::Json | Format::Jsonl) {
+        if let Some(filled) = &mut self.filled {
+            filled.row(self.job, &input.cited(), answers.as_ref(), &error);
+        } else if matches!(self.format, Format::Json | Format::Jsonl) {
             self.json(input, answers.as_ref(), &problems);
         } else {
             self.lines(input, answers.as_ref(), &error);
@@ -125,15 +132,9 @@ impl Written<'_> {
         line.head(self.job, input);
         for (i, column) in self.job.givens() {
             line.head.push(',');
-            let written =
-                input.written.as_ref().and_then(|cells| cells.get(i)).map(|cell| cell.text.as_ref());
-            match written.filter(|text| text.bytes().all(|b| b.is_ascii_graphic() && b != b',' && b != b'"'))
-            {
+            match input.written.text(i) {
                 Some(text) => line.head.push_str(text),
-                None => {
-                    let value = input.row.entries().nth(i).map_or(f64::NAN, |(_, cell)| cell.value);
-                    write_significant(&mut line.head, column.unit.from_si(value), FULL);
-                }
+                None => write_significant(&mut line.head, input.cited().number_of(i, column), FULL),
             }
         }
         line.all(answers, Some(error), (self.out, self.cells));
@@ -150,28 +151,35 @@ impl Written<'_> {
     }
 
     /// A row of a table that cannot be read.
-    pub fn fault(&mut self, number: usize, (source, error): Fault) -> Said {
+    pub fn fault(&mut self, row: &Cited<'_>, (source, error): Fault) -> Said {
+        let by_row = matches!(*error, TableError::Absent { .. });
         let mut problems = Problems::new();
         problems.push(*error);
         let mut said = sorted(&problems);
-        self.unsolved(number, &first_error(&problems), || problems.views(&source));
+        self.unsolved(row, &first_error(&problems), || problems.views(&source));
+        if by_row {
+            problems = ForRow::all(problems, &format!("row {}", row.number), None);
+        }
         said.problems = Some((Some(source), problems));
         said
     }
 
     /// An error of our own ends one row, not the batch.
     fn panicked(&mut self, input: &Input<'_>) -> Said {
-        self.unsolved(input.number, "internal error: please report this row with the file", Vec::new);
+        self.unsolved(&input.cited(), "internal error: please report this row with the file", Vec::new);
         Said { failed: Some("internal error".to_owned()), ..Said::default() }
     }
 
     fn unsolved(
         &mut self,
-        number: usize,
+        row: &Cited<'_>,
         error: &str,
         views: impl FnOnce() -> Vec<assur_text::diagnostic::DiagnosticView>,
     ) {
-        if matches!(self.format, Format::Json | Format::Jsonl) {
+        let number = row.number;
+        if let Some(filled) = &mut self.filled {
+            filled.row(self.job, row, None, error);
+        } else if matches!(self.format, Format::Json | Format::Jsonl) {
             let variant = Some(Variant::unread(number));
             *self.out += &json::render_row(&self.job.source.name, variant, None, None, &views());
             self.out.push('\n');

@@ -1,12 +1,17 @@
 //! `assur batch`: files × rows of variants, in parallel, in the order of the input.
 
+#[cfg(feature = "arrow")]
+mod columns;
+mod filled;
 mod idle;
 mod job;
 mod layout;
 mod line;
+mod out;
 mod piece;
 mod progress;
 mod rows;
+mod run;
 mod sink;
 mod stop;
 mod tally;
@@ -20,8 +25,10 @@ use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
 use assur_text::source::shown_in_line;
 pub use job::open_table;
-use job::{Job, Run};
+use job::{Job, lacking};
 use layout::Layout;
+use out::Out;
+use run::Run;
 pub use sink::Sink;
 pub use stop::{end_at_once, install, looks, signal};
 use tally::Tally;
@@ -63,18 +70,19 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
         }
     }
     keeps_inputs(args)?;
-    let format = args.format();
+    if let Some((name, feature)) = args.out.as_ref().and_then(|name| Some((name, lacking(name)?))) {
+        return Err(CliError::NoColumns { name: name.clone(), feature });
+    }
+    let format = args.format().common();
     let layout = Layout::of(&jobs, format);
     let key = Layout::of_key(&jobs);
-    let mut out = match &args.out {
-        Some(path) => Sink::file(Path::new(path))?,
-        None => Sink::stdout(),
-    };
+    let mut out = Out::of(args, &jobs)?;
+    let columns = out.takes_columns();
     let mut key_out = match &args.key {
         Some(path) => Some(Sink::file(Path::new(path))?),
         None => None,
     };
-    if format == Format::Csv {
+    if format == Format::Csv && !columns {
         out.write(layout.header())?;
     }
     if let Some(sink) = &mut key_out {
@@ -82,7 +90,8 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     }
     let mut total = Tally::default();
     for job in &jobs {
-        let run = Run { job, format, layout: &layout, key: key_out.is_some().then_some(&key), screen };
+        let run =
+            Run { job, format, layout: &layout, key: key_out.is_some().then_some(&key), columns, screen };
         let tally = run.all(&mut out, &mut key_out)?;
         screen.complain(&format!("{}: {}\n", shown_in_line(&job.source.name), tally.summary()));
         total.add(&tally);
@@ -93,6 +102,7 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     if jobs.len() > 1 {
         screen.complain(&format!("{} files: {}\n", jobs.len(), total.in_short()));
     }
+    let out = out.end()?;
     if stop::wanted() {
         let kept = [Some(out), key_out].into_iter().flatten().filter_map(|s| s.keep_part().transpose());
         let kept = kept.collect::<Result<Vec<_>, _>>()?;

@@ -4,10 +4,12 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
+use super::filled::{Cited, Filled};
 use super::idle::Idle;
-use super::job::Run;
+
 use super::line::{Said, Written, write_row};
 use super::rows::Chunk;
+use super::run::Run;
 use super::stop;
 use crate::pipeline::VariantSolver;
 
@@ -18,9 +20,11 @@ const PIECES: usize = 64;
 
 /// What rows gave.
 #[derive(Default)]
-pub struct Piece {
+pub struct Piece<'r> {
     /// Lines of answers.
     pub out: String,
+    /// Columns of answers, where they are written as such.
+    pub filled: Option<Filled<'r>>,
     /// Lines of the key.
     pub key: String,
     /// The messages about each row, by its number.
@@ -31,7 +35,7 @@ pub struct Piece {
 
 impl<'r> Run<'r> {
     /// Solves the rows of a chunk on all threads; the pieces come in order.
-    pub(super) fn chunk(&self, chunk: &Chunk<'_>, idle: &Idle<'r>) -> Vec<Piece> {
+    pub(super) fn chunk(&self, chunk: &Chunk<'_>, idle: &Idle<'r>) -> Vec<Piece<'r>> {
         let size = (chunk.len() / PIECES).max(if self.job.moves() { 1 } else { PIECE });
         let pieces: Vec<Range<usize>> =
             (0..chunk.len()).step_by(size).map(|start| start..(start + size).min(chunk.len())).collect();
@@ -44,8 +48,9 @@ impl<'r> Run<'r> {
         pieces.into_par_iter().map(solved).collect()
     }
 
-    fn piece(&self, family: &mut VariantSolver<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
-        let mut piece = Piece { whole: true, ..Piece::default() };
+    fn piece(&self, family: &mut VariantSolver<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece<'r> {
+        let filled = self.columns.then(|| Filled::of(self.job));
+        let mut piece = Piece { whole: true, filled, ..Piece::default() };
         let (mut head, mut cells, mut old) = (String::new(), Vec::new(), None);
         for index in range {
             if stop::wanted() {
@@ -53,27 +58,34 @@ impl<'r> Run<'r> {
                 break;
             }
             let before = (piece.out.len(), piece.key.len());
+            let filled_before = piece.filled.as_ref().map_or(0, |filled| filled.answers.len());
             let mut written = Written {
                 job: self.job,
                 format: self.format,
                 layout: self.layout,
                 key: self.key,
                 out: &mut piece.out,
+                filled: piece.filled.as_mut(),
                 key_out: &mut piece.key,
                 head: &mut head,
                 cells: &mut cells,
             };
-            let said = match chunk.get(index, &self.job.columns, old.take()) {
+            let said = match chunk.get(index, (&self.job.columns, self.job.digits), old.take()) {
                 Ok(input) => {
                     let said = write_row(self.job, &mut written, family, &input);
                     (old.insert(input).number, said)
                 }
-                Err((number, fault)) => (number, written.fault(number, fault)),
+                Err((number, fault)) => {
+                    let (label, cells) = chunk.as_written(index);
+                    let row = Cited { number, label: label.as_deref(), written: &cells, row: None };
+                    (number, written.fault(&row, fault))
+                }
             };
             if self.job.moves() && stop::wanted() {
                 // its motion may have been ended on the way
                 piece.out.truncate(before.0);
                 piece.key.truncate(before.1);
+                piece.filled.iter_mut().for_each(|filled| filled.truncate(filled_before));
                 piece.whole = false;
                 break;
             }

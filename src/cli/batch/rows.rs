@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::exercise::table::{Cell, Fault, Lines, RawRow, Read, Separator};
+use super::filled::Cited;
+use crate::exercise::table::{Cell, Fault, Lines, RawRow, Read, Separator, TableError, Written};
+use crate::front::{Cells, Missing, read_row};
 use assur_check::{FileRow, Row, RowColumn};
-use assur_text::source::Span;
+use assur_text::source::{Source, Span};
 
 /// The source of rows.
 #[derive(Debug)]
@@ -13,8 +15,11 @@ pub enum Rows {
     One,
     /// Its own table.
     Own(Vec<FileRow>),
-    /// A separate table.
+    /// A separate table of text.
     Csv(String),
+    /// A separate table of columns.
+    #[cfg(feature = "arrow")]
+    Columns(String),
 }
 
 /// Rows in memory.
@@ -31,6 +36,50 @@ pub enum Chunk<'a> {
         table: &'a str,
         separator: Separator,
     },
+    /// Rows of a table of columns, after a number of them.
+    #[cfg_attr(not(feature = "arrow"), expect(dead_code, reason = "this build reads no such tables"))]
+    Columns {
+        cells: &'a [Cells<'a>],
+        count: usize,
+        before: usize,
+        table: &'a str,
+    },
+}
+
+/// The cells of a row as they are written in a separate table.
+#[derive(Default)]
+pub enum AsWritten<'a> {
+    /// It is of no separate table, or cannot be read.
+    #[default]
+    No,
+    /// Those of a line.
+    Line(Vec<Cell<'a>>, Separator),
+    /// Those of columns, with the index of the row.
+    Columns(&'a [Cells<'a>], usize),
+}
+
+impl AsWritten<'_> {
+    /// The text of a column, where it can stand between commas.
+    pub fn text(&self, column: usize) -> Option<&str> {
+        let Self::Line(cells, _) = self else { return None };
+        let text = cells.get(column)?.text.as_ref();
+        text.bytes().all(|b| b.is_ascii_graphic() && b != b',' && b != b'"').then_some(text)
+    }
+
+    /// The number in a column, in the unit of the table; NaN where it is missing.
+    pub fn number(&self, column: usize) -> f64 {
+        match self {
+            Self::No => f64::NAN,
+            Self::Line(cells, separator) => {
+                let read = cells.get(column).and_then(|cell| Written::read(&cell.text, *separator).ok());
+                read.map_or(f64::NAN, |written| written.value)
+            }
+            Self::Columns(cells, index) => match cells.get(column) {
+                Some(Cells::Numbers(numbers)) => numbers.get(*index).copied().unwrap_or(f64::NAN),
+                Some(Cells::Names(_)) | None => f64::NAN,
+            },
+        }
+    }
 }
 
 /// A row to solve.
@@ -39,12 +88,20 @@ pub struct Input<'a> {
     pub number: usize,
     /// Its name in the column `variant`.
     pub label: Option<String>,
-    /// Its numbers as written in a separate table.
-    pub written: Option<Vec<Cell<'a>>>,
+    /// Its cells as they are written in a separate table.
+    pub written: AsWritten<'a>,
     /// Its numbers.
     pub row: Row,
     /// Its place in the file's own table.
     pub span: Option<Span>,
+}
+
+impl Input<'_> {
+    /// What lines repeat of it.
+    pub fn cited(&self) -> Cited<'_> {
+        let (label, row) = (self.label.as_deref(), Some(&self.row));
+        Cited { number: self.number, label, written: &self.written, row }
+    }
 }
 
 impl Chunk<'_> {
@@ -54,6 +111,15 @@ impl Chunk<'_> {
             Self::One => 1,
             Self::Own { rows, .. } => rows.len(),
             Self::Csv { lines, .. } => lines.len(),
+            Self::Columns { count, .. } => *count,
+        }
+    }
+
+    /// The cells of a row that cannot be read.
+    pub fn as_written(&self, index: usize) -> (Option<String>, AsWritten<'_>) {
+        match self {
+            Self::Columns { cells, .. } => (name_of(cells, index), AsWritten::Columns(cells, index)),
+            _ => (None, AsWritten::No),
         }
     }
 
@@ -61,27 +127,46 @@ impl Chunk<'_> {
     pub fn get<'c>(
         &'c self,
         index: usize,
-        columns: &Arc<[RowColumn]>,
+        (columns, digits): (&Arc<[RowColumn]>, bool),
         old: Option<Input<'c>>,
     ) -> Result<Input<'c>, (usize, Fault)> {
         match self {
-            Self::One => Ok(Input { number: 1, label: None, written: None, row: Row::default(), span: None }),
+            Self::One => {
+                Ok(Input { number: 1, label: None, written: AsWritten::No, row: Row::default(), span: None })
+            }
             Self::Own { rows, before } => {
                 let FileRow { row, label, span } = rows[index].clone();
                 let number = before + index + 1;
-                Ok(Input { number, label, written: None, row, span: Some(span) })
+                Ok(Input { number, label, written: AsWritten::No, row, span: Some(span) })
             }
             Self::Csv { lines, table, separator } => {
                 let raw = lines.get(index).unwrap_or(RawRow { number: 0, line: 0, bytes: &[] });
                 let mut read = old.map_or_else(Read::default, |old| Read {
                     row: old.row,
                     label: None,
-                    cells: old.written.unwrap_or_default(),
+                    cells: if let AsWritten::Line(cells, _) = old.written { cells } else { Vec::new() },
                 });
                 raw.read_in(table, columns, *separator, &mut read).map_err(|fault| (raw.number, fault))?;
                 let Read { row, label, cells } = read;
-                Ok(Input { number: raw.number, label, written: Some(cells), row, span: None })
+                let written = AsWritten::Line(cells, *separator);
+                Ok(Input { number: raw.number, label, written, row, span: None })
+            }
+            Self::Columns { cells, before, table, .. } => {
+                let (number, mut row) = (before + index + 1, old.map(|old| old.row).unwrap_or_default());
+                read_row(columns, cells, index, digits, &mut row).map_err(|missing| {
+                    let Missing { name, what } = missing;
+                    (number, (Source::new(*table, ""), Box::new(TableError::Absent { name, what })))
+                })?;
+                let label = name_of(cells, index);
+                Ok(Input { number, label, written: AsWritten::Columns(cells, index), row, span: None })
             }
         }
     }
+}
+
+fn name_of(cells: &[Cells<'_>], index: usize) -> Option<String> {
+    cells.iter().find_map(|cells| match cells {
+        Cells::Names(names) => names.get(index).cloned().flatten(),
+        Cells::Numbers(_) => None,
+    })
 }

@@ -68,6 +68,15 @@ pub enum TableError {
         #[label("missing here")]
         span: Span,
     },
+    /// A row of columns without a number.
+    #[error("the value of `{name}` is {what}")]
+    #[diagnostic(code("mech::table::missing_cell"), help("give every row a number in every column"))]
+    Absent {
+        /// The column.
+        name: String,
+        /// `missing`, `infinite`
+        what: &'static str,
+    },
     /// More cells than columns.
     #[error("line {line} has {found} cells, but the table has {columns}")]
     #[diagnostic(code("mech::table::too_many_cells"))]

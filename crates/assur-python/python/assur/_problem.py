@@ -12,6 +12,7 @@ from ._columns import numbers
 from ._errors import Diagnostics, ProblemError
 from ._picture import Picture
 from ._solution import Solution
+from ._text import Text
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -32,7 +33,7 @@ class Problem:
         set: Values | None = None,
         within: float | None = None,
     ) -> None:
-        self.text = text
+        self.text = Text(text)
         self.name = name
         self._set = dict(set or {})
         self._within = within

@@ -30,7 +30,7 @@ pub struct Again {
 /// What a position leaves for the next.
 #[derive(Default)]
 struct Memory {
-    state: Option<State>,
+    state: Option<Box<State>>,
     carried: Vec<f64>,
     totals: Vec<Wrench>,
     evaluated: Vec<(LoadId, Value)>,
@@ -69,8 +69,6 @@ impl Again {
     /// Solves the position of a mechanism that differs from the first in numbers alone; `false` where it is not found, or
     /// something is to be said of it: then the solution is nothing.
     pub fn solve(&mut self, model: &Model<'_>, solution: &mut Solution) -> bool {
-        let mut pose = solution.poses.pop();
-        solution.poses.clear();
         solution.notes.clear();
         (solution.positions, solution.unlisted) = (1, 0);
         let mut wanted = self.memory.wanted.take().unwrap_or_else(|| Wanted {
@@ -85,31 +83,31 @@ impl Again {
             }
             Positions::None | Positions::Range { .. } => DriveValue::None,
         }));
-        let kept = pose.as_mut().and_then(|p| match &mut p.outcome {
-            Ok(solved) => Some(std::mem::take(solved)),
-            Err(_) => None,
-        });
-        let found = self.solved(model, &wanted, kept);
-        if let Some(solved) = found {
-            let mut pose = pose.unwrap_or_else(|| Pose {
-                name: wanted.name.clone(),
-                origin: wanted.origin,
-                drives: Vec::new(),
-                outcome: Ok(Solved::default()),
-            });
-            pose.drives.clone_from(&wanted.drives);
-            pose.outcome = Ok(solved);
-            solution.poses.push(pose);
+        if !matches!(solution.poses.as_slice(), [Pose { outcome: Ok(_), .. }]) {
+            let name = wanted.name.clone();
+            let outcome = Ok(Solved::default());
+            solution.poses.clear();
+            solution.poses.push(Pose { name, origin: wanted.origin, drives: Vec::new(), outcome });
+        }
+        let found = match solution.poses.as_mut_slice() {
+            [Pose { drives, outcome: Ok(solved), .. }] => {
+                drives.clone_from(&wanted.drives);
+                self.solved(model, &wanted, solved)
+            }
+            _ => false,
+        };
+        if !found {
+            solution.poses.clear();
         }
         self.memory.wanted = Some(wanted);
-        !solution.poses.is_empty()
+        found
     }
 
-    fn solved(&mut self, model: &Model<'_>, wanted: &Wanted, kept: Option<Solved>) -> Option<Solved> {
+    fn solved(&mut self, model: &Model<'_>, wanted: &Wanted, solved: &mut Solved) -> bool {
         self.rates.refresh(model);
         self.rates.at(&wanted.drives, &mut self.assembled.motion.inputs);
         if !self.assemble(model) {
-            return None;
+            return false;
         }
         first_angles_in(model, &self.assembled, &mut self.angles);
         let memory = &mut self.memory;
@@ -119,15 +117,14 @@ impl Again {
         run.carried = std::mem::take(&mut memory.carried);
         run.totals = std::mem::take(&mut memory.totals);
         run.evaluated = std::mem::take(&mut memory.evaluated);
-        run.kept = kept;
-        let found = run.solved_from(&self.assembled, &self.angles, wanted, None);
+        let found = run.solve_into(&self.assembled, (&self.angles, wanted), None, solved).is_ok();
         let quiet = run.notes.is_empty();
         memory.state = run.memory.take();
         memory.carried = run.carried;
         memory.totals = run.totals;
         memory.evaluated = run.evaluated;
         self.rates = run.rates;
-        found.ok().filter(|_| quiet)
+        found && quiet
     }
 
     /// Puts every group in the only way that its hints leave, as `assemble` does; `false` where they leave none or several.

@@ -45,18 +45,22 @@ impl Run<'_, '_> {
         pose: &Wanted,
         given: Option<&Given>,
     ) -> Result<Solved, Failure> {
-        self.solution_at(from, angles, pose, given).map_err(|cause| Failure::at(pose, cause))
+        let mut solved = Solved::default();
+        self.solve_into(from, (angles, pose), given, &mut solved)
+            .map_err(|cause| Failure::at(pose, cause))?;
+        Ok(solved)
     }
 
-    fn solution_at(
+    /// As [`Run::solved_from`], in the memory of another position; where there is no solution it holds none.
+    pub(super) fn solve_into(
         &mut self,
         from: &State,
-        angles: &[f64],
-        pose: &Wanted,
+        (angles, pose): (&[f64], &Wanted),
         given: Option<&Given>,
-    ) -> Result<Solved, Cause> {
+        solved: &mut Solved,
+    ) -> Result<(), Cause> {
         let model = self.model;
-        let mut state = self.memory.take().unwrap_or_else(|| State::new(model.plan));
+        let mut state = self.memory.take().unwrap_or_else(|| Box::new(State::new(model.plan)));
         state.start_from(from);
         state.forces.clear();
         self.rates.at(&pose.drives, &mut state.motion.inputs);
@@ -76,7 +80,7 @@ impl Run<'_, '_> {
             self.with_twice_the_digits(&mut state);
         }
         let frictionless = model.plan.effects.loses().then(|| {
-            let mut state = state.clone();
+            let mut state = State::clone(&state);
             match given.and_then(|given| given.ideal.as_ref()) {
                 Some(ideal) => state.forces.clone_from(ideal),
                 None => state.run_again_without_friction(model.plan),
@@ -99,7 +103,6 @@ impl Run<'_, '_> {
         if let Some(lost) = out_of_scale(&residuals) {
             return Err(Cause::Lost(lost));
         }
-        let mut solved = self.kept.take().unwrap_or_default();
         state.answer_in(&mut solved.state);
         self.memory = Some(state);
         solved.angles.clear();
@@ -109,15 +112,15 @@ impl Run<'_, '_> {
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
         let view = PoseAnswers::new(model, &solved.state, &solved.angles, &self.statics);
         solved.quantities = PoseAnswers { frictionless: ideal, ..view }.all_quantities_in(quantities);
-        self.note_contacts(&solved, pose);
-        self.note_trains(&solved, pose);
+        self.note_contacts(solved, pose);
+        self.note_trains(solved, pose);
         let view = solved.view(model, &self.statics);
         if let Some(left) = self.left(&view) {
             return Err(Cause::CurveLeft(left));
         }
         self.friction.look(model, &view, pose);
         self.centres.look(&view, pose);
-        Ok(solved)
+        Ok(())
     }
 
     /// A curve that an answer needs beyond its table.

@@ -41,13 +41,11 @@ pub(super) struct Run<'a, 's> {
     pub evaluated: Vec<(LoadId, Value)>,
     pub loads_name_quantities: bool,
     /// Memory for the steps at one position.
-    pub memory: Option<State>,
+    pub memory: Option<Box<State>>,
     /// Memory for what is carried from group to group.
     pub carried: Vec<f64>,
     /// Memory for the sums of forces on the bodies.
     pub totals: Vec<Wrench>,
-    /// A position that is not looked at any more: memory for the next.
-    pub kept: Option<Solved>,
     /// Memory for the place before a step of the sweep.
     pub(super) before: Option<Tracker>,
     /// Name and drive values of the position before.
@@ -83,7 +81,6 @@ impl<'a, 's> Run<'a, 's> {
             memory: None,
             carried: Vec::new(),
             totals: Vec::new(),
-            kept: None,
             before: None,
             last: None,
             searched: 0,

@@ -6,11 +6,10 @@ use arrow_array::types::{
     UInt64Type,
 };
 use arrow_array::{Array, ArrayRef, RecordBatch};
-use arrow_schema::{ArrowError, DataType};
-use assur::{Cells, RowField};
-use pyo3::IntoPyObject;
+use arrow_schema::DataType;
 
 /// A column of rows.
+#[derive(Clone, Debug)]
 pub enum Column {
     /// NaN where one is missing.
     Numbers(Vec<f64>),
@@ -18,35 +17,28 @@ pub enum Column {
     Names(Vec<Option<String>>),
 }
 
-impl Column {
-    /// As the library takes them.
-    pub fn cells(&self) -> Cells<'_> {
-        match self {
-            Self::Numbers(numbers) => Cells::Numbers(numbers),
-            Self::Names(names) => Cells::Names(names),
-        }
-    }
-}
-
-/// The columns of a batch, in the order of the fields.
-pub fn columns(fields: &[RowField], batch: &RecordBatch) -> Result<Vec<Column>, ArrowError> {
-    let column = |(field, array): (&RowField, &ArrayRef)| {
-        let column = if field.is_label {
-            names(array).map(Column::Names)
-        } else {
-            numbers(array).map(Column::Numbers)
-        };
+/// The columns of a batch in its order: by the name of each, and whether it has names instead of numbers.
+///
+/// # Errors
+/// A column of another kind, in words.
+pub fn columns<'f>(
+    fields: impl IntoIterator<Item = (&'f str, bool)>,
+    batch: &RecordBatch,
+) -> Result<Vec<Column>, String> {
+    let column = |((name, is_label), array): ((&str, bool), &ArrayRef)| {
+        let column =
+            if is_label { names(array).map(Column::Names) } else { numbers(array).map(Column::Numbers) };
         column.ok_or_else(|| {
-            let (name, kind) = (&field.name, array.data_type());
-            let takes = if field.is_label { "names" } else { "numbers" };
-            ArrowError::CastError(format!("column `{name}` takes {takes}, but has {kind}"))
+            let (kind, takes) = (array.data_type(), if is_label { "names" } else { "numbers" });
+            format!("column `{name}` takes {takes}, but has {kind}")
         })
     };
-    fields.iter().zip(batch.columns()).map(column).collect()
+    fields.into_iter().zip(batch.columns()).map(column).collect()
 }
 
 /// A column of any kind of numbers; NaN for null.
-fn numbers(array: &ArrayRef) -> Option<Vec<f64>> {
+#[must_use]
+pub fn numbers(array: &ArrayRef) -> Option<Vec<f64>> {
     macro_rules! of {
         ($kind:ty, $convert:expr) => {{
             let numbers = array.as_primitive::<$kind>();
@@ -71,7 +63,8 @@ fn numbers(array: &ArrayRef) -> Option<Vec<f64>> {
 }
 
 /// A column of names; whole numbers are names, too.
-fn names(array: &ArrayRef) -> Option<Vec<Option<String>>> {
+#[must_use]
+pub fn names(array: &ArrayRef) -> Option<Vec<Option<String>>> {
     let text = |x: Option<&str>| x.map(str::to_owned);
     match array.data_type() {
         DataType::Utf8 => Some(array.as_string::<i32>().iter().map(text).collect()),
@@ -79,36 +72,6 @@ fn names(array: &ArrayRef) -> Option<Vec<Option<String>>> {
         DataType::Utf8View => Some(array.as_string_view().iter().map(text).collect()),
         DataType::Null => Some(vec![None; array.len()]),
         _ => Some(numbers(array)?.into_iter().map(number_name).collect()),
-    }
-}
-
-/// A cell as a value of Python.
-#[derive(IntoPyObject)]
-pub enum Cell {
-    /// A condition.
-    Truth(bool),
-    /// A whole number.
-    Whole(i64),
-    /// A number.
-    Number(f64),
-    /// A text.
-    Text(String),
-}
-
-/// The cells of a column of any kind.
-pub fn cells(array: &ArrayRef) -> Option<Vec<Option<Cell>>> {
-    match array.data_type() {
-        DataType::Boolean => Some(array.as_boolean().iter().map(|x| x.map(Cell::Truth)).collect()),
-        DataType::Int64 => {
-            Some(array.as_primitive::<Int64Type>().iter().map(|x| x.map(Cell::Whole)).collect())
-        }
-        DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => {
-            Some(names(array)?.into_iter().map(|x| x.map(Cell::Text)).collect())
-        }
-        _ => {
-            let number = |x: f64| (!x.is_nan()).then_some(Cell::Number(x));
-            Some(numbers(array)?.into_iter().map(number).collect())
-        }
     }
 }
 

@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A field of numbers, or of conditions, with its unit.
+#[must_use]
 pub fn field(name: &str, unit: &str, condition: bool) -> Field {
     let kind = if condition { DataType::Boolean } else { DataType::Float64 };
     let unit = (!unit.is_empty()).then(|| ("unit".to_owned(), unit.to_owned()));
@@ -14,6 +15,7 @@ pub fn field(name: &str, unit: &str, condition: bool) -> Field {
 }
 
 /// A column of the numbers, which are not copied; null where they are NaN. Conditions become bits.
+#[must_use]
 pub fn array(values: &ScalarBuffer<f64>, condition: bool) -> ArrayRef {
     let valid = BooleanBuffer::collect_bool(values.len(), |i| !values[i].is_nan());
     let nulls = NullBuffer::new(valid);

@@ -1,0 +1,82 @@
+//! The answers to rows as columns in memory.
+
+use super::job::Job;
+use super::rows::AsWritten;
+use crate::front::{Line, RowAnswers, RowLayout};
+use crate::report::Answers;
+use assur_check::{Row, RowColumn};
+
+/// What lines repeat of their row.
+pub struct Cited<'a> {
+    /// Counted from 1.
+    pub number: usize,
+    /// Its name.
+    pub label: Option<&'a str>,
+    /// Its cells as written.
+    pub written: &'a AsWritten<'a>,
+    /// Its numbers, where it could be read.
+    pub row: Option<&'a Row>,
+}
+
+impl Cited<'_> {
+    /// The number in a column, in the unit of that; NaN where it is missing.
+    pub fn number_of(&self, i: usize, column: &RowColumn) -> f64 {
+        match (self.written, self.row) {
+            (AsWritten::No, Some(row)) => {
+                row.entries().nth(i).map_or(f64::NAN, |(_, cell)| column.unit.from_si(cell.value))
+            }
+            (written, _) => written.number(i),
+        }
+    }
+}
+
+/// Columns that rows have filled.
+pub struct Filled<'a> {
+    layout: &'a RowLayout,
+    /// Memory for the answers of a line.
+    numbers: Vec<f64>,
+    /// The answers; rows are counted from 0.
+    pub answers: RowAnswers,
+    /// The name of the row of each line.
+    pub labels: Vec<Option<String>>,
+    /// What is repeated of the rows, in the units of the table.
+    pub givens: Vec<Vec<f64>>,
+}
+
+impl<'a> Filled<'a> {
+    /// Nothing yet.
+    pub fn of(job: &'a Job) -> Self {
+        let layout = job.layout();
+        let givens = job.givens().map(|_| Vec::new()).collect();
+        Self { layout, numbers: Vec::new(), answers: RowAnswers::of(layout), labels: Vec::new(), givens }
+    }
+
+    /// Adds the lines of a row; without answers one that says why.
+    pub fn row(&mut self, job: &Job, row: &Cited<'_>, answers: Option<&Answers<'_>>, error: &str) {
+        let before = self.answers.len();
+        let index = row.number.saturating_sub(1);
+        Line { layout: self.layout, index, numbers: &mut self.numbers, out: &mut self.answers }
+            .all(answers, error);
+        let count = self.answers.len() - before;
+        for ((i, column), cells) in job.givens().zip(&mut self.givens) {
+            cells.extend(std::iter::repeat_n(row.number_of(i, column), count));
+        }
+        if job.label().is_some() {
+            self.labels.extend(std::iter::repeat_n(row.label.map(str::to_owned), count));
+        }
+    }
+
+    /// Takes lines back.
+    pub fn truncate(&mut self, count: usize) {
+        self.answers.truncate(count);
+        self.labels.truncate(count);
+        self.givens.iter_mut().for_each(|cells| cells.truncate(count));
+    }
+
+    /// Adds what another one has.
+    pub fn append(&mut self, mut other: Self) {
+        self.answers.append(other.answers);
+        self.labels.append(&mut other.labels);
+        self.givens.iter_mut().zip(&mut other.givens).for_each(|(all, cells)| all.append(cells));
+    }
+}

@@ -1,0 +1,100 @@
+//! `assur info`: what this build is and can do, for reports of errors.
+
+use super::args::{
+    Batch, BatchFormat, DrawFormat, Format, Info, InfoFormat, ProfileFormat, ReportFormat, SolveFormat,
+};
+use super::reply::Status;
+use super::screen::Screen;
+use clap::ValueEnum;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+
+/// The features that a build may have.
+const FEATURES: [(&str, bool); 5] = [
+    ("arrow", cfg!(feature = "arrow")),
+    ("lanes", cfg!(feature = "lanes")),
+    ("lsp", cfg!(feature = "lsp")),
+    ("parquet", cfg!(feature = "parquet")),
+    ("png", cfg!(feature = "png")),
+];
+
+#[derive(Serialize)]
+struct About {
+    version: &'static str,
+    target: &'static str,
+    features: Vec<&'static str>,
+    reads: BTreeMap<&'static str, Vec<&'static str>>,
+    writes: BTreeMap<&'static str, Vec<String>>,
+    processors: usize,
+    documents: Option<PathBuf>,
+}
+
+/// Prints what this build is and can do.
+pub fn run(args: &Info, screen: &Screen) -> Status {
+    let about = About::this();
+    let text = match args.format {
+        InfoFormat::Text => about.text(),
+        // plain data is always written
+        InfoFormat::Json => serde_json::to_string(&about).unwrap_or_default() + "\n",
+    };
+    Status::printed(screen.print(text))
+}
+
+impl About {
+    fn this() -> Self {
+        let reads =
+            [("problems", vec!["mech"]), ("variants", Batch::tables().collect()), ("grade", vec!["csv"])];
+        let writes = [
+            ("solve", values::<SolveFormat>()),
+            ("batch", values::<BatchFormat>()),
+            ("draw", drawn()),
+            ("report", values::<ReportFormat>()),
+            ("profile", values::<ProfileFormat>()),
+            ("other tables", values::<Format>()),
+        ];
+        Self {
+            version: env!("CARGO_PKG_VERSION"),
+            target: env!("ASSUR_TARGET"),
+            features: FEATURES.iter().filter(|(_, has)| *has).map(|(name, _)| *name).collect(),
+            reads: reads.into_iter().collect(),
+            writes: writes.into_iter().collect(),
+            processors: std::thread::available_parallelism().map_or(1, NonZero::get),
+            documents: documents(),
+        }
+    }
+
+    fn text(&self) -> String {
+        let list = |(what, names): (&&str, String)| format!("  {what:<13}{names}\n");
+        let reads: String = self.reads.iter().map(|(what, names)| list((what, names.join(", ")))).collect();
+        let writes: String = self.writes.iter().map(|(what, names)| list((what, names.join(", ")))).collect();
+        let documents = match &self.documents {
+            Some(folder) => format!("{} and `assur help`", folder.display()),
+            None => "`assur help`, `assur explain`, and docs in the sources".to_owned(),
+        };
+        let features = if self.features.is_empty() { "none".to_owned() } else { self.features.join(", ") };
+        format!(
+            "assur {}\ntarget      {}\nfeatures    {features}\nprocessors  {}\ndocuments   {documents}\n\nreads\n{reads}\nwrites\n{writes}",
+            self.version, self.target, self.processors
+        )
+    }
+}
+
+/// The names of formats; without those that only other builds have.
+fn values<T: ValueEnum>() -> Vec<String> {
+    let names = T::value_variants().iter().filter_map(ValueEnum::to_possible_value);
+    names.map(|value| value.get_name().to_owned()).collect()
+}
+
+/// Pixels are of builds with that feature.
+fn drawn() -> Vec<String> {
+    values::<DrawFormat>().into_iter().filter(|name| name != "png" || cfg!(feature = "png")).collect()
+}
+
+/// The folder of documents that an installation has beside the program.
+fn documents() -> Option<PathBuf> {
+    let program = std::env::current_exe().ok()?;
+    let folder = program.parent()?.parent()?.join(Path::new("share/doc/assur"));
+    folder.is_dir().then_some(folder)
+}
