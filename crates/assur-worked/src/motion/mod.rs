@@ -5,8 +5,10 @@ mod cam_turned;
 mod closure;
 mod cylinder;
 mod driven;
+mod general;
 mod geneva;
 mod guide;
+mod legs;
 mod prp;
 mod rpp;
 mod rpr;
@@ -16,6 +18,7 @@ mod stated;
 mod train;
 mod translation;
 mod triangle;
+mod whole;
 mod willis;
 
 use crate::course::Course;
@@ -108,6 +111,8 @@ impl Course<'_> {
             MotionStep::Geneva { branch, geneva }
                 if self.geneva(stage, *branch, &self.scene.model.plan.genevas[*geneva]) => {}
             MotionStep::DrivenRrr { legs, .. } if stage == Stage::Positions && self.on_cylinder(legs) => {}
+            MotionStep::Triad { .. } | MotionStep::General { .. }
+                if stage == Stage::Positions && self.whole(index, step) => {}
             MotionStep::DrivenRrr { .. }
             | MotionStep::DrivenRrp { .. }
             | MotionStep::Translation { .. }
