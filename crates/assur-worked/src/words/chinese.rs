@@ -261,8 +261,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CamTurnedBy => {
             "凸轮 {0} 处于运动规律给出从动件升程 {2} 的位置；{1} 为自其 x 轴指向从动件起转过的角："
         }
-        Message::LiftBegins => "升程起点处从动件到凸轮中心的距离为 {0}：",
+        Message::LiftBegins => "升程起点处从动件到凸轮中心的距离为 {0}。",
         Message::HeldByArc => "拨销不在任何槽内，锁止弧将槽轮 {0} 固定在 {1}：",
+        Message::TurnsWith => "构件 {0} 相对构件 {1} 不转动。",
         Message::Rests => "构件 {0} 静止。",
         // motions under loads
         Message::Run => "载荷作用下的运动",

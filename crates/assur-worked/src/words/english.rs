@@ -326,9 +326,10 @@ pub(super) const fn template(message: Message) -> &'static str {
             "Cam {0} is where its law has the lift {2} of the follower; {1} is the angle by which the cam has turned from where its x axis points to the follower:"
         }
         Message::LiftBegins => {
-            "The lift begins where the follower is at the distance {0} from the cam’s centre:"
+            "The lift begins where the follower is at the distance {0} from the cam’s centre."
         }
         Message::HeldByArc => "The pin is in no slot; the locking arc holds wheel {0} at {1}:",
+        Message::TurnsWith => "Link {0} does not turn against link {1}.",
         Message::Rests => "Link {0} rests.",
         // motions under loads
         Message::Run => "Motion under the loads",

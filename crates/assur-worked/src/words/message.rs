@@ -411,6 +411,8 @@ pub enum Message {
     LiftBegins,
     /// A Geneva wheel between two engagements; 0: wheel, 1: angle.
     HeldByArc,
+    /// A link that turns with another; 0: it, 1: the other.
+    TurnsWith,
     /// A link that rests; 0: it.
     Rests,
     /// Heading: a motion under loads.
