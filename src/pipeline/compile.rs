@@ -13,7 +13,7 @@ use assur_text::source::Source;
 use std::sync::Arc;
 
 /// A checked mechanism with its structure and its plan.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Compiled {
     /// The mechanism.
     pub mechanism: Mechanism,

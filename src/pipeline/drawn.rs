@@ -1,6 +1,6 @@
 //! Text → solved problem for pictures, which may show more than the file asks for.
 
-use super::compile::compile_document;
+use super::compile::{Compiled, compile_document};
 use super::solved::{Solved, solve_conducted};
 use assur_check::Overrides;
 use assur_picture::Kind;
@@ -42,7 +42,15 @@ pub fn solve_drawn_conducted(
     conduct: &Conduct<'_>,
 ) -> (Option<Solved>, Problems) {
     let (compiled, mut problems) = compile_document(source, document, found, overrides);
-    let Some(mut compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
+    let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
+    let (solved, found) = solve_conducted(planned_to_draw(compiled, kinds), None, conduct);
+    problems.append(found);
+    (solved.ok().filter(|_| !problems.has_errors()), problems)
+}
+
+/// With the plan of all that pictures of these kinds show.
+#[must_use]
+pub fn planned_to_draw(mut compiled: Compiled, kinds: &[Kind]) -> Compiled {
     let level = kinds.iter().map(|kind| kind.level()).max().unwrap_or_default();
     let forces = kinds.iter().any(|kind| kind.forces());
     let (mechanism, structure) = (&compiled.mechanism, &compiled.structure);
@@ -50,7 +58,5 @@ pub fn solve_drawn_conducted(
     if effects != compiled.plan.effects {
         compiled.plan = plan_with(mechanism, structure, effects);
     }
-    let (solved, found) = solve_conducted(compiled, None, conduct);
-    problems.append(found);
-    (solved.ok().filter(|_| !problems.has_errors()), problems)
+    compiled
 }

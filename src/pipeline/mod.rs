@@ -18,7 +18,7 @@ mod variant_solver;
 
 pub use compile::{Compiled, Looked, Origin, check_source, compile, compile_document, look};
 pub use dimensions::dimensions;
-pub use drawn::{solve_document_drawn, solve_drawn, solve_drawn_conducted};
+pub use drawn::{planned_to_draw, solve_document_drawn, solve_drawn, solve_drawn_conducted};
 pub use elsewhere::elsewhere;
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
 pub use fixed::{certain_edits, fixed};

@@ -313,7 +313,14 @@ fn locked(answers: &Answers<'_>) -> Vec<String> {
     };
     let locked = at(&|solved| solved.state.forces.locked)
         .map(|at| format!("no reactions at {at}: friction locks the mechanism"));
-    let shared = at(&|solved| !solved.state.forces.locked && solved.state.friction_shares())
-        .map(|at| format!("no reactions at {at}: how pairs share what friction holds is not determined"));
-    locked.into_iter().chain(shared).collect()
+    let shares = |solved: &Solved| !solved.state.forces.locked && solved.state.friction_shares();
+    let all = |solved: &Solved| {
+        let view = answers.solution.view(&answers.model, solved);
+        (0..answers.model.mechanism.pairs.len()).all(|pair| view.shares_friction(PairId::at(pair)))
+    };
+    let why = "how pairs share what friction holds is not determined";
+    let none = at(&|solved| shares(solved) && all(solved)).map(|at| format!("no reactions at {at}: {why}"));
+    let some = at(&|solved| shares(solved) && !all(solved));
+    let some = some.map(|at| format!("some reactions are open at {at}: {why}"));
+    locked.into_iter().chain(none).chain(some).collect()
 }

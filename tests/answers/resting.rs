@@ -51,6 +51,36 @@ find omega(crank), F = friction(D, piston), T = moment(B, rod), R = mag(reaction
     }
 }
 
+#[test]
+fn what_they_share_leaves_other_chains_alone() {
+    // the slider-crank rests by two pairs that rub; the block beside it hangs on the ground alone
+    let chain = "ground { A (0, 0); line guide through A along 0 deg; H (1 m, 1 m) }
+link crank A-B 60 mm { mass 2 kg at A; inertia 0.03 kg*m^2 }
+link rod B-C 210 mm { S (70 mm, 0); mass 0.9 kg at S; inertia 0.006 kg*m^2 }
+link piston { C (0, 0); mass 0.7 kg at C }
+revolute A: ground - crank
+revolute B: crank - rod { friction_circle 20 mm }
+revolute C: rod - piston
+prismatic D: piston.C - ground.guide { friction 0.5 }
+assemble C ahead of B
+torque M on crank = 0.3 N*m
+start crank = 30 deg
+";
+    let block = "link pendulum H-P 300 mm { mass 1 kg at P; inertia 0.01 kg*m^2 }
+revolute H: ground - pendulum
+start pendulum = -40 deg
+";
+    let end = "gravity 9.81 m/s^2\nsimulate 1 s in 4 steps within 1e-9\n";
+    let both = format!("{end}{chain}{block}find R = mag(reaction(C)), Q = reaction(H, pendulum)\n");
+    let alone = format!("{end}ground {{ H (1 m, 1 m) }}\n{block}find Q = reaction(H, pendulum)\n");
+    let (both, alone) = (assur::solve(&both).unwrap(), assur::solve(&alone).unwrap());
+    for (one, other) in both.poses().iter().zip(alone.poses()) {
+        assert!(one["R"].number().is_none_or(f64::is_nan));
+        let ((x, y), (u, v)) = (one["Q"].vector().unwrap(), other["Q"].vector().unwrap());
+        assert!((x - u).abs() + (y - v).abs() < 1e-6, "({x}, {y}) and ({u}, {v})");
+    }
+}
+
 /// Counts of an event either way, rising and falling, and of the turns: of a block on a spring whose load has a corner there.
 fn counts(at: f64, speed: f64, load: usize, within: f64) -> [f64; 4] {
     let load = [

@@ -116,6 +116,7 @@ fn every_group_and_every_load_has_its_steps() {
         }
         stated.extend(
             [
+                ("group of motion", counts.motion[1]),
                 ("group of forces", counts.forces[1]),
                 ("reaction", counts.reactions[1]),
                 ("resultant of loads", counts.loads[1]),

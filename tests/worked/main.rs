@@ -16,6 +16,7 @@ mod drawn;
 mod documents;
 mod examples;
 mod formulas;
+mod frames;
 mod friction;
 mod kept;
 mod languages;

@@ -63,9 +63,12 @@ impl Equation {
     #[must_use]
     pub fn disagrees(&self) -> Option<f64> {
         let off = (self.right.value() - self.left.value).abs();
+        let rounding = DISAGREES * self.left.rounding;
+        if off <= rounding || off <= TINY {
+            return None;
+        }
         let scale = self.right.scale();
-        let allowed = DISAGREES * self.right.rounding() + DISAGREES * f64::EPSILON * scale;
-        if off <= allowed || off <= TINY { None } else { Some(off / scale) }
+        if off <= rounding + DISAGREES * f64::EPSILON * scale { None } else { Some(off / scale) }
     }
 
     /// With its digits.

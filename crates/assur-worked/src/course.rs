@@ -145,7 +145,7 @@ impl<'a> Course<'a> {
         if message.awaits_an_equation() {
             self.awaiting.push(self.blocks.len());
         }
-        let line = say(self.language, message, parts);
+        let line = if self.shown { say(self.language, message, parts) } else { Line::new() };
         self.blocks.push(Block::Paragraph(line));
     }
 
@@ -164,7 +164,7 @@ impl<'a> Course<'a> {
 
     /// A remark.
     pub fn remark(&mut self, message: Message, parts: &[Line]) {
-        let line = say(self.language, message, parts);
+        let line = if self.shown { say(self.language, message, parts) } else { Line::new() };
         self.blocks.push(Block::Remark(line));
     }
 
@@ -256,11 +256,7 @@ impl<'a> Course<'a> {
     }
 
     fn lines_of(&self, equation: &Equation) -> Lines {
-        if self.shown {
-            equation.lines()
-        } else {
-            Lines { left: name_node(&equation.left.name), rows: Vec::new() }
-        }
+        if self.shown { equation.lines() } else { Lines { left: Node::empty(), rows: Vec::new() } }
     }
 
     /// A value that the solver states, without a derivation.
@@ -281,7 +277,8 @@ impl<'a> Course<'a> {
         let (scale, rounding) = (value.abs().max(large), 0.0);
         let q = Quantity { name: name.clone(), value, unit, scale, given: false, rounding };
         self.lines.push((self.blocks.len(), q.name.clone()));
-        self.blocks.push(Block::Equation(stated(&q)));
+        let lines = if self.shown { stated(&q) } else { Lines { left: Node::empty(), rows: Vec::new() } };
+        self.blocks.push(Block::Equation(lines));
         let leaf = Expr::Leaf(Arc::new(q));
         self.found.insert(name, leaf.clone());
         leaf

@@ -2,6 +2,7 @@
 //! the solver's, and a formula that does not agree with it is not printed.
 
 mod angle;
+mod cam_law;
 mod course;
 mod design;
 mod document;

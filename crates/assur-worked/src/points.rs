@@ -37,7 +37,7 @@ impl Course<'_> {
                 self.coordinates(&name, value, right)
             }
             None => [("x", value.x), ("y", value.y)]
-                .map(|(axis, value)| self.stated(Name::new(axis, &name), value, Unit::Length)),
+                .map(|(axis, v)| self.stated_of(Name::new(axis, &name), v, Unit::Length, self.tiny / 1e-9)),
         };
         self.points[0].insert(name, found.clone());
         found

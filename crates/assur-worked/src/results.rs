@@ -31,7 +31,7 @@ impl Course<'_> {
                 FindKind::Table(_) => {}
             }
         }
-        if reactions && !self.state().forces.locked && !self.state().friction_shares() {
+        if reactions && !self.state().forces.locked {
             let display = mechanism.display_of(Dimension::FORCE);
             for (i, pair) in mechanism.pairs.iter().enumerate() {
                 if matches!(pair.kind, PairKind::Transmission(_)) {
@@ -41,6 +41,9 @@ impl Course<'_> {
                 let Some((from, others)) = links.split_first() else { continue };
                 for on in others {
                     let force = view.reaction(PairId::at(i), *on);
+                    if force.x.is_nan() && view.shares_friction(PairId::at(i)) {
+                        continue;
+                    }
                     let name = format!(
                         "{}: R_{}{}",
                         pair.name,

@@ -24,24 +24,13 @@ impl System<'_> {
         sums.into_iter().filter(|(_, sum)| has(sum)).collect()
     }
 
-    /// The coefficients of the unknowns, and what is known on the other side; none of many unknowns.
-    pub fn table(&self, sums: &[(Name, Expr)]) -> Option<Table> {
-        if self.unknowns.len() > LARGEST {
-            return None;
-        }
-        let letters = |name: &Name| vec![Inline::Math(name_node(name))];
-        let mut headers = vec![vec![text("")]];
-        headers.extend(self.unknowns.iter().map(letters));
-        headers.push(vec![text("=")]);
+    /// The coefficients of the unknowns, and what is known on the other side.
+    pub fn table(&self, sums: &[(Name, Expr)]) -> Table {
         let row = |(name, sum): &(Name, Expr)| {
             let (factors, rest) = self.factors(sum);
-            let mut cells = vec![letters(name)];
-            cells.extend(factors.iter().map(|x| figure(*x)));
-            cells.push(figure(-rest));
-            cells
+            (name.clone(), factors, -rest)
         };
-        let rows = sums.iter().map(row).collect();
-        Some(Table { headers, rows, numbers: (1..self.unknowns.len() + 2).collect() })
+        matrix(self.unknowns, &sums.iter().map(row).collect::<Vec<_>>())
     }
 
     /// The coefficients of an equation, and the rest of it.
@@ -65,6 +54,51 @@ impl System<'_> {
             self.defined.get(&q.name).map_or(q.value, |right| self.value(right, one))
         })
     }
+}
+
+/// Equations as a table: name, coefficients, right side. Of many unknowns only those are written that an equation has.
+pub fn matrix(unknowns: &[Name], rows: &[(Name, Vec<f64>, f64)]) -> Table {
+    let letters = |name: &Name| vec![Inline::Math(name_node(name))];
+    let few = unknowns.len() <= LARGEST;
+    let mut headers = vec![vec![text("")]];
+    if few {
+        headers.extend(unknowns.iter().map(letters));
+    } else {
+        headers.push(vec![text("")]);
+    }
+    headers.push(vec![text("=")]);
+    let row = |(name, factors, right): &(Name, Vec<f64>, f64)| {
+        let mut cells = vec![letters(name)];
+        if few {
+            cells.extend(factors.iter().map(|x| figure(*x)));
+        } else {
+            cells.push(terms(unknowns, factors));
+        }
+        cells.push(figure(*right));
+        cells
+    };
+    let last = headers.len() - 1;
+    let numbers = if few { (1..=last).collect() } else { vec![last] };
+    Table { headers, rows: rows.iter().map(row).collect(), numbers }
+}
+
+/// The terms of an equation that are not nothing.
+fn terms(unknowns: &[Name], factors: &[f64]) -> Line {
+    let mut line = Line::new();
+    for (name, x) in unknowns.iter().zip(factors).filter(|(_, x)| **x != 0.0) {
+        let first = line.is_empty();
+        let sign = match (*x < 0.0, first) {
+            (true, true) => "−",
+            (true, false) => " − ",
+            (false, true) => "",
+            (false, false) => " + ",
+        };
+        let size =
+            if x.abs() == 1.0 { String::new() } else { format!("{} ", with_digits(x.abs(), 5).text()) };
+        line.push(text(format!("{sign}{size}")));
+        line.push(Inline::Math(name_node(name)));
+    }
+    line
 }
 
 fn figure(x: f64) -> Line {

@@ -7,6 +7,7 @@ use crate::words::{Language, Message};
 use assur_formula::{Equation, Expr, Name, Unit};
 use assur_model::model::{Level, Value};
 use assur_picture::{Kind, Scene};
+use assur_solve::solve::DriveValue;
 use assur_text::units::Dimension;
 
 /// A part of a solution, by its number.
@@ -281,14 +282,21 @@ impl Course<'_> {
         self.requests(stage);
     }
 
-    /// `, φ = 45 deg`, where the drives are; of a motion under loads the instant before.
-    fn position_words(&self) -> String {
+    /// `φ = 45 deg` of every drive.
+    pub fn drive_words(&self, values: &[DriveValue]) -> Vec<String> {
         let mechanism = self.scene.mechanism();
-        let said = mechanism.drives.iter().zip(&self.scene.pose.drives).filter_map(|(drive, value)| {
-            let assur_solve::solve::DriveValue::Scalar(x) = value else { return None };
+        let said = mechanism.drives.iter().zip(values).filter_map(|(drive, value)| {
+            let DriveValue::Scalar(x) = value else { return None };
             let display = mechanism.drive_display(drive.target);
             Some(format!("{} = {}", drive.name, display.text(Value::Scalar(*x), 5)))
         });
+        said.collect()
+    }
+
+    /// `, φ = 45 deg`, where the drives are; of a motion under loads the instant before.
+    fn position_words(&self) -> String {
+        let mechanism = self.scene.mechanism();
+        let said = self.drive_words(&self.scene.pose.drives);
         let instant = mechanism.simulation.as_ref().map(|_| {
             let display = mechanism.display_of(Dimension::TIME);
             let time = Value::Scalar(self.state().motion.time);

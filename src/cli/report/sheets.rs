@@ -6,7 +6,7 @@ use crate::cli::error::CliError;
 use crate::cli::reply::{Reply, Status, complaint};
 use crate::cli::screen::Screen;
 use crate::cli::threads::Threads;
-use crate::pipeline::{self, Solved};
+use crate::pipeline::{self, Compiled, Solved, VariantSolver};
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, Precision};
 use assur_check::{self as check, FileRow, Overrides};
@@ -20,6 +20,9 @@ use assur_text::source::Source;
 use assur_worked::{Columns, Exercise, asks_for_positions, key, sheet};
 use std::collections::BTreeSet;
 use std::sync::Arc;
+
+/// Rows that one thread takes at once: what they have in common is found once for all of them.
+const PIECE: usize = 16;
 
 /// Sheets of a file.
 pub struct Sheets<'a> {
@@ -57,7 +60,7 @@ impl Sheets<'_> {
         } else if self.args.per_row {
             self.each(&rows, &mut problems)
         } else {
-            self.one(rows.first(), &mut problems, self.args.out.as_deref(), true)
+            self.one(rows.first(), &mut problems, self.args.out.as_deref())
         };
         match result {
             Ok(results) => Reply::new(results, &problems, self.source, screen),
@@ -88,30 +91,38 @@ impl Sheets<'_> {
         (!rows.is_empty()).then_some(rows)
     }
 
-    fn solved(&self, overrides: &Overrides, problems: &mut Problems) -> Option<Solved> {
-        let (solved, found) =
-            pipeline::solve_document_drawn(self.source, &self.document, Problems::new(), overrides, &KINDS);
-        problems.append(found);
-        solved
+    /// One sheet, with the table of all variants.
+    fn one(&self, row: Option<&Row>, problems: &mut Problems, out: Option<&str>) -> Result<String, CliError> {
+        let overrides = row.map_or_else(|| self.args.overrides(), |row| row.overrides.clone());
+        let (compiled, found) = self.compiled(&overrides);
+        self.sheet(compiled, found, problems, (out, true))
     }
 
-    /// One sheet, with the table of all variants or for one row alone.
-    fn one(
+    fn compiled(&self, overrides: &Overrides) -> (Option<Compiled>, Problems) {
+        pipeline::compile_document(self.source, &self.document, Problems::new(), overrides)
+    }
+
+    /// The sheet of a compiled row, with the table of all variants or without it.
+    fn sheet(
         &self,
-        row: Option<&Row>,
+        compiled: Option<Compiled>,
+        found: Problems,
         problems: &mut Problems,
-        out: Option<&str>,
-        with_table: bool,
+        (out, with_table): (Option<&str>, bool),
     ) -> Result<String, CliError> {
-        let overrides = row.map_or_else(|| self.args.overrides(), |row| row.overrides.clone());
-        let Some(solved) = self.solved(&overrides, problems) else { return Ok(String::new()) };
+        problems.append(found);
+        let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return Ok(String::new()) };
+        let drawn = pipeline::planned_to_draw(compiled.clone(), &KINDS);
+        let (solved, found) = pipeline::solve(drawn);
+        problems.append(found);
+        let Some(solved) = solved.ok().filter(|_| !problems.has_errors()) else { return Ok(String::new()) };
         let Ok(scene) = self.scene(&solved, problems) else { return Ok(String::new()) };
         // pictures may show more than the file asks for
         let asked = Effects::at_least(&solved.compiled.mechanism, Level::Positions, false);
         let own = if asked == solved.compiled.plan.effects {
             None
         } else {
-            let Some(own) = self.answered(&overrides, &mut Problems::new()) else { return Ok(String::new()) };
+            let Ok(own) = pipeline::solve(compiled).0 else { return Ok(String::new()) };
             Some(own)
         };
         let asking = own.as_ref().unwrap_or(&solved);
@@ -194,11 +205,25 @@ impl Sheets<'_> {
     fn each(&self, rows: &[Row], problems: &mut Problems) -> Result<String, CliError> {
         let name = self.args.out.as_deref().unwrap_or_default();
         let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
-        let mut written: Vec<(&Row, Problems, Option<CliError>)> =
-            rows.iter().map(|row| (row, Problems::new(), None)).collect();
-        Threads::new(None).each(&mut written, |(i, (row, problems, error))| {
-            let out = format!("{stem}-{}.{ending}", i + 1);
-            *error = self.one(Some(row), problems, Some(&out), false).err();
+        let values = Overrides { values: self.args.overrides().values, ..Overrides::none() };
+        let pieces = rows.chunks(PIECE).map(|rows| (rows, Problems::new(), None));
+        let mut written: Vec<(&[Row], Problems, Option<CliError>)> = pieces.collect();
+        Threads::new(None).each(&mut written, |(i, (rows, problems, error))| {
+            let mut solver = VariantSolver::new(&self.document, &values);
+            for (k, row) in rows.iter().enumerate() {
+                let out = format!("{stem}-{}.{ending}", i * PIECE + k + 1);
+                let (compiled, found) = match solver.compile(&row.overrides.row) {
+                    (Some(compiled), found) if !found.has_errors() => (Some(compiled), found),
+                    // its messages are those of the file as a whole
+                    _ => self.compiled(&row.overrides),
+                };
+                let mut own = Problems::new();
+                *error = self.sheet(compiled, found, &mut own, (Some(&out), false)).err();
+                problems.append(own);
+                if error.is_some() {
+                    break;
+                }
+            }
         });
         for (_, found, error) in written {
             problems.append(found);
@@ -246,8 +271,7 @@ impl Sheets<'_> {
 
     /// What the file asks for, and no more.
     fn answered(&self, overrides: &Overrides, problems: &mut Problems) -> Option<Solved> {
-        let (compiled, found) =
-            pipeline::compile_document(self.source, &self.document, Problems::new(), overrides);
+        let (compiled, found) = self.compiled(overrides);
         problems.append(found);
         let (solved, found) = pipeline::solve(compiled.filter(|_| !problems.has_errors())?);
         problems.append(found);

@@ -26,6 +26,9 @@ pub mod rpr;
 pub mod rrp;
 pub mod rrr;
 pub mod triad;
+mod watch;
+
+pub use watch::{NewtonStep, Watch};
 
 /// Why a group does not close, and by how much.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,9 @@
 //! Runs general groups: Newton's method from the state as it stands.
 
+use super::body::BodyState;
 use super::general_work::Workspace;
 use super::state::{Branch, State};
+use crate::group::Watch;
 use crate::group::general::{self, Acceleration, Constraint, Geared, General, Law, Meant, Pose, Velocity};
 use crate::plan::{GeneralMotion, Settings};
 
@@ -15,6 +17,7 @@ impl State {
         problem: usize,
         group: &GeneralMotion,
         small: f64,
+        seen: &mut impl Watch,
     ) {
         let Some(mut work) = self.scratch.motion_work.get_mut(problem).and_then(Option::take) else {
             self.motion.open.get_or_insert(branch);
@@ -24,7 +27,7 @@ impl State {
         self.set_sides(&mut work.equations, group, self.branches[branch]);
         self.set_turns(&mut work.equations, group);
         self.read_poses(&group.bodies, &mut work.poses);
-        match work.equations.position(&mut work.poses, small) {
+        match work.equations.position_seen(&mut work.poses, small, seen) {
             Ok(condition) => {
                 self.motion.conditions[branch] = condition * work.equations.branch();
                 self.motion.certificates[branch] = work.equations.certificate();
@@ -142,6 +145,35 @@ pub fn is_never_regular(state: &State, problem: usize, group: &GeneralMotion) ->
     general::is_never_regular(&mut work.equations, &work.poses)
 }
 
+/// Puts the bodies of a group to the start from which the search for its assemblies comes first to how they stand now.
+pub fn to_start(
+    state: &mut State,
+    branch: usize,
+    problem: usize,
+    group: &GeneralMotion,
+    (starts, meant): (usize, Option<&Meant>),
+) -> bool {
+    let Some(mut work) = state.scratch.motion_work.get(problem).cloned().flatten() else { return false };
+    state.set_drives(&mut work.equations, group);
+    state.set_sides(&mut work.equations, group, state.branches[branch]);
+    state.set_turns(&mut work.equations, group);
+    state.read_poses(&group.bodies, &mut work.poses);
+    let own = group.moving;
+    let stands = work.poses[..own].to_vec();
+    let rest = BodyState::rest();
+    work.poses[..own].fill(Pose { p: rest.p, u: rest.u });
+    let Some(poses) = general::start_of(&mut work.equations, &work.poses, starts, meant, &stands) else {
+        return false;
+    };
+    state.write_poses(&group.bodies[..own], &poses);
+    for &(body, member, _) in &group.turning {
+        if member {
+            state.motion.bodies[body].turned = state.motion.bodies[body].u.angle();
+        }
+    }
+    true
+}
+
 /// All states in which a general group can be, from a given number of starts, and from where it is meant to stand.
 pub fn assemblies(
     before: &State,
@@ -172,7 +204,7 @@ pub fn assemblies(
                 }
             }
             // Newton's method from the answer itself: sets the condition figure
-            found.general::<0>(branch, problem, group, Settings::FULL.newton);
+            found.general::<0>(branch, problem, group, Settings::FULL.newton, &mut ());
             if found.motion.open.is_none() {
                 out.push(found);
             }

@@ -48,7 +48,7 @@ pub struct Grip {
 }
 
 impl State {
-    /// Whether several pairs share by friction what one of them could hold: no force within the mechanism is determined.
+    /// Whether several pairs share by friction what one of them could hold: forces within their chain of links are not determined.
     #[must_use]
     pub fn friction_shares(&self) -> bool {
         self.motion.grips.iter().any(|grip| grip.open)

@@ -32,6 +32,7 @@ mod loads;
 mod losses;
 mod model;
 mod motion;
+mod newton_steps;
 mod precise;
 mod reduced;
 mod residual;

@@ -289,9 +289,12 @@ impl State {
             MotionStep::Cam { branch, cam } => self.cam::<LEVEL>(*branch, &plan.cams[*cam]),
             MotionStep::CamTurned { branch, cam } => self.cam_turned::<LEVEL>(*branch, &plan.cams[*cam]),
             MotionStep::Geneva { branch, geneva } => self.geneva::<LEVEL>(*branch, &plan.genevas[*geneva]),
-            MotionStep::Triad { branch, triad } => self.triad::<LEVEL>(*branch, triad, plan.settings.triad),
+            MotionStep::Triad { branch, triad } => {
+                self.triad::<LEVEL>(*branch, triad, plan.settings.triad, &mut ());
+            }
             MotionStep::General { branch, problem } => {
-                self.general::<LEVEL>(*branch, *problem, &plan.general[*problem], plan.settings.newton);
+                let (group, small) = (&plan.general[*problem], plan.settings.newton);
+                self.general::<LEVEL>(*branch, *problem, group, small, &mut ());
             }
             closed => self.closed_form::<LEVEL>(closed),
         }

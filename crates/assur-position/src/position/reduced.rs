@@ -58,17 +58,15 @@ impl Reduced {
         }
     }
 
-    /// M and the velocities for unit rates at the position of a state; none where its inputs do not lead there, as after a
-    /// dead position that was passed in other coordinates.
+    /// M and the velocities for unit rates at the position of a state; none where its inputs do not lead there. A dead position
+    /// that was passed in other coordinates may have changed assemblies.
     #[must_use]
     pub fn at(plan: &Plan, free: &[usize], there: &State) -> Option<Self> {
         let mut state = there.clone();
+        state.assemble_as(plan, there);
         let mut reduced = Self::new(plan, free.to_vec(), true);
         reduced.several(plan, &mut state);
-        let bodies = state.motion.bodies.iter().zip(&there.motion.bodies);
-        let far = bodies.map(|(a, b)| ((a.p - b.p).norm() / (1.0 + b.p.norm())).max((a.u - b.u).norm()));
-        let is_there = far.fold(0.0, f64::max) < SAME_PLACE;
-        if state.motion.open.is_some() || !is_there {
+        if state.motion.open.is_some() || !state.stands_as(there) {
             return None;
         }
         reduced.sum_up(plan, &state);
@@ -314,4 +312,25 @@ impl Reduced {
 fn power(column: &[Column], state: &State) -> f64 {
     let bodies = column.iter().zip(&state.forces.wrenches).skip(1);
     bodies.map(|(k, w)| w.force.dot(k.v) + w.moment * k.omega).sum()
+}
+
+impl State {
+    /// Gives every group that has two assemblies the one in which its bodies stand in another state.
+    fn assemble_as(&mut self, plan: &Plan, there: &Self) {
+        self.start(plan);
+        for (index, step) in plan.motion.iter().enumerate() {
+            self.step::<0>(plan, step);
+            if self.has_two_roots(step) && !self.stands_as(there) {
+                self.branches[index].root = -self.branches[index].root;
+                self.step::<0>(plan, step);
+            }
+        }
+    }
+
+    /// Whether all bodies stand as they do in another state.
+    fn stands_as(&self, there: &Self) -> bool {
+        let bodies = self.motion.bodies.iter().zip(&there.motion.bodies);
+        let far = bodies.map(|(a, b)| ((a.p - b.p).norm() / (1.0 + b.p.norm())).max((a.u - b.u).norm()));
+        far.fold(0.0, f64::max) < SAME_PLACE
+    }
 }

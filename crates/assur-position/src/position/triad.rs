@@ -3,6 +3,7 @@
 use super::motion::{Point, line, place, point, under};
 use super::state::State;
 use super::wrench::Reaction;
+use crate::group::Watch;
 use crate::group::general::Pose;
 use crate::group::triad::{End, Followed, Triad, modes};
 use crate::math::Vec2;
@@ -11,9 +12,15 @@ use crate::plan::{OuterJoint, TriadForceLeg, TriadForces, TriadHold, TriadLeg, T
 impl State {
     /// Follows the link from where it stands.
     #[inline(never)]
-    pub(super) fn triad<const LEVEL: u8>(&mut self, branch: usize, triad: &TriadMotion, small: f64) {
+    pub(super) fn triad<const LEVEL: u8>(
+        &mut self,
+        branch: usize,
+        triad: &TriadMotion,
+        small: f64,
+        seen: &mut impl Watch,
+    ) {
         let (before, now) = (self.triad_stands(triad), self.triad_ends(triad));
-        match triad.plate.follow(&before, &now, &self.triad_pose(triad), small) {
+        match triad.plate.follow_seen((&before, &now), &self.triad_pose(triad), small, seen) {
             Some(found) => self.place_triad::<LEVEL>(branch, triad, &now, &found),
             None => {
                 self.motion.open.get_or_insert(branch);
@@ -60,7 +67,7 @@ impl State {
         })
     }
 
-    fn triad_pose(&self, triad: &TriadMotion) -> Pose {
+    pub(super) fn triad_pose(&self, triad: &TriadMotion) -> Pose {
         let body = &self.motion.bodies[triad.body];
         Pose { p: body.position(triad.mean), u: body.u }
     }

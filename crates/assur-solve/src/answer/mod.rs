@@ -20,6 +20,7 @@ mod number_columns;
 mod pose_answers;
 mod pose_numbers;
 mod pressure_angle;
+mod sharing;
 mod sides;
 mod substitution;
 mod switch;

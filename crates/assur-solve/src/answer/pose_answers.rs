@@ -292,7 +292,7 @@ impl PoseAnswers<'_> {
 
     /// The force on a link of all joints that stand for the pair.
     fn joint_force(&self, pair: PairId, link: LinkId) -> Vec2 {
-        if self.state.friction_shares() {
+        if self.shares_friction(pair) {
             return Vec2::new(f64::NAN, f64::NAN);
         }
         let rubbing = self.friction_force(pair, link);
@@ -303,7 +303,7 @@ impl PoseAnswers<'_> {
     /// The couple on a link in a pair about the pair's reference point; NaN where it is not determined.
     #[must_use]
     pub fn moment(&self, pair: PairId, link: LinkId) -> f64 {
-        if self.structure.undetermined_couples.binary_search(&pair).is_ok() || self.state.friction_shares() {
+        if self.structure.undetermined_couples.binary_search(&pair).is_ok() || self.shares_friction(pair) {
             return f64::NAN;
         }
         if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {

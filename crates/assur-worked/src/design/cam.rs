@@ -2,6 +2,7 @@
 //! are extreme.
 
 use super::page::{Page, chosen, given};
+use crate::cam_law::{greatest_acceleration, shape};
 use crate::document::{Line, text};
 use crate::words::Message;
 use assur_formula::{Expr, Function, Name, Unit, with_digits};
@@ -61,7 +62,7 @@ impl Page {
         );
         let x = phi / angle.clone();
         let constant = self.constant(phase, letters, index, scale);
-        let Some((part, slope)) = shape(phase.law, &h, &x, place, &constant) else { return };
+        let Some([part, slope, _]) = shape(phase.law, &h, &x, place, &constant) else { return };
         let [s, v, ..] = plate.cam.program.at(phase.start + way);
         let mark = with_digits(100.0 * place, 2).text();
         self.equate(letters.of("s", &format!("{index},{mark}")), scale * s, letters.unit(), from + part);
@@ -72,10 +73,8 @@ impl Page {
 
     /// What a law has besides the way: the greatest acceleration of modified ones, the terms of a piece of a spline.
     fn constant(&mut self, phase: &Phase, letters: &Letters, index: &str, scale: f64) -> Vec<Expr> {
-        let int = Expr::Int;
         let right = match phase.law {
-            Law::ModifiedTrapezoid => int(8) * Expr::Pi / (int(2) + Expr::Pi),
-            Law::ModifiedSine => int(4) * Expr::Pi.squared() / (int(4) + Expr::Pi),
+            Law::ModifiedTrapezoid | Law::ModifiedSine => greatest_acceleration(phase.law),
             Law::Spline(terms) => {
                 let term =
                     |(letter, x)| self.constant_of(letters.of(letter, index), scale * x, letters.unit());
@@ -227,75 +226,6 @@ const fn places(law: Law) -> &'static [f64] {
         Law::ModifiedSine => &[0.1, 0.4],
         _ => &[0.25],
     }
-}
-
-/// The way h f(x) of a law, and h times its derivative by x, with the law's constants.
-fn shape(law: Law, h: &Expr, x: &Expr, place: f64, constants: &[Expr]) -> Option<(Expr, Expr)> {
-    let int = Expr::Int;
-    let (h, x) = (|| h.clone(), || x.clone());
-    Some(match law {
-        Law::Uniform => (h() * x(), h()),
-        Law::Parabolic if place < 0.5 => (int(2) * h() * x().squared(), int(4) * h() * x()),
-        Law::Parabolic => (h() * (int(1) - int(2) * (int(1) - x()).squared()), int(4) * h() * (int(1) - x())),
-        Law::Harmonic => {
-            let angle = || Expr::Degrees(180) * x();
-            (h() * (int(1) - angle().cos()) / int(2), h() * Expr::Pi * angle().sin() / int(2))
-        }
-        Law::Cycloidal => {
-            let angle = || Expr::Degrees(360) * x();
-            (h() * (x() - angle().sin() / (int(2) * Expr::Pi)), h() * (int(1) - angle().cos()))
-        }
-        Law::Poly345 => {
-            let square = || x().squared();
-            let sum = int(10) - int(15) * x() + int(6) * square();
-            let slope = int(30) * h() * square() * (int(1) - x()).squared();
-            (h() * square() * x() * sum, slope)
-        }
-        Law::Poly4567 => {
-            let square = || x().squared();
-            let sum = int(35) - int(84) * x() + int(70) * square() - int(20) * square() * x();
-            let slope = int(140) * h() * square() * x() * (int(1) - x()).squared() * (int(1) - x());
-            (h() * square().squared() * sum, slope)
-        }
-        Law::ModifiedTrapezoid | Law::ModifiedSine => {
-            let (way, slope) = modified(law, &x(), place);
-            let [constant] = constants else { return None };
-            (h() * constant.clone() * way, h() * constant.clone() * slope)
-        }
-        Law::Spline(_) => {
-            let [a, b, c] = constants else { return None };
-            let square = || x().squared();
-            let way = a.clone() * x() + b.clone() * square() + c.clone() * square() * x();
-            (way, a.clone() + int(2) * b.clone() * x() + int(3) * c.clone() * square())
-        }
-        Law::Dwell => return None,
-    })
-}
-
-/// f and f′ of a modified law over its greatest acceleration, in the first half: one sine that is four times as fast, then
-/// constant acceleration or a slower sine, each integrated twice.
-fn modified(law: Law, x: &Expr, place: f64) -> (Expr, Expr) {
-    let int = Expr::Int;
-    let x = || x.clone();
-    let fourth = || int(4) * Expr::Pi;
-    let square = || int(16) * Expr::Pi.squared();
-    if place < 0.125 {
-        let angle = || Expr::Degrees(720) * x();
-        return (x() / fourth() - angle().sin() / square(), (int(1) - angle().cos()) / fourth());
-    }
-    if law == Law::ModifiedSine {
-        let angle = || Expr::Degrees(240) * x() + Expr::Degrees(60);
-        let way = x() / fourth() + (int(8) - int(9) * angle().sin()) / square();
-        return (way, (int(1) - int(3) * angle().cos()) / fourth());
-    }
-    if place < 0.375 {
-        let from = || x() - int(1) / int(8);
-        let way = x() / fourth() - int(1) / square() + from().squared() / int(2);
-        return (way, int(1) / fourth() + from());
-    }
-    let angle = || Expr::Degrees(720) * x() - Expr::Degrees(270);
-    let way = x() / fourth() + x() / int(4) - int(1) / int(16) - angle().cos() / square();
-    (way, int(1) / fourth() + int(1) / int(4) + angle().sin() / fourth())
 }
 
 /// An angle with the digits that it needs, up to six.

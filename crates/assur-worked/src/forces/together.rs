@@ -45,7 +45,7 @@ impl Course<'_> {
         let mut blocks =
             vec![Block::Paragraph(say(self.language, Message::EquationsTogether, &[count, known]))];
         let system = System { unknowns: &unknowns, defined };
-        blocks.extend(system.table(&sums).map(Block::Table));
+        blocks.push(Block::Table(system.table(&sums)));
         blocks.push(Block::Paragraph(say(self.language, Message::SolutionIs, &[])));
         self.insert(before, blocks);
         true

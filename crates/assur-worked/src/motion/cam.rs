@@ -7,8 +7,8 @@ use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::element::cam::Follower;
-use assur_model::structure::BodyOrigin;
-use assur_position::plan::CamStep;
+use assur_math::math::Vec2;
+use assur_position::plan::{CamStep, Slide};
 
 /// The law of a cam at its angle.
 pub(super) struct CamLaw {
@@ -25,44 +25,75 @@ pub(super) struct CamLaw {
 }
 
 impl Course<'_> {
-    /// A follower that its cam moves, on the ground. Whether it is such a one.
-    pub(super) fn cam(&mut self, stage: Stage, index: usize, step: &CamStep) -> bool {
+    /// A follower that its cam moves.
+    pub(super) fn cam(&mut self, stage: Stage, index: usize, step: &CamStep) {
         let contact = &step.contact;
-        if contact.frame.index() != 0 {
-            return false;
-        }
-        let disk = contact.disk.index();
         let law = self.law_of_cam(step, "s");
-        let rate = |course: &Self, order: usize| {
-            let rate = course.bodies[disk].as_ref().map_or(Expr::ZERO, |b| b.rates[order].clone());
-            if step.cam.ccw { rate } else { -rate }
-        };
         match stage {
             Stage::Positions => {
                 let cam = self.scene.mechanism().cams[contact.cam].name.clone();
                 self.say(Message::CamTurned, &[vec![text(cam)], of(&law.turned), of(&law.lift)]);
-                self.stated(law.turned.clone(), law.angle.to_degrees(), Unit::Angle);
-                self.lift(&law, step);
-                self.bodies_of_cam(index, step);
+                self.angle_of_cam(step, &law);
+                match self.lift_by_stage(step, &law) {
+                    Some([lift, ..]) => {
+                        let (value, unit) = law.lifted();
+                        self.equate(law.lift.clone(), value, unit, lift);
+                    }
+                    None => self.lift(&law, step),
+                }
+                self.bodies_of_cam(index, step, &law);
             }
             Stage::Velocities => {
-                let right = self.derivative(&law, 1) * rate(self, 0);
+                let right = self.derivative(&law, step, 1) * self.rate_of_cam(step, 0);
                 self.rate_of_follower(0, index, step, law.turns, right);
             }
             Stage::Accelerations => {
-                let (first, second) = (self.derivative(&law, 1), self.derivative(&law, 2));
-                let right = second * rate(self, 0).squared() + first * rate(self, 1);
+                let (first, second) = (self.derivative(&law, step, 1), self.derivative(&law, step, 2));
+                let right = second * self.rate_of_cam(step, 0).squared() + first * self.rate_of_cam(step, 1);
                 self.rate_of_follower(1, index, step, law.turns, right);
             }
         }
-        true
+    }
+
+    /// The angular velocity (0) or acceleration (1) of a cam against its frame, in the sense in which its angle counts.
+    fn rate_of_cam(&self, step: &CamStep, order: usize) -> Expr {
+        let rate = self.rate_of_body(step.contact.disk.index(), order)
+            - self.rate_of_body(step.contact.frame.index(), order);
+        if step.cam.ccw { rate } else { -rate }
+    }
+
+    /// The angular velocity (0) or acceleration (1) of a body.
+    pub(super) fn rate_of_body(&self, body: usize, order: usize) -> Expr {
+        self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[order].clone())
+    }
+
+    /// The direction in which the frame of a cam looks for its follower.
+    pub(super) fn cam_looks(&self, step: &CamStep, of: usize) -> Angle {
+        let frame = self.bodies[step.contact.frame.index()].as_ref();
+        let own = self.direction_given(step.contact.towards, || Name::new("λ", &self.label(of)));
+        frame.map_or(own.clone(), |frame| frame.angle.plus(&own))
+    }
+
+    /// The angle by which a cam has turned since its x axis pointed to the follower.
+    fn angle_of_cam(&mut self, step: &CamStep, law: &CamLaw) {
+        let disk = step.contact.disk.index();
+        let own = self.bodies[disk].as_ref().map_or(Angle::ZERO, |b| b.angle.clone());
+        let looks = self.cam_looks(step, step.contact.follower.index());
+        let right = if step.cam.ccw { own.minus(&looks) } else { looks.minus(&own) };
+        let right = right.whole();
+        if right.is_zero() {
+            self.stated(law.turned.clone(), 0.0, Unit::Angle);
+        } else {
+            self.angle_sum(law.turned.clone(), right);
+        }
     }
 
     /// The law of a cam where it stands now, with the letter of a lift that is a shift.
     pub(super) fn law_of_cam(&self, step: &CamStep, shift: &'static str) -> CamLaw {
         let contact = &step.contact;
         let sense = if step.cam.ccw { -1.0 } else { 1.0 };
-        let angle = sense * contact.towards.turned_back(self.moved(contact.disk.index()).u).angle();
+        let towards = contact.towards.turned(self.moved(contact.frame.index()).u);
+        let angle = sense * towards.turned_back(self.moved(contact.disk.index()).u).angle();
         let [s, first, second, _] = step.cam.at(angle).lift;
         let turns = matches!(step.cam.follower, Follower::Oscillating { .. });
         let pair = self.scene.mechanism().pair(contact.pair).name.clone();
@@ -72,43 +103,103 @@ impl Course<'_> {
 
     /// The lift as the law has it.
     pub(super) fn lift(&mut self, law: &CamLaw, step: &CamStep) {
-        let (scale, unit) =
-            if law.turns { (180.0 / std::f64::consts::PI, Unit::Angle) } else { (1.0, Unit::Length) };
-        self.stated_of(
-            law.lift.clone(),
-            scale * law.values[0],
-            unit,
-            scale * step.cam.program.greatest_lift(),
-        );
+        let (value, unit) = law.lifted();
+        let scale = if law.turns { 180.0 / std::f64::consts::PI } else { 1.0 };
+        self.stated_of(law.lift.clone(), value, unit, scale * step.cam.program.greatest_lift());
     }
 
     /// A derivative of the lift by the angle of the cam.
-    pub(super) fn derivative(&mut self, law: &CamLaw, order: usize) -> Expr {
+    pub(super) fn derivative(&mut self, law: &CamLaw, step: &CamStep, order: usize) -> Expr {
         let marks = ["", "′", "″"][order];
         let name = Name { letter: format!("{}{marks}", law.lift.letter), ..law.lift.clone() };
         let unit = if law.turns { Unit::One } else { Unit::Length };
-        self.stated(name, law.values[order], unit)
+        match self.lift_by_stage(step, law) {
+            Some(formulas) => self.equate(name, law.values[order], unit, formulas[order].clone()),
+            None => self.stated(name, law.values[order], unit),
+        }
     }
 
     /// Where the follower is; the block of the contact only where something needs it.
-    fn bodies_of_cam(&mut self, index: usize, step: &CamStep) {
-        for body in self.structure().motion[index].bodies.iter().map(|b| b.0) {
-            let moved = *self.moved(body);
-            let degrees = libm::atan2(moved.u.y, moved.u.x).to_degrees();
-            let name = Name::new("φ", &self.label(body));
-            let block = matches!(self.structure().replaced.bodies[body].origin, BodyOrigin::Imaginary(_));
-            let whole = (degrees - degrees.round()).abs() < 1e-9 && degrees.round() % 90.0 == 0.0;
-            let angle = if whole && !block {
-                Angle::whole_degrees(moved.u).unwrap_or(Angle::ZERO)
-            } else {
-                if block {
-                    self.optional.insert(self.blocks.len());
-                }
-                Angle::of(self.stated(name, degrees, Unit::Angle))
-            };
-            let follower = body == step.contact.follower.index();
-            let reference = if follower { step.contact.point } else { assur_math::math::Vec2::zero() };
-            self.bodies[body] = Some(Body { reference, angle, rates: [Expr::ZERO, Expr::ZERO] });
+    fn bodies_of_cam(&mut self, index: usize, step: &CamStep, law: &CamLaw) {
+        let slot = step.contact.follower.index();
+        let lift = self.found.get(&law.lift).cloned().unwrap_or(Expr::ZERO);
+        if law.turns {
+            self.lever_of_cam(step, lift);
+        } else {
+            self.tappet_of_cam(step, law, lift);
+        }
+        self.blocks_of_cam(index, slot);
+    }
+
+    /// The lever: φ = λ + 180° ∓ (ψ₀ + ψ).
+    fn lever_of_cam(&mut self, step: &CamStep, lift: Expr) {
+        let contact = &step.contact;
+        let slot = contact.follower.index();
+        let begin = self.given(self.start_name(step, "ψ"), step.cam.start().to_degrees(), Unit::Angle);
+        let looks = self.cam_looks(step, slot);
+        let own = self.direction_given(contact.direction, || Name::new("λ′", &self.label(slot)));
+        let base = looks.minus(&own).whole() + Expr::Degrees(180);
+        let angle = begin + lift;
+        let right = if lifts_clockwise(step) { base - angle } else { base + angle };
+        let phi = self.angle_sum(Name::new("φ", &self.label(slot)), right);
+        let rates = [Expr::ZERO, Expr::ZERO];
+        self.bodies[slot] = Some(Body { reference: contact.point, angle: Angle::of(phi), rates });
+    }
+
+    /// The lift of a lever that stands somewhere: ψ = ±(φ − λ − 180°) − ψ₀.
+    pub(super) fn lift_of_lever(&mut self, step: &CamStep, law: &CamLaw) {
+        let contact = &step.contact;
+        let slot = contact.follower.index();
+        let begin = self.given(self.start_name(step, "ψ"), step.cam.start().to_degrees(), Unit::Angle);
+        let own = self.direction_given(contact.direction, || Name::new("λ′", &self.label(slot)));
+        let base = self.cam_looks(step, slot).minus(&own).whole() + Expr::Degrees(180);
+        let phi = self.bodies[slot].as_ref().map_or(Expr::ZERO, |b| b.angle.whole());
+        let right = if lifts_clockwise(step) { base - phi } else { phi - base };
+        self.angle_sum(law.lift.clone(), right - begin);
+    }
+
+    /// What slides: at the distance d + s from the cam's centre, along the way of the follower.
+    fn tappet_of_cam(&mut self, step: &CamStep, law: &CamLaw, lift: Expr) {
+        let contact = &step.contact;
+        let slot = contact.follower.index();
+        let looks = self.cam_looks(step, slot);
+        let own = self.direction_given(contact.direction, || Name::new("λ′", &self.label(slot)));
+        let begin = Name { letter: "d".into(), ..law.lift.clone() };
+        // said only where the place of the follower is needed
+        self.lines.push((self.blocks.len(), begin.clone()));
+        self.optional.insert(self.blocks.len());
+        self.say(Message::LiftBegins, &[of(&begin)]);
+        let along = self.given(begin, step.cam.start(), Unit::Length) + lift;
+        let beside = if contact.beside.abs() <= self.tiny { 0.0 } else { contact.beside };
+        let beside = self.given(Name::new("b", &law.lift.sub), beside, Unit::Length);
+        let [x, y] = self.position(contact.frame.index(), contact.frame_centre);
+        let right = [
+            x + along.clone() * looks.cos() - beside.clone() * looks.sin(),
+            y + along * looks.sin() + beside * looks.cos(),
+        ];
+        let value = self.moved(slot).position(contact.point);
+        let name = self.point_name(slot, contact.point);
+        self.coordinates(&name, value, right);
+        let rates = [Expr::ZERO, Expr::ZERO];
+        self.bodies[slot] = Some(Body { reference: contact.point, angle: looks.minus(&own), rates });
+    }
+
+    /// The letters of where the follower stands at lift zero: those of the section on cams.
+    fn start_name(&self, step: &CamStep, letter: &str) -> Name {
+        let cams = &self.scene.mechanism().cams;
+        let sub = if cams.len() > 1 { format!("0,{}", cams[step.contact.cam].name) } else { "0".to_owned() };
+        Name::new(letter, &sub)
+    }
+
+    /// The block of a contact: what stands for it besides the links.
+    pub(super) fn blocks_of_cam(&mut self, index: usize, link: usize) {
+        for body in self.structure().motion[index].bodies.iter().map(|b| b.0).filter(|b| *b != link) {
+            let u = self.moved(body).u;
+            self.optional.insert(self.blocks.len());
+            let degrees = libm::atan2(u.y, u.x).to_degrees();
+            let angle = Angle::of(self.stated(Name::new("φ", &self.label(body)), degrees, Unit::Angle));
+            self.bodies[body] =
+                Some(Body { reference: Vec2::zero(), angle, rates: [Expr::ZERO, Expr::ZERO] });
         }
     }
 
@@ -118,12 +209,15 @@ impl Course<'_> {
         let slot = contact.follower.index();
         let moved = *self.moved(slot);
         if turns {
-            let against = lifts_clockwise(step);
             let value = [moved.omega, moved.alpha][order];
             let name = Name::new(["ω", "α"][order], &self.label(slot));
             let unit = [Unit::AngularVelocity, Unit::AngularAcceleration][order];
-            let found = self.equate(name, value, unit, if against { -right } else { right });
+            let frame = self.rate_of_body(contact.frame.index(), order);
+            let right = if lifts_clockwise(step) { frame - right } else { frame + right };
+            let found = self.equate(name, value, unit, right);
             self.set_rate(slot, order, found);
+        } else if contact.frame.index() != 0 {
+            self.slid_on_frame(order, step, right);
         } else {
             let direction = self.direction_given(contact.towards, || Name::new("λ", &self.label(slot)));
             let point = self.point_name(slot, contact.point);
@@ -137,6 +231,29 @@ impl Course<'_> {
         self.rates_of_blocks(order, index, slot);
     }
 
+    /// A follower that slides on a frame which moves: relative motion, what is under it, and Coriolis.
+    fn slid_on_frame(&mut self, order: usize, step: &CamStep, right: Expr) {
+        let contact = &step.contact;
+        let (frame, slot) = (contact.frame.index(), contact.follower.index());
+        let slide = Slide {
+            base: frame,
+            origin: contact.frame_centre,
+            along: contact.towards,
+            body: slot,
+            point: contact.point,
+            direction: contact.direction,
+            turn: contact.towards.turned_back(contact.direction),
+            radius: 0.0,
+            sense: 1.0,
+        };
+        let value = self.rpr_sliding(order + 1, &slide, contact.point);
+        let name = self.sliding_name(["v", "a"][order], &slide, contact.point);
+        let unit = [Unit::Velocity, Unit::Acceleration][order];
+        let found = self.equate(name, value, unit, right);
+        self.set_slider_rate(&slide, order);
+        self.slid(order + 1, &slide, contact.point, &found);
+    }
+
     /// What turns with the contact, only where something needs it.
     pub(super) fn rates_of_blocks(&mut self, order: usize, index: usize, link: usize) {
         for body in self.structure().motion[index].bodies.iter().map(|b| b.0).filter(|b| *b != link) {
@@ -148,6 +265,13 @@ impl Course<'_> {
             let found = self.stated(name, value, unit);
             self.set_rate(body, order, found);
         }
+    }
+}
+
+impl CamLaw {
+    /// The lift in the unit of equations.
+    pub(super) fn lifted(&self) -> (f64, Unit) {
+        if self.turns { (self.values[0].to_degrees(), Unit::Angle) } else { (self.values[0], Unit::Length) }
     }
 }
 

@@ -87,7 +87,7 @@ impl Course<'_> {
         }
         let count = vec![text(unknowns.len().to_string())];
         let mut blocks = vec![Block::Paragraph(say(self.language, Message::RatesTogether, &[count]))];
-        blocks.extend(system.table(&equations).map(Block::Table));
+        blocks.push(Block::Table(system.table(&equations)));
         blocks.push(Block::Paragraph(say(self.language, Message::SolutionIs, &[])));
         self.insert(before, blocks);
     }

@@ -10,15 +10,12 @@ use assur_math::math::Vec2;
 use assur_position::plan::{Anchor, GenevaStep, Slide};
 
 impl Course<'_> {
-    /// A wheel on the ground. Whether it is such a one.
-    pub(super) fn geneva(&mut self, stage: Stage, branch: usize, step: &GenevaStep) -> bool {
+    /// A wheel with slots.
+    pub(super) fn geneva(&mut self, stage: Stage, branch: usize, step: &GenevaStep) {
         let pair = &step.pair;
-        if pair.frame.index() != 0 {
-            return false;
-        }
         if !self.state().is_in_slot(step) {
             self.held_wheel(stage, step);
-            return true;
+            return;
         }
         let wheel = pair.wheel.index();
         let bases = [
@@ -39,32 +36,48 @@ impl Course<'_> {
             sense: 1.0,
         };
         self.rpr(stage, branch, &bases, [Some(pair.hub), None], &slide);
-        true
     }
 
-    /// A wheel that rests while the pin is out of its slots.
+    /// A wheel that does not turn against its frame while the pin is out of its slots.
     fn held_wheel(&mut self, stage: Stage, step: &GenevaStep) {
-        let wheel = step.pair.wheel.index();
+        let (wheel, frame) = (step.pair.wheel.index(), step.pair.frame.index());
         let label = self.label(wheel);
         let order = match stage {
             Stage::Positions => {
-                let u = self.moved(wheel).u;
-                let phi = Name::new("φ", &label);
-                self.say(Message::HeldByArc, &[vec![text(label)], of(&phi)]);
-                let degrees = libm::atan2(u.y, u.x).to_degrees();
-                let angle = Angle::of(self.stated(phi, degrees, Unit::Angle));
-                let rates = [Expr::ZERO, Expr::ZERO];
-                self.bodies[wheel] = Some(Body { reference: step.pair.hub, angle, rates });
+                self.held_at(step);
                 self.block_of_arc(step);
                 return;
             }
             Stage::Velocities => 0,
             Stage::Accelerations => 1,
         };
-        self.say(Message::Rests, &[vec![text(label)]]);
-        for body in [wheel, step.block] {
-            self.set_rate(body, order, Expr::ZERO);
+        if frame == 0 {
+            self.say(Message::Rests, &[vec![text(label)]]);
+        } else {
+            self.say(Message::TurnsWith, &[label, self.label(frame)].map(|l| vec![text(l)]));
         }
+        for body in [wheel, step.block] {
+            let rate = self.rate_of_body(frame, order);
+            self.set_rate(body, order, rate);
+        }
+    }
+
+    /// The angle at which the arc holds a wheel in its frame.
+    fn held_at(&mut self, step: &GenevaStep) {
+        let (wheel, frame) = (step.pair.wheel.index(), step.pair.frame.index());
+        let label = self.label(wheel);
+        let phi = Name::new("φ", &label);
+        let u = self.moved(wheel).u.turned_back(self.moved(frame).u);
+        let degrees = libm::atan2(u.y, u.x).to_degrees();
+        let held = if frame == 0 { phi.clone() } else { phi.and(&format!(",{}", self.label(frame))) };
+        self.say(Message::HeldByArc, &[vec![text(label)], of(&held)]);
+        let own = self.stated(held, degrees, Unit::Angle);
+        let angle = match self.bodies[frame].as_ref().filter(|_| frame != 0).map(|b| b.angle.whole()) {
+            Some(base) => self.angle_sum(phi, base + own),
+            None => own,
+        };
+        let rates = [Expr::ZERO, Expr::ZERO];
+        self.bodies[wheel] = Some(Body { reference: step.pair.hub, angle: Angle::of(angle), rates });
     }
 
     /// What stands for the arc: it points along the line of centres.

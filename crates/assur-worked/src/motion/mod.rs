@@ -5,8 +5,11 @@ mod cam_turned;
 mod closure;
 mod cylinder;
 mod driven;
+mod general;
 mod geneva;
 mod guide;
+mod legs;
+mod lift;
 mod prp;
 mod rpp;
 mod rpr;
@@ -16,6 +19,7 @@ mod stated;
 mod train;
 mod translation;
 mod triangle;
+mod whole;
 mod willis;
 
 use crate::course::Course;
@@ -101,20 +105,22 @@ impl Course<'_> {
                 self.translation(stage, slides);
             }
             MotionStep::Train { train, .. } => self.train(stage, index, *train),
-            MotionStep::Cam { cam, .. }
-                if self.cam(stage, index, &self.scene.model.plan.cams[*cam].clone()) => {}
-            MotionStep::CamTurned { cam, .. }
-                if self.cam_turned(stage, index, &self.scene.model.plan.cams[*cam].clone()) => {}
-            MotionStep::Geneva { branch, geneva }
-                if self.geneva(stage, *branch, &self.scene.model.plan.genevas[*geneva]) => {}
+            MotionStep::Cam { cam, .. } => {
+                self.cam(stage, index, &self.scene.model.plan.cams[*cam]);
+            }
+            MotionStep::CamTurned { cam, .. } => {
+                self.cam_turned(stage, index, &self.scene.model.plan.cams[*cam]);
+            }
+            MotionStep::Geneva { branch, geneva } => {
+                self.geneva(stage, *branch, &self.scene.model.plan.genevas[*geneva]);
+            }
             MotionStep::DrivenRrr { legs, .. } if stage == Stage::Positions && self.on_cylinder(legs) => {}
+            MotionStep::Triad { .. } | MotionStep::General { .. }
+                if stage == Stage::Positions && self.whole(index, step) => {}
             MotionStep::DrivenRrr { .. }
             | MotionStep::DrivenRrp { .. }
             | MotionStep::Translation { .. }
             | MotionStep::Triad { .. }
-            | MotionStep::Cam { .. }
-            | MotionStep::CamTurned { .. }
-            | MotionStep::Geneva { .. }
             | MotionStep::General { .. } => {
                 self.closing(stage, index);
                 return false;

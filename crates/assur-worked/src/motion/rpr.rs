@@ -122,7 +122,7 @@ impl Course<'_> {
     }
 
     /// What the state says of the speed, or the acceleration, along the guide.
-    fn rpr_sliding(&self, order: usize, slide: &Slide, at: Vec2) -> f64 {
+    pub(super) fn rpr_sliding(&self, order: usize, slide: &Slide, at: Vec2) -> f64 {
         let (base, body) = (self.moved(slide.base), self.moved(slide.body));
         let d = slide.along.turned(base.u);
         let r = body.position(at) - base.p;

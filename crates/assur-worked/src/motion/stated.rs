@@ -45,7 +45,7 @@ impl Course<'_> {
     }
 
     /// A hinge of a body, of those that others know where there are some.
-    fn some_point(&self, body: usize) -> Vec2 {
+    pub(super) fn some_point(&self, body: usize) -> Vec2 {
         let hinges = self.structure().replaced.joints.iter().filter_map(|joint| match &joint.kind {
             JointKind::Revolute(members) => {
                 let own = members.iter().find(|(b, _)| b.0 == body)?.1;

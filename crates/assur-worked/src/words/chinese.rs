@@ -77,6 +77,21 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::TurnsClockwise => "构件 {0} 顺时针转动（{1} < 0）。",
         Message::DoesNotTurn => "构件 {0} 在此瞬时不转动。",
         Message::MotionStated => "本杆组（{0}）各构件同时封闭，不能逐个求出。求解器得到的位置：",
+        Message::AllTogether => {
+            "本杆组（{0}）各构件同时封闭，不能逐个求出：{1} 个方程，未知量为各构件原点坐标 x、y 和方向 φ。求解器用牛顿法求解。"
+        }
+        Message::ThreeLegs => {
+            "构件 {0} 的三条支链同时封闭：三个方程，未知量为点 {1}（铰链 {2} 的中点）的坐标和构件方向。求解器用牛顿法求解。"
+        }
+        Message::NewtonSearched => "迭代从搜索全部装配形式的一个初值开始，各步的最大值：",
+        Message::NewtonFollowed => "迭代从运动中稍前的位置开始，{0}，各步的最大值：",
+        Message::NewtonLeft => "方程余量，m 或 rad",
+        Message::NewtonShift => "构件移动，m",
+        Message::NewtonTurn => "构件转动，°",
+        Message::NewtonMatrix => {
+            "第 {0} 步（改变量大于舍入误差的最后一步）的线性方程组，角度以 rad 计。每行为一个方程：对各未知量的导数，右端为余量的相反数："
+        }
+        Message::NewtonSolution => "其解 δ 修正第 {0} 步后的值（以该步数为下标）：",
         Message::ForcesStated => "本版本只给出该杆组（{0}）的力的结果，不作推导：",
         Message::NotAccurateHere => "该解析式在此位置失去精度，直接给出求解器的值：",
         Message::InertiaArm => "惯性力与惯性力偶合成为一个力 {0}，它到 {1} 的距离为：",
@@ -136,7 +151,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Position => "位置",
         Message::TogetherForces => "各方程代入这些值（余量）：",
         Message::EquilibriumOf => "构件 {0}：",
-        Message::Closes => "杆组的每个铰链代入这些值后封闭（Δ 为余量）：",
+        Message::Closes => "杆组的每个运动副代入这些值后封闭（Δ 为余量）：",
         Message::AskedFor => "题目所求的点：",
         Message::NoForces => "题目没有要求力，或力不能确定。",
         Message::SeeScheme => "点和方向见 {0}。",
@@ -246,8 +261,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CamTurnedBy => {
             "凸轮 {0} 处于运动规律给出从动件升程 {2} 的位置；{1} 为自其 x 轴指向从动件起转过的角："
         }
-        Message::LiftBegins => "升程起点处从动件到凸轮中心的距离为 {0}：",
+        Message::LiftBegins => "升程起点处从动件到凸轮中心的距离为 {0}。",
         Message::HeldByArc => "拨销不在任何槽内，锁止弧将槽轮 {0} 固定在 {1}：",
+        Message::TurnsWith => "构件 {0} 相对构件 {1} 不转动。",
         Message::Rests => "构件 {0} 静止。",
         // motions under loads
         Message::Run => "载荷作用下的运动",

@@ -85,6 +85,27 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::MotionStated => {
             "The links of this group ({0}) close together and not one after another. Their positions as the solver found them:"
         }
+        Message::AllTogether => {
+            "The links of this group ({0}) close together and not one after another: {1} equations for as many unknowns, which are the place x, y of the origin and the direction φ of every link. The solver finds them by Newton’s method."
+        }
+        Message::ThreeLegs => {
+            "The three legs of link {0} close together: three equations for the place of {1}, the mean of the pins {2}, and for the direction of the link. The solver finds them by Newton’s method."
+        }
+        Message::NewtonSearched => {
+            "It begins at one of the starts from which all assemblies are searched for; greatest amounts in every step:"
+        }
+        Message::NewtonFollowed => {
+            "It begins where the group stands a little earlier in the motion, at {0}; greatest amounts in every step:"
+        }
+        Message::NewtonLeft => "left of the equations, m or rad",
+        Message::NewtonShift => "shift of a link, m",
+        Message::NewtonTurn => "turn of a link, °",
+        Message::NewtonMatrix => {
+            "The linear equations of step {0}, the last that changes more than rounding, angles in rad. Each row is one equation: its derivatives by the unknowns, and on the right side what is left of it, with the opposite sign:"
+        }
+        Message::NewtonSolution => {
+            "Their solution δ corrects the values after step {0}, which have this number as their index:"
+        }
         Message::ForcesStated => "The forces of this group ({0}) are stated, not derived, in this version:",
         Message::NotAccurateHere => {
             "The closed form loses its digits at this position; the value of the solver:"
@@ -170,7 +191,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Position => "Position",
         Message::TogetherForces => "Every equation with these values (what is left of it):",
         Message::EquilibriumOf => "Link {0}:",
-        Message::Closes => "Every hinge of the group closes with these values (Δ is what is left):",
+        Message::Closes => "Every pair of the group closes with these values (Δ is what is left):",
         Message::AskedFor => "Points that the file asks for:",
         Message::NoForces => "The file asks for no forces, or none are determined.",
         Message::SeeScheme => "Points and directions are those of {0}.",
@@ -305,9 +326,10 @@ pub(super) const fn template(message: Message) -> &'static str {
             "Cam {0} is where its law has the lift {2} of the follower; {1} is the angle by which the cam has turned from where its x axis points to the follower:"
         }
         Message::LiftBegins => {
-            "The lift begins where the follower is at the distance {0} from the cam’s centre:"
+            "The lift begins where the follower is at the distance {0} from the cam’s centre."
         }
         Message::HeldByArc => "The pin is in no slot; the locking arc holds wheel {0} at {1}:",
+        Message::TurnsWith => "Link {0} does not turn against link {1}.",
         Message::Rests => "Link {0} rests.",
         // motions under loads
         Message::Run => "Motion under the loads",

@@ -139,6 +139,24 @@ pub enum Message {
     DoesNotTurn,
     /// Motion is stated; 0: kind.
     MotionStated,
+    /// A group that is solved as a whole; 0: kind, 1: how many equations.
+    AllTogether,
+    /// A link on three legs; 0: it, 1: the mean of its pins, 2: the pins.
+    ThreeLegs,
+    /// An iteration that begins at a start of the search.
+    NewtonSearched,
+    /// An iteration that begins at the place before; 0: the drives there.
+    NewtonFollowed,
+    /// Header: what is left of the equations.
+    NewtonLeft,
+    /// Header: how far a step goes.
+    NewtonShift,
+    /// Header: how far a step turns.
+    NewtonTurn,
+    /// The equations of the last step that matters; 0: it.
+    NewtonMatrix,
+    /// The unknowns corrected; 0: steps before the last.
+    NewtonSolution,
     /// Forces are stated; 0: kind.
     ForcesStated,
     /// A form loses its digits here.
@@ -393,6 +411,8 @@ pub enum Message {
     LiftBegins,
     /// A Geneva wheel between two engagements; 0: wheel, 1: angle.
     HeldByArc,
+    /// A link that turns with another; 0: it, 1: the other.
+    TurnsWith,
     /// A link that rests; 0: it.
     Rests,
     /// Heading: a motion under loads.

@@ -53,25 +53,63 @@ pub fn assemblies_near(
     if is_never_regular(group, poses) {
         return found;
     }
-    let near = meant.and_then(|meant| {
-        let mut trial = poses.to_vec();
-        trial[..group.moving].copy_from_slice(&meant.poses);
-        closed(group, trial)
-    });
+    let near = meant.and_then(|meant| closed(group, meant_start(group, poses, meant)));
     let alone = group.moving > FEW_BODIES && near.is_some() && meant.is_some_and(|meant| meant.whole);
-    let (centre, reach) = surroundings(group, poses);
+    let around = surroundings(group, poses);
     for start in 0..if alone { 0 } else { starts } {
-        let mut trial = poses.to_vec();
-        if start > 0 {
-            for (body, pose) in trial[..group.moving].iter_mut().enumerate() {
-                *pose = scattered(start, body, centre, reach);
-            }
-        }
-        let one = closed(group, trial);
+        let one = closed(group, started(group, poses, start, around));
         enter(group, &mut found, one);
     }
     enter(group, &mut found, near);
     found
+}
+
+/// The first start of the search of [`assemblies_near`] that leads to an assembly: poses of the group's own bodies.
+#[must_use]
+pub fn start_of(
+    group: &mut General,
+    poses: &[Pose],
+    starts: usize,
+    meant: Option<&Meant>,
+    assembly: &[Pose],
+) -> Option<Vec<Pose>> {
+    let around = surroundings(group, poses);
+    let leads = |group: &mut General, trial: &[Pose]| {
+        let end = closed(group, trial.to_vec());
+        end.is_some_and(|end| distance(assembly, &end, group.length) < DISTINCT)
+    };
+    let near = meant.map(|meant| meant_start(group, poses, meant));
+    let near = near.filter(|near| leads(group, near));
+    let alone = group.moving > FEW_BODIES && near.is_some() && meant.is_some_and(|meant| meant.whole);
+    for start in 0..if alone { 0 } else { starts } {
+        let mut trial = started(group, poses, start, around);
+        if leads(group, &trial) {
+            trial.truncate(group.moving);
+            return Some(trial);
+        }
+    }
+    near.map(|mut near| {
+        near.truncate(group.moving);
+        near
+    })
+}
+
+/// The poses of a start: as they stand, then scattered.
+fn started(group: &General, poses: &[Pose], start: usize, (centre, reach): (Vec2, f64)) -> Vec<Pose> {
+    let mut trial = poses.to_vec();
+    if start > 0 {
+        for (body, pose) in trial[..group.moving].iter_mut().enumerate() {
+            *pose = scattered(start, body, centre, reach);
+        }
+    }
+    trial
+}
+
+/// The poses of all bodies with the group's own as they are meant.
+fn meant_start(group: &General, poses: &[Pose], meant: &Meant) -> Vec<Pose> {
+    let mut trial = poses.to_vec();
+    trial[..group.moving].copy_from_slice(&meant.poses);
+    trial
 }
 
 /// Where Newton's method leads from a start, if it closes there.

@@ -2,6 +2,7 @@
 
 use super::constraint::Row;
 use super::{Constraint, Gearing, Pose};
+use crate::group::{NewtonStep, Watch};
 use crate::math::{Dense, Vec2};
 
 /// Greatest number of steps.
@@ -112,12 +113,25 @@ impl General {
     /// # Errors
     /// [`Failure::NotClosed`], [`Failure::Singular`]; `poses` are then as they were.
     pub fn position(&mut self, poses: &mut [Pose], small: f64) -> Result<f64, Failure> {
+        self.position_seen(poses, small, &mut ())
+    }
+
+    /// As [`General::position`], with its steps seen.
+    /// # Errors
+    /// As [`General::position`].
+    pub fn position_seen(
+        &mut self,
+        poses: &mut [Pose],
+        small: f64,
+        seen: &mut impl Watch,
+    ) -> Result<f64, Failure> {
         let (mut now, mut next) = (std::mem::take(&mut self.now), std::mem::take(&mut self.next));
         for buffer in [&mut now, &mut next] {
             buffer.clear();
             buffer.extend_from_slice(poses);
         }
-        let outcome = self.iterate(&mut now, &mut next, small);
+        seen.begin();
+        let outcome = self.iterate(&mut now, &mut next, small, seen);
         if outcome.is_ok() {
             poses[..self.moving].copy_from_slice(&now[..self.moving]);
         }
@@ -126,13 +140,20 @@ impl General {
     }
 
     /// The iteration from `now`, which holds the answer on success.
-    fn iterate(&mut self, now: &mut [Pose], next: &mut [Pose], small: f64) -> Result<f64, Failure> {
+    fn iterate(
+        &mut self,
+        now: &mut [Pose],
+        next: &mut [Pose],
+        small: f64,
+        seen: &mut impl Watch,
+    ) -> Result<f64, Failure> {
         let mut error = self.residual(now);
         let mut last = f64::INFINITY;
         for _ in 0..STEPS {
             let rounding = 8.0 * f64::EPSILON * self.size(now);
             // the rows are those of `now`: its residual was the last that was asked for
             let regular = self.linearise(now);
+            seen.step(|| self.seen(now));
             if regular {
                 self.step.copy_from_slice(&self.residuals);
                 self.jacobian.solve(&mut self.step);
@@ -153,6 +174,21 @@ impl General {
             }
         }
         Err(self.open(now))
+    }
+
+    /// The equations of a step in m and rad.
+    fn seen(&self, now: &[Pose]) -> NewtonStep {
+        let weights = self.rows.iter().map(|row| row.weight(self.length));
+        let weights: Vec<f64> = weights.chain(self.laws.iter().map(Gearing::weight)).collect();
+        let line = |(i, weight): (usize, &f64)| {
+            let entries = self.jacobian.row(i).iter().enumerate();
+            entries.map(|(j, x)| if j % 3 == 2 { x * self.length / weight } else { x / weight }).collect()
+        };
+        NewtonStep {
+            poses: now[..self.moving].to_vec(),
+            residuals: self.residuals.iter().zip(&weights).map(|(x, weight)| x / weight).collect(),
+            jacobian: weights.iter().enumerate().map(line).collect(),
+        }
     }
 
     /// Whether a step is no more than rounding makes of it: ε/σ.

@@ -48,7 +48,7 @@ pub fn modes(plate: &Plate, ends: &[End; 3]) -> Vec<Followed> {
     for z in sextic.roots() {
         for sign in [1.0, -1.0] {
             let start = sextic.pose(plate, z, sign);
-            let Some(mode) = plate.uncertified(ends, &start) else { continue };
+            let Some(mode) = plate.uncertified(ends, &start, &mut ()) else { continue };
             let same = |other: &Followed| {
                 let close = if mode.h <= 0.5 && other.h <= 0.5 { SAME } else { SAME.sqrt() };
                 plate.apart(&mode.pose, &other.pose) <= close * plate.length
@@ -60,6 +60,18 @@ pub fn modes(plate: &Plate, ends: &[End; 3]) -> Vec<Followed> {
     }
     found.sort_by(|a, b| a.pose.u.angle().total_cmp(&b.pose.u.angle()));
     found
+}
+
+/// The first start of the search of [`modes`] that leads to a pose.
+#[must_use]
+pub fn start_of(plate: &Plate, ends: &[End; 3], pose: &Pose) -> Option<Pose> {
+    let sextic = Sextic::new(plate, ends)?;
+    let starts = sextic.roots().into_iter().flat_map(|z| [1.0, -1.0].map(|sign| sextic.pose(plate, z, sign)));
+    let leads = |start: &Pose| {
+        let end = plate.uncertified(ends, start, &mut ());
+        end.is_some_and(|end| plate.apart(&end.pose, pose) <= SAME.sqrt() * plate.length)
+    };
+    starts.into_iter().find(leads)
 }
 
 /// w = c z − e and h = k + g·z of one leg.

@@ -30,6 +30,7 @@
 
 use super::Triad;
 use crate::group::general::Pose;
+use crate::group::{NewtonStep, Watch};
 use crate::math::Vec2;
 
 /// A part of the way below this is a dead position.
@@ -178,6 +179,16 @@ impl Plate {
         Local { residual, step, eta, beta: group.inverse_norm(), lambda: lambda.sqrt(), within }
     }
 
+    /// The equations of a step in m and rad.
+    fn seen(&self, ends: &[End; 3], pose: &Pose, local: &Local) -> NewtonStep {
+        let (d, arms) = self.directions(ends, pose);
+        NewtonStep {
+            poses: vec![*pose],
+            residuals: local.residual.to_vec(),
+            jacobian: (0..3).map(|i| vec![d[i].x, d[i].y, arms[i].cross(d[i])]).collect(),
+        }
+    }
+
     /// Whether the theorem holds all the way.
     #[inline(always)]
     fn leads(&self, from: &[End; 3], to: &[End; 3], local: &Local) -> bool {
@@ -215,10 +226,18 @@ impl Plate {
 
     /// Newton's method where it is certified that it leads to the position to which the motion leads.
     #[inline(always)]
-    fn certified(&self, from: &[End; 3], to: &[End; 3], start: &Pose, small: f64) -> Option<Followed> {
+    fn certified(
+        &self,
+        (from, to): (&[End; 3], &[End; 3]),
+        start: &Pose,
+        small: f64,
+        seen: &mut impl Watch,
+    ) -> Option<Followed> {
+        seen.begin();
         let (mut pose, rounding) = (*start, small.max(ROUNDING) * self.size(to, start));
         for k in 0..STEPS {
             let local = self.local(to, &pose);
+            seen.step(|| self.seen(to, &pose, &local));
             if k == 0 && !self.leads(from, to, &local) {
                 return None;
             }
@@ -235,10 +254,13 @@ impl Plate {
     }
 
     /// Newton's method from any pose, by steps of half the plate's length at the most; not certified.
-    pub(super) fn uncertified(&self, ends: &[End; 3], start: &Pose) -> Option<Followed> {
+    #[must_use]
+    pub fn uncertified(&self, ends: &[End; 3], start: &Pose, seen: &mut impl Watch) -> Option<Followed> {
+        seen.begin();
         let mut pose = *start;
         for _ in 0..MANY_STEPS {
             let local = self.local(ends, &pose);
+            seen.step(|| self.seen(ends, &pose, &local));
             if let Some(found) = self.closed(ends, &pose, &local) {
                 return Some(found);
             }
@@ -271,14 +293,33 @@ impl Plate {
     #[inline]
     #[must_use]
     pub fn follow(&self, from: &[End; 3], to: &[End; 3], pose: &Pose, small: f64) -> Option<Followed> {
-        match self.certified(from, to, pose, small) {
+        self.follow_seen((from, to), pose, small, &mut ())
+    }
+
+    /// As [`Plate::follow`], with the steps of its last part seen.
+    #[inline]
+    #[must_use]
+    pub fn follow_seen(
+        &self,
+        (from, to): (&[End; 3], &[End; 3]),
+        pose: &Pose,
+        small: f64,
+        seen: &mut impl Watch,
+    ) -> Option<Followed> {
+        match self.certified((from, to), pose, small, seen) {
             Some(found) => Some(found),
-            None => self.in_parts(from, to, pose, small),
+            None => self.in_parts((from, to), pose, small, seen),
         }
     }
 
     #[cold]
-    fn in_parts(&self, from: &[End; 3], to: &[End; 3], start: &Pose, small: f64) -> Option<Followed> {
+    fn in_parts(
+        &self,
+        (from, to): (&[End; 3], &[End; 3]),
+        start: &Pose,
+        small: f64,
+        seen: &mut impl Watch,
+    ) -> Option<Followed> {
         // where nothing moves, near a dead position, the pose stays
         if let Some(found) = self.closed(to, start, &self.local(to, start)) {
             return Some(found);
@@ -289,7 +330,7 @@ impl Plate {
         let (mut done, mut part, mut certified) = (0.0, 0.5, true);
         let (mut pose, mut before) = (*start, None);
         loop {
-            if let Some(found) = self.certified(&at(done), &at(done + part), &pose, small) {
+            if let Some(found) = self.certified((&at(done), &at(done + part)), &pose, small, seen) {
                 before = Some((pose, part));
                 (pose, done) = (found.pose, done + part);
                 if done >= 1.0 {
@@ -301,7 +342,7 @@ impl Plate {
             part *= 0.5;
             if part < LEAST {
                 let (last, length) = before?;
-                let (beyond, next) = self.leap(&at, (last, length), (pose, done))?;
+                let (beyond, next) = self.leap(&at, (last, length), (pose, done), seen)?;
                 before = Some((pose, next - done));
                 (pose, done, certified) = (beyond.pose, next, false);
                 if done >= 1.0 {
@@ -318,6 +359,7 @@ impl Plate {
         at: &impl Fn(f64) -> [End; 3],
         (last, length): (Pose, f64),
         (pose, done): (Pose, f64),
+        seen: &mut impl Watch,
     ) -> Option<(Followed, f64)> {
         let (shift, turn) = ((pose.p - last.p) / length, last.u.cross(pose.u) / length);
         let mut part = 16.0 * LEAST;
@@ -325,7 +367,7 @@ impl Plate {
             let next = (done + part).min(1.0);
             let way = next - done;
             let predicted = pose.moved(shift * way, turn * way);
-            if let Some(found) = self.uncertified(&at(next), &predicted)
+            if let Some(found) = self.uncertified(&at(next), &predicted, seen)
                 && found.h <= 0.5
                 && self.apart(&found.pose, &predicted) <= 0.25 * self.apart(&predicted, &pose)
             {

@@ -1,0 +1,106 @@
+//! The formulas of the laws of cams.
+
+use assur_formula::Expr;
+use assur_math::element::cam::Law;
+
+/// The greatest acceleration of a modified law.
+pub fn greatest_acceleration(law: Law) -> Expr {
+    let int = Expr::Int;
+    if law == Law::ModifiedSine {
+        int(4) * Expr::Pi.squared() / (int(4) + Expr::Pi)
+    } else {
+        int(8) * Expr::Pi / (int(2) + Expr::Pi)
+    }
+}
+
+/// Whether the formulas of a law are those of its first half alone: f(1 − x) = 1 − f(x) gives the second half.
+pub const fn is_of_half(law: Law) -> bool {
+    matches!(law, Law::ModifiedTrapezoid | Law::ModifiedSine)
+}
+
+/// The way h f(x) of a law, and h times its first and second derivative by x, with the law's constants.
+pub fn shape(law: Law, h: &Expr, x: &Expr, place: f64, constants: &[Expr]) -> Option<[Expr; 3]> {
+    let int = Expr::Int;
+    let (h, x) = (|| h.clone(), || x.clone());
+    let square = || x().squared();
+    let rest = || int(1) - x();
+    Some(match law {
+        Law::Uniform => [h() * x(), h(), Expr::ZERO],
+        Law::Parabolic if place < 0.5 => [int(2) * h() * square(), int(4) * h() * x(), int(4) * h()],
+        Law::Parabolic => {
+            [h() * (int(1) - int(2) * rest().squared()), int(4) * h() * rest(), -(int(4) * h())]
+        }
+        Law::Harmonic => {
+            let angle = || Expr::Degrees(180) * x();
+            [
+                h() * (int(1) - angle().cos()) / int(2),
+                h() * Expr::Pi * angle().sin() / int(2),
+                h() * Expr::Pi.squared() * angle().cos() / int(2),
+            ]
+        }
+        Law::Cycloidal => {
+            let angle = || Expr::Degrees(360) * x();
+            [
+                h() * (x() - angle().sin() / (int(2) * Expr::Pi)),
+                h() * (int(1) - angle().cos()),
+                int(2) * Expr::Pi * h() * angle().sin(),
+            ]
+        }
+        Law::Poly345 => {
+            let sum = int(10) - int(15) * x() + int(6) * square();
+            [
+                h() * square() * x() * sum,
+                int(30) * h() * square() * rest().squared(),
+                int(60) * h() * x() * rest() * (int(1) - int(2) * x()),
+            ]
+        }
+        Law::Poly4567 => {
+            let sum = int(35) - int(84) * x() + int(70) * square() - int(20) * square() * x();
+            [
+                h() * square().squared() * sum,
+                int(140) * h() * square() * x() * rest().squared() * rest(),
+                int(420) * h() * square() * rest().squared() * (int(1) - int(2) * x()),
+            ]
+        }
+        Law::ModifiedTrapezoid | Law::ModifiedSine => {
+            let [constant] = constants else { return None };
+            modified(law, &x(), place).map(|part| h() * constant.clone() * part)
+        }
+        Law::Spline(_) => {
+            let [a, b, c] = constants else { return None };
+            [
+                a.clone() * x() + b.clone() * square() + c.clone() * square() * x(),
+                a.clone() + int(2) * b.clone() * x() + int(3) * c.clone() * square(),
+                int(2) * b.clone() + int(6) * c.clone() * x(),
+            ]
+        }
+        Law::Dwell => return None,
+    })
+}
+
+/// f, f′ and f″ of a modified law over its greatest acceleration, in the first half: one sine that is four times as fast, then
+/// constant acceleration or a slower sine, each integrated twice.
+fn modified(law: Law, x: &Expr, place: f64) -> [Expr; 3] {
+    let int = Expr::Int;
+    let x = || x.clone();
+    let fourth = || int(4) * Expr::Pi;
+    let square = || int(16) * Expr::Pi.squared();
+    if place < 0.125 {
+        let angle = || Expr::Degrees(720) * x();
+        let way = x() / fourth() - angle().sin() / square();
+        return [way, (int(1) - angle().cos()) / fourth(), angle().sin()];
+    }
+    if law == Law::ModifiedSine {
+        let angle = || Expr::Degrees(240) * x() + Expr::Degrees(60);
+        let way = x() / fourth() + (int(8) - int(9) * angle().sin()) / square();
+        return [way, (int(1) - int(3) * angle().cos()) / fourth(), angle().sin()];
+    }
+    if place < 0.375 {
+        let from = || x() - int(1) / int(8);
+        let way = x() / fourth() - int(1) / square() + from().squared() / int(2);
+        return [way, int(1) / fourth() + from(), int(1)];
+    }
+    let angle = || Expr::Degrees(720) * x() - Expr::Degrees(270);
+    let way = x() / fourth() + x() / int(4) - int(1) / int(16) - angle().cos() / square();
+    [way, int(1) / fourth() + int(1) / int(4) + angle().sin() / fourth(), angle().cos()]
+}
