@@ -25,24 +25,24 @@ pub(super) enum Side {
     Forces,
 }
 
-/// Groups in the order of solution.
+/// Groups in the order of solution, by the incidence of the efforts.
 pub(super) fn decompose(
     replaced: &Replaced,
     efforts: &[Effort],
+    incidence: &Incidence,
     side: Side,
 ) -> Result<Vec<Group>, Box<Defect>> {
-    let incidence = Incidence::new(replaced, efforts);
     let matching = match_all(&incidence.conditions, &incidence.capacity);
-    let order = order(&incidence, &matching, side);
+    let order = order(incidence, &matching, side);
     let is_complete = matching.is_complete(&incidence.capacity);
-    if !(is_complete && order.iter().all(|vertices| is_determinate(&incidence, &matching, vertices)))
+    if !(is_complete && order.iter().all(|vertices| is_determinate(incidence, &matching, vertices)))
         && let Some(defect) = incidence.defect(replaced)
     {
         return Err(Box::new(defect));
     }
     let members = Members::new(replaced, &order, side);
     let mut joints = members.joints(replaced);
-    let mut inside = inside(replaced, &incidence, &matching, &order);
+    let mut inside = inside(replaced, incidence, &matching, &order);
     let groups = (0..order.len()).filter_map(|rank| {
         let bodies = members.bodies(rank)?;
         let (joints, inside) = (std::mem::take(&mut joints[rank]), std::mem::take(&mut inside[rank]));

@@ -10,15 +10,15 @@ use crate::model::{LinkId, PairId};
 use crate::source::Span;
 
 /// Links that pairs hold to the ground whatever the drives do. A mechanism without a drive is a structure: there all of them
-/// are meant to be held.
-pub(super) fn immobile(trial: Trial<'_>) -> Option<StructureError> {
+/// are meant to be held. `driven` is the incidence of its drives.
+pub(super) fn immobile(trial: Trial<'_>, driven: &Incidence) -> Option<StructureError> {
     let replaced = trial.replaced;
     // an outer link is known, and moves
     let is_outer = |(i, b): (usize, &Body)| b.known && BodyId(i) != BodyId::GROUND;
     if trial.efforts.is_empty() || replaced.bodies.iter().enumerate().any(is_outer) {
         return None;
     }
-    let still = Incidence::new(replaced, trial.efforts).unmoved();
+    let still = driven.unmoved();
     let held: Vec<LinkId> = links(replaced, &still).collect();
     if held.is_empty() || held.iter().any(|l| replaced.passive.contains(l)) {
         return None;

@@ -43,6 +43,7 @@ pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, R
 pub use result::Structure;
 
 use crate::model::Mechanism;
+use incidence::Incidence;
 use trial::Trial;
 
 /// Finds the structure of a mechanism.
@@ -60,21 +61,24 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
         return Err(errors);
     }
     let count = count::count(mechanism, &replaced, &drives);
-    let motion = match decompose::decompose(&replaced, &drives, decompose::Side::Motion) {
+    let driven = Incidence::new(&replaced, &drives);
+    let motion = match decompose::decompose(&replaced, &drives, &driven, decompose::Side::Motion) {
         Ok(groups) => groups,
         Err(defect) => {
             return Err(vec![diagnose::of_motion(trial, &count, &defect)]);
         }
     };
     let efforts = effort::of_balances(mechanism, &replaced);
-    let (forces, force_defect) = match decompose::decompose(&replaced, &efforts, decompose::Side::Forces) {
-        Ok(groups) => (groups, None),
-        Err(defect) => {
-            let trial = Trial { mechanism, replaced: &replaced, efforts: &efforts };
-            (Vec::new(), Some(diagnose::of_forces(trial, &count, &defect)))
-        }
-    };
-    let immobile = immobile::immobile(trial);
+    let held = Incidence::new(&replaced, &efforts);
+    let (forces, force_defect) =
+        match decompose::decompose(&replaced, &efforts, &held, decompose::Side::Forces) {
+            Ok(groups) => (groups, None),
+            Err(defect) => {
+                let trial = Trial { mechanism, replaced: &replaced, efforts: &efforts };
+                (Vec::new(), Some(diagnose::of_forces(trial, &count, &defect)))
+            }
+        };
+    let immobile = immobile::immobile(trial, &driven);
     let mut structure = Structure {
         passive: replaced.passive.clone(),
         undetermined_couples: replaced.undetermined_couples(),
