@@ -174,6 +174,8 @@ async function movePreview(page, { name, isPicture }) {
   const before = await crank();
   await frame.locator("#s").evaluate((slider) => { slider.value = slider.max / 4; slider.oninput({ target: slider }); });
   assert.notEqual(await crank(), before, "the slider moves the crank");
+  // the cursor is at the rod
+  await frame.locator('g.link.marked[data-name="rod"]').first().waitFor({ state: "attached" });
   if (process.env.PICTURES) await page.screenshot({ path: join(process.env.PICTURES, `vscode-preview-${name}.png`) });
   await page.keyboard.press("Escape");
   await page.locator(".tab", { hasText: "engine.mech" }).first().click();
