@@ -3,7 +3,7 @@
 #
 #   fuzz/run.sh [INPUTS [SECONDS [TARGET…]]]
 #
-# At most INPUTS inputs (100000) and SECONDS seconds (600) for each target (parse, solve, draw, runs). An input that panics, takes
+# At most INPUTS inputs (100000) and SECONDS seconds (600) for each target (parse, solve, draw, runs, messages). An input that panics, takes
 # longer than 2 s or more than 1 GB ends its target; it stays in fuzz/artifacts. The last lines are the figures.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,7 +12,7 @@ inputs=${1:-100000}
 seconds=${2:-600}
 shift $(($# < 2 ? $# : 2))
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(parse solve draw runs)
+[ ${#targets[@]} -gt 0 ] || targets=(parse solve draw runs messages)
 
 if ! command -v c++ >/dev/null; then
   echo "libFuzzer is written in C++: a compiler is installed" >&2

@@ -99,6 +99,8 @@ async def test_every_request(client):
     assert "472.519" in await client.workspace_execute_command_async(run)
     tokens = await client.text_document_semantic_tokens_full_async(lsp.SemanticTokensParams(text_document=DOCUMENT))
     assert len(tokens.data) % 5 == 0 and list(tokens.data[:5]) == [0, 0, 4, 0, 0]
+    again = lsp.SemanticTokensDeltaParams(text_document=DOCUMENT, previous_result_id=tokens.result_id)
+    assert (await client.text_document_semantic_tokens_full_delta_async(again)).edits == []
     chosen = lsp.SelectionRangeParams(text_document=DOCUMENT, positions=[lsp.Position(6, 20)])
     assert (await client.text_document_selection_range_async(chosen))[0].parent is not None
     found = await client.workspace_symbol_async(lsp.WorkspaceSymbolParams(query="cran"))
@@ -111,7 +113,8 @@ async def test_every_request(client):
     ranged = lsp.DocumentRangeFormattingParams(text_document=DOCUMENT, range=WHOLE, options=FORMATTING)
     assert await client.text_document_range_formatting_async(ranged) == edits
     actions = lsp.CodeActionParams(text_document=DOCUMENT, range=WHOLE, context=lsp.CodeActionContext(diagnostics=[]))
-    assert await client.text_document_code_action_async(actions) is not None
+    titles = [action.title for action in await client.text_document_code_action_async(actions)]
+    assert "add `expect Mb = 472.519 N*m`" in titles, titles
     change = lsp.TextDocumentContentChangeWholeDocument(text=ENGINE.replace("link crank", "lnk crank"))
     version = lsp.VersionedTextDocumentIdentifier(uri=URI, version=2)
     client.text_document_did_change(lsp.DidChangeTextDocumentParams(version, [change]))

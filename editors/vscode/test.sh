@@ -5,6 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 npm test --silent
 npm run --silent package >/dev/null
+node test/built-in.mjs
 size=$(stat -c %s mech.vsix)
 [ "$size" -le 1500000 ] || { echo "mech.vsix has $size bytes" >&2; exit 1; }
 

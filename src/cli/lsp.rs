@@ -2,15 +2,15 @@
 
 use std::io::{self, BufRead, IsTerminal, Read, Write};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::preview::Pages;
+use super::preview::{Pages, Told};
 use super::reply::{Status, quiet_panics};
 use super::screen::Screen;
 use crate::lsp::{Server, Stop};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// The most bytes of a message; no text of a mechanism is as long.
 const LONGEST: usize = 64 << 20;
@@ -20,8 +20,8 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// A text that takes longer has no answers in the editor.
 const LONGEST_SOLUTION: Duration = Duration::from_secs(2);
 
-/// A message, or why it is none.
-type Received = Result<Value, String>;
+/// A message, or why it is none; nothing at the end of the stream.
+type Received = Option<Result<Value, String>>;
 
 /// Answers an editor on standard input and output until it says `exit` or closes the stream.
 pub fn run(screen: &Screen) -> Status {
@@ -35,15 +35,24 @@ pub fn run(screen: &Screen) -> Status {
     quiet_panics();
     let (sender, receiver) = channel();
     // ends with the stream, or with the program
+    let to_server = sender.clone();
     thread::spawn(move || {
         let mut input = io::stdin().lock();
         while let Ok(Some(message)) = read(&mut input) {
-            if sender.send(message).is_err() {
-                break;
+            if sender.send(Some(message)).is_err() {
+                return;
             }
         }
+        // nobody is there to hear that nobody listens
+        let _ = sender.send(None);
     });
-    let mut server = Server::with_pages(Box::<Pages>::default());
+    // what a page tells goes the way of messages
+    let told: Told = Arc::new(move |uri: &str, part: f64| {
+        let params = json!({ "uri": uri, "part": part });
+        let message = json!({ "jsonrpc": "2.0", "method": "assur/pose", "params": params });
+        let _ = to_server.send(Some(Ok(message)));
+    });
+    let mut server = Server::with_pages(Box::new(Pages::telling(told)));
     match serve(&mut server, &Inbox::new(receiver)) {
         Ok(()) if server.is_over() && !server.is_closed() => Status::Wrong,
         Ok(()) => Status::Fine,
@@ -78,10 +87,10 @@ impl Inbox {
     }
 
     /// The next message; nothing at the end of the stream.
-    fn next(&self) -> Option<Received> {
+    fn next(&self) -> Received {
         let mut inside = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
         let (receiver, next) = &mut *inside;
-        next.take().or_else(|| receiver.recv().ok())
+        next.take().or_else(|| receiver.recv().ok()).flatten()
     }
 }
 
@@ -109,7 +118,7 @@ fn serve(server: &mut Server, inbox: &Inbox) -> io::Result<()> {
 }
 
 /// The next message; nothing at the end of the stream.
-fn read(input: &mut impl BufRead) -> io::Result<Option<Received>> {
+fn read(input: &mut impl BufRead) -> io::Result<Received> {
     let mut length = None;
     loop {
         let mut line = String::new();

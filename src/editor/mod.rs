@@ -1,6 +1,7 @@
 //! What an editor asks about a text, as plain data: no protocol is known here.
 
 mod about;
+mod changes;
 mod complete;
 mod folds;
 mod hints;
@@ -16,6 +17,7 @@ mod signature;
 mod symbols;
 mod tokens;
 
+pub use changes::{Change, ChangeKind};
 pub use complete::{Completion, CompletionKind};
 pub use folds::folds;
 pub use hints::Hint;

@@ -14,6 +14,7 @@ use assur_text::diagnostic::Problems;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use indexmap::IndexMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Digits of a value.
 const DIGITS: usize = 6;
@@ -34,6 +35,8 @@ pub struct Results {
     /// Its positions; nothing where there is none.
     pub(super) solved: Option<Solved>,
     series: IndexMap<String, Series>,
+    /// The position of which values are shown, by its index; of all where there is no such position.
+    pose: AtomicUsize,
     /// What is wrong with it, failed expectations among it.
     pub problems: Problems,
 }
@@ -90,19 +93,39 @@ impl Results {
         }
         problems.extend(solved.iter().flat_map(|solved| mismatches(&solved.outcomes)));
         let series = solved.as_ref().map(series).unwrap_or_default();
-        Self { solved, series, problems }
+        Self { solved, series, pose: AtomicUsize::new(usize::MAX), problems }
+    }
+
+    /// Shows values of the position at a part of the way, from 0 to 1; of all positions without one.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)] // a part of a count
+    pub fn look_at(&self, part: Option<f64>) {
+        let last = self.solved.as_ref().map_or(0, |solved| views(solved).count().saturating_sub(1));
+        let index = part.map(|part| (part.clamp(0.0, 1.0) * last as f64).round() as usize);
+        self.pose.store(index.unwrap_or(usize::MAX), Ordering::Relaxed);
+    }
+
+    /// A series as it is shown: at the position that is looked at, with its name, or over all.
+    fn shown(&self, series: &Series) -> Option<String> {
+        let index = self.pose.load(Ordering::Relaxed);
+        let at = || {
+            let solved = self.solved.as_ref().filter(|_| series.values.len() > 1)?;
+            let name = &solved.answers(Precision::READABLE).poses().nth(index)?.name;
+            let pose = if name.starts_with(|c: char| c.is_ascii_digit()) { "pose " } else { "" };
+            Some(format!("{} ({pose}{name})", series.display.text((*series.values.get(index)?)?, DIGITS)))
+        };
+        at().or_else(|| series.text())
     }
 
     /// An answer or a definition by its name: its value, or its range over all positions.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<String> {
-        self.series.get(name)?.text()
+        self.shown(self.series.get(name)?)
     }
 
     /// The names of the answers that begin so, each with its value.
     pub fn beginning<'r>(&'r self, with: &'r str) -> impl Iterator<Item = (&'r str, String)> {
         let found = self.series.iter().filter(move |(name, _)| name.starts_with(with));
-        found.filter_map(|(name, series)| Some((name.as_str(), series.text()?)))
+        found.filter_map(|(name, series)| Some((name.as_str(), self.shown(series)?)))
     }
 
     /// What a query gives, or its range over all positions.
@@ -111,7 +134,7 @@ impl Results {
         let solved = self.solved.as_ref()?;
         let display = solved.compiled.mechanism.display_of(dimension);
         let values = views(solved).map(|view| view.map(|view| view.query(query))).collect();
-        Series { display, values }.text()
+        self.shown(&Series { display, values })
     }
 
     /// `✓`, or the answer that an expectation of a statement fails by.

@@ -21,7 +21,7 @@ const STILL: &str = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\
 const MOST: usize = 50;
 
 /// What a page shows of a text.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Shown {
     /// The mechanism as a page of its own, in motion where it can move; none where nothing is solved.
     pub picture: Option<String>,
@@ -94,6 +94,18 @@ impl Analysis {
         let all = symbols(&self.document);
         let parts = all.iter().flat_map(|symbol| &symbol.parts);
         all.iter().chain(parts).map(|symbol| self.declaration(symbol)).collect()
+    }
+
+    /// What of a picture is at a byte: its class and its name; of a point its link.
+    #[must_use]
+    pub fn marked(&self, byte: usize) -> Option<(&'static str, String)> {
+        let found = self.names.declarations(self.names.at(byte)?);
+        let of_kind = |kind, class| {
+            let one = found.iter().find(|d| d.kind == kind)?;
+            Some((class, one.name.clone()))
+        };
+        let owner = || found.iter().find_map(|d| Some(("link", d.owner.clone()?)));
+        of_kind(SymbolKind::Pair, "pair").or_else(|| of_kind(SymbolKind::Link, "link")).or_else(owner)
     }
 
     fn declaration(&self, symbol: &Symbol) -> Declared {

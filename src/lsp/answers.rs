@@ -2,14 +2,16 @@
 
 use super::asked::Asked;
 use super::capabilities::{SOLVE, TEST};
+use super::colours::Sent;
 use super::error::Failure;
 use super::texts::{Texts, params};
 use crate::editor::{folds, symbols};
 use assur_text::source::{Encoding, Lines};
 use gen_lsp_types::{
     CodeActionParams, DocumentRangeFormattingParams, ExecuteCommandParams, InlayHintParams,
-    LspRequestMethod as Method, ReferenceParams, RenameParams, SelectionRangeParams, TextDocumentIdentifier,
-    TextDocumentPositionParams, Uri, WorkspaceSymbolParams,
+    LspRequestMethod as Method, ReferenceParams, RenameParams, SelectionRangeParams,
+    SemanticTokensDeltaParams, TextDocumentIdentifier, TextDocumentPositionParams, Uri,
+    WorkspaceSymbolParams,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -36,6 +38,7 @@ pub fn answer(
     method: &Method<'_>,
     message: &Value,
     texts: &Texts,
+    sent: &Sent,
     encoding: Encoding,
 ) -> Result<Value, Failure> {
     let session = Session { texts, encoding };
@@ -70,7 +73,13 @@ pub fn answer(
         }
         Method::WorkspaceExecuteCommand => session.execute(&params(message)?),
         Method::TextDocumentCodeLens => session.whole(message, |text| text.lenses()),
-        Method::TextDocumentSemanticTokensFull => session.whole(message, |text| text.semantic_tokens()),
+        Method::TextDocumentSemanticTokensFull => {
+            session.whole(message, |text| sent.whole(text.uri, &text.semantic_tokens()))
+        }
+        Method::TextDocumentSemanticTokensFullDelta => {
+            let asked = params::<SemanticTokensDeltaParams>(message)?;
+            session.whole(message, |text| sent.changed(&asked, &text.semantic_tokens()))
+        }
         Method::TextDocumentCompletion => session.at(message, |text, byte| Ok(text.completions(byte))),
         Method::TextDocumentSignatureHelp => session.at(message, |text, byte| Ok(text.signatures(byte))),
         Method::TextDocumentFormatting => {

@@ -2,7 +2,7 @@
 
 use super::convert::{edits, range, span};
 use super::error::Failure;
-use crate::editor::{Analysis, Declaration, Hover, Results, Symbol, SymbolKind};
+use crate::editor::{Analysis, Change, ChangeKind, Declaration, Hover, Results, Symbol, SymbolKind};
 use assur_text::diagnostic::{Fix, Problem};
 use assur_text::source::{Edit, Encoding, Lines, Span};
 use gen_lsp_types::{
@@ -99,6 +99,7 @@ impl Asked<'_> {
         let fixes = self.analysis.fixes_at(at);
         let fixes = fixes.into_iter().map(|(problem, fix)| self.action(problem, &fix));
         let mut actions = fixes.collect::<Vec<_>>();
+        actions.extend(self.analysis.changes_at(at, self.results).iter().map(|change| self.offered(change)));
         let all = self.analysis.certain_edits();
         if !all.is_empty() {
             actions.push(CodeAction {
@@ -120,6 +121,16 @@ impl Asked<'_> {
             edit: Some(self.change(&fix.edits)),
             ..CodeAction::default()
         }
+    }
+
+    fn offered(&self, change: &Change) -> CodeAction {
+        let kind = match change.kind {
+            ChangeKind::Declare => CodeActionKind::QuickFix,
+            ChangeKind::Extract => CodeActionKind::RefactorExtract,
+            ChangeKind::Expect => CodeActionKind::RefactorRewrite,
+        };
+        let edit = Some(self.change(&change.edits));
+        CodeAction { title: change.title.clone(), kind: Some(kind), edit, ..CodeAction::default() }
     }
 
     pub fn change(&self, edits: &[Edit]) -> WorkspaceEdit {

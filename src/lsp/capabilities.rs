@@ -21,7 +21,7 @@ pub fn result(encoding: Encoding) -> Value {
         "capabilities": {
             "positionEncoding": encoding,
             "textDocumentSync": { "openClose": true, "change": INCREMENTAL },
-            "codeActionProvider": { "codeActionKinds": ["quickfix", "source.fixAll"] },
+            "codeActionProvider": { "codeActionKinds": ["quickfix", "refactor.extract", "refactor.rewrite", "source.fixAll"] },
             "codeLensProvider": {},
             "completionProvider": { "triggerCharacters": [".", ":", "(", " "] },
             "definitionProvider": true,
@@ -38,7 +38,7 @@ pub fn result(encoding: Encoding) -> Value {
             "selectionRangeProvider": true,
             "semanticTokensProvider": {
                 "legend": { "tokenTypes": TOKEN_COLOURS, "tokenModifiers": ["declaration"] },
-                "full": true,
+                "full": { "delta": true },
             },
             "signatureHelpProvider": { "triggerCharacters": ["(", ","] },
             "workspaceSymbolProvider": true,
@@ -62,6 +62,11 @@ impl Refreshes {
             params.pointer(&path).and_then(Value::as_bool).unwrap_or_default()
         };
         Self { hints: offers("inlayHint"), lenses: offers("codeLens") }
+    }
+
+    /// The request for hints alone.
+    pub fn hints_again(self) -> Vec<Value> {
+        Self { lenses: false, ..self }.requests()
     }
 
     /// The requests to the client.

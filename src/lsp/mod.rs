@@ -4,6 +4,7 @@
 mod answers;
 mod asked;
 mod capabilities;
+mod colours;
 mod convert;
 mod error;
 mod names;
@@ -15,6 +16,7 @@ mod typing;
 use asked::diagnostics;
 use assur_text::source::Encoding;
 use capabilities::Refreshes;
+use colours::Sent;
 use error::Failure;
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
 pub use preview::{Pages, View};
@@ -41,6 +43,7 @@ pub struct Server {
     stage: Stage,
     encoding: Encoding,
     texts: Texts,
+    sent: Sent,
     refreshes: Refreshes,
     /// Whether the client opens addresses.
     shows_documents: bool,
@@ -55,14 +58,21 @@ impl Server {
         let params = message.get("params").unwrap_or(&Value::Null);
         match (method, message.get("id")) {
             (Some(method), Some(id)) => {
-                let response = self.respond(method, id, params);
+                let response = guarded(|| self.respond(method, id, params));
+                let internal = || Failure::internal();
+                let broken = response.is_none().then(|| log(method, &internal()));
+                let response = response.unwrap_or_else(|| internal().response(Some(id)));
                 let is_command = method == "workspace/executeCommand";
-                // clients do nothing with what a command returns
-                let text = response["result"].as_str().filter(|_| is_command).map(|text| shown(INFO, text));
-                let page = is_command.then(|| self.opened(&response["result"], params)).flatten();
-                [Some(response), text, page].into_iter().flatten().collect()
+                // clients do nothing with what a command returns; who names `false` behind the text does
+                let is_quiet =
+                    params["arguments"].as_array().is_some_and(|all| all.contains(&Value::Bool(false)));
+                let result = (is_command && !is_quiet).then(|| &response["result"]);
+                let text = result.and_then(Value::as_str).map(|text| shown(INFO, text));
+                let page = result.and_then(|result| self.opened(result));
+                [Some(response), text, page, broken].into_iter().flatten().collect()
             }
-            (Some(method), None) => self.notice(method, params),
+            (Some(method), None) => guarded(|| self.notice(method, params))
+                .unwrap_or_else(|| vec![log(method, &Failure::internal())]),
             // the response to a request of ours, of which there are none
             (None, Some(_)) if message.get("result").is_some() || message.get("error").is_some() => {
                 Vec::new()
@@ -134,7 +144,12 @@ impl Server {
                 Some(answer) => answer,
                 None => self.answered(&LspRequestMethod::WorkspaceExecuteCommand, params),
             },
-            (method, Stage::Ready) => self.answered(&method, params),
+            (method, Stage::Ready) => {
+                if method == LspRequestMethod::TextDocumentDocumentHighlight {
+                    self.mark(params);
+                }
+                self.answered(&method, params)
+            }
         };
         match answer {
             Ok(result) => json!({ "jsonrpc": "2.0", "id": id, "result": result }),
@@ -143,8 +158,7 @@ impl Server {
     }
 
     fn answered(&self, method: &LspRequestMethod<'_>, params: &Value) -> Result<Value, Failure> {
-        let asked = || answers::answer(method, params, &self.texts, self.encoding);
-        guarded(asked).unwrap_or_else(|| Err(Failure::internal()))
+        answers::answer(method, params, &self.texts, &self.sent, self.encoding)
     }
 
     fn initialize(&mut self, params: &Value) -> Value {
@@ -173,9 +187,16 @@ impl Server {
                 return match closed {
                     // what was said of it goes with it
                     Ok(uri) => {
+                        self.sent.forget(&uri);
                         let params = json!({ "uri": uri, "diagnostics": [] });
                         vec![notification("textDocument/publishDiagnostics", &params)]
                     }
+                    Err(failure) => vec![log(method, &failure)],
+                };
+            }
+            (LspNotificationMethod::Custom(name), Stage::Ready) if name == POSE => {
+                return match self.texts.look_at(params) {
+                    Ok(()) => self.refreshes.hints_again(),
                     Err(failure) => vec![log(method, &failure)],
                 };
             }
@@ -193,6 +214,9 @@ fn guarded<T>(work: impl FnOnce() -> T) -> Option<T> {
 fn notification(method: &str, params: &Value) -> Value {
     json!({ "jsonrpc": "2.0", "method": method, "params": params })
 }
+
+/// Our own notification: the part of the way, from 0 to 1, at which the author looks at a text; without one, all of it.
+const POSE: &str = "assur/pose";
 
 /// Kinds of messages to the author.
 const ERROR: u32 = 1;

@@ -2,10 +2,12 @@
 
 use super::Server;
 use super::capabilities::PREVIEW;
+use super::convert::span;
 use super::error::Failure;
 use super::texts::params;
 use crate::editor::{GoesOn, Shown};
-use gen_lsp_types::ExecuteCommandParams;
+use assur_text::source::Lines;
+use gen_lsp_types::{ExecuteCommandParams, Range, TextDocumentPositionParams};
 use serde_json::{Value, json};
 use std::fmt::Debug;
 
@@ -14,14 +16,18 @@ pub type View = Box<dyn FnOnce(&GoesOn<'_>) -> Option<Shown> + Send>;
 
 /// Where texts are shown as pages: given by a program that has sockets and threads.
 pub trait Pages: Debug {
-    /// The address of the page of a text, the same whenever it is asked, after the text was closed and opened again too.
+    /// The address of the page of a text, the same whenever it is asked, after the text was closed and opened again too; nothing where
+    /// the client has a panel for it.
     ///
     /// # Errors
-    /// Why there is none, in words.
-    fn address(&mut self, uri: &str) -> Result<String, String>;
+    /// Why there is no page, in words.
+    fn address(&mut self, uri: &str) -> Result<Option<String>, String>;
 
     /// Whether a text has a page.
     fn has(&self, uri: &str) -> bool;
+
+    /// Marks on its page what is at the cursor: its class and its name, as groups of the picture have them.
+    fn mark(&mut self, uri: &str, what: Option<(&'static str, String)>);
 
     /// Shows a text on its page, drawn elsewhere: this returns at once, and a newer view replaces one that waits.
     fn show(&mut self, uri: &str, view: View);
@@ -70,13 +76,20 @@ impl Server {
         }
     }
 
-    /// Asks the client to open an address; of one that cannot, the author reads it. Who names `false` behind the text shows it.
-    pub(super) fn opened(&self, result: &Value, message: &Value) -> Option<Value> {
+    /// Marks what is at the place that a request is about, on the page of its text.
+    pub(super) fn mark(&mut self, message: &Value) {
+        let Ok(at) = params::<TextDocumentPositionParams>(message) else { return };
+        let uri = at.text_document.uri.to_string();
+        let Some(pages) = self.pages.as_mut().filter(|pages| pages.has(&uri)) else { return };
+        let Ok(analysis) = self.texts.look(&uri) else { return };
+        let range = Range { start: at.position, end: at.position };
+        let byte = span(&Lines::of(&analysis.source.text), range, self.encoding);
+        pages.mark(&uri, byte.ok().and_then(|byte| analysis.marked(byte.start)));
+    }
+
+    /// Asks the client to open an address; of one that cannot, the author reads it.
+    pub(super) fn opened(&self, result: &Value) -> Option<Value> {
         let address = result["address"].as_str()?;
-        let is_quiet = message["arguments"].as_array().is_some_and(|all| all.contains(&Value::Bool(false)));
-        if is_quiet {
-            return None;
-        }
         Some(if self.shows_documents {
             let params = json!({ "uri": address, "external": true, "takeFocus": true });
             json!({ "jsonrpc": "2.0", "id": SHOW, "method": SHOW, "params": params })

@@ -40,7 +40,7 @@ impl Asked<'_> {
     }
 
     /// Five numbers each: lines and columns from the one before, length, kind, whether it is declared there.
-    pub fn semantic_tokens(&self) -> Value {
+    pub fn semantic_tokens(&self) -> Vec<u32> {
         let mut data = Vec::new();
         let mut last = Position::default();
         for one in self.analysis.coloured() {
@@ -57,7 +57,7 @@ impl Asked<'_> {
             ]);
             last = start;
         }
-        json!({ "data": data })
+        data
     }
 
     /// For each position the ever larger parts around it, as a chain from the inside.

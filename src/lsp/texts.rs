@@ -10,6 +10,7 @@ use gen_lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
     TextDocumentContentChangeEvent,
 };
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::cell::OnceCell;
@@ -35,6 +36,8 @@ struct Text {
     is_new: bool,
     /// It was settled before: it is solved, or has no answers.
     is_settled: bool,
+    /// The part of the way at which the author looks; it stays while the text changes.
+    part: Option<f64>,
     /// What is found in it, once it is asked for.
     analysis: OnceCell<Arc<Analysis>>,
     /// What it comes to; `None` inside where it has no answers or takes too long.
@@ -48,6 +51,7 @@ impl Text {
             version,
             is_new: true,
             is_settled: false,
+            part: None,
             analysis: OnceCell::new(),
             results: None,
         }
@@ -56,6 +60,13 @@ impl Text {
     fn look(&self) -> &Arc<Analysis> {
         self.analysis.get_or_init(|| Arc::new(Analysis::of(self.source.clone())))
     }
+}
+
+/// Where the author looks at a text.
+#[derive(Deserialize)]
+struct PoseParams {
+    uri: String,
+    part: Option<f64>,
 }
 
 /// Texts by their address.
@@ -80,6 +91,16 @@ impl Texts {
         self.open.get(uri)?.results.as_ref()?.as_deref()
     }
 
+    /// Looks at the part of the way that a message names.
+    pub fn look_at(&mut self, message: &Value) -> Result<(), Failure> {
+        let asked = params::<PoseParams>(message)?;
+        let text = self.open.get_mut(&asked.uri);
+        let text = text.ok_or_else(|| Failure::params(format!("`{}` is not open", asked.uri)))?;
+        text.part = asked.part;
+        text.results.iter().flatten().for_each(|results| results.look_at(asked.part));
+        Ok(())
+    }
+
     /// The addresses of all texts.
     pub fn uris(&self) -> impl Iterator<Item = &str> {
         self.open.keys().map(String::as_str)
@@ -97,6 +118,7 @@ impl Texts {
             if found.is_some() {
                 solved.push((uri.clone(), text.version));
             }
+            found.iter().for_each(|results| results.look_at(text.part));
             text.results = Some(found.map(Arc::new));
         }
         solved
@@ -157,7 +179,8 @@ impl Texts {
                 }
             };
         }
-        let text = Text::new(&uri, text, change.text_document.version);
+        let part = self.get(&uri)?.part;
+        let text = Text { part, ..Text::new(&uri, text, change.text_document.version) };
         self.open.insert(uri, text);
         Ok(())
     }

@@ -8,6 +8,7 @@ mod elsewhere;
 mod file_variants;
 mod fixed;
 mod followed;
+mod modes;
 mod open_sizes;
 mod other_assembly;
 mod quick_rows;
@@ -23,6 +24,7 @@ pub use elsewhere::elsewhere;
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
 pub use fixed::{certain_edits, fixed};
 pub use followed::{Followed, Sink, SizeError, followed, is_long, most_positions};
+pub use modes::assembly_clauses;
 pub use open_sizes::OpenSizeError;
 pub use solved::{
     Solved, solve, solve_conducted, solve_each, solve_source, solve_source_conducted, solve_within,

@@ -108,3 +108,22 @@ fn rights_and_links_stay() {
     assert_eq!((folder.read("in/c.mech").as_str(), rights("in/c.mech")), (WRITTEN, 0o444));
     assert!(std::fs::symlink_metadata(folder.path("link.mech")).expect("a link").is_symlink());
 }
+
+/// A process that may write a kilobyte of a file at most meets the same end as on a disk that is full.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_loses_nothing() {
+    let long = "given   r = 100 mm\n".repeat(2000);
+    let folder = Folder::new("fmt-full").with("a.mech", &long);
+    let script = format!("trap '' XFSZ; ulimit -f 1; exec {} fmt a.mech", env!("CARGO_BIN_EXE_assur"));
+    let out = std::process::Command::new("sh")
+        .args(["-c", &script])
+        .current_dir(folder.path(""))
+        .output()
+        .expect("a shell");
+    let said = String::from_utf8_lossy(&out.stderr);
+    assert_eq!(out.status.code(), Some(2), "{said}");
+    assert!(said.contains("cannot be written") && said.contains("was not changed"), "{said}");
+    assert_eq!(folder.read("a.mech"), long, "the file is as it was");
+    assert_eq!(folder.names(), ["a.mech"], "no temporary file is left");
+}

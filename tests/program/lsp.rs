@@ -44,7 +44,7 @@ pub fn range(from: (u32, u32), to: (u32, u32)) -> Value {
 }
 
 /// A text with edits of the protocol made, columns counted in UTF-16.
-fn applied(text: &str, edits: &Value) -> String {
+pub fn applied(text: &str, edits: &Value) -> String {
     let mut text = text.to_owned();
     for edit in edits.as_array().expect("edits").iter().rev() {
         let byte = |at: &Value| {

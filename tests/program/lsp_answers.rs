@@ -290,3 +290,90 @@ fn parts_of_a_text_are_coloured_and_chosen() {
         found.as_array().expect("symbols").iter().map(|s| (s["name"].clone(), s["containerName"].clone()));
     assert_eq!(names.collect::<Vec<_>>(), [(json!("a"), Value::Null), (json!("A"), json!("a"))]);
 }
+
+/// The text with one of the changes that are offered at a place.
+fn changed(text: &str, line: u32, character: u32, title: &str) -> String {
+    let (mut server, _) = solved(text);
+    let here = range((line, character), (line, character));
+    let actions = ask(&mut server, "codeAction", &json!({ "range": here, "context": { "diagnostics": [] } }));
+    let all = actions.as_array().expect("actions");
+    let one =
+        all.iter().find(|action| action["title"].as_str().is_some_and(|found| found.starts_with(title)));
+    let one = one.unwrap_or_else(|| panic!("{title} in {actions}"));
+    crate::lsp::applied(text, &one["edit"]["changes"][URI])
+}
+
+#[test]
+fn a_name_is_declared_a_number_named_an_answer_kept() {
+    let without = ENGINE.replace("given n = 1500 rpm\n", "");
+    assert!(
+        changed(&without, 12, 24, "declare `given n")
+            .contains("given n = 1500 rpm\ndrive crank = 45 deg at n\n")
+    );
+    let without = ENGINE.replace("link crank A-B r\n", "");
+    let declared = changed(&without, 8, 22, "declare `link crank");
+    assert!(
+        declared.contains("link crank { A (0, 0); B (100 mm, 0) }\nrevolute A: ground - crank\n"),
+        "{declared}"
+    );
+    let named = changed(ENGINE, 13, 15, "declare `given value");
+    assert!(named.contains("given value = 45 deg\ndrive crank = value at n\n"), "{named}");
+    let kept = changed(ENGINE, 16, 5, "add `expect Mb");
+    assert!(kept.contains("reaction(B, rod)\nexpect Mb = 472.519 N*m\n"), "{kept}");
+    let (_, said) = solved(&kept.replace("expect Mb = 400 N*m\n", ""));
+    assert_eq!(said[0]["params"]["diagnostics"], json!([]), "the answer meets what is expected");
+}
+
+#[test]
+fn assemblies_are_offered() {
+    let begun = ENGINE.replace("assemble C ahead of B", "assemble ");
+    let (mut server, _) = session(&begun, "utf-16");
+    let offered = ask(&mut server, "completion", &at(14, 9));
+    let labels =
+        offered.as_array().expect("completions").iter().map(|one| one["label"].as_str().expect("a text"));
+    let labels = labels.collect::<Vec<_>>();
+    assert_eq!(labels[..2], ["C ahead of B", "C behind B"], "{labels:?}");
+}
+
+#[test]
+fn values_are_those_of_the_pose() {
+    let sweep = ENGINE.replace("45 deg at", "0 deg .. 90 deg in 2 steps at").replace("expect", "// expect");
+    let (mut server, _) = solved(&sweep);
+    assert!(hover(&mut server, 16, 5).contains(" … "));
+    notify(&mut server, "assur/pose", &json!({ "uri": URI, "part": 0.45 }));
+    let middle = hover(&mut server, 16, 5);
+    assert!(middle.contains("472.519 N*m") && middle.contains("(pose 2)"), "{middle}");
+    notify(&mut server, "assur/pose", &json!({ "uri": URI, "part": null }));
+    assert!(hover(&mut server, 16, 5).contains(" … "), "all of them again");
+    let unknown =
+        json!({ "jsonrpc": "2.0", "method": "assur/pose", "params": { "uri": "untitled:b", "part": 0 } });
+    assert_eq!(server.handle(&unknown)[0]["method"], "window/logMessage");
+}
+
+#[test]
+fn colours_are_sent_as_changes() {
+    let (mut server, _) = session(ENGINE, "utf-16");
+    let first = ask(&mut server, "semanticTokens/full", &json!({}));
+    let mut data = first["data"].as_array().expect("numbers").clone();
+    let longer = json!({ "range": range((2, 10), (2, 13)), "text": "1000" });
+    let of = json!({ "uri": URI, "version": 2 });
+    notify(&mut server, "textDocument/didChange", &json!({ "textDocument": of, "contentChanges": [longer] }));
+    let delta =
+        ask(&mut server, "semanticTokens/full/delta", &json!({ "previousResultId": first["resultId"] }));
+    let number = |edit: &Value, key: &str| {
+        usize::try_from(edit[key].as_u64().expect("a number")).expect("a small one")
+    };
+    let edits = delta["edits"].as_array().expect("edits");
+    assert!(
+        edits.len() == 1 && edits[0]["data"].as_array().is_some_and(|new| new.len() < data.len() / 2),
+        "{delta}"
+    );
+    for edit in edits {
+        let start = number(edit, "start");
+        let new = edit["data"].as_array().expect("numbers").clone();
+        data.splice(start..start + number(edit, "deleteCount"), new);
+    }
+    assert_eq!(Value::Array(data), ask(&mut server, "semanticTokens/full", &json!({}))["data"]);
+    let unknown = ask(&mut server, "semanticTokens/full/delta", &json!({ "previousResultId": "0" }));
+    assert!(unknown["data"].is_array(), "all of them");
+}

@@ -16,6 +16,7 @@ mod grade;
 #[cfg(feature = "lsp")]
 mod lsp;
 mod lsp_answers;
+mod lsp_edits;
 mod motions;
 mod output;
 mod plan;

@@ -9,7 +9,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::ops::Deref;
 use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 const CRANK: &str = "mech 1\nground { A (0, 0) }\nlink crank A-B 100 mm\nrevolute A: ground - crank\n\
     drive crank = 0 deg .. 360 deg in 12 steps at 60 rpm\nfind vx = velocity(crank.B).x\n";
@@ -312,6 +312,19 @@ fn an_editor_shows_a_text_that_has_no_file() {
     assert_eq!((&place["class"], &place["range"]["start"]["line"]), (&json!("link"), &json!(2)));
     let wrong = session.ask("assur/picture", &json!({ "uri": uri, "pose": "40" }));
     assert!(wrong["error"]["message"].as_str().unwrap().contains("no solved pose is named `40`"), "{wrong}");
+    // the page and the editor are at one place: what is highlighted is marked, and values are those of the pose
+    let crank = json!({ "textDocument": { "uri": uri }, "position": { "line": 2, "character": 6 } });
+    session.ask("textDocument/documentHighlight", &crank);
+    assert_eq!(next()["marked"], json!({ "class": "link", "name": "arm" }));
+    let answer = json!({ "textDocument": { "uri": uri }, "range": { "start": { "line": 0, "character": 0 }, "end": { "line": 9, "character": 0 } } });
+    let hints = |session: &mut Session| session.ask("textDocument/inlayHint", &answer)["result"].to_string();
+    let all = hints(&mut session);
+    assert!(all.contains(" … ") && !all.contains("(pose "), "{all}");
+    page.get("pose?0.5");
+    let begun = Instant::now();
+    while !hints(&mut session).contains("(pose ") {
+        assert!(begun.elapsed() < Duration::from_secs(10), "{}", hints(&mut session));
+    }
     drop(session.child.stdin.take());
     assert_eq!(session.child.wait().unwrap().code(), Some(0));
 }

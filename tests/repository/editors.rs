@@ -225,3 +225,10 @@ fn lines_to_paste_are_those_of_the_editors_own_pages() {
         assert!(known.contains(&block), "docs/editors.md: {block}");
     }
 }
+
+#[test]
+fn the_extension_has_the_version_of_the_program() {
+    let version = format!("\"version\": \"{}\"", env!("CARGO_PKG_VERSION"));
+    let package = read("editors/vscode/package.json");
+    assert!(package.contains(&version), "the built-in server is taken where the versions agree");
+}

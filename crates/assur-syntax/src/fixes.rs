@@ -55,6 +55,13 @@ impl Problem for SyntaxError {
             let (title, edits) = ("write `mech 1`".to_owned(), vec![Edit::new(*at, "1")]);
             return vec![Fix { title, edits, certain: false }];
         }
+        match self {
+            Self::TitleTwice { at, .. } => return vec![Fix::left_out("the second title", *at)],
+            Self::EditionNotFirst { at, help, .. } if help.starts_with("remove ") => {
+                return vec![Fix::left_out("this one", *at)];
+            }
+            _ => {}
+        }
         let Some(help) = self.help() else { return Vec::new() };
         match self {
             Self::BareDecimalPoint { .. }

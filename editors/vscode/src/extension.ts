@@ -1,45 +1,80 @@
-// The language server of `assur` in VS Code.
+// The language server of `assur` in VS Code: a program, or the server that is built in.
 
-import { commands, window, workspace, type ExtensionContext } from "vscode";
-import { LanguageClient, type Executable } from "vscode-languageclient/node";
-import { openPreview } from "./preview";
-import { findProgram, type Program } from "./program";
+import { Uri, commands, window, workspace, type ExtensionContext } from "vscode";
+import { LanguageClient, type MessageTransports } from "vscode-languageclient/node";
+import { load, run } from "./built-in";
+import { Preview } from "./preview";
+import { findServer } from "./program";
+import type { Server } from "./server";
 import { Status } from "./status";
 import { runOnFile } from "./terminal";
 
-let program: Program = { problem: "The language server is not started yet." };
-let client: LanguageClient | undefined;
-let status: Status | undefined;
-/** Starts and stops happen one after another. */
-let queue: Promise<void> = Promise.resolve();
+class Extension {
+  private server: Server = { kind: "none", problem: "The language server is not started yet." };
+  private client: LanguageClient | undefined;
+  private module: Promise<WebAssembly.Module> | undefined;
+  private readonly status = new Status();
+  private readonly preview = new Preview();
+  /** Starts and stops happen one after another. */
+  private queue: Promise<void> = Promise.resolve();
 
-async function stop(): Promise<void> {
-  const running = client;
-  client = undefined;
-  await running?.dispose();
-}
+  constructor(private readonly context: ExtensionContext) {
+    const on = (command: "solve" | "test") => (): Promise<void> => runOnFile(this.server, this.client, command);
+    context.subscriptions.push(
+      this.status,
+      this.preview,
+      commands.registerCommand("assur.restart", () => this.restart()),
+      commands.registerCommand("assur.terminal.solve", on("solve")),
+      commands.registerCommand("assur.terminal.test", on("test")),
+      commands.registerCommand("assur.openPreview", () => this.preview.open(this.client)),
+      commands.registerCommand("assur.format", () => commands.executeCommand("editor.action.formatDocument")),
+      commands.registerCommand("assur.log", () => this.client?.outputChannel.show()),
+      workspace.onDidChangeConfiguration((change) => (change.affectsConfiguration("assur.path") ? this.restart() : undefined)),
+    );
+  }
 
-async function start(): Promise<void> {
-  await stop();
-  program = await findProgram();
-  if ("path" in program) {
-    const run: Executable = { command: program.path, args: ["lsp"] };
-    client = new LanguageClient("assur", "assur", { run, debug: run }, { documentSelector: [{ language: "mech" }] });
-    try {
-      await client.start();
-    } catch (error) {
-      program = { problem: `The language server of ${program.path} does not start: ${String(error)}` };
+  restart(): Promise<void> {
+    this.queue = this.queue.then(() => this.start());
+    return this.queue;
+  }
+
+  async stop(): Promise<void> {
+    const running = this.client;
+    this.client = undefined;
+    await running?.dispose();
+  }
+
+  private async start(): Promise<void> {
+    await this.stop();
+    const own = String(this.context.extension.packageJSON.version);
+    this.server = await findServer(own);
+    if (this.server.kind !== "none") {
+      const program = this.server.kind === "program" ? this.server.path : undefined;
+      const server = program === undefined ? () => this.builtIn() : { command: program, args: ["lsp"] };
+      this.client = new LanguageClient("assur", "assur", server, { documentSelector: [{ language: "mech" }] });
+      this.preview.follow(this.client);
+      try {
+        await this.client.start();
+      } catch (error) {
+        this.server = { kind: "none", problem: `The language server ${program ?? "that is built in"} does not start: ${String(error)}` };
+      }
+    }
+    this.status.show(this.server);
+    if (this.server.kind === "none") {
+      void complain(this.server.problem);
+    } else if (this.server.kind === "built in" && this.server.warning) {
+      void window.showWarningMessage(`${this.server.why} The built-in server runs instead.`);
     }
   }
-  status?.show(program);
-  if ("problem" in program) {
-    void complain(program.problem);
-  }
-}
 
-function restart(): Promise<void> {
-  queue = queue.then(start);
-  return queue;
+  private async builtIn(): Promise<MessageTransports> {
+    const folder = Uri.joinPath(this.context.extensionUri, "out").fsPath;
+    this.module ??= load(folder);
+    return run(folder, await this.module, (why) => {
+      this.client?.error(`The built-in server ended: ${why}`);
+      void window.showWarningMessage(`The built-in server of assur ended and is started again. ${why} The program \`assur\` has no such limit.`);
+    });
+  }
 }
 
 async function complain(problem: string): Promise<void> {
@@ -53,21 +88,13 @@ async function complain(problem: string): Promise<void> {
   }
 }
 
+let extension: Extension | undefined;
+
 export async function activate(context: ExtensionContext): Promise<void> {
-  status = new Status();
-  context.subscriptions.push(
-    status,
-    commands.registerCommand("assur.restart", restart),
-    commands.registerCommand("assur.terminal.solve", () => runOnFile(program, "solve")),
-    commands.registerCommand("assur.terminal.test", () => runOnFile(program, "test")),
-    commands.registerCommand("assur.openPreview", () => openPreview(client)),
-    commands.registerCommand("assur.format", () => commands.executeCommand("editor.action.formatDocument")),
-    commands.registerCommand("assur.log", () => client?.outputChannel.show()),
-    workspace.onDidChangeConfiguration((change) => (change.affectsConfiguration("assur.path") ? restart() : undefined)),
-  );
-  await restart();
+  extension = new Extension(context);
+  await extension.restart();
 }
 
-export function deactivate(): Promise<void> {
-  return stop();
+export async function deactivate(): Promise<void> {
+  await extension?.stop();
 }

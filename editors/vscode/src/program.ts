@@ -1,13 +1,11 @@
-// Which `assur` runs, and why.
+// Finds the program of `assur.path` or of PATH.
 
 import { execFile } from "node:child_process";
 import { access, constants, stat } from "node:fs/promises";
 import { delimiter, join } from "node:path";
 import { promisify } from "node:util";
 import { workspace } from "vscode";
-
-/** A program that can be started, or the reason why there is none. */
-export type Program = { path: string; version: string; from: "assur.path" | "PATH" } | { problem: string };
+import { series, type Server } from "./server";
 
 const run = promisify(execFile);
 
@@ -40,19 +38,26 @@ async function versionOf(path: string): Promise<string | undefined> {
   }
 }
 
-/** The program of the setting `assur.path`, or the one on PATH where that is empty: never one instead of the other. */
-export async function findProgram(): Promise<Program> {
+/** The program of the setting `assur.path`, else the one on PATH; the built-in server where there is none of this version. */
+export async function findServer(own: string): Promise<Server> {
   const wanted = workspace.getConfiguration("assur").get<string>("path", "").trim();
   if (wanted !== "" && !(await isProgram(wanted))) {
-    return { problem: `assur.path is ${wanted}, which is not a program. Correct it, or leave it empty to use the one on PATH.` };
+    const problem = `assur.path is ${wanted}, which is not a program. Correct it, or leave it empty to use the one on PATH or the built-in server.`;
+    return { kind: "none", problem };
   }
+  const from = wanted === "" ? "PATH" : "assur.path";
   const path = wanted === "" ? await onPath() : wanted;
   if (path === undefined) {
-    return { problem: "No program `assur` is on PATH. Install it with `cargo install --path .` in its repository, or set assur.path." };
+    return { kind: "built in", version: own, why: "No program `assur` is on PATH." };
   }
   const version = await versionOf(path);
   if (version === undefined) {
-    return { problem: `${path} does not answer to --version as assur does.` };
+    const why = `${path} does not answer to --version as assur does.`;
+    return from === "PATH" ? { kind: "built in", version: own, why, warning: true } : { kind: "none", problem: why };
   }
-  return { path, version, from: wanted === "" ? "PATH" : "assur.path" };
+  if (series(version) !== series(own)) {
+    const why = `${path} is assur ${version}; this extension is for ${series(own)}.`;
+    return { kind: "built in", version: own, why, warning: true };
+  }
+  return { kind: "program", path, version, from };
 }

@@ -1,7 +1,7 @@
 // The item in the status bar that says which server runs.
 
 import { MarkdownString, StatusBarAlignment, ThemeColor, languages, window, type Disposable } from "vscode";
-import type { Program } from "./program";
+import type { Server } from "./server";
 
 /** Shown while a `.mech` file is in front. */
 export class Status implements Disposable {
@@ -14,18 +14,21 @@ export class Status implements Disposable {
     this.place();
   }
 
-  show(program: Program): void {
-    if ("problem" in program) {
+  show(server: Server): void {
+    if (server.kind === "none") {
       this.item.text = "$(error) assur";
-      this.item.tooltip = program.problem;
+      this.item.tooltip = server.problem;
       this.item.command = { command: "workbench.action.openSettings", title: "Choose the program", arguments: ["assur.path"] };
-      this.item.backgroundColor = new ThemeColor("statusBarItem.errorBackground");
     } else {
-      this.item.text = `assur ${program.version}`;
-      this.item.tooltip = new MarkdownString(`The program of \`${program.from}\`: ${program.path}\n\nPress to restart its language server.`);
+      const [name, of] =
+        server.kind === "program"
+          ? [`assur ${server.version}`, `The program of \`${server.from}\`: ${server.path}`]
+          : [`assur ${server.version} (built in)`, `The server that is built in. ${server.why}`];
+      this.item.text = name;
+      this.item.tooltip = new MarkdownString(`${of}\n\nPress to restart the language server.`);
       this.item.command = "assur.restart";
-      this.item.backgroundColor = undefined;
     }
+    this.item.backgroundColor = server.kind === "none" ? new ThemeColor("statusBarItem.errorBackground") : undefined;
     this.place();
   }
 

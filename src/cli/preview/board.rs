@@ -17,18 +17,53 @@ struct Now {
 }
 
 /// What a page shows; newer texts replace older ones.
-#[derive(Debug)]
 pub struct Board {
     /// The name of the file.
     name: String,
     now: Mutex<Now>,
     changed: Condvar,
+    /// Takes the part of the way at which the page is.
+    moved: Option<Moved>,
+}
+
+/// Told where a page is moved.
+pub type Moved = Box<dyn Fn(f64) + Send + Sync>;
+
+impl std::fmt::Debug for Board {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Board").field("name", &self.name).finish_non_exhaustive()
+    }
 }
 
 impl Board {
     /// Nothing is shown yet.
     pub fn new(name: &str) -> Self {
-        Self { name: name.to_owned(), now: Mutex::default(), changed: Condvar::new() }
+        Self { name: name.to_owned(), now: Mutex::default(), changed: Condvar::new(), moved: None }
+    }
+
+    /// A board that tells where its page is moved.
+    #[cfg(feature = "lsp")]
+    pub fn told(name: &str, moved: Moved) -> Self {
+        Self { moved: Some(moved), ..Self::new(name) }
+    }
+
+    /// The page is at a part of the way, from 0 to 1.
+    pub fn moved(&self, part: f64) {
+        if let Some(moved) = &self.moved {
+            moved(part);
+        }
+    }
+
+    /// Marks what is at the cursor of an editor.
+    #[cfg(feature = "lsp")]
+    pub fn mark(&self, what: Option<(&'static str, String)>) {
+        let marked = what.map(|(class, name)| json!({ "class": class, "name": name })).unwrap_or_default();
+        let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
+        if now.state.is_object() && now.state["marked"] != marked {
+            now.state["marked"] = marked;
+            now.version += 1;
+            self.changed.notify_all();
+        }
     }
 
     /// Shows a text. The picture, the answers and the places of the last good one stay where it has none.
@@ -39,7 +74,10 @@ impl Board {
         let is_solved = shown.picture.is_some();
         let mut state = std::mem::take(&mut now.state);
         if is_solved || state.is_null() {
-            state = json!({ "name": self.name, "answers": shown.answers, "declared": shown.declared });
+            let marked = state["marked"].take();
+            let (answers, declared) = (shown.answers, shown.declared);
+            state = json!({ "name": self.name, "answers": answers, "declared": declared, "marked": marked });
+            state["follows"] = self.moved.is_some().into();
         }
         if let Some(picture) = shown.picture {
             now.picture = Some((version, picture));

@@ -16,7 +16,7 @@ use super::screen::Screen;
 use board::Board;
 use file::Followed;
 #[cfg(feature = "lsp")]
-pub use pages::Pages;
+pub use pages::{Pages, Told};
 use site::Site;
 use std::sync::Arc;
 

@@ -10,15 +10,27 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread;
 
 /// Pages by the address of their text; they are served from when the first is asked for.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Pages {
     site: Option<Arc<Site>>,
     open: BTreeMap<String, Page>,
+    /// Takes what pages tell of texts: their address, and the part of the way that is looked at.
+    told: Option<Told>,
+}
+
+/// Told where a page is moved.
+pub type Told = Arc<dyn Fn(&str, f64) + Send + Sync>;
+
+impl std::fmt::Debug for Pages {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Pages")
+    }
 }
 
 #[derive(Debug)]
 struct Page {
     address: String,
+    board: Arc<Board>,
     slot: Arc<Slot>,
 }
 
@@ -72,31 +84,49 @@ impl Slot {
 }
 
 impl Pages {
+    /// Pages that tell where they are moved.
+    pub fn telling(told: Told) -> Self {
+        Self { told: Some(told), ..Self::default() }
+    }
+
     fn started(&mut self, uri: &str) -> std::io::Result<&Page> {
         let site = match &self.site {
             Some(site) => Arc::clone(site),
             None => Arc::clone(self.site.insert(Site::start(0)?)),
         };
         let name = uri.rsplit('/').next().unwrap_or(uri);
-        let (board, slot) = (Arc::new(Board::new(name)), Arc::new(Slot::default()));
+        let board = match self.told.clone() {
+            Some(told) => {
+                let uri = uri.to_owned();
+                Board::told(name, Box::new(move |part| told(&uri, part)))
+            }
+            None => Board::new(name),
+        };
+        let (board, slot) = (Arc::new(board), Arc::new(Slot::default()));
         let address = site.add(&board)?;
-        let own = Arc::clone(&slot);
-        thread::Builder::new().spawn(move || own.draw(&board))?;
-        Ok(self.open.entry(uri.to_owned()).or_insert(Page { address, slot }))
+        let (own, drawn) = (Arc::clone(&slot), Arc::clone(&board));
+        thread::Builder::new().spawn(move || own.draw(&drawn))?;
+        Ok(self.open.entry(uri.to_owned()).or_insert(Page { address, board, slot }))
     }
 }
 
 impl lsp::Pages for Pages {
-    fn address(&mut self, uri: &str) -> Result<String, String> {
+    fn address(&mut self, uri: &str) -> Result<Option<String>, String> {
         if let Some(page) = self.open.get(uri) {
-            return Ok(page.address.clone());
+            return Ok(Some(page.address.clone()));
         }
         let page = self.started(uri).map_err(|error| format!("the page cannot be served: {error}"))?;
-        Ok(page.address.clone())
+        Ok(Some(page.address.clone()))
     }
 
     fn has(&self, uri: &str) -> bool {
         self.open.contains_key(uri)
+    }
+
+    fn mark(&mut self, uri: &str, what: Option<(&'static str, String)>) {
+        if let Some(page) = self.open.get(uri) {
+            page.board.mark(what);
+        }
     }
 
     fn show(&mut self, uri: &str, view: View) {

@@ -78,6 +78,11 @@ impl Request {
         }
     }
 
+    /// What is behind the question mark.
+    pub fn query(&self) -> Option<&str> {
+        Some(self.target.split_once('?')?.1)
+    }
+
     /// The key and what is asked for behind it, of a request for a page of ours on this port: other sites of the browser know
     /// neither, and a name that somebody lets lead to this machine is another host.
     pub fn page(&self, port: u16) -> Result<(&str, &str), Refusal> {

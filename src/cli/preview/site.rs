@@ -91,6 +91,13 @@ impl Site {
                 None => refuse(stream, Refusal::Missing),
             },
             Ok((board, "events")) => events(stream, &board),
+            Ok((board, "pose")) => match request.ok().and_then(|request| request.query()?.parse().ok()) {
+                Some(part) => {
+                    board.moved(part);
+                    whole(stream, "200 OK", "text/plain", "")
+                }
+                None => refuse(stream, Refusal::Bad),
+            },
             Ok(_) => refuse(stream, Refusal::Missing),
             Err(refusal) => refuse(stream, refusal),
         }

@@ -3,9 +3,14 @@
 use super::super::{Analysis, Declaration, Results, SymbolKind};
 use super::place::Place;
 use super::{Completion, CompletionKind, words};
+use crate::pipeline::assembly_clauses;
 use assur_syntax::TokenKind;
 use assur_text::language::{COLLECTIONS, FUNCTIONS, Function, JointKind, Takes};
+use assur_text::source::{Edit, Source, edited};
 use indexmap::IndexMap;
+
+/// The assemblies of a larger mechanism are not looked for while it is typed.
+const MOST_LINKS: usize = 20;
 
 const VALUES: &[SymbolKind] =
     &[SymbolKind::Given, SymbolKind::Derived, SymbolKind::Load, SymbolKind::Element, SymbolKind::Answer];
@@ -58,6 +63,9 @@ impl Analysis {
                 vec![Completion::plain("inertia", CompletionKind::Word, "an effect that is left out")]
             }
             ("balance", "balance") => words::some(&["force", "torque"]),
+            ("assemble", "assemble") => {
+                [self.assemblies(place), self.points(), self.of_kinds(MOVING)].concat()
+            }
             ("assemble", _) => [self.points(), self.of_kinds(MOVING)].concat(),
             ("find" | "expect", "pose") => self.of_kinds(&[SymbolKind::Pose]),
             (_, "event" | "of") => {
@@ -81,6 +89,21 @@ impl Analysis {
             _ if place.link().is_some() => [self.own_points(place), self.values(place)].concat(),
             _ => self.values(place),
         }
+    }
+
+    /// The clauses that choose between the assemblies of the text without this statement, which does not read yet.
+    fn assemblies(&self, place: &Place<'_>) -> Vec<Completion> {
+        if self.names.declared().filter(|d| d.kind == SymbolKind::Link).count() > MOST_LINKS {
+            return Vec::new();
+        }
+        let text = edited(&self.source.text, &[Edit::new(place.line(), "")]);
+        let without = Self::of(Source::new(self.source.name.as_str(), text));
+        let clauses = without.compiled.as_ref().map(assembly_clauses).unwrap_or_default();
+        let clause = |(clause, chosen): &(String, bool)| {
+            let means = if *chosen { "an assembly: as it is chosen now" } else { "an assembly" };
+            Completion::plain(clause, CompletionKind::Value, means)
+        };
+        distinct(clauses.iter().map(clause))
     }
 
     /// The points of the link in whose braces a place is.

@@ -2,6 +2,7 @@
 
 use super::super::Analysis;
 use assur_syntax::{Token, TokenKind};
+use assur_text::source::Span;
 
 /// What is before a place.
 pub struct Place<'a> {
@@ -101,6 +102,14 @@ impl<'a> Place<'a> {
     pub fn back(&self, n: usize) -> &'a str {
         let before = self.tokens.iter().rev().filter(|token| token.kind != TokenKind::Comment);
         before.skip(n - 1).map(|token| token.text(self.text)).next().unwrap_or_default()
+    }
+
+    /// The line of the first word of the statement.
+    pub fn line(&self) -> Span {
+        let start =
+            self.head.and_then(|head| self.tokens.get(head)).map_or(self.text.len(), |t| t.span.start);
+        let end = self.text[start..].find('\n').map_or(self.text.len(), |length| start + length);
+        Span::new(start, end)
     }
 
     /// The words of the statement so far.

@@ -1,5 +1,6 @@
 //! Errors of curves.
 
+use assur_text::diagnostic::{Fix, Problem};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -103,4 +104,14 @@ pub enum CurveError {
     },
 }
 
-impl assur_text::diagnostic::Problem for CurveError {}
+impl Problem for CurveError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::Ends { help, span, .. } => {
+                let said = help.find("write `").and_then(|at| help.get(at..)).unwrap_or_default();
+                Fix::quoted(said, *span).into_iter().take(1).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+}

@@ -143,7 +143,19 @@ impl Problem for NameError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
             Self::Unknown { help: Some(help), .. } => help.fixes().to_vec(),
+            // where a pin may be missing, it is not known which point is meant
+            Self::AmbiguousPoint { help, .. } if help.contains("revolute") => Vec::new(),
+            Self::AmbiguousPoint { help, span, .. } | Self::WrongKind { help: Some(help), span, .. } => {
+                Fix::quoted(help, *span)
+            }
             _ => Vec::new(),
+        }
+    }
+
+    fn undeclared(&self) -> Option<(&'static str, &str, Span)> {
+        match self {
+            Self::Unknown { kind, name, span, .. } => Some((kind, name, *span)),
+            _ => None,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Errors of questions.
 
+use assur_text::diagnostic::{Fix, Problem};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -365,4 +366,18 @@ pub enum RequestError {
     },
 }
 
-impl assur_text::diagnostic::Problem for RequestError {}
+impl Problem for RequestError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::NotDriven { help: Some(help), span, .. } | Self::NoValue { help: Some(help), span, .. } => {
+                Fix::quoted(help, *span)
+            }
+            // the third has no sign
+            Self::WhichLink { help, span, .. } => Fix::quoted(help, *span).into_iter().take(2).collect(),
+            Self::WhichTwo { help, span, .. } => {
+                Fix::quoted(help.replace(" with links:", "").as_str(), *span)
+            }
+            _ => Vec::new(),
+        }
+    }
+}

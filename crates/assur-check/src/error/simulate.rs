@@ -271,6 +271,11 @@ impl Problem for SimulateError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
             Self::UnknownEvent { help, .. } => help.fixes().to_vec(),
+            Self::Stop { first: Some(_), span, .. } => vec![Fix::left_out("this stop", *span)],
+            Self::Twice { again, .. } => vec![Fix::left_out("the second one", *again)],
+            Self::NoMeaning { help, span, .. } if help.starts_with("leave ") => {
+                vec![Fix::left_out("this", *span)]
+            }
             _ => Vec::new(),
         }
     }

@@ -1,5 +1,6 @@
 //! Errors of wheels and transmissions.
 
+use assur_text::diagnostic::{Fix, Problem};
 use assur_text::source::Span;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -169,4 +170,11 @@ pub enum TrainError {
     },
 }
 
-impl assur_text::diagnostic::Problem for TrainError {}
+impl Problem for TrainError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::Efficiency { help, span, .. } => Fix::quoted(help, *span),
+            _ => Vec::new(),
+        }
+    }
+}

@@ -167,6 +167,13 @@ impl Problem for UnitsError {
             Self::Unknown { help: Some(help), .. }
             | Self::Missing { help, .. }
             | Self::Hertz { help, .. } => help.fixes().to_vec(),
+            Self::Mismatch { help: Some(help), span: at, .. }
+            | Self::Operands { help: Some(help), right_span: at, .. }
+                // in a header, and of two vectors, more than this place changes
+                if help.starts_with("write `") && !help.contains(['[', '(']) =>
+            {
+                Fix::quoted(help, *at)
+            }
             _ => Vec::new(),
         }
     }

@@ -1,5 +1,7 @@
 //! Errors of the structure, with the count and the pairs concerned.
 
+use assur_text::diagnostic::{Fix, Problem};
+use assur_text::source::Edit;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
@@ -210,7 +212,33 @@ pub enum StructureError {
     },
 }
 
-impl assur_text::diagnostic::Problem for StructureError {}
+impl Problem for StructureError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            // where something is to be left out too, a line alone does not help
+            Self::Efforts { help, .. } if help.contains("leave out") => Vec::new(),
+            Self::Underconstrained { help, .. }
+            | Self::Efforts { help, .. }
+            | Self::FloatingLink { help, .. } => Fix::added(help),
+            Self::PartOfLarger { help, span, .. } | Self::ContainsSmaller { help, span, .. } => {
+                groups(help, Span::new(span.offset(), span.offset() + span.len()))
+            }
+            Self::NotAGroup { help, labels, .. } => {
+                let all = labels.first().map(|l| groups(help, Span::new(l.offset(), l.offset() + l.len())));
+                all.unwrap_or_default()
+            }
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// The groups that a help lists, in place of one that is wrong.
+fn groups(help: &str, at: Span) -> Vec<Fix> {
+    let lines = help.lines().filter_map(|line| line.strip_prefix("  ")).collect::<Vec<_>>();
+    let (title, all) = (format!("write `{}`", lines.join("` and `")), lines.join("\n"));
+    let fix = || Fix { title, edits: vec![Edit::new(at, all)], certain: false };
+    (!lines.is_empty()).then(fix).into_iter().collect()
+}
 
 pub(super) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {
     LabeledSpan::new_with_span(Some(text.into()), span)

@@ -23,6 +23,47 @@ impl Fix {
     pub fn apply(&self, text: &str) -> String {
         edited(text, &self.edits)
     }
+
+    /// What a sentence says to write in a place: each of the words that it quotes and leaves nothing open in.
+    #[must_use]
+    pub fn quoted(sentence: &str, at: Span) -> Vec<Self> {
+        let says =
+            ["write ", "ask for ", "name ", "did you mean "].iter().any(|verb| sentence.starts_with(verb));
+        let words = sentence.split('`').skip(1).step_by(2).filter(|word| says && !word.contains('…'));
+        replacements(at, &words.map(str::to_owned).collect::<Vec<_>>())
+    }
+
+    /// What a help says to add: the lines that it sets apart, `one of` which is meant or all together.
+    #[must_use]
+    pub fn added(help: &str) -> Vec<Self> {
+        let mut fixes = Vec::new();
+        let mut is_choice = false;
+        for line in help.lines() {
+            match line.strip_prefix("  ") {
+                None => {
+                    is_choice = line.ends_with("one of");
+                    fixes.push(String::new());
+                }
+                Some(added) if is_choice => fixes.push(format!("{added}\n")),
+                Some(added) => fixes.last_mut().into_iter().for_each(|all| *all += &format!("{added}\n")),
+            }
+        }
+        fixes.retain(|lines| !lines.is_empty());
+        fixes.into_iter().map(|lines| Self::line(lines.trim_end())).collect()
+    }
+
+    /// A line behind the text.
+    #[must_use]
+    pub fn line(line: &str) -> Self {
+        let title = format!("add `{}`", line.replace('\n', "` and `"));
+        Self { title, edits: vec![Edit::new(Span::END, format!("\n{line}\n"))], certain: false }
+    }
+
+    /// Without what is in a place.
+    #[must_use]
+    pub fn left_out(what: &str, at: Span) -> Self {
+        Self { title: format!("leave out {what}"), edits: vec![Edit::new(at, "")], certain: false }
+    }
 }
 
 /// The help of a diagnostic. Where it has the exact words, it is printed from the fixes that write them.

@@ -1,6 +1,7 @@
 //! The collection.
 
 use super::Fix;
+use crate::source::Span;
 use miette::{Diagnostic, Severity};
 use std::sync::Arc;
 
@@ -9,6 +10,11 @@ pub trait Problem: Diagnostic + Send + Sync + 'static {
     /// What can be changed in the text; each fix alone makes the problem go.
     fn fixes(&self) -> Vec<Fix> {
         Vec::new()
+    }
+
+    /// What is used and not declared: its kind, its name and its place.
+    fn undeclared(&self) -> Option<(&'static str, &str, Span)> {
+        None
     }
 }
 

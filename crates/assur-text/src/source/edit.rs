@@ -24,11 +24,12 @@ pub fn edited(text: &str, edits: &[Edit]) -> String {
     let mut out = String::with_capacity(text.len());
     let mut from = 0;
     for edit in edits {
-        let fits = text.is_char_boundary(edit.span.end) && edit.span.start <= edit.span.end;
-        let Some(kept) = text.get(from..edit.span.start).filter(|_| fits) else { continue };
+        let at = if edit.span == Span::END { Span::new(text.len(), text.len()) } else { edit.span };
+        let fits = text.is_char_boundary(at.end) && at.start <= at.end;
+        let Some(kept) = text.get(from..at.start).filter(|_| fits) else { continue };
         out.push_str(kept);
         out.push_str(&edit.with);
-        from = edit.span.end;
+        from = at.end;
     }
     out.push_str(&text[from..]);
     out

@@ -18,6 +18,9 @@ pub struct Span {
 }
 
 impl Span {
+    /// The end of the text, however long it is.
+    pub const END: Self = Self::new(usize::MAX, usize::MAX);
+
     /// The bytes `start..end`.
     #[must_use]
     pub const fn new(start: usize, end: usize) -> Self {

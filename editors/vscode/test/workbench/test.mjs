@@ -1,5 +1,6 @@
-// The packaged extension in VS Code's own workbench, in Chromium: colours, a mistake, hover, its fix by keyboard, formatting, and
-// what is shown where no program is found. ASSUR names the program, PICTURES a folder for the pictures of the documents.
+// The packaged extension in VS Code's own workbench, in Chromium, with the program and with the built-in server: colours, a mistake, hover,
+// its fix by keyboard, formatting, the preview, and which server is taken. ASSUR names the program, PICTURES a folder for the pictures of
+// the documents.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -17,7 +18,6 @@ const fixes = readFileSync(join(root, "editors", "fixes.txt"), "utf8").trim().sp
 const fileOf = (name) => `${name.replaceAll("/", "-")}.mech`;
 
 const home = mkdtempSync(join(tmpdir(), "assur-workbench-"));
-const folder = join(home, "homework");
 const places = ["--server-data-dir", home, "--user-data-dir", join(home, "data"), "--extensions-dir", join(home, "extensions")];
 const settings = {
   "security.workspace.trust.enabled": false,
@@ -48,14 +48,32 @@ balance torque Mb on crank
 find Mb, v = velocity(C).x as m/s
 `;
 
+const servers = {
+  program: {
+    name: "program",
+    folder: join(home, "homework"),
+    status: /^assur \d+\.\d+\.\d+$/,
+    isPicture: (frame) => /^http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\/picture/.test(frame.url()),
+  },
+  builtIn: {
+    name: "built-in",
+    folder: join(home, "exercises"),
+    status: /^assur \d+\.\d+\.\d+ \(built in\)$/,
+    isPicture: (frame) => frame.url() === "about:srcdoc",
+  },
+};
+
 function prepare() {
   execFileSync(process.execPath, [main, ...places, "--install-extension", vsix], { stdio: "ignore" });
   choose(resolve(process.env.ASSUR));
-  mkdirSync(folder);
-  writeFileSync(join(folder, "engine.mech"), text);
-  writeFileSync(join(folder, "new.mech"), "");
-  writeFileSync(join(folder, "notes.md"), "# Notes\n\n```mech\nmech 1\nlink rod B-C 5 mm\n```\n");
-  for (const name of fixes) copyFileSync(join(root, "tests", "errors", `${name}.mech`), join(folder, fileOf(name)));
+  writeFileSync(join(home, "assur"), "#!/bin/sh\necho assur 9.1.0\n", { mode: 0o755 });
+  for (const { folder } of Object.values(servers)) {
+    mkdirSync(folder);
+    writeFileSync(join(folder, "engine.mech"), text);
+    writeFileSync(join(folder, "new.mech"), "");
+    writeFileSync(join(folder, "notes.md"), "# Notes\n\n```mech\nmech 1\nlink rod B-C 5 mm\n```\n");
+    for (const name of fixes) copyFileSync(join(root, "tests", "errors", `${name}.mech`), join(folder, fileOf(name)));
+  }
 }
 
 /** Writes the settings, with the program to be taken. */
@@ -85,10 +103,15 @@ async function serve() {
   return { server, port };
 }
 
-async function open(page, port) {
+async function open(page, port, { folder }) {
   await page.goto(`http://127.0.0.1:${port}/?folder=${folder}`);
-  await page.locator(".explorer-folders-view").getByText("engine.mech").dblclick();
-  await page.locator(".view-line", { hasText: "prismatic" }).waitFor();
+  await page.locator(".explorer-folders-view").getByText("new.mech").waitFor();
+}
+
+/** Opens a file of the folder. */
+async function show(page, file) {
+  await page.locator(".explorer-folders-view").getByText(file, { exact: true }).dblclick();
+  await page.locator(".tab.active", { hasText: file }).waitFor();
 }
 
 /** A picture for docs/pictures, when nothing moves any more. */
@@ -106,8 +129,7 @@ async function colours(page, line, words) {
 
 /** A whole problem by its snippet: there is nothing against it. */
 async function insertSnippet(page) {
-  await page.locator(".explorer-folders-view").getByText("new.mech").dblclick();
-  await page.locator(".tab.active", { hasText: "new.mech" }).waitFor();
+  await show(page, "new.mech");
   await page.locator(".monaco-editor .view-lines").first().click();
   await page.waitForTimeout(500);
   await page.keyboard.type("crank-slider", { delay: 20 });
@@ -121,8 +143,7 @@ async function insertSnippet(page) {
 
 /** A block of Markdown that is marked as `mech` has the colours of a file. */
 async function colourMarkdown(page) {
-  await page.locator(".explorer-folders-view").getByText("notes.md").dblclick();
-  await page.locator(".tab.active", { hasText: "notes.md" }).waitFor();
+  await show(page, "notes.md");
   await page.locator(".view-line", { hasText: "rod" }).waitFor();
   const differs = async () => new Set(await colours(page, /link.rod/, ["link", "rod", "5"])).size === 3;
   for (let tries = 0; !(await differs()); tries += 1) {
@@ -131,29 +152,37 @@ async function colourMarkdown(page) {
   }
 }
 
-/** The frame of a page of the preview, once its picture is there. */
-async function previewed(page) {
+/** The frame of the picture in the preview, once it is there: of a page that the program serves, or of a panel. */
+async function previewed(page, isPicture) {
   for (let tries = 0; ; tries += 1) {
-    const frame = page.frames().find((one) => /^http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\/picture/.test(one.url()));
-    if (frame && (await frame.locator("#s").count()) === 1) return frame;
-    assert.ok(tries < 40, `a page of the preview: ${page.frames().map((one) => one.url()).join(" ")}`);
+    for (const frame of page.frames().filter(isPicture)) {
+      if ((await frame.locator("#s").count().catch(() => 0)) === 1) return frame;
+    }
+    assert.ok(tries < 60, `a picture in the preview: ${page.frames().map((one) => one.url()).join(" ")}`);
     await page.waitForTimeout(250);
   }
 }
 
 /** The mechanism next to its text: the slider moves it, and it follows what is typed. */
-async function movePreview(page) {
+async function movePreview(page, { name, isPicture }) {
   await page.keyboard.press("F1");
   await page.keyboard.type("Show the Mechanism to the Side");
   await page.locator(".quick-input-list", { hasText: "Show the Mechanism to the Side" }).waitFor();
   await page.keyboard.press("Enter");
-  const frame = await previewed(page);
+  const frame = await previewed(page, isPicture);
   const crank = () => frame.locator('g.link[data-name="crank"] line').first().evaluate((line) => line.getBoundingClientRect().x);
   const before = await crank();
   await frame.locator("#s").evaluate((slider) => { slider.value = slider.max / 4; slider.oninput({ target: slider }); });
   assert.notEqual(await crank(), before, "the slider moves the crank");
-  if (process.env.PICTURES) await page.screenshot({ path: join(process.env.PICTURES, "vscode-preview.png") });
-  await page.locator(".tab", { hasText: "Simple Browser" }).locator(".codicon-close").click();
+  // the cursor is at the rod
+  await frame.locator('g.link.marked[data-name="rod"]').first().waitFor({ state: "attached" });
+  if (process.env.PICTURES) await page.screenshot({ path: join(process.env.PICTURES, `vscode-preview-${name}.png`) });
+  await page.keyboard.press("Escape");
+  await page.locator(".tab", { hasText: "engine.mech" }).first().click();
+  await page.keyboard.press("Control+w");
+  await page.keyboard.press("Control+k");
+  await page.keyboard.press("Control+w");
+  await page.locator(".tab").first().waitFor({ state: "detached" });
 }
 
 /** Waits for the bulb at a fix: VS Code offers nothing while it still asks for it. */
@@ -163,8 +192,7 @@ function bulb(page) {
 
 /** Goes to the only problem of a file and accepts what is offered, by keyboard. */
 async function acceptFix(page, file) {
-  await page.locator(".explorer-folders-view").getByText(file).dblclick();
-  await page.locator(".tab.active", { hasText: file }).waitFor();
+  await show(page, file);
   await page.locator(".squiggly-error").first().waitFor();
   await page.keyboard.press("F8");
   await page.locator(".marker-widget").waitFor();
@@ -176,10 +204,11 @@ async function acceptFix(page, file) {
   await page.keyboard.press("Escape");
 }
 
-async function test(page, port) {
-  await open(page, port);
-  const running = page.locator("[id='assur.mech.assur']");
-  await running.getByText(/^assur \d/).waitFor();
+/** What is done with a mistake, with one of the servers. */
+async function correct(page, server) {
+  await show(page, "engine.mech");
+  await page.locator(".view-line", { hasText: "prismatic" }).waitFor();
+  await page.locator("[id='assur.mech.assur']").getByText(server.status).waitFor();
   const [word, name] = await colours(page, "prismatic", ["prismatic", "D"]);
   assert.notEqual(word, name, "words of the language and names have different colours");
   await page.locator(".squiggly-error").first().waitFor();
@@ -189,14 +218,14 @@ async function test(page, port) {
   const hover = page.locator(".monaco-hover:visible", { hasText: "rodd" }).first();
   await hover.waitFor();
   assert.match(await hover.innerText(), /did you mean `rod`/);
-  if (process.env.PICTURES) await keep(page, "vscode-hover");
+  if (process.env.PICTURES && server.name === "program") await keep(page, "vscode-hover");
 
   await page.keyboard.press("Escape");
   await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().click();
   await bulb(page);
   await page.keyboard.press("Control+.");
   await page.locator(".action-widget").getByText("write `rod`").waitFor();
-  if (process.env.PICTURES) await keep(page, "vscode-fix");
+  if (process.env.PICTURES && server.name === "program") await keep(page, "vscode-fix");
   await page.keyboard.press("Enter");
   await page.locator(".view-line", { hasText: /crank.-.rod$/ }).waitFor();
   await page.locator(".squiggly-error").waitFor({ state: "detached" });
@@ -204,16 +233,25 @@ async function test(page, port) {
   await page.keyboard.press("Control+Shift+I");
   await page.locator(".view-line", { hasText: /^given.n.=.1500/ }).waitFor();
   await page.keyboard.press("Control+s");
-  await movePreview(page);
+  await movePreview(page, server);
+  for (const name of fixes) await acceptFix(page, fileOf(name));
+  const saved = readFileSync(join(server.folder, "engine.mech"), "utf8");
+  assert.equal(saved, text.replace("given   n", "given n").replace("rodd", "rod"));
+}
 
+async function test(page, port) {
+  await open(page, port, servers.program);
+  await correct(page, servers.program);
   await colourMarkdown(page);
   await insertSnippet(page);
-  for (const name of fixes) await acceptFix(page, fileOf(name));
 
   choose("/no/such/assur");
   await page.getByText("/no/such/assur, which is not a program").first().waitFor();
+  choose(join(home, "assur"));
+  await page.getByText("is assur 9.1.0; this extension is for").first().waitFor();
   choose("");
-  await page.getByText("No program `assur` is on PATH").first().waitFor();
+  await open(page, port, servers.builtIn);
+  await correct(page, servers.builtIn);
 }
 
 prepare();
@@ -223,9 +261,7 @@ const page = await browser.newPage({ viewport: { width: 1100, height: 640 } });
 page.setDefaultTimeout(15_000);
 try {
   await test(page, port);
-  const saved = readFileSync(join(folder, "engine.mech"), "utf8");
-  assert.equal(saved, text.replace("given   n", "given n").replace("rodd", "rod"));
-  console.log(`VS Code: colours, also in Markdown, mistake, hover, format, snippet, ${fixes.length + 1} fixes by keyboard, preview, program that is not there`);
+  console.log(`VS Code, program and built-in server: colours, mistake, hover, format, ${fixes.length + 1} fixes by keyboard, preview; Markdown, snippet, choice of the server`);
 } catch (error) {
   await page.screenshot({ path: join(tmpdir(), "assur-workbench.png") });
   console.error(`the picture of the failure is ${join(tmpdir(), "assur-workbench.png")}`);

@@ -1,5 +1,6 @@
 //! Errors of links, their points, lines and masses.
 
+use assur_text::diagnostic::{Fix, Problem};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -217,4 +218,16 @@ pub enum LinkError {
     },
 }
 
-impl assur_text::diagnostic::Problem for LinkError {}
+impl Problem for LinkError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::MassOnGround { what, span, .. } => vec![Fix::left_out(&format!("this {what}"), *span)],
+            Self::StatedTwice { again, .. } => vec![Fix::left_out("the second one", *again)],
+            Self::MassWithoutPlace { member, point, span, .. } => {
+                Fix::quoted(&format!("write `{member} at {point}`"), *span)
+            }
+            Self::WeightWithoutGravity { .. } => vec![Fix::line("gravity 9.81 m/s^2")],
+            _ => Vec::new(),
+        }
+    }
+}

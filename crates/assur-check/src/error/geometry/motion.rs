@@ -286,6 +286,11 @@ impl Problem for MotionError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
             Self::NotDriven { help, .. } => help.fixes().to_vec(),
+            Self::WithoutPosition { name, example, span } => {
+                Fix::quoted(&format!("write `drive {name} = {example}`"), *span)
+            }
+            Self::WrongSense { help, span, .. } => Fix::quoted(help, *span),
+            Self::NoSinglePoint { example, span, .. } => Fix::quoted(&format!("write `{example}`"), *span),
             _ => Vec::new(),
         }
     }

@@ -225,6 +225,12 @@ impl Problem for PairError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
             Self::UnknownProperty { help, .. } => help.fixes().to_vec(),
+            Self::PropertyValue { example, span, .. } => Fix::quoted(&format!("write `{example}`"), *span),
+            Self::Geneva { help, span, .. } if help.starts_with("write `slots ") => Fix::quoted(help, *span),
+            Self::Incomplete { help, span, .. } if help.starts_with("leave `") && help.ends_with("` out") => {
+                let what = help.split('`').nth(1).unwrap_or_default();
+                vec![Fix::left_out(&format!("`{what}`"), *span)]
+            }
             _ => Vec::new(),
         }
     }
