@@ -12,7 +12,7 @@ fail() { echo "$*" >&2; exit 1; }
 (cd "$out" && sha256sum --quiet --check SHA256SUMS)
 say "checksums"
 
-solves() { "$1" test examples >"$work/tested" || fail "$1 does not solve the examples: $(tail -1 "$work/tested")"; }
+solves() { "$1" test examples >"$work/tested" 2>"$work/warnings" || fail "$1 does not solve the examples: $(tail -1 "$work/tested")"; }
 
 tar -C "$work" -xzf "$out"/assur-*.tar.gz
 tree=$(echo "$work"/assur-*)
@@ -63,6 +63,29 @@ PYTHON
 "$fresh/python" "$work/guide.py"
 "$fresh/pip" install --quiet pytest pyarrow polars joblib pygments
 (cd crates/assur-python && "$fresh/python" -m pytest -q -p no:cacheprovider tests/test_pages.py -k "guide or lexer")
+cat >"$work/tables.py" <<'PYTHON'
+"""The program's tables of columns are those of the package, whatever file they come from and go to."""
+import subprocess, sys
+import numpy, pyarrow, pyarrow.feather, pyarrow.parquet
+import assur
+
+program, folder = sys.argv[1:]
+path = "examples/variants/crank-slider.mech"
+i = numpy.arange(20_000)
+rows = pyarrow.table({"r [mm]": numpy.where(i == 7777, 9000.0, 80.0 + i % 40), "phi [deg]": i * 37 % 36000 / 100})
+wanted = pyarrow.table(assur.load(path).batch(rows)).combine_chunks()
+assert wanted["error"].null_count == len(i) - 1
+pyarrow.parquet.write_table(rows, f"{folder}/rows.parquet")
+pyarrow.feather.write_feather(rows, f"{folder}/rows.feather", compression="uncompressed")
+for source, out in [("rows.parquet", "out.feather"), ("rows.feather", "out.parquet")]:
+    command = [program, "batch", path, "--variants", f"{folder}/{source}", "--out", f"{folder}/{out}"]
+    assert subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 1, "a row does not close"
+    read = pyarrow.parquet.read_table if out.endswith("parquet") else pyarrow.feather.read_table
+    found = read(f"{folder}/{out}").combine_chunks()
+    assert found.equals(wanted) and found.schema.field("Mb").metadata[b"unit"] == b"N*m", (source, out)
+PYTHON
+"$fresh/python" "$work/tables.py" "$tree/bin/assur" "$work"
+say "tables of Arrow and Parquet"
 say "wheel: $(stat -c %s "$wheel") bytes, the guide from top to bottom"
 
 tar -C "$work" -xzf "$out"/assur-*[0-9].tar.gz

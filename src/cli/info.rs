@@ -92,7 +92,7 @@ fn drawn() -> Vec<String> {
     values::<DrawFormat>().into_iter().filter(|name| name != "png" || cfg!(feature = "png")).collect()
 }
 
-/// The folder of documents that an installation has beside the program.
+/// The folder of documents that an installation has next to the program.
 fn documents() -> Option<PathBuf> {
     let program = std::env::current_exe().ok()?;
     let folder = program.parent()?.parent()?.join(Path::new("share/doc/assur"));

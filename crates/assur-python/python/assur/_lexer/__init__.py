@@ -1,0 +1,1 @@
+../../../../../editors/pygments/pygments_mech/__init__.py

@@ -1,0 +1,1 @@
+../../../../../editors/pygments/pygments_mech/lexer.py
