@@ -316,7 +316,7 @@ fn an_editor_shows_a_text_that_has_no_file() {
     let crank = json!({ "textDocument": { "uri": uri }, "position": { "line": 2, "character": 6 } });
     session.ask("textDocument/documentHighlight", &crank);
     assert_eq!(next()["marked"], json!({ "class": "link", "name": "arm" }));
-    let answer = json!({ "textDocument": { "uri": uri }, "range": { "start": { "line": 0, "character": 0 }, "end": { "line": 9, "character": 0 } } });
+    let answer = json!({ "textDocument": { "uri": uri }, "range": { "start": { "line": 0, "character": 0 }, "end": { "line": 6, "character": 0 } } });
     let hints = |session: &mut Session| session.ask("textDocument/inlayHint", &answer)["result"].to_string();
     let all = hints(&mut session);
     assert!(all.contains(" … ") && !all.contains("(pose "), "{all}");

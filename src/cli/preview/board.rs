@@ -26,7 +26,7 @@ pub struct Board {
     moved: Option<Moved>,
 }
 
-/// Told where a page is moved.
+/// Takes the place to which a page is moved.
 pub type Moved = Box<dyn Fn(f64) + Send + Sync>;
 
 impl std::fmt::Debug for Board {

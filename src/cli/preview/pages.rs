@@ -18,7 +18,7 @@ pub struct Pages {
     told: Option<Told>,
 }
 
-/// Told where a page is moved.
+/// Takes the place to which a page is moved.
 pub type Told = Arc<dyn Fn(&str, f64) + Send + Sync>;
 
 impl std::fmt::Debug for Pages {
