@@ -2,6 +2,7 @@
 
 mod coordinates;
 mod follow;
+mod impacts;
 mod newton_euler;
 mod rubbing;
 mod stops;

@@ -48,7 +48,7 @@ impl Course<'_> {
         for (place, &slot) in own.iter().enumerate() {
             let reference = self.some_point(slot);
             let name = self.point_name(slot, reference);
-            if self.points[0].get(&name).is_none() {
+            if !self.points[0].contains_key(&name) {
                 let right = self.carried(&placed, place, reference);
                 let value = self.moved(slot).position(reference);
                 self.coordinates(&name, value, right);
@@ -125,14 +125,14 @@ impl Course<'_> {
                     };
                     let h = Name::new("h", &self.label(group.bodies[point.body]));
                     let h = self.given(h, value, Unit::Length);
-                    let (d, guide) = self.from_line(placed, point, line);
+                    let (d, guide) = self.against_line(placed, point, line);
                     rows.push((Unit::Length, guide.across(&d) - h));
                 }
                 Constraint::Coordinate { point, line, law } => {
                     let value = drive.map_or(law.value, |input| input.value);
                     let s = Name::new("s", &self.label(group.bodies[point.body])).marked("∗");
                     let s = self.given(s, value, Unit::Length);
-                    let (d, guide) = self.from_line(placed, point, line);
+                    let (d, guide) = self.against_line(placed, point, line);
                     rows.push((Unit::Length, guide.along(&d) - s));
                 }
             }
@@ -169,7 +169,7 @@ impl Course<'_> {
                 if degrees { angle } else { Expr::Pi * angle / Expr::Int(180) }
             }
             Geared::Slide { point, line } => {
-                let (d, guide) = self.from_line(placed, point, line);
+                let (d, guide) = self.against_line(placed, point, line);
                 guide.along(&d)
             }
         }
@@ -193,7 +193,7 @@ impl Course<'_> {
     }
 
     /// A point against the origin of a line, and the direction of that.
-    fn from_line(&mut self, placed: &Placed<'_>, point: Point, line: Line) -> ([Expr; 2], Angle) {
+    fn against_line(&mut self, placed: &Placed<'_>, point: Point, line: Line) -> ([Expr; 2], Angle) {
         let p = self.carried(placed, point.body, point.r);
         let [x, y] = self.carried(placed, line.body, line.r);
         let label = self.label(placed.group.bodies[point.body]);

@@ -95,7 +95,7 @@ pub(super) const fn template(message: Message) -> &'static str {
             "It begins at one of the starts from which all assemblies are searched for; greatest amounts in every step:"
         }
         Message::NewtonFollowed => {
-            "It begins where the group stands a little earlier in the motion, at {0}; greatest amounts in every step:"
+            "It begins where the group is a little earlier in the motion, at {0}; greatest amounts in every step:"
         }
         Message::NewtonLeft => "left of the equations, m or rad",
         Message::NewtonShift => "shift of a link, m",

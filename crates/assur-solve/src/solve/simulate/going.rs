@@ -173,7 +173,7 @@ impl Going<'_, '_> {
             let happened = happened.filter(|h| h.time <= here);
             let turned = turned.is_some_and(|t| t <= method.t());
             let opened = opened.filter(|(t, _)| *t <= here);
-            let touched = self.stops.passed(touched, here);
+            let touched = self.stops.passed(equations, method, (touched, here));
             let begun = self.watch.counts();
             self.ended_by = self.watch.look(equations, method, happened);
             let mut done = self.ended_by.is_some() || method.t() >= last;

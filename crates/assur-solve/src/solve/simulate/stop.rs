@@ -91,7 +91,8 @@ impl Stops {
             let found = if equations.closed.contains(&index) {
                 opening(equations, method, index).map(|t| (t, Touch::Opens(index)))
             } else {
-                hit(equations, method, index, self.left[index]).map(|t| (t, Touch::Hits(vec![index])))
+                hit(equations, method, index, (self.left[index], self.at_once))
+                    .map(|t| (t, Touch::Hits(vec![index])))
             };
             let Some((t, touch)) = found else { continue };
             match (&mut first, touch) {
@@ -108,10 +109,49 @@ impl Stops {
         first
     }
 
-    /// A step has ended, where something happens at a stop or not: what happens up to an instant.
-    pub fn passed(&mut self, touched: Option<(f64, Touch)>, here: f64) -> Option<Touch> {
-        self.left.fill(false);
+    /// A step has ended, where something happens at a stop or not: what happens up to an instant. A stop is left until its
+    /// coordinate is farther from it than rounding.
+    pub fn passed<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &M,
+        (touched, here): (Option<(f64, Touch)>, f64),
+    ) -> Option<Touch> {
+        let known = self.left.contains(&true) && equations.observe(method.t(), method.y(), false);
+        for index in 0..self.left.len() {
+            self.left[index] &= known && equations.distance(index) <= ROUNDING * equations.size(index);
+        }
         touched.filter(|(t, _)| *t <= here).map(|(_, touch)| touch)
+    }
+
+    /// The stops beside this one at which a coordinate stands that does not come to them, where everything was evaluated.
+    fn touching(&self, equations: &mut Equations<'_, '_>, y: &[f64], index: usize) -> Vec<usize> {
+        let others =
+            (0..self.left.len()).filter(|other| *other != index && !equations.closed.contains(other));
+        let mut touching: Vec<usize> = others.collect();
+        touching.retain(|other| {
+            let (rate, rounding) = equations.rate(*other, y);
+            equations.distance(*other) <= ROUNDING * equations.size(*other) && rate >= -rounding
+        });
+        touching
+    }
+
+    /// Closes what an impact has brought to stand at its stop, and leaves the rest of these stops.
+    fn close_or_leave(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        (t, y): (f64, &[f64]),
+        (touching, least): (&[usize], f64),
+    ) -> Result<(), Halt> {
+        for &other in touching {
+            self.left[other] = true;
+            if equations.rate(other, y).0 <= least && equations.pull(other, t, y)? < 0.0 {
+                equations.close(other);
+                self.rests[other].push((t, None));
+            }
+            equations.settle(t, y)?;
+        }
+        Ok(())
     }
 
     /// A closed stop opens.
@@ -147,9 +187,11 @@ impl Stops {
         let mut after = y.to_vec();
         equations.settle(t, y)?;
         let before = equations.rate(index, y).0;
+        let touching = self.touching(equations, y, index);
         let closed = std::mem::take(&mut equations.closed);
         let standing = closed.iter().map(|other| (*other, equations.rate(*other, y).0)).collect::<Vec<_>>();
-        equations.reflect(&[(index, -restitution * before)], &closed, &mut after)?;
+        let stand = [&closed[..], &touching].concat();
+        equations.reflect(&[(index, -restitution * before)], &stand, &mut after)?;
         self.left[index] = true;
         for (other, rate) in standing {
             let change = equations.rate(other, &after).0 - rate;
@@ -160,6 +202,7 @@ impl Stops {
             }
         }
         equations.settle(t, &after)?;
+        self.close_or_leave(equations, (t, &after), (&touching, ROUNDING * before.abs()))?;
         let speed = -restitution * before;
         let Some(Rebounds { height, one, all }) =
             equations.rebounds(index, t, &after, (speed, restitution))?
@@ -172,7 +215,7 @@ impl Stops {
         // as without restitution
         let mut rest = y.to_vec();
         equations.settle(t, y)?;
-        equations.reflect(&[(index, 0.0)], &closed, &mut rest)?;
+        equations.reflect(&[(index, 0.0)], &stand, &mut rest)?;
         equations.close(index);
         self.rests[index].push((t + all, None));
         equations.settle(t, &rest)?;
@@ -236,7 +279,7 @@ fn hit<M: Integrator<f64>>(
     equations: &mut Equations<'_, '_>,
     method: &mut M,
     index: usize,
-    left: bool,
+    (left, at_once): (bool, f64),
 ) -> Option<f64> {
     let (mut from, to) = (method.previous_t(), method.t());
     let mut y = method.y().to_vec();
@@ -255,6 +298,9 @@ fn hit<M: Integrator<f64>>(
         if observed(equations, from, false) <= 0.0 {
             return Some(from);
         }
+    } else if observed(equations, from, false) <= 0.0 && observed(equations, from, true) < 0.0 {
+        // rebounds elsewhere that are not followed have brought it there
+        return Some((from + at_once).min(to));
     }
     let crossing = first_crossing((from, to), None, |t| observed(equations, t, false));
     crossing.filter(|c| !c.rising).map(|c| c.t)
