@@ -53,7 +53,7 @@ impl Threads {
         }
     }
 
-    /// The threads, where so many items are worth them.
+    /// The threads, where there is more than one item and more than one processor.
     fn pool_for(&self, items: usize) -> Option<&rayon::ThreadPool> {
         let start = || rayon::ThreadPoolBuilder::new().num_threads(self.count()).build().ok();
         let several = items > 1 && self.count() > 1;
