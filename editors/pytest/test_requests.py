@@ -100,7 +100,7 @@ async def test_every_request(client):
     tokens = await client.text_document_semantic_tokens_full_async(lsp.SemanticTokensParams(text_document=DOCUMENT))
     assert len(tokens.data) % 5 == 0 and list(tokens.data[:5]) == [0, 0, 4, 0, 0]
     again = lsp.SemanticTokensDeltaParams(text_document=DOCUMENT, previous_result_id=tokens.result_id)
-    assert (await client.text_document_semantic_tokens_full_delta_async(again)).edits == []
+    assert (await client.text_document_semantic_tokens_full_delta_async(again)).edits == ()
     chosen = lsp.SelectionRangeParams(text_document=DOCUMENT, positions=[lsp.Position(6, 20)])
     assert (await client.text_document_selection_range_async(chosen))[0].parent is not None
     found = await client.workspace_symbol_async(lsp.WorkspaceSymbolParams(query="cran"))
