@@ -14,7 +14,7 @@ say "checksums"
 
 solves() { "$1" test examples >"$work/tested" 2>"$work/warnings" || fail "$1 does not solve the examples: $(tail -1 "$work/tested")"; }
 
-tar -C "$work" -xzf "$out"/assur-*.tar.gz
+tar -C "$work" -xzf "$out"/assur-*-*-*.tar.gz
 tree=$(echo "$work"/assur-*)
 "$tree/bin/assur" info | grep -qF "$tree/share/doc/assur" || fail "the archive does not find its documents"
 for file in man/man1/assur.1 man/man1/assur-batch.1 bash-completion/completions/assur zsh/vendor-completions/_assur \

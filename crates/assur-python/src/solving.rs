@@ -92,7 +92,10 @@ impl Solving {
         self.head = self.head(&layout);
         self.schema = self.head.schema();
         self.layout = Some(layout);
-        self.waiting.extend(first);
+        // before what is left of the same batch
+        if let Some(first) = first {
+            self.waiting.push_front(first);
+        }
         Ok(())
     }
 

@@ -60,6 +60,14 @@ def test_the_same_for_any_number_of_threads(problem: assur.Problem, rows: dict[s
         problem.batch(rows, threads=-1)
 
 
+def test_a_large_batch_keeps_its_order(problem: assur.Problem) -> None:
+    """It is solved part by part: 65,536 rows at a time."""
+    lengths = 80 + np.arange(150_000) % 40 + 0.25
+    found = problem.batch({"r [mm]": lengths}).read()
+    assert (np.array(found["row"]) == 1 + np.arange(150_000)).all()
+    assert (found["r"] == lengths).all()
+
+
 def test_a_row_is_the_file_with_its_values(problem: assur.Problem, engine: str, rows: dict) -> None:
     answers = problem.batch(rows).read()
     assert answers["row"] == list(range(1, COUNT + 1))

@@ -134,7 +134,7 @@ fn a_broken_row_is_null_and_says_why() {
     };
     assert_eq!(column("variant"), ["good", "no number", "no end", "too long"]);
     assert_eq!(column("r"), ["90", "", "inf", "900"]);
-    assert!(column("M")[0] != "" && column("M")[1..].iter().all(String::is_empty), "{:?}", column("M"));
+    assert!(!column("M")[0].is_empty() && column("M")[1..].iter().all(String::is_empty), "{:?}", column("M"));
     let errors = column("error");
     assert_eq!(errors[..3], ["", "the value of `r` is missing", "the value of `r` is infinite"]);
     assert!(errors[3].contains("close"), "{errors:?}");
