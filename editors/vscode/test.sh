@@ -7,7 +7,8 @@ npm test --silent
 npm run --silent package >/dev/null
 node test/built-in.mjs
 size=$(stat -c %s mech.vsix)
-[ "$size" -le 1500000 ] || { echo "mech.vsix has $size bytes" >&2; exit 1; }
+# that of the server for tests is larger
+[ "${PROFILE:-wasm}" != wasm ] || [ "$size" -le 1500000 ] || { echo "mech.vsix has $size bytes" >&2; exit 1; }
 
 cd test/workbench
 node test.mjs
