@@ -33,6 +33,8 @@ const FINEST: f64 = 2e-15;
 const LEAST_CONDITION: f64 = 1e-3;
 /// At this tolerance rounding may be greater than what the method leaves.
 const ROUNDING: f64 = 1e-11;
+/// Evaluations of all runs: no finer run is begun that would take more.
+const MOST: usize = 12_000_000;
 /// Where the coarser run misses the accuracy by more than this, the next pair starts anew.
 const FAR: f64 = 30.0;
 
@@ -149,6 +151,12 @@ pub(crate) fn trajectory(
         if matches!(coarse.stopped, Some((_, Halt::TooManySteps | Halt::Interrupted))) {
             // a finer run takes more
             break (coarse, Kinds::default(), Compared { error: 1.0, ..Compared::UNKNOWN });
+        }
+        if spent + coarse.counts.evaluations > MOST {
+            let unknown = Compared { error: 1.0, ..Compared::UNKNOWN };
+            let compared = if best.error < unknown.error { best } else { unknown };
+            let kinds = coarse.kinds.clone();
+            break (missed(coarse, within, &compared), kinds, compared);
         }
         let fine = run(tolerance * FINER, false);
         spent += fine.counts.evaluations;
