@@ -153,8 +153,7 @@ pub(crate) fn trajectory(
             break (coarse, Kinds::default(), Compared { error: 1.0, ..Compared::UNKNOWN });
         }
         if spent + coarse.counts.evaluations > MOST {
-            let unknown = Compared { error: 1.0, ..Compared::UNKNOWN };
-            let compared = if best.error < unknown.error { best } else { unknown };
+            let compared = at_most_all(best);
             let kinds = coarse.kinds.clone();
             break (missed(coarse, within, &compared), kinds, compared);
         }
@@ -178,6 +177,10 @@ pub(crate) fn trajectory(
         if tolerance * FINER <= FINEST {
             break (missed(fine, within, &compared), coarse.kinds, compared);
         }
+        if spent + fine.counts.evaluations > MOST {
+            let compared = at_most_all(compared);
+            break (missed(fine, within, &compared), coarse.kinds, compared);
+        }
         let away = compared.error / within;
         if away > FAR {
             // of runs that do not agree at all nothing is known
@@ -196,6 +199,11 @@ pub(crate) fn trajectory(
     let report = report(model.mechanism, within, spent, &compared, &printed);
     let report = SimulationReport { steady, ..report };
     Ok(ended(printed, kinds, report, begin))
+}
+
+/// Where two runs do not agree at all, or there is one alone: all of what there is.
+fn at_most_all(compared: Compared) -> Compared {
+    Compared { error: compared.error.min(1.0), ..compared }
 }
 
 /// What rounding makes of a run at least: it adds up as a random walk, and grows near dead positions.
