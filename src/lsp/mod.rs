@@ -18,7 +18,7 @@ use assur_text::source::Encoding;
 use capabilities::Refreshes;
 use colours::Sent;
 use error::Failure;
-use gen_lsp_types::{LspNotificationMethod, LspRequestMethod};
+use gen_lsp_types::{LspNotificationMethod, LspRequestMethod, TextDocumentPositionParams};
 pub use preview::{Pages, View};
 use serde_json::{Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -48,6 +48,8 @@ pub struct Server {
     /// Whether the client opens addresses.
     shows_documents: bool,
     pages: Option<Box<dyn Pages>>,
+    /// Where the cursor was last, for a page that opens.
+    cursor: Option<TextDocumentPositionParams>,
     is_over: bool,
 }
 

@@ -61,6 +61,9 @@ impl Server {
         if let Some(view) = self.texts.view(uri) {
             pages.show(uri, view);
         }
+        if self.cursor.as_ref().is_some_and(|at| at.text_document.uri.to_string() == uri) {
+            self.mark_cursor();
+        }
         Ok(json!({ "address": address }))
     }
 
@@ -79,6 +82,12 @@ impl Server {
     /// Marks what is at the place that a request is about, on the page of its text.
     pub(super) fn mark(&mut self, message: &Value) {
         let Ok(at) = params::<TextDocumentPositionParams>(message) else { return };
+        self.cursor = Some(at);
+        self.mark_cursor();
+    }
+
+    fn mark_cursor(&mut self) {
+        let Some(at) = &self.cursor else { return };
         let uri = at.text_document.uri.to_string();
         let Some(pages) = self.pages.as_mut().filter(|pages| pages.has(&uri)) else { return };
         let Ok(analysis) = self.texts.look(&uri) else { return };
