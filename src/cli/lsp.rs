@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::preview::{Pages, Told};
+use super::preview::{Moves, Pages};
 use super::reply::{Status, quiet_panics};
 use super::screen::Screen;
 use crate::lsp::{Server, Stop};
@@ -46,13 +46,13 @@ pub fn run(screen: &Screen) -> Status {
         // nobody is there to hear that nobody listens
         let _ = sender.send(None);
     });
-    // what a page tells goes the way of messages
-    let told: Told = Arc::new(move |uri: &str, part: f64| {
+    // where a page is moved goes the way of messages
+    let moves: Moves = Arc::new(move |uri: &str, part: f64| {
         let params = json!({ "uri": uri, "part": part });
         let message = json!({ "jsonrpc": "2.0", "method": "assur/pose", "params": params });
         let _ = to_server.send(Some(Ok(message)));
     });
-    let mut server = Server::with_pages(Box::new(Pages::telling(told)));
+    let mut server = Server::with_pages(Box::new(Pages::with_moves(moves)));
     match serve(&mut server, &Inbox::new(receiver)) {
         Ok(()) if server.is_over() && !server.is_closed() => Status::Wrong,
         Ok(()) => Status::Fine,

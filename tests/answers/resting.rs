@@ -24,11 +24,8 @@ fn a_pair_that_holds_alone_bears_what_is_left() {
     assert!((number(0, "F") - 0.25 * 9.81).abs() < 1e-9, "{}", number(0, "F"));
 }
 
-#[test]
-fn what_several_pairs_share_is_not_determined() {
-    let text = "gravity 9.81 m/s^2
-ground { A (0, 0); line guide through A along 0 deg }
-link crank A-B 60 mm { mass 2 kg at A; inertia 0.03 kg*m^2 }
+/// A slider-crank that rests by two pairs that rub.
+const SHARING: &str = "link crank A-B 60 mm { mass 2 kg at A; inertia 0.03 kg*m^2 }
 link rod B-C 210 mm { S (70 mm, 0); mass 0.9 kg at S; inertia 0.006 kg*m^2 }
 link piston { C (0, 0); mass 0.7 kg at C }
 revolute A: ground - crank
@@ -38,10 +35,15 @@ prismatic D: piston.C - ground.guide { friction 0.5 }
 assemble C ahead of B
 torque M on crank = 0.3 N*m
 start crank = 30 deg
-simulate 1 s in 2 steps
+";
+
+#[test]
+fn what_several_pairs_share_is_not_determined() {
+    let ground = "gravity 9.81 m/s^2\nground { A (0, 0); line guide through A along 0 deg }\n";
+    let find = "simulate 1 s in 2 steps
 find omega(crank), F = friction(D, piston), T = moment(B, rod), R = mag(reaction(C)), W = friction_work()
 ";
-    let solution = assur::solve(text).unwrap();
+    let solution = assur::solve(format!("{ground}{SHARING}{find}")).unwrap();
     for pose in solution.poses() {
         assert_eq!(pose["omega(crank)"].number(), Some(0.0));
         assert_eq!(pose["W"].number(), Some(0.0));
@@ -53,25 +55,14 @@ find omega(crank), F = friction(D, piston), T = moment(B, rod), R = mag(reaction
 
 #[test]
 fn what_they_share_leaves_other_chains_alone() {
-    // the slider-crank rests by two pairs that rub; the block beside it hangs on the ground alone
-    let chain = "ground { A (0, 0); line guide through A along 0 deg; H (1 m, 1 m) }
-link crank A-B 60 mm { mass 2 kg at A; inertia 0.03 kg*m^2 }
-link rod B-C 210 mm { S (70 mm, 0); mass 0.9 kg at S; inertia 0.006 kg*m^2 }
-link piston { C (0, 0); mass 0.7 kg at C }
-revolute A: ground - crank
-revolute B: crank - rod { friction_circle 20 mm }
-revolute C: rod - piston
-prismatic D: piston.C - ground.guide { friction 0.5 }
-assemble C ahead of B
-torque M on crank = 0.3 N*m
-start crank = 30 deg
-";
+    // the pendulum next to it is joined to the ground alone
+    let ground = "ground { A (0, 0); line guide through A along 0 deg; H (1 m, 1 m) }\n";
     let block = "link pendulum H-P 300 mm { mass 1 kg at P; inertia 0.01 kg*m^2 }
 revolute H: ground - pendulum
 start pendulum = -40 deg
 ";
     let end = "gravity 9.81 m/s^2\nsimulate 1 s in 4 steps within 1e-9\n";
-    let both = format!("{end}{chain}{block}find R = mag(reaction(C)), Q = reaction(H, pendulum)\n");
+    let both = format!("{end}{ground}{SHARING}{block}find R = mag(reaction(C)), Q = reaction(H, pendulum)\n");
     let alone = format!("{end}ground {{ H (1 m, 1 m) }}\n{block}find Q = reaction(H, pendulum)\n");
     let (both, alone) = (assur::solve(&both).unwrap(), assur::solve(&alone).unwrap());
     for (one, other) in both.poses().iter().zip(alone.poses()) {

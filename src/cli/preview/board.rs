@@ -14,6 +14,9 @@ struct Now {
     picture: Option<(u64, String)>,
     /// The rest, as the page reads it.
     state: Value,
+    /// What is at the cursor of an editor, which may be known before the first picture is drawn.
+    #[cfg(feature = "lsp")]
+    marked: Value,
 }
 
 /// What a page shows; newer texts replace older ones.
@@ -41,9 +44,9 @@ impl Board {
         Self { name: name.to_owned(), now: Mutex::default(), changed: Condvar::new(), moved: None }
     }
 
-    /// A board that tells where its page is moved.
+    /// A board that passes on where its page is moved.
     #[cfg(feature = "lsp")]
-    pub fn told(name: &str, moved: Moved) -> Self {
+    pub fn with_moves(name: &str, moved: Moved) -> Self {
         Self { moved: Some(moved), ..Self::new(name) }
     }
 
@@ -59,7 +62,11 @@ impl Board {
     pub fn mark(&self, what: Option<(&'static str, String)>) {
         let marked = what.map(|(class, name)| json!({ "class": class, "name": name })).unwrap_or_default();
         let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
-        if now.state.is_object() && now.state["marked"] != marked {
+        if now.marked == marked {
+            return;
+        }
+        now.marked = marked.clone();
+        if now.state.is_object() {
             now.state["marked"] = marked;
             now.version += 1;
             self.changed.notify_all();
@@ -74,9 +81,12 @@ impl Board {
         let is_solved = shown.picture.is_some();
         let mut state = std::mem::take(&mut now.state);
         if is_solved || state.is_null() {
-            let marked = state["marked"].take();
             let (answers, declared) = (shown.answers, shown.declared);
-            state = json!({ "name": self.name, "answers": answers, "declared": declared, "marked": marked });
+            state = json!({ "name": self.name, "answers": answers, "declared": declared });
+            #[cfg(feature = "lsp")]
+            {
+                state["marked"] = now.marked.clone();
+            }
             state["follows"] = self.moved.is_some().into();
         }
         if let Some(picture) = shown.picture {

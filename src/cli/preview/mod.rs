@@ -16,7 +16,7 @@ use super::screen::Screen;
 use board::Board;
 use file::Followed;
 #[cfg(feature = "lsp")]
-pub use pages::{Pages, Told};
+pub use pages::{Moves, Pages};
 use site::Site;
 use std::sync::Arc;
 

@@ -14,12 +14,11 @@ use std::thread;
 pub struct Pages {
     site: Option<Arc<Site>>,
     open: BTreeMap<String, Page>,
-    /// Takes what pages tell of texts: their address, and the part of the way that is looked at.
-    told: Option<Told>,
+    moves: Option<Moves>,
 }
 
-/// Takes the place to which a page is moved.
-pub type Told = Arc<dyn Fn(&str, f64) + Send + Sync>;
+/// Takes the address of a text, and the part of the way at which its page is.
+pub type Moves = Arc<dyn Fn(&str, f64) + Send + Sync>;
 
 impl std::fmt::Debug for Pages {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -84,9 +83,9 @@ impl Slot {
 }
 
 impl Pages {
-    /// Pages that tell where they are moved.
-    pub fn telling(told: Told) -> Self {
-        Self { told: Some(told), ..Self::default() }
+    /// Pages that pass on where they are moved.
+    pub fn with_moves(moves: Moves) -> Self {
+        Self { moves: Some(moves), ..Self::default() }
     }
 
     fn started(&mut self, uri: &str) -> std::io::Result<&Page> {
@@ -95,10 +94,10 @@ impl Pages {
             None => Arc::clone(self.site.insert(Site::start(0)?)),
         };
         let name = uri.rsplit('/').next().unwrap_or(uri);
-        let board = match self.told.clone() {
-            Some(told) => {
+        let board = match self.moves.clone() {
+            Some(moves) => {
                 let uri = uri.to_owned();
-                Board::told(name, Box::new(move |part| told(&uri, part)))
+                Board::with_moves(name, Box::new(move |part| moves(&uri, part)))
             }
             None => Board::new(name),
         };
