@@ -91,12 +91,14 @@ fn allocations_of_a_sweep(text: &str, lines: &mut impl FnMut(&Answers<'_>, &Pose
     let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
     let precision = Precision::READABLE;
     let answers = Answers { model, solution: &solution, outcomes: &[], reached: None, precision };
-    let mut block = Block::default();
+    let (mut block, mut branches) = (Block::default(), Vec::new());
     let mut blocks = |count: usize| {
         for _ in 0..count {
-            following.ahead(BLOCK).expect("positions do not depend on one another").solve(&mut block, 0);
-            assert!(following.take(&mut block));
-            following.last_taken().expect("there are some").answer(&mut block, true);
+            let (ahead, mut taking) =
+                following.side_by_side(&mut branches).expect("positions do not depend on one another");
+            ahead.solve(&mut block, 0);
+            assert!(taking.take(&mut block));
+            ahead.answer(&mut block, true);
             block.poses().iter().for_each(|pose| lines(&answers, pose));
         }
     };

@@ -29,6 +29,7 @@ pub mod report;
 #[doc(hidden)]
 pub mod screen;
 mod solve;
+mod stages;
 mod stream;
 mod test;
 #[doc(hidden)]

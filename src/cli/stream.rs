@@ -5,12 +5,13 @@ use super::args::Format;
 use super::motion::OnTheWay;
 use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
-use super::threads::Threads;
+use super::stages::{InOrder, Stages, work};
+use super::threads::{BLOCKS, Threads};
 use crate::pipeline::{Compiled, Sink, Solved};
 use crate::report::json::JsonLines;
 use crate::report::lines::CsvLines;
 use crate::report::{Answers, Precision};
-use assur_solve::solve::{Ahead, Block, Conduct, Pose, Watch};
+use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Pose, Watch};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -18,6 +19,9 @@ use assur_text::source::Source;
 const PIECE: usize = 1 << 16;
 /// What is held back at the most while no position has closed yet: where none does, the file has no answers.
 const HELD: usize = 1 << 25;
+/// Positions that a thread solves, or writes, at once.
+const PIECES: usize = BLOCKS * BLOCK;
+
 /// Writes all positions of a file; in CSV after its name, if one is given.
 pub fn positions(
     (format, file): (Format, Option<&str>),
@@ -38,8 +42,8 @@ pub fn positions(
     let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
     let way = OnTheWay::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
-    let (begun, any, failed, texts) = (false, false, false, Vec::new());
-    let mut out = Out { lines, angles, text, texts, begun, any, failed, printer, threads, watch: &watch };
+    let (begun, any, failed) = (false, false, false);
+    let mut out = Out { lines, angles, text, begun, any, failed, printer, threads, watch: &watch };
     let (solved, found) = crate::pipeline::solve_each(compiled, &mut out);
     problems.append(found);
     if let Ok(solved) = &solved {
@@ -67,6 +71,14 @@ impl Lines {
         }
     }
 
+    /// Whether all of it is found that is looked for.
+    const fn have_begun(&self) -> bool {
+        match self {
+            Self::Csv(lines) => lines.has_begun(),
+            Self::Json(lines) => lines.has_begun(),
+        }
+    }
+
     /// Adds the line of a position.
     fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, text: &mut Vec<u8>) {
         match self {
@@ -89,8 +101,6 @@ struct Out<'p, 'o, 'w> {
     /// The lines show angles.
     angles: bool,
     text: Vec<u8>,
-    /// Of blocks, until they are written: while the next ones are solved.
-    texts: Vec<Vec<u8>>,
     /// A position has a meaning.
     begun: bool,
     any: bool,
@@ -121,35 +131,126 @@ impl Sink for Out<'_, '_, '_> {
         true
     }
 
-    fn blocks(&self) -> usize {
-        self.threads.blocks()
-    }
-
-    fn solve(&mut self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+    fn add_side_by_side(
+        &mut self,
+        answers: &Answers<'_>,
+        ahead: &Ahead<'_>,
+        take: &mut dyn FnMut(&mut Block) -> bool,
+    ) -> bool {
         // CSV shows no residuals
         let ahead = if matches!(self.lines, Lines::Csv(_)) { ahead.without_residuals() } else { *ahead };
-        let threads = self.threads;
-        threads.solve_while(&ahead, blocks, || self.print_texts());
-    }
-
-    fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
         (self.any, self.begun) = (true, true);
-        if let Some(first) = blocks.first_mut() {
-            ahead.answer(first, self.angles);
-            self.lines.begin(answers, first.poses().first());
+        self.flush();
+        let (mut from, mut block) = (0, Block::default());
+        while from < ahead.count() && !self.lines.have_begun() {
+            ahead.solve(&mut block, from);
+            let whole = take(&mut block);
+            ahead.answer(&mut block, true);
+            self.lines.begin(answers, block.poses().first());
+            write(&self.lines, answers, &block, &mut self.text);
+            if !whole {
+                return !self.failed;
+            }
+            from += BLOCK;
         }
         self.flush();
-        self.texts.resize_with(blocks.len(), Vec::new);
-        let (lines, angles) = (&self.lines, self.angles);
-        let mut work: Vec<(&mut Block, &mut Vec<u8>)> = blocks.iter_mut().zip(&mut self.texts).collect();
-        self.threads.each(&mut work, |(_, (block, text))| {
-            ahead.answer(block, angles);
-            let mut row = Vec::new();
-            let poses = block.poses().iter().filter(|pose| pose.is_position());
-            poses.for_each(|pose| lines.add(answers, pose, &mut row, text));
-        });
-        !self.failed
+        let ahead = ahead.behind(from);
+        let Self { lines, angles, printer, .. } = self;
+        let stages = Writing { lines, answers, ahead, angles: *angles };
+        let goes_on = work(
+            self.threads.count(),
+            ahead.count().div_ceil(PIECES),
+            &stages,
+            &mut Printing { take, printer },
+        );
+        self.failed |= !goes_on;
+        goes_on
     }
+}
+
+/// Positions that are solved, and then written.
+struct Writing<'w> {
+    lines: &'w Lines,
+    answers: &'w Answers<'w>,
+    ahead: Ahead<'w>,
+    angles: bool,
+}
+
+/// Positions with their lines.
+#[derive(Default)]
+struct Piece {
+    blocks: Vec<Block>,
+    text: Vec<u8>,
+    /// The text is that of the blocks.
+    is_written: bool,
+}
+
+impl Stages for Writing<'_> {
+    type Piece = Piece;
+
+    fn piece(&self) -> Piece {
+        Piece::default()
+    }
+
+    fn begin(&self, number: usize, piece: &mut Piece) {
+        let ahead = self.ahead.behind(number * PIECES);
+        piece.text.clear();
+        piece.blocks.resize_with(ahead.count().min(PIECES).div_ceil(BLOCK), Block::default);
+        piece.is_written = !self.angles;
+        for (i, block) in piece.blocks.iter_mut().enumerate() {
+            ahead.solve(block, i * BLOCK);
+            // angles depend on the positions before: lines that show none are written while the states are at hand
+            if piece.is_written {
+                ahead.answer(block, false);
+                write(self.lines, self.answers, block, &mut piece.text);
+            }
+        }
+    }
+
+    fn is_finished(&self, piece: &Piece) -> bool {
+        piece.is_written
+    }
+
+    fn finish(&self, piece: &mut Piece) {
+        piece.text.clear();
+        for block in &mut piece.blocks {
+            self.ahead.answer(block, self.angles);
+            write(self.lines, self.answers, block, &mut piece.text);
+        }
+    }
+}
+
+/// Takes positions over, and prints their lines.
+struct Printing<'t, 'p, 'o> {
+    take: &'t mut dyn FnMut(&mut Block) -> bool,
+    printer: &'p mut Printer<'o>,
+}
+
+impl InOrder<Piece> for Printing<'_, '_, '_> {
+    fn between(&mut self, piece: &mut Piece) -> bool {
+        for i in 0..piece.blocks.len() {
+            let solved = piece.blocks[i].poses().len();
+            let whole = (self.take)(&mut piece.blocks[i]);
+            let is_last = i + 1 == piece.blocks.len();
+            piece.is_written &= piece.blocks[i].poses().len() == solved && (whole || is_last);
+            if !whole {
+                piece.blocks.truncate(i + 1);
+                return false;
+            }
+        }
+        true
+    }
+
+    fn end(&mut self, piece: &mut Piece) -> bool {
+        self.printer.print(&piece.text)
+    }
+}
+
+/// Adds the lines of a block.
+fn write(lines: &Lines, answers: &Answers<'_>, block: &Block, text: &mut Vec<u8>) {
+    let mut row = Vec::new();
+    let poses = block.poses().iter().filter(|pose| pose.is_position());
+    poses.for_each(|pose| lines.add(answers, pose, &mut row, text));
 }
 
 impl Out<'_, '_, '_> {
@@ -164,16 +265,7 @@ impl Out<'_, '_, '_> {
     }
 
     fn flush(&mut self) {
-        self.print_texts();
         self.failed |= !self.printer.print(&self.text);
         self.text.clear();
-    }
-
-    /// Writes the texts of blocks that are not written yet.
-    fn print_texts(&mut self) {
-        for text in &mut self.texts {
-            self.failed |= !self.printer.print(&*text);
-            text.clear();
-        }
     }
 }

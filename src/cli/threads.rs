@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use std::sync::OnceLock;
 
 /// Blocks that a thread solves at once: what they hold fits the cache.
-const BLOCKS: usize = 4;
+pub(super) const BLOCKS: usize = 4;
 
 /// Threads, started when they are needed.
 #[derive(Debug)]
@@ -22,7 +22,8 @@ impl Threads {
         Self { count: count.map(OnceLock::from).unwrap_or_default(), pool: OnceLock::new() }
     }
 
-    fn count(&self) -> usize {
+    /// How many they are.
+    pub fn count(&self) -> usize {
         let all = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         *self.count.get_or_init(all)
     }
@@ -35,22 +36,7 @@ impl Threads {
 
     /// Solves blocks of positions.
     pub fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
-        self.solve_while(ahead, blocks, || ());
-    }
-
-    /// Solves blocks of positions, and does something else on this thread in the meantime.
-    pub fn solve_while(&self, ahead: &Ahead<'_>, blocks: &mut [Block], meanwhile: impl FnOnce()) {
-        let solve = |(i, block): (usize, &mut Block)| ahead.solve(block, i * BLOCK);
-        match self.pool_for(blocks.len()) {
-            Some(pool) => pool.in_place_scope(|scope| {
-                scope.spawn(|_| blocks.par_iter_mut().enumerate().for_each(solve));
-                meanwhile();
-            }),
-            None => {
-                meanwhile();
-                blocks.iter_mut().enumerate().for_each(solve);
-            }
-        }
+        self.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
     }
 
     /// The threads, where there is more than one item and more than one processor.

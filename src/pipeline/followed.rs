@@ -53,6 +53,34 @@ pub trait Sink {
             block.poses().iter().all(|pose| self.add(answers, pose))
         })
     }
+
+    /// Takes positions of which none depends on another, block by block in their order, as far as `take` takes each over.
+    fn add_side_by_side(
+        &mut self,
+        answers: &Answers<'_>,
+        ahead: &Ahead<'_>,
+        take: &mut dyn FnMut(&mut Block) -> bool,
+    ) -> bool {
+        let (mut from, mut whole, mut blocks) = (0, true, Vec::new());
+        while whole && from < ahead.count() {
+            let count = (ahead.count() - from).min(self.blocks() * BLOCK);
+            blocks.resize_with(count.div_ceil(BLOCK), Block::default);
+            self.solve(&ahead.behind(from), &mut blocks);
+            let mut taken = 0;
+            for block in &mut blocks {
+                whole = take(block);
+                taken += usize::from(!block.poses().is_empty());
+                if !whole {
+                    break;
+                }
+            }
+            if taken > 0 && !self.add_blocks(answers, ahead, &mut blocks[..taken]) {
+                return false;
+            }
+            from += count;
+        }
+        true
+    }
 }
 
 impl<F: FnMut(&Answers<'_>, &Pose) -> bool> Sink for F {
@@ -141,14 +169,15 @@ pub fn followed(
     let (mut poses, mut problems) = (Vec::new(), Problems::new());
     let precision = Precision::READABLE;
     let answers = Answers { model: *model, solution: &head, outcomes: &[], reached: None, precision };
-    let (mut sink, mut blocks) = (sink, Vec::new());
+    let (mut sink, mut branches) = (sink, Vec::new());
     let (mut failed, mut ambiguous) = (0, false);
     loop {
         if let Some(sink) = sink.as_deref_mut().filter(|_| !keeps_all && model.mechanism.expects.is_empty()) {
-            match side_by_side(&mut following, sink, &mut blocks, &answers) {
-                Some(true) => continue,
-                Some(false) => return Ok(None),
-                None => {}
+            if let Some((ahead, mut taking)) = following.side_by_side(&mut branches) {
+                if !sink.add_side_by_side(&answers, &ahead, &mut |block| taking.take(block)) {
+                    return Ok(None);
+                }
+                continue;
             }
         }
         let Some(pose) = following.next() else { break };
@@ -180,28 +209,6 @@ pub fn followed(
     said.append(problems);
     solution.open = head.open;
     Ok(Some((solution, said)))
-}
-
-/// The next positions as far as none depends on another; `None` where they do.
-fn side_by_side(
-    following: &mut Following<'_, '_>,
-    sink: &mut dyn Sink,
-    blocks: &mut Vec<Block>,
-    answers: &Answers<'_>,
-) -> Option<bool> {
-    let ahead = following.ahead(sink.blocks() * BLOCK)?;
-    blocks.resize_with(ahead.count().div_ceil(BLOCK), Block::default);
-    sink.solve(&ahead, blocks);
-    let mut taken = 0;
-    for block in &mut *blocks {
-        let whole = following.take(block);
-        taken += usize::from(!block.poses().is_empty());
-        if !whole {
-            break;
-        }
-    }
-    let ahead = following.last_taken().filter(|_| taken > 0)?;
-    Some(sink.add_blocks(answers, &ahead, &mut blocks[..taken]))
 }
 
 /// Whether an expectation gives a value for every position of a sweep.

@@ -64,6 +64,12 @@ impl CsvLines {
         }
     }
 
+    /// Whether they are found.
+    #[must_use]
+    pub const fn has_begun(&self) -> bool {
+        self.begun
+    }
+
     /// Whether a column shows the angle of a link or of a hinge.
     #[must_use]
     pub fn reads_angles(&self, model: &Model<'_>) -> bool {

@@ -51,6 +51,12 @@ impl JsonLines {
         }
     }
 
+    /// Whether they are found, or not looked for any more.
+    #[must_use]
+    pub const fn has_begun(&self) -> bool {
+        self.filled.is_some() || self.seen >= TRIES
+    }
+
     /// Adds the line of a position; `row` is memory for its numbers.
     pub fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) {
         if !self.filled.as_ref().is_some_and(|filled| filled.write(answers, pose, row, out)) {

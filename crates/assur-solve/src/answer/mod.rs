@@ -29,7 +29,7 @@ mod turning;
 mod undefined;
 mod whole_cycle;
 
-pub(crate) use angles::{first_angles, first_angles_in, whole_turns};
+pub(crate) use angles::{first_angles, first_angles_in};
 pub(crate) use constant::constant;
 pub use cycle_answers::{CycleAnswer, FlywheelAnswer};
 pub use evaluate::compare;

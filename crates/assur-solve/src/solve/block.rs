@@ -2,18 +2,20 @@
 //!
 //! A closed form finds a position from the drives and from the assembly alone. Where every group stays far from its change points
 //! the motion keeps the assembly, which is what following would find: a block of such positions is solved at once, here, and then
-//! taken over by the one that follows ([`Following::take`](super::Following::take)), as far as that holds. Nothing else may come of
+//! taken over by the one that follows ([`Taking::take`](super::Taking::take)), as far as that holds. Nothing else may come of
 //! it than from following: not a bit, not a note.
 
 use super::inputs::Rates;
 use super::lost::{is_moderate, out_of_scale};
 use super::positions::Sweep;
 use super::solution::{Pose, Solved};
-use super::track::CAREFUL;
+use super::steps::steps;
+use super::track::{CAREFUL, turn_on};
 use crate::answer::{PoseAnswers, WholeCycle};
 use crate::model::PairKind;
 use crate::plan::Numbers;
 use crate::position::{Branch, Model, PoseOrigin, Residuals, State, Together};
+use std::f64::consts::TAU;
 
 /// The most positions of a block.
 pub const BLOCK: usize = 64;
@@ -41,6 +43,9 @@ pub struct Ahead<'f> {
     pub(super) branches: &'f [Branch],
     pub(super) first: usize,
     pub(super) count: usize,
+    pub(super) extent: f64,
+    /// How many angles there are, of bodies and pairs.
+    pub(super) angles: usize,
     /// The balance of forces is checked and its residuals are kept.
     pub(super) residuals: bool,
 }
@@ -52,12 +57,20 @@ pub struct Block {
     states: Vec<State>,
     residuals: Vec<Residuals>,
     together: Together,
-    /// Whole turns of the bodies at every position, rad.
+    /// Whole turns of the bodies since the first position.
     turns: Vec<f64>,
-    /// The same at the position that is looked at.
-    pub(super) running: Vec<f64>,
+    pub(super) begin: Begin,
     /// How many positions from the first on are what following would find, as far as it was looked at.
     free: usize,
+}
+
+/// What the positions of a block have from those before them.
+#[derive(Debug, Default)]
+pub(super) struct Begin {
+    /// Whole turns of the bodies at the first position.
+    pub turns: Vec<f64>,
+    /// Whole turns of the pairs, rad.
+    pub pairs: Vec<f64>,
 }
 
 impl Ahead<'_> {
@@ -65,6 +78,12 @@ impl Ahead<'_> {
     #[must_use]
     pub const fn count(&self) -> usize {
         self.count
+    }
+
+    /// Those behind the next `count` of them.
+    #[must_use]
+    pub const fn behind(self, count: usize) -> Self {
+        Self { first: self.first + count, count: self.count.saturating_sub(count), ..self }
     }
 
     /// The same, with the closure as the only residual: of forces that are neither lost nor out of scale nothing else is reported.
@@ -88,12 +107,13 @@ impl Ahead<'_> {
         }
         block.together.run(self.model.plan, &mut block.states, &mut block.residuals, self.residuals);
         block.free = 0;
-        for (i, pose) in block.poses.iter_mut().enumerate() {
-            let (state, residuals) = (&mut block.states[i], block.residuals[i]);
-            if !is_regular(self.model, state, &residuals) {
+        block.turns.clear();
+        for i in 0..count {
+            if !is_regular(self.model, &block.states[i], &block.residuals[i]) || !self.goes_on(block, i) {
                 break;
             }
-            let Ok(solved) = &mut pose.outcome else { break };
+            let (state, residuals) = (&mut block.states[i], block.residuals[i]);
+            let Ok(solved) = &mut block.poses[i].outcome else { break };
             solved.condition = condition(self.model, state);
             solved.residuals = residuals;
             std::mem::swap(&mut solved.state, state);
@@ -101,18 +121,39 @@ impl Ahead<'_> {
         }
     }
 
-    /// Adds to the positions that were taken over what depends on those before: the quantities, and the angles if they are asked
-    /// for.
+    /// Whether following goes from the position before to this one in a step; carries the turns of the bodies on.
+    fn goes_on(&self, block: &mut Block, i: usize) -> bool {
+        let bodies = self.model.plan.bodies;
+        let Some(before) = i.checked_sub(1) else {
+            block.turns.resize(bodies, 0.0);
+            return true;
+        };
+        let [last, next] = [before, i].map(|i| &block.poses[i].drives);
+        if steps(self.model, self.extent, last, next) > 1.0 {
+            return false;
+        }
+        block.turns.extend_from_within(before * bodies..);
+        let Ok(last) = &block.poses[before].outcome else { return false };
+        turn_on(&mut block.turns[i * bodies..], &last.state, &block.states[i])
+    }
+
+    /// Adds to positions what is computed from their states: the quantities; and the angles if they are asked for, of positions that were
+    /// taken over.
     pub fn answer(&self, block: &mut Block, angles: bool) {
         let bodies = self.model.plan.bodies;
-        let turns = block.turns.chunks_exact(bodies);
+        let (turns, begin) = (block.turns.chunks_exact(bodies), &block.begin);
         for (pose, turns) in block.poses.iter_mut().take(block.free).zip(turns) {
             let Ok(solved) = &mut pose.outcome else { continue };
+            solved.angles.clear();
             if angles {
-                let bodies = solved.state.motion.bodies.iter().zip(turns);
-                for (angle, (body, turns)) in solved.angles.iter_mut().zip(bodies) {
-                    *angle = body.u.angle() + turns;
-                }
+                let whole = begin.turns.iter().zip(turns);
+                let known = solved.state.motion.bodies.iter().zip(whole);
+                solved
+                    .angles
+                    .extend(known.map(|(body, (begin, turns))| body.u.angle() + (begin + turns) * TAU));
+                solved.angles.extend_from_slice(&begin.pairs);
+            } else {
+                solved.angles.resize(self.angles, f64::NAN);
             }
             if !self.model.mechanism.quantities.is_empty() {
                 let view = PoseAnswers::new(self.model, &solved.state, &solved.angles, self.statics);
@@ -129,9 +170,15 @@ impl Block {
         &self.poses[..self.free]
     }
 
-    /// The state at a position.
-    pub(super) fn state(&self, position: usize) -> Option<&State> {
-        self.poses.get(position)?.outcome.as_ref().ok().map(|solved| &solved.state)
+    /// The states at them.
+    pub(super) fn states(&self) -> impl Iterator<Item = &State> {
+        self.poses().iter().filter_map(|pose| pose.outcome.as_ref().ok()).map(|solved| &solved.state)
+    }
+
+    /// Whole turns of the bodies at a position since the first.
+    pub(super) fn turns_at(&self, position: usize) -> &[f64] {
+        let bodies = self.begin.turns.len();
+        &self.turns[position * bodies..][..bodies]
     }
 
     /// How many were solved.
@@ -148,17 +195,6 @@ impl Block {
     /// So many positions are left.
     pub(super) fn keep(&mut self, count: usize) {
         self.free = count;
-    }
-
-    /// Keeps the whole turns of the bodies at a position, rad, and of its pairs what does not change.
-    pub(super) fn keep_turns(&mut self, position: usize, bodies: &[f64], pairs: &[f64]) {
-        let count = bodies.len();
-        self.turns.resize(self.poses.len() * count, 0.0);
-        self.turns[position * count..(position + 1) * count].copy_from_slice(bodies);
-        if let Ok(solved) = &mut self.poses[position].outcome {
-            solved.angles.resize(count, f64::NAN);
-            solved.angles.extend_from_slice(pairs);
-        }
     }
 
     fn resize(&mut self, model: &Model<'_>, count: usize) {

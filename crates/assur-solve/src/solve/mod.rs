@@ -31,6 +31,7 @@ mod simulate;
 mod solution;
 mod steps;
 mod sweep;
+mod taking;
 mod track;
 mod turn;
 mod unassembled;
@@ -69,6 +70,7 @@ pub use simulate::{
 };
 pub use solution::{OpenSizes, Pose, Solution, Solved};
 pub use sweep::{Following, solve, solve_with};
+pub use taking::Taking;
 
 pub(crate) use assemble::assemble;
 pub(crate) use cycle::cycles;

@@ -1,6 +1,6 @@
 //! Solves all positions of a file.
 
-use super::block::{Ahead, BLOCK, Block, is_free};
+use super::block::{Ahead, Block, is_free};
 use super::centre_notes::CentreNotes;
 use super::come_again::{Begin, begin};
 use super::cycle::loads_name_quantities;
@@ -14,15 +14,14 @@ use super::run::{Arrival, Run, Stuck};
 use super::simulate::{Conduct, SimulationReport, Trajectory};
 use super::solution::{Pose, Solution};
 use super::steps::steps;
+use super::taking::Taking;
 use super::track::Tracker;
 use crate::answer::WholeCycle;
-use crate::position::{DriveValue, Model, Wanted, extent};
+use crate::position::{Branch, DriveValue, Model, Wanted, extent};
 use std::collections::VecDeque;
 
 /// Fewer positions are not worth to be solved side by side.
 const FEWEST: usize = 8;
-/// Positions that are followed one by one where some depend on the one before.
-const WAIT: usize = 4;
 /// Solves all positions. What fails at one position stands in its pose; what makes all of them meaningless is an error.
 ///
 /// # Errors
@@ -184,17 +183,8 @@ impl<'a, 's> Following<'a, 's> {
         if let Some(pose) = self.ahead.pop_front() {
             return Some(Ok(pose));
         }
-        if let Some(ahead) = self.ahead(BLOCK) {
-            let mut block = Block::default();
-            ahead.solve(&mut block, 0);
-            self.take(&mut block);
-            if !block.poses().is_empty() {
-                if let Some(ahead) = self.last_taken() {
-                    ahead.answer(&mut block, true);
-                }
-                self.ahead.extend(block.into_poses());
-                return self.ahead.pop_front().map(Ok);
-            }
+        if let Some(pose) = self.next_of_block() {
+            return Some(Ok(pose));
         }
         if self.next < self.sweep.len() {
             let pose = self.sweep.at(self.next);
@@ -210,55 +200,42 @@ impl<'a, 's> Following<'a, 's> {
         self.near.pop_front().map(|near| Ok(self.run.beside(near)))
     }
 
-    /// The next positions, `most` of them, for solving them side by side, see [`Following::take`]. `None` where they depend on the
-    /// one before, or too few are left.
-    #[must_use]
-    pub fn ahead(&self, most: usize) -> Option<Ahead<'_>> {
-        let tracker = self.current.as_ref()?;
+    /// The positions behind, for solving them side by side, and what takes them over. `None` where they depend on the one before, or too
+    /// few are left. `branches` is memory for the assembly.
+    pub fn side_by_side<'f>(
+        &'f mut self,
+        branches: &'f mut Vec<Branch>,
+    ) -> Option<(Ahead<'f>, Taking<'f, 'a>)> {
+        let tracker = self.current.as_mut()?;
         // the last position of a sweep is looked at beyond its answers
-        let count = self.sweep.len().saturating_sub(self.next + 1).min(most);
+        let count = self.sweep.len().saturating_sub(self.next + 1);
         let tried = self.free && self.next >= self.try_at && self.near.is_empty() && count >= FEWEST;
-        (tried && !self.run.notes.in_gap()).then(|| Ahead { count, ..self.solved_from(tracker) })
+        if !tried || self.run.notes.in_gap() {
+            return None;
+        }
+        branches.clone_from(&tracker.state.branches);
+        let Run { model, rates, statics, closing, last, .. } = &mut self.run;
+        let model: &'f Model<'a> = model;
+        let first = self.next;
+        let sweep = &self.sweep;
+        let (extent, angles) = (tracker.extent, tracker.angles.len());
+        let ahead =
+            Ahead { model, rates, statics, sweep, branches, first, count, extent, angles, residuals: true };
+        Some((
+            ahead,
+            Taking { model, tracker, next: &mut self.next, try_at: &mut self.try_at, closing, last },
+        ))
     }
 
-    /// The same for positions that were taken over: what their answers depend on.
-    #[must_use]
-    pub fn last_taken(&self) -> Option<Ahead<'_>> {
-        self.current.as_ref().map(|tracker| self.solved_from(tracker))
-    }
-
-    fn solved_from<'f>(&'f self, tracker: &'f Tracker) -> Ahead<'f> {
-        Ahead {
-            model: self.run.model,
-            rates: &self.run.rates,
-            statics: &self.run.statics,
-            sweep: &self.sweep,
-            branches: &tracker.state.branches,
-            first: self.next,
-            count: 0,
-            residuals: true,
-        }
-    }
-
-    /// Takes over the next positions as far as following them one by one comes to the same, and goes on behind them. The block
-    /// keeps these alone. `false` where some are left: blocks behind this one have no meaning then.
-    pub fn take(&mut self, block: &mut Block) -> bool {
-        let (Some(tracker), solved) = (&mut self.current, block.solved()) else {
-            block.keep(0);
-            return false;
-        };
-        let taken = tracker.take(self.run.model, block);
-        self.next += taken;
-        self.run.closing.swept += taken;
-        if let Some(last) = block.poses().last() {
-            let (name, drives) = self.run.last.get_or_insert_default();
-            name.clone_from(&last.name);
-            drives.clone_from(&last.drives);
-        }
-        if taken < solved {
-            self.try_at = self.next + WAIT;
-        }
-        taken == solved
+    /// The next position, where the ones behind it are solved side by side.
+    fn next_of_block(&mut self) -> Option<Pose> {
+        let (mut branches, mut block) = (Vec::new(), Block::default());
+        let (ahead, mut taking) = self.side_by_side(&mut branches)?;
+        ahead.solve(&mut block, 0);
+        taking.take(&mut block);
+        ahead.answer(&mut block, true);
+        self.ahead.extend(block.into_poses());
+        self.ahead.pop_front()
     }
 
     /// What was found over all positions.

@@ -9,11 +9,12 @@
 use super::block::{Block, keeps_its_assembly};
 use super::inputs::Rates;
 use super::steps::{MOST_STEPS, between, length, steps, ways};
-use crate::answer::{first_angles, whole_turns};
+use crate::answer::first_angles;
 use crate::math::Vec2;
 use crate::plan::MotionStep;
-use crate::position::{DriveValue, Model, State, extent};
+use crate::position::{BodyState, DriveValue, Model, State, extent};
 use crate::structure::BodyId;
+use std::f64::consts::TAU;
 use std::rc::Rc;
 
 /// Below this |σ| both assemblies are tried.
@@ -61,7 +62,7 @@ pub(crate) struct Tracker {
     values: Vec<DriveValue>,
     /// Places before the present one, the last first, each well apart from the next.
     history: Vec<Rc<Place>>,
-    extent: f64,
+    pub extent: f64,
 }
 
 impl Tracker {
@@ -306,36 +307,41 @@ impl Tracker {
             block.keep(0);
             return 0;
         }
-        let bodies = self.state.motion.bodies.len();
-        let mut turns = std::mem::take(&mut block.running);
-        turns.clear();
-        let now = self.angles.iter().zip(&self.state.motion.bodies);
-        turns.extend(now.map(|(angle, b)| whole_turns(*angle - b.u.angle())));
-        let mut taken = 0;
-        while taken < block.poses().len() {
-            let before = taken.checked_sub(1).map_or(Some(&self.state), |i| block.state(i));
-            let (pose, Some(state), Some(next)) = (&block.poses()[taken], before, block.state(taken)) else {
-                break;
-            };
-            if steps(model, self.extent, &self.values, &pose.drives) > 1.0
-                || !turn_on(&mut turns, state, next)
-            {
-                break;
-            }
-            Self::remember(&mut self.history, model, self.extent, &self.values, state);
-            self.values.clear();
-            self.values.extend_from_slice(&pose.drives);
-            block.keep_turns(taken, &turns, &self.angles[bodies..]);
-            taken += 1;
+        let whole = self.angles.iter().zip(&self.state.motion.bodies);
+        block.begin.turns.clear();
+        block.begin.turns.extend(whole.map(|(angle, b)| ((angle - b.u.angle()) / TAU).round()));
+        let Some(taken) = self.linked(model, block).then(|| block.poses().len()).filter(|taken| *taken > 0)
+        else {
+            block.keep(0);
+            return 0;
+        };
+        block.begin.pairs.clear();
+        block.begin.pairs.extend_from_slice(&self.angles[self.state.motion.bodies.len()..]);
+        Self::remember(&mut self.history, model, self.extent, &self.values, &self.state);
+        let places = block.poses().iter().zip(block.states()).take(taken - 1);
+        places.for_each(|(pose, state)| {
+            Self::remember(&mut self.history, model, self.extent, &pose.drives, state);
+        });
+        if let Some((pose, state)) = block.poses().iter().zip(block.states()).last() {
+            self.values.clone_from(&pose.drives);
+            self.state.start_from(state);
         }
-        block.keep(taken);
-        if let Some(last) = taken.checked_sub(1).and_then(|i| block.state(i)) {
-            self.state.start_from(last);
-            let known = self.state.motion.bodies.iter().zip(&turns);
-            self.angles.iter_mut().zip(known).for_each(|(angle, (b, turns))| *angle = b.u.angle() + turns);
-        }
-        block.running = turns;
+        let last = block.turns_at(taken - 1);
+        let known = self.state.motion.bodies.iter().zip(block.begin.turns.iter().zip(last));
+        let angle = |(b, (begin, turns)): (&BodyState, (&f64, &f64))| b.u.angle() + (begin + turns) * TAU;
+        self.angles.iter_mut().zip(known).for_each(|(to, known)| *to = angle(known));
         taken
+    }
+
+    /// Whether a block goes on from here; the bodies' turns are carried on to its first position.
+    fn linked(&self, model: &Model<'_>, block: &mut Block) -> bool {
+        let Some(pose) = block.poses().first() else { return false };
+        let near = steps(model, self.extent, &self.values, &pose.drives) <= 1.0;
+        let mut turns = std::mem::take(&mut block.begin.turns);
+        let first = block.states().next();
+        let linked = near && first.is_some_and(|first| turn_on(&mut turns, &self.state, first));
+        block.begin.turns = turns;
+        linked
     }
 
     /// Where the bodies would be at these values: the parabola through the present place and two others on the line of
@@ -389,11 +395,11 @@ pub(super) fn continued(angle: f64, old: Vec2, new: Vec2) -> f64 {
     // the whole turns are carried on, the rest is read off the direction itself: no error adds up
     let estimate = angle + turned;
     let principal = new.angle();
-    principal + std::f64::consts::TAU * ((estimate - principal) / std::f64::consts::TAU).round()
+    principal + TAU * ((estimate - principal) / TAU).round()
 }
 
-/// Carries whole turns of the bodies, rad, on to the next position. `false` where a body turns too far for that.
-fn turn_on(turns: &mut [f64], state: &State, next: &State) -> bool {
+/// Carries whole turns of the bodies on to the next position. `false` where a body turns too far for that.
+pub(super) fn turn_on(turns: &mut [f64], state: &State, next: &State) -> bool {
     let bodies = state.motion.bodies.iter().zip(&next.motion.bodies);
     for (turns, (old, new)) in turns.iter_mut().zip(bodies) {
         let (old, new) = (old.u, new.u);
@@ -401,8 +407,9 @@ fn turn_on(turns: &mut [f64], state: &State, next: &State) -> bool {
             return false;
         }
         // only over the negative x axis the angle jumps
-        if old.y.is_sign_negative() != new.y.is_sign_negative() && (old.x < 0.0 || new.x < 0.0) {
-            *turns = whole_turns(continued(old.angle() + *turns, old, new) - new.angle());
+        let (above, below) = (old.y.is_sign_positive(), new.y.is_sign_negative());
+        if above == below && (old.x < 0.0 || new.x < 0.0) {
+            *turns += if above { 1.0 } else { -1.0 };
         }
     }
     true
