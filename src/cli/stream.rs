@@ -6,7 +6,7 @@ use super::motion::OnTheWay;
 use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
 use super::stages::{InOrder, Stages, work};
-use super::threads::{BLOCKS, Threads};
+use super::threads::Threads;
 use crate::pipeline::{Compiled, Sink, Solved};
 use crate::report::json::JsonLines;
 use crate::report::lines::CsvLines;
@@ -19,8 +19,8 @@ use assur_text::source::Source;
 const PIECE: usize = 1 << 16;
 /// What is held back at the most while no position has closed yet: where none does, the file has no answers.
 const HELD: usize = 1 << 25;
-/// Positions that a thread solves, or writes, at once.
-const PIECES: usize = BLOCKS * BLOCK;
+/// Positions that a thread solves, or writes, at once: what they hold stays in its cache.
+const PIECES: usize = 2 * BLOCK;
 
 /// Writes all positions of a file; in CSV after its name, if one is given.
 pub fn positions(

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use std::sync::OnceLock;
 
 /// Blocks that a thread solves at once: what they hold fits the cache.
-pub(super) const BLOCKS: usize = 4;
+const BLOCKS: usize = 4;
 
 /// Threads, started when they are needed.
 #[derive(Debug)]

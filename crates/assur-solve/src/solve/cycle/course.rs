@@ -11,6 +11,10 @@ use crate::math::chebyshev::Series;
 use crate::model::Expr;
 use crate::position::Model;
 
+/// What a curve may leave off, of its greatest value. Extremes are solved where it has them, which is near enough for all digits of
+/// their values.
+const DRAWN: f64 = 2e-9;
+
 /// A number over the sweep.
 #[derive(Clone, Debug, Default)]
 pub struct Course {
@@ -85,6 +89,7 @@ pub fn courses(
     let sweep = Sweep::of(model, statics);
     let interval = Interval::of(model, statics, &sweep).map_err(Cause::NoSweep)?;
     let mut sampler = Sampler::new(model, statics, &interval)?;
+    sampler.tolerance = sampler.tolerance.max(DRAWN);
     Ok(sets.iter().map(|exprs| of_set(model, statics, &mut sampler, exprs)).collect())
 }
 

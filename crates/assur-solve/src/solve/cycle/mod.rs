@@ -196,7 +196,7 @@ fn smooth_mean(
     expr: &Expr,
 ) -> Result<Option<crate::math::periodic::Mean>, Undefined> {
     let mut samples: Vec<f64> = Vec::new();
-    let tolerance = sampler.settings().samples;
+    let tolerance = sampler.tolerance;
     let mut count = if tolerance > COARSE { FEWEST_SAMPLES / 2 } else { FEWEST_SAMPLES };
     while count <= MOST_SAMPLES {
         let mut next = Vec::with_capacity(count);

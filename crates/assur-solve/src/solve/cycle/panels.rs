@@ -79,8 +79,7 @@ pub(super) fn piecewise(
     breaks: &[f64],
 ) -> Result<Vec<Piecewise>, Undefined> {
     let nodes = Nodes::new();
-    // what a panel may leave off, of the greatest value, where it is as long as the sweep
-    let small = sampler.settings().samples;
+    let small = sampler.tolerance;
     let mut waiting = first_panels(sampler, breaks);
     let mut sampled = Vec::new();
     for (from, to) in &waiting {
@@ -127,7 +126,7 @@ pub(super) fn piecewise(
 /// The stretches between the breaks, divided where they are long.
 fn first_panels(sampler: &Sampler<'_>, breaks: &[f64]) -> Vec<(f64, f64)> {
     let turns = sampler.interval.turns.unwrap_or(1.0).abs().max(0.5);
-    let per_turn = match sampler.settings().samples {
+    let per_turn = match sampler.tolerance {
         wanted if wanted > VERY_COARSE => FEW_PER_TURN[1],
         wanted if wanted > COARSE => FEW_PER_TURN[0],
         _ => PER_TURN,

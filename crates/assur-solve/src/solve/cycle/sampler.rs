@@ -55,6 +55,8 @@ pub(super) struct Sampler<'a> {
     model: Model<'a>,
     /// The sweep.
     pub interval: &'a Interval,
+    /// What a series may leave off, of the greatest value, where it is as long as the sweep.
+    pub tolerance: f64,
     rates: Rates,
     anchors: Vec<Anchor>,
     /// Intervals between the anchors of the whole sweep.
@@ -119,6 +121,7 @@ impl<'a> Sampler<'a> {
         Ok(Self {
             model: *model,
             interval,
+            tolerance: model.plan.settings.samples,
             rates,
             anchors,
             intervals: count,
@@ -150,7 +153,7 @@ impl<'a> Sampler<'a> {
         bodies.all(|(a, b)| (a.p - b.p).norm() <= near && (a.u - b.u).norm() <= 1e-9)
     }
 
-    /// How accurately.
+    /// How accurately places are found.
     pub(super) fn settings(&self) -> Settings {
         self.model.plan.settings
     }
