@@ -19,8 +19,8 @@ use assur_text::source::Span;
 /// How many brackets may be nested.
 pub(super) const DEPTH: usize = 64;
 
-/// What stands for the other bytes of a replaced character.
-pub(super) const FILL: char = '\u{1}';
+/// What stands for the other bytes of a replaced character: next to the blank, so that the grammar looks for both at once.
+pub(super) const FILL: char = '\u{1f}';
 
 /// The end of a place in the prepared text, moved over what is left of its last character.
 pub(super) fn whole_end(read: &str, end: usize) -> usize {

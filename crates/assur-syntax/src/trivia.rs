@@ -22,9 +22,8 @@ pub(super) fn scan(text: &str) -> Trivia {
 /// The lines of a text with their ends: LF, CR LF or CR.
 fn lines(mut text: &str) -> impl Iterator<Item = &str> {
     std::iter::from_fn(move || {
-        let end = text
-            .find(['\n', '\r'])
-            .map_or(text.len(), |at| at + if text[at..].starts_with("\r\n") { 2 } else { 1 });
+        let at = text.bytes().position(|b| matches!(b, b'\n' | b'\r'));
+        let end = at.map_or(text.len(), |at| at + if text[at..].starts_with("\r\n") { 2 } else { 1 });
         let (line, rest) = text.split_at(end);
         text = rest;
         (!line.is_empty()).then_some(line)

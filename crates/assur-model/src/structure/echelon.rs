@@ -19,7 +19,7 @@ pub fn row(mut terms: Vec<(usize, Number)>) -> Row {
     terms
 }
 
-/// Rows in echelon form: each begins with 1 in a column of its own, the highest in which it has a coefficient.
+/// Rows in echelon form: each begins in a column of its own, the highest in which it has a coefficient.
 pub struct Echelon {
     pivots: Vec<Option<Row>>,
     rank: usize,
@@ -51,8 +51,6 @@ impl Echelon {
     pub fn add(&mut self, mut row: Row) -> bool {
         while let Some(&(column, x)) = row.first() {
             let Some(pivot) = &self.pivots[column] else {
-                let scale = x.inverse();
-                row.iter_mut().for_each(|t| t.1 = t.1 * scale);
                 self.pivots[column] = Some(row);
                 self.rank += 1;
                 return true;
@@ -73,26 +71,30 @@ impl Echelon {
         for (column, pivot) in self.pivots.iter().enumerate() {
             x[column] = match pivot {
                 None => free(column),
-                Some(row) => -row[1..].iter().fold(Number::ZERO, |sum, t| sum + t.1 * x[t.0]),
+                Some(row) => {
+                    let sum = row[1..].iter().fold(Number::ZERO, |sum, t| sum + t.1 * x[t.0]);
+                    -sum * row[0].1.inverse()
+                }
             };
         }
         x
     }
 }
 
-/// `row − x·pivot`
+/// `p·row − x·pivot`, where the pivot begins with `p`, and the row with `x` in the same column: no inverse is needed.
 fn less(row: &Row, pivot: &Row, x: Number) -> Row {
-    let mut out = Row::with_capacity(row.len() + pivot.len());
-    let (mut a, mut b) = (row.iter().peekable(), pivot.iter().peekable());
+    let p = pivot[0].1;
+    let mut out = Row::with_capacity(row.len() + pivot.len() - 2);
+    let (mut a, mut b) = (row[1..].iter().peekable(), pivot[1..].iter().peekable());
     loop {
         let (column, value) = match (a.peek(), b.peek()) {
             (None, None) => return out,
-            (Some(&&(i, y)), None) => (i, y),
+            (Some(&&(i, y)), None) => (i, p * y),
             (None, Some(&&(k, z))) => (k, -(x * z)),
             (Some(&&(i, y)), Some(&&(k, z))) => match i.cmp(&k) {
-                std::cmp::Ordering::Greater => (i, y),
+                std::cmp::Ordering::Greater => (i, p * y),
                 std::cmp::Ordering::Less => (k, -(x * z)),
-                std::cmp::Ordering::Equal => (i, y - x * z),
+                std::cmp::Ordering::Equal => (i, p * y - x * z),
             },
         };
         a.next_if(|t| t.0 == column);

@@ -55,6 +55,9 @@ fn split_power(text: &str) -> (&str, Option<String>) {
     if let Some((symbol, digits)) = text.split_once('^') {
         return (symbol, Some(digits.replace('−', "-")));
     }
+    if text.is_ascii() {
+        return (text, None);
+    }
     let at = text.find(|c| superscript(c).is_some()).unwrap_or(text.len());
     let (symbol, raised) = text.split_at(at);
     let digits = raised.chars().map(|c| superscript(c).unwrap_or('?')).collect::<String>();
