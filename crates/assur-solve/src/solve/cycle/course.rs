@@ -2,6 +2,7 @@
 
 use super::super::failure::Cause;
 use super::super::positions::Sweep;
+use super::depends::{depends_on_forces, depends_on_nothing_else};
 use super::interval::Interval;
 use super::panels::{Piecewise, piecewise};
 use super::sampler::Sampler;
@@ -90,7 +91,15 @@ pub fn courses(
     let interval = Interval::of(model, statics, &sweep).map_err(Cause::NoSweep)?;
     let mut sampler = Sampler::new(model, statics, &interval)?;
     sampler.tolerance = sampler.tolerance.max(DRAWN);
-    Ok(sets.iter().map(|exprs| of_set(model, statics, &mut sampler, exprs)).collect())
+    let mut found: Vec<Option<Result<Vec<Course>, Undefined>>> = vec![None; sets.len()];
+    for forces in [false, true] {
+        let late = |exprs: &[Expr]| exprs.iter().any(|e| depends_on_forces(model.mechanism, e));
+        let sets = || sets.iter().enumerate().filter(|(_, exprs)| late(exprs) == forces);
+        // what is solved at a place for one of them is there for all
+        sampler.share(sets().flat_map(|(_, exprs)| exprs).filter(|e| depends_on_nothing_else(e)).cloned());
+        sets().for_each(|(i, exprs)| found[i] = Some(of_set(model, statics, &mut sampler, exprs)));
+    }
+    Ok(found.into_iter().flatten().collect())
 }
 
 fn of_set(
