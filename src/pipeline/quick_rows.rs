@@ -7,7 +7,7 @@ use super::solved::Solved;
 use crate::exercise;
 use assur_check::{Row, RowPatches};
 use assur_position::plan;
-use assur_solve::solve::{Again, Conduct, Solution};
+use assur_solve::solve::{Again, Conduct, Reads, Solution};
 use assur_text::diagnostic::Problems;
 
 /// What rows with the same columns have in common.
@@ -22,11 +22,11 @@ pub struct QuickRows {
 impl QuickRows {
     /// For a file that was compiled with one of its rows, of which nothing was to be said; `None` where a row may change more
     /// than numbers.
-    pub fn new(patches: RowPatches, compiled: Compiled) -> Option<Self> {
+    pub fn new(patches: RowPatches, compiled: Compiled, reads: Reads) -> Option<Self> {
         if !compiled.structure.is_renumbered(&compiled.mechanism) || compiled.origin.is_some() {
             return None;
         }
-        let again = Again::of(&compiled.model());
+        let again = Again::of(&compiled.model(), reads);
         let solved = Solved { compiled, solution: Solution::default(), outcomes: Vec::new(), reached: None };
         Some(Self { patches, solved, again })
     }

@@ -2,8 +2,8 @@
 
 use super::answers::Answers;
 use super::rows::{Answer, AnswerColumns, Content};
-use assur_model::model::{Display, FindKind, Mechanism, Value};
-use assur_solve::solve::{Greatest, Model, NumberColumns, Pose, Shown};
+use assur_model::model::{Display, FindKind, Mechanism, PairId, Value};
+use assur_solve::solve::{Greatest, JointReaction, Model, NumberColumns, Pose, PoseAnswers, Shown, State};
 use assur_text::units::{Dimension, Kind};
 
 /// A column of numbers.
@@ -159,6 +159,30 @@ impl AnswerColumns {
             columns.push(shown, answer.vector, &answer.display);
         }
         Some(columns)
+    }
+
+    /// The same of rows that differ in numbers alone from the one that a file was compiled with.
+    #[must_use]
+    pub fn in_quick_rows(&self, model: &Model<'_>) -> Option<NumberColumns> {
+        let state = State::closed(model.plan);
+        let view = PoseAnswers::bare(model, &state);
+        let determined = |pair: &PairId| model.structure.undetermined_couples.binary_search(pair).is_err();
+        let mut columns = self.clone();
+        for answer in &mut columns.answers {
+            match &mut answer.content {
+                Content::Reaction(pair, on, joints) => *joints = JointReaction::of(&view, *pair, *on),
+                Content::Moment(pair, on, joints) => {
+                    *joints = JointReaction::of(&view, *pair, *on).filter(|_| determined(pair));
+                }
+                // it may depend on the numbers
+                Content::Find { poseless: true, .. } => return None,
+                _ => {}
+            }
+        }
+        let reactions =
+            |answer: &Answer| matches!(answer.content, Content::Reaction(..) | Content::Moment(..));
+        let known = !model.plan.reactions.is_empty() || !self.answers.iter().any(reactions);
+        known.then(|| columns.numbers(&[]))?
     }
 
     /// Whether a column shows the angle of a link or of a hinge, or a quantity does that it may show.

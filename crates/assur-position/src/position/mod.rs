@@ -67,7 +67,7 @@ pub use model::turns;
 pub use model::{Model, extent};
 pub use precise::{Edge, in_scalar, precise};
 pub use reduced::Reduced;
-pub use residual::{Residuals, residuals, residuals_in};
+pub use residual::{Residuals, closure_alone, residuals, residuals_in};
 pub use scratch::Scratch;
 pub use state::{Branch, State};
 pub use state::{DEAD, SAME};

@@ -70,8 +70,24 @@ impl Assembly {
 
     pub(super) fn is_same(&self, other: &Self, extent: f64) -> bool {
         let mut bodies = self.bodies.iter().zip(&other.bodies);
-        bodies.all(|(x, y)| (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME)
+        bodies.all(|(x, y)| is_same(x, y, || extent))
     }
+
+    /// Whether the group of a state stands this way, with an extent that is asked for only where it decides.
+    pub(super) fn is_here(
+        &self,
+        model: &Model<'_>,
+        state: &State,
+        index: usize,
+        extent: impl Fn() -> f64,
+    ) -> bool {
+        let mut bodies = model.structure.motion[index].bodies.iter().zip(&self.bodies);
+        bodies.all(|(body, stands)| is_same(stands, &state.motion.bodies[body.0], &extent))
+    }
+}
+
+fn is_same(x: &BodyState, y: &BodyState, extent: impl Fn() -> f64) -> bool {
+    (x.u - y.u).norm() <= SAME && (x.p - y.p).norm() <= SAME * extent()
 }
 
 /// Assembles the mechanism for the inputs set in `start`.

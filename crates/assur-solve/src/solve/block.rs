@@ -6,8 +6,8 @@
 //! it than from following: not a bit, not a note.
 
 use super::inputs::Rates;
-use super::lost::{is_moderate, out_of_scale};
 use super::positions::Sweep;
+use super::regular::{NO_NOTE, conditions, is_sound};
 use super::solution::{Pose, Solved};
 use super::track::CAREFUL;
 use crate::answer::{PoseAnswers, WholeCycle};
@@ -17,8 +17,6 @@ use crate::position::{Branch, Model, PoseOrigin, Residuals, State, Together};
 
 /// The most positions of a block.
 pub const BLOCK: usize = 64;
-/// Conditions above this are not worth a note, whatever they are of, and make no group behind them worse.
-const NO_NOTE: f64 = 0.05;
 
 /// Whether positions of a mechanism can depend on the drives and the assembly alone, with nothing to be said about them.
 pub(super) fn is_free(model: &Model<'_>) -> bool {
@@ -94,7 +92,7 @@ impl Ahead<'_> {
                 break;
             }
             let Ok(solved) = &mut pose.outcome else { break };
-            solved.condition = condition(self.model, state);
+            solved.condition = conditions(self.model, state).fold(1.0, f64::min);
             solved.residuals = residuals;
             std::mem::swap(&mut solved.state, state);
             block.free += 1;
@@ -181,19 +179,12 @@ impl Block {
 fn is_regular(model: &Model<'_>, state: &State, residuals: &Residuals) -> bool {
     state.motion.open.is_none()
         && keeps_its_assembly(model, state)
-        && state.motion.conditions.iter().all(|c| c.abs() > NO_NOTE)
-        && state.forces.conditions.iter().all(|c| c.abs() > NO_NOTE)
-        && is_moderate(state)
-        && out_of_scale(residuals).is_none()
+        && conditions(model, state).all(|c| c > NO_NOTE)
+        && is_sound(state, residuals)
 }
 
 /// Whether no group is so near to a change point that following tries both its assemblies.
 pub(super) fn keeps_its_assembly(model: &Model<'_>, state: &State) -> bool {
     let groups = model.plan.motion.iter().zip(&state.motion.conditions);
     groups.into_iter().all(|(step, c)| c.abs() >= CAREFUL || !state.has_two_roots(step))
-}
-
-fn condition(model: &Model<'_>, state: &State) -> f64 {
-    let forces = if model.plan.effects.forces { state.forces.conditions.as_slice() } else { &[] };
-    state.motion.conditions.iter().chain(forces).fold(1.0, |least: f64, c| least.min(c.abs()))
 }

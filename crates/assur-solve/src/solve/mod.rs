@@ -25,6 +25,7 @@ mod pose;
 mod positions;
 mod refusal;
 mod refusals;
+mod regular;
 mod replay;
 mod run;
 mod simulate;
@@ -50,7 +51,7 @@ pub use crate::position::{
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
-pub use again::Again;
+pub use again::{Again, Reads};
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
 pub use block::{Ahead, BLOCK, Block};
 pub use clause::{Clause, NamedPoint};
