@@ -56,7 +56,7 @@ pub struct RowPatches {
     fixed: Vec<(Register, f64)>,
     /// Pairs of points of links whose points move, and whether they lie on one another.
     moved: Vec<(LinkId, [usize; 2], bool)>,
-    /// Memory for the numbers of a row with their places.
+    /// The numbers of the last row with their places.
     numbers: Vec<(usize, f64)>,
 }
 
@@ -102,6 +102,7 @@ impl RowPatches {
         (probes.len() > PROBES).then_some(())?;
         patches.slots(&probes)?;
         patches.moved = moved(&first, &patches.slots);
+        patches.numbers = patches.slots.iter().map(|slot| (slot.place, f64::NAN)).collect();
         Some(patches)
     }
 
@@ -145,8 +146,9 @@ impl RowPatches {
             return false;
         }
         let values = self.program.values();
-        self.numbers.clear();
-        self.numbers.extend(self.slots.iter().map(|slot| (slot.place, slot.from.of(values))));
+        for (number, slot) in self.numbers.iter_mut().zip(&self.slots) {
+            number.1 = slot.from.of(values);
+        }
         mechanism.put_numbers(&self.numbers);
         self.moved.iter().all(|(link, [i, j], together)| {
             let points = &mechanism.link(*link).points;
