@@ -195,7 +195,7 @@ fn side_by_side(
     let mut taken = 0;
     for block in &mut *blocks {
         let whole = following.take(block);
-        taken += usize::from(!block.poses().is_empty());
+        taken += usize::from(!block.is_empty());
         if !whole {
             break;
         }

@@ -173,10 +173,10 @@ impl Again {
     fn only_way(&mut self, model: &Model<'_>, state: &mut State, index: usize) -> Option<Branch> {
         let Self { hints, ways, .. } = self;
         let step = &model.plan.motion[index];
-        if hints[index].is_empty() && is_single(model, state, index) {
+        if hints[index].is_empty() && is_single(model, index) {
             return Some(Branch::FIRST);
         }
-        let (roots, [first, second]) = choices(state, step);
+        let (roots, [first, second]) = choices(step);
         let (mut count, mut only) = (0, None);
         for branch in every_branch(roots, first, second) {
             state.branches[index] = branch;
@@ -210,16 +210,16 @@ fn first_value(positions: &Positions) -> DriveValue {
 }
 
 /// The roots of a group with a closed form, and on which sides its round profiles can lie.
-fn choices(state: &State, step: &crate::plan::MotionStep) -> (&'static [f64], [&'static [f64]; 2]) {
+fn choices(step: &crate::plan::MotionStep) -> (&'static [f64], [&'static [f64]; 2]) {
     let either: &[f64] = &[1.0, -1.0];
     let one: &[f64] = &[1.0];
-    let roots = if state.has_two_roots(step) { either } else { one };
+    let roots = if step.has_two_roots() { either } else { one };
     (roots, radii(step).map(|r| if r != 0.0 { either } else { one }))
 }
 
 /// Whether a group can stand in one way alone, whatever its numbers, and it closes if that does.
-fn is_single(model: &Model<'_>, state: &State, index: usize) -> bool {
-    let (roots, [first, second]) = choices(state, &model.plan.motion[index]);
+fn is_single(model: &Model<'_>, index: usize) -> bool {
+    let (roots, [first, second]) = choices(&model.plan.motion[index]);
     roots.len() * first.len() * second.len() == 1
         && !model.structure.motion[index].joints.iter().any(|joint| joint.prismatic)
 }

@@ -168,7 +168,7 @@ fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize)
     if let MotionStep::CamTurned { cam, .. } = step {
         return flanks(model, state, index, model.plan.cams[*cam].flanks.len());
     }
-    let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
+    let roots: &[f64] = if step.has_two_roots() { &[1.0, -1.0] } else { &[1.0] };
     let round = radii(step).map(|r| r != 0.0);
     let sides = |round: bool| if round { vec![1.0, -1.0] } else { vec![1.0] };
     let mut out = Vec::new();

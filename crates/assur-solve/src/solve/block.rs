@@ -1,19 +1,23 @@
 //! Positions of a sweep side by side, where none depends on the one before.
 //!
 //! A closed form finds a position from the drives and from the assembly alone. Where every group stays far from its change points
-//! the motion keeps the assembly, which is what following would find: a block of such positions is solved at once, here, and then
-//! taken over by the one that follows ([`Following::take`](super::Following::take)), as far as that holds. Nothing else may come of
-//! it than from following: not a bit, not a note.
+//! the motion keeps the assembly, which is what following would find: a block of such positions is solved at once, here, in lanes,
+//! and then taken over by the one that follows ([`Following::take`](super::Following::take)), as far as that holds. Nothing else may
+//! come of it than from following: not a bit, not a note. Only where whole positions are asked for, a state is written of each.
 
 use super::inputs::Rates;
+use super::lost::{MEETS, MODERATE};
 use super::positions::Sweep;
-use super::regular::{NO_NOTE, conditions, is_sound};
+use super::regular::NO_NOTE;
 use super::solution::{Pose, Solved};
+use super::taken::Turns;
 use super::track::CAREFUL;
-use crate::answer::{PoseAnswers, WholeCycle};
+use crate::answer::{PoseAnswers, WholeCycle, WideColumns};
 use crate::model::PairKind;
 use crate::plan::Numbers;
-use crate::position::{Branch, Model, PoseOrigin, Residuals, State, Together};
+use crate::position::{
+    Branch, Checked, DriveInput, DriveValue, Model, PoseOrigin, Residuals, State, Together, WIDTH, Wide,
+};
 
 /// The most positions of a block.
 pub const BLOCK: usize = 64;
@@ -46,16 +50,23 @@ pub struct Ahead<'f> {
 /// Positions side by side, with the memory for them.
 #[derive(Debug, Default)]
 pub struct Block {
-    poses: Vec<Pose>,
-    states: Vec<State>,
-    residuals: Vec<Residuals>,
+    /// The index of the first position in the sweep.
+    first: usize,
+    /// Rows of lanes; those of the last that are left over repeat the last position.
+    pub(super) rows: Vec<State<Wide>>,
+    checked: Vec<Checked>,
     together: Together,
-    /// Whole turns of the bodies at every position, rad.
-    turns: Vec<f64>,
-    /// The same at the position that is looked at.
-    pub(super) running: Vec<f64>,
+    /// The values of the drives, position by position.
+    values: Vec<DriveValue>,
+    drives: usize,
+    /// The residuals of the forces are known.
+    residuals: bool,
+    /// How many were solved.
+    solved: usize,
     /// How many positions from the first on are what following would find, as far as it was looked at.
     free: usize,
+    pub(super) turns: Turns,
+    poses: Vec<Pose>,
 }
 
 impl Ahead<'_> {
@@ -73,68 +84,64 @@ impl Ahead<'_> {
 
     /// Solves positions, counted from the first that can be tried.
     pub fn solve(&self, block: &mut Block, from: usize) {
-        let count = self.count.saturating_sub(from).min(BLOCK);
-        block.resize(self.model, count);
-        for (i, (pose, state)) in block.poses.iter_mut().zip(&mut block.states).enumerate() {
-            let index = self.first + from + i;
-            pose.name.clear();
-            pose.name.push_str(itoa::Buffer::new().format(index + 1));
-            pose.origin = PoseOrigin::Sweep(index);
-            self.sweep.write_values(index, &mut pose.drives);
-            self.rates.at(&pose.drives, &mut state.motion.inputs);
-            state.branches.copy_from_slice(self.branches);
-        }
-        block.together.run(self.model.plan, &mut block.states, &mut block.residuals, self.residuals);
-        block.free = 0;
-        for (i, pose) in block.poses.iter_mut().enumerate() {
-            let (state, residuals) = (&mut block.states[i], block.residuals[i]);
-            if !is_regular(self.model, state, &residuals) {
-                break;
-            }
-            let Ok(solved) = &mut pose.outcome else { break };
-            solved.condition = conditions(self.model, state).fold(1.0, f64::min);
-            solved.residuals = residuals;
-            std::mem::swap(&mut solved.state, state);
-            block.free += 1;
-        }
+        block.begin(self, from);
+        block.together.run(self.model.plan, &mut block.rows, &mut block.checked, self.residuals);
+        let rows = block.rows.iter().zip(&block.checked);
+        let regular = rows.flat_map(|(row, checked)| regular(self.model, row, checked));
+        block.free = regular.take(block.solved).take_while(|regular| *regular).count();
     }
 
-    /// Adds to the positions that were taken over what depends on those before: the quantities, and the angles if they are asked
-    /// for.
+    /// Writes the positions that were taken over, with the quantities, and with the angles if they are asked for.
     pub fn answer(&self, block: &mut Block, angles: bool) {
-        let bodies = self.model.plan.bodies;
-        let turns = block.turns.chunks_exact(bodies);
-        for (pose, turns) in block.poses.iter_mut().take(block.free).zip(turns) {
-            let Ok(solved) = &mut pose.outcome else { continue };
-            if angles {
-                let bodies = solved.state.motion.bodies.iter().zip(turns);
-                for (angle, (body, turns)) in solved.angles.iter_mut().zip(bodies) {
-                    *angle = body.u.angle() + turns;
-                }
-            }
-            if !self.model.mechanism.quantities.is_empty() {
-                let view = PoseAnswers::new(self.model, &solved.state, &solved.angles, self.statics);
-                solved.quantities = view.all_quantities();
-            }
-        }
+        block.make_room(self.model);
+        let Block { first, rows, checked, values, drives, residuals, free, turns, poses, .. } = block;
+        turns.each(*free, |i, turns, pairs| {
+            let (pose, lane) = (&mut poses[i], i % WIDTH);
+            let Ok(solved) = &mut pose.outcome else { return };
+            pose.name.clear();
+            pose.name.push_str(itoa::Buffer::new().format(*first + i + 1));
+            pose.origin = PoseOrigin::Sweep(*first + i);
+            pose.drives.clear();
+            pose.drives.extend_from_slice(&values[i * *drives..(i + 1) * *drives]);
+            rows[i / WIDTH].write_lane(lane, &mut solved.state);
+            let checked = &checked[i / WIDTH];
+            solved.residuals = checked.residuals(self.model.plan, lane, *residuals);
+            solved.condition = checked.condition.0[lane];
+            solved.angles.clear();
+            let bodies = solved.state.motion.bodies.iter().zip(turns);
+            solved
+                .angles
+                .extend(bodies.map(|(b, turns)| if angles { b.u.angle() + turns } else { f64::NAN }));
+            solved.angles.extend_from_slice(pairs);
+            let quantities = std::mem::take(&mut solved.quantities);
+            let view = PoseAnswers::new(self.model, &solved.state, &solved.angles, self.statics);
+            solved.quantities = view.all_quantities_in(quantities);
+        });
     }
 }
 
 impl Block {
-    /// The positions, as far as they were taken over.
+    /// The positions, once they were [answered](Ahead::answer).
     #[must_use]
     pub fn poses(&self) -> &[Pose] {
-        &self.poses[..self.free]
+        &self.poses[..self.free.min(self.poses.len())]
     }
 
-    /// The state at a position.
-    pub(super) fn state(&self, position: usize) -> Option<&State> {
-        self.poses.get(position)?.outcome.as_ref().ok().map(|solved| &solved.state)
+    /// How many positions are left.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.free
+    }
+
+    /// Whether none is.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.free == 0
     }
 
     /// How many were solved.
     pub(super) const fn solved(&self) -> usize {
-        self.poses.len()
+        self.solved
     }
 
     /// Hands the positions over.
@@ -144,47 +151,91 @@ impl Block {
     }
 
     /// So many positions are left.
-    pub(super) fn keep(&mut self, count: usize) {
+    pub(super) const fn keep(&mut self, count: usize) {
         self.free = count;
     }
 
-    /// Keeps the whole turns of the bodies at a position, rad, and of its pairs what does not change.
-    pub(super) fn keep_turns(&mut self, position: usize, bodies: &[f64], pairs: &[f64]) {
-        let count = bodies.len();
-        self.turns.resize(self.poses.len() * count, 0.0);
-        self.turns[position * count..(position + 1) * count].copy_from_slice(bodies);
-        if let Ok(solved) = &mut self.poses[position].outcome {
-            solved.angles.resize(count, f64::NAN);
-            solved.angles.extend_from_slice(pairs);
+    /// The values of the drives at a position.
+    pub(super) fn values(&self, position: usize) -> &[DriveValue] {
+        &self.values[position * self.drives..(position + 1) * self.drives]
+    }
+
+    /// Appends the numbers of the positions that are left, column by column.
+    pub fn read(&self, columns: &WideColumns, out: &mut [Vec<f64>]) {
+        columns.read(&self.rows, (&self.values, self.drives), self.free, out);
+    }
+
+    /// Residuals and condition of the positions that are left.
+    pub fn quality(&self, model: &Model<'_>) -> impl Iterator<Item = (Residuals, f64)> {
+        (0..self.free).map(|i| {
+            let checked = &self.checked[i / WIDTH];
+            let residuals = checked.residuals(model.plan, i % WIDTH, self.residuals);
+            (residuals, checked.condition.0[i % WIDTH])
+        })
+    }
+
+    /// Sets inputs and assemblies of the positions from one on.
+    fn begin(&mut self, ahead: &Ahead<'_>, from: usize) {
+        let plan = ahead.model.plan;
+        self.solved = ahead.count.saturating_sub(from).min(BLOCK);
+        (self.first, self.residuals, self.drives) = (ahead.first + from, ahead.residuals, plan.drives);
+        self.values.clear();
+        for i in 0..self.solved {
+            ahead.sweep.add_values(self.first + i, &mut self.values);
+        }
+        let count = self.solved.div_ceil(WIDTH);
+        self.rows.truncate(count);
+        self.rows.resize_with(count, || State::closed(plan));
+        self.checked.resize(count, Checked::default());
+        for (index, row) in self.rows.iter_mut().enumerate() {
+            row.branches.copy_from_slice(ahead.branches);
+            for lane in 0..WIDTH {
+                let i = (index * WIDTH + lane).min(self.solved - 1);
+                let values = &self.values[i * self.drives..(i + 1) * self.drives];
+                ahead.rates.at_lane(values, lane, &mut row.motion.inputs);
+            }
         }
     }
 
-    fn resize(&mut self, model: &Model<'_>, count: usize) {
-        self.poses.truncate(count);
-        while self.poses.len() < count {
-            let (state, angles, quantities) = (State::closed(model.plan), Vec::new(), Vec::new());
-            let (frictionless, residuals, condition) = (None, Residuals::default(), 1.0);
-            let solved = Solved { state, frictionless, quantities, angles, residuals, condition };
+    fn make_room(&mut self, model: &Model<'_>) {
+        while self.poses.len() < self.free {
+            let outcome = Ok(Solved { state: State::closed(model.plan), ..Solved::default() });
             let (name, origin, drives) = (String::new(), PoseOrigin::Sweep(0), Vec::new());
-            self.poses.push(Pose { name, origin, drives, outcome: Ok(solved) });
+            self.poses.push(Pose { name, origin, drives, outcome });
         }
-        self.states.truncate(count);
-        self.states.resize_with(count, || State::closed(model.plan));
-        self.residuals.resize(count, Residuals::default());
     }
 }
 
-/// Whether a position is one that following finds too, if the one before is: far from change points, and with nothing to be said
-/// about it.
-fn is_regular(model: &Model<'_>, state: &State, residuals: &Residuals) -> bool {
-    state.motion.open.is_none()
-        && keeps_its_assembly(model, state)
-        && conditions(model, state).all(|c| c > NO_NOTE)
-        && is_sound(state, residuals)
+/// Which positions are such that following finds them too, if it found the one before: far from change points, and with nothing to
+/// be said about them.
+fn regular(model: &Model<'_>, row: &State<Wide>, checked: &Checked) -> [bool; WIDTH] {
+    let mut regular = [row.motion.open.is_none(); WIDTH];
+    let mut all = |fits: &dyn Fn(usize) -> bool| {
+        regular.iter_mut().enumerate().for_each(|(lane, regular)| *regular &= fits(lane));
+    };
+    all(&|lane| checked.condition.0[lane] > NO_NOTE && checked.magnitude.0[lane] < MODERATE);
+    all(&|lane| checked.closure.0[lane] <= MEETS);
+    all(&|lane| !checked.equilibrium.0[lane].is_nan() && !checked.power.0[lane].is_nan());
+    for (step, conditions) in model.plan.motion.iter().zip(&row.motion.conditions) {
+        if step.has_two_roots() {
+            all(&|lane| conditions.0[lane].abs() >= CAREFUL);
+        }
+    }
+    regular
 }
 
 /// Whether no group is so near to a change point that following tries both its assemblies.
 pub(super) fn keeps_its_assembly(model: &Model<'_>, state: &State) -> bool {
     let groups = model.plan.motion.iter().zip(&state.motion.conditions);
-    groups.into_iter().all(|(step, c)| c.abs() >= CAREFUL || !state.has_two_roots(step))
+    groups.into_iter().all(|(step, c)| c.abs() >= CAREFUL || !step.has_two_roots())
+}
+
+impl Rates {
+    /// As [`Rates::at`], for one position of several side by side.
+    fn at_lane(&self, values: &[DriveValue], lane: usize, inputs: &mut [DriveInput<Wide>]) {
+        for (i, input) in inputs.iter_mut().enumerate() {
+            let one = self.input(i, values[i]);
+            input.set_lane(lane, &one);
+        }
+    }
 }

@@ -6,10 +6,10 @@ use crate::structure::BodyId;
 
 /// Pairs that miss each other by more than this share of the mechanism's size do not meet: even a dead position leaves
 /// the root of the unit roundoff.
-const MEETS: f64 = 1e-6;
+pub(super) const MEETS: f64 = 1e-6;
 
 /// Products and sums of numbers below this are finite.
-const MODERATE: f64 = 1e100;
+pub(super) const MODERATE: f64 = 1e100;
 
 /// Whether all results are finite, and so far from the ends of what `f64` holds that their residuals are numbers too.
 pub(super) fn is_moderate(state: &State) -> bool {

@@ -32,13 +32,14 @@ mod simulate;
 mod solution;
 mod steps;
 mod sweep;
+mod taken;
 mod track;
 mod turn;
 mod unassembled;
 
 pub use crate::answer::{
     Beside, CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, Shown,
-    Source, WholeCycle, compare, read_numbers,
+    Source, WholeCycle, WideColumns, compare, read_numbers,
 };
 pub use crate::position::Wanted;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]

@@ -13,10 +13,10 @@ use super::refusals::{refusals, unit_speeds};
 use super::run::{Arrival, Run, Stuck};
 use super::simulate::{Conduct, SimulationReport, Trajectory};
 use super::solution::{Pose, Solution};
-use super::steps::steps;
+use super::steps::Pace;
 use super::track::Tracker;
 use crate::answer::WholeCycle;
-use crate::position::{DriveValue, Model, Wanted, extent};
+use crate::position::{DriveValue, Model, Wanted};
 use std::collections::VecDeque;
 
 /// Fewer positions are not worth to be solved side by side.
@@ -113,7 +113,7 @@ impl<'a, 's> Following<'a, 's> {
         let mut run = Run::new(model, rates, statics, loads_name_quantities(model.mechanism));
         run.centres = CentreNotes::of(model.mechanism);
         // positions farther apart are followed on a way between them
-        let apart = || steps(model, extent(model), &sweep.values(0), &sweep.values(1));
+        let apart = || Pace::of(model).steps(&sweep.values(0), &sweep.values(1));
         let free = trajectory.is_none() && is_free(model) && run.centres.is_empty() && apart() <= 1.0;
         let (next, current, begin, first_failure) = (0, None, None, None);
         let (try_at, ahead) = (1, VecDeque::new());
@@ -188,7 +188,7 @@ impl<'a, 's> Following<'a, 's> {
             let mut block = Block::default();
             ahead.solve(&mut block, 0);
             self.take(&mut block);
-            if !block.poses().is_empty() {
+            if !block.is_empty() {
                 if let Some(ahead) = self.last_taken() {
                     ahead.answer(&mut block, true);
                 }
@@ -250,10 +250,12 @@ impl<'a, 's> Following<'a, 's> {
         let taken = tracker.take(self.run.model, block);
         self.next += taken;
         self.run.closing.swept += taken;
-        if let Some(last) = block.poses().last() {
+        if let Some(last) = taken.checked_sub(1) {
             let (name, drives) = self.run.last.get_or_insert_default();
-            name.clone_from(&last.name);
-            drives.clone_from(&last.drives);
+            name.clear();
+            name.push_str(itoa::Buffer::new().format(self.next));
+            drives.clear();
+            drives.extend_from_slice(block.values(last));
         }
         if taken < solved {
             self.try_at = self.next + WAIT;
