@@ -229,10 +229,10 @@ struct Printing<'t, 'p, 'o> {
 impl InOrder<Piece> for Printing<'_, '_, '_> {
     fn between(&mut self, piece: &mut Piece) -> bool {
         for i in 0..piece.blocks.len() {
-            let solved = piece.blocks[i].poses().len();
+            let solved = piece.blocks[i].len();
             let whole = (self.take)(&mut piece.blocks[i]);
             let is_last = i + 1 == piece.blocks.len();
-            piece.is_written &= piece.blocks[i].poses().len() == solved && (whole || is_last);
+            piece.is_written &= piece.blocks[i].len() == solved && (whole || is_last);
             if !whole {
                 piece.blocks.truncate(i + 1);
                 return false;

@@ -5,7 +5,7 @@ use super::positions::{GivenPositions, PositionsError, place};
 use crate::pipeline::{Compiled, Sink};
 use crate::report::{Answers, Precision};
 use assur_model::model::{Mechanism, Positions};
-use assur_solve::solve::{Again, Model, Solution};
+use assur_solve::solve::{Again, Model, Reads, Solution};
 
 /// Memory for one position at a time.
 pub(super) struct OnePosition {
@@ -14,6 +14,9 @@ pub(super) struct OnePosition {
     again: Option<Option<Again>>,
     solution: Solution,
 }
+
+/// Columns show the residuals.
+const READS: Reads = Reads { residuals: true, angles: false };
 
 impl std::fmt::Debug for OnePosition {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -41,7 +44,7 @@ impl OnePosition {
         if !is_one(&self.mechanism) {
             return Ok(None);
         }
-        let Some(again) = self.again.get_or_insert_with(|| Again::of(&model)) else { return Ok(None) };
+        let Some(again) = self.again.get_or_insert_with(|| Again::of(&model, READS)) else { return Ok(None) };
         if !again.solve(&model, &mut self.solution) {
             return Ok(None);
         }

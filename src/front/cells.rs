@@ -46,8 +46,8 @@ pub(crate) fn read_row(
             let what = if number.is_nan() { "missing" } else { "infinite" };
             return Err(Missing { name: column.name.clone(), what });
         }
-        let digit = if digits { last_digit(number) } else { 0.0 };
-        row.push(RowCell { value: column.unit.to_si(number), digit: column.unit.to_si(digit) });
+        let digit = if digits { column.unit.to_si(last_digit(number)) } else { 0.0 };
+        row.push(RowCell { value: column.unit.to_si(number), digit });
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use crate::pipeline::Sink;
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, NumberField, NumberRows};
 use assur_solve::message::failure;
-use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Model, Pose, Watch};
+use assur_solve::solve::{self, Ahead, BLOCK, Block, Conduct, Model, Pose, Watch};
 use miette::Diagnostic;
 
 /// The answers of all positions, column by column, SI and radians. NaN where a position has no answer.
@@ -188,7 +188,7 @@ impl<'w> Filling<'w> {
     fn push_pose(&mut self, model: &Model<'_>, pose: &Pose) {
         let index = self.columns.len;
         self.columns.names.extend(other_name(pose, index));
-        self.push_quality(&quality(pose));
+        self.push_quality(&pose_quality(pose));
         if let Err(why) = &pose.outcome {
             let why = failure(model, why);
             let (code, message) = (why.code().map(|code| code.to_string()), why.to_string());
@@ -217,11 +217,14 @@ impl<'w> Filling<'w> {
 }
 
 /// Residuals and condition of a position.
-fn quality(pose: &Pose) -> [f64; 4] {
+fn pose_quality(pose: &Pose) -> [f64; 4] {
     let Ok(solved) = &pose.outcome else { return [f64::NAN; 4] };
-    let residuals = &solved.residuals;
+    quality(&solved.residuals, solved.condition)
+}
+
+fn quality(residuals: &solve::Residuals, condition: f64) -> [f64; 4] {
     let or_none = |x: Option<f64>| x.unwrap_or(f64::NAN);
-    let all = [residuals.closure, or_none(residuals.equilibrium), or_none(residuals.power), solved.condition];
+    let all = [residuals.closure, or_none(residuals.equilibrium), or_none(residuals.power), condition];
     all.map(finite)
 }
 
@@ -267,12 +270,20 @@ impl Sink for Filling<'_> {
         let mut first = self.columns.len;
         for (piece, block) in pieces.iter_mut().zip(&*blocks) {
             piece.first = first;
-            first += block.poses().len();
+            first += block.len();
         }
         let mut work: Vec<(&mut Block, &mut Piece)> = blocks.iter_mut().zip(&mut pieces).collect();
         each_of(self.workers, &mut work, |_, (block, piece)| {
-            ahead.answer(block, angles);
-            piece.fill(answers, rows, block.poses(), width);
+            piece.clear(width);
+            if let Some(columns) = rows.wide() {
+                block.read(columns, &mut piece.cells);
+                piece
+                    .quality
+                    .extend(block.quality(&answers.model).map(|(r, condition)| quality(&r, condition)));
+            } else {
+                ahead.answer(block, angles);
+                piece.fill(answers, rows, block.poses());
+            }
         });
         pieces.iter_mut().for_each(|piece| self.push_piece(piece));
         self.pieces = pieces;
@@ -282,14 +293,17 @@ impl Sink for Filling<'_> {
 }
 
 impl Piece {
-    fn fill(&mut self, answers: &Answers<'_>, rows: &NumberRows, poses: &[Pose], width: usize) {
+    fn clear(&mut self, width: usize) {
         self.cells.resize_with(width, Vec::new);
         self.cells.iter_mut().for_each(Vec::clear);
         self.quality.clear();
+    }
+
+    fn fill(&mut self, answers: &Answers<'_>, rows: &NumberRows, poses: &[Pose]) {
         for (i, pose) in poses.iter().enumerate() {
             rows.read(answers, pose, &mut self.row);
             self.cells.iter_mut().zip(&self.row).for_each(|(cells, x)| cells.push(finite(*x)));
-            self.quality.push(quality(pose));
+            self.quality.push(pose_quality(pose));
             self.names.extend(other_name(pose, self.first + i));
         }
     }

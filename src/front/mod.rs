@@ -32,7 +32,7 @@ pub use positions::{Drive, DrivePositions, GivenPositions, PositionsError};
 pub use problem::{Options, Problem, solve};
 #[cfg(feature = "cli")]
 pub(crate) use row_answers::Line;
-pub use row_answers::RowAnswers;
+pub use row_answers::{RowAnswers, Texts};
 pub use rows::{RowField, RowLayout, Rows};
 pub use solution::{Expectation, Pose, Solution};
 pub use workers::{Alone, Workers};

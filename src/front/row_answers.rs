@@ -3,6 +3,39 @@
 use super::rows::RowLayout;
 use crate::report::Answers;
 use assur_solve::message::failure;
+use assur_solve::solve::NumberColumns;
+
+/// Texts, one after another.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Texts {
+    text: String,
+    /// Where each ends.
+    ends: Vec<usize>,
+}
+
+impl Texts {
+    /// One text, and where each ends in it.
+    #[must_use]
+    pub fn into_parts(self) -> (String, Vec<usize>) {
+        (self.text, self.ends)
+    }
+
+    fn push(&mut self, text: &str) {
+        self.text.push_str(text);
+        self.ends.push(self.text.len());
+    }
+
+    fn truncate(&mut self, count: usize) {
+        self.ends.truncate(count);
+        self.text.truncate(self.ends.last().copied().unwrap_or(0));
+    }
+
+    fn append(&mut self, other: &Self) {
+        let before = self.text.len();
+        self.text.push_str(&other.text);
+        self.ends.extend(other.ends.iter().map(|end| before + end));
+    }
+}
 
 /// Answers to rows: one line per position of a row, and one without answers where a row has none.
 #[derive(Clone, Debug, Default)]
@@ -10,7 +43,7 @@ pub struct RowAnswers {
     /// The row of each line, from 0.
     pub rows: Vec<usize>,
     /// The position of each line.
-    pub poses: Vec<String>,
+    pub poses: Texts,
     /// The events at the instant of each line, where the layout has them.
     pub events: Vec<String>,
     /// The columns of the layout, in the author's units. NaN where there is no answer; 1 and 0 for conditions.
@@ -22,6 +55,15 @@ pub struct RowAnswers {
 impl RowAnswers {
     pub(crate) fn of(layout: &RowLayout) -> Self {
         Self { values: vec![Vec::new(); layout.fields.len()], ..Self::default() }
+    }
+
+    /// With room for lines.
+    pub(crate) fn with_room(layout: &RowLayout, lines: usize) -> Self {
+        let mut answers = Self::of(layout);
+        answers.rows.reserve_exact(lines);
+        answers.poses.ends.reserve_exact(lines);
+        answers.values.iter_mut().for_each(|values| values.reserve_exact(lines));
+        answers
     }
 
     /// How many lines there are.
@@ -48,7 +90,7 @@ impl RowAnswers {
         let before = self.len();
         self.errors.extend(other.errors.drain(..).map(|(line, why)| (before + line, why)));
         self.rows.append(&mut other.rows);
-        self.poses.append(&mut other.poses);
+        self.poses.append(&other.poses);
         self.events.append(&mut other.events);
         self.values.iter_mut().zip(&mut other.values).for_each(|(all, values)| all.append(values));
     }
@@ -60,6 +102,8 @@ pub(crate) struct Line<'a> {
     pub index: usize,
     /// Memory for its numbers.
     pub numbers: &'a mut Vec<f64>,
+    /// Its columns, where a state decides them.
+    pub columns: Option<&'a NumberColumns>,
     pub out: &'a mut RowAnswers,
 }
 
@@ -74,7 +118,14 @@ impl Line<'_> {
         let mut any = false;
         for pose in answers.asked_for() {
             any = true;
-            columns.write_row(answers, pose, &whole, greatest.as_ref(), &mut row);
+            let solved = pose.outcome.as_ref().ok().filter(|solved| !solved.state.forces.locked);
+            let solved = self.columns.zip(solved);
+            let read = solved.is_some_and(|(columns, solved)| {
+                columns.read(&answers.solution.view(&answers.model, solved), &pose.drives, &mut row)
+            });
+            if !read {
+                columns.write_row(answers, pose, &whole, greatest.as_ref(), &mut row);
+            }
             let why = pose.outcome.as_ref().err().map(|why| failure(&answers.model, why).to_string());
             self.push_event(columns.events_at(answers, pose));
             self.push(&pose.name, &row, why.as_deref().unwrap_or(error));
@@ -106,7 +157,7 @@ impl Line<'_> {
             self.out.errors.push((self.out.len(), one_line));
         }
         self.out.rows.push(self.index);
-        self.out.poses.push(pose.to_owned());
+        self.out.poses.push(pose);
         let finite = |x: f64| if x.is_finite() { x } else { f64::NAN };
         self.out.values.iter_mut().zip(row).for_each(|(values, x)| values.push(finite(*x)));
     }

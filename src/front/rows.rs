@@ -10,7 +10,7 @@ use crate::pipeline::{Compiled, VariantSolver};
 use crate::report::rows::AnswerColumns;
 use crate::report::{NumberField, Precision};
 use assur_check::{self as check, ColumnUse, Overrides, Row, RowColumn};
-use assur_solve::solve::Watch;
+use assur_solve::solve::{NumberColumns, Watch};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -140,23 +140,27 @@ impl Rows {
         workers: &dyn Workers,
     ) -> Option<RowAnswers> {
         let watch = |_: f64, _: f64| !workers.is_stopped();
-        let idle: Mutex<Vec<VariantSolver<'_>>> = Mutex::new(Vec::new());
+        let idle: Mutex<Vec<Worker<'_>>> = Mutex::new(Vec::new());
         let lock = || idle.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut all = RowAnswers::of(layout);
+        let mut all = RowAnswers::with_room(layout, count);
         let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
         for starts in starts.chunks(workers.pieces().max(1)) {
-            let mut pieces: Vec<RowAnswers> = starts.iter().map(|_| RowAnswers::of(layout)).collect();
+            let mut pieces: Vec<RowAnswers> =
+                starts.iter().map(|_| RowAnswers::with_room(layout, PIECE)).collect();
             each_of(workers, &mut pieces, |i, piece| {
-                let mut solver = lock().pop().unwrap_or_else(|| self.solver(&watch));
-                let (mut row, mut numbers) = (Row::default(), Vec::new());
+                let mut worker = lock().pop().unwrap_or_else(|| Worker::of(self.solver(&watch)));
+                let mut row = Row::default();
                 for index in starts[i]..(starts[i] + PIECE).min(count) {
-                    let mut line = Line { layout, index, numbers: &mut numbers, out: piece };
                     match read_row(&self.columns, cells, index, self.digits, &mut row) {
-                        Ok(()) => self.one(&row, (&mut solver, &watch), &mut line),
-                        Err(missing) => line.without_answers(&missing.to_string()),
+                        Ok(()) => self.one(&row, (&mut worker, &watch), (layout, index, piece)),
+                        Err(missing) => {
+                            let numbers = &mut worker.numbers;
+                            let mut line = Line { layout, index, numbers, columns: None, out: piece };
+                            line.without_answers(&missing.to_string());
+                        }
                     }
                 }
-                lock().push(solver);
+                lock().push(worker);
             });
             if !workers.goes_on() {
                 return None;
@@ -167,28 +171,49 @@ impl Rows {
     }
 
     fn solver<'r>(&'r self, watch: &'r Watch<'r>) -> VariantSolver<'r> {
-        VariantSolver::new(&self.document, &self.overrides).within(self.within).watched(watch)
+        VariantSolver::new(&self.document, &self.overrides).within(self.within).watched(watch).for_answers()
     }
 
     /// Solves a row. An error of our own ends one row, not the batch.
     fn one<'r>(
         &'r self,
         row: &Row,
-        (solver, watch): (&mut VariantSolver<'r>, &'r Watch<'r>),
-        line: &mut Line<'_>,
+        (worker, watch): (&mut Worker<'r>, &'r Watch<'r>),
+        (layout, index, out): (&RowLayout, usize, &mut RowAnswers),
     ) {
-        let before = line.out.len();
+        let before = out.len();
         let found = catch_unwind(AssertUnwindSafe(|| {
-            let (solved, problems) = solver.solve_in_place(row);
+            let Worker { solver, columns, numbers } = &mut *worker;
+            let (solved, problems, quick) = solver.solve_quickly(row);
             let answers = solved.map(|solved| solved.answers(Precision::READABLE));
+            let columns = answers.filter(|_| quick && !layout.key).and_then(|answers| {
+                columns.get_or_insert_with(|| layout.answers.in_quick_rows(&answers.model)).as_ref()
+            });
+            let mut line = Line { layout, index, numbers, columns, out };
             line.all(answers.as_ref(), &first_error(&problems));
         }));
         if found.is_err() {
             // what the row left behind is not to be used again
-            *solver = self.solver(watch);
-            line.out.truncate(before);
+            *worker = Worker::of(self.solver(watch));
+            out.truncate(before);
+            let mut line = Line { layout, index, numbers: &mut worker.numbers, columns: None, out };
             line.without_answers("internal error: please report this row with the file");
         }
+    }
+}
+
+/// A solver with what it leaves from row to row.
+struct Worker<'r> {
+    solver: VariantSolver<'r>,
+    /// The columns of rows that differ in numbers alone, once they were looked for.
+    columns: Option<Option<NumberColumns>>,
+    /// Memory for the numbers of a line.
+    numbers: Vec<f64>,
+}
+
+impl<'r> Worker<'r> {
+    const fn of(solver: VariantSolver<'r>) -> Self {
+        Self { solver, columns: None, numbers: Vec::new() }
     }
 }
 

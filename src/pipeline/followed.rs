@@ -69,7 +69,7 @@ pub trait Sink {
             let mut taken = 0;
             for block in &mut blocks {
                 whole = take(block);
-                taken += usize::from(!block.poses().is_empty());
+                taken += usize::from(!block.is_empty());
                 if !whole {
                     break;
                 }

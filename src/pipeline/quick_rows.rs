@@ -7,7 +7,7 @@ use super::solved::Solved;
 use crate::exercise;
 use assur_check::{Row, RowPatches};
 use assur_position::plan;
-use assur_solve::solve::{Again, Conduct, Solution};
+use assur_solve::solve::{Again, Conduct, Reads, Solution};
 use assur_text::diagnostic::Problems;
 
 /// What rows with the same columns have in common.
@@ -17,18 +17,19 @@ pub struct QuickRows {
     solved: Solved,
     /// Where it has one position, and nothing is to be said of it.
     again: Option<Again>,
+    reads: Reads,
 }
 
 impl QuickRows {
     /// For a file that was compiled with one of its rows, of which nothing was to be said; `None` where a row may change more
     /// than numbers.
-    pub fn new(patches: RowPatches, compiled: Compiled) -> Option<Self> {
+    pub fn new(patches: RowPatches, compiled: Compiled, reads: Reads) -> Option<Self> {
         if !compiled.structure.is_renumbered(&compiled.mechanism) || compiled.origin.is_some() {
             return None;
         }
-        let again = Again::of(&compiled.model());
+        let again = Again::of(&compiled.model(), reads);
         let solved = Solved { compiled, solution: Solution::default(), outcomes: Vec::new(), reached: None };
-        Some(Self { patches, solved, again })
+        Some(Self { patches, solved, again, reads })
     }
 
     /// Puts a row into the mechanism, its structure and its plan; `None` where it takes more.
@@ -39,7 +40,10 @@ impl QuickRows {
         }
         structure.renumber(mechanism);
         if plan.is_renumbered() {
-            plan.renumber(mechanism, structure);
+            plan.renumber_steps(mechanism, structure);
+            if self.reads.residuals {
+                plan.renumber_balance(mechanism, structure);
+            }
         } else {
             *plan = plan::plan(mechanism, structure);
         }
@@ -49,9 +53,14 @@ impl QuickRows {
     /// The solution of the row that was compiled last, and all that was found on the way.
     pub fn solve(&mut self, conduct: &Conduct<'_>) -> (Option<&Solved>, Problems) {
         let Solved { compiled, solution, outcomes, .. } = &mut self.solved;
-        let model = compiled.model();
         let mut problems = Problems::new();
-        if !self.again.as_mut().is_some_and(|again| again.solve(&model, solution)) {
+        let again = self.again.as_mut();
+        if !again.is_some_and(|again| again.solve(&compiled.model(), solution)) {
+            let Compiled { mechanism, structure, plan, .. } = &mut *compiled;
+            if plan.is_renumbered() && !self.reads.residuals {
+                plan.renumber_balance(mechanism, structure);
+            }
+            let model = compiled.model();
             match followed(&model, None, None, conduct) {
                 Ok(Some((found, said))) => (*solution, problems) = (found, said),
                 Ok(None) => return (None, problems),
@@ -59,6 +68,7 @@ impl QuickRows {
             }
         }
         outcomes.clear();
+        let model = compiled.model();
         if !model.mechanism.expects.is_empty() {
             let (found, errors) = exercise::evaluate(&model, solution);
             *outcomes = found;

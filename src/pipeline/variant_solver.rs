@@ -6,7 +6,7 @@ use super::solved::{Solved, solve_conducted};
 use assur_check as check;
 use assur_check::{Overrides, Row, Template};
 use assur_model::structure::Structure;
-use assur_solve::solve::{Conduct, Watch};
+use assur_solve::solve::{Conduct, Reads, Watch};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use std::sync::Arc;
@@ -22,6 +22,8 @@ pub struct VariantSolver<'a> {
     within: Option<f64>,
     /// How motions under loads are integrated.
     conduct: Conduct<'a>,
+    /// What is read of rows beside their answers.
+    reads: Reads,
     /// What rows have in common where they differ in numbers alone.
     quick: Quick,
     /// The last row that was solved as a whole.
@@ -47,8 +49,8 @@ impl<'a> VariantSolver<'a> {
     pub fn new(document: &'a Arc<Document>, overrides: &'a Overrides) -> Self {
         let template = Template::new(document, overrides);
         let (structure, within, quick, last) = (None, None, Quick::After(0), None);
-        let conduct = Conduct::default();
-        Self { document, overrides, template, structure, within, conduct, quick, last }
+        let (conduct, reads) = (Conduct::default(), Reads::ALL);
+        Self { document, overrides, template, structure, within, conduct, reads, quick, last }
     }
 
     /// With settings that keep an accuracy, row by row.
@@ -61,6 +63,12 @@ impl<'a> VariantSolver<'a> {
     #[must_use]
     pub fn watched(self, watch: &'a Watch<'a>) -> Self {
         Self { conduct: Conduct { watch: Some(watch), ..self.conduct }, ..self }
+    }
+
+    /// With rows of which nothing but their answers is read.
+    #[must_use]
+    pub fn for_answers(self) -> Self {
+        Self { reads: Reads::ANSWERS, ..self }
     }
 
     /// The mechanism of a row with its structure and its plan, and all that was found on the way.
@@ -86,6 +94,12 @@ impl<'a> VariantSolver<'a> {
 
     /// As [`VariantSolver::solve`], in the memory of the rows before.
     pub fn solve_in_place(&mut self, row: &Row) -> (Option<&Solved>, Problems) {
+        let (solved, problems, _) = self.solve_quickly(row);
+        (solved, problems)
+    }
+
+    /// The same, and whether its structure and plan are those of all such rows but for their numbers.
+    pub fn solve_quickly(&mut self, row: &Row) -> (Option<&Solved>, Problems, bool) {
         self.look_for_quick(row);
         let ready = match &mut self.quick {
             Quick::Rows(quick) => quick.compile(row).is_some(),
@@ -95,11 +109,14 @@ impl<'a> VariantSolver<'a> {
             // it takes more than numbers
             let (solved, problems) = self.solve(row);
             self.last = solved;
-            return (self.last.as_ref(), problems);
+            return (self.last.as_ref(), problems, false);
         }
         match &mut self.quick {
-            Quick::Rows(quick) => quick.solve(&self.conduct),
-            Quick::After(_) | Quick::None => (None, Problems::new()),
+            Quick::Rows(quick) => {
+                let (solved, problems) = quick.solve(&self.conduct);
+                (solved, problems, true)
+            }
+            Quick::After(_) | Quick::None => (None, Problems::new(), false),
         }
     }
 
@@ -127,7 +144,7 @@ impl<'a> VariantSolver<'a> {
             return Quick::After(0);
         }
         let patches = self.template.as_mut().and_then(|template| template.patches(row));
-        let quick = patches.and_then(|patches| QuickRows::new(patches, compiled));
+        let quick = patches.and_then(|patches| QuickRows::new(patches, compiled, self.reads));
         quick.map_or(Quick::None, |quick| Quick::Rows(Box::new(quick)))
     }
 

@@ -51,7 +51,7 @@ impl ArrowRows {
     pub fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> Result<(), ArrowError> {
         self.rows.begin(answers);
         self.rows.read(answers, pose, &mut self.row);
-        self.lines.poses.push(pose.name.clone());
+        self.lines.poses.push(&pose.name);
         let finite = |x: f64| if x.is_finite() { x } else { f64::NAN };
         self.lines.answers.iter_mut().zip(&self.row).for_each(|(cells, x)| cells.push(finite(*x)));
         if self.lines.poses.len() == BATCH { self.write() } else { Ok(()) }

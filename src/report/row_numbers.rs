@@ -2,8 +2,10 @@
 
 use super::answers::Answers;
 use super::rows::{Answer, AnswerColumns, Content};
-use assur_model::model::{Display, FindKind, Mechanism, Value};
-use assur_solve::solve::{Greatest, Model, NumberColumns, Pose, Shown};
+use assur_model::model::{Display, FindKind, Mechanism, PairId, Value};
+use assur_solve::solve::{
+    Greatest, JointReaction, Model, NumberColumns, Pose, PoseAnswers, Shown, State, WideColumns,
+};
 use assur_text::units::{Dimension, Kind};
 
 /// A column of numbers.
@@ -25,13 +27,15 @@ pub struct NumberRows {
     whole: Option<Vec<Option<Value>>>,
     /// The columns, where a state decides them.
     numbers: Option<NumberColumns>,
+    /// The same for positions side by side.
+    wide: Option<WideColumns>,
 }
 
 impl NumberRows {
     /// For these columns.
     #[must_use]
     pub const fn of(columns: AnswerColumns) -> Self {
-        Self { columns, whole: None, numbers: None }
+        Self { columns, whole: None, numbers: None, wide: None }
     }
 
     /// Finds the answers that need no pose, once.
@@ -39,6 +43,7 @@ impl NumberRows {
         if self.whole.is_none() {
             let whole = self.columns.whole(answers);
             self.numbers = self.columns.numbers(&whole);
+            self.wide = self.numbers.as_ref().and_then(|numbers| numbers.wide(&answers.model));
             self.whole = Some(whole);
         }
     }
@@ -53,6 +58,12 @@ impl NumberRows {
             let whole = self.whole.as_deref().unwrap_or_default();
             self.columns.write_row(answers, pose, whole, None, row);
         }
+    }
+
+    /// The columns for positions side by side, once it has [begun](NumberRows::begin); `None` where they take states.
+    #[must_use]
+    pub const fn wide(&self) -> Option<&WideColumns> {
+        self.wide.as_ref()
     }
 
     /// Writes what needs no pose, for a file that has none.
@@ -159,6 +170,30 @@ impl AnswerColumns {
             columns.push(shown, answer.vector, &answer.display);
         }
         Some(columns)
+    }
+
+    /// The same of rows that differ in numbers alone from the one that a file was compiled with.
+    #[must_use]
+    pub fn in_quick_rows(&self, model: &Model<'_>) -> Option<NumberColumns> {
+        let state = State::closed(model.plan);
+        let view = PoseAnswers::bare(model, &state);
+        let determined = |pair: &PairId| model.structure.undetermined_couples.binary_search(pair).is_err();
+        let mut columns = self.clone();
+        for answer in &mut columns.answers {
+            match &mut answer.content {
+                Content::Reaction(pair, on, joints) => *joints = JointReaction::of(&view, *pair, *on),
+                Content::Moment(pair, on, joints) => {
+                    *joints = JointReaction::of(&view, *pair, *on).filter(|_| determined(pair));
+                }
+                // it may depend on the numbers
+                Content::Find { poseless: true, .. } => return None,
+                _ => {}
+            }
+        }
+        let reactions =
+            |answer: &Answer| matches!(answer.content, Content::Reaction(..) | Content::Moment(..));
+        let known = !model.plan.reactions.is_empty() || !self.answers.iter().any(reactions);
+        known.then(|| columns.numbers(&[]))?
     }
 
     /// Whether a column shows the angle of a link or of a hinge, or a quantity does that it may show.

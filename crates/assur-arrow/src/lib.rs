@@ -14,4 +14,4 @@ pub use cells::{array, field};
 #[cfg(feature = "ipc")]
 pub use files::{Kind, Reader, Writer, open};
 pub use given::{Column, columns, names, numbers};
-pub use lines::{Head, Lines};
+pub use lines::{Head, Lines, Texts};

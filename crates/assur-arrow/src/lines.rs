@@ -24,6 +24,44 @@ pub struct Head {
     pub errors: bool,
 }
 
+/// Texts, one after another.
+#[derive(Clone, Debug, Default)]
+pub struct Texts {
+    text: String,
+    ends: Vec<usize>,
+}
+
+impl Texts {
+    /// Of one text, by where each ends in it.
+    #[must_use]
+    pub const fn of(text: String, ends: Vec<usize>) -> Self {
+        Self { text, ends }
+    }
+
+    /// Adds one.
+    pub fn push(&mut self, text: &str) {
+        self.text.push_str(text);
+        self.ends.push(self.text.len());
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+
+    fn iter(&self) -> impl Iterator<Item = &str> {
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, &end)| self.text.get(start..end).unwrap_or_default())
+    }
+}
+
 /// Lines of answers, column by column.
 #[derive(Clone, Debug, Default)]
 pub struct Lines {
@@ -34,7 +72,7 @@ pub struct Lines {
     /// What is repeated of the rows; NaN where it is missing.
     pub givens: Vec<Vec<f64>>,
     /// The position of each line.
-    pub poses: Vec<String>,
+    pub poses: Texts,
     /// The events at each instant, where the head has them.
     pub events: Vec<String>,
     /// The answers; NaN where there is none, 1 and 0 for conditions.
@@ -78,9 +116,9 @@ impl Head {
             arrays.push(Arc::new(StringArray::from(labels)));
         }
         arrays.extend(givens.into_iter().map(|values| array(&values.into(), false)));
-        arrays.push(texts(&poses));
+        arrays.push(texts(poses.iter()));
         if self.events {
-            arrays.push(texts(&events));
+            arrays.push(texts(events.iter().map(String::as_str)));
         }
         let answers = answers.into_iter().zip(&self.answers);
         arrays.extend(answers.map(|(values, (_, _, condition))| array(&values.into(), *condition)));
@@ -92,7 +130,7 @@ impl Head {
 }
 
 /// A column of texts; null where one is empty.
-fn texts(texts: &[String]) -> ArrayRef {
-    let texts = texts.iter().map(|text| Some(text.as_str()).filter(|text| !text.is_empty()));
+fn texts<'t>(texts: impl Iterator<Item = &'t str>) -> ArrayRef {
+    let texts = texts.map(|text| Some(text).filter(|text| !text.is_empty()));
     Arc::new(texts.collect::<StringArray>())
 }

@@ -54,8 +54,10 @@ pub struct RowPatches {
     alike: Vec<(Signed, Signed)>,
     /// What does not change with the columns that were tried: it has this value.
     fixed: Vec<(Register, f64)>,
-    /// Links whose points move, and which of their points lie on one another.
-    moved: Vec<(LinkId, Vec<bool>)>,
+    /// Pairs of points of links whose points move, and whether they lie on one another.
+    moved: Vec<(LinkId, [usize; 2], bool)>,
+    /// The numbers of the last row with their places.
+    numbers: Vec<(usize, f64)>,
 }
 
 impl Signed {
@@ -79,6 +81,7 @@ impl RowPatches {
             alike: Vec::new(),
             fixed: Vec::new(),
             moved: Vec::new(),
+            numbers: Vec::new(),
         };
         let mut probes = vec![patches.probe(row, &mut first)?];
         let shape = shape(&first);
@@ -99,6 +102,7 @@ impl RowPatches {
         (probes.len() > PROBES).then_some(())?;
         patches.slots(&probes)?;
         patches.moved = moved(&first, &patches.slots);
+        patches.numbers = patches.slots.iter().map(|slot| (slot.place, f64::NAN)).collect();
         Some(patches)
     }
 
@@ -115,7 +119,7 @@ impl RowPatches {
         let first = &probes[0];
         let varies = |of: &dyn Fn(&Probe) -> f64| probes.iter().any(|p| !is_same(of(p), of(first)));
         for register in 0..first.values.len() {
-            if !varies(&|p| p.values[register]) {
+            if !self.program.is_known(register) && !varies(&|p| p.values[register]) {
                 self.fixed.push((register, first.values[register]));
             }
         }
@@ -142,21 +146,13 @@ impl RowPatches {
             return false;
         }
         let values = self.program.values();
-        let mut slots = self.slots.iter();
-        let mut next = slots.next();
-        let mut place = 0;
-        mechanism.each_number(&mut |x| {
-            if let Some(slot) = next
-                && slot.place == place
-            {
-                *x = slot.from.of(values);
-                next = slots.next();
-            }
-            place += 1;
-        });
-        self.moved.iter().all(|(link, together)| {
+        for (number, slot) in self.numbers.iter_mut().zip(&self.slots) {
+            number.1 = slot.from.of(values);
+        }
+        mechanism.put_numbers(&self.numbers);
+        self.moved.iter().all(|(link, [i, j], together)| {
             let points = &mechanism.link(*link).points;
-            pairs_of(points.iter().map(|p| p.at)).eq(together.iter().copied())
+            (points[*i].at == points[*j].at) == *together
         })
     }
 
@@ -215,24 +211,25 @@ fn beside(row: &Row, seed: u32) -> Row {
     Row::new(row.columns().clone(), cells.collect())
 }
 
-/// Links with points that the row moves.
-fn moved(mechanism: &Mechanism, slots: &[Slot]) -> Vec<(LinkId, Vec<bool>)> {
+/// Pairs of points of links with points that the row moves, and whether they lie on one another.
+fn moved(mechanism: &Mechanism, slots: &[Slot]) -> Vec<(LinkId, [usize; 2], bool)> {
     let mut first = mechanism.clone();
     let (mut slots, mut place) = (slots.iter().map(|s| s.place).peekable(), 0);
     first.each_number(&mut |x| {
         *x = if slots.next_if_eq(&place).is_some() { f64::NAN } else { 0.0 };
         place += 1;
     });
-    let links = first.links.iter().enumerate();
-    let moving = links.filter(|(_, link)| link.points.iter().any(|p| p.at.x.is_nan() || p.at.y.is_nan()));
-    let together = |index: usize| pairs_of(mechanism.links[index].points.iter().map(|p| p.at)).collect();
-    moving.map(|(index, _)| (LinkId::at(index), together(index))).collect()
-}
-
-/// For all pairs of points, whether they lie on one another.
-fn pairs_of(points: impl Iterator<Item = Vec2> + Clone) -> impl Iterator<Item = bool> {
-    let rest = points.clone();
-    points.enumerate().flat_map(move |(i, a)| rest.clone().skip(i + 1).map(move |b| a == b))
+    let moves = |at: Vec2| at.x.is_nan() || at.y.is_nan();
+    let mut pairs = Vec::new();
+    for (index, link) in first.links.iter().enumerate() {
+        let points = &mechanism.links[index].points;
+        for j in 0..points.len() {
+            for i in (0..j).filter(|&i| moves(link.points[i].at) || moves(link.points[j].at)) {
+                pairs.push((LinkId::at(index), [i, j], points[i].at == points[j].at));
+            }
+        }
+    }
+    pairs
 }
 
 /// The operations behind all expressions of the document that go with the row.

@@ -30,6 +30,40 @@ enum Operation {
     Direction(Register, Axis),
 }
 
+impl Operation {
+    /// The registers that it reads; none where it reads the row or nothing.
+    const fn operands(&self) -> Option<[Register; 2]> {
+        match *self {
+            Self::Number(_) | Self::Cell(_) | Self::Digit(_) => None,
+            Self::Negate(a) | Self::Direction(a, _) => Some([a, a]),
+            Self::Add(a, b)
+            | Self::Subtract(a, b)
+            | Self::Multiply(a, b)
+            | Self::Divide(a, b)
+            | Self::Power(a, b)
+            | Self::Call(_, a, b) => Some([a, b]),
+        }
+    }
+
+    fn value(&self, r: &[f64], row: &Row) -> f64 {
+        match *self {
+            Self::Number(x) => x,
+            Self::Cell(column) => row.cell(column).map_or(f64::NAN, |cell| cell.value),
+            Self::Digit(column) => row.cell(column).map_or(f64::NAN, |cell| cell.digit),
+            Self::Negate(a) => -r[a],
+            Self::Add(a, b) => r[a] + r[b],
+            Self::Subtract(a, b) => r[a] - r[b],
+            Self::Multiply(a, b) => r[a] * r[b],
+            Self::Divide(a, b) => r[a] / r[b],
+            Self::Power(a, b) if r[b] == 2.0 => r[a] * r[a],
+            Self::Power(a, b) => libm::pow(r[a], r[b]),
+            Self::Call(function, a, b) => call(function, r[a], r[b]),
+            Self::Direction(a, Axis::X) => Vec2::direction(r[a]).x,
+            Self::Direction(a, Axis::Y) => Vec2::direction(r[a]).y,
+        }
+    }
+}
+
 /// The operations, with their registers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Program {
@@ -105,22 +139,7 @@ impl Program {
     pub(crate) fn run(&mut self, row: &Row) -> bool {
         self.registers.clear();
         for operation in &self.operations {
-            let r = &self.registers;
-            let value = match *operation {
-                Operation::Number(x) => x,
-                Operation::Cell(column) => row.cell(column).map_or(f64::NAN, |cell| cell.value),
-                Operation::Digit(column) => row.cell(column).map_or(f64::NAN, |cell| cell.digit),
-                Operation::Negate(a) => -r[a],
-                Operation::Add(a, b) => r[a] + r[b],
-                Operation::Subtract(a, b) => r[a] - r[b],
-                Operation::Multiply(a, b) => r[a] * r[b],
-                Operation::Divide(a, b) => r[a] / r[b],
-                Operation::Power(a, b) if r[b] == 2.0 => r[a] * r[a],
-                Operation::Power(a, b) => libm::pow(r[a], r[b]),
-                Operation::Call(function, a, b) => call(function, r[a], r[b]),
-                Operation::Direction(a, Axis::X) => Vec2::direction(r[a]).x,
-                Operation::Direction(a, Axis::Y) => Vec2::direction(r[a]).y,
-            };
+            let value = operation.value(&self.registers, row);
             if !value.is_finite() {
                 return false;
             }
@@ -129,8 +148,18 @@ impl Program {
         self.divisors.iter().all(|d| self.registers[*d] != 0.0)
     }
 
+    /// Whether a register is the same for all rows.
+    pub(crate) fn is_known(&self, register: Register) -> bool {
+        matches!(self.operations[register], Operation::Number(_))
+    }
+
+    /// An operation on numbers of the file alone is done here.
     fn push(&mut self, operation: Operation) -> Register {
-        self.operations.push(operation);
+        let known = operation.operands().is_none_or(|all| all.iter().all(|r| self.is_known(*r)));
+        let value = if known { operation.value(&self.registers, &Row::default()) } else { f64::NAN };
+        let reads_row = matches!(operation, Operation::Cell(_) | Operation::Digit(_));
+        self.operations.push(if known && !reads_row { Operation::Number(value) } else { operation });
+        self.registers.push(value);
         self.operations.len() - 1
     }
 

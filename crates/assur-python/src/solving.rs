@@ -5,7 +5,7 @@ use crate::workers::Crew;
 use arrow_array::{RecordBatch, RecordBatchReader};
 use arrow_schema::{ArrowError, Schema, SchemaRef};
 use assur::{Cells, RowAnswers, RowField, RowLayout, Rows, WrittenUnit};
-use assur_arrow::{Column, Head, Lines, columns};
+use assur_arrow::{Column, Head, Lines, Texts, columns};
 use pyo3::prelude::*;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -164,6 +164,8 @@ impl Solving {
         };
         let RowAnswers { rows, poses, errors, events, values } = answers;
         let number = |row: &usize| i64::try_from(self.before + row + 1).unwrap_or(i64::MAX);
+        let (text, ends) = poses.into_parts();
+        let poses = Texts::of(text, ends);
         let mut lines = Lines { poses, events, answers: values, errors, ..Lines::default() };
         if self.form.numbered {
             lines.rows = rows.iter().map(number).collect();

@@ -117,6 +117,8 @@ impl Table {
         let Filled { answers, labels, givens, .. } = filled;
         let RowAnswers { rows, poses, events, values, errors } = answers;
         let rows = rows.into_iter().map(|row| i64::try_from(row + 1).unwrap_or(i64::MAX)).collect();
+        let (text, ends) = poses.into_parts();
+        let poses = assur_arrow::Texts::of(text, ends);
         let lines = Lines { rows, labels, givens, poses, events, answers: values, errors };
         let batch = self.head.batch(&self.schema, lines);
         batch.and_then(|batch| self.writer.write(&batch)).map_err(|error| unwritable(&self.name, &error))?;

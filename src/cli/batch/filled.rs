@@ -55,8 +55,14 @@ impl<'a> Filled<'a> {
     pub fn row(&mut self, job: &Job, row: &Cited<'_>, answers: Option<&Answers<'_>>, error: &str) {
         let before = self.answers.len();
         let index = row.number.saturating_sub(1);
-        Line { layout: self.layout, index, numbers: &mut self.numbers, out: &mut self.answers }
-            .all(answers, error);
+        Line {
+            layout: self.layout,
+            index,
+            numbers: &mut self.numbers,
+            columns: None,
+            out: &mut self.answers,
+        }
+        .all(answers, error);
         let count = self.answers.len() - before;
         for ((i, column), cells) in job.givens().zip(&mut self.givens) {
             cells.extend(std::iter::repeat_n(row.number_of(i, column), count));

@@ -5,7 +5,7 @@ use std::io::BufReader;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use super::super::args::ending;
+use super::super::args::{Format, ending};
 use super::super::error::CliError;
 use super::super::reply::Status;
 use super::super::screen::Screen;
@@ -134,7 +134,7 @@ impl Job {
 
     /// The columns of the first row that has some.
     fn first_layout(&self) -> Result<Option<RowLayout>, CliError> {
-        let mut family = self.family();
+        let mut family = self.family(None);
         let mut found = None;
         self.each_chunk(FIRST_CHUNK, None, &mut |chunk, _| {
             let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, (&self.columns, false), None).ok());
@@ -144,9 +144,12 @@ impl Job {
         Ok(found)
     }
 
-    /// Solves its rows one after another.
-    pub fn family(&self) -> VariantSolver<'_> {
-        VariantSolver::new(&self.document, &self.overrides).within(self.within).watched(&goes_on)
+    /// Solves its rows one after another, for one format or for all.
+    pub fn family(&self, format: Option<Format>) -> VariantSolver<'_> {
+        let family =
+            VariantSolver::new(&self.document, &self.overrides).within(self.within).watched(&goes_on);
+        let all = matches!(format, None | Some(Format::Json | Format::Jsonl));
+        if all { family } else { family.for_answers() }
     }
 
     /// Whether it follows a motion under loads.

@@ -81,7 +81,7 @@ pub fn write_row<'f>(
     }));
     found.unwrap_or_else(|_| {
         // what the last row left behind is not to be used again
-        *family = job.family();
+        *family = job.family(Some(written.format));
         written.out.truncate(written_before);
         written.key_out.truncate(key_before);
         written.filled.iter_mut().for_each(|filled| filled.truncate(filled_before));

@@ -40,7 +40,7 @@ impl<'r> Run<'r> {
         let pieces: Vec<Range<usize>> =
             (0..chunk.len()).step_by(size).map(|start| start..(start + size).min(chunk.len())).collect();
         let solved = |range| {
-            let mut family = idle.take().unwrap_or_else(|| self.job.family());
+            let mut family = idle.take().unwrap_or_else(|| self.job.family(Some(self.format)));
             let piece = self.piece(&mut family, chunk, range);
             idle.give(family);
             piece

@@ -52,6 +52,19 @@ impl Mechanism {
         self.values.iter_mut().for_each(|named| of_value(&mut named.value, visit));
     }
 
+    /// Puts numbers in their places, in the order in which [`Mechanism::each_number`] comes by them.
+    pub fn put_numbers(&mut self, numbers: &[(usize, f64)]) {
+        let (mut next, mut place) = (numbers.iter(), 0);
+        let (mut at, mut number) = next.next().copied().unwrap_or((usize::MAX, 0.0));
+        self.each_number(&mut |x| {
+            if place == at {
+                *x = number;
+                (at, number) = next.next().copied().unwrap_or((usize::MAX, 0.0));
+            }
+            place += 1;
+        });
+    }
+
     fn questions(&mut self, visit: &mut impl FnMut(&mut f64)) {
         for find in &mut self.finds {
             if let super::FindKind::Value { expr, .. } = &mut find.kind {

@@ -111,8 +111,8 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &Plan) ->
 }
 
 impl Checks {
-    /// Takes over the numbers of a mechanism without cams and Geneva wheels that differs in nothing else.
-    pub(super) fn renumber(&mut self, mechanism: &Mechanism, structure: &Structure, plan: &Plan) {
+    /// Takes over the numbers of joints of a structure without cams and Geneva wheels that differs in nothing else.
+    pub(super) fn renumber_joints(&mut self, structure: &Structure) {
         self.moving.clear();
         for (check, joint) in self.joints.iter_mut().zip(&structure.replaced.joints) {
             match (check, &joint.kind) {
@@ -130,6 +130,10 @@ impl Checks {
                 _ => {}
             }
         }
+    }
+
+    /// The same for what acts on bodies.
+    pub(super) fn renumber_forces(&mut self, mechanism: &Mechanism, structure: &Structure, plan: &Plan) {
         for (slot, check) in self.reactions.iter_mut().enumerate() {
             *check = reaction(mechanism, structure, plan, slot);
         }

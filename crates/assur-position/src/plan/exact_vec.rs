@@ -19,11 +19,20 @@ impl ExactVec {
 
     /// From one point to another.
     pub(super) fn between(from: Vec2, to: Vec2) -> Self {
-        Self::new(to - from, V2::of(to) - V2::of(from))
+        let rounded = to - from;
+        let rest = |x: f64, from: f64, to: f64| {
+            // Knuth's sum of `to` and −`from`
+            let part = x - to;
+            (to - (x - part)) + (-from - part)
+        };
+        Self { rounded, rest: Vec2::new(rest(rounded.x, from.x, to.x), rest(rounded.y, from.y, to.y)) }
     }
 
     /// In the axes of a direction.
     pub(super) fn in_axes(self, axis: Vec2) -> Self {
+        if axis == Vec2::new(1.0, 0.0) {
+            return Self { rounded: self.rounded.turned_back(axis), ..self };
+        }
         Self::new(self.rounded.turned_back(axis), self.of().turned_back(unit(axis)))
     }
 

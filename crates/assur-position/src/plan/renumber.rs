@@ -41,6 +41,12 @@ impl Plan {
 
     /// Takes over the numbers of a mechanism that calls for the same steps, see [`Plan::is_renumbered`].
     pub fn renumber(&mut self, mechanism: &Mechanism, structure: &Structure) {
+        self.renumber_steps(mechanism, structure);
+        self.renumber_balance(mechanism, structure);
+    }
+
+    /// The same but for the equations by which the balance of forces is checked.
+    pub fn renumber_steps(&mut self, mechanism: &Mechanism, structure: &Structure) {
         for (branch, group) in structure.motion.iter().enumerate() {
             if let Some(step) = motion::closed(structure, group, branch) {
                 self.motion[branch] = step;
@@ -49,8 +55,13 @@ impl Plan {
         if self.effects.forces {
             self.renumber_forces(mechanism, structure);
         }
+        self.checks.renumber_joints(structure);
+    }
+
+    /// The equations by which the balance of forces is checked.
+    pub fn renumber_balance(&mut self, mechanism: &Mechanism, structure: &Structure) {
         let mut checks = std::mem::take(&mut self.checks);
-        checks.renumber(mechanism, structure, self);
+        checks.renumber_forces(mechanism, structure, self);
         self.checks = checks;
     }
 

@@ -290,3 +290,18 @@ pub enum MotionStep {
         problem: usize,
     },
 }
+
+impl MotionStep {
+    /// Whether it has a second assembly of the other root.
+    #[must_use]
+    pub const fn has_two_roots(&self) -> bool {
+        matches!(
+            self,
+            Self::Rrr { .. }
+                | Self::Rrp { .. }
+                | Self::Rpr { .. }
+                | Self::DrivenRrr { .. }
+                | Self::DrivenRrp { .. }
+        )
+    }
+}

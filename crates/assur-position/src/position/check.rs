@@ -40,6 +40,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// The greatest of these distances over the extent.
+    #[inline(always)]
     pub(super) fn closure(&self, checks: &Checks) -> S {
         let (worst, size) = self.gaps(checks);
         worst / size
@@ -108,6 +109,7 @@ impl<S: Scalar> State<S> {
     }
 }
 
+#[inline(always)]
 fn square<S: Scalar>(v: V2<S>) -> S {
     v.dot(v)
 }
@@ -134,6 +136,7 @@ impl<S: Scalar + Default> Sums<S> {
     }
 
     /// The same in the memory of other sums.
+    #[inline(always)]
     fn restart(&mut self, applied: &[Wrench<S>]) {
         let tiny = S::of(f64::MIN_POSITIVE);
         self.total.clear();

@@ -15,10 +15,11 @@ pub(super) struct Closed<'a, S> {
 }
 
 /// Positions in one lane, in the shorter code of AVX where there is any: the operations are the same.
+#[cfg(feature = "lanes")]
 #[inline(never)]
-pub(super) fn run_scalars(plan: &Plan, blocks: &mut [State], keeps_loads: bool) {
-    let mut closed = Closed { plan, blocks, keeps_loads };
-    #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+pub(super) fn run_scalars(plan: &Plan, blocks: &mut [State]) {
+    let mut closed = Closed { plan, blocks, keeps_loads: false };
+    #[cfg(target_arch = "x86_64")]
     if let Some(avx) = pulp::x86::V3::try_new() {
         return avx.vectorize(closed);
     }

@@ -10,13 +10,11 @@ use super::closed::{Closed, run_scalars};
 use super::columns::DriveColumns;
 use super::kinematics::DriveInput;
 use super::state::State;
+use super::together::WIDTH;
 use super::wrench::Reaction;
 use crate::math::{Lanes, V2, Vec2};
 use crate::plan::Plan;
 use std::ops::Range;
-
-/// Positions that go side by side: one vector of AVX-512 or two of AVX2.
-pub const WIDTH: usize = 8;
 
 /// Blocks of lanes that go step by step together.
 const BLOCKS: usize = 2;
@@ -130,7 +128,7 @@ impl<'a> Batch<'a> {
             }
             match &mut *states {
                 [state] => alone(self.plan, state),
-                states => run_scalars(self.plan, states, false),
+                states => run_scalars(self.plan, states),
             }
             states.iter().zip(&mut places).for_each(|(state, i)| each(i, Place::Alone(state)));
         }

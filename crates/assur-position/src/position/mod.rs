@@ -62,17 +62,17 @@ pub use kinematics::{DriveInput, Motion};
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use lanes::block_in_avx2;
 #[cfg(feature = "lanes")]
-pub use lanes::{Batch, Place, WIDTH, instructions};
+pub use lanes::{Batch, Place, instructions};
 pub use model::turns;
 pub use model::{Model, extent};
 pub use precise::{Edge, in_scalar, precise};
 pub use reduced::Reduced;
-pub use residual::{Residuals, residuals, residuals_in};
+pub use residual::{Residuals, closure_alone, residuals, residuals_in};
 pub use scratch::Scratch;
 pub use state::{Branch, State};
 pub use state::{DEAD, SAME};
 pub use statics::Forces;
-pub use together::Together;
+pub use together::{Checked, Together, WIDTH, Wide};
 pub use train_work::TrainWork;
 pub use triad::assemblies as triad_assemblies;
 pub use wanted::Wanted;

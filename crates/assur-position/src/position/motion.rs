@@ -260,19 +260,6 @@ impl<S: Scalar> State<S> {
 }
 
 impl State {
-    /// Whether a step has a second assembly of the other root.
-    #[must_use]
-    pub fn has_two_roots(&self, step: &MotionStep) -> bool {
-        matches!(
-            step,
-            MotionStep::Rrr { .. }
-                | MotionStep::Rrp { .. }
-                | MotionStep::Rpr { .. }
-                | MotionStep::DrivenRrr { .. }
-                | MotionStep::DrivenRrp { .. }
-        )
-    }
-
     /// Runs all steps of motion for the drives' inputs and the branches set. Allocates nothing.
     pub fn run_motion<const LEVEL: u8>(&mut self, plan: &Plan) {
         self.start(plan);

@@ -320,7 +320,7 @@ impl State {
         self.start(plan);
         for (index, step) in plan.motion.iter().enumerate() {
             self.step::<0>(plan, step);
-            if self.has_two_roots(step) && !self.stands_as(there) {
+            if step.has_two_roots() && !self.stands_as(there) {
                 self.branches[index].root = -self.branches[index].root;
                 self.step::<0>(plan, step);
             }

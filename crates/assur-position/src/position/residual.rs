@@ -38,6 +38,12 @@ pub fn residuals_in(model: &Model<'_>, state: &State, totals: &mut Vec<Wrench>) 
     }
 }
 
+/// The closure as the only residual: of forces that are neither lost nor out of scale nothing else is reported.
+#[must_use]
+pub fn closure_alone(model: &Model<'_>, state: &State) -> Residuals {
+    Residuals { closure: closure(model, state), ..Residuals::default() }
+}
+
 /// Greatest distance between what a joint joins, over the extent of the mechanism.
 fn closure(model: &Model<'_>, state: &State) -> f64 {
     let (mut worst, size) = state.gaps(&model.plan.checks);

@@ -1,46 +1,213 @@
-//! Positions that do not depend on one another, several side by side in one lane, each checked. Lanes gain nothing here: every
-//! position is written into a state of its own, which takes longer than they save.
+//! Positions that do not depend on one another, side by side in lanes, each checked.
+//!
+//! All operations are those of one position alone, in the same order and without fused multiplications, so that every lane has the
+//! bits of [`State::run`].
 
+use super::body::BodyState;
 use super::check::Sums;
-use super::closed::run_scalars;
+use super::closed::Closed;
+use super::kinematics::{DriveInput, Motion, Shared};
 use super::residual::Residuals;
 use super::state::State;
+use super::statics::Forces;
+use super::wrench::{Reaction, Wrench};
+use crate::math::{Lanes, Scalar, V2, Vec2};
 use crate::plan::{Level, Plan};
 
-/// Positions that go step by step together.
-const TOGETHER: usize = 8;
+/// Positions that go side by side: one vector of AVX-512 or two of AVX2; one where there are no vectors.
+pub const WIDTH: usize = if cfg!(target_family = "wasm") { 1 } else { 8 };
+
+/// Numbers of positions side by side.
+pub type Wide = Lanes<WIDTH>;
+
+/// Rows of lanes that go step by step together.
+const TOGETHER: usize = 2;
+
+/// What is found of positions side by side beside their states.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Checked {
+    /// See [`Residuals`].
+    pub closure: Wide,
+    /// The same; nothing where it is not known.
+    pub equilibrium: Wide,
+    /// The same.
+    pub power: Wide,
+    /// The least condition figure of all groups.
+    pub condition: Wide,
+    /// Sum of the magnitudes of all answers: what is no number, or beyond all, is in it.
+    pub magnitude: Wide,
+}
 
 /// Memory for positions of plans that are [batchable](Plan::is_batchable).
 #[derive(Debug, Default)]
 pub struct Together {
-    sums: Sums<f64>,
+    sums: Sums<Wide>,
 }
 
 impl Together {
-    /// Solves motion, loads and forces of states in which inputs and assemblies are set, and checks them. Every state has the bits
-    /// of [`State::run`]; where it has a group `open` it does not close. Without `forces` only the closure is checked. Allocates
-    /// nothing once it has run.
-    pub fn run(&mut self, plan: &Plan, states: &mut [State], residuals: &mut [Residuals], forces: bool) {
-        for (states, residuals) in states.chunks_mut(TOGETHER).zip(residuals.chunks_mut(TOGETHER)) {
-            run_scalars(plan, states, true);
-            for (state, residuals) in states.iter().zip(residuals) {
-                *residuals = if forces {
-                    of_plan(plan, self.sums.residuals(plan, state))
+    /// Solves motion, loads and forces of states in which inputs and assemblies are set, and checks them. Where one has a group
+    /// `open`, one of its positions does not close. Without `forces` only the closure is checked. Allocates nothing once it has run.
+    pub fn run(&mut self, plan: &Plan, states: &mut [State<Wide>], checked: &mut [Checked], forces: bool) {
+        let work = Work { plan, states, checked, sums: &mut self.sums, forces };
+        #[cfg(target_arch = "x86_64")]
+        if let Some(avx2) = pulp::x86::V3::try_new() {
+            return avx2.vectorize(work);
+        }
+        work.all();
+    }
+}
+
+struct Work<'a> {
+    plan: &'a Plan,
+    states: &'a mut [State<Wide>],
+    checked: &'a mut [Checked],
+    sums: &'a mut Sums<Wide>,
+    forces: bool,
+}
+
+#[cfg(target_arch = "x86_64")]
+impl pulp::NullaryFnOnce for Work<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        self.all();
+    }
+}
+
+impl Work<'_> {
+    #[inline(always)]
+    fn all(self) {
+        let Self { plan, states, checked, sums, forces } = self;
+        for (states, checked) in states.chunks_mut(TOGETHER).zip(checked.chunks_mut(TOGETHER)) {
+            Closed { plan, blocks: states, keeps_loads: true }.run();
+            for (state, checked) in states.iter().zip(checked) {
+                let [closure, equilibrium, power] = if forces {
+                    sums.residuals(plan, state)
                 } else {
-                    Residuals { closure: state.closure(&plan.checks), ..Residuals::default() }
+                    [state.closure(&plan.checks), Wide::zero(), Wide::zero()]
                 };
+                let condition = state.least_condition(plan);
+                let magnitude = state.magnitude();
+                *checked = Checked { closure, equilibrium, power, condition, magnitude };
             }
         }
     }
 }
 
-/// Closure, equilibrium and power, as far as a plan has them.
-fn of_plan(plan: &Plan, [closure, equilibrium, power]: [f64; 3]) -> Residuals {
-    let forces = plan.has_forces();
-    let moves = plan.effects.level >= Level::Velocities;
-    Residuals {
-        closure,
-        equilibrium: forces.then_some(equilibrium),
-        power: (forces && moves).then_some(power),
+impl State<Wide> {
+    #[inline(always)]
+    fn least_condition(&self, plan: &Plan) -> Wide {
+        let forces = if plan.effects.forces { self.forces.conditions.as_slice() } else { &[] };
+        let all = self.motion.conditions.iter().chain(forces);
+        all.fold(Wide::one(), |least, c| least.min(c.abs()))
     }
+
+    #[inline(always)]
+    fn magnitude(&self) -> Wide {
+        let mut sum = Wide::zero();
+        let mut add = |x: Wide| sum = sum + x.abs();
+        for b in &self.motion.bodies {
+            [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]
+                .into_iter()
+                .for_each(&mut add);
+        }
+        for r in &self.forces.reactions {
+            [r.force.x, r.force.y, r.couple].into_iter().for_each(&mut add);
+        }
+        self.forces.efforts.iter().copied().for_each(add);
+        sum
+    }
+
+    /// Writes one of the positions.
+    pub fn write_lane(&self, lane: usize, out: &mut State) {
+        out.branches.clone_from(&self.branches);
+        self.motion.write_lane(lane, &mut out.motion);
+        self.forces.write_lane(lane, &mut out.forces);
+    }
+}
+
+impl Checked {
+    /// The residuals of one of the positions, as far as a plan has them; without `forces` the closure alone.
+    #[must_use]
+    pub fn residuals(&self, plan: &Plan, lane: usize, forces: bool) -> Residuals {
+        let forces = forces && plan.has_forces();
+        let moves = plan.effects.level >= Level::Velocities;
+        Residuals {
+            closure: self.closure.0[lane],
+            equilibrium: forces.then_some(self.equilibrium.0[lane]),
+            power: (forces && moves).then_some(self.power.0[lane]),
+        }
+    }
+}
+
+impl DriveInput<Wide> {
+    /// Sets one of the positions.
+    pub fn set_lane(&mut self, lane: usize, input: &DriveInput) {
+        let set = |v: &mut V2<Wide>, x: Vec2| (v.x.0[lane], v.y.0[lane]) = (x.x, x.y);
+        set(&mut self.place, input.place);
+        set(&mut self.velocity, input.velocity);
+        set(&mut self.point_acceleration, input.point_acceleration);
+        self.value.0[lane] = input.value;
+        (self.rate.0[lane], self.acceleration.0[lane]) = (input.rate, input.acceleration);
+    }
+}
+
+impl Motion<Wide> {
+    fn write_lane(&self, lane: usize, out: &mut Motion) {
+        write(&self.inputs, &mut out.inputs, |input| DriveInput {
+            place: vector(input.place, lane),
+            value: input.value.0[lane],
+            rate: input.rate.0[lane],
+            acceleration: input.acceleration.0[lane],
+            velocity: vector(input.velocity, lane),
+            point_acceleration: vector(input.point_acceleration, lane),
+        });
+        self.start_lane(lane, out);
+        write(&self.shared, &mut out.shared, |shared| Shared {
+            r_1: vector(shared.r_1, lane),
+            second: vector(shared.second, lane),
+            inverse: shared.inverse.0[lane],
+        });
+    }
+
+    /// Writes what the next position starts from, of one of the positions.
+    pub fn start_lane(&self, lane: usize, out: &mut Motion) {
+        write(&self.bodies, &mut out.bodies, |b| BodyState {
+            p: vector(b.p, lane),
+            u: vector(b.u, lane),
+            v: vector(b.v, lane),
+            omega: b.omega.0[lane],
+            a: vector(b.a, lane),
+            alpha: b.alpha.0[lane],
+            turned: b.turned.0[lane],
+        });
+        write(&self.conditions, &mut out.conditions, |c| c.0[lane]);
+        out.certificates.clone_from(&self.certificates);
+        out.touches.clone_from(&self.touches);
+        out.open = None;
+    }
+}
+
+impl Forces<Wide> {
+    fn write_lane(&self, lane: usize, out: &mut Forces) {
+        let wrench = |w: &Wrench<Wide>| Wrench { force: vector(w.force, lane), moment: w.moment.0[lane] };
+        write(&self.applied, &mut out.applied, wrench);
+        write(&self.wrenches, &mut out.wrenches, wrench);
+        write(&self.reactions, &mut out.reactions, |r| Reaction {
+            force: vector(r.force, lane),
+            couple: r.couple.0[lane],
+        });
+        write(&self.efforts, &mut out.efforts, |x| x.0[lane]);
+        write(&self.lines, &mut out.lines, |(p, n)| (vector(*p, lane), vector(*n, lane)));
+        write(&self.conditions, &mut out.conditions, |c| c.0[lane]);
+    }
+}
+
+fn write<A, B>(from: &[A], to: &mut [B], one: impl Fn(&A) -> B) {
+    to.iter_mut().zip(from).for_each(|(to, from)| *to = one(from));
+}
+
+fn vector(v: V2<Wide>, lane: usize) -> Vec2 {
+    Vec2::new(v.x.0[lane], v.y.0[lane])
 }

@@ -65,6 +65,6 @@ pub(crate) fn first_angles_in(model: &Model<'_>, state: &State, angles: &mut Vec
 }
 
 /// The whole turns in an angle, rad.
-fn whole_turns(angle: f64) -> f64 {
+pub(crate) fn whole_turns(angle: f64) -> f64 {
     (angle / TAU).round() * TAU
 }

@@ -28,8 +28,9 @@ mod train_answers;
 mod turning;
 mod undefined;
 mod whole_cycle;
+mod wide_columns;
 
-pub(crate) use angles::{first_angles, first_angles_in};
+pub(crate) use angles::{first_angles, first_angles_in, whole_turns};
 pub(crate) use constant::constant;
 pub use cycle_answers::{CycleAnswer, FlywheelAnswer};
 pub use evaluate::compare;
@@ -46,3 +47,4 @@ pub use switch::Switch;
 pub(crate) use switch::{Side, side_of, switches};
 pub use undefined::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
 pub use whole_cycle::{Extremes, WholeCycle};
+pub use wide_columns::WideColumns;

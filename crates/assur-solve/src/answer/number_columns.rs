@@ -41,6 +41,11 @@ impl NumberColumns {
         self.0.push(Column { shown, vector, unit });
     }
 
+    /// What the columns show, whether they are two for a vector, and their unit.
+    pub(super) fn columns(&self) -> impl Iterator<Item = (&Shown, bool, Conversion)> {
+        self.0.iter().map(|column| (&column.shown, column.vector, column.unit))
+    }
+
     /// Writes the numbers of a position; NaN where there is none. `false` where one is a condition.
     pub fn read(&self, view: &PoseAnswers<'_>, drives: &[DriveValue], out: &mut Vec<f64>) -> bool {
         out.clear();

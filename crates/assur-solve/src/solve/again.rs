@@ -6,63 +6,81 @@ use super::centre_notes::CentreNotes;
 use super::cycle::loads_name_quantities;
 use super::extremes::asks_extremes;
 use super::inputs::{Rates, known_value};
+use super::notes::Notes;
 use super::refusals::{refusals, unit_speeds};
-use super::run::Run;
+use super::regular::{self, NO_NOTE, conditions, is_sound};
 use super::solution::{Pose, Solution, Solved};
-use crate::answer::{WholeCycle, first_angles_in};
-use crate::model::{At, Expr, HintKind, LoadId, Mechanism, Positions, Value};
-use crate::position::{Branch, DriveValue, Model, PoseOrigin, State, Wanted, Wrench, extent};
+use crate::answer::{PoseAnswers, WholeCycle, balanced, every_query, first_angles_in};
+use crate::model::{At, Expr, HintKind, LoadId, Mechanism, PairKind, Positions, Value};
+use crate::plan::{Level, Numbers};
+use crate::position::{
+    Branch, DriveValue, Model, PoseOrigin, State, Wanted, Wrench, closure_alone, extent, residuals_in,
+};
+
+/// What of a position is read beside its answers. What is not read may be missing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reads {
+    /// The residuals of the forces.
+    pub residuals: bool,
+    /// The angles of all bodies, whether an answer shows them or not.
+    pub angles: bool,
+}
+
+impl Reads {
+    /// All there is.
+    pub const ALL: Self = Self { residuals: true, angles: true };
+    /// Nothing but the answers.
+    pub const ANSWERS: Self = Self { residuals: false, angles: false };
+}
 
 /// Memory for a position.
 pub struct Again {
+    reads: Reads,
     /// The hints that are settled with each group.
     hints: Vec<Vec<usize>>,
     /// The ways in which a group can stand.
     ways: Vec<Assembly>,
-    /// The assembled state.
-    assembled: State,
-    angles: Vec<f64>,
     rates: Rates,
     loads_name_quantities: bool,
-    memory: Memory,
-}
-
-/// What a position leaves for the next.
-#[derive(Default)]
-struct Memory {
-    state: Option<Box<State>>,
     carried: Vec<f64>,
     totals: Vec<Wrench>,
     evaluated: Vec<(LoadId, Value)>,
-    wanted: Option<Wanted>,
 }
+
+static NOTHING: WholeCycle = WholeCycle::EMPTY;
 
 impl Again {
     /// Memory for a mechanism of closed forms without losses that has one position, and for all that differ from it in numbers
     /// alone; `None` for others.
     #[must_use]
-    pub fn of(model: &Model<'_>) -> Option<Self> {
-        let mechanism = model.mechanism;
+    pub fn of(model: &Model<'_>, reads: Reads) -> Option<Self> {
+        let (mechanism, plan) = (model.mechanism, model.plan);
+        let contact = |pair: &crate::model::Pair| matches!(pair.kind, PairKind::Contact { .. });
         let plain = has_one_position(mechanism)
-            && model.plan.is_renumbered()
-            && !model.plan.effects.loses()
+            && plan.is_renumbered()
+            && plan.settings.scalar == Numbers::Double
+            && !plan.effects.loses()
             && mechanism.links.len() > 1
             && mechanism.cycles.is_empty()
             && mechanism.flywheels.is_empty()
             && !mechanism.has_curves
             && !mechanism.asks_again()
+            && !mechanism.pairs.iter().any(contact)
             && !asks_extremes(mechanism)
             && CentreNotes::of(mechanism).is_empty()
             && unit_speeds(model).is_none()
             && refusals(model).is_empty();
+        let mut angles = reads.angles;
+        every_query(mechanism, &mut |query, _| angles |= query.facts().continuous.is_some());
         plain.then(|| Self {
+            reads: Reads { angles, ..reads },
             hints: hints_by_group(model),
             ways: Vec::new(),
-            assembled: State::new(model.plan),
-            angles: Vec::new(),
-            rates: Rates::of(model, &WholeCycle::EMPTY),
+            rates: Rates::of(model, &NOTHING),
             loads_name_quantities: loads_name_quantities(mechanism),
-            memory: Memory::default(),
+            carried: Vec::new(),
+            totals: Vec::new(),
+            evaluated: Vec::new(),
         })
     }
 
@@ -71,121 +89,151 @@ impl Again {
     pub fn solve(&mut self, model: &Model<'_>, solution: &mut Solution) -> bool {
         solution.notes.clear();
         (solution.positions, solution.unlisted) = (1, 0);
-        let mut wanted = self.memory.wanted.take().unwrap_or_else(|| Wanted {
-            name: "1".to_owned(),
-            origin: PoseOrigin::Sweep(0),
-            drives: Vec::new(),
-        });
-        wanted.drives.clear();
-        wanted.drives.extend(model.mechanism.drives.iter().map(|drive| match &drive.positions {
-            Positions::List(list) => {
-                list.first().and_then(known_value).map_or(DriveValue::None, DriveValue::of)
-            }
-            Positions::None | Positions::Range { .. } => DriveValue::None,
-        }));
         if !matches!(solution.poses.as_slice(), [Pose { outcome: Ok(_), .. }]) {
-            let name = wanted.name.clone();
-            let outcome = Ok(Solved::default());
+            let outcome = Ok(Solved { state: State::closed(model.plan), ..Solved::default() });
+            let (name, origin) = ("1".to_owned(), PoseOrigin::Sweep(0));
             solution.poses.clear();
-            solution.poses.push(Pose { name, origin: wanted.origin, drives: Vec::new(), outcome });
+            solution.poses.push(Pose { name, origin, drives: Vec::new(), outcome });
         }
         let found = match solution.poses.as_mut_slice() {
             [Pose { drives, outcome: Ok(solved), .. }] => {
-                drives.clone_from(&wanted.drives);
-                self.solved(model, &wanted, solved)
+                drives.clear();
+                drives.extend(model.mechanism.drives.iter().map(|drive| first_value(&drive.positions)));
+                self.solved(model, drives, solved)
             }
             _ => false,
         };
         if !found {
             solution.poses.clear();
         }
-        self.memory.wanted = Some(wanted);
         found
     }
 
-    fn solved(&mut self, model: &Model<'_>, wanted: &Wanted, solved: &mut Solved) -> bool {
+    fn solved(&mut self, model: &Model<'_>, drives: &[DriveValue], solved: &mut Solved) -> bool {
+        let Solved { state, angles, .. } = solved;
         self.rates.refresh(model);
-        self.rates.at(&wanted.drives, &mut self.assembled.motion.inputs);
-        if !self.assemble(model) {
+        self.rates.at(drives, &mut state.motion.inputs);
+        let stands = match model.plan.effects.level {
+            Level::Positions => self.moved::<0>(model, state),
+            Level::Velocities => self.moved::<1>(model, state),
+            Level::Accelerations => self.moved::<2>(model, state),
+        };
+        if !stands {
             return false;
         }
-        first_angles_in(model, &self.assembled, &mut self.angles);
-        let memory = &mut self.memory;
-        let rates = std::mem::take(&mut self.rates);
-        let mut run = Run::new(model, rates, WholeCycle::EMPTY, self.loads_name_quantities);
-        run.memory = memory.state.take();
-        run.carried = std::mem::take(&mut memory.carried);
-        run.totals = std::mem::take(&mut memory.totals);
-        run.evaluated = std::mem::take(&mut memory.evaluated);
-        let found = run.solve_into(&self.assembled, (&self.angles, wanted), None, solved).is_ok();
-        let quiet = run.notes.is_empty();
-        memory.state = run.memory.take();
-        memory.carried = run.carried;
-        memory.totals = run.totals;
-        memory.evaluated = run.evaluated;
-        self.rates = run.rates;
-        found && quiet
+        if self.reads.angles {
+            first_angles_in(model, state, angles);
+        } else {
+            angles.resize(state.motion.bodies.len() + model.mechanism.pairs.len(), f64::NAN);
+        }
+        if model.plan.effects.forces {
+            let names = self.loads_name_quantities;
+            balanced(model, &NOTHING, state, angles, &mut self.evaluated, names);
+        }
+        solved.condition = conditions(model, state).fold(1.0, f64::min);
+        let quiet = conditions(model, state).all(|c| c > NO_NOTE) || self.is_quiet(model, state, drives);
+        solved.residuals = if self.reads.residuals {
+            residuals_in(model, state, &mut self.totals)
+        } else {
+            closure_alone(model, state)
+        };
+        if !quiet || !is_sound(state, &solved.residuals) {
+            return false;
+        }
+        let quantities = std::mem::take(&mut solved.quantities);
+        let view = PoseAnswers::new(model, state, angles, &NOTHING);
+        solved.quantities = view.all_quantities_in(quantities);
+        true
     }
 
-    /// Puts every group in the only way that its hints leave, as `assemble` does; `false` where they leave none or several.
-    fn assemble(&mut self, model: &Model<'_>) -> bool {
-        let Self { hints, ways, assembled: state, .. } = self;
-        let extent = extent(model);
+    /// Whether groups near a change point lose so few digits that nothing is to be said.
+    fn is_quiet(&mut self, model: &Model<'_>, state: &State, drives: &[DriveValue]) -> bool {
+        let (name, origin) = ("1".to_owned(), PoseOrigin::Sweep(0));
+        let (mut notes, pose) = (Notes::default(), Wanted { name, origin, drives: drives.to_vec() });
+        let motion = regular::of_motion(model, state, &mut self.carried, &mut notes, &pose);
+        let forces =
+            !model.plan.effects.forces || regular::of_forces(model, state, &mut notes, &pose).is_ok();
+        motion.is_ok() && forces && notes.is_empty()
+    }
+
+    /// Moves every group in the only way that its hints leave, as `assemble` does; `false` where they leave none or several.
+    fn moved<const LEVEL: u8>(&mut self, model: &Model<'_>, state: &mut State) -> bool {
         state.start(model.plan);
-        hints.iter().enumerate().all(|(index, hints)| {
-            let mut count = all_ways(model, state, (index, extent), ways);
-            let hints = hints.iter().map(|hint| &model.mechanism.hints[*hint].kind);
-            for hint in hints.filter(|hint| !matches!(hint, HintKind::Near { .. })) {
-                let mut fitting = 0;
-                for i in 0..count {
-                    ways[i].put(model, state, index);
-                    if fits(model, state, hint) {
-                        ways.swap(fitting, i);
-                        fitting += 1;
-                    }
-                }
-                count = fitting;
+        model.plan.motion.iter().enumerate().all(|(index, step)| {
+            let found = self.only_way(model, state, index);
+            if let Some(branch) = found {
+                state.branches[index] = branch;
+                state.motion.open = None;
+                state.step::<LEVEL>(model.plan, step);
             }
-            if count == 1 {
-                ways[0].put(model, state, index);
-            }
-            count == 1
+            found.is_some() && state.motion.open.is_none()
         })
+    }
+
+    fn only_way(&mut self, model: &Model<'_>, state: &mut State, index: usize) -> Option<Branch> {
+        let Self { hints, ways, .. } = self;
+        let step = &model.plan.motion[index];
+        if hints[index].is_empty() && is_single(model, index) {
+            return Some(Branch::FIRST);
+        }
+        let (roots, [first, second]) = choices(step);
+        let (mut count, mut only) = (0, None);
+        for branch in every_branch(roots, first, second) {
+            state.branches[index] = branch;
+            state.motion.open = None;
+            state.step::<0>(model.plan, step);
+            let stands = state.motion.open.is_none() && cylinders_are_positive(model, state, index);
+            let here = |way: &Assembly| way.is_here(model, state, index, || extent(model));
+            if !stands || ways[..count].iter().any(here) {
+                continue;
+            }
+            match ways.get_mut(count) {
+                Some(way) => way.take(model, state, index),
+                None => ways.push(Assembly::of(model, state, index)),
+            }
+            count += 1;
+            let kinds = hints[index].iter().map(|hint| &model.mechanism.hints[*hint].kind);
+            let mut kinds = kinds.filter(|hint| !matches!(hint, HintKind::Near { .. }));
+            if kinds.all(|hint| fits(model, state, hint)) && only.replace(branch).is_some() {
+                return None;
+            }
+        }
+        only
     }
 }
 
-/// Finds all ways in which a group with a closed form can stand, each once; gives how many there are.
-fn all_ways(
-    model: &Model<'_>,
-    state: &mut State,
-    (index, extent): (usize, f64),
-    ways: &mut Vec<Assembly>,
-) -> usize {
-    let step = &model.plan.motion[index];
-    let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
-    let sides = radii(step).map(|r| -> &[f64] {
-        if r != 0.0 { &[1.0, -1.0] } else { &[1.0] }
-    });
-    let mut count = 0;
-    for &root in roots {
-        for &first in sides[0] {
-            for &second in sides[1] {
-                state.branches[index] = Branch { root, sides: [first, second], general_sides: 0 };
-                state.motion.open = None;
-                state.step::<0>(model.plan, step);
-                if state.motion.open.is_some() || !cylinders_are_positive(model, state, index) {
-                    continue;
-                }
-                match ways.get_mut(count) {
-                    Some(way) => way.take(model, state, index),
-                    None => ways.push(Assembly::of(model, state, index)),
-                }
-                let (before, way) = ways.split_at(count);
-                count += usize::from(!before.iter().any(|w| w.is_same(&way[0], extent)));
-            }
-        }
+fn first_value(positions: &Positions) -> DriveValue {
+    match positions {
+        Positions::List(list) => list.first().and_then(known_value).map_or(DriveValue::None, DriveValue::of),
+        Positions::None | Positions::Range { .. } => DriveValue::None,
     }
-    count
+}
+
+/// The roots of a group with a closed form, and on which sides its round profiles can lie.
+fn choices(step: &crate::plan::MotionStep) -> (&'static [f64], [&'static [f64]; 2]) {
+    let either: &[f64] = &[1.0, -1.0];
+    let one: &[f64] = &[1.0];
+    let roots = if step.has_two_roots() { either } else { one };
+    (roots, radii(step).map(|r| if r != 0.0 { either } else { one }))
+}
+
+/// Whether a group can stand in one way alone, whatever its numbers, and it closes if that does.
+fn is_single(model: &Model<'_>, index: usize) -> bool {
+    let (roots, [first, second]) = choices(&model.plan.motion[index]);
+    roots.len() * first.len() * second.len() == 1
+        && !model.structure.motion[index].joints.iter().any(|joint| joint.prismatic)
+}
+
+fn every_branch<'c>(
+    roots: &'c [f64],
+    first: &'c [f64],
+    second: &'c [f64],
+) -> impl Iterator<Item = Branch> + use<'c> {
+    let sides = move |&a: &'c f64| second.iter().map(move |&b| [a, b]);
+    let with_sides = move |&root: &'c f64| {
+        first.iter().flat_map(sides).map(move |sides| Branch { root, sides, general_sides: 0 })
+    };
+    roots.iter().flat_map(with_sides)
 }
 
 /// Whether each drive has one value, known before anything is solved, and nothing asks for another position.

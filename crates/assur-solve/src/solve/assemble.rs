@@ -70,8 +70,24 @@ impl Assembly {
 
     pub(super) fn is_same(&self, other: &Self, extent: f64) -> bool {
         let mut bodies = self.bodies.iter().zip(&other.bodies);
-        bodies.all(|(x, y)| (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME)
+        bodies.all(|(x, y)| is_same(x, y, || extent))
     }
+
+    /// Whether the group of a state stands this way, with an extent that is asked for only where it decides.
+    pub(super) fn is_here(
+        &self,
+        model: &Model<'_>,
+        state: &State,
+        index: usize,
+        extent: impl Fn() -> f64,
+    ) -> bool {
+        let mut bodies = model.structure.motion[index].bodies.iter().zip(&self.bodies);
+        bodies.all(|(body, stands)| is_same(stands, &state.motion.bodies[body.0], &extent))
+    }
+}
+
+fn is_same(x: &BodyState, y: &BodyState, extent: impl Fn() -> f64) -> bool {
+    (x.u - y.u).norm() <= SAME && (x.p - y.p).norm() <= SAME * extent()
 }
 
 /// Assembles the mechanism for the inputs set in `start`.
@@ -152,7 +168,7 @@ fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize)
     if let MotionStep::CamTurned { cam, .. } = step {
         return flanks(model, state, index, model.plan.cams[*cam].flanks.len());
     }
-    let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
+    let roots: &[f64] = if step.has_two_roots() { &[1.0, -1.0] } else { &[1.0] };
     let round = radii(step).map(|r| r != 0.0);
     let sides = |round: bool| if round { vec![1.0, -1.0] } else { vec![1.0] };
     let mut out = Vec::new();

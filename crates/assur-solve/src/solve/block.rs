@@ -1,26 +1,26 @@
 //! Positions of a sweep side by side, where none depends on the one before.
 //!
 //! A closed form finds a position from the drives and from the assembly alone. Where every group stays far from its change points
-//! the motion keeps the assembly, which is what following would find: a block of such positions is solved at once, here, and then
-//! taken over by the one that follows ([`Taking::take`](super::Taking::take)), as far as that holds. Nothing else may come of
-//! it than from following: not a bit, not a note.
+//! the motion keeps the assembly, which is what following would find: a block of such positions is solved at once, here, in lanes,
+//! and then taken over by the one that follows ([`Taking::take`](super::Taking::take)), as far as that holds. Nothing else may
+//! come of it than from following: not a bit, not a note. Only where whole positions are asked for, a state is written of each.
 
 use super::inputs::Rates;
-use super::lost::{is_moderate, out_of_scale};
+use super::lost::{MEETS, MODERATE};
 use super::positions::Sweep;
+use super::regular::NO_NOTE;
 use super::solution::{Pose, Solved};
-use super::steps::steps;
-use super::track::{CAREFUL, turn_on};
-use crate::answer::{PoseAnswers, WholeCycle};
+use super::taken::Turns;
+use super::track::CAREFUL;
+use crate::answer::{PoseAnswers, WholeCycle, WideColumns};
 use crate::model::PairKind;
 use crate::plan::Numbers;
-use crate::position::{Branch, Model, PoseOrigin, Residuals, State, Together};
-use std::f64::consts::TAU;
+use crate::position::{
+    Branch, Checked, DriveInput, DriveValue, Model, PoseOrigin, Residuals, State, Together, WIDTH, Wide,
+};
 
 /// The most positions of a block.
 pub const BLOCK: usize = 64;
-/// Conditions above this are not worth a note, whatever they are of, and make no group behind them worse.
-const NO_NOTE: f64 = 0.05;
 
 /// Whether positions of a mechanism can depend on the drives and the assembly alone, with nothing to be said about them.
 pub(super) fn is_free(model: &Model<'_>) -> bool {
@@ -43,7 +43,6 @@ pub struct Ahead<'f> {
     pub(super) branches: &'f [Branch],
     pub(super) first: usize,
     pub(super) count: usize,
-    pub(super) extent: f64,
     /// How many angles there are, of bodies and pairs.
     pub(super) angles: usize,
     /// The balance of forces is checked and its residuals are kept.
@@ -53,24 +52,23 @@ pub struct Ahead<'f> {
 /// Positions side by side, with the memory for them.
 #[derive(Debug, Default)]
 pub struct Block {
-    poses: Vec<Pose>,
-    states: Vec<State>,
-    residuals: Vec<Residuals>,
+    /// The index of the first position in the sweep.
+    first: usize,
+    /// Rows of lanes; those of the last that are left over repeat the last position.
+    pub(super) rows: Vec<State<Wide>>,
+    checked: Vec<Checked>,
     together: Together,
-    /// Whole turns of the bodies since the first position.
-    turns: Vec<f64>,
-    pub(super) begin: Begin,
+    /// The values of the drives, position by position.
+    values: Vec<DriveValue>,
+    drives: usize,
+    /// The residuals of the forces are known.
+    residuals: bool,
+    /// How many were solved.
+    solved: usize,
     /// How many positions from the first on are what following would find, as far as it was looked at.
     free: usize,
-}
-
-/// What the positions of a block have from those before them.
-#[derive(Debug, Default)]
-pub(super) struct Begin {
-    /// Whole turns of the bodies at the first position.
-    pub turns: Vec<f64>,
-    /// Whole turns of the pairs, rad.
-    pub pairs: Vec<f64>,
+    pub(super) turns: Turns,
+    poses: Vec<Pose>,
 }
 
 impl Ahead<'_> {
@@ -94,96 +92,71 @@ impl Ahead<'_> {
 
     /// Solves positions, counted from the first that can be tried.
     pub fn solve(&self, block: &mut Block, from: usize) {
-        let count = self.count.saturating_sub(from).min(BLOCK);
-        block.resize(self.model, count);
-        for (i, (pose, state)) in block.poses.iter_mut().zip(&mut block.states).enumerate() {
-            let index = self.first + from + i;
-            pose.name.clear();
-            pose.name.push_str(itoa::Buffer::new().format(index + 1));
-            pose.origin = PoseOrigin::Sweep(index);
-            self.sweep.write_values(index, &mut pose.drives);
-            self.rates.at(&pose.drives, &mut state.motion.inputs);
-            state.branches.copy_from_slice(self.branches);
-        }
-        block.together.run(self.model.plan, &mut block.states, &mut block.residuals, self.residuals);
-        block.free = 0;
-        block.turns.clear();
-        for i in 0..count {
-            if !is_regular(self.model, &block.states[i], &block.residuals[i]) || !self.goes_on(block, i) {
-                break;
-            }
-            let (state, residuals) = (&mut block.states[i], block.residuals[i]);
-            let Ok(solved) = &mut block.poses[i].outcome else { break };
-            solved.condition = condition(self.model, state);
-            solved.residuals = residuals;
-            std::mem::swap(&mut solved.state, state);
-            block.free += 1;
-        }
+        block.begin(self, from);
+        block.together.run(self.model.plan, &mut block.rows, &mut block.checked, self.residuals);
+        let rows = block.rows.iter().zip(&block.checked);
+        let regular = rows.flat_map(|(row, checked)| regular(self.model, row, checked));
+        block.free = regular.take(block.solved).take_while(|regular| *regular).count();
     }
 
-    /// Whether following goes from the position before to this one in a step; carries the turns of the bodies on.
-    fn goes_on(&self, block: &mut Block, i: usize) -> bool {
-        let bodies = self.model.plan.bodies;
-        let Some(before) = i.checked_sub(1) else {
-            block.turns.resize(bodies, 0.0);
-            return true;
-        };
-        let [last, next] = [before, i].map(|i| &block.poses[i].drives);
-        if steps(self.model, self.extent, last, next) > 1.0 {
-            return false;
-        }
-        block.turns.extend_from_within(before * bodies..);
-        let Ok(last) = &block.poses[before].outcome else { return false };
-        turn_on(&mut block.turns[i * bodies..], &last.state, &block.states[i])
-    }
-
-    /// Adds to positions what is computed from their states: the quantities; and the angles if they are asked for, of positions that were
-    /// taken over.
+    /// Writes the positions, with the quantities; and with the angles if they are asked for, of positions that were taken over.
     pub fn answer(&self, block: &mut Block, angles: bool) {
-        let bodies = self.model.plan.bodies;
-        let (turns, begin) = (block.turns.chunks_exact(bodies), &block.begin);
-        for (pose, turns) in block.poses.iter_mut().take(block.free).zip(turns) {
-            let Ok(solved) = &mut pose.outcome else { continue };
+        block.make_room(self.model);
+        let Block { first, rows, checked, values, drives, residuals, free, turns, poses, .. } = block;
+        let mut write = |i: usize, known: Option<(&[f64], &[f64])>| {
+            let (pose, lane) = (&mut poses[i], i % WIDTH);
+            let Ok(solved) = &mut pose.outcome else { return };
+            pose.name.clear();
+            pose.name.push_str(itoa::Buffer::new().format(*first + i + 1));
+            pose.origin = PoseOrigin::Sweep(*first + i);
+            pose.drives.clear();
+            pose.drives.extend_from_slice(&values[i * *drives..(i + 1) * *drives]);
+            rows[i / WIDTH].write_lane(lane, &mut solved.state);
+            let checked = &checked[i / WIDTH];
+            solved.residuals = checked.residuals(self.model.plan, lane, *residuals);
+            solved.condition = checked.condition.0[lane];
             solved.angles.clear();
-            if angles {
-                let whole = begin.turns.iter().zip(turns);
-                let known = solved.state.motion.bodies.iter().zip(whole);
-                solved
-                    .angles
-                    .extend(known.map(|(body, (begin, turns))| body.u.angle() + (begin + turns) * TAU));
-                solved.angles.extend_from_slice(&begin.pairs);
+            if let Some((turns, pairs)) = known {
+                let bodies = solved.state.motion.bodies.iter().zip(turns);
+                solved.angles.extend(bodies.map(|(b, turns)| b.u.angle() + turns));
+                solved.angles.extend_from_slice(pairs);
             } else {
                 solved.angles.resize(self.angles, f64::NAN);
             }
-            if !self.model.mechanism.quantities.is_empty() {
-                let view = PoseAnswers::new(self.model, &solved.state, &solved.angles, self.statics);
-                solved.quantities = view.all_quantities();
-            }
+            let quantities = std::mem::take(&mut solved.quantities);
+            let view = PoseAnswers::new(self.model, &solved.state, &solved.angles, self.statics);
+            solved.quantities = view.all_quantities_in(quantities);
+        };
+        if angles {
+            turns.each(*free, |i, turns, pairs| write(i, Some((turns, pairs))));
+        } else {
+            (0..*free).for_each(|i| write(i, None));
         }
     }
 }
 
 impl Block {
-    /// The positions, as far as they were taken over.
+    /// The positions, once they were [answered](Ahead::answer).
     #[must_use]
     pub fn poses(&self) -> &[Pose] {
-        &self.poses[..self.free]
+        &self.poses[..self.free.min(self.poses.len())]
     }
 
-    /// The states at them.
-    pub(super) fn states(&self) -> impl Iterator<Item = &State> {
-        self.poses().iter().filter_map(|pose| pose.outcome.as_ref().ok()).map(|solved| &solved.state)
+    /// How many positions are left.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.free
     }
 
-    /// Whole turns of the bodies at a position since the first.
-    pub(super) fn turns_at(&self, position: usize) -> &[f64] {
-        let bodies = self.begin.turns.len();
-        &self.turns[position * bodies..][..bodies]
+    /// Whether none is.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.free == 0
     }
 
     /// How many were solved.
     pub(super) const fn solved(&self) -> usize {
-        self.poses.len()
+        self.solved
     }
 
     /// Hands the positions over.
@@ -193,43 +166,91 @@ impl Block {
     }
 
     /// So many positions are left.
-    pub(super) fn keep(&mut self, count: usize) {
+    pub(super) const fn keep(&mut self, count: usize) {
         self.free = count;
     }
 
-    fn resize(&mut self, model: &Model<'_>, count: usize) {
-        self.poses.truncate(count);
-        while self.poses.len() < count {
-            let (state, angles, quantities) = (State::closed(model.plan), Vec::new(), Vec::new());
-            let (frictionless, residuals, condition) = (None, Residuals::default(), 1.0);
-            let solved = Solved { state, frictionless, quantities, angles, residuals, condition };
-            let (name, origin, drives) = (String::new(), PoseOrigin::Sweep(0), Vec::new());
-            self.poses.push(Pose { name, origin, drives, outcome: Ok(solved) });
+    /// The values of the drives at a position.
+    pub(super) fn values(&self, position: usize) -> &[DriveValue] {
+        &self.values[position * self.drives..(position + 1) * self.drives]
+    }
+
+    /// Appends the numbers of the positions that are left, column by column.
+    pub fn read(&self, columns: &WideColumns, out: &mut [Vec<f64>]) {
+        columns.read(&self.rows, (&self.values, self.drives), self.free, out);
+    }
+
+    /// Residuals and condition of the positions that are left.
+    pub fn quality(&self, model: &Model<'_>) -> impl Iterator<Item = (Residuals, f64)> {
+        (0..self.free).map(|i| {
+            let checked = &self.checked[i / WIDTH];
+            let residuals = checked.residuals(model.plan, i % WIDTH, self.residuals);
+            (residuals, checked.condition.0[i % WIDTH])
+        })
+    }
+
+    /// Sets inputs and assemblies of the positions from one on.
+    fn begin(&mut self, ahead: &Ahead<'_>, from: usize) {
+        let plan = ahead.model.plan;
+        self.solved = ahead.count.saturating_sub(from).min(BLOCK);
+        (self.first, self.residuals, self.drives) = (ahead.first + from, ahead.residuals, plan.drives);
+        self.values.clear();
+        for i in 0..self.solved {
+            ahead.sweep.add_values(self.first + i, &mut self.values);
         }
-        self.states.truncate(count);
-        self.states.resize_with(count, || State::closed(model.plan));
-        self.residuals.resize(count, Residuals::default());
+        let count = self.solved.div_ceil(WIDTH);
+        self.rows.truncate(count);
+        self.rows.resize_with(count, || State::closed(plan));
+        self.checked.resize(count, Checked::default());
+        for (index, row) in self.rows.iter_mut().enumerate() {
+            row.branches.copy_from_slice(ahead.branches);
+            for lane in 0..WIDTH {
+                let i = (index * WIDTH + lane).min(self.solved - 1);
+                let values = &self.values[i * self.drives..(i + 1) * self.drives];
+                ahead.rates.at_lane(values, lane, &mut row.motion.inputs);
+            }
+        }
+    }
+
+    fn make_room(&mut self, model: &Model<'_>) {
+        while self.poses.len() < self.free {
+            let outcome = Ok(Solved { state: State::closed(model.plan), ..Solved::default() });
+            let (name, origin, drives) = (String::new(), PoseOrigin::Sweep(0), Vec::new());
+            self.poses.push(Pose { name, origin, drives, outcome });
+        }
     }
 }
 
-/// Whether a position is one that following finds too, if the one before is: far from change points, and with nothing to be said
-/// about it.
-fn is_regular(model: &Model<'_>, state: &State, residuals: &Residuals) -> bool {
-    state.motion.open.is_none()
-        && keeps_its_assembly(model, state)
-        && state.motion.conditions.iter().all(|c| c.abs() > NO_NOTE)
-        && state.forces.conditions.iter().all(|c| c.abs() > NO_NOTE)
-        && is_moderate(state)
-        && out_of_scale(residuals).is_none()
+/// Which positions are such that following finds them too, if it found the one before: far from change points, and with nothing to
+/// be said about them.
+fn regular(model: &Model<'_>, row: &State<Wide>, checked: &Checked) -> [bool; WIDTH] {
+    let mut regular = [row.motion.open.is_none(); WIDTH];
+    let mut all = |fits: &dyn Fn(usize) -> bool| {
+        regular.iter_mut().enumerate().for_each(|(lane, regular)| *regular &= fits(lane));
+    };
+    all(&|lane| checked.condition.0[lane] > NO_NOTE && checked.magnitude.0[lane] < MODERATE);
+    all(&|lane| checked.closure.0[lane] <= MEETS);
+    all(&|lane| !checked.equilibrium.0[lane].is_nan() && !checked.power.0[lane].is_nan());
+    for (step, conditions) in model.plan.motion.iter().zip(&row.motion.conditions) {
+        if step.has_two_roots() {
+            all(&|lane| conditions.0[lane].abs() >= CAREFUL);
+        }
+    }
+    regular
 }
 
 /// Whether no group is so near to a change point that following tries both its assemblies.
 pub(super) fn keeps_its_assembly(model: &Model<'_>, state: &State) -> bool {
     let groups = model.plan.motion.iter().zip(&state.motion.conditions);
-    groups.into_iter().all(|(step, c)| c.abs() >= CAREFUL || !state.has_two_roots(step))
+    groups.into_iter().all(|(step, c)| c.abs() >= CAREFUL || !step.has_two_roots())
 }
 
-fn condition(model: &Model<'_>, state: &State) -> f64 {
-    let forces = if model.plan.effects.forces { state.forces.conditions.as_slice() } else { &[] };
-    state.motion.conditions.iter().chain(forces).fold(1.0, |least: f64, c| least.min(c.abs()))
+impl Rates {
+    /// As [`Rates::at`], for one position of several side by side.
+    fn at_lane(&self, values: &[DriveValue], lane: usize, inputs: &mut [DriveInput<Wide>]) {
+        for (i, input) in inputs.iter_mut().enumerate() {
+            let one = self.input(i, values[i]);
+            input.set_lane(lane, &one);
+        }
+    }
 }

@@ -36,18 +36,24 @@ impl Rates {
 
     /// The inputs at one position. The only place where an angle becomes a direction.
     pub(crate) fn at(&self, values: &[DriveValue], inputs: &mut [DriveInput]) {
-        for ((rates, value), input) in self.0.iter().zip(values).zip(inputs) {
-            *input = *rates;
-            match value {
-                DriveValue::Scalar(x) => {
-                    input.value = *x;
-                    input.place = Vec2::direction(*x);
-                }
-                DriveValue::Point(p) => input.place = *p,
-                // rates only: what is asked does not depend on the position
-                DriveValue::None => input.place = Vec2::new(1.0, 0.0),
-            }
+        for (drive, (value, input)) in values.iter().zip(inputs).enumerate() {
+            *input = self.input(drive, *value);
         }
+    }
+
+    /// The input of one drive.
+    pub(super) fn input(&self, drive: usize, value: DriveValue) -> DriveInput {
+        let mut input = self.0[drive];
+        match value {
+            DriveValue::Scalar(x) => {
+                input.value = x;
+                input.place = Vec2::direction(x);
+            }
+            DriveValue::Point(p) => input.place = p,
+            // rates only: what is asked does not depend on the position
+            DriveValue::None => input.place = Vec2::new(1.0, 0.0),
+        }
+        input
     }
 }
 

@@ -6,26 +6,25 @@ use crate::structure::BodyId;
 
 /// Pairs that miss each other by more than this share of the mechanism's size do not meet: even a dead position leaves
 /// the root of the unit roundoff.
-const MEETS: f64 = 1e-6;
+pub(super) const MEETS: f64 = 1e-6;
 
 /// Products and sums of numbers below this are finite.
-const MODERATE: f64 = 1e100;
+pub(super) const MODERATE: f64 = 1e100;
 
 /// Whether all results are finite, and so far from the ends of what `f64` holds that their residuals are numbers too.
 pub(super) fn is_moderate(state: &State) -> bool {
-    // in the order of their bits magnitudes are in the order of their values, and what is no number is beyond all
-    let mut most = 0;
-    let mut add = |x: f64| most = x.abs().to_bits().max(most);
+    // what is no number, or beyond all, is in the sum too
+    let mut sum = 0.0;
     for b in &state.motion.bodies {
-        [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]
-            .into_iter()
-            .for_each(&mut add);
+        let place = b.p.x.abs() + b.p.y.abs() + b.u.x.abs() + b.u.y.abs();
+        let rates = b.v.x.abs() + b.v.y.abs() + b.omega.abs();
+        sum += place + rates + (b.a.x.abs() + b.a.y.abs() + b.alpha.abs());
     }
     for r in &state.forces.reactions {
-        [r.force.x, r.force.y, r.couple].into_iter().for_each(&mut add);
+        sum += r.force.x.abs() + r.force.y.abs() + r.couple.abs();
     }
-    state.forces.efforts.iter().copied().for_each(add);
-    most < MODERATE.to_bits()
+    sum += state.forces.efforts.iter().map(|x| x.abs()).sum::<f64>();
+    sum < MODERATE
 }
 
 /// The first result that is not finite.

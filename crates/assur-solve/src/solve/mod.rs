@@ -25,12 +25,14 @@ mod pose;
 mod positions;
 mod refusal;
 mod refusals;
+mod regular;
 mod replay;
 mod run;
 mod simulate;
 mod solution;
 mod steps;
 mod sweep;
+mod taken;
 mod taking;
 mod track;
 mod turn;
@@ -38,7 +40,7 @@ mod unassembled;
 
 pub use crate::answer::{
     Beside, CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, Shown,
-    Source, WholeCycle, compare, read_numbers,
+    Source, WholeCycle, WideColumns, compare, read_numbers,
 };
 pub use crate::position::Wanted;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
@@ -51,7 +53,7 @@ pub use crate::position::{
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
-pub use again::Again;
+pub use again::{Again, Reads};
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
 pub use block::{Ahead, BLOCK, Block};
 pub use clause::{Clause, NamedPoint};

@@ -1,22 +1,20 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a note.
 
 use crate::answer::{LeftCurve, PoseAnswers, balanced};
-use crate::position::{DEAD, Model, Residuals, State, Wanted, residuals_in};
+use crate::position::{Model, Residuals, State, Wanted, residuals_in};
 use crate::reference::exact;
 
 use super::failure::{Cause, Failure, GroupId};
 use super::lost::{not_finite, out_of_scale};
 use super::note::Loss;
+use super::regular;
 use super::run::Run;
 use super::simulate::Given;
 use super::solution::Solved;
 use super::track::Tracker;
 use crate::model::{PairId, PairKind, Query, TransmissionKind, Value};
-use crate::plan::{ForceStep, Level, Numbers};
+use crate::plan::{ForceStep, Numbers};
 
-/// A group below this σ loses digits that the groups behind it lose again: what is left of one that depends on others goes by
-/// the product.
-const LOSES: f64 = 0.05;
 /// Forces without friction over those with it, below which the mechanism is near self-locking.
 const NEAR_LOCKING: f64 = 1e-3;
 
@@ -71,7 +69,7 @@ impl Run<'_, '_> {
         let put = given.map(|given| (given, given.put(&mut state)));
         let mut condition = match put {
             Some((given, _)) => given.condition,
-            None => self.motion_condition(&state, pose)?,
+            None => regular::of_motion(model, &state, &mut self.carried, &mut self.notes, pose)?,
         };
         if model.plan.effects.forces && put.is_none_or(|(_, forces)| !forces) {
             condition = condition.min(self.forces(&mut state, angles, pose)?);
@@ -157,36 +155,6 @@ impl Run<'_, '_> {
         share
     }
 
-    fn motion_condition(&mut self, state: &State, pose: &Wanted) -> Result<f64, Cause> {
-        let model = self.model;
-        let level = model.plan.effects.level;
-        let mut least = 1.0_f64;
-        let carried = &mut self.carried;
-        carried.clear();
-        carried.resize(state.motion.bodies.len(), 1.0_f64);
-        let groups = model.structure.motion.iter().zip(&state.motion.certificates);
-        for (i, ((group, &h), conditioning)) in groups.zip(&state.motion.conditions).enumerate() {
-            let condition = conditioning.abs();
-            least = least.min(condition);
-            let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
-            group.bodies.iter().for_each(|b| carried[b.0] = before * (condition / LOSES).min(1.0));
-            if level > Level::Positions && condition <= DEAD {
-                return Err(Cause::Dead { group: GroupId::Motion(i), condition });
-            }
-            // positions near a double root keep half their digits
-            let loss = match level {
-                Level::Positions => None,
-                Level::Velocities => Some(Loss::Velocities),
-                Level::Accelerations => Some(Loss::Accelerations),
-            };
-            if let Some(loss) = loss {
-                self.notes.condition(model, GroupId::Motion(i), (condition * before, loss), pose);
-            }
-            self.notes.certificate(i, h, condition, pose);
-        }
-        Ok(least)
-    }
-
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, Cause> {
         let model = self.model;
         if model.mechanism.has_curves {
@@ -202,20 +170,7 @@ impl Run<'_, '_> {
         self.consistent_searched = state.scratch.searched;
         self.notes.consistent(model, state.forces.consistent, pose)?;
         slip_backwards(model, state)?;
-        let mut least = 1.0_f64;
-        let groups = model.structure.forces.iter().zip(&state.forces.conditions);
-        for (i, (group, conditioning)) in groups.enumerate() {
-            let condition = conditioning.abs();
-            least = least.min(condition);
-            if condition <= DEAD {
-                return Err(match group.efforts.as_slice() {
-                    [] => Cause::Dead { group: GroupId::Forces(i), condition },
-                    _ => Cause::CannotHold { group: i, condition },
-                });
-            }
-            self.notes.condition(model, GroupId::Forces(i), (condition, Loss::Forces), pose);
-        }
-        Ok(least)
+        regular::of_forces(model, state, &mut self.notes, pose)
     }
 
     /// Ropes that push, and trains that the load cannot drive.

@@ -96,9 +96,8 @@ impl Sweep {
         self.drives.iter().map(|d| d.at(index)).collect()
     }
 
-    /// As [`Sweep::values`], in the memory of others.
-    pub fn write_values(&self, index: usize, out: &mut Vec<DriveValue>) {
-        out.clear();
+    /// Appends the same.
+    pub fn add_values(&self, index: usize, out: &mut Vec<DriveValue>) {
         out.extend(self.drives.iter().map(|d| d.at(index)));
     }
 

@@ -136,7 +136,7 @@ impl Run<'_, '_> {
     }
 
     pub(super) fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Arrival, Box<Stuck>> {
-        if tracker.is_too_long(self.model, &pose.drives) {
+        if tracker.is_too_long(&pose.drives) {
             let failure = Failure::at(pose, Cause::TooFar);
             return Err(Box::new(Stuck { failure, back: Some(tracker.clone()) }));
         }

@@ -13,11 +13,11 @@ use super::refusals::{refusals, unit_speeds};
 use super::run::{Arrival, Run, Stuck};
 use super::simulate::{Conduct, SimulationReport, Trajectory};
 use super::solution::{Pose, Solution};
-use super::steps::steps;
+use super::steps::Pace;
 use super::taking::Taking;
 use super::track::Tracker;
 use crate::answer::WholeCycle;
-use crate::position::{Branch, DriveValue, Model, Wanted, extent};
+use crate::position::{Branch, DriveValue, Model, Wanted};
 use std::collections::VecDeque;
 
 /// Fewer positions are not worth to be solved side by side.
@@ -112,7 +112,7 @@ impl<'a, 's> Following<'a, 's> {
         let mut run = Run::new(model, rates, statics, loads_name_quantities(model.mechanism));
         run.centres = CentreNotes::of(model.mechanism);
         // positions farther apart are followed on a way between them
-        let apart = || steps(model, extent(model), &sweep.values(0), &sweep.values(1));
+        let apart = || Pace::of(model).steps(&sweep.values(0), &sweep.values(1));
         let free = trajectory.is_none() && is_free(model) && run.centres.is_empty() && apart() <= 1.0;
         let (next, current, begin, first_failure) = (0, None, None, None);
         let (try_at, ahead) = (1, VecDeque::new());
@@ -218,9 +218,8 @@ impl<'a, 's> Following<'a, 's> {
         let model: &'f Model<'a> = model;
         let first = self.next;
         let sweep = &self.sweep;
-        let (extent, angles) = (tracker.extent, tracker.angles.len());
-        let ahead =
-            Ahead { model, rates, statics, sweep, branches, first, count, extent, angles, residuals: true };
+        let angles = tracker.angles.len();
+        let ahead = Ahead { model, rates, statics, sweep, branches, first, count, angles, residuals: true };
         Some((
             ahead,
             Taking { model, tracker, next: &mut self.next, try_at: &mut self.try_at, closing, last },

@@ -26,10 +26,12 @@ impl Taking<'_, '_> {
         let taken = self.tracker.take(self.model, block);
         *self.next += taken;
         self.closing.swept += taken;
-        if let Some(last) = block.poses().last() {
+        if let Some(last) = taken.checked_sub(1) {
             let (name, drives) = self.last.get_or_insert_default();
-            name.clone_from(&last.name);
-            drives.clone_from(&last.drives);
+            name.clear();
+            name.push_str(itoa::Buffer::new().format(*self.next));
+            drives.clear();
+            drives.extend_from_slice(block.values(last));
         }
         if taken < solved {
             *self.try_at = *self.next + WAIT;

@@ -6,15 +6,13 @@
 //! went on as they came: the parabola through three places well apart, the present one and two before. Elsewhere the sign
 //! of the root stays.
 
-use super::block::{Block, keeps_its_assembly};
 use super::inputs::Rates;
-use super::steps::{MOST_STEPS, between, length, steps, ways};
+use super::steps::{APART, MOST_STEPS, Pace, between, length};
 use crate::answer::first_angles;
 use crate::math::Vec2;
 use crate::plan::MotionStep;
-use crate::position::{BodyState, DriveValue, Model, State, extent};
+use crate::position::{DriveValue, Model, State, extent};
 use crate::structure::BodyId;
-use std::f64::consts::TAU;
 use std::rc::Rc;
 
 /// Below this |σ| both assemblies are tried.
@@ -26,8 +24,6 @@ const CHANGES: f64 = 3e-7;
 /// Golden section's share.
 const GOLDEN: f64 = 0.381_966_011_250_105;
 
-/// Places nearer to each other than this share of the largest step make no parabola: rounding would bend it.
-const APART: f64 = 0.25;
 /// So many places before the present one are kept.
 const KEPT: usize = 4;
 
@@ -36,8 +32,8 @@ type Pose = (Vec2, Vec2);
 
 /// A place of the mechanism before the present one.
 #[derive(Clone, Debug, Default)]
-struct Place {
-    values: Vec<DriveValue>,
+pub(super) struct Place {
+    pub(super) values: Vec<DriveValue>,
     poses: Vec<Pose>,
 }
 
@@ -59,10 +55,11 @@ pub(crate) struct Tracker {
     spare: State,
     /// Continuous angles of the bodies, rad, and the whole turns of the pairs.
     pub angles: Vec<f64>,
-    values: Vec<DriveValue>,
+    pub(super) values: Vec<DriveValue>,
     /// Places before the present one, the last first, each well apart from the next.
-    history: Vec<Rc<Place>>,
-    pub extent: f64,
+    pub(super) history: Vec<Rc<Place>>,
+    extent: f64,
+    pub(super) pace: Pace,
 }
 
 impl Tracker {
@@ -70,7 +67,8 @@ impl Tracker {
     pub(crate) fn new(model: &Model<'_>, state: State, values: &[DriveValue]) -> Self {
         let angles = first_angles(model, &state);
         let spare = state.clone();
-        Self { state, spare, angles, values: values.to_vec(), history: Vec::new(), extent: extent(model) }
+        let (values, history) = (values.to_vec(), Vec::new());
+        Self { state, spare, angles, values, history, extent: extent(model), pace: Pace::of(model) }
     }
 
     /// Puts the tracker where another one of the same model stands.
@@ -90,7 +88,7 @@ impl Tracker {
         target: &[DriveValue],
     ) -> Result<Vec<Switch>, usize> {
         let mut switched: Vec<Switch> = Vec::new();
-        let steps = steps(model, self.extent, &self.values, target);
+        let steps = self.pace.steps(&self.values, target);
         if steps > 1.0 {
             let start = self.values.clone();
             let mut values = start.clone();
@@ -125,8 +123,8 @@ impl Tracker {
     }
 
     /// Whether the way to other drive values is too long to be followed: its angles would be guesses.
-    pub(super) fn is_too_long(&self, model: &Model<'_>, target: &[DriveValue]) -> bool {
-        ways(model, self.extent, &self.values, target).any(|way| way.abs() > MOST_STEPS)
+    pub(super) fn is_too_long(&self, target: &[DriveValue]) -> bool {
+        self.pace.ways(&self.values, target).any(|way| way.abs() > MOST_STEPS)
     }
 
     /// How far the way to other drive values closes: the last values that do.
@@ -141,7 +139,7 @@ impl Tracker {
         }
         let last = self.values.clone();
         let at = |part: f64| last.iter().zip(target).map(|(a, b)| between(*a, *b, part)).collect::<Vec<_>>();
-        let (mut closed, mut open) = (0.0, 1.0 / steps(model, self.extent, &last, target));
+        let (mut closed, mut open) = (0.0, 1.0 / self.pace.steps(&last, target));
         for _ in 0..50 {
             let middle = 0.5 * (closed + open);
             let mut trial = self.clone();
@@ -166,7 +164,7 @@ impl Tracker {
         let mut next = std::mem::take(&mut self.spare);
         let found = self.solve_next(model, rates, values, over_gap, &mut next);
         if found.is_ok() {
-            Self::remember(&mut self.history, model, self.extent, &self.values, &self.state);
+            self.remember();
             self.follow_angles(model, &next);
             std::mem::swap(&mut self.state, &mut next);
             self.values.clear();
@@ -194,9 +192,9 @@ impl Tracker {
             let near = self.state.motion.conditions[group].abs() < CAREFUL
                 || next.motion.conditions[group].abs() < CAREFUL;
             if near
-                && next.has_two_roots(step)
+                && step.has_two_roots()
                 && next.motion.open.is_none()
-                && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted(model, values))
+                && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted(values))
             {
                 let bodies = &model.structure.motion[group].bodies;
                 let kept = distance(next, predicted, bodies, self.extent);
@@ -277,18 +275,21 @@ impl Tracker {
         false
     }
 
-    /// Keeps a place, if it is well apart from the last one kept.
-    fn remember(
-        history: &mut Vec<Rc<Place>>,
-        model: &Model<'_>,
-        extent: f64,
-        values: &[DriveValue],
-        state: &State,
-    ) {
-        let way = |last: &Place| length(ways(model, extent, &last.values, values));
-        if history.first().is_some_and(|last| way(last) < APART) {
+    /// Keeps the present place, if it is well apart from the last one kept.
+    pub(super) fn remember(&mut self) {
+        if self.history.first().is_some_and(|last| !self.pace.is_apart(&last.values, &self.values)) {
             return;
         }
+        let poses = self.state.motion.bodies.iter().map(|b| (b.p, b.u));
+        Self::keep(&mut self.history, &self.values, poses);
+    }
+
+    /// Keeps a place.
+    pub(super) fn keep(
+        history: &mut Vec<Rc<Place>>,
+        values: &[DriveValue],
+        poses: impl Iterator<Item = Pose>,
+    ) {
         // the oldest gives its memory
         let oldest = if history.len() < KEPT { None } else { history.pop() };
         let mut here = oldest.unwrap_or_default();
@@ -296,65 +297,21 @@ impl Tracker {
         place.values.clear();
         place.values.extend_from_slice(values);
         place.poses.clear();
-        place.poses.extend(state.motion.bodies.iter().map(|b| (b.p, b.u)));
+        place.poses.extend(poses);
         history.insert(0, here);
-    }
-
-    /// Takes over positions of a block as far as following comes to the same, and moves to the last of them. Returns how many
-    /// they are.
-    pub(super) fn take(&mut self, model: &Model<'_>, block: &mut Block) -> usize {
-        if !keeps_its_assembly(model, &self.state) {
-            block.keep(0);
-            return 0;
-        }
-        let whole = self.angles.iter().zip(&self.state.motion.bodies);
-        block.begin.turns.clear();
-        block.begin.turns.extend(whole.map(|(angle, b)| ((angle - b.u.angle()) / TAU).round()));
-        let Some(taken) = self.linked(model, block).then(|| block.poses().len()).filter(|taken| *taken > 0)
-        else {
-            block.keep(0);
-            return 0;
-        };
-        block.begin.pairs.clear();
-        block.begin.pairs.extend_from_slice(&self.angles[self.state.motion.bodies.len()..]);
-        Self::remember(&mut self.history, model, self.extent, &self.values, &self.state);
-        let places = block.poses().iter().zip(block.states()).take(taken - 1);
-        places.for_each(|(pose, state)| {
-            Self::remember(&mut self.history, model, self.extent, &pose.drives, state);
-        });
-        if let Some((pose, state)) = block.poses().iter().zip(block.states()).last() {
-            self.values.clone_from(&pose.drives);
-            self.state.start_from(state);
-        }
-        let last = block.turns_at(taken - 1);
-        let known = self.state.motion.bodies.iter().zip(block.begin.turns.iter().zip(last));
-        let angle = |(b, (begin, turns)): (&BodyState, (&f64, &f64))| b.u.angle() + (begin + turns) * TAU;
-        self.angles.iter_mut().zip(known).for_each(|(to, known)| *to = angle(known));
-        taken
-    }
-
-    /// Whether a block goes on from here; the bodies' turns are carried on to its first position.
-    fn linked(&self, model: &Model<'_>, block: &mut Block) -> bool {
-        let Some(pose) = block.poses().first() else { return false };
-        let near = steps(model, self.extent, &self.values, &pose.drives) <= 1.0;
-        let mut turns = std::mem::take(&mut block.begin.turns);
-        let first = block.states().next();
-        let linked = near && first.is_some_and(|first| turn_on(&mut turns, &self.state, first));
-        block.begin.turns = turns;
-        linked
     }
 
     /// Where the bodies would be at these values: the parabola through the present place and two others on the line of
     /// the way.
-    fn predicted(&self, model: &Model<'_>, target: &[DriveValue]) -> Option<Vec<Pose>> {
-        let way = || ways(model, self.extent, &self.values, target);
+    fn predicted(&self, target: &[DriveValue]) -> Option<Vec<Pose>> {
+        let way = || self.pace.ways(&self.values, target);
         let t = length(way());
         if t == 0.0 {
             return None;
         }
         let mut chosen: Vec<(f64, &Place)> = Vec::with_capacity(2);
         for place in &self.history {
-            let back = || ways(model, self.extent, &self.values, &place.values).zip(way());
+            let back = || self.pace.ways(&self.values, &place.values).zip(way());
             let along = back().map(|(a, b)| a * b).sum::<f64>() / t;
             let off = back().map(|(a, b)| (a - b * along / t).abs()).fold(0.0, f64::max);
             let apart = along.abs() >= APART && chosen.iter().all(|c| (c.0 - along).abs() >= APART);
@@ -395,24 +352,7 @@ pub(super) fn continued(angle: f64, old: Vec2, new: Vec2) -> f64 {
     // the whole turns are carried on, the rest is read off the direction itself: no error adds up
     let estimate = angle + turned;
     let principal = new.angle();
-    principal + TAU * ((estimate - principal) / TAU).round()
-}
-
-/// Carries whole turns of the bodies on to the next position. `false` where a body turns too far for that.
-pub(super) fn turn_on(turns: &mut [f64], state: &State, next: &State) -> bool {
-    let bodies = state.motion.bodies.iter().zip(&next.motion.bodies);
-    for (turns, (old, new)) in turns.iter_mut().zip(bodies) {
-        let (old, new) = (old.u, new.u);
-        if old.dot(new) <= 0.0 {
-            return false;
-        }
-        // only over the negative x axis the angle jumps
-        let (above, below) = (old.y.is_sign_positive(), new.y.is_sign_negative());
-        if above == below && (old.x < 0.0 || new.x < 0.0) {
-            *turns += if above { 1.0 } else { -1.0 };
-        }
-    }
-    true
+    principal + std::f64::consts::TAU * ((estimate - principal) / std::f64::consts::TAU).round()
 }
 
 fn distance(state: &State, predicted: &[Pose], bodies: &[BodyId], extent: f64) -> f64 {

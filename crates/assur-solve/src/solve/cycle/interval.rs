@@ -1,10 +1,10 @@
 //! The sweep as an interval: s from 0 to 1.
 
 use super::super::positions::Sweep;
-use super::super::steps::{between, ways};
+use super::super::steps::{Pace, between};
 use crate::answer::{NoSweep, SweepPlace, WholeCycle, constant};
 use crate::model::Positions;
-use crate::position::{DriveValue, Model, extent, turns};
+use crate::position::{DriveValue, Model, turns};
 use std::f64::consts::TAU;
 
 /// The longest way, in largest steps: each is a place that is kept.
@@ -48,8 +48,7 @@ impl Interval {
             return Err(NoSweep::OnePosition);
         }
         // also where a way is no number
-        if !ways(model, extent(model), &interval.from, &interval.to).all(|interval| interval.abs() <= LONGEST)
-        {
+        if !Pace::of(model).ways(&interval.from, &interval.to).all(|interval| interval.abs() <= LONGEST) {
             return Err(NoSweep::TooLong);
         }
         let turning = matches!(drives.as_slice(), [drive] if turns(model, drive));

@@ -1,0 +1,246 @@
+//! Answers as numbers in the author's units, column by column, of positions side by side: as [`NumberColumns`], without a state of
+//! each position.
+
+use super::joint_reaction::JointReaction;
+use super::number_columns::{NumberColumns, Shown};
+use crate::math::{Scalar, V2, Vec2};
+use crate::model::{Axis, BinaryOp, Expr, FindKind, LinkId, PointRef, Query, Value};
+use crate::position::{BodyState, DriveValue, Model, State, WIDTH, Wide};
+use assur_text::units::Conversion;
+
+/// Columns of numbers.
+#[derive(Clone, Debug)]
+pub struct WideColumns(Vec<Column>);
+
+#[derive(Clone, Debug)]
+struct Column {
+    shown: WideShown,
+    unit: Conversion,
+}
+
+/// What a column shows, or two for a vector.
+#[derive(Clone, Debug)]
+enum WideShown {
+    /// The value of a drive.
+    Drive(usize, bool),
+    Effort(usize),
+    Force(JointReaction),
+    Couple(JointReaction),
+    /// An item of `find`.
+    Found(WideExpr),
+}
+
+/// Expressions of answers that need no angle, in operations that all positions share.
+#[derive(Clone, Debug)]
+enum WideExpr {
+    Number(f64),
+    Vector(Vec2),
+    Position(LinkId, Vec2),
+    Velocity(LinkId, Vec2),
+    Acceleration(LinkId, Vec2),
+    Omega(LinkId),
+    Alpha(LinkId),
+    Component(Box<Self>, Axis),
+    Negate(Box<Self>),
+    Binary(BinaryOp, Box<Self>, Box<Self>),
+}
+
+#[derive(Clone, Copy)]
+enum WideValue {
+    Number(Wide),
+    Vector(V2<Wide>),
+}
+
+/// Longer expressions are evaluated position by position: quantities of the file are written out in them.
+const LONGEST: usize = 64;
+
+impl NumberColumns {
+    /// The same for positions side by side; `None` where one shows more than a few operations on motion and forces.
+    #[must_use]
+    pub fn wide(&self, model: &Model<'_>) -> Option<WideColumns> {
+        let columns = self.columns().map(|(shown, vector, unit)| {
+            let shown = match shown {
+                Shown::Drive(drive) => WideShown::Drive(*drive, vector),
+                Shown::Effort(slot) => WideShown::Effort(*slot),
+                Shown::Force(joints) => WideShown::Force(joints.clone()),
+                Shown::Couple(joints) => WideShown::Couple(joints.clone()),
+                Shown::Find(index) => {
+                    let FindKind::Value { expr, .. } = &model.mechanism.finds.get(*index)?.kind else {
+                        return None;
+                    };
+                    let found = WideExpr::of(model, expr, &mut LONGEST.clone())?;
+                    (found.is_vector() == vector).then_some(WideShown::Found(found))?
+                }
+                Shown::Known(Some(Value::Scalar(x))) if !vector => WideShown::Found(WideExpr::Number(*x)),
+                Shown::Known(Some(Value::Vector(v))) if vector => WideShown::Found(WideExpr::Vector(*v)),
+                Shown::Known(_) => return None,
+            };
+            Some(Column { shown, unit })
+        });
+        columns.collect::<Option<_>>().map(WideColumns)
+    }
+}
+
+impl WideColumns {
+    /// Appends the numbers of the first positions; NaN where there is none. `values` are those of the drives.
+    pub(crate) fn read(
+        &self,
+        rows: &[State<Wide>],
+        (values, drives): (&[DriveValue], usize),
+        count: usize,
+        out: &mut [Vec<f64>],
+    ) {
+        let mut out = out.iter_mut();
+        for Column { shown, unit } in &self.0 {
+            let Some(first) = out.next() else { return };
+            if let WideShown::Drive(drive, vector) = shown {
+                let mut second = if *vector { out.next() } else { None };
+                for value in values.iter().skip(*drive).step_by(drives.max(1)).take(count) {
+                    let [x, y] = match (value, *vector) {
+                        (DriveValue::Scalar(x), false) => [*x, f64::NAN],
+                        (DriveValue::Point(p), true) => [p.x, p.y],
+                        _ => [f64::NAN; 2],
+                    };
+                    first.push(known(unit.of(x)));
+                    second.iter_mut().for_each(|second| second.push(known(unit.of(y))));
+                }
+                continue;
+            }
+            let mut second = None;
+            for (row, state) in rows.iter().enumerate() {
+                let count = count.saturating_sub(row * WIDTH).min(WIDTH);
+                match shown.value(state) {
+                    WideValue::Number(x) => append(first, (x, x), unit, count),
+                    WideValue::Vector(v) => {
+                        append(first, (v.x, v.y), unit, count);
+                        second = second.or_else(|| out.next());
+                        second.iter_mut().for_each(|second| append(second, (v.y, v.x), unit, count));
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Half a vector does not exist.
+fn append(out: &mut Vec<f64>, (x, beside): (Wide, Wide), unit: &Conversion, count: usize) {
+    let both = x.0[..count].iter().zip(&beside.0);
+    out.extend(both.map(|(x, beside)| if beside.is_finite() { known(unit.of(*x)) } else { f64::NAN }));
+}
+
+/// An answer that is not a number does not exist.
+const fn known(x: f64) -> f64 {
+    if x.is_finite() { x } else { f64::NAN }
+}
+
+impl WideShown {
+    fn value(&self, state: &State<Wide>) -> WideValue {
+        match self {
+            Self::Effort(slot) => WideValue::Number(state.forces.efforts[*slot]),
+            Self::Force(joints) => WideValue::Vector(joints.force(state)),
+            Self::Couple(joints) => WideValue::Number(joints.couple(state)),
+            Self::Found(expr) => expr.value(state),
+            Self::Drive(..) => WideValue::Number(Wide::of(f64::NAN)),
+        }
+    }
+}
+
+impl WideExpr {
+    /// `None` for what is evaluated position by position.
+    fn of(model: &Model<'_>, expr: &Expr, left: &mut usize) -> Option<Self> {
+        *left = left.checked_sub(1)?;
+        Some(match expr {
+            Expr::Constant(Value::Scalar(x)) => Self::Number(*x),
+            Expr::Constant(Value::Vector(v)) => Self::Vector(*v),
+            Expr::Component(v, axis) => {
+                let v = Self::of(model, v, left).filter(Self::is_vector)?;
+                Self::Component(Box::new(v), *axis)
+            }
+            Expr::Negate(a) => Self::Negate(Box::new(Self::of(model, a, left)?)),
+            Expr::Binary(op, a, b) => {
+                let (a, b) = (Self::of(model, a, left)?, Self::of(model, b, left)?);
+                let fits = match (op, a.is_vector(), b.is_vector()) {
+                    (BinaryOp::Add | BinaryOp::Sub, a, b) => a == b,
+                    (BinaryOp::Mul, a, b) => !(a && b),
+                    (BinaryOp::Div, _, b) => !b,
+                };
+                fits.then(|| Self::Binary(*op, Box::new(a), Box::new(b)))?
+            }
+            Expr::Quantity(id) => Self::of(model, &model.mechanism.quantities.get(id.index())?.expr, left)?,
+            Expr::Query(query) => Self::of_query(model, query)?,
+            _ => return None,
+        })
+    }
+
+    fn of_query(model: &Model<'_>, query: &Query) -> Option<Self> {
+        let mass = |link: &LinkId| model.mechanism.link(*link).mass;
+        let times = |a: Self, x: f64| Self::Binary(BinaryOp::Mul, Box::new(a), Box::new(Self::Number(x)));
+        Some(match query {
+            Query::Position(PointRef::Fixed(link, at)) => Self::Position(*link, *at),
+            Query::Velocity(PointRef::Fixed(link, at)) => Self::Velocity(*link, *at),
+            Query::Acceleration(PointRef::Fixed(link, at)) => Self::Acceleration(*link, *at),
+            Query::Omega(link) => Self::Omega(*link),
+            Query::Alpha(link) => Self::Alpha(*link),
+            Query::InertiaForce(link) => match mass(link) {
+                Some(m) => times(Self::Acceleration(*link, m.centre), -m.mass),
+                None => Self::Vector(Vec2::zero()),
+            },
+            Query::InertiaTorque(link) => match mass(link) {
+                Some(m) => times(Self::Alpha(*link), -m.inertia),
+                None => Self::Number(0.0),
+            },
+            _ => return None,
+        })
+    }
+
+    fn is_vector(&self) -> bool {
+        match self {
+            Self::Vector(_) | Self::Position(..) | Self::Velocity(..) | Self::Acceleration(..) => true,
+            Self::Number(_) | Self::Omega(_) | Self::Alpha(_) | Self::Component(..) => false,
+            Self::Negate(a) => a.is_vector(),
+            Self::Binary(_, a, b) => a.is_vector() || b.is_vector(),
+        }
+    }
+
+    fn value(&self, state: &State<Wide>) -> WideValue {
+        use WideValue::{Number, Vector};
+        let body = |link: &LinkId| -> &BodyState<Wide> { &state.motion.bodies[link.index()] };
+        match self {
+            Self::Number(x) => Number(Wide::of(*x)),
+            Self::Vector(v) => Vector(V2::of(*v)),
+            Self::Position(link, at) => Vector(body(link).position(*at)),
+            Self::Velocity(link, at) => Vector(body(link).velocity(*at)),
+            Self::Acceleration(link, at) => Vector(body(link).acceleration(*at)),
+            Self::Omega(link) => Number(body(link).omega),
+            Self::Alpha(link) => Number(body(link).alpha),
+            Self::Component(v, axis) => match (v.value(state), axis) {
+                (Vector(v), Axis::X) => Number(v.x),
+                (Vector(v), Axis::Y) => Number(v.y),
+                (number, _) => number,
+            },
+            Self::Negate(a) => match a.value(state) {
+                Number(x) => Number(-x),
+                Vector(v) => Vector(-v),
+            },
+            Self::Binary(op, a, b) => binary(*op, a.value(state), b.value(state)),
+        }
+    }
+}
+
+/// Two operands, as one position has them.
+fn binary(op: BinaryOp, a: WideValue, b: WideValue) -> WideValue {
+    use BinaryOp::{Add, Div, Mul, Sub};
+    use WideValue::{Number, Vector};
+    match (op, a, b) {
+        (Add, Number(a), Number(b)) => Number(a + b),
+        (Sub, Number(a), Number(b)) => Number(a - b),
+        (Mul, Number(a), Number(b)) => Number(a * b),
+        (Div, Number(a), Number(b)) => Number(a / b),
+        (Add, Vector(a), Vector(b)) => Vector(a + b),
+        (Sub, Vector(a), Vector(b)) => Vector(a - b),
+        (Mul, Vector(a), Number(k)) | (Mul, Number(k), Vector(a)) => Vector(a * k),
+        (Div, Vector(a), Number(k)) => Vector(a / k),
+        // expressions are made of what fits
+        _ => Number(Wide::of(f64::NAN)),
+    }
+}
