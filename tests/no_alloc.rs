@@ -11,7 +11,8 @@ use assur::internals::math::ode::{
 use assur::internals::model::{Friction, Mechanism, PairKind};
 use assur::internals::report::json::JsonLines;
 use assur::internals::report::lines::CsvLines;
-use assur::internals::report::{Answers, Precision};
+use assur::internals::report::rows::AnswerColumns;
+use assur::internals::report::{Answers, NumberRows, Precision};
 use assur::internals::solve::{BLOCK, Block, DriveInput, Following, Model, Pose, Solution, solve};
 
 /// Allocations of this thread over a revolution of a machine, after it was assembled.
@@ -124,6 +125,42 @@ fn a_sweep_and_its_lines_allocate_nothing() {
 }
 
 #[test]
+fn columns_of_a_sweep_allocate_nothing() {
+    let text = SWEEP.replace("in 360 steps", "in 10000 steps")
+        + "find omega(coupler), 2*velocity(coupler.C), reaction(B, coupler)\n";
+    let source = assur::internals::source::Source::new("sweep.mech", text);
+    let (compiled, _) = assur::internals::compile(&source, &assur::internals::check::Overrides::none());
+    let compiled = compiled.expect("the text is sound");
+    let model = compiled.model();
+    let mut following = Following::new(&model, Vec::new()).expect("it is solved").expect("it moves");
+    following.next();
+    let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
+    let precision = Precision::READABLE;
+    let answers = Answers { model, solution: &solution, outcomes: &[], reached: None, precision };
+    let mut rows = NumberRows::of(AnswerColumns::of_file(&model));
+    rows.begin(&answers);
+    let columns = rows.wide().expect("its columns are read from lanes");
+    let width = AnswerColumns::of_file(&model).fields(&compiled.mechanism).len();
+    let (mut block, mut out, mut sum) = (Block::default(), vec![Vec::with_capacity(BLOCK); width], 0.0);
+    let mut blocks = |count: usize| {
+        for _ in 0..count {
+            following.ahead(BLOCK).expect("positions do not depend on one another").solve(&mut block, 0);
+            assert!(following.take(&mut block));
+            out.iter_mut().for_each(Vec::clear);
+            block.read(columns, &mut out);
+            assert!(out.iter().all(|column| column.len() == BLOCK));
+            sum += block
+                .quality(&model)
+                .map(|(residuals, condition)| residuals.closure + condition)
+                .sum::<f64>();
+        }
+    };
+    blocks(20);
+    assert_eq!(allocation_counter::measure(|| blocks(40)).count_total, 0);
+    assert!(sum > 0.0);
+}
+
+#[test]
 fn the_count_counts() {
     let counted = allocation_counter::measure(|| drop(std::hint::black_box(vec![1_u8])));
     assert_eq!(counted.count_total, 1);
@@ -163,13 +200,16 @@ fn a_train_allocates_nothing() {
     assert_eq!(allocations(&mechanism), 0);
 }
 
-/// Rows of variants, read from a table, solved and written.
 #[test]
 fn a_row_of_variants_allocates_nothing() {
+    assert_eq!([allocations_of_rows(false), allocations_of_rows(true)], [0, 0]);
+}
+
+/// Allocations of rows of variants, read from a table, solved and written; of whole solutions, or for answers alone.
+fn allocations_of_rows(for_answers: bool) -> u64 {
     use assur::internals::check::{Overrides, columns};
     use assur::internals::exercise::table::{Lines, Read, Table};
     use assur::internals::pipeline::VariantSolver;
-    use assur::internals::report::{Precision, rows::AnswerColumns};
     use std::fmt::Write;
     use std::sync::Arc;
 
@@ -187,7 +227,8 @@ fn a_row_of_variants_allocates_nothing() {
     let columns: Arc<[_]> = columns(&document, &none, &table.columns).0.expect("columns that fit").into();
     let mut lines = Lines::default();
     table.lines(200, &mut lines).expect("read");
-    let mut solver = VariantSolver::new(&document, &none);
+    let solver = VariantSolver::new(&document, &none);
+    let mut solver = if for_answers { solver.for_answers() } else { solver };
     let (mut read, mut answers, mut out) = (Read::default(), None, Vec::with_capacity(1 << 20));
     let mut solve = |i: usize| {
         let raw = lines.get(i).expect("a row");
@@ -204,8 +245,8 @@ fn a_row_of_variants_allocates_nothing() {
     };
     (0..20).for_each(&mut solve);
     let counted = allocation_counter::measure(|| (20..200).for_each(&mut solve));
-    assert_eq!(counted.count_total, 0);
     assert!(out.len() > 20_000);
+    counted.count_total
 }
 
 /// Allocations of a whole run under loads that ends at this instant.

@@ -4,8 +4,9 @@
 
 use assur::internals::check::Overrides;
 use assur::internals::report::lines::CsvLines;
-use assur::internals::report::{Answers, Precision, csv, json, table_of_poses};
-use assur::internals::solve::{Following, Pose};
+use assur::internals::report::rows::AnswerColumns;
+use assur::internals::report::{Answers, NumberRows, Precision, csv, json, table_of_poses};
+use assur::internals::solve::{BLOCK, Block, Following, Model, Pose, Solution};
 use assur::internals::source::Source;
 use std::path::Path;
 
@@ -110,6 +111,57 @@ fn side_by_side_is_one_by_one() {
         assert_eq!(one_by_one.0.len(), side_by_side.0.len(), "{}", source.name);
     }
     assert!(aside > 20, "{aside} examples go side by side");
+}
+
+/// Columns that are read from lanes are those of whole positions, to the last bit; gives how many positions were compared.
+fn compare_columns(model: &Model<'_>, name: &str) -> usize {
+    let Ok(Some(mut following)) = Following::new(model, Vec::new()) else { return 0 };
+    following.next();
+    let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
+    let precision = Precision::READABLE;
+    let answers = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
+    let mut rows = NumberRows::of(AnswerColumns::of_file(model).each_once());
+    rows.begin(&answers);
+    let Some(wide) = rows.wide() else { return 0 };
+    let width = AnswerColumns::of_file(model).each_once().fields(model.mechanism).len();
+    let (mut block, mut row, mut compared) = (Block::default(), Vec::new(), 0);
+    while let Some(ahead) = following.ahead(BLOCK) {
+        ahead.solve(&mut block, 0);
+        following.take(&mut block);
+        let mut columns = vec![Vec::new(); width];
+        block.read(wide, &mut columns);
+        let quality: Vec<_> = block.quality(model).collect();
+        following.last_taken().unwrap().answer(&mut block, true);
+        assert_eq!(block.poses().len(), block.len(), "{name}");
+        for (i, pose) in block.poses().iter().enumerate() {
+            rows.read(&answers, pose, &mut row);
+            let finite = |x: f64| if x.is_finite() { x.to_bits() } else { f64::NAN.to_bits() };
+            let read: Vec<u64> = columns.iter().map(|column| finite(column[i])).collect();
+            assert_eq!(read, row.iter().map(|x| finite(*x)).collect::<Vec<_>>(), "{name}, {}", pose.name);
+            let solved = pose.outcome.as_ref().unwrap();
+            assert_eq!(quality[i], (solved.residuals, solved.condition), "{name}");
+        }
+        compared += block.len();
+        if block.is_empty() {
+            break;
+        }
+    }
+    compared
+}
+
+#[test]
+fn columns_from_lanes_are_those_of_whole_positions() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let (mut files, mut positions) = (0, 0);
+    for path in crate::folder::files(&root, "mech") {
+        let text = in_steps(&std::fs::read_to_string(&path).unwrap(), 480);
+        let source = Source::new(path.display().to_string(), text);
+        let Some(compiled) = compiled(&source) else { continue };
+        let compared = compare_columns(&compiled.model(), &source.name);
+        files += usize::from(compared > 0);
+        positions += compared;
+    }
+    assert!(files > 10 && positions > 2_000, "{files} files, {positions} positions");
 }
 
 /// The greatest number of bytes in use while a sweep is printed.

@@ -3,9 +3,11 @@
 
 use super::joint_reaction::JointReaction;
 use super::number_columns::{NumberColumns, Shown};
+use super::pose_answers::PoseAnswers;
 use crate::math::{Scalar, V2, Vec2};
-use crate::model::{Axis, BinaryOp, Expr, FindKind, LinkId, PointRef, Query, Value};
+use crate::model::{Axis, BinaryOp, Expr, FindKind, LinkId, PairId, PointRef, Query, Value};
 use crate::position::{BodyState, DriveValue, Model, State, WIDTH, Wide};
+use crate::structure::EffortSource;
 use assur_text::units::Conversion;
 
 /// Columns of numbers.
@@ -23,10 +25,7 @@ struct Column {
 enum WideShown {
     /// The value of a drive.
     Drive(usize, bool),
-    Effort(usize),
-    Force(JointReaction),
-    Couple(JointReaction),
-    /// An item of `find`.
+    /// What an expression comes to.
     Found(WideExpr),
 }
 
@@ -40,6 +39,12 @@ enum WideExpr {
     Acceleration(LinkId, Vec2),
     Omega(LinkId),
     Alpha(LinkId),
+    /// An unknown effort.
+    Effort(usize),
+    /// The force on a link in a pair.
+    Force(JointReaction),
+    /// The couple.
+    Couple(JointReaction),
     Component(Box<Self>, Axis),
     Negate(Box<Self>),
     Binary(BinaryOp, Box<Self>, Box<Self>),
@@ -61,9 +66,9 @@ impl NumberColumns {
         let columns = self.columns().map(|(shown, vector, unit)| {
             let shown = match shown {
                 Shown::Drive(drive) => WideShown::Drive(*drive, vector),
-                Shown::Effort(slot) => WideShown::Effort(*slot),
-                Shown::Force(joints) => WideShown::Force(joints.clone()),
-                Shown::Couple(joints) => WideShown::Couple(joints.clone()),
+                Shown::Effort(slot) => WideShown::Found(WideExpr::Effort(*slot)),
+                Shown::Force(joints) => WideShown::Found(WideExpr::Force(joints.clone())),
+                Shown::Couple(joints) => WideShown::Found(WideExpr::Couple(joints.clone())),
                 Shown::Find(index) => {
                     let FindKind::Value { expr, .. } = &model.mechanism.finds.get(*index)?.kind else {
                         return None;
@@ -93,23 +98,26 @@ impl WideColumns {
         let mut out = out.iter_mut();
         for Column { shown, unit } in &self.0 {
             let Some(first) = out.next() else { return };
-            if let WideShown::Drive(drive, vector) = shown {
-                let mut second = if *vector { out.next() } else { None };
-                for value in values.iter().skip(*drive).step_by(drives.max(1)).take(count) {
-                    let [x, y] = match (value, *vector) {
-                        (DriveValue::Scalar(x), false) => [*x, f64::NAN],
-                        (DriveValue::Point(p), true) => [p.x, p.y],
-                        _ => [f64::NAN; 2],
-                    };
-                    first.push(known(unit.of(x)));
-                    second.iter_mut().for_each(|second| second.push(known(unit.of(y))));
+            let expr = match shown {
+                WideShown::Found(expr) => expr,
+                WideShown::Drive(drive, vector) => {
+                    let mut second = if *vector { out.next() } else { None };
+                    for value in values.iter().skip(*drive).step_by(drives.max(1)).take(count) {
+                        let [x, y] = match (value, *vector) {
+                            (DriveValue::Scalar(x), false) => [*x, f64::NAN],
+                            (DriveValue::Point(p), true) => [p.x, p.y],
+                            _ => [f64::NAN; 2],
+                        };
+                        first.push(known(unit.of(x)));
+                        second.iter_mut().for_each(|second| second.push(known(unit.of(y))));
+                    }
+                    continue;
                 }
-                continue;
-            }
+            };
             let mut second = None;
             for (row, state) in rows.iter().enumerate() {
                 let count = count.saturating_sub(row * WIDTH).min(WIDTH);
-                match shown.value(state) {
+                match expr.value(state) {
                     WideValue::Number(x) => append(first, (x, x), unit, count),
                     WideValue::Vector(v) => {
                         append(first, (v.x, v.y), unit, count);
@@ -131,18 +139,6 @@ fn append(out: &mut Vec<f64>, (x, beside): (Wide, Wide), unit: &Conversion, coun
 /// An answer that is not a number does not exist.
 const fn known(x: f64) -> f64 {
     if x.is_finite() { x } else { f64::NAN }
-}
-
-impl WideShown {
-    fn value(&self, state: &State<Wide>) -> WideValue {
-        match self {
-            Self::Effort(slot) => WideValue::Number(state.forces.efforts[*slot]),
-            Self::Force(joints) => WideValue::Vector(joints.force(state)),
-            Self::Couple(joints) => WideValue::Number(joints.couple(state)),
-            Self::Found(expr) => expr.value(state),
-            Self::Drive(..) => WideValue::Number(Wide::of(f64::NAN)),
-        }
-    }
 }
 
 impl WideExpr {
@@ -181,6 +177,13 @@ impl WideExpr {
             Query::Acceleration(PointRef::Fixed(link, at)) => Self::Acceleration(*link, *at),
             Query::Omega(link) => Self::Omega(*link),
             Query::Alpha(link) => Self::Alpha(*link),
+            Query::Balance(id) => Self::effort(model, EffortSource::Balance(*id))?,
+            Query::Effort(id) => Self::effort(model, EffortSource::Drive(*id))?,
+            Query::Reaction(pair, link) => Self::Force(joints(model, *pair, *link)?),
+            Query::Moment(pair, link) => Self::Couple(
+                joints(model, *pair, *link)
+                    .filter(|_| model.structure.undetermined_couples.binary_search(pair).is_err())?,
+            ),
             Query::InertiaForce(link) => match mass(link) {
                 Some(m) => times(Self::Acceleration(*link, m.centre), -m.mass),
                 None => Self::Vector(Vec2::zero()),
@@ -193,10 +196,23 @@ impl WideExpr {
         })
     }
 
+    fn effort(model: &Model<'_>, source: EffortSource) -> Option<Self> {
+        model.structure.efforts.iter().position(|effort| effort.source == source).map(Self::Effort)
+    }
+
     fn is_vector(&self) -> bool {
         match self {
-            Self::Vector(_) | Self::Position(..) | Self::Velocity(..) | Self::Acceleration(..) => true,
-            Self::Number(_) | Self::Omega(_) | Self::Alpha(_) | Self::Component(..) => false,
+            Self::Vector(_)
+            | Self::Position(..)
+            | Self::Velocity(..)
+            | Self::Acceleration(..)
+            | Self::Force(_) => true,
+            Self::Number(_)
+            | Self::Omega(_)
+            | Self::Alpha(_)
+            | Self::Effort(_)
+            | Self::Couple(_)
+            | Self::Component(..) => false,
             Self::Negate(a) => a.is_vector(),
             Self::Binary(_, a, b) => a.is_vector() || b.is_vector(),
         }
@@ -213,6 +229,9 @@ impl WideExpr {
             Self::Acceleration(link, at) => Vector(body(link).acceleration(*at)),
             Self::Omega(link) => Number(body(link).omega),
             Self::Alpha(link) => Number(body(link).alpha),
+            Self::Effort(slot) => Number(state.forces.efforts[*slot]),
+            Self::Force(joints) => Vector(joints.force(state)),
+            Self::Couple(joints) => Number(joints.couple(state)),
             Self::Component(v, axis) => match (v.value(state), axis) {
                 (Vector(v), Axis::X) => Number(v.x),
                 (Vector(v), Axis::Y) => Number(v.y),
@@ -225,6 +244,12 @@ impl WideExpr {
             Self::Binary(op, a, b) => binary(*op, a.value(state), b.value(state)),
         }
     }
+}
+
+/// The joints that a reaction is made up of, where they alone do, and forces are solved.
+fn joints(model: &Model<'_>, pair: PairId, link: LinkId) -> Option<JointReaction> {
+    let state = State::closed(model.plan);
+    JointReaction::of(&PoseAnswers::bare(model, &state), pair, link).filter(|_| model.plan.has_forces())
 }
 
 /// Two operands, as one position has them.
