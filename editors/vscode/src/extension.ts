@@ -1,7 +1,7 @@
 // The language server of `assur` in VS Code: a program, or the server that is built in.
 
 import { Uri, commands, window, workspace, type ExtensionContext } from "vscode";
-import { LanguageClient, type MessageTransports } from "vscode-languageclient/node";
+import { LanguageClient, type LanguageClientOptions, type MessageTransports } from "vscode-languageclient/node";
 import { load, run } from "./built-in";
 import { Preview } from "./preview";
 import { findServer } from "./program";
@@ -51,7 +51,7 @@ class Extension {
     if (this.server.kind !== "none") {
       const program = this.server.kind === "program" ? this.server.path : undefined;
       const server = program === undefined ? () => this.builtIn() : { command: program, args: ["lsp"] };
-      this.client = new LanguageClient("assur", "assur", server, { documentSelector: [{ language: "mech" }] });
+      this.client = new LanguageClient("assur", "assur", server, this.options());
       this.preview.follow(this.client);
       try {
         await this.client.start();
@@ -67,6 +67,22 @@ class Extension {
     }
   }
 
+  /** What the server is told, and what is done here instead of there. */
+  private options(): LanguageClientOptions {
+    return {
+      documentSelector: [{ language: "mech" }],
+      initializationOptions: { hints: workspace.getConfiguration("assur").get("hints") },
+      synchronize: { configurationSection: "assur" },
+      middleware: {
+        executeCommand: (command, args, next) => {
+          if (command === "assur.preview") return this.preview.open(this.client);
+          if (command === "assur.solve") return runOnFile(this.server, this.client, "solve");
+          return command === "assur.explain" ? showPage(this.client, args) : next(command, args);
+        },
+      },
+    };
+  }
+
   private async builtIn(): Promise<MessageTransports> {
     const folder = Uri.joinPath(this.context.extensionUri, "out").fsPath;
     this.module ??= load(folder);
@@ -75,6 +91,15 @@ class Extension {
       void window.showWarningMessage(`The built-in server of assur ended and is started again. ${why} The program \`assur\` has no such limit.`);
     });
   }
+}
+
+/** The page of a diagnostic's code, next to the text. */
+async function showPage(client: LanguageClient | undefined, args: unknown[]): Promise<void> {
+  // false: it is shown here
+  const asked = { command: "assur.explain", arguments: [...args, false] };
+  const content = await client?.sendRequest<string>("workspace/executeCommand", asked);
+  const page = await workspace.openTextDocument({ language: "markdown", content });
+  await commands.executeCommand("markdown.showPreviewToSide", page.uri);
 }
 
 async function complain(problem: string): Promise<void> {
