@@ -32,3 +32,6 @@ if [ ! -f "$tokens" ] || [ -n "$(find examples -name '*.mech' -newer "$tokens" -
   cargo test --test repository editors
 fi
 "$tools/bin/python" editors/agreement.py
+
+# the editors that cannot be installed: what they are given, by the rules of their manuals
+"$tools/bin/python" editors/others.py

@@ -1,5 +1,6 @@
 """The language server as the client of pytest-lsp sees it: every request once, and what may go wrong. Run by editors/test.sh."""
 
+import asyncio
 import json
 import os
 import subprocess
@@ -47,7 +48,27 @@ async def client(lsp_client: LanguageClient):
     def _(*_):
         return None
 
-    await lsp_client.initialize_session(lsp.InitializeParams(capabilities=client_capabilities("visual-studio-code")))
+    @lsp_client.feature("assur/solved")
+    def _(*_):
+        return None
+
+    told = client_capabilities("visual-studio-code")
+    told.text_document.diagnostic = None
+    options = {"solved": True}
+    await lsp_client.initialize_session(lsp.InitializeParams(capabilities=told, initialization_options=options))
+    yield
+    await lsp_client.shutdown_session()
+
+
+@pytest_lsp.fixture(config=ClientServerConfig(server_command=[ASSUR, "lsp"]))
+async def asking(lsp_client: LanguageClient):
+    """A client that asks for diagnostics."""
+    diagnostics = lsp.DiagnosticWorkspaceClientCapabilities(refresh_support=True)
+    capabilities = lsp.ClientCapabilities(
+        text_document=lsp.TextDocumentClientCapabilities(diagnostic=lsp.DiagnosticClientCapabilities()),
+        workspace=lsp.WorkspaceClientCapabilities(diagnostics=diagnostics),
+    )
+    await lsp_client.initialize_session(lsp.InitializeParams(capabilities=capabilities))
     yield
     await lsp_client.shutdown_session()
 
@@ -94,7 +115,7 @@ async def test_every_request(client):
     labels = [hint.label for hint in await client.text_document_inlay_hint_async(asked)]
     assert labels[0].startswith("F = 1 · crank") and labels[1:] == ["= 350 mm", "= 472.519 N*m", "✓", "✗ 472.519 N*m"]
     lenses = await client.text_document_code_lens_async(lsp.CodeLensParams(text_document=DOCUMENT))
-    assert [lens.command.title for lens in lenses] == ["solve", "1 of 2 expectations fail"]
+    assert [lens.command.title for lens in lenses] == ["solve", "1 of 2 expectations fail", "picture"]
     run = lsp.ExecuteCommandParams(command="assur.solve", arguments=[URI])
     assert "472.519" in await client.workspace_execute_command_async(run)
     tokens = await client.text_document_semantic_tokens_full_async(lsp.SemanticTokensParams(text_document=DOCUMENT))
@@ -108,6 +129,8 @@ async def test_every_request(client):
     symbols = await client.text_document_document_symbol_async(lsp.DocumentSymbolParams(text_document=DOCUMENT))
     assert "rod" in [symbol.name for symbol in symbols]
     assert not await client.text_document_folding_range_async(lsp.FoldingRangeParams(text_document=DOCUMENT))
+    typed = lsp.DocumentOnTypeFormattingParams(**at(8, 0), ch="\n", options=FORMATTING)
+    assert not await client.text_document_on_type_formatting_async(typed)
     formatting = lsp.DocumentFormattingParams(text_document=DOCUMENT, options=FORMATTING)
     edits = await client.text_document_formatting_async(formatting)
     ranged = lsp.DocumentRangeFormattingParams(text_document=DOCUMENT, range=WHOLE, options=FORMATTING)
@@ -123,6 +146,26 @@ async def test_every_request(client):
     client.text_document_did_close(lsp.DidCloseTextDocumentParams(DOCUMENT))
     await client.wait_for_notification(lsp.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
     assert not client.diagnostics[URI]
+
+
+@pytest.mark.asyncio
+async def test_solved(client):
+    opened(client, ENGINE)
+    told = await client.wait_for_notification("assur/solved")
+    assert (told.uri, told.version, told.poses) == (URI, 1, 1)
+
+
+@pytest.mark.asyncio
+async def test_diagnostics_on_request(asking):
+    opened(asking, ENGINE)
+    params = lsp.DocumentDiagnosticParams(text_document=DOCUMENT)
+    for _ in range(200):
+        report = await asking.text_document_diagnostic_async(params)
+        if report.items:
+            break
+        await asyncio.sleep(0.1)
+    assert [d.code for d in report.items] == ["mech::expect::mismatch"]
+    assert not asking.diagnostics
 
 
 @pytest.mark.asyncio

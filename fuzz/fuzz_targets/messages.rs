@@ -4,13 +4,14 @@
 
 #![no_main]
 
-use assur::internals::lsp::Server;
+use assur::internals::lsp::{Server, Stop};
 use libfuzzer_sys::fuzz_target;
 use serde_json::{Value, json};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const URI: &str = "untitled:fuzz";
 /// Asked of a place.
-const METHODS: [&str; 13] = [
+const METHODS: [&str; 20] = [
     "textDocument/hover",
     "textDocument/completion",
     "textDocument/definition",
@@ -24,7 +25,16 @@ const METHODS: [&str; 13] = [
     "textDocument/formatting",
     "textDocument/semanticTokens/full",
     "textDocument/selectionRange",
+    "textDocument/onTypeFormatting",
+    "textDocument/rangeFormatting",
+    "textDocument/diagnostic",
+    "textDocument/codeLens",
+    "textDocument/documentSymbol",
+    "textDocument/foldingRange",
+    "assur/picture",
 ];
+/// Positions after which a text takes too long.
+const POSITIONS: usize = 40;
 
 fn session(text: &str) -> Server {
     let mut server = Server::default();
@@ -47,7 +57,7 @@ fn message(line: &str, version: usize) -> Value {
     let document = json!({ "uri": URI, "version": version });
     match METHODS.get(which as usize / 2) {
         Some(method) => json!({ "id": version, "method": method, "params": {
-            "textDocument": document, "position": start, "positions": [start], "range": range, "newName": "x",
+            "textDocument": document, "uri": URI, "ch": "}", "position": start, "positions": [start], "range": range, "newName": "x",
             "context": { "diagnostics": [], "includeDeclaration": true }, "options": { "tabSize": 2, "insertSpaces": true },
         } }),
         None => {
@@ -70,6 +80,12 @@ fuzz_target!(|input: &str| {
         }
         for diagnostics in server.publish() {
             assert!(diagnostics["params"]["diagnostics"].is_array());
+        }
+        if version % 4 == 1 {
+            let asked = AtomicUsize::new(0);
+            let patience = || (asked.fetch_add(1, Ordering::Relaxed) > POSITIONS).then_some(Stop::Never);
+            let said = server.solve(&patience);
+            assert!(said.iter().all(|one| one["method"] != "window/logMessage"), "{said:?}");
         }
     }
 });

@@ -1,8 +1,9 @@
 //! What is at a place: a name, or a word of the language from its tables.
 
+use super::complete::Place as Surroundings;
 use super::{Analysis, Results};
 use assur_syntax::{Token, TokenKind};
-use assur_text::language::{Function, Place, WORDS, Word};
+use assur_text::language::{CODES, Function, PROPERTIES, Place, Property, WORDS, Word};
 use assur_text::source::Span;
 use assur_text::units::lookup;
 
@@ -25,13 +26,35 @@ impl Analysis {
     fn of_language(&self, byte: usize) -> Option<Hover> {
         let index = self.tokens.iter().position(|t| t.span.start <= byte && byte < t.span.end)?;
         let token = self.tokens[index];
+        if token.kind == TokenKind::Comment {
+            return self.code(token.span, byte);
+        }
         let text = match token.kind {
             TokenKind::Unit => unit(token.text(&self.source.text)),
             TokenKind::Word if self.is_call(index) => function(token.text(&self.source.text)),
-            TokenKind::Word => self.word(index),
+            TokenKind::Word => self.property(token).map(property).or_else(|| self.word(index)),
             _ => None,
         };
         text.map(|text| Hover { at: token.span, text })
+    }
+
+    /// The page of the code of a diagnostic that a comment names.
+    fn code(&self, comment: Span, byte: usize) -> Option<Hover> {
+        let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, ':' | '_');
+        let (before, behind) = self.written(comment).split_at_checked(byte - comment.start)?;
+        let start = byte - (before.len() - before.trim_end_matches(is_part).len());
+        let end = byte + (behind.len() - behind.trim_start_matches(is_part).len());
+        let written = self.written(Span::new(start, end));
+        let code = CODES.iter().find(|row| row.code == written.trim_end_matches(':'))?;
+        Some(Hover { at: Span::new(start, start + code.code.len()), text: code.page.to_owned() })
+    }
+
+    /// A property in the braces of its statement.
+    fn property(&self, token: Token) -> Option<&'static Property> {
+        let place = Surroundings::of(self, token.span.start);
+        let tables = PROPERTIES.iter().filter(|(word, _)| word.split(' ').next() == Some(place.body()));
+        let own = || tables.flat_map(|(_, all)| all.iter());
+        place.begins().then(own)?.find(|row| row.name == self.written(token.span))
     }
 
     fn is_call(&self, index: usize) -> bool {
@@ -68,9 +91,14 @@ fn page(row: &Word) -> String {
     format!("{example}{}", row.means)
 }
 
+fn property(row: &Property) -> String {
+    format!("{}{}: {}", code(row.example), row.means, row.takes)
+}
+
 fn function(name: &str) -> Option<String> {
     let row = Function::named(name)?.row();
-    let means = row.forms.iter().map(|form| format!("- {}\n", form.means)).collect::<String>();
+    let means =
+        row.forms.iter().map(|form| format!("- {}: {}\n", form.gives, form.means)).collect::<String>();
     Some(code(row.usage) + means.trim_end())
 }
 

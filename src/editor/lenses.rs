@@ -17,6 +17,8 @@ pub enum Action {
     Solve,
     /// Compares the answers with the expectations, of all rows where there is a table.
     Test,
+    /// Shows the mechanism.
+    Preview,
 }
 
 /// An action at a place.
@@ -31,9 +33,9 @@ pub struct Lens {
 }
 
 impl Analysis {
-    /// The actions of a text that compiles.
+    /// The actions of a text that compiles; `tested` is what the last test of its rows came to.
     #[must_use]
-    pub fn lenses(&self, results: Option<&Results>) -> Vec<Lens> {
+    pub fn lenses(&self, results: Option<&Results>, tested: Option<&str>) -> Vec<Lens> {
         let mut found = Vec::new();
         if self.compiled.is_none() {
             return found;
@@ -45,9 +47,11 @@ impl Analysis {
                     found.push(Lens { at, title: "solve".to_owned(), action: Action::Solve });
                     let title = results.map_or_else(|| "test".to_owned(), Results::outcomes_in_words);
                     found.push(Lens { at, title, action: Action::Test });
+                    found.push(Lens { at, title: "picture".to_owned(), action: Action::Preview });
                 }
                 Statement::Variants(table) => {
-                    let title = format!("test {} rows", table.rows.len());
+                    let title = || format!("test {} rows", table.rows.len());
+                    let title = tested.map_or_else(title, str::to_owned);
                     found.push(Lens { at, title, action: Action::Test });
                 }
                 _ => {}

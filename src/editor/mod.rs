@@ -4,6 +4,7 @@ mod about;
 mod changes;
 mod complete;
 mod folds;
+mod formatting;
 mod hints;
 mod hover;
 mod lenses;
@@ -16,11 +17,13 @@ mod shown;
 mod signature;
 mod symbols;
 mod tokens;
+mod unused;
 
 pub use changes::{Change, ChangeKind};
+use complete::units_alike;
 pub use complete::{Completion, CompletionKind};
 pub use folds::folds;
-pub use hints::Hint;
+pub use hints::{Earlier, Hint, HintKind};
 pub use hover::Hover;
 pub use lenses::{Action, Lens};
 pub use names::{Declaration, Names};
@@ -36,7 +39,6 @@ use assur_syntax::document::Document;
 use assur_syntax::{Token, parse_with_tokens};
 use assur_text::diagnostic::{Fix, Problem, Problems};
 use assur_text::source::{Edit, Source, Span};
-use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 /// A text with all that is found in it before anything is solved: names, units, structure.
@@ -72,18 +74,32 @@ impl Analysis {
         Self { source, document, tokens, problems, names, is_read, compiled, constants }
     }
 
-    /// The fixes of the problems that touch a place, each with its problem.
+    /// The fixes of the problems that touch a place, those of the answers among them, each with its problem.
     #[must_use]
-    pub fn fixes_at(&self, at: Span) -> Vec<(&dyn Problem, Fix)> {
-        let touches = |span: Span| span.start <= at.end && at.start <= span.end;
+    pub fn fixes_at<'a>(&'a self, at: Span, results: Option<&'a Results>) -> Vec<(&'a dyn Problem, Fix)> {
         let is_near = |problem: &dyn Problem, fix: &Fix| {
-            let mut labels = problem.labels().into_iter().flatten();
-            labels.any(|l| touches(Span::new(l.offset(), l.offset() + l.len())))
-                || fix.edits.iter().any(|edit| touches(edit.span))
+            is_marked(problem, at) || fix.edits.iter().any(|edit| touch(edit.span, at))
         };
-        let all = self.problems.sorted().into_iter();
+        let all = self.problems_with(results).into_iter();
         let with_fixes = all.flat_map(|problem| problem.fixes().into_iter().map(move |fix| (problem, fix)));
         with_fixes.filter(|(problem, fix)| is_near(*problem, fix)).collect()
+    }
+
+    /// The codes of the problems that mark a place, each once.
+    #[must_use]
+    pub fn codes_at(&self, at: Span, results: Option<&Results>) -> Vec<String> {
+        let all = self.problems_with(results).into_iter().filter(|problem| is_marked(*problem, at));
+        let mut codes = all.filter_map(|problem| Some(problem.code()?.to_string())).collect::<Vec<_>>();
+        codes.sort();
+        codes.dedup();
+        codes
+    }
+
+    /// What is wrong with the text, then with its answers.
+    #[must_use]
+    pub fn problems_with<'a>(&'a self, results: Option<&'a Results>) -> Vec<&'a dyn Problem> {
+        let of_answers = results.map(|results| results.problems.sorted()).unwrap_or_default();
+        self.problems.sorted().into_iter().chain(of_answers).collect()
     }
 
     /// The edits of all fixes that are certain and do not touch each other.
@@ -91,17 +107,14 @@ impl Analysis {
     pub fn certain_edits(&self) -> Vec<Edit> {
         certain_edits(&self.problems).0
     }
+}
 
-    /// The edits that put the text, or some lines of it, in the one style; none where it does not read.
-    #[must_use]
-    pub fn formatting(&self, lines: Option<RangeInclusive<usize>>) -> Vec<Edit> {
-        if !self.is_read {
-            return Vec::new();
-        }
-        let edits = assur_format::edits_of(&self.source.text, &self.tokens, &self.document);
-        match lines {
-            Some(lines) => assur_format::touching(&self.source.text, edits, lines),
-            None => edits,
-        }
-    }
+fn touch(one: Span, other: Span) -> bool {
+    one.start <= other.end && other.start <= one.end
+}
+
+/// Whether a problem marks a place.
+fn is_marked(problem: &dyn Problem, at: Span) -> bool {
+    let mut labels = problem.labels().into_iter().flatten();
+    labels.any(|l| touch(Span::new(l.offset(), l.offset() + l.len()), at))
 }

@@ -41,7 +41,8 @@ impl Analysis {
         Ok(edits)
     }
 
-    fn written(&self, at: Span) -> &str {
+    /// What is written in a place.
+    pub(super) fn written(&self, at: Span) -> &str {
         self.source.text.get(at.start..at.end).unwrap_or_default()
     }
 

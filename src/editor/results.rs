@@ -99,7 +99,7 @@ impl Results {
     /// Shows values of the position at a part of the way, from 0 to 1; of all positions without one.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)] // a part of a count
     pub fn look_at(&self, part: Option<f64>) {
-        let last = self.solved.as_ref().map_or(0, |solved| views(solved).count().saturating_sub(1));
+        let last = self.positions().saturating_sub(1);
         let index = part.map(|part| (part.clamp(0.0, 1.0) * last as f64).round() as usize);
         self.pose.store(index.unwrap_or(usize::MAX), Ordering::Relaxed);
     }
@@ -114,6 +114,18 @@ impl Results {
             Some(format!("{} ({pose}{name})", series.display.text((*series.values.get(index)?)?, DIGITS)))
         };
         at().or_else(|| series.text())
+    }
+
+    /// Whether there is a solution.
+    #[must_use]
+    pub const fn is_solved(&self) -> bool {
+        self.solved.is_some()
+    }
+
+    /// How many positions are asked for.
+    #[must_use]
+    pub fn positions(&self) -> usize {
+        self.solved.as_ref().map_or(0, |solved| views(solved).count())
     }
 
     /// An answer or a definition by its name: its value, or its range over all positions.

@@ -1,20 +1,21 @@
 //! Which question a request asks.
 
 use super::asked::Asked;
-use super::capabilities::{SOLVE, TEST};
+use super::capabilities::{EXPLAIN, SOLVE, TEST};
+use super::client::Client;
 use super::colours::Sent;
 use super::error::Failure;
 use super::texts::{Texts, params};
 use crate::editor::{folds, symbols};
-use assur_text::source::{Encoding, Lines};
+use assur_text::diagnostic::explain;
 use gen_lsp_types::{
-    CodeActionParams, DocumentRangeFormattingParams, ExecuteCommandParams, InlayHintParams,
-    LspRequestMethod as Method, ReferenceParams, RenameParams, SelectionRangeParams,
+    CodeActionParams, DocumentOnTypeFormattingParams, DocumentRangeFormattingParams, ExecuteCommandParams,
+    InlayHintParams, LspRequestMethod as Method, ReferenceParams, RenameParams, SelectionRangeParams,
     SemanticTokensDeltaParams, TextDocumentIdentifier, TextDocumentPositionParams, Uri,
     WorkspaceSymbolParams,
 };
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// What a request about a whole text carries.
 #[derive(Deserialize)]
@@ -39,9 +40,9 @@ pub fn answer(
     message: &Value,
     texts: &Texts,
     sent: &Sent,
-    encoding: Encoding,
+    client: Client,
 ) -> Result<Value, Failure> {
-    let session = Session { texts, encoding };
+    let session = Session { texts, client };
     match method {
         Method::TextDocumentCodeAction => {
             let asked = params::<CodeActionParams>(message)?;
@@ -50,6 +51,15 @@ pub fn answer(
         Method::TextDocumentRangeFormatting => {
             let asked = params::<DocumentRangeFormattingParams>(message)?;
             session.of(&asked.text_document, |text| text.formatting(asked.range))
+        }
+        Method::TextDocumentOnTypeFormatting => {
+            let asked = params::<DocumentOnTypeFormattingParams>(message)?;
+            session.of(&asked.text_document, |text| {
+                Ok(text.edits(&text.analysis.formatting_after(text.byte(asked.position)?)))
+            })
+        }
+        Method::TextDocumentDiagnostic => {
+            session.whole(message, |text| json!({ "kind": "full", "items": text.diagnostics() }))
         }
         Method::TextDocumentReferences => {
             let with_declarations = params::<ReferenceParams>(message)?.context.include_declaration;
@@ -106,10 +116,10 @@ pub fn answer(
     }
 }
 
-/// The open texts, and how the client counts columns.
+/// The open texts, and who asks.
 struct Session<'t> {
     texts: &'t Texts,
-    encoding: Encoding,
+    client: Client,
 }
 
 impl Session<'_> {
@@ -121,9 +131,9 @@ impl Session<'_> {
     ) -> Result<Value, Failure> {
         let uri = document.uri.to_string();
         let analysis = self.texts.look(&uri)?;
-        let lines = Lines::of(&analysis.source.text);
-        let results = self.texts.results(&uri);
-        let answer = ask(&Asked { uri: &uri, analysis, results, lines, encoding: self.encoding })?;
+        let asked = Asked::of(&uri, analysis, self.texts.results(&uri), self.client);
+        let answer =
+            ask(&Asked { earlier: self.texts.earlier(&uri), tested: self.texts.tested(&uri), ..asked })?;
         serde_json::to_value(answer).map_err(|_| Failure::internal())
     }
 
@@ -148,13 +158,24 @@ impl Session<'_> {
 
     /// What a command prints.
     fn execute(&self, asked: &ExecuteCommandParams) -> Result<Value, Failure> {
-        let uri = asked.arguments.iter().flatten().find_map(Value::as_str);
+        let mut words = asked.arguments.iter().flatten().filter_map(Value::as_str);
+        if asked.command == EXPLAIN {
+            let page = words.find_map(explain);
+            let page =
+                page.ok_or_else(|| Failure::params(format!("`{EXPLAIN}` needs the code of a diagnostic")))?;
+            return Ok(Value::String(page.to_owned()));
+        }
+        let uri = words.next();
         let uri =
             uri.ok_or_else(|| Failure::params(format!("`{}` needs the address of a text", asked.command)))?;
         let analysis = self.texts.look(uri)?;
         match asked.command.as_str() {
             SOLVE => Ok(Value::String(analysis.solved_page(self.texts.results(uri)))),
-            TEST => Ok(Value::String(analysis.tested_page())),
+            TEST => {
+                let page = analysis.tested_page();
+                self.texts.keep_tested(uri, &page);
+                Ok(Value::String(page))
+            }
             other => Err(Failure::params(format!("there is no command `{other}`"))),
         }
     }

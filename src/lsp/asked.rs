@@ -1,13 +1,16 @@
 //! An open text of which something is asked, and what is found in it in the words of the protocol.
 
+use super::capabilities::EXPLAIN;
+use super::client::Client;
 use super::convert::{edits, range, span};
 use super::error::Failure;
-use crate::editor::{Analysis, Change, ChangeKind, Declaration, Hover, Results, Symbol, SymbolKind};
+use crate::editor::{Analysis, Change, ChangeKind, Declaration, Earlier, Hover, Results, Symbol, SymbolKind};
 use assur_text::diagnostic::{Fix, Problem};
-use assur_text::source::{Edit, Encoding, Lines, Span};
+use assur_text::source::{Edit, Lines, Span};
 use gen_lsp_types::{
-    CodeAction, CodeActionKind, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DocumentSymbol,
-    FoldingRange, Location, MarkupContent, MarkupKind, Position, TextEdit, WorkspaceEdit,
+    CodeAction, CodeActionKind, Command, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity,
+    DiagnosticTag, DocumentSymbol, FoldingRange, Location, MarkupContent, MarkupKind, Position, TextEdit,
+    WorkspaceEdit,
 };
 use miette::Severity;
 use serde_json::{Value, json};
@@ -19,27 +22,45 @@ pub struct Asked<'a> {
     pub analysis: &'a Analysis,
     /// Its answers, where it is solved.
     pub results: Option<&'a Results>,
+    /// The last one before it that had answers.
+    pub earlier: Option<&'a Earlier>,
+    /// What the last test of its rows came to.
+    pub tested: Option<&'a str>,
     pub lines: Lines<'a>,
-    pub encoding: Encoding,
+    pub client: Client,
 }
 
-/// What is wrong with a text, with what its answers show where it is solved.
-pub fn diagnostics(
-    uri: &str,
-    analysis: &Analysis,
-    results: Option<&Results>,
-    encoding: Encoding,
-) -> Vec<Diagnostic> {
-    let lines = Lines::of(&analysis.source.text);
-    let text = Asked { uri, analysis, results, lines, encoding };
-    let solved = results.map(|results| results.problems.sorted()).unwrap_or_default();
-    let all = analysis.problems.sorted().into_iter().chain(solved);
-    all.map(|problem| text.diagnostic(problem)).collect()
+impl<'a> Asked<'a> {
+    /// A text of which nothing is known but what is in it and what it comes to.
+    pub fn of(uri: &'a str, analysis: &'a Analysis, results: Option<&'a Results>, client: Client) -> Self {
+        let lines = Lines::of(&analysis.source.text);
+        Self { uri, analysis, results, earlier: None, tested: None, lines, client }
+    }
 }
 
 impl Asked<'_> {
+    /// What is wrong with the text, with what its answers show where it is solved; then what nothing depends on, where it is shown faded.
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        let all = self.analysis.problems_with(self.results).into_iter();
+        let unused = if self.client.fades { self.analysis.unused() } else { Vec::new() };
+        all.map(|problem| self.diagnostic(problem))
+            .chain(unused.into_iter().map(|one| self.unused(one)))
+            .collect()
+    }
+
+    fn unused(&self, declared: &Declaration) -> Diagnostic {
+        Diagnostic {
+            range: self.range(declared.at),
+            severity: Some(DiagnosticSeverity::Hint),
+            source: Some("assur".to_owned()),
+            message: format!("nothing depends on `{}`", declared.name).into(),
+            tags: Some(vec![DiagnosticTag::Unnecessary]),
+            ..Diagnostic::default()
+        }
+    }
+
     pub fn span(&self, range: gen_lsp_types::Range) -> Result<Span, Failure> {
-        span(&self.lines, range, self.encoding)
+        span(&self.lines, range, self.client.encoding)
     }
 
     /// The byte at a position.
@@ -48,11 +69,11 @@ impl Asked<'_> {
     }
 
     pub fn range(&self, span: Span) -> gen_lsp_types::Range {
-        range(&self.lines, span, self.encoding)
+        range(&self.lines, span, self.client.encoding)
     }
 
     pub fn edits(&self, edits_of: &[Edit]) -> Vec<TextEdit> {
-        edits(&self.lines, edits_of, self.encoding)
+        edits(&self.lines, edits_of, self.client.encoding)
     }
 
     fn diagnostic(&self, problem: &dyn Problem) -> Diagnostic {
@@ -90,13 +111,13 @@ impl Asked<'_> {
     /// The edits that put the lines of a range in the one style.
     pub fn formatting(&self, range: gen_lsp_types::Range) -> Result<Vec<TextEdit>, Failure> {
         let at = self.span(range)?;
-        let line = |byte| self.lines.place(byte, self.encoding).line + 1;
+        let line = |byte| self.lines.place(byte, self.client.encoding).line + 1;
         Ok(self.edits(&self.analysis.formatting(Some(line(at.start)..=line(at.end)))))
     }
 
-    /// The fixes at a place, and all certain ones at once.
+    /// The fixes at a place, what else is offered there, all certain fixes at once, and what the diagnostics mean.
     pub fn actions(&self, at: Span) -> Vec<CodeAction> {
-        let fixes = self.analysis.fixes_at(at);
+        let fixes = self.analysis.fixes_at(at, self.results);
         let fixes = fixes.into_iter().map(|(problem, fix)| self.action(problem, &fix));
         let mut actions = fixes.collect::<Vec<_>>();
         actions.extend(self.analysis.changes_at(at, self.results).iter().map(|change| self.offered(change)));
@@ -110,6 +131,22 @@ impl Asked<'_> {
             });
         }
         actions
+            .extend(self.analysis.codes_at(at, self.results).into_iter().map(|code| self.explanation(code)));
+        actions
+    }
+
+    /// Shows the page of a code.
+    fn explanation(&self, code: String) -> CodeAction {
+        let title = format!("explain `{code}`");
+        let arguments = Some(vec![self.uri.into(), code.into()]);
+        let command =
+            Command { title: title.clone(), command: EXPLAIN.to_owned(), arguments, ..Command::default() };
+        CodeAction {
+            title,
+            kind: Some(CodeActionKind::QuickFix),
+            command: Some(command),
+            ..CodeAction::default()
+        }
     }
 
     fn action(&self, problem: &dyn Problem, fix: &Fix) -> CodeAction {
@@ -127,7 +164,7 @@ impl Asked<'_> {
         let kind = match change.kind {
             ChangeKind::Declare => CodeActionKind::QuickFix,
             ChangeKind::Extract => CodeActionKind::RefactorExtract,
-            ChangeKind::Expect => CodeActionKind::RefactorRewrite,
+            ChangeKind::Rewrite => CodeActionKind::RefactorRewrite,
         };
         let edit = Some(self.change(&change.edits));
         CodeAction { title: change.title.clone(), kind: Some(kind), edit, ..CodeAction::default() }

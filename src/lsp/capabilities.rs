@@ -1,5 +1,6 @@
 //! What the server can do.
 
+use super::client::Client;
 use crate::editor::TOKEN_COLOURS;
 use assur_text::source::Encoding;
 use serde_json::{Value, json};
@@ -9,15 +10,17 @@ pub const PREVIEW: &str = "assur.preview";
 /// The commands behind code lenses.
 pub const SOLVE: &str = "assur.solve";
 pub const TEST: &str = "assur.test";
+/// The command that shows the page of a code.
+pub const EXPLAIN: &str = "assur.explain";
 
 /// The result of `initialize`.
-pub fn result(encoding: Encoding) -> Value {
-    let encoding = match encoding {
+pub fn result(client: Client) -> Value {
+    let encoding = match client.encoding {
         Encoding::Utf8 => "utf-8",
         Encoding::Utf16 => "utf-16",
     };
     const INCREMENTAL: u32 = 2;
-    json!({
+    let mut result = json!({
         "capabilities": {
             "positionEncoding": encoding,
             "textDocumentSync": { "openClose": true, "change": INCREMENTAL },
@@ -27,9 +30,10 @@ pub fn result(encoding: Encoding) -> Value {
             "definitionProvider": true,
             "documentFormattingProvider": true,
             "documentHighlightProvider": true,
+            "documentOnTypeFormattingProvider": { "firstTriggerCharacter": "}", "moreTriggerCharacter": ["\n"] },
             "documentRangeFormattingProvider": true,
             "documentSymbolProvider": true,
-            "executeCommandProvider": { "commands": [SOLVE, TEST, PREVIEW] },
+            "executeCommandProvider": { "commands": [SOLVE, TEST, PREVIEW, EXPLAIN] },
             "foldingRangeProvider": true,
             "hoverProvider": true,
             "inlayHintProvider": true,
@@ -44,35 +48,11 @@ pub fn result(encoding: Encoding) -> Value {
             "workspaceSymbolProvider": true,
         },
         "serverInfo": { "name": "assur", "version": env!("CARGO_PKG_VERSION") },
-    })
-}
-
-/// What the client asks for again when a text is solved.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Refreshes {
-    hints: bool,
-    lenses: bool,
-}
-
-impl Refreshes {
-    /// Those that a client offers in its `initialize`.
-    pub fn of(params: &Value) -> Self {
-        let offers = |what: &str| {
-            let path = format!("/capabilities/workspace/{what}/refreshSupport");
-            params.pointer(&path).and_then(Value::as_bool).unwrap_or_default()
-        };
-        Self { hints: offers("inlayHint"), lenses: offers("codeLens") }
+    });
+    if client.pulls {
+        let alone =
+            json!({ "identifier": "assur", "interFileDependencies": false, "workspaceDiagnostics": false });
+        result["capabilities"]["diagnosticProvider"] = alone;
     }
-
-    /// The request for hints alone.
-    pub fn hints_again(self) -> Vec<Value> {
-        Self { lenses: false, ..self }.requests()
-    }
-
-    /// The requests to the client.
-    pub fn requests(self) -> Vec<Value> {
-        let all = [(self.hints, "workspace/inlayHint/refresh"), (self.lenses, "workspace/codeLens/refresh")];
-        let asked = all.into_iter().filter(|(offered, _)| *offered);
-        asked.map(|(_, method)| json!({ "jsonrpc": "2.0", "id": method, "method": method })).collect()
-    }
+    result
 }

@@ -4,6 +4,7 @@
 mod answers;
 mod asked;
 mod capabilities;
+mod client;
 mod colours;
 mod convert;
 mod error;
@@ -13,9 +14,9 @@ mod shown;
 mod texts;
 mod typing;
 
-use asked::diagnostics;
-use assur_text::source::Encoding;
-use capabilities::Refreshes;
+use crate::editor::Results;
+use asked::Asked;
+use client::Client;
 use colours::Sent;
 use error::Failure;
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod, TextDocumentPositionParams};
@@ -41,12 +42,9 @@ enum Stage {
 #[derive(Debug, Default)]
 pub struct Server {
     stage: Stage,
-    encoding: Encoding,
+    client: Client,
     texts: Texts,
     sent: Sent,
-    refreshes: Refreshes,
-    /// Whether the client opens addresses.
-    shows_documents: bool,
     pages: Option<Box<dyn Pages>>,
     /// Where the cursor was last, for a page that opens.
     cursor: Option<TextDocumentPositionParams>,
@@ -61,20 +59,18 @@ impl Server {
         match (method, message.get("id")) {
             (Some(method), Some(id)) => {
                 let response = guarded(|| self.respond(method, id, params));
-                let internal = || Failure::internal();
-                let broken = response.is_none().then(|| log(method, &internal()));
-                let response = response.unwrap_or_else(|| internal().response(Some(id)));
-                let is_command = method == "workspace/executeCommand";
-                // clients do nothing with what a command returns; who names `false` behind the text does
-                let is_quiet =
-                    params["arguments"].as_array().is_some_and(|all| all.contains(&Value::Bool(false)));
-                let result = (is_command && !is_quiet).then(|| &response["result"]);
-                let text = result.and_then(Value::as_str).map(|text| shown(INFO, text));
-                let page = result.and_then(|result| self.opened(result));
-                [Some(response), text, page, broken].into_iter().flatten().collect()
+                let broken = response.is_none().then(|| self.broken(method, params));
+                let response = response.unwrap_or_else(|| Failure::internal().response(Some(id)));
+                let more = if method == COMMAND {
+                    self.after_command(params, &response["result"])
+                } else {
+                    Vec::new()
+                };
+                [response].into_iter().chain(more).chain(broken).collect()
             }
-            (Some(method), None) => guarded(|| self.notice(method, params))
-                .unwrap_or_else(|| vec![log(method, &Failure::internal())]),
+            (Some(method), None) => {
+                guarded(|| self.notice(method, params)).unwrap_or_else(|| vec![self.broken(method, params)])
+            }
             // the response to a request of ours, of which there are none
             (None, Some(_)) if message.get("result").is_some() || message.get("error").is_some() => {
                 Vec::new()
@@ -89,10 +85,36 @@ impl Server {
         Failure::parse(why).response(None)
     }
 
+    /// What follows on a command, for the author: what it prints, the page that it shows.
+    fn after_command(&self, params: &Value, result: &Value) -> Vec<Value> {
+        // clients do nothing with what a command returns; who names `false` behind the text does
+        let is_quiet = params["arguments"].as_array().is_some_and(|all| all.contains(&Value::Bool(false)));
+        let lenses =
+            if params["command"] == capabilities::TEST { self.client.lenses_again() } else { Vec::new() };
+        if is_quiet {
+            return lenses;
+        }
+        let text = result.as_str().map(|text| shown(INFO, text));
+        text.into_iter().chain(self.opened(result)).chain(lenses).collect()
+    }
+
+    /// An error of the program, for the log of the client: with its version, and the text in which it arose.
+    fn broken(&self, method: &str, params: &Value) -> Value {
+        let named =
+            params.pointer("/textDocument/uri").or(params.get("uri")).or(params.pointer("/arguments/0"));
+        let text = named.and_then(Value::as_str).and_then(|uri| self.texts.written(uri));
+        let failure = Failure::internal();
+        let told =
+            text.map_or_else(|| failure.to_string(), |text| format!("{failure}, in this text:\n{text}"));
+        logged(method, &told)
+    }
+
     /// Diagnostics of the texts that changed. Ask when no other message waits, so that only the last of many changes is looked at.
     pub fn publish(&mut self) -> Vec<Value> {
         let changed = self.texts.changed();
-        changed.into_iter().map(|(uri, version)| self.published(&uri, version)).collect()
+        // one that asks for them asks after every change
+        let told = changed.iter().filter(|_| !self.client.pulls);
+        told.flat_map(|(uri, version)| self.published(uri, *version)).collect()
     }
 
     /// Solves the texts that changed, until `patience` says to stop: diagnostics of their answers, and requests to ask for hints and
@@ -100,22 +122,36 @@ impl Server {
     pub fn solve(&mut self, patience: &Patience<'_>) -> Vec<Value> {
         let solved = self.texts.solve(patience);
         self.show_pages();
-        if solved.is_empty() {
-            return Vec::new();
+        let mut said = Vec::new();
+        for uri in self.texts.broken() {
+            said.push(self.broken("solve", &json!({ "uri": uri })));
         }
-        let published = solved.into_iter().map(|(uri, version)| self.published(&uri, version));
-        published.chain(self.refreshes.requests()).collect()
+        if solved.is_empty() {
+            return said;
+        }
+        for (uri, version) in solved {
+            if !self.client.pulls {
+                said.extend(self.published(&uri, version));
+            }
+            if self.client.hears_solved {
+                let poses = self.texts.results(&uri).map_or(0, Results::positions);
+                said.push(notification(SOLVED, &json!({ "uri": uri, "version": version, "poses": poses })));
+            }
+        }
+        said.extend(self.client.all_again());
+        said
     }
 
-    fn published(&self, uri: &str, version: i32) -> Value {
+    fn published(&self, uri: &str, version: i32) -> Vec<Value> {
         let found = guarded(|| {
             let analysis = self.texts.look(uri)?;
-            Ok::<_, Failure>(diagnostics(uri, analysis, self.texts.results(uri), self.encoding))
+            Ok::<_, Failure>(Asked::of(uri, analysis, self.texts.results(uri), self.client).diagnostics())
         });
+        let broken = found.is_none().then(|| self.broken(PUBLISH, &json!({ "uri": uri })));
         // an error of the program says nothing of the text; what was said before is no longer true
         let diagnostics = found.and_then(Result::ok).unwrap_or_default();
         let params = json!({ "uri": uri, "version": version, "diagnostics": diagnostics });
-        notification("textDocument/publishDiagnostics", &params)
+        [notification(PUBLISH, &params)].into_iter().chain(broken).collect()
     }
 
     /// Whether the client said `exit`.
@@ -160,18 +196,13 @@ impl Server {
     }
 
     fn answered(&self, method: &LspRequestMethod<'_>, params: &Value) -> Result<Value, Failure> {
-        answers::answer(method, params, &self.texts, &self.sent, self.encoding)
+        answers::answer(method, params, &self.texts, &self.sent, self.client)
     }
 
     fn initialize(&mut self, params: &Value) -> Value {
         self.stage = Stage::Ready;
-        let offered = params.pointer("/capabilities/general/positionEncodings").and_then(Value::as_array);
-        let reads_bytes = offered.is_some_and(|all| all.iter().any(|one| one == "utf-8"));
-        self.refreshes = Refreshes::of(params);
-        let shows = params.pointer("/capabilities/window/showDocument/support");
-        self.shows_documents = shows.and_then(Value::as_bool).unwrap_or_default();
-        self.encoding = if reads_bytes { Encoding::Utf8 } else { Encoding::Utf16 };
-        capabilities::result(self.encoding)
+        self.client = Client::of(params);
+        capabilities::result(self.client)
     }
 
     fn notice(&mut self, method: &str, params: &Value) -> Vec<Value> {
@@ -182,7 +213,7 @@ impl Server {
             }
             (LspNotificationMethod::TextDocumentDidOpen, Stage::Ready) => self.texts.open(params),
             (LspNotificationMethod::TextDocumentDidChange, Stage::Ready) => {
-                self.texts.change(params, self.encoding)
+                self.texts.change(params, self.client.encoding)
             }
             (LspNotificationMethod::TextDocumentDidClose, Stage::Ready) => {
                 let closed = self.texts.close(params);
@@ -191,14 +222,17 @@ impl Server {
                     Ok(uri) => {
                         self.sent.forget(&uri);
                         let params = json!({ "uri": uri, "diagnostics": [] });
-                        vec![notification("textDocument/publishDiagnostics", &params)]
+                        if self.client.pulls { Vec::new() } else { vec![notification(PUBLISH, &params)] }
                     }
                     Err(failure) => vec![log(method, &failure)],
                 };
             }
+            (LspNotificationMethod::WorkspaceDidChangeConfiguration, Stage::Ready) => {
+                return self.client.configure(params);
+            }
             (LspNotificationMethod::Custom(name), Stage::Ready) if name == POSE => {
                 return match self.texts.look_at(params) {
-                    Ok(()) => self.refreshes.hints_again(),
+                    Ok(()) => self.client.hints_again(),
                     Err(failure) => vec![log(method, &failure)],
                 };
             }
@@ -220,6 +254,12 @@ fn notification(method: &str, params: &Value) -> Value {
 /// Our own notification: the part of the way, from 0 to 1, at which the author looks at a text; without one, all of it.
 const POSE: &str = "assur/pose";
 
+/// Our own notification to a client that asks for it: a text is solved.
+const SOLVED: &str = "assur/solved";
+
+const PUBLISH: &str = "textDocument/publishDiagnostics";
+const COMMAND: &str = "workspace/executeCommand";
+
 /// Kinds of messages to the author.
 const ERROR: u32 = 1;
 const INFO: u32 = 3;
@@ -231,6 +271,10 @@ fn shown(kind: u32, text: &str) -> Value {
 
 /// A notification that could not be used, for the log of the client: it has no response.
 fn log(method: &str, failure: &Failure) -> Value {
-    let message = format!("{method}: {failure}");
+    logged(method, &failure.to_string())
+}
+
+fn logged(method: &str, what: &str) -> Value {
+    let message = format!("{method}: {what}");
     notification("window/logMessage", &json!({ "type": ERROR, "message": message }))
 }

@@ -92,14 +92,14 @@ impl Server {
         let Some(pages) = self.pages.as_mut().filter(|pages| pages.has(&uri)) else { return };
         let Ok(analysis) = self.texts.look(&uri) else { return };
         let range = Range { start: at.position, end: at.position };
-        let byte = span(&Lines::of(&analysis.source.text), range, self.encoding);
+        let byte = span(&Lines::of(&analysis.source.text), range, self.client.encoding);
         pages.mark(&uri, byte.ok().and_then(|byte| analysis.marked(byte.start)));
     }
 
     /// Asks the client to open an address; of one that cannot, the author reads it.
     pub(super) fn opened(&self, result: &Value) -> Option<Value> {
         let address = result["address"].as_str()?;
-        Some(if self.shows_documents {
+        Some(if self.client.shows_documents {
             let params = json!({ "uri": address, "external": true, "takeFocus": true });
             json!({ "jsonrpc": "2.0", "id": SHOW, "method": SHOW, "params": params })
         } else {

@@ -1,7 +1,7 @@
 //! What is shown in and beside a text: hints, lenses, colours, selections.
 
 use super::asked::Asked;
-use super::capabilities::{SOLVE, TEST};
+use super::capabilities::{PREVIEW, SOLVE, TEST};
 use super::error::Failure;
 use crate::editor::{Action, Declared, Picture};
 use assur_text::source::Span;
@@ -10,7 +10,8 @@ use serde_json::{Value, json};
 
 impl Asked<'_> {
     pub fn hints(&self, range: Range) -> Result<Vec<Value>, Failure> {
-        let found = self.analysis.hints(self.span(range)?, self.results).into_iter();
+        let found = self.analysis.hints(self.span(range)?, self.results, self.earlier).into_iter();
+        let found = found.filter(|one| self.client.wants(one.kind));
         let hint = |at: usize, text: &str| {
             let position = self.range(Span::new(at, at)).start;
             json!({ "position": position, "label": text, "paddingLeft": true })
@@ -31,11 +32,12 @@ impl Asked<'_> {
             let command = match action {
                 Action::Solve => SOLVE,
                 Action::Test => TEST,
+                Action::Preview => PREVIEW,
             };
             let command = json!({ "title": title, "command": command, "arguments": [self.uri] });
             json!({ "range": self.range(at), "command": command })
         };
-        let found = self.analysis.lenses(self.results).into_iter();
+        let found = self.analysis.lenses(self.results, self.tested).into_iter();
         found.map(|one| lens(one.at, &one.title, one.action)).collect()
     }
 

@@ -4,7 +4,7 @@ use super::convert::span;
 use super::error::Failure;
 use super::guarded;
 use super::preview::View;
-use crate::editor::{Analysis, Results};
+use crate::editor::{Analysis, Earlier, Results};
 use assur_text::source::{Edit, Encoding, Lines, Source, edited};
 use gen_lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
@@ -42,6 +42,12 @@ struct Text {
     analysis: OnceCell<Arc<Analysis>>,
     /// What it comes to; `None` inside where it has no answers or takes too long.
     results: Option<Option<Arc<Results>>>,
+    /// The last text with answers before it.
+    earlier: Option<Earlier>,
+    /// What the last test of its rows came to.
+    tested: OnceCell<String>,
+    /// An error of the program ended its solution, and nobody was told.
+    is_broken: bool,
 }
 
 impl Text {
@@ -54,6 +60,21 @@ impl Text {
             part: None,
             analysis: OnceCell::new(),
             results: None,
+            earlier: None,
+            tested: OnceCell::new(),
+            is_broken: false,
+        }
+    }
+
+    /// The text with a change, which keeps what does not depend on it.
+    fn changed(&self, uri: &str, text: String, version: i32) -> Self {
+        let results = self.results.as_ref().and_then(Option::as_ref).filter(|results| results.is_solved());
+        let solved = results
+            .map(|results| Earlier { analysis: Arc::clone(self.look()), results: Arc::clone(results) });
+        Self {
+            part: self.part,
+            earlier: solved.or_else(|| self.earlier.clone()),
+            ..Self::new(uri, text, version)
         }
     }
 
@@ -91,13 +112,36 @@ impl Texts {
         self.open.get(uri)?.results.as_ref()?.as_deref()
     }
 
+    /// The last text with answers before it, with them.
+    pub fn earlier(&self, uri: &str) -> Option<&Earlier> {
+        self.open.get(uri)?.earlier.as_ref()
+    }
+
+    /// What is written in a text.
+    pub fn written(&self, uri: &str) -> Option<&str> {
+        Some(&self.open.get(uri)?.source.text)
+    }
+
+    /// What the last test of its rows came to.
+    pub fn tested(&self, uri: &str) -> Option<&str> {
+        self.open.get(uri)?.tested.get().map(String::as_str)
+    }
+
+    /// Keeps what a test of its rows came to.
+    pub fn keep_tested(&self, uri: &str, what: &str) {
+        if let Some(text) = self.open.get(uri) {
+            text.tested.get_or_init(|| what.to_owned());
+        }
+    }
+
     /// Looks at the part of the way that a message names.
     pub fn look_at(&mut self, message: &Value) -> Result<(), Failure> {
         let asked = params::<PoseParams>(message)?;
         let text = self.open.get_mut(&asked.uri);
         let text = text.ok_or_else(|| Failure::params(format!("`{}` is not open", asked.uri)))?;
         text.part = asked.part;
-        text.results.iter().flatten().for_each(|results| results.look_at(asked.part));
+        let earlier = text.earlier.iter().map(|earlier| &earlier.results);
+        text.results.iter().flatten().chain(earlier).for_each(|results| results.look_at(asked.part));
         Ok(())
     }
 
@@ -111,7 +155,9 @@ impl Texts {
     pub fn solve(&mut self, patience: &Patience<'_>) -> Vec<(String, i32)> {
         let mut solved = Vec::new();
         for (uri, text) in self.open.iter_mut().filter(|(_, text)| text.results.is_none()) {
-            let found = guarded(|| text.look().solve(&|| patience().is_none())).flatten();
+            let tried = guarded(|| text.look().solve(&|| patience().is_none()));
+            text.is_broken |= tried.is_none();
+            let found = tried.flatten();
             if found.is_none() && patience() == Some(Stop::Later) {
                 break;
             }
@@ -143,6 +189,12 @@ impl Texts {
         settled
             .filter_map(|(uri, text)| (!std::mem::replace(&mut text.is_settled, true)).then(|| uri.clone()))
             .collect()
+    }
+
+    /// The texts at which an error of the program ended the solution since this was asked last.
+    pub fn broken(&mut self) -> Vec<String> {
+        let broken = self.open.iter_mut().filter(|(_, text)| text.is_broken);
+        broken.map(|(uri, text)| (uri.clone(), text.is_broken = false).0).collect()
     }
 
     fn get(&self, uri: &str) -> Result<&Text, Failure> {
@@ -179,9 +231,8 @@ impl Texts {
                 }
             };
         }
-        let part = self.get(&uri)?.part;
-        let text = Text { part, ..Text::new(&uri, text, change.text_document.version) };
-        self.open.insert(uri, text);
+        let changed = self.get(&uri)?.changed(&uri, text, change.text_document.version);
+        self.open.insert(uri, changed);
         Ok(())
     }
 

@@ -7,7 +7,9 @@ use serde_json::{Value, json};
 
 impl Asked<'_> {
     pub fn completions(&self, byte: usize) -> Vec<Value> {
-        let all = self.analysis.complete(byte, self.results).into_iter().enumerate();
+        // the line that is typed has no answers yet
+        let results = self.results.or(self.earlier.map(|earlier| &*earlier.results));
+        let all = self.analysis.complete(byte, results).into_iter().enumerate();
         all.map(|(index, one)| self.completion(index, &one)).collect()
     }
 

@@ -47,7 +47,7 @@ fn every_question_has_an_answer_in_wrong_texts() {
         let Ok(text) = std::fs::read_to_string(&path) else { continue };
         let analysis = look(&text);
         let whole = Span::new(0, text.len());
-        assert!(analysis.hints(whole, None).iter().all(|hint| text.is_char_boundary(hint.at)));
+        assert!(analysis.hints(whole, None, None).iter().all(|hint| text.is_char_boundary(hint.at)));
         assert!(analysis.coloured().iter().all(|one| one.at.end <= text.len()));
         for token in analysis.tokens.iter().step_by(3) {
             for byte in [token.span.start, token.span.end] {

@@ -4,6 +4,7 @@
 
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Fix, Problem, Problems};
+use assur::internals::editor::Analysis;
 use assur::internals::source::Source;
 use miette::Severity;
 use std::collections::BTreeSet;
@@ -75,4 +76,31 @@ fn every_fix_fixes() {
     assert!(wrong.is_empty(), "{} of {fixes}\n{}", wrong.len(), wrong.join("\n----\n"));
     println!("{fixes} fixes of {helps} helps, {} codes", codes.len());
     assert!(helps >= 150 && codes.len() >= 60, "{helps} helps with fixes, {} codes", codes.len());
+}
+
+/// Of the files that have no error before they are solved: what is wrong with their answers.
+#[test]
+fn every_fix_of_answers_fixes() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
+    let solved = |text: &str| {
+        let analysis = Analysis::of(Source::new("text.mech", text));
+        let results = analysis.solve(&|| true);
+        let all = analysis.problems_with(results.as_ref());
+        let fixes = results.as_ref().map(|results| results.problems.fixes()).unwrap_or_default();
+        (fixes, all.into_iter().filter(|problem| is_error(*problem)).map(is).collect::<BTreeSet<_>>())
+    };
+    let (mut fixes, mut wrong) = (0, Vec::new());
+    for entry in crate::folder::files(&root, "mech") {
+        let Ok(text) = std::fs::read_to_string(&entry) else { continue };
+        let (offered, before) = solved(&text);
+        for fix in offered {
+            let after = fix.apply(&text);
+            let left = solved(&after).1;
+            fixes += 1;
+            if !left.is_subset(&before) || left.len() >= before.len() {
+                wrong.push(format!("{}\n{}\n{left:#?}", entry.display(), fix.title));
+            }
+        }
+    }
+    assert!(wrong.is_empty() && fixes >= 20, "{} of {fixes}\n{}", wrong.len(), wrong.join("\n----\n"));
 }

@@ -165,8 +165,18 @@ fn fixes_are_code_actions() {
     assert_eq!(fixed, WRONG.replace("lnk", "link"));
     assert_eq!(
         (actions[1]["kind"].as_str(), actions.as_array().map(Vec::len)),
-        (Some("source.fixAll"), Some(2))
+        (Some("source.fixAll"), Some(3))
     );
+    assert_eq!(actions[2]["command"]["command"], "assur.explain");
+    let explain = json!({ "command": "assur.explain", "arguments": actions[2]["command"]["arguments"] });
+    let said = server.handle(
+        &json!({ "jsonrpc": "2.0", "id": 1, "method": "workspace/executeCommand", "params": explain }),
+    );
+    assert!(
+        said[0]["result"].as_str().is_some_and(|page| page.starts_with("# mech::syntax::misspelt_word")),
+        "{said:?}"
+    );
+    assert_eq!(said[0]["result"], said[1]["params"]["message"]);
     let elsewhere = json!({ "textDocument": document(), "range": range((3, 0), (3, 0)), "context": { "diagnostics": [] } });
     let actions = request(&mut server, "textDocument/codeAction", &elsewhere)["result"].clone();
     assert_eq!(actions.as_array().map(Vec::len), Some(1), "all that is certain: {actions}");
@@ -207,7 +217,7 @@ fn symbols_and_folds() {
 
 #[test]
 fn words_of_the_language_are_explained() {
-    let text = "link crank A-B 5 mm { mass 2 kN*m }\nfind velocity(B)\n";
+    let text = "link crank A-B 5 mm { mass 2 kN*m }\nfind velocity(B)\nspring k: rod.B - ground.A { stiffness 4 N/m }\n// allows mech::name::unknown: it is\n";
     let (mut server, _) = session(text, "utf-16");
     let mut hover = |line: u32, character: u32| {
         let at = json!({ "line": line, "character": character });
@@ -223,7 +233,16 @@ fn words_of_the_language_are_explained() {
     assert_eq!(unit.as_deref(), Some("`kN*m`: a torque or energy, 1000 N*m"));
     assert_eq!(range_of, range((0, 29), (0, 33)));
     assert!(hover(0, 23).0.is_some_and(|text| text.contains("mass")));
-    assert!(hover(1, 7).0.is_some_and(|text| text.starts_with("```mech\nvelocity(")));
+    let function = hover(1, 7).0.expect("a function");
+    assert!(
+        function.starts_with("```mech\nvelocity(") && function.contains("- velocity, a vector: "),
+        "{function}"
+    );
+    let property = hover(2, 33).0.expect("a property");
+    assert!(property.starts_with("```mech\nstiffness ") && property.contains("> 0"), "{property}");
+    let (page, at) = hover(3, 14);
+    assert!(page.is_some_and(|page| page.starts_with("# mech::name::unknown")));
+    assert_eq!((at, hover(3, 4).0), (range((3, 10), (3, 29)), None));
     assert_eq!(
         hover(0, 6).0.as_deref(),
         Some("```mech\nlink crank A-B 5 mm { mass 2 kN*m }\n```\npoints `A`, `B`")

@@ -1,6 +1,7 @@
 //! The language server after very many edits: what it says is what a fresh start says, and an error of its own ends nothing.
 
 use crate::lsp::{URI, document, notify, range, request, session};
+use crate::lsp_answers::drop_kept;
 use assur::internals::lsp::{Pages, Server, View};
 use serde_json::{Value, json};
 
@@ -104,7 +105,11 @@ fn a_fresh_start_says_the_same() {
         if usize::try_from(version).expect("not negative") % EVERY == 0 {
             let (mut fresh, first) = session(&text, "utf-8");
             assert_eq!(published[0]["params"]["diagnostics"], first[0]["params"]["diagnostics"], "{text}");
-            assert_eq!(state(&mut server, version).to_string(), state(&mut fresh, 1).to_string(), "{text}");
+            let (mut seen, wanted) = (state(&mut server, version), state(&mut fresh, 1));
+            if wanted[0] == json!([]) {
+                drop_kept(&mut seen[1], &wanted[1]);
+            }
+            assert_eq!(seen.to_string(), wanted.to_string(), "{text}");
         }
     }
 }
@@ -146,6 +151,7 @@ fn an_error_of_the_server_is_one_answer() {
         assert_eq!(said[1]["method"], "window/logMessage");
         let logged = said[1]["params"]["message"].as_str().expect("a text");
         assert!(logged.starts_with(method) && logged.contains(env!("CARGO_PKG_VERSION")), "{logged}");
+        assert!(logged.ends_with(SLIDER), "with the text: {logged}");
         assert!(
             request(&mut server, "textDocument/hover", &place)["error"].is_null(),
             "the next one is answered"

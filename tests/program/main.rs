@@ -16,7 +16,10 @@ mod grade;
 #[cfg(feature = "lsp")]
 mod lsp;
 mod lsp_answers;
+mod lsp_changes;
+mod lsp_clients;
 mod lsp_edits;
+mod lsp_typing;
 mod motions;
 mod output;
 mod plan;

@@ -1,9 +1,10 @@
 // The language server of `assur` in VS Code: a program, or the server that is built in.
 
 import { Uri, commands, window, workspace, type ExtensionContext } from "vscode";
-import { LanguageClient, type MessageTransports } from "vscode-languageclient/node";
+import { LanguageClient, type LanguageClientOptions, type MessageTransports } from "vscode-languageclient/node";
 import { load, run } from "./built-in";
 import { Preview } from "./preview";
+import { PAGES, pageOf, showPage } from "./pages";
 import { findServer } from "./program";
 import type { Server } from "./server";
 import { Status } from "./status";
@@ -29,6 +30,7 @@ class Extension {
       commands.registerCommand("assur.openPreview", () => this.preview.open(this.client)),
       commands.registerCommand("assur.format", () => commands.executeCommand("editor.action.formatDocument")),
       commands.registerCommand("assur.log", () => this.client?.outputChannel.show()),
+      workspace.registerTextDocumentContentProvider(PAGES, { provideTextDocumentContent: (uri) => pageOf(this.client, uri) }),
       workspace.onDidChangeConfiguration((change) => (change.affectsConfiguration("assur.path") ? this.restart() : undefined)),
     );
   }
@@ -51,7 +53,7 @@ class Extension {
     if (this.server.kind !== "none") {
       const program = this.server.kind === "program" ? this.server.path : undefined;
       const server = program === undefined ? () => this.builtIn() : { command: program, args: ["lsp"] };
-      this.client = new LanguageClient("assur", "assur", server, { documentSelector: [{ language: "mech" }] });
+      this.client = new LanguageClient("assur", "assur", server, this.options());
       this.preview.follow(this.client);
       try {
         await this.client.start();
@@ -65,6 +67,22 @@ class Extension {
     } else if (this.server.kind === "built in" && this.server.warning) {
       void window.showWarningMessage(`${this.server.why} The built-in server runs instead.`);
     }
+  }
+
+  /** What the server is told, and what is done here instead of there. */
+  private options(): LanguageClientOptions {
+    return {
+      documentSelector: [{ language: "mech" }],
+      initializationOptions: { hints: workspace.getConfiguration("assur").get("hints") },
+      synchronize: { configurationSection: "assur" },
+      middleware: {
+        executeCommand: (command, args, next) => {
+          if (command === "assur.preview") return this.preview.open(this.client);
+          if (command === "assur.solve") return runOnFile(this.server, this.client, "solve");
+          return command === "assur.explain" ? showPage(String(args[1])) : next(command, args);
+        },
+      },
+    };
   }
 
   private async builtIn(): Promise<MessageTransports> {

@@ -10,6 +10,7 @@ use super::{Analysis, Results};
 use assur_syntax::TokenKind;
 use assur_text::source::Span;
 pub(super) use place::Place;
+pub(super) use units::alike as units_alike;
 
 /// What a completion is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

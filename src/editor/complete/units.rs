@@ -6,7 +6,7 @@ use super::{Completion, CompletionKind};
 use assur_syntax::{TokenKind, parse_with_tokens};
 use assur_text::language::{Dimension, PROPERTIES, PropertyValue, UNITS, WORDS};
 use assur_text::source::Source;
-use assur_text::units::lookup;
+use assur_text::units::{Unit, lookup};
 use indexmap::IndexSet;
 use std::sync::LazyLock;
 
@@ -23,6 +23,19 @@ pub fn offered(analysis: &Analysis, place: &Place<'_>) -> Vec<Completion> {
         fits.then(|| Completion::plain(text, CompletionKind::Unit, means))
     });
     fitting.collect()
+}
+
+/// Other units of the dimension of one, each with its factor.
+pub fn alike(own: &Unit) -> Vec<(&'static str, f64)> {
+    let mut found: Vec<(&str, f64)> = Vec::new();
+    for text in KNOWN.iter() {
+        let Ok(unit) = lookup(text) else { continue };
+        let is_new = unit.factor != own.factor && found.iter().all(|(_, factor)| *factor != unit.factor);
+        if is_new && unit.dimension == own.dimension {
+            found.push((text, unit.factor));
+        }
+    }
+    found
 }
 
 /// Units of one word, and those of several as the tables of the language use them.

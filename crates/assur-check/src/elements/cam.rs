@@ -211,7 +211,7 @@ fn one_of(
     }
     let help = suggestion(&word.node, word.span, words, &format!("{kind}s"));
     let (name, span) = (word.node.clone(), word.span);
-    cx.error(NameError::Unknown { kind, name, place: String::new(), span, help });
+    cx.error(NameError::Unknown { kind, name, owner: None, span, help });
     None
 }
 

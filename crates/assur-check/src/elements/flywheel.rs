@@ -147,6 +147,6 @@ fn torque(cx: &mut Context<'_>, name: &Name) -> Option<FlywheelTorque> {
     let help =
         suggestion(&name.node, name.span, &loads.map(|(n, _)| n.as_str()).collect::<Vec<_>>(), "loads");
     let (name, span) = (name.node.clone(), name.span);
-    cx.error(NameError::Unknown { kind: "load or balance", name, place: String::new(), span, help });
+    cx.error(NameError::Unknown { kind: "load or balance", name, owner: None, span, help });
     None
 }

@@ -1,6 +1,6 @@
 //! Names.
 
-use assur_text::diagnostic::{Fix, Help, Problem};
+use assur_text::diagnostic::{Fix, Help, Problem, Undeclared};
 use assur_text::source::{Span, Spanned};
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -9,15 +9,15 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum NameError {
     /// Nothing of that name is declared.
-    #[error("there is no {kind} `{name}`{place}")]
+    #[error("there is no {kind} `{name}`{}", place(owner.as_deref()))]
     #[diagnostic(code("mech::name::unknown"))]
     Unknown {
         /// The kind that is expected: `link`, `point`.
         kind: &'static str,
         /// The name.
         name: String,
-        /// The link searched: empty, or ` in link crank`.
-        place: String,
+        /// The link searched.
+        owner: Option<String>,
         /// Its span.
         #[label(primary, "not declared")]
         span: Span,
@@ -152,11 +152,22 @@ impl Problem for NameError {
         }
     }
 
-    fn undeclared(&self) -> Option<(&'static str, &str, Span)> {
+    fn undeclared(&self) -> Option<Undeclared<'_>> {
         match self {
-            Self::Unknown { kind, name, span, .. } => Some((kind, name, *span)),
+            Self::Unknown { kind, name, owner, span, .. } => {
+                Some(Undeclared { kind, name, owner: owner.as_deref(), at: *span })
+            }
             _ => None,
         }
+    }
+}
+
+/// Where a name was looked for: nothing, ` on the ground` or `` in link `crank` ``.
+fn place(owner: Option<&str>) -> String {
+    match owner {
+        None => String::new(),
+        Some("ground") => " on the ground".to_owned(),
+        Some(link) => format!(" in link `{link}`"),
     }
 }
 

@@ -219,7 +219,7 @@ impl Context<'_> {
                 let help = help.map(|help| help.to_string());
                 NameError::WrongKind { name, is: is.into(), wanted, span, declared, help }
             }
-            None => NameError::Unknown { kind: "curve", name, place: String::new(), span, help },
+            None => NameError::Unknown { kind: "curve", name, owner: None, span, help },
         });
     }
 

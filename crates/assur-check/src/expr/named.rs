@@ -74,7 +74,7 @@ impl Context<'_> {
             );
             let help = Some(words.into());
             let (name, span) = (name.node.clone(), name.span);
-            self.error(NameError::Unknown { kind: "quantity", name, place: String::new(), span, help });
+            self.error(NameError::Unknown { kind: "quantity", name, owner: None, span, help });
         }
         None
     }

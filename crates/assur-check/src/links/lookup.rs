@@ -172,9 +172,8 @@ impl Context<'_> {
         let all = list.keys().map(String::as_str).collect::<Vec<_>>();
         let help = suggestion(&name.node, name.span, &all, &format!("{kind}s of {owner}"));
         if self.problems.reported.insert((kind, format!("{owner}.{}", name.node))) {
-            let place =
-                if owner == "ground" { " on the ground".into() } else { format!(" in link `{owner}`") };
-            self.error(NameError::Unknown { kind, name: name.node.clone(), place, span: name.span, help });
+            let (name, span, owner) = (name.node.clone(), name.span, Some(owner));
+            self.error(NameError::Unknown { kind, name, owner, span, help });
         }
         None
     }
@@ -213,7 +212,7 @@ impl Context<'_> {
         let listed = || suggestion(&name.node, name.span, &all, &format!("{kind}s"));
         let help = mesh.map(Help::from).or_else(listed);
         let (name, span) = (name.node.clone(), name.span);
-        self.error(NameError::Unknown { kind, name, place: String::new(), span, help });
+        self.error(NameError::Unknown { kind, name, owner: None, span, help });
     }
 
     /// The point that a name alone stands for: the pin or named point of the pair of that name, or the points of that
@@ -307,7 +306,7 @@ impl Context<'_> {
         let all = all.collect::<IndexSet<_>>().into_iter().collect::<Vec<_>>();
         let help = suggestion(&name.node, name.span, &all, "points");
         let (name, span) = (name.node.clone(), name.span);
-        self.error(NameError::Unknown { kind: "point", name, place: String::new(), span, help });
+        self.error(NameError::Unknown { kind: "point", name, owner: None, span, help });
         None
     }
 }

@@ -24,5 +24,5 @@ fn ignore(cx: &mut Scope<'_, '_>, name: &Name) {
     }
     let help = suggestion(&name.node, name.span, &["inertia"], "effects that can be ignored");
     let (name, span) = (name.node.clone(), name.span);
-    cx.error(NameError::Unknown { kind: "effect", name, place: String::new(), span, help });
+    cx.error(NameError::Unknown { kind: "effect", name, owner: None, span, help });
 }

@@ -104,10 +104,8 @@ fn unknown(cx: &mut Context<'_>, joint: &Joint, end: &Joined) {
         if near { None } else { line_elsewhere(cx, joint, end).or_else(|| missing_line(cx, joint, end)) };
     let listed = || suggestion(name, end.part.span, &all, &format!("points and lines of {owner}"));
     let help = line.map(Help::from).or_else(listed);
-    let place =
-        if end.link == LinkId::GROUND { " on the ground".into() } else { format!(" in link `{owner}`") };
-    let (name, span) = (name.clone(), end.part.span);
-    cx.error(NameError::Unknown { kind: "point or line", name, place, span, help });
+    let (name, span, owner) = (name.clone(), end.part.span, Some(owner.clone()));
+    cx.error(NameError::Unknown { kind: "point or line", name, owner, span, help });
 }
 
 /// The pair with a line that another link has.

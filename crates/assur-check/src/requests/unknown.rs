@@ -92,7 +92,7 @@ impl Context<'_> {
             let alone = || self.function_alone(&name.node, name.span).map(Help::from);
             let help = help.or_else(alone).or(listed);
             let (name, span) = (name.node.clone(), name.span);
-            NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
+            NameError::Unknown { kind: "quantity", name, owner: None, span, help }
         };
         self.error(error);
     }

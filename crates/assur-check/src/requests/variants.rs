@@ -199,7 +199,7 @@ fn unknown(cx: &mut Context<'_>, column: &Column) {
             .or_else(|| given_line(cx, column).map(Help::from)),
     };
     let (name, span) = (name.node.clone(), name.span);
-    cx.error(NameError::Unknown { kind: "given", name, place: String::new(), span, help });
+    cx.error(NameError::Unknown { kind: "given", name, owner: None, span, help });
 }
 
 /// Whether a column is reported as one without a `given`.

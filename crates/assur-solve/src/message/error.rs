@@ -435,5 +435,3 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
 }
-
-impl assur_text::diagnostic::Problem for SolveError {}

@@ -5,6 +5,7 @@ mod consistent;
 mod consistent_error;
 mod error;
 mod failure;
+mod fixes;
 mod flywheel_error;
 mod format;
 mod friction;

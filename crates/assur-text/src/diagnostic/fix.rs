@@ -3,6 +3,8 @@
 use crate::source::{Edit, Span, edited};
 use std::fmt;
 
+/// The most fixes of one help, where choices multiply.
+const CHOICES: usize = 16;
 /// The letters of a name in which one may be a slip.
 const LETTERS: usize = 4;
 
@@ -33,22 +35,33 @@ impl Fix {
         replacements(at, &words.map(str::to_owned).collect::<Vec<_>>())
     }
 
-    /// What a help says to add: the lines that it sets apart, `one of` which is meant or all together.
+    /// What a help says to add: the lines that it sets apart, `one of` which is meant or all together. Of several such parts, joined by
+    /// `and`, one line of each.
     #[must_use]
     pub fn added(help: &str) -> Vec<Self> {
         let mut fixes = Vec::new();
         let mut is_choice = false;
+        // what was chosen before
+        let mut chosen = vec![String::new()];
         for line in help.lines() {
             match line.strip_prefix("  ") {
+                None if is_choice && line.starts_with("and one of") => {
+                    chosen = std::mem::take(&mut fixes);
+                    chosen.retain(|lines| !lines.is_empty());
+                }
                 None => {
                     is_choice = line.ends_with("one of");
+                    chosen = vec![String::new()];
                     fixes.push(String::new());
                 }
-                Some(added) if is_choice => fixes.push(format!("{added}\n")),
+                Some(added) if is_choice => {
+                    fixes.extend(chosen.iter().map(|before| format!("{before}{added}\n")))
+                }
                 Some(added) => fixes.last_mut().into_iter().for_each(|all| *all += &format!("{added}\n")),
             }
         }
         fixes.retain(|lines| !lines.is_empty());
+        fixes.truncate(CHOICES);
         fixes.into_iter().map(|lines| Self::line(lines.trim_end())).collect()
     }
 

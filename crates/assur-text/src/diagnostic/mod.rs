@@ -13,7 +13,7 @@ mod view;
 
 pub use crate::language::{CODES, Code, explain};
 pub use fix::{Fix, Help};
-pub use problems::{AnyDiagnostic, Problem, Problems};
+pub use problems::{AnyDiagnostic, Problem, Problems, Undeclared};
 pub use render::{Style, render, render_most};
 pub use suggest::{did_you_mean, distance_allowed};
 pub use view::{DiagnosticView, Place, SpanView, place};

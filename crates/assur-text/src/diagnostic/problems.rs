@@ -12,10 +12,23 @@ pub trait Problem: Diagnostic + Send + Sync + 'static {
         Vec::new()
     }
 
-    /// What is used and not declared: its kind, its name and its place.
-    fn undeclared(&self) -> Option<(&'static str, &str, Span)> {
+    /// What is used and not declared.
+    fn undeclared(&self) -> Option<Undeclared<'_>> {
         None
     }
+}
+
+/// A name that is used and not declared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Undeclared<'p> {
+    /// The kind that is expected: `link`, `point`.
+    pub kind: &'static str,
+    /// The name.
+    pub name: &'p str,
+    /// The link in which it was looked for.
+    pub owner: Option<&'p str>,
+    /// Its place.
+    pub at: Span,
 }
 
 /// Any stage's diagnostic.

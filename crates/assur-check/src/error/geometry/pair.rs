@@ -1,6 +1,6 @@
 //! Errors of pairs, springs and groups.
 
-use assur_text::diagnostic::{Fix, Help, Problem};
+use assur_text::diagnostic::{Fix, Help, Problem, Undeclared};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -232,6 +232,15 @@ impl Problem for PairError {
                 vec![Fix::left_out(&format!("`{what}`"), *span)]
             }
             _ => Vec::new(),
+        }
+    }
+
+    fn undeclared(&self) -> Option<Undeclared<'_>> {
+        match self {
+            Self::NothingToJoin { link, what, name, span, pair, .. } if what == "point" => {
+                Some(Undeclared { kind: "point", name, owner: Some(link), at: pair.to(*span) })
+            }
+            _ => None,
         }
     }
 }

@@ -93,6 +93,6 @@ impl Context<'_> {
         let all = all.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
         let help = suggestion(&name.node, name.span, &all, "flywheels");
         let (name, span) = (name.node.clone(), name.span);
-        self.error(NameError::Unknown { kind: "flywheel", name, place: String::new(), span, help });
+        self.error(NameError::Unknown { kind: "flywheel", name, owner: None, span, help });
     }
 }

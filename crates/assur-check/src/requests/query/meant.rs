@@ -50,7 +50,7 @@ impl Context<'_> {
         });
         let (name, span) = (name.clone(), call.name.span);
         let help = Some(help);
-        self.error(NameError::Unknown { kind: "function", name, place: String::new(), span, help });
+        self.error(NameError::Unknown { kind: "function", name, owner: None, span, help });
     }
 
     /// `write …` with a call that can be read.

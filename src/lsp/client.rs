@@ -1,0 +1,119 @@
+//! What a client says of itself: what it understands, and what it wants.
+
+use crate::editor::HintKind;
+use assur_text::source::Encoding;
+use serde_json::{Value, json};
+
+/// A client.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Client {
+    /// How it counts columns.
+    pub encoding: Encoding,
+    /// It asks for diagnostics, and is told when there are new ones.
+    pub pulls: bool,
+    /// It shows faded what is not needed.
+    pub fades: bool,
+    /// It opens addresses.
+    pub shows_documents: bool,
+    /// It is told when a text is solved.
+    pub hears_solved: bool,
+    /// Hints that it does not want.
+    without: Without,
+    asks_again: AsksAgain,
+}
+
+/// Kinds of hints that are switched off.
+#[derive(Clone, Copy, Debug, Default)]
+struct Without {
+    structure: bool,
+    values: bool,
+    outcomes: bool,
+}
+
+/// What it asks for again when it is told to.
+#[derive(Clone, Copy, Debug, Default)]
+struct AsksAgain {
+    hints: bool,
+    lenses: bool,
+}
+
+/// Requests to ask again.
+const DIAGNOSTICS: &str = "workspace/diagnostic/refresh";
+const HINTS: &str = "workspace/inlayHint/refresh";
+const LENSES: &str = "workspace/codeLens/refresh";
+
+impl Client {
+    /// That of an `initialize`.
+    pub fn of(params: &Value) -> Self {
+        let offers = |path: &str| params.pointer(path).and_then(Value::as_bool).unwrap_or_default();
+        let encodings = params.pointer("/capabilities/general/positionEncodings").and_then(Value::as_array);
+        let reads_bytes = encodings.is_some_and(|all| all.iter().any(|one| one == "utf-8"));
+        let pulls = params.pointer("/capabilities/textDocument/diagnostic").is_some_and(Value::is_object);
+        let options = params.get("initializationOptions").unwrap_or(&Value::Null);
+        Self {
+            encoding: if reads_bytes { Encoding::Utf8 } else { Encoding::Utf16 },
+            // one that is not told would show what was there before the text was solved
+            pulls: pulls && offers("/capabilities/workspace/diagnostics/refreshSupport"),
+            fades: ["publishDiagnostics", "diagnostic"].iter().any(|kind| fades(params, kind)),
+            shows_documents: offers("/capabilities/window/showDocument/support"),
+            hears_solved: options["solved"] == true,
+            without: Without::of(options),
+            asks_again: AsksAgain {
+                hints: offers("/capabilities/workspace/inlayHint/refreshSupport"),
+                lenses: offers("/capabilities/workspace/codeLens/refreshSupport"),
+            },
+        }
+    }
+
+    /// Takes the settings of a `workspace/didChangeConfiguration`; gives the requests that follow.
+    pub fn configure(&mut self, params: &Value) -> Vec<Value> {
+        self.without = Without::of(&params["settings"]["assur"]);
+        self.hints_again()
+    }
+
+    /// Whether it wants hints of a kind.
+    pub const fn wants(&self, kind: HintKind) -> bool {
+        !match kind {
+            HintKind::Structure => self.without.structure,
+            HintKind::Value => self.without.values,
+            HintKind::Outcome => self.without.outcomes,
+        }
+    }
+
+    /// The request for hints alone.
+    pub fn hints_again(&self) -> Vec<Value> {
+        requests(&[(self.asks_again.hints, HINTS)])
+    }
+
+    /// The request for lenses alone.
+    pub fn lenses_again(&self) -> Vec<Value> {
+        requests(&[(self.asks_again.lenses, LENSES)])
+    }
+
+    /// The requests when a text is solved.
+    pub fn all_again(&self) -> Vec<Value> {
+        let AsksAgain { hints, lenses } = self.asks_again;
+        requests(&[(self.pulls, DIAGNOSTICS), (hints, HINTS), (lenses, LENSES)])
+    }
+}
+
+/// Whether diagnostics of a kind may be tagged as unnecessary.
+fn fades(params: &Value, kind: &str) -> bool {
+    const UNNECESSARY: u32 = 1;
+    let tags = params.pointer(&format!("/capabilities/textDocument/{kind}/tagSupport/valueSet"));
+    tags.and_then(Value::as_array).is_some_and(|all| all.iter().any(|one| *one == UNNECESSARY))
+}
+
+/// Those of the requests that are offered.
+fn requests(all: &[(bool, &str)]) -> Vec<Value> {
+    let asked = all.iter().filter(|(offered, _)| *offered);
+    asked.map(|(_, method)| json!({ "jsonrpc": "2.0", "id": method, "method": method })).collect()
+}
+
+impl Without {
+    /// `{ "hints": { "values": false } }`
+    fn of(options: &Value) -> Self {
+        let is_off = |kind: &str| options["hints"][kind] == false;
+        Self { structure: is_off("structure"), values: is_off("values"), outcomes: is_off("outcomes") }
+    }
+}
