@@ -49,6 +49,8 @@ pub struct Course<'a> {
     pub tiny: f64,
     /// Lines of stated values, by place.
     pub lines: Vec<(usize, Name)>,
+    /// Stated values that are the solution of equations which are written.
+    pub solutions: BTreeSet<Name>,
     /// Places of lines that are left out where nothing uses them.
     pub optional: BTreeSet<usize>,
     /// What the file asks for.
@@ -80,6 +82,8 @@ pub struct Counts {
     pub motion: [usize; 2],
     /// Groups whose forces are derived, and stated alone.
     pub forces: [usize; 2],
+    /// Groups whose forces depend on how pairs share what friction holds.
+    pub held: usize,
     /// Reactions that are derived, and that have no step.
     pub reactions: [usize; 2],
     /// Loads that are listed, and those that are part of a resultant.
@@ -106,6 +110,7 @@ impl<'a> Course<'a> {
             found: BTreeMap::new(),
             points: Default::default(),
             lines: Vec::new(),
+            solutions: BTreeSet::new(),
             optional: BTreeSet::new(),
             asked: BTreeSet::new(),
             given: RefCell::default(),
@@ -304,6 +309,11 @@ impl<'a> Course<'a> {
         }
         known.insert(name.clone(), value);
         Expr::Leaf(Arc::new(Quantity { name, value, unit, scale: value.abs(), given: true, rounding: 0.0 }))
+    }
+
+    /// Whether letters are a value of the file.
+    pub fn is_given(&self, name: &Name) -> bool {
+        self.given.borrow().contains_key(name)
     }
 
     /// A length of the file between two named points of a body.

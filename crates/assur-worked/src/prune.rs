@@ -14,7 +14,8 @@ impl Course<'_> {
         let mut used: BTreeSet<Name> = self.asked.clone();
         let mut unused = BTreeSet::new();
         for (place, equation) in self.equations.iter().rev() {
-            if is_part(equation) && !used.contains(&equation.left.name) {
+            let optional = is_part(equation) || self.optional.contains(place);
+            if optional && !used.contains(&equation.left.name) {
                 unused.insert(*place);
                 continue;
             }
@@ -26,6 +27,16 @@ impl Course<'_> {
         unused.extend(self.lines.iter().filter(needless).map(|(place, _)| *place));
         self.equations.retain(|(place, _)| !unused.contains(place));
         unused
+    }
+
+    /// The values that are written without an equation which gives or confirms them.
+    pub fn stated_alone(&self, unused: &BTreeSet<usize>) -> Vec<Name> {
+        let derived: BTreeSet<&Name> = self.equations.iter().map(|(_, e)| &e.left.name).collect();
+        let alone = self.lines.iter().filter(|(place, name)| {
+            let has_equation = self.solutions.contains(name) || derived.contains(name);
+            !unused.contains(place) && !has_equation && !self.is_given(name)
+        });
+        alone.map(|(_, name)| name.clone()).collect()
     }
 
     /// Sentences that end before an equation which is nothing, or is left out, say so.
@@ -55,6 +66,9 @@ impl Course<'_> {
                     | (Stage::Accelerations, Query::Acceleration(p)) => Some(p),
                     _ => None,
                 };
+                if let (Stage::Positions, Query::Angle(link)) = (stage, query) {
+                    self.asked.insert(Name::new("φ", &self.label(link.index())));
+                }
                 if let Some(PointRef::Fixed(link, at)) = wanted {
                     points.push((link.index(), *at));
                 }

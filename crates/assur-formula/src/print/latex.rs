@@ -101,6 +101,7 @@ fn letters(letter: &str) -> String {
             'δ' => "\\delta ",
             'ε' => "\\varepsilon ",
             'η' => "\\eta ",
+            'ξ' => "\\xi ",
             'θ' => "\\theta ",
             'λ' => "\\lambda ",
             'μ' => "\\mu ",

@@ -1,7 +1,6 @@
 //! Groups with friction: equilibrium with the friction that the solver found, then the law of friction with these reactions.
 
 use super::acting::{Couple, Force};
-use crate::angle::Angle;
 use crate::course::Course;
 use crate::document::{Inline, Line, text};
 use crate::motion::of;
@@ -70,43 +69,6 @@ impl Course<'_> {
         Some(rate)
     }
 
-    /// The velocity of the element's body against its base, in the sense in which its friction counts.
-    fn relative_rate(&mut self, element: &FrictionElement) -> Expr {
-        let speed = self.state().sliding_speed(element);
-        let index = format!("{},{}", self.label(element.body), self.label(element.base));
-        if matches!(element.kind, FrictionLaw::Circle { .. }) {
-            let of = |course: &Self, body: usize| {
-                course.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone())
-            };
-            let right = of(self, element.body) - of(self, element.base);
-            return self.component(Name::new("ω", &index), speed, Unit::AngularVelocity, right);
-        }
-        if let FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } = &element.kind {
-            let slides = element.body == guide.slider || element.through == guide.slider;
-            let other = if slides { element.base } else { element.body };
-            if other == 0 {
-                let v = self.velocity(guide.slider, guide.point);
-                let along = self.way(guide).0.along(&v);
-                return self.component(
-                    Name::new("v", &index),
-                    speed,
-                    Unit::Velocity,
-                    if slides { along } else { -along },
-                );
-            }
-            let point = self.point_name(guide.slider, guide.point);
-            let name = Name::new("v", &format!("{point},{}", self.label(guide.base)));
-            if let Some(found) = self.found.get(&name).cloned() {
-                for right in [found.clone(), -found] {
-                    if (right.value() - speed).abs() <= 1e-9 * speed.abs() {
-                        return right;
-                    }
-                }
-            }
-        }
-        self.stated(Name::new("v", &index), speed, Unit::Velocity)
-    }
-
     /// The friction of a pair as a known load on both bodies.
     fn rub(&mut self, slot: usize, element: &FrictionElement) -> Expr {
         let name = self.friction_name(element);
@@ -124,7 +86,7 @@ impl Course<'_> {
                     FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
                         self.way(guide).0
                     }
-                    _ => Angle::of(self.tangent(element, along)),
+                    _ => self.tangent(element, along),
                 };
                 let parts = [leaf.clone() * angle.cos(), leaf.clone() * angle.sin()];
                 let opposite = parts.clone().map(|p| -p);
@@ -139,13 +101,6 @@ impl Course<'_> {
             }
         }
         leaf
-    }
-
-    /// The direction of the tangent of a contact.
-    fn tangent(&mut self, element: &FrictionElement, along: assur_math::math::Vec2) -> Expr {
-        let pair = self.scene.mechanism().pair(element.pair).name.clone();
-        let degrees = libm::atan2(along.y, along.x).to_degrees();
-        self.stated(Name::new("τ", &pair), degrees, Unit::Angle)
     }
 
     /// M_f = ∓ρ R, F_f = ∓f N with the reactions found.
