@@ -154,6 +154,14 @@ impl<'a> Course<'a> {
         self.blocks.push(Block::Paragraph(line));
     }
 
+    /// A sentence that holds for all groups: it is said with the first.
+    pub fn say_once(&mut self, message: Message) {
+        let line = Block::Paragraph(if self.shown { say(self.language, message, &[]) } else { Line::new() });
+        if !self.blocks.contains(&line) {
+            self.blocks.push(line);
+        }
+    }
+
     /// A sentence that names the first of these figures.
     pub fn cite(&mut self, message: Message, figures: &[Figure]) {
         if let Some(first) = figures.first() {

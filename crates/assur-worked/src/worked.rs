@@ -225,6 +225,7 @@ impl Course<'_> {
                 self.head(Message::Inertia);
                 self.masses();
                 self.loads();
+                self.substitutions();
             }
             Part::Forces if forces => {
                 self.head(Message::Reactions);

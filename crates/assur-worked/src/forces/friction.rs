@@ -107,11 +107,10 @@ impl Course<'_> {
     fn law_of_friction(&mut self, slot: usize, element: &FrictionElement) {
         let (effort, sense) = (self.state().forces.frictions[slot], self.state().forces.senses[slot]);
         let pair = self.scene.mechanism().pair(element.pair).name.clone();
-        let Some(reaction) = self.acting.reactions.get(element.slot).cloned().flatten() else { return };
-        let Some(size) = self.found.get(&reaction).cloned() else { return };
-        if sense == 0.0 || element.pin.is_some() {
+        if sense == 0.0 {
             return;
         }
+        let Some(size) = self.pressed(element) else { return };
         let (right, unit) = match &element.kind {
             FrictionLaw::Circle { radius } => {
                 (self.given(Name::new("ρ", &pair), *radius, Unit::Length) * size, Unit::Torque)
@@ -124,5 +123,28 @@ impl Course<'_> {
         let right = if sense > 0.0 { -right } else { right };
         let name = self.friction_name(element);
         self.confirm(name, effort, unit, right);
+    }
+
+    /// The reaction that presses in a pair; in a hinge of several links that of all others on its own link.
+    fn pressed(&mut self, element: &FrictionElement) -> Option<Expr> {
+        let Some((from, to)) = element.pin else {
+            let reaction = self.acting.reactions.get(element.slot).cloned().flatten()?;
+            return self.found.get(&reaction).cloned();
+        };
+        let mut parts = [Expr::ZERO, Expr::ZERO];
+        for (slot, sign) in &self.scene.model.plan.pin_slots[from..to] {
+            let reaction = self.acting.reactions[*slot].clone()?;
+            let found =
+                ["x", "y"].map(|axis| self.found.get(&reaction.and(axis)).cloned().unwrap_or(Expr::ZERO));
+            // it may be written as the force on the other link
+            let force = self.state().forces.reactions[*slot].force * *sign;
+            let opposite = found[0].value() * force.x + found[1].value() * force.y < 0.0;
+            for (sum, part) in parts.iter_mut().zip(found) {
+                *sum = sum.clone() + if opposite { -part } else { part };
+            }
+        }
+        let pair = self.scene.mechanism().pair(element.pair).name.clone();
+        let name = Name::new("R", &format!("{pair},{}", self.label(element.body)));
+        Some(self.length_of(name, Unit::Force, &parts))
     }
 }

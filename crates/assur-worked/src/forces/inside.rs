@@ -71,7 +71,7 @@ impl Course<'_> {
 
     /// A load between the links of a pair: a force along the guide, a couple in a hinge.
     pub(super) fn in_pair(&mut self, load: &Load, pair: PairId, name: Name, effort: f64) {
-        let turns = matches!(self.scene.mechanism().pair(pair).kind, model::PairKind::Revolute(_));
+        let turns = matches!(self.scene.mechanism().pair(pair).kind, PairKind::Revolute(_));
         let joints: Vec<_> = self.structure().replaced.joints_of(pair).collect();
         for joint in joints {
             match self.structure().replaced.joint(joint).kind.clone() {

@@ -17,6 +17,7 @@ mod rubbing;
 mod run;
 mod several;
 mod stated;
+mod substitution;
 mod sums;
 mod together;
 mod train;

@@ -23,7 +23,8 @@ impl Course<'_> {
         let laws = self.structure().motion[index].laws.clone();
         let mut unknown: Vec<Expr> = Vec::new();
         let mut sought = self.sought_by(&laws, &members);
-        self.say(Message::LawsOfTrain, &[]);
+        let before = self.blocks.len();
+        self.say_once(Message::LawsOfTrain);
         let mut open = laws.clone();
         self.laws_one_by_one(order, &mut open, &mut sought);
         // two laws with the same two unknowns: one is eliminated
@@ -57,6 +58,10 @@ impl Course<'_> {
         }
         if order == 0 {
             self.willis(index);
+        }
+        // at constant speed nothing follows from the laws
+        if order == 1 && self.blocks.len() <= before + 1 {
+            self.blocks.truncate(before);
         }
         for member in &members {
             if let TrainMember::Shift(slide) = member {

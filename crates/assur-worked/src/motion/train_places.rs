@@ -16,7 +16,7 @@ type Places = Vec<(BodyRate, Expr)>;
 impl Course<'_> {
     /// The members of a train where something needs their places.
     pub(super) fn train_places(&mut self, index: usize, train: usize) {
-        self.say(Message::TrainPlaces, &[]);
+        self.say_once(Message::TrainPlaces);
         let before = self.blocks.len();
         let members = self.scene.model.plan.trains[train].members.clone();
         let laws = self.structure().motion[index].laws.clone();

@@ -287,6 +287,12 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::FrictionSharesHere => {
             "摩擦在多于所需的运动副中保持这些构件静止。各副如何分担载荷不确定，此处的反力也不确定。"
         }
+        Message::StaticMasses => {
+            "构件 {0} 用位于 {1} 和 {2} 的两个质量静代换，总质量和质心不变；ΔJ 为转动惯量之差："
+        }
+        Message::DynamicMasses => {
+            "构件 {0} 用位于 {1} 和摆动中心 {2} 的两个质量动代换，总质量、质心和转动惯量不变："
+        }
         Message::StiffLink => {
             "在此位置构件 {0} 和 {1} 相当于一个构件。在构件 {0} 的坐标系中，{2} 相对于 {3} 的位置为 ξ、η："
         }

@@ -359,6 +359,12 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::FrictionSharesHere => {
             "Friction holds these links in more pairs than it takes. How the pairs share the loads is not determined, and neither are the reactions here."
         }
+        Message::StaticMasses => {
+            "Link {0} as two masses in {1} and {2}, with the same mass and mass centre; ΔJ is what the moments of inertia differ by:"
+        }
+        Message::DynamicMasses => {
+            "Link {0} as two masses in {1} and in the centre of oscillation {2}, with the same mass, mass centre and moment of inertia:"
+        }
         Message::StiffLink => {
             "Links {0} and {1} are one stiff link at this position. In the axes of link {0}, from {3}, the place of {2} is ξ, η:"
         }

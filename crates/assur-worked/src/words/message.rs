@@ -441,6 +441,10 @@ pub enum Message {
     CommonNormal,
     /// A group in which pairs share by friction what one of them could hold.
     FrictionSharesHere,
+    /// Static substitution; 0: link, 1, 2: points.
+    StaticMasses,
+    /// Dynamic substitution; the same.
+    DynamicMasses,
     /// Two bodies with a driven joint between them; 0, 1: these, 2: the inner hinge, 3: the outer one.
     StiffLink,
     /// A driven cylinder; 0: its length.
