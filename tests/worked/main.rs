@@ -18,6 +18,7 @@ mod examples;
 mod formulas;
 mod frames;
 mod friction;
+mod held;
 mod kept;
 mod languages;
 mod made;

@@ -21,6 +21,8 @@ fn equations_of_random_mechanisms_balance() {
     }
     tally.finish();
     assert!(10 * tally.solutions as u64 > 8 * wanted, "{tally:?}");
+    let stated = [tally.derived[1], tally.derived[3], tally.reactions[1], tally.loads[1]];
+    assert_eq!(stated, [0; 4], "groups of motion, groups of forces, reactions and loads that are stated");
 }
 
 fn judge(seed: u64, tally: &mut Tally) -> Option<()> {

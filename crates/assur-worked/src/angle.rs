@@ -38,15 +38,6 @@ impl Angle {
         Ok(Self::of(Expr::Degrees(whole)))
     }
 
-    /// Whether it is the same at all positions: it has no quantity but of the file.
-    pub fn is_constant(&self) -> bool {
-        let mut constant = true;
-        if let Some(part) = &self.part {
-            part.visit(&mut |q| constant &= q.given && !q.name.letter.starts_with('φ'));
-        }
-        constant
-    }
-
     /// The sum of two.
     pub fn plus(&self, other: &Self) -> Self {
         let part = match (self.part.clone(), other.part.clone()) {

@@ -49,6 +49,8 @@ pub struct Course<'a> {
     pub tiny: f64,
     /// Lines of stated values, by place.
     pub lines: Vec<(usize, Name)>,
+    /// Stated values that are the solution of equations which are written.
+    pub solutions: BTreeSet<Name>,
     /// Places of lines that are left out where nothing uses them.
     pub optional: BTreeSet<usize>,
     /// What the file asks for.
@@ -80,6 +82,8 @@ pub struct Counts {
     pub motion: [usize; 2],
     /// Groups whose forces are derived, and stated alone.
     pub forces: [usize; 2],
+    /// Groups whose forces depend on how pairs share what friction holds.
+    pub held: usize,
     /// Reactions that are derived, and that have no step.
     pub reactions: [usize; 2],
     /// Loads that are listed, and those that are part of a resultant.
@@ -106,6 +110,7 @@ impl<'a> Course<'a> {
             found: BTreeMap::new(),
             points: Default::default(),
             lines: Vec::new(),
+            solutions: BTreeSet::new(),
             optional: BTreeSet::new(),
             asked: BTreeSet::new(),
             given: RefCell::default(),
@@ -147,6 +152,14 @@ impl<'a> Course<'a> {
         }
         let line = if self.shown { say(self.language, message, parts) } else { Line::new() };
         self.blocks.push(Block::Paragraph(line));
+    }
+
+    /// A sentence that holds for all groups: it is said with the first.
+    pub fn say_once(&mut self, message: Message) {
+        let line = Block::Paragraph(if self.shown { say(self.language, message, &[]) } else { Line::new() });
+        if !self.blocks.contains(&line) {
+            self.blocks.push(line);
+        }
     }
 
     /// A sentence that names the first of these figures.
@@ -304,6 +317,11 @@ impl<'a> Course<'a> {
         }
         known.insert(name.clone(), value);
         Expr::Leaf(Arc::new(Quantity { name, value, unit, scale: value.abs(), given: true, rounding: 0.0 }))
+    }
+
+    /// Whether letters are a value of the file.
+    pub fn is_given(&self, name: &Name) -> bool {
+        self.given.borrow().contains_key(name)
     }
 
     /// A length of the file between two named points of a body.

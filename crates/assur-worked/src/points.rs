@@ -36,8 +36,7 @@ impl Course<'_> {
                 let right = [x + arm.length.clone() * arm.angle.cos(), y + arm.length * arm.angle.sin()];
                 self.coordinates(&name, value, right)
             }
-            None => [("x", value.x), ("y", value.y)]
-                .map(|(axis, v)| self.stated_of(Name::new(axis, &name), v, Unit::Length, self.tiny / 1e-9)),
+            None => self.stated_place((body, at), &name, value),
         };
         self.points[0].insert(name, found.clone());
         found
@@ -91,7 +90,7 @@ impl Course<'_> {
                 self.components(1, &name, value, right)
             }
             Some(arm) => self.velocity(arm.at.0, arm.at.1),
-            None => self.stated_vector(1, &name, value),
+            None => self.stated_vector(1, (body, at), &name, value),
         };
         self.points[1].insert(name, found.clone());
         found
@@ -121,7 +120,7 @@ impl Course<'_> {
                 self.components(2, &name, value, right)
             }
             Some(arm) => self.acceleration(arm.at.0, arm.at.1),
-            None => self.stated_vector(2, &name, value),
+            None => self.stated_vector(2, (body, at), &name, value),
         };
         self.points[2].insert(name, found.clone());
         found
@@ -167,10 +166,36 @@ impl Course<'_> {
         }
     }
 
-    fn stated_vector(&mut self, order: usize, name: &str, value: Vec2) -> [Expr; 2] {
+    /// A place from outside: of a driven point that of the drive.
+    fn stated_place(&mut self, (body, at): (usize, Vec2), name: &str, value: Vec2) -> [Expr; 2] {
+        let parts = [(Name::new("x", name), value.x), (Name::new("y", name), value.y)];
+        if self.is_driven_point(body, at) {
+            let clear = |v: f64| if v.abs() <= self.tiny { 0.0 } else { v };
+            return parts.map(|(name, v)| self.given(name, clear(v), Unit::Length));
+        }
+        parts.map(|(name, v)| self.stated_of(name, v, Unit::Length, self.tiny / 1e-9))
+    }
+
+    fn stated_vector(
+        &mut self,
+        order: usize,
+        (body, at): (usize, Vec2),
+        name: &str,
+        value: Vec2,
+    ) -> [Expr; 2] {
         let unit = if order == 1 { Unit::Velocity } else { Unit::Acceleration };
         let letter = Name::new(LETTERS[order], name);
-        [self.stated(letter.and("x"), value.x, unit), self.stated(letter.and("y"), value.y, unit)]
+        let parts = [(letter.and("x"), value.x), (letter.and("y"), value.y)];
+        if self.is_driven_point(body, at) {
+            return parts.map(|(name, v)| self.given(name, v, unit));
+        }
+        parts.map(|(name, v)| self.stated(name, v, unit))
+    }
+
+    /// Whether the file gives how a point moves: no step has found it, and a drive moves a body at it.
+    fn is_driven_point(&self, body: usize, at: Vec2) -> bool {
+        let bodies = &self.structure().replaced.bodies;
+        self.at_hinge(body, at).into_iter().any(|(b, _)| b != 0 && bodies[b].known)
     }
 
     /// The point relative to the reference of a body that carries it; none where it is that reference, or nothing is known.

@@ -4,8 +4,9 @@ use crate::course::Course;
 use crate::document::{Block, text};
 use crate::motion::Stage;
 use crate::words::Message;
-use assur_formula::{Equation, Name};
-use assur_model::model::{Expr, FindKind, Mechanism, PointRef, Query};
+use assur_formula::{Equation, Expr, Name, Unit};
+use assur_math::math::Vec2;
+use assur_model::model::{self, FindKind, Mechanism, PointRef, Query};
 use std::collections::BTreeSet;
 
 impl Course<'_> {
@@ -14,7 +15,8 @@ impl Course<'_> {
         let mut used: BTreeSet<Name> = self.asked.clone();
         let mut unused = BTreeSet::new();
         for (place, equation) in self.equations.iter().rev() {
-            if is_part(equation) && !used.contains(&equation.left.name) {
+            let optional = is_part(equation) || self.optional.contains(place);
+            if optional && !used.contains(&equation.left.name) {
                 unused.insert(*place);
                 continue;
             }
@@ -26,6 +28,16 @@ impl Course<'_> {
         unused.extend(self.lines.iter().filter(needless).map(|(place, _)| *place));
         self.equations.retain(|(place, _)| !unused.contains(place));
         unused
+    }
+
+    /// The values that are written without an equation which gives or confirms them.
+    pub fn stated_alone(&self, unused: &BTreeSet<usize>) -> Vec<Name> {
+        let derived: BTreeSet<&Name> = self.equations.iter().map(|(_, e)| &e.left.name).collect();
+        let alone = self.lines.iter().filter(|(place, name)| {
+            let has_equation = self.solutions.contains(name) || derived.contains(name);
+            !unused.contains(place) && !has_equation && !self.is_given(name)
+        });
+        alone.map(|(_, name)| name.clone()).collect()
     }
 
     /// Sentences that end before an equation which is nothing, or is left out, say so.
@@ -55,6 +67,9 @@ impl Course<'_> {
                     | (Stage::Accelerations, Query::Acceleration(p)) => Some(p),
                     _ => None,
                 };
+                if let (Stage::Positions, Query::Angle(link)) = (stage, query) {
+                    self.asked.insert(Name::new("φ", &self.label(link.index())));
+                }
                 if let Some(PointRef::Fixed(link, at)) = wanted {
                     points.push((link.index(), *at));
                 }
@@ -72,11 +87,12 @@ impl Course<'_> {
                 1 => self.velocity(body, at),
                 _ => self.acceleration(body, at),
             };
-            for part in found {
+            for part in &found {
                 part.visit(&mut |q| {
                     self.asked.insert(q.name.clone());
                 });
             }
+            self.size_of_asked(order, (body, at), &found);
         }
         if self.blocks.len() > before {
             let words = crate::words::say(self.language, Message::AskedFor, &[]);
@@ -85,12 +101,28 @@ impl Course<'_> {
     }
 }
 
+impl Course<'_> {
+    /// The magnitude of a velocity (1) or acceleration (2) that the file asks for, where it has two components and none was found yet.
+    fn size_of_asked(&mut self, order: usize, (body, at): (usize, Vec2), parts: &[Expr; 2]) {
+        let (letter, unit) = match order {
+            1 => ("v", Unit::Velocity),
+            2 => ("a", Unit::Acceleration),
+            _ => return,
+        };
+        let name = Name::new(letter, &self.point_name(body, at));
+        if parts.iter().any(Expr::is_zero) || self.found.contains_key(&name) {
+            return;
+        }
+        self.length_of(name, unit, parts);
+    }
+}
+
 /// The questions of an expression, and of the named quantities in it.
-pub fn queries(mechanism: &Mechanism, expr: &Expr, see: &mut dyn FnMut(&Query)) {
+pub fn queries(mechanism: &Mechanism, expr: &model::Expr, see: &mut dyn FnMut(&Query)) {
     expr.queries(&mut |query| see(query));
     let mut named = Vec::new();
     expr.parts(&mut |part| {
-        if let Expr::Quantity(id) = part {
+        if let model::Expr::Quantity(id) = part {
             named.push(*id);
         }
     });

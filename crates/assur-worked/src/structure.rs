@@ -165,18 +165,22 @@ impl Course<'_> {
 
     /// I(6, 1) → II(2, 3) → II(4, 5)
     fn formula(&mut self) {
-        let written = |groups: &[Group]| {
+        let written = |groups: &[Group], numbered: bool| {
+            let mut dependent = 0;
             let parts = groups.iter().map(|group| {
                 let labels: Vec<String> = group.bodies.iter().map(|b| self.label(b.0)).collect();
                 let ground = if group.efforts.is_empty() { String::new() } else { self.label(0) + ", " };
-                format!("{}({ground}{})", group.class_name(), labels.join(", "))
+                dependent += usize::from(group.efforts.is_empty());
+                let number =
+                    if numbered && group.efforts.is_empty() { subscript(dependent) } else { String::new() };
+                format!("{}{number}({ground}{})", group.class_name(), labels.join(", "))
             });
             parts.collect::<Vec<_>>().join(" → ")
         };
         let structure = self.structure();
         let class = structure.motion.iter().max_by_key(|g| g.class).map_or("I", Group::class_name);
-        let motion = written(&structure.motion);
-        let forces = written(&structure.forces);
+        let motion = written(&structure.motion, true);
+        let forces = written(&structure.forces, false);
         let line: Line = vec![crate::document::Inline::Strong(motion)];
         self.say(Message::Formula, &[line, vec![text(class)]]);
         let sorted = |groups: &[Group]| {
@@ -190,4 +194,13 @@ impl Course<'_> {
             self.say(Message::ForceOrder, &[vec![crate::document::Inline::Strong(forces)]]);
         }
     }
+}
+
+/// A number in lowered figures.
+fn subscript(number: usize) -> String {
+    number
+        .to_string()
+        .bytes()
+        .map(|digit| char::from_u32(0x2080 + u32::from(digit - b'0')).unwrap_or('?'))
+        .collect()
 }

@@ -78,6 +78,8 @@ pub struct Worked {
     pub disagreements: Vec<String>,
     /// What is derived, and what is stated alone.
     pub counts: Counts,
+    /// Values that are on the page without an equation.
+    pub stated: Vec<Name>,
 }
 
 /// The worked solution of a position; all parts where none are named.
@@ -104,6 +106,7 @@ pub fn worked_from(scene: Scene<'_>, language: Language, parts: &[Part], sizes: 
     let unused = course.prune();
     course.say_nothing_follows(&unused);
     let given = course.given_values();
+    let stated = course.stated_alone(&unused);
     let mut blocks = Vec::new();
     let ends = sections.iter().skip(1).map(|s| s.1).chain([course.blocks.len()]);
     for ((part, start), end) in sections.iter().zip(ends) {
@@ -128,7 +131,7 @@ pub fn worked_from(scene: Scene<'_>, language: Language, parts: &[Part], sizes: 
     };
     let Course { equations, disagreements, counts, .. } = course;
     let equations = equations.into_iter().map(|(_, equation)| equation).collect();
-    Worked { document, equations, disagreements, counts }
+    Worked { document, equations, disagreements, counts, stated }
 }
 
 /// The given values that the solution of a position uses, letters and figures; their values in the units of equations are added to a list.
@@ -190,7 +193,8 @@ impl Course<'_> {
     fn part(&mut self, part: Part) {
         let level = self.scene.model.plan.effects.level;
         let has_forces = self.scene.model.plan.has_forces() && !self.state().forces.locked;
-        let forces = has_forces && !self.state().friction_shares();
+        let shares = has_forces && self.state().friction_shares();
+        let forces = has_forces && !(shares && self.all_shares());
         match part {
             Part::Problem => {
                 let scheme = self.pictures(Kind::Scheme, Message::SchemeAt, &self.position_words());
@@ -221,12 +225,15 @@ impl Course<'_> {
                 self.head(Message::Inertia);
                 self.masses();
                 self.loads();
+                self.substitutions();
             }
             Part::Forces if forces => {
                 self.head(Message::Reactions);
                 let figures = self.force_pictures();
                 self.forces(&figures);
-                self.friction_balance();
+                if !shares {
+                    self.friction_balance();
+                }
             }
             Part::Inertia => {}
             Part::Forces if self.state().forces.locked => self.locked(),
@@ -235,7 +242,7 @@ impl Course<'_> {
             Part::Check => {
                 self.head(Message::Check);
                 self.check();
-                if forces && level >= Level::Velocities {
+                if forces && !shares && level >= Level::Velocities {
                     let lever = self.pictures(Kind::Lever, Message::Lever, "");
                     self.cite(Message::SeeLever, &lever);
                     self.figures(lever);

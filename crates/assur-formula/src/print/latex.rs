@@ -34,7 +34,9 @@ fn write(node: &Node, out: &mut String) {
     match node {
         Node::Row(parts) => parts.iter().for_each(|part| write(part, out)),
         Node::Letter { letter, sub, sup, arrow, squared } => {
-            let base = letters(letter);
+            // a prime is a raised sign already
+            let braced = letter.contains(['′', '″']) && (*squared || !sup.is_empty());
+            let base = if braced { format!("{{{}}}", letters(letter)) } else { letters(letter) };
             *out += &if *arrow { format!("\\vec{{{base}}}") } else { base };
             if !sub.is_empty() {
                 *out += &format!("_{{\\mathrm{{{}}}}}", plain(sub));
@@ -101,6 +103,7 @@ fn letters(letter: &str) -> String {
             'δ' => "\\delta ",
             'ε' => "\\varepsilon ",
             'η' => "\\eta ",
+            'ξ' => "\\xi ",
             'θ' => "\\theta ",
             'λ' => "\\lambda ",
             'μ' => "\\mu ",

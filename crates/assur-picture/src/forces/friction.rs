@@ -1,7 +1,7 @@
 //! Friction: circles at the scale of lengths with the action lines that touch them, the angle between a reaction and the
 //! normal at guides and contacts, and the frictionless line beside each.
 
-use super::determined;
+use super::partly_determined;
 use crate::angles::{flipped, freest, wrapped};
 use crate::error::Missing;
 use crate::figures::{FORCE, MOMENT, plain};
@@ -45,12 +45,13 @@ pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.model.plan.effects.moving {
         return Err(Missing::no_speed(scene, "velocities"));
     }
-    determined(scene)?;
+    partly_determined(scene)?;
     let frictions: Vec<PairFriction> = scene
         .view()
         .pair_frictions()
         .into_iter()
         .filter(|f| scene.is_placed(f.on) && scene.is_placed(f.from))
+        .filter(|f| !scene.view().shares_friction(f.pair))
         .collect();
     if frictions.is_empty() {
         return Err(Missing::nothing_placed(scene, "friction is drawn at its pairs"));

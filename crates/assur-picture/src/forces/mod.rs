@@ -32,7 +32,10 @@ pub struct Part {
 /// # Errors
 /// There are no forces: nothing loads the mechanism, they are not determined, or friction locks it.
 pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
-    loaded(scene)?;
+    partly_determined(scene)?;
+    if !is_loaded(&scene.model) {
+        return Err(nothing_loads());
+    }
     let mut drawings = Vec::new();
     for part in parts(scene) {
         let Some(acting) = Acting::on(scene, &part) else { continue };
@@ -54,8 +57,19 @@ pub fn loaded(scene: &Scene<'_>) -> Result<(), Missing> {
     if is_loaded(&scene.model) { Ok(()) } else { Err(nothing_loads()) }
 }
 
-/// Refuses where the forces are not known.
+/// Refuses where the forces are not known, on any link.
 fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
+    if scene.solved.state.friction_shares() { Err(held(scene)) } else { partly_determined(scene) }
+}
+
+fn held(scene: &Scene<'_>) -> Missing {
+    let help = "draw another pose, or give friction to fewer pairs";
+    let why = "pairs hold by friction, and how they share the loads is not determined";
+    Missing::no_forces_by_drive(scene, why, "held", help)
+}
+
+/// Refuses where no force is known: chains of links that share by friction what they hold are left out of the pictures.
+fn partly_determined(scene: &Scene<'_>) -> Result<(), Missing> {
     if let Some(defect) = &scene.model.structure.force_defect {
         let help = "declare what holds it: `balance torque Mb on crank`";
         let label = defect.labels().and_then(|mut labels| labels.next());
@@ -71,10 +85,9 @@ fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
         let help = "draw another pose, or lower the friction";
         return Err(Missing::no_forces_by_drive(scene, "friction locks the mechanism", "locked", help));
     }
-    if scene.solved.state.friction_shares() {
-        let help = "draw another pose, or give friction to fewer pairs";
-        let why = "pairs hold by friction, and how they share the loads is not determined";
-        return Err(Missing::no_forces_by_drive(scene, why, "held", help));
+    let links = (1..scene.mechanism().links.len()).map(LinkId::at);
+    if scene.solved.state.friction_shares() && links.into_iter().all(|link| is_held(scene, link)) {
+        return Err(held(scene));
     }
     if scene.model.plan.effects.forces { Ok(()) } else { Err(nothing_loads()) }
 }
@@ -90,6 +103,11 @@ fn is_loaded(model: &Model<'_>) -> bool {
     !mechanism.loads.is_empty() || effects.inertia || effects.gravity || effects.springs
 }
 
+/// Whether the forces on a link depend on how pairs share what friction holds.
+fn is_held(scene: &Scene<'_>, link: LinkId) -> bool {
+    scene.view().shares_friction_on(link.index())
+}
+
 /// The groups in the order in which forces are found; of those that are not dyads every link alone.
 fn parts(scene: &Scene<'_>) -> Vec<Part> {
     use assur_model::structure::{BodyOrigin, GroupKind};
@@ -102,6 +120,7 @@ fn parts(scene: &Scene<'_>) -> Vec<Part> {
         });
         let links: Vec<LinkId> = links
             .filter(|l| scene.is_placed(*l) && *l != LinkId::GROUND && !scene.is_in_cylinder(*l))
+            .filter(|l| !is_held(scene, *l))
             .collect();
         match group.kind {
             GroupKind::Dyad(_) if links.len() == 2 => {

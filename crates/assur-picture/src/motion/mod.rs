@@ -146,6 +146,7 @@ impl PlanOf {
     /// Dots with their names, the pole, the scale.
     fn finish(mut self, symbol: &str, role: Role) -> Drawing {
         let dots = std::mem::take(&mut self.dots);
+        let lengths = self.lengths(&dots);
         for (i, (at, names)) in dots.into_iter().enumerate() {
             self.drawing.begin("point", &names.iter().map(Text::plain).collect::<Vec<_>>().join(" = "));
             if i == 0 {
@@ -163,6 +164,7 @@ impl PlanOf {
             let text = Text::italic("μ").and(symbol, true, Level::Sub);
             let text = text.and(&format!(" = {} ({})/mm", scale.text(), self.unit), false, Level::Base);
             self.drawing.caption(text);
+            lengths.into_iter().for_each(|line| self.drawing.caption(line));
             self.drawing.description += &format!(" Scale {} {} per mm.", scale.text(), self.unit);
         } else {
             let what = if role == Role::Blue { "velocities" } else { "accelerations" };
@@ -181,6 +183,24 @@ impl PlanOf {
             self.drawing.caption(text);
         }
         self.drawing
+    }
+
+    /// How long the vectors from the pole are on paper: `pb = 100.0 mm`.
+    fn lengths(&self, dots: &[(Vec2, Vec<Text>)]) -> Vec<Text> {
+        let Some((_, pole)) = dots.first() else { return Vec::new() };
+        let from_pole = |at: &Vec2| self.absolute.iter().any(|end| (*end - *at).norm() <= SAME);
+        let ends: Vec<_> = dots[1..].iter().filter(|(at, _)| from_pole(at)).collect();
+        let lines = ends.chunks(4).map(|line| {
+            let mut text = Text::default();
+            for (i, (at, names)) in line.iter().enumerate() {
+                text = text.and(if i > 0 { ",  " } else { "" }, false, Level::Base);
+                let runs = pole.iter().chain(names.first()).flat_map(|name| name.runs.iter().cloned());
+                text.runs.extend(runs);
+                text = text.and(&format!(" = {:.1} mm", at.norm()), false, Level::Base);
+            }
+            text
+        });
+        lines.collect()
     }
 
     /// The pole's name is where no vector goes.

@@ -9,6 +9,20 @@ impl PoseAnswers<'_> {
     /// Whether the reaction of a pair depends on how others share what friction holds.
     #[must_use]
     pub fn shares_friction(&self, pair: PairId) -> bool {
+        let joints = self.structure.replaced.joints_of(pair);
+        let bodies: Vec<usize> = joints
+            .flat_map(|joint| bodies_of(self.structure, &self.structure.replaced.joint(joint).kind))
+            .collect();
+        self.shares_friction_among(&bodies)
+    }
+
+    /// Whether the forces on a body do.
+    #[must_use]
+    pub fn shares_friction_on(&self, body: usize) -> bool {
+        self.shares_friction_among(&[body])
+    }
+
+    fn shares_friction_among(&self, bodies: &[usize]) -> bool {
         if !self.state.friction_shares() {
             return false;
         }
@@ -18,11 +32,7 @@ impl PoseAnswers<'_> {
             .flat_map(|(e, _)| [e.body, e.base, e.through])
             .filter_map(|b| chains.of_body(b))
             .collect();
-        let joints = self.structure.replaced.joints_of(pair);
-        let bodies: Vec<usize> = joints
-            .flat_map(|joint| bodies_of(self.structure, &self.structure.replaced.joint(joint).kind))
-            .collect();
-        bodies.into_iter().filter_map(|b| chains.of_body(b)).any(|chain| open.contains(&chain))
+        bodies.iter().filter_map(|b| chains.of_body(*b)).any(|chain| open.contains(&chain))
     }
 }
 

@@ -40,7 +40,7 @@ impl Course<'_> {
     fn power(&mut self) -> Option<Expr> {
         let level = self.scene.model.plan.effects.level;
         if level < assur_model::model::Level::Velocities
-            || self.counts.forces[1] > 0
+            || self.counts.forces[1] + self.counts.held > 0
             || self.counts.loads[1] > 0
         {
             return None;

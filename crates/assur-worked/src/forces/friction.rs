@@ -1,7 +1,6 @@
 //! Groups with friction: equilibrium with the friction that the solver found, then the law of friction with these reactions.
 
 use super::acting::{Couple, Force};
-use crate::angle::Angle;
 use crate::course::Course;
 use crate::document::{Inline, Line, text};
 use crate::motion::of;
@@ -70,43 +69,6 @@ impl Course<'_> {
         Some(rate)
     }
 
-    /// The velocity of the element's body against its base, in the sense in which its friction counts.
-    fn relative_rate(&mut self, element: &FrictionElement) -> Expr {
-        let speed = self.state().sliding_speed(element);
-        let index = format!("{},{}", self.label(element.body), self.label(element.base));
-        if matches!(element.kind, FrictionLaw::Circle { .. }) {
-            let of = |course: &Self, body: usize| {
-                course.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone())
-            };
-            let right = of(self, element.body) - of(self, element.base);
-            return self.component(Name::new("ω", &index), speed, Unit::AngularVelocity, right);
-        }
-        if let FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } = &element.kind {
-            let slides = element.body == guide.slider || element.through == guide.slider;
-            let other = if slides { element.base } else { element.body };
-            if other == 0 {
-                let v = self.velocity(guide.slider, guide.point);
-                let along = self.way(guide).0.along(&v);
-                return self.component(
-                    Name::new("v", &index),
-                    speed,
-                    Unit::Velocity,
-                    if slides { along } else { -along },
-                );
-            }
-            let point = self.point_name(guide.slider, guide.point);
-            let name = Name::new("v", &format!("{point},{}", self.label(guide.base)));
-            if let Some(found) = self.found.get(&name).cloned() {
-                for right in [found.clone(), -found] {
-                    if (right.value() - speed).abs() <= 1e-9 * speed.abs() {
-                        return right;
-                    }
-                }
-            }
-        }
-        self.stated(Name::new("v", &index), speed, Unit::Velocity)
-    }
-
     /// The friction of a pair as a known load on both bodies.
     fn rub(&mut self, slot: usize, element: &FrictionElement) -> Expr {
         let name = self.friction_name(element);
@@ -124,7 +86,7 @@ impl Course<'_> {
                     FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
                         self.way(guide).0
                     }
-                    _ => Angle::of(self.tangent(element, along)),
+                    _ => self.tangent(element, along),
                 };
                 let parts = [leaf.clone() * angle.cos(), leaf.clone() * angle.sin()];
                 let opposite = parts.clone().map(|p| -p);
@@ -141,22 +103,14 @@ impl Course<'_> {
         leaf
     }
 
-    /// The direction of the tangent of a contact.
-    fn tangent(&mut self, element: &FrictionElement, along: assur_math::math::Vec2) -> Expr {
-        let pair = self.scene.mechanism().pair(element.pair).name.clone();
-        let degrees = libm::atan2(along.y, along.x).to_degrees();
-        self.stated(Name::new("τ", &pair), degrees, Unit::Angle)
-    }
-
     /// M_f = ∓ρ R, F_f = ∓f N with the reactions found.
     fn law_of_friction(&mut self, slot: usize, element: &FrictionElement) {
         let (effort, sense) = (self.state().forces.frictions[slot], self.state().forces.senses[slot]);
         let pair = self.scene.mechanism().pair(element.pair).name.clone();
-        let Some(reaction) = self.acting.reactions.get(element.slot).cloned().flatten() else { return };
-        let Some(size) = self.found.get(&reaction).cloned() else { return };
-        if sense == 0.0 || element.pin.is_some() {
+        if sense == 0.0 {
             return;
         }
+        let Some(size) = self.pressed(element) else { return };
         let (right, unit) = match &element.kind {
             FrictionLaw::Circle { radius } => {
                 (self.given(Name::new("ρ", &pair), *radius, Unit::Length) * size, Unit::Torque)
@@ -169,5 +123,28 @@ impl Course<'_> {
         let right = if sense > 0.0 { -right } else { right };
         let name = self.friction_name(element);
         self.confirm(name, effort, unit, right);
+    }
+
+    /// The reaction that presses in a pair; in a hinge of several links that of all others on its own link.
+    fn pressed(&mut self, element: &FrictionElement) -> Option<Expr> {
+        let Some((from, to)) = element.pin else {
+            let reaction = self.acting.reactions.get(element.slot).cloned().flatten()?;
+            return self.found.get(&reaction).cloned();
+        };
+        let mut parts = [Expr::ZERO, Expr::ZERO];
+        for (slot, sign) in &self.scene.model.plan.pin_slots[from..to] {
+            let reaction = self.acting.reactions[*slot].clone()?;
+            let found =
+                ["x", "y"].map(|axis| self.found.get(&reaction.and(axis)).cloned().unwrap_or(Expr::ZERO));
+            // it may be written as the force on the other link
+            let force = self.state().forces.reactions[*slot].force * *sign;
+            let opposite = found[0].value() * force.x + found[1].value() * force.y < 0.0;
+            for (sum, part) in parts.iter_mut().zip(found) {
+                *sum = sum.clone() + if opposite { -part } else { part };
+            }
+        }
+        let pair = self.scene.mechanism().pair(element.pair).name.clone();
+        let name = Name::new("R", &format!("{pair},{}", self.label(element.body)));
+        Some(self.length_of(name, Unit::Force, &parts))
     }
 }

@@ -2,11 +2,12 @@
 
 use super::acting::{Couple, Force};
 use super::quantity_name;
+use crate::angle::Angle;
 use crate::course::{Course, cell};
 use crate::document::text;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
-use assur_model::model::{self, BinaryOp, Load, LoadKind, PairId, Query, Spring, Value};
+use assur_model::model::{self, BinaryOp, Load, LoadKind, PairId, PairKind, Query, Spring, Value};
 use assur_model::structure::JointKind;
 
 impl Course<'_> {
@@ -70,7 +71,7 @@ impl Course<'_> {
 
     /// A load between the links of a pair: a force along the guide, a couple in a hinge.
     pub(super) fn in_pair(&mut self, load: &Load, pair: PairId, name: Name, effort: f64) {
-        let turns = matches!(self.scene.mechanism().pair(pair).kind, model::PairKind::Revolute(_));
+        let turns = matches!(self.scene.mechanism().pair(pair).kind, PairKind::Revolute(_));
         let joints: Vec<_> = self.structure().replaced.joints_of(pair).collect();
         for joint in joints {
             match self.structure().replaced.joint(joint).kind.clone() {
@@ -132,16 +133,52 @@ impl Course<'_> {
             let c = self.given(Name::new("c", &words), stiffness, Unit::TorsionStiffness);
             let free = self.given(Name::new("φ", &format!("0,{words}")), free.to_degrees(), Unit::Angle);
             let angle = self.scalar(&Query::Displacement(pair)).to_degrees();
-            let angle = self.stated(Name::new("φ", &words), angle, Unit::Angle);
+            let angle = self.angle_of_hinge(Name::new("φ", &words), pair, angle);
             right = c * (free - angle) * Expr::Pi / Expr::Int(180);
         }
         if let Some(damping) = spring.viscous {
             let k = self.given(Name::new("k", &words), damping, Unit::TorsionDamping);
             let rate = self.scalar(&Query::RelativeVelocity(pair));
-            right = right - k * self.stated(Name::new("ω", &words), rate, Unit::AngularVelocity);
+            right = right - k * self.rate_of_hinge(Name::new("ω", &words), pair, rate);
         }
         let name = Name { letter: "M".to_owned(), ..quantity_name(&format!("M_{words}")) };
         Some(self.equate(name, effort, Unit::Torque, right))
+    }
+
+    /// The angle of a hinge from those of its links, with its whole turns.
+    fn angle_of_hinge(&mut self, name: Name, pair: PairId, degrees: f64) -> Expr {
+        let PairKind::Revolute(pins) = &self.scene.mechanism().pair(pair).kind else { return Expr::ZERO };
+        let angles: Vec<Angle> = pins
+            .iter()
+            .filter_map(|pin| self.bodies[pin.link.index()].as_ref().map(|body| body.angle.clone()))
+            .collect();
+        if let [one, two] = angles.as_slice() {
+            for right in [two.minus(one).whole(), one.minus(two).whole()] {
+                let turns = ((degrees - right.value()) / 360.0).round();
+                let right = right + Expr::Degrees(360 * turns as i64);
+                if (right.value() - degrees).abs() <= 1e-9 * right.scale().max(360.0) {
+                    return self.component(name, degrees, Unit::Angle, right);
+                }
+            }
+        }
+        self.stated(name, degrees, Unit::Angle)
+    }
+
+    /// The rate of a hinge from those of its links.
+    fn rate_of_hinge(&mut self, name: Name, pair: PairId, rate: f64) -> Expr {
+        let PairKind::Revolute(pins) = &self.scene.mechanism().pair(pair).kind else { return Expr::ZERO };
+        let rates: Vec<Expr> = pins
+            .iter()
+            .filter_map(|pin| self.bodies[pin.link.index()].as_ref().map(|body| body.rates[0].clone()))
+            .collect();
+        if let [one, two] = rates.as_slice() {
+            for right in [two.clone() - one.clone(), one.clone() - two.clone()] {
+                if (right.value() - rate).abs() <= 1e-9 * right.scale() {
+                    return self.component(name, rate, Unit::AngularVelocity, right);
+                }
+            }
+        }
+        self.stated(name, rate, Unit::AngularVelocity)
     }
 
     fn scalar(&self, query: &Query) -> f64 {

@@ -13,9 +13,11 @@ mod rpp;
 mod rpr;
 mod rrp;
 mod rrr;
+mod rubbing;
 mod run;
 mod several;
 mod stated;
+mod substitution;
 mod sums;
 mod together;
 mod train;
@@ -30,6 +32,7 @@ use crate::course::Course;
 use crate::document::{Figure, Line, Term, text};
 use crate::words::Message;
 use assur_model::model::Bearing;
+use assur_model::structure::Group;
 use assur_position::plan::ForceStep;
 
 /// A reaction below this part of the greatest is rounding.
@@ -52,6 +55,11 @@ impl Course<'_> {
             let line: Line = vec![text(labels.join(", "))];
             let words = crate::course::plain(&crate::words::say(self.language, message, &[line]));
             self.heading(3, words);
+            if self.shares(group) {
+                self.say(Message::FrictionSharesHere, &[]);
+                self.counts.held += 1;
+                continue;
+            }
             let shown = of_group(&labels, figures);
             let (freed, polygons): (Vec<Figure>, Vec<Figure>) = shown
                 .iter()
@@ -66,6 +74,16 @@ impl Course<'_> {
         self.count_reactions();
     }
 
+    /// Whether the forces of a group depend on how pairs share what friction holds.
+    fn shares(&self, group: &Group) -> bool {
+        group.bodies.iter().any(|body| self.scene.view().shares_friction_on(body.0))
+    }
+
+    /// Whether the forces of all groups do.
+    pub fn all_shares(&self) -> bool {
+        self.structure().forces.iter().all(|group| self.shares(group))
+    }
+
     /// Which reactions have a step; one that is nothing needs none, and one whose place is open has none.
     fn count_reactions(&mut self) {
         let plan = self.scene.model.plan;
@@ -74,7 +92,8 @@ impl Course<'_> {
         let large = found.iter().map(|r| r.force.norm()).chain(loads).fold(0.0, f64::max);
         for (slot, joint) in plan.reactions.iter().enumerate() {
             let pair = self.structure().replaced.joint(joint.joint).pair;
-            let open = self.scene.mechanism().pair(pair).bearing == Some(Bearing::Open);
+            let open = self.scene.mechanism().pair(pair).bearing == Some(Bearing::Open)
+                || self.scene.view().shares_friction(pair);
             if open || found[slot].force.norm() <= NOTHING * large {
                 continue;
             }

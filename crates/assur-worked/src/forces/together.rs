@@ -46,6 +46,7 @@ impl Course<'_> {
             vec![Block::Paragraph(say(self.language, Message::EquationsTogether, &[count, known]))];
         let system = System { unknowns: &unknowns, defined };
         blocks.push(Block::Table(system.table(&sums)));
+        self.solutions.extend(unknowns);
         blocks.push(Block::Paragraph(say(self.language, Message::SolutionIs, &[])));
         self.insert(before, blocks);
         true

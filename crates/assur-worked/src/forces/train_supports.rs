@@ -3,7 +3,7 @@
 use super::acting::{Couple, Force};
 use super::train::{body_of, scale_of};
 use crate::angle::Angle;
-use crate::course::Course;
+use crate::course::{Course, joined};
 use crate::document::text;
 use crate::motion::pin;
 use crate::words::Message;
@@ -107,8 +107,12 @@ impl Course<'_> {
         let direction = if fixed {
             self.direction_given(towards, || Name::new("δ", &pair))
         } else {
-            let degrees = libm::atan2(towards.y, towards.x).to_degrees();
-            Angle::of(self.stated(Name::new("δ", &pair), degrees, Unit::Angle))
+            let [a, b] = [0, 1].map(|i| self.position(slots[i], meeting.centres[i]));
+            let [a, b] = if inside { [b, a] } else { [a, b] };
+            let [x, y] = a;
+            let d = [b[0].clone() - x, b[1].clone() - y];
+            let names = [0, 1].map(|i| self.point_name(slots[i], meeting.centres[i]));
+            Angle::of(self.direction_of(Name::new("δ", &pair), &d, &joined(&names[0], &names[1])))
         };
         let mut parts = [-(tangential.clone() * direction.sin()), tangential.clone() * direction.cos()];
         if meeting.tangent != 0.0 {

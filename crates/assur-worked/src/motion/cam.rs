@@ -7,7 +7,6 @@ use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::element::cam::Follower;
-use assur_math::math::Vec2;
 use assur_position::plan::{CamStep, Slide};
 
 /// The law of a cam at its angle.
@@ -26,7 +25,7 @@ pub(super) struct CamLaw {
 
 impl Course<'_> {
     /// A follower that its cam moves.
-    pub(super) fn cam(&mut self, stage: Stage, index: usize, step: &CamStep) {
+    pub(super) fn cam(&mut self, stage: Stage, step: &CamStep) {
         let contact = &step.contact;
         let law = self.law_of_cam(step, "s");
         match stage {
@@ -41,16 +40,18 @@ impl Course<'_> {
                     }
                     None => self.lift(&law, step),
                 }
-                self.bodies_of_cam(index, step, &law);
+                self.bodies_of_cam(step, &law);
+                self.block_placed(stage, step, &law);
             }
             Stage::Velocities => {
                 let right = self.derivative(&law, step, 1) * self.rate_of_cam(step, 0);
-                self.rate_of_follower(0, index, step, law.turns, right);
+                self.rate_of_follower(0, step, law.turns, right);
+                self.block_placed(stage, step, &law);
             }
             Stage::Accelerations => {
                 let (first, second) = (self.derivative(&law, step, 1), self.derivative(&law, step, 2));
                 let right = second * self.rate_of_cam(step, 0).squared() + first * self.rate_of_cam(step, 1);
-                self.rate_of_follower(1, index, step, law.turns, right);
+                self.rate_of_follower(1, step, law.turns, right);
             }
         }
     }
@@ -119,16 +120,14 @@ impl Course<'_> {
         }
     }
 
-    /// Where the follower is; the block of the contact only where something needs it.
-    fn bodies_of_cam(&mut self, index: usize, step: &CamStep, law: &CamLaw) {
-        let slot = step.contact.follower.index();
+    /// Where the follower is.
+    fn bodies_of_cam(&mut self, step: &CamStep, law: &CamLaw) {
         let lift = self.found.get(&law.lift).cloned().unwrap_or(Expr::ZERO);
         if law.turns {
             self.lever_of_cam(step, lift);
         } else {
             self.tappet_of_cam(step, law, lift);
         }
-        self.blocks_of_cam(index, slot);
     }
 
     /// The lever: φ = λ + 180° ∓ (ψ₀ + ψ).
@@ -191,20 +190,8 @@ impl Course<'_> {
         Name::new(letter, &sub)
     }
 
-    /// The block of a contact: what stands for it besides the links.
-    pub(super) fn blocks_of_cam(&mut self, index: usize, link: usize) {
-        for body in self.structure().motion[index].bodies.iter().map(|b| b.0).filter(|b| *b != link) {
-            let u = self.moved(body).u;
-            self.optional.insert(self.blocks.len());
-            let degrees = libm::atan2(u.y, u.x).to_degrees();
-            let angle = Angle::of(self.stated(Name::new("φ", &self.label(body)), degrees, Unit::Angle));
-            self.bodies[body] =
-                Some(Body { reference: Vec2::zero(), angle, rates: [Expr::ZERO, Expr::ZERO] });
-        }
-    }
-
     /// The velocity (0) or acceleration (1) of the follower from that of its lift.
-    fn rate_of_follower(&mut self, order: usize, index: usize, step: &CamStep, turns: bool, right: Expr) {
+    fn rate_of_follower(&mut self, order: usize, step: &CamStep, turns: bool, right: Expr) {
         let contact = &step.contact;
         let slot = contact.follower.index();
         let moved = *self.moved(slot);
@@ -228,7 +215,6 @@ impl Course<'_> {
             let parts = [found.clone() * direction.cos(), found * direction.sin()];
             self.keep(order + 1, &point, parts);
         }
-        self.rates_of_blocks(order, index, slot);
     }
 
     /// A follower that slides on a frame which moves: relative motion, what is under it, and Coriolis.
@@ -252,19 +238,6 @@ impl Course<'_> {
         let found = self.equate(name, value, unit, right);
         self.set_slider_rate(&slide, order);
         self.slid(order + 1, &slide, contact.point, &found);
-    }
-
-    /// What turns with the contact, only where something needs it.
-    pub(super) fn rates_of_blocks(&mut self, order: usize, index: usize, link: usize) {
-        for body in self.structure().motion[index].bodies.iter().map(|b| b.0).filter(|b| *b != link) {
-            let moved = *self.moved(body);
-            let value = [moved.omega, moved.alpha][order];
-            let name = Name::new(["ω", "α"][order], &self.label(body));
-            let unit = [Unit::AngularVelocity, Unit::AngularAcceleration][order];
-            self.optional.insert(self.blocks.len());
-            let found = self.stated(name, value, unit);
-            self.set_rate(body, order, found);
-        }
     }
 }
 

@@ -11,17 +11,20 @@ use assur_position::plan::CamStep;
 
 impl Course<'_> {
     /// A cam that its follower turns.
-    pub(super) fn cam_turned(&mut self, stage: Stage, index: usize, step: &CamStep) {
+    pub(super) fn cam_turned(&mut self, stage: Stage, step: &CamStep) {
         let (disk, frame) = (step.contact.disk.index(), step.contact.frame.index());
         // small `s` is how far the follower has moved along its guide
         let law = self.law_of_cam(step, "S");
         match stage {
-            Stage::Positions => self.turned_to(index, step, &law),
+            Stage::Positions => {
+                self.turned_to(step, &law);
+                self.block_placed(stage, step, &law);
+            }
             Stage::Velocities => {
                 let turning = self.rate_of_lift(0, step, &law) / self.derivative(&law, step, 1);
                 let base = self.rate_of_body(frame, 0);
                 self.rate_of_disk(0, disk, if step.cam.ccw { base + turning } else { base - turning });
-                self.rates_of_blocks(0, index, disk);
+                self.block_placed(stage, step, &law);
             }
             Stage::Accelerations => {
                 let turning = self.rate_of_body(disk, 0) - self.rate_of_body(frame, 0);
@@ -29,13 +32,12 @@ impl Course<'_> {
                 let turning = (self.rate_of_lift(1, step, &law) - second * turning.squared()) / first;
                 let base = self.rate_of_body(frame, 1);
                 self.rate_of_disk(1, disk, if step.cam.ccw { base + turning } else { base - turning });
-                self.rates_of_blocks(1, index, disk);
             }
         }
     }
 
     /// The cam where its law has the lift.
-    fn turned_to(&mut self, index: usize, step: &CamStep, law: &CamLaw) {
+    fn turned_to(&mut self, step: &CamStep, law: &CamLaw) {
         let contact = &step.contact;
         let disk = contact.disk.index();
         let cam = self.scene.mechanism().cams[contact.cam].name.clone();
@@ -52,7 +54,6 @@ impl Course<'_> {
         self.bodies[disk] =
             Some(Body { reference: contact.centre, angle: Angle::of(phi), rates: [Expr::ZERO, Expr::ZERO] });
         self.lift_holds(step, law);
-        self.blocks_of_cam(index, disk);
     }
 
     /// The law at the angle found has the lift.

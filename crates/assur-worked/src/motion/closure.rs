@@ -8,7 +8,7 @@ use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::DriveTarget;
-use assur_model::structure::{JointId, JointKind};
+use assur_model::structure::{EffortKind, EffortSource, JointId, JointKind};
 
 impl Course<'_> {
     /// The equations of a group's hinges with what is left of each.
@@ -71,7 +71,8 @@ impl Course<'_> {
         let before = self.blocks.len();
         self.stated_motion(stage, index);
         let after = self.blocks.len();
-        let equations = self.closure(stage, index);
+        let mut equations = self.closure(stage, index);
+        equations.extend(self.conditions(stage, index));
         let own = before..after;
         let lines = self.lines.iter().filter(|(place, _)| own.contains(place) || *place >= after);
         let unknowns: Vec<Name> = lines.map(|(_, name)| name.clone()).collect();
@@ -88,8 +89,53 @@ impl Course<'_> {
         let count = vec![text(unknowns.len().to_string())];
         let mut blocks = vec![Block::Paragraph(say(self.language, Message::RatesTogether, &[count]))];
         blocks.push(Block::Table(system.table(&equations)));
+        self.solutions.extend(unknowns);
         blocks.push(Block::Paragraph(say(self.language, Message::SolutionIs, &[])));
         self.insert(before, blocks);
+    }
+
+    /// What a group keeps besides its hinges and guides: laws of transmissions, drives inside it, links whose own turn is nothing.
+    fn conditions(&mut self, stage: Stage, index: usize) -> Vec<(Name, Expr)> {
+        let order = match stage {
+            Stage::Positions => return Vec::new(),
+            Stage::Velocities => 0,
+            Stage::Accelerations => 1,
+        };
+        let (letter, unit) = [("Δω", Unit::AngularVelocity), ("Δα", Unit::AngularAcceleration)][order];
+        let group = &self.structure().motion[index];
+        let mut left = Vec::new();
+        for law in &group.laws {
+            let pair = self.structure().replaced.joint(*law).pair;
+            let name = Name::new("ε", &self.scene.mechanism().pair(pair).name);
+            left.push((name.marked(["", "a"][order]), Unit::One, self.law_sum(order, *law, &[])));
+        }
+        for &effort in &group.efforts {
+            let drive = &self.structure().drives[effort];
+            let EffortSource::Drive(id) = drive.source else { continue };
+            let input = self.state().motion.inputs[id.index()];
+            let (label, turning) = match drive.kind {
+                EffortKind::Angle(body) => (self.label(body.0), self.rate_of_body(body.0, order)),
+                EffortKind::RelativeAngle { first, second, .. } => (
+                    format!("{},{}", self.label(second.0), self.label(first.0)),
+                    self.rate_of_body(second.0, order) - self.rate_of_body(first.0, order),
+                ),
+                _ => continue,
+            };
+            let given = Name::new(["ω", "α"][order], &label).marked("∗");
+            let given = self.given(given, [input.rate, input.acceleration][order], unit);
+            left.push((Name::new(letter, &label).marked("∗"), unit, turning - given));
+        }
+        for link in &self.structure().passive {
+            let body = link.index();
+            if group.bodies.iter().any(|b| b.0 == body) {
+                left.push((Name::new(letter, &self.label(body)), unit, self.rate_of_body(body, order)));
+            }
+        }
+        left.retain(|(_, _, sum)| !sum.is_zero());
+        for (name, unit, sum) in &left {
+            self.confirm(name.clone(), 0.0, *unit, sum.clone());
+        }
+        left.into_iter().map(|(name, _, sum)| (name, sum)).collect()
     }
 
     /// A slider turns with its guide, and its point moves along it.

@@ -62,10 +62,22 @@ impl Course<'_> {
     }
 
     fn relative_angle(&mut self, body: usize, base: usize, degrees: f64) -> Angle {
-        let (label, other) = (self.label(body), self.label(base));
-        let part = self.given(Name::new("φ", &format!("{label},{other}")), degrees, Unit::Angle);
+        let label = self.label(body);
+        let part = self.relative_part(body, base, degrees);
         let from = self.bodies[base].as_ref().map_or(Angle::ZERO, |b| b.angle.clone());
         Angle::of(self.angle_sum(Name::new("φ", &label), from.whole() + part))
+    }
+
+    /// The angle of a driven link against its base.
+    pub(super) fn relative_part(&self, body: usize, base: usize, degrees: f64) -> Expr {
+        let (label, other) = (self.label(body), self.label(base));
+        self.given(Name::new("φ", &format!("{label},{other}")), degrees, Unit::Angle)
+    }
+
+    /// The coordinate along a driven guide.
+    pub(super) fn driven_way(&self, slide: &Slide, drive: usize) -> Expr {
+        let value = self.state().motion.inputs[drive].value * slide.sense;
+        self.given(self.sliding_name("s", slide, slide.point), value, Unit::Length)
     }
 
     /// The rate of a driven link: given, or that of its base and the one against it.

@@ -31,7 +31,7 @@ impl Course<'_> {
     }
 
     /// The velocity (1) or acceleration (2) of the point of a body that is under a place at this instant.
-    pub(super) fn under(&mut self, order: usize, base: usize, place: &str, here: &[Expr; 2]) -> [Expr; 2] {
+    pub(crate) fn under(&mut self, order: usize, base: usize, place: &str, here: &[Expr; 2]) -> [Expr; 2] {
         let Some(known) = self.bodies[base].clone().filter(|_| base != 0) else {
             return [Expr::ZERO, Expr::ZERO];
         };

@@ -35,9 +35,16 @@ impl Course<'_> {
         let (place, of) = if mirrored { (1.0 - x, Expr::Int(1) - part) } else { (x, part) };
         let [way, slope, bend] = shape(phase.law, &h, &of, place, &constants)?;
         let [way, bend] = if mirrored { [h - way, -bend] } else { [way, bend] };
-        let per = |x: Expr| if law.turns { x } else { Expr::Int(180) * x / Expr::Pi };
-        let first = per(slope) / angle.clone();
-        let second = Expr::Int(180) * per(bend) / (Expr::Pi * angle.squared());
+        // by the angle in radians; a lift that is an angle is in degrees itself
+        let [first, second] = if law.turns {
+            [over(slope, angle.clone()), over(Expr::Int(180) * bend, Expr::Pi * angle.squared())]
+        } else {
+            let square = |x: Expr| Expr::Square(Box::new(x));
+            [
+                over(Expr::Int(180) * slope, Expr::Pi * angle.clone()),
+                over(square(Expr::Int(180)) * bend, square(Expr::Pi) * square(angle)),
+            ]
+        };
         Some([from + way, first, second])
     }
 
@@ -65,5 +72,24 @@ impl Course<'_> {
             }
             _ => Vec::new(),
         }
+    }
+}
+
+/// A quotient without a fraction in its numerator.
+fn over(x: Expr, by: Expr) -> Expr {
+    match x {
+        Expr::Neg(x) => -over(*x, by),
+        Expr::Ratio(a, b) => *a / (*b * by),
+        Expr::Product(factors) if factors.iter().any(|f| matches!(f, Expr::Ratio(..))) => {
+            let (mut top, mut bottom) = (Expr::Int(1), by);
+            for factor in factors {
+                match factor {
+                    Expr::Ratio(a, b) => (top, bottom) = (top * *a, bottom * *b),
+                    other => top = top * other,
+                }
+            }
+            top / bottom
+        }
+        x => x / by,
     }
 }

@@ -1,10 +1,12 @@
 //! Positions, velocities and accelerations, group by group.
 
 mod cam;
+mod cam_normal;
 mod cam_turned;
 mod closure;
 mod cylinder;
 mod driven;
+mod driven_legs;
 mod general;
 mod geneva;
 mod guide;
@@ -17,7 +19,7 @@ mod rrp;
 mod rrr;
 mod stated;
 mod train;
-mod translation;
+mod train_places;
 mod triangle;
 mod whole;
 mod willis;
@@ -101,25 +103,29 @@ impl Course<'_> {
             MotionStep::Rpp { branch, base, pin, inner, outer } => {
                 self.rpp(stage, *branch, base, *pin, [inner, outer]);
             }
-            MotionStep::Translation { slides, .. } if self.guides_rest(slides) => {
-                self.translation(stage, slides);
-            }
+            MotionStep::Translation { branch, slides } => self.translation(stage, *branch, slides),
             MotionStep::Train { train, .. } => self.train(stage, index, *train),
             MotionStep::Cam { cam, .. } => {
-                self.cam(stage, index, &self.scene.model.plan.cams[*cam]);
+                self.cam(stage, &self.scene.model.plan.cams[*cam]);
             }
             MotionStep::CamTurned { cam, .. } => {
-                self.cam_turned(stage, index, &self.scene.model.plan.cams[*cam]);
+                self.cam_turned(stage, &self.scene.model.plan.cams[*cam]);
             }
             MotionStep::Geneva { branch, geneva } => {
                 self.geneva(stage, *branch, &self.scene.model.plan.genevas[*geneva]);
             }
-            MotionStep::DrivenRrr { legs, .. } if stage == Stage::Positions && self.on_cylinder(legs) => {}
+            MotionStep::DrivenRrr { legs, .. } if stage == Stage::Positions => {
+                if !self.on_cylinder(legs) {
+                    self.driven_rrr(legs);
+                }
+            }
+            MotionStep::DrivenRrp { branch, leg, slide, pin, .. } if stage == Stage::Positions => {
+                self.driven_rrp(*branch, leg, slide, *pin);
+            }
             MotionStep::Triad { .. } | MotionStep::General { .. }
                 if stage == Stage::Positions && self.whole(index, step) => {}
             MotionStep::DrivenRrr { .. }
             | MotionStep::DrivenRrp { .. }
-            | MotionStep::Translation { .. }
             | MotionStep::Triad { .. }
             | MotionStep::General { .. } => {
                 self.closing(stage, index);

@@ -1,4 +1,4 @@
-//! Dyad PRP: two sliders on guides, joined by a hinge C.
+//! Dyad PRP: two sliders on guides, joined by a hinge C; a body that slides on two guides.
 
 use super::{Stage, pin};
 use crate::course::Course;
@@ -17,6 +17,28 @@ impl Course<'_> {
         }
     }
 
+    /// A body between two guides that fix its angle alike: a point of it is on both paths.
+    pub(super) fn translation(&mut self, stage: Stage, branch: usize, slides: &[Slide; 2]) {
+        let pins = [slides[0].point; 2];
+        match stage {
+            Stage::Positions => {
+                let label = self.label(slides[0].body);
+                self.say(Message::BetweenGuides, &[vec![text(label)]]);
+                self.prp_position(branch, slides, pins);
+            }
+            Stage::Velocities => self.prp_rates(1, slides, pins),
+            Stage::Accelerations => self.prp_rates(2, slides, pins),
+        }
+    }
+
+    /// The index of the coordinate along one of the guides: the point, and the slider; of one slider on both the guide's body.
+    fn way_index(&self, slides: &[Slide; 2], pins: [Vec2; 2], which: usize) -> String {
+        let one = slides[0].body == slides[1].body;
+        let body = if one { slides[which].base } else { slides[which].body };
+        let apart = if one && slides[0].base == slides[1].base { "′".repeat(which) } else { String::new() };
+        format!("{},{}{apart}", self.point_name(slides[0].body, pins[0]), self.label(body))
+    }
+
     /// C is where two lines meet: its coordinate along the first.
     fn prp_position(&mut self, branch: usize, slides: &[Slide; 2], pins: [Vec2; 2]) {
         let inner = self.point_name(slides[0].body, pins[0]);
@@ -33,7 +55,7 @@ impl Course<'_> {
         // s_1 d_1 − s_2 d_2 = d, across the second guide
         let right = -guides[1].across(&d) / guides[1].minus(&guides[0]).sin();
         let value = right.value();
-        let name = Name::new("s", &format!("{inner},{}", self.label(slides[0].body)));
+        let name = Name::new("s", &self.way_index(slides, pins, 0));
         let along = if right.is_zero() { Expr::ZERO } else { self.equate(name, value, Unit::Length, right) };
         let value = self.moved(slides[0].body).position(pins[0]);
         let right = [
@@ -56,7 +78,8 @@ impl Course<'_> {
             self.set_slider_rate(&slides[i], order - 1);
             let [mut x, mut y] = self.under(order, slides[i].base, &inner, &here);
             if order == 2 {
-                let coriolis = self.slider_coriolis_of(&slides[i], pins[i]);
+                let index = self.way_index(slides, pins, i);
+                let coriolis = self.coriolis_along(&slides[i], &index);
                 x = x - coriolis.clone() * guides[i].sin();
                 y = y + coriolis * guides[i].cos();
             }
@@ -70,7 +93,7 @@ impl Course<'_> {
             let other = &guides[1 - i];
             let right = if i == 0 { -other.across(&d) } else { other.across(&d) };
             let right = right / other.minus(&guides[i]).sin();
-            let name = Name::new(letter, &format!("{inner},{}", self.label(slides[i].body)));
+            let name = Name::new(letter, &self.way_index(slides, pins, i));
             let value = right.value();
             let along = if right.is_zero() { Expr::ZERO } else { self.equate(name, value, unit, right) };
             found.push(along);
@@ -83,15 +106,12 @@ impl Course<'_> {
     }
 
     /// The Coriolis acceleration of the slider of a pair of guides.
-    fn slider_coriolis_of(&mut self, slide: &Slide, at: Vec2) -> Expr {
+    fn coriolis_along(&mut self, slide: &Slide, index: &str) -> Expr {
         let omega = self.bodies[slide.base].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
         if omega.is_zero() {
             return Expr::ZERO;
         }
-        let point = self.point_name(slide.body, at);
-        let label = self.label(slide.body);
-        let speed = Name::new("v", &format!("{point},{label}"));
-        let speed = self.found.get(&speed).cloned().unwrap_or(Expr::ZERO);
-        self.coriolis(&format!("{point},{label}"), &omega, &speed)
+        let speed = self.found.get(&Name::new("v", index)).cloned().unwrap_or(Expr::ZERO);
+        self.coriolis(index, &omega, &speed)
     }
 }

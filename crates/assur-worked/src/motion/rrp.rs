@@ -6,7 +6,18 @@ use crate::course::{Course, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Function, Name, Unit};
+use assur_math::math::Vec2;
 use assur_position::plan::{Arm, Leg, Slide};
+
+/// A line of known length that ends on a guide.
+pub(super) struct Reached {
+    /// Its direction.
+    pub angle: Expr,
+    /// The guide, a point of it, and how far to its left the line ends.
+    pub guide: Angle,
+    pub origin: [Expr; 2],
+    pub offset: Expr,
+}
 
 impl Course<'_> {
     pub(super) fn rrp(&mut self, stage: Stage, branch: usize, leg: &Leg, slide: &Slide, inner: Arm) {
@@ -18,13 +29,7 @@ impl Course<'_> {
     }
 
     /// The distance of a point of a slider from its guide, to the left, m.
-    pub(super) fn offset(
-        &mut self,
-        branch: usize,
-        which: usize,
-        slide: &Slide,
-        at: assur_math::math::Vec2,
-    ) -> Expr {
+    pub(super) fn offset(&mut self, branch: usize, which: usize, slide: &Slide, at: Vec2) -> Expr {
         let side = self.state().branches[branch].sides[which];
         let own = (at - slide.point).turned_back(slide.direction);
         let value = own.y + side * slide.radius;
@@ -34,37 +39,48 @@ impl Course<'_> {
     }
 
     fn rrp_position(&mut self, branch: usize, leg: &Leg, slide: &Slide, arm: Arm) {
-        let (outer, inner) =
-            (self.point_name(leg.body, pin(&leg.pin)), self.point_name(slide.body, pin(&arm)));
-        let guide = self.guide(slide);
+        let inner = self.point_name(slide.body, pin(&arm));
         let length = self.leg_length(leg);
         let a = self.anchor(&leg.base);
-        let q = self.position(slide.base, slide.origin);
-        let h = self.offset(branch, 0, slide, pin(&arm));
-        let d = [q[0].clone() - a[0].clone(), q[1].clone() - a[1].clone()];
-        let offset = h.clone();
-        let mut across = h + guide.across(&d);
-        self.say(Message::OnGuide, &[vec![text(&*inner)]]);
-        let exact = guide.part.is_none();
-        if !exact {
-            let value = across.value();
-            across = self.equate(Name::new("e", &inner), value, Unit::Length, across);
-        }
-        let slope = (across / length.clone()).of(Function::Arcsin);
-        let d = slide.along.turned(self.moved(slide.base).u);
         let moved = self.moved(leg.body);
-        let ahead = (moved.position(end(leg)) - moved.position(pin(&leg.pin))).dot(d) > 0.0;
-        let own = guide.whole();
-        let angle = if ahead { own + slope } else { own + Expr::Degrees(180) - slope };
+        let from_outer = moved.position(end(leg)) - moved.position(pin(&leg.pin));
+        let Reached { angle, guide, origin: q, offset } =
+            self.reaches_guide(branch, (slide, pin(&arm)), &a, &length, from_outer);
         let name = self.leg_angle_name(leg);
         let line = self.angle_sum(name, angle);
         self.hang(leg, line.clone());
         let along = Angle::of(line);
         let value = self.moved(leg.body).position(end(leg));
-        let _ = &outer;
         let right = [a[0].clone() + length.clone() * along.cos(), a[1].clone() + length * along.sin()];
         self.on_guide(&inner, value, right, &guide, &q, &offset);
         self.slider(slide, pin(&arm));
+    }
+
+    /// The direction of a line of known length from a known point to a point that slides on a guide.
+    pub(super) fn reaches_guide(
+        &mut self,
+        branch: usize,
+        (slide, at): (&Slide, Vec2),
+        a: &[Expr; 2],
+        length: &Expr,
+        from_outer: Vec2,
+    ) -> Reached {
+        let inner = self.point_name(slide.body, at);
+        let guide = self.guide(slide);
+        let origin = self.position(slide.base, slide.origin);
+        let offset = self.offset(branch, 0, slide, at);
+        let d = [origin[0].clone() - a[0].clone(), origin[1].clone() - a[1].clone()];
+        let mut across = offset.clone() + guide.across(&d);
+        self.say(Message::OnGuide, &[vec![text(&*inner)]]);
+        if guide.part.is_some() {
+            let value = across.value();
+            across = self.equate(Name::new("e", &inner), value, Unit::Length, across);
+        }
+        let slope = (across / length.clone()).of(Function::Arcsin);
+        let ahead = from_outer.dot(slide.along.turned(self.moved(slide.base).u)) > 0.0;
+        let own = guide.whole();
+        let angle = if ahead { own + slope } else { own + Expr::Degrees(180) - slope };
+        Reached { angle, guide, origin, offset }
     }
 
     fn rrp_velocity(&mut self, leg: &Leg, slide: &Slide, arm: Arm) {
@@ -98,17 +114,11 @@ impl Course<'_> {
     }
 
     /// What the state says of the velocity (1) or acceleration (2) along a guide.
-    pub(super) fn slid_value(
-        &self,
-        order: usize,
-        slide: &Slide,
-        at: assur_math::math::Vec2,
-        under: &[Expr; 2],
-    ) -> f64 {
+    pub(super) fn slid_value(&self, order: usize, slide: &Slide, at: Vec2, under: &[Expr; 2]) -> f64 {
         let moved = self.moved(slide.body);
         let whole = if order == 1 { moved.velocity(at) } else { moved.acceleration(at) };
         let d = slide.along.turned(self.moved(slide.base).u);
-        (whole - assur_math::math::Vec2::new(under[0].value(), under[1].value())).dot(d)
+        (whole - Vec2::new(under[0].value(), under[1].value())).dot(d)
     }
 
     fn rrp_acceleration(&mut self, leg: &Leg, slide: &Slide, arm: Arm) {
@@ -143,7 +153,7 @@ impl Course<'_> {
     }
 
     /// The Coriolis acceleration of a slider; nothing on a guide that does not turn.
-    pub(super) fn slider_coriolis(&mut self, slide: &Slide, at: assur_math::math::Vec2) -> Expr {
+    pub(super) fn slider_coriolis(&mut self, slide: &Slide, at: Vec2) -> Expr {
         let omega = self.bodies[slide.base].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
         let speed = self.sliding_name("v", slide, at);
         let speed = self.found.get(&speed).cloned().unwrap_or(Expr::ZERO);

@@ -1,11 +1,12 @@
 //! Dyad RRR: two links joined by a hinge C, hung by hinges A and B.
 
+use super::triangle::Triangle;
 use super::{Stage, across, end, formula, pin, towards, unknown};
 use crate::angle::Angle;
 use crate::course::{Body, Course, joined};
-use crate::document::{Line, text};
+use crate::document::text;
 use crate::words::Message;
-use assur_formula::{Expr, Function, Name, Unit};
+use assur_formula::{Expr, Name, Unit};
 use assur_position::plan::Leg;
 
 /// A dyad in letters.
@@ -83,27 +84,12 @@ impl Course<'_> {
         let l = self.rrr_letters(legs);
         let [a, b] = [self.anchor(&legs[0].base), self.anchor(&legs[1].base)];
         let [one, two, inner] = l.points.clone();
-        let words = |w: &str| -> Line { vec![text(w)] };
-        let triangle = format!("{one}{inner}{two}");
-        let sides = [format!("l_{}", joined(&one, &inner)), format!("l_{}", joined(&two, &inner))];
-        let _ = sides;
-        self.say(Message::Triangle, &[words(&triangle)]);
-        let d = [b[0].clone() - a[0].clone(), b[1].clone() - a[1].clone()];
-        let third = joined(&one, &two);
-        let base = self.distance(Name::new("l", &third), &d);
-        let delta = self.direction_of(Name::new("δ", &third), &d, &third);
         let [l1, l2] = l.lengths.clone();
-        let cosine = (l1.clone().squared() + base.clone().squared() - l2.squared())
-            / (Expr::Int(2) * l1.clone() * base);
-        let inner_angle = cosine.of(Function::Arccos);
-        let value = inner_angle.value();
-        let beta = self.equate(Name::new("β", &one), value, Unit::Angle, inner_angle);
         // a motion may have come here by other coordinates: the places say it
         let [p, q] = [0, 1].map(|i| self.moved(legs[i].body).position(pin(&legs[i].pin)));
         let left = (q - p).cross(self.moved(legs[0].body).position(end(&legs[0])) - p) > 0.0;
-        let message = if left { Message::LeftOf } else { Message::RightOf };
-        self.say(message, &[words(&inner), words(&one), words(&two)]);
-        let sum = if left { delta + beta } else { delta - beta };
+        let corners = [&*one, &*two, &*inner];
+        let sum = self.side_of_triangle(&Triangle { corners, outer: [&a, &b], sides: [&l1, &l2], left });
         let name = self.leg_angle_name(&legs[0]);
         let line = self.angle_sum(name, sum);
         self.hang(&legs[0], line.clone());

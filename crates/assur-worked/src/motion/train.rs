@@ -1,8 +1,7 @@
 //! Trains: every law between rates with one unknown gives that; what several laws give together is stated, and each law checked.
 
-use super::{Stage, of, pin};
-use crate::angle::Angle;
-use crate::course::{Body, Course};
+use super::{Stage, of};
+use crate::course::Course;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -13,28 +12,9 @@ use assur_position::plan::TrainMember;
 impl Course<'_> {
     pub(super) fn train(&mut self, stage: Stage, index: usize, train: usize) {
         match stage {
-            Stage::Positions => self.train_places(train),
+            Stage::Positions => self.train_places(index, train),
             Stage::Velocities => self.train_rates(0, index, train),
             Stage::Accelerations => self.train_rates(1, index, train),
-        }
-    }
-
-    /// Angles of wheels are stated where something needs them.
-    fn train_places(&mut self, train: usize) {
-        self.say(Message::TrainPlaces, &[]);
-        for member in self.scene.model.plan.trains[train].members.clone() {
-            match member {
-                TrainMember::Turn { body, pin: arm, .. } => {
-                    let moved = self.moved(body);
-                    let degrees = libm::atan2(moved.u.y, moved.u.x).to_degrees();
-                    let name = Name::new("φ", &self.label(body));
-                    self.optional.insert(self.blocks.len());
-                    let angle = Angle::of(self.stated(name, degrees, Unit::Angle));
-                    let rates = [Expr::ZERO, Expr::ZERO];
-                    self.bodies[body] = Some(Body { reference: pin(&arm), angle, rates });
-                }
-                TrainMember::Shift(slide) => self.slider(&slide, slide.point),
-            }
         }
     }
 
@@ -42,15 +22,9 @@ impl Course<'_> {
         let members = self.scene.model.plan.trains[train].members.clone();
         let laws = self.structure().motion[index].laws.clone();
         let mut unknown: Vec<Expr> = Vec::new();
-        let mut sought: Vec<BodyRate> = Vec::new();
-        for law in &laws {
-            for (rate, _) in self.terms_of(*law) {
-                if self.is_sought(&rate, &members) && !sought.contains(&rate) {
-                    sought.push(rate);
-                }
-            }
-        }
-        self.say(Message::LawsOfTrain, &[]);
+        let mut sought = self.sought_by(&laws, &members);
+        let before = self.blocks.len();
+        self.say_once(Message::LawsOfTrain);
         let mut open = laws.clone();
         self.laws_one_by_one(order, &mut open, &mut sought);
         // two laws with the same two unknowns: one is eliminated
@@ -70,7 +44,7 @@ impl Course<'_> {
                 unknown.push(found);
             }
             for law in open {
-                let sum = self.law_sum(order, law, None);
+                let sum = self.law_sum(order, law, &[]);
                 let pair = self.structure().replaced.joint(law).pair;
                 let name = Name::new("ε", &self.scene.mechanism().pair(pair).name).marked(if order == 1 {
                     "a"
@@ -85,6 +59,10 @@ impl Course<'_> {
         if order == 0 {
             self.willis(index);
         }
+        // at constant speed nothing follows from the laws
+        if order == 1 && self.blocks.len() <= before + 1 {
+            self.blocks.truncate(before);
+        }
         for member in &members {
             if let TrainMember::Shift(slide) = member {
                 let name = self.sliding_name(["v", "a"][order], slide, slide.point);
@@ -93,6 +71,17 @@ impl Course<'_> {
                 self.slid(order + 1, slide, slide.point, &along);
             }
         }
+    }
+
+    /// The rates of members in these laws.
+    pub(super) fn sought_by(&self, laws: &[JointId], members: &[TrainMember]) -> Vec<BodyRate> {
+        let mut sought = Vec::new();
+        for (rate, _) in laws.iter().flat_map(|law| self.terms_of(*law)) {
+            if self.is_sought(&rate, members) && !sought.contains(&rate) {
+                sought.push(rate);
+            }
+        }
+        sought
     }
 
     /// Each law with one unknown gives it.
@@ -107,7 +96,11 @@ impl Course<'_> {
     }
 
     /// Two laws with the same two unknowns; the first unknown is that of the link that stands on the other.
-    fn two_laws(&self, open: &[JointId], sought: &[BodyRate]) -> Option<([JointId; 2], [BodyRate; 2])> {
+    pub(super) fn two_laws(
+        &self,
+        open: &[JointId],
+        sought: &[BodyRate],
+    ) -> Option<([JointId; 2], [BodyRate; 2])> {
         for (i, one) in open.iter().enumerate() {
             for two in &open[i + 1..] {
                 let (a, b) = (self.sought_in(*one, sought), self.sought_in(*two, sought));
@@ -129,42 +122,45 @@ impl Course<'_> {
 
     /// The second of two unknowns of two laws, without the first.
     fn eliminated(&mut self, order: usize, laws: [JointId; 2], [first, second]: [BodyRate; 2]) -> Expr {
-        let factor = |course: &Self, law: JointId, rate: BodyRate| {
-            let at = course.terms_of(law).iter().position(|(r, _)| *r == rate);
-            at.and_then(|at| course.factors(law).into_iter().nth(at)).unwrap_or(Expr::ZERO)
-        };
-        let zero = Expr::ZERO;
-        self.keep_rate(order, first, zero.clone());
-        self.keep_rate(order, second, zero);
-        let rests = laws.map(|law| self.law_sum(order, law, None));
-        let firsts = laws.map(|law| factor(self, law, first));
-        let seconds = laws.map(|law| factor(self, law, second));
-        let times = if firsts[0] == firsts[1] {
-            [Expr::Int(1), Expr::Int(1)]
-        } else if firsts[0] == -firsts[1].clone() {
-            [Expr::Int(1), Expr::Int(-1)]
-        } else {
-            [firsts[1].clone(), firsts[0].clone()]
-        };
-        let [f, g] = times;
-        let [rest_1, rest_2] = rests;
-        let [own_1, own_2] = seconds;
-        let rest = f.clone() * rest_1 - g.clone() * rest_2;
-        let own = f * own_1 - g * own_2;
+        let rests = laws.map(|law| self.law_sum(order, law, &[first, second]));
+        let Some(right) = self.without_first(laws, [first, second], rests) else { return Expr::ZERO };
         let (name, value, unit) = self.named_rate(order, second);
         let names = laws.map(|law| {
             let pair = self.structure().replaced.joint(law).pair;
             self.scene.mechanism().pair(pair).name.clone()
         });
         let without = self.named_rate(order, first).0;
-        if rest.is_zero() {
-            return Expr::ZERO;
-        }
         self.say(Message::Eliminated, &[vec![text(names.join(", "))], of(&without), of(&name)]);
-        self.equate(name, value, unit, -(rest / own))
+        self.equate(name, value, unit, right)
     }
 
-    fn terms_of(&self, law: JointId) -> Vec<(BodyRate, f64)> {
+    /// The second of two unknowns of two laws by the rest of each law; none where it is nothing.
+    pub(super) fn without_first(
+        &self,
+        laws: [JointId; 2],
+        [first, second]: [BodyRate; 2],
+        rests: [Expr; 2],
+    ) -> Option<Expr> {
+        let factor = |law: JointId, rate: BodyRate| {
+            let at = self.terms_of(law).iter().position(|(r, _)| *r == rate);
+            at.and_then(|at| self.factors(law).into_iter().nth(at)).unwrap_or(Expr::ZERO)
+        };
+        let firsts = laws.map(|law| factor(law, first));
+        let seconds = laws.map(|law| factor(law, second));
+        let [f, g] = if firsts[0] == firsts[1] {
+            [Expr::Int(1), Expr::Int(1)]
+        } else if firsts[0] == -firsts[1].clone() {
+            [Expr::Int(1), Expr::Int(-1)]
+        } else {
+            [firsts[1].clone(), firsts[0].clone()]
+        };
+        let [rest_1, rest_2] = rests;
+        let [own_1, own_2] = seconds;
+        let rest = f.clone() * rest_1 - g.clone() * rest_2;
+        (!rest.is_zero()).then(|| -(rest / (f * own_1 - g * own_2)))
+    }
+
+    pub(super) fn terms_of(&self, law: JointId) -> Vec<(BodyRate, f64)> {
         match &self.structure().replaced.joint(law).kind {
             JointKind::Law(terms) => terms.iter().map(|(rate, c)| (*rate, *c)).collect(),
             _ => Vec::new(),
@@ -181,7 +177,7 @@ impl Course<'_> {
         })
     }
 
-    fn sought_in(&self, law: JointId, sought: &[BodyRate]) -> Vec<BodyRate> {
+    pub(super) fn sought_in(&self, law: JointId, sought: &[BodyRate]) -> Vec<BodyRate> {
         self.terms_of(law).into_iter().map(|t| t.0).filter(|r| sought.contains(r)).collect()
     }
 
@@ -214,7 +210,7 @@ impl Course<'_> {
     }
 
     /// The index of the speed of a slider.
-    fn slide_index(&self, joint: JointId) -> String {
+    pub(super) fn slide_index(&self, joint: JointId) -> String {
         match &self.structure().replaced.joint(joint).kind {
             JointKind::Prismatic { slider, point, guide, .. } => {
                 let point = self.point_name(slider.0, *point);
@@ -246,11 +242,11 @@ impl Course<'_> {
         }
     }
 
-    /// Σ coefficient × rate of a law, without one of its rates.
-    fn law_sum(&self, order: usize, law: JointId, without: Option<BodyRate>) -> Expr {
+    /// Σ coefficient × rate of a law, without some of its rates.
+    pub(super) fn law_sum(&self, order: usize, law: JointId, without: &[BodyRate]) -> Expr {
         let factors = self.factors(law);
         let terms = self.terms_of(law).into_iter().zip(factors);
-        let kept = terms.filter(|((rate, _), _)| Some(*rate) != without);
+        let kept = terms.filter(|((rate, _), _)| !without.contains(rate));
         Expr::sum(kept.map(|((rate, _), factor)| factor * self.rate_of(order, rate)))
     }
 
@@ -258,7 +254,7 @@ impl Course<'_> {
         let factors = self.factors(law);
         let terms = self.terms_of(law);
         let Some(own) = terms.iter().position(|(r, _)| *r == rate) else { return Expr::ZERO };
-        let rest = self.law_sum(order, law, Some(rate));
+        let rest = self.law_sum(order, law, &[rate]);
         let (name, value, unit) = self.named_rate(order, rate);
         let pair = self.structure().replaced.joint(law).pair;
         let words = self.scene.mechanism().pair(pair).name.clone();
@@ -271,7 +267,7 @@ impl Course<'_> {
 
     /// The coefficients of a law: numbers of teeth of two wheels that mesh, radii, or plain factors. Teeth and radii of the
     /// carrier's term are their sum.
-    fn factors(&self, law: JointId) -> Vec<Expr> {
+    pub(super) fn factors(&self, law: JointId) -> Vec<Expr> {
         let terms = self.terms_of(law);
         let pair = self.structure().replaced.joint(law).pair;
         let mechanism = self.scene.mechanism();

@@ -129,7 +129,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::PairStill => "运动副 {0} 中没有相对滑动，无摩擦。",
         Message::PairHeld => "摩擦使运动副 {0} 保持静止：{1} 与各加速度一起求出，使其两构件没有相对运动。",
         Message::SweepStated => "这里详细求解一个位置；其余位置见文末的表格和曲线。",
-        Message::TrainPlaces => "轮和轴按传动关系转动；需要时直接给出其转角。",
+        Message::TrainPlaces => "轮和轴按传动关系转动；需要时由这些关系求其转角。",
         Message::LawsOfTrain => {
             "每个传动是转速之间的一个线性关系。相对于行星架，啮合的两轮按齿数转动（威利斯公式）。"
         }
@@ -283,6 +283,19 @@ pub(super) const fn template(message: Message) -> &'static str {
         // powers
         Message::Powers => "功率",
         // cylinders
+        Message::CommonNormal => "{0} 为凸轮与从动件的相对瞬心，公法线通过它和 {1}：",
+        Message::FrictionSharesHere => {
+            "摩擦在多于所需的运动副中保持这些构件静止。各副如何分担载荷不确定，此处的反力也不确定。"
+        }
+        Message::StaticMasses => {
+            "构件 {0} 用位于 {1} 和 {2} 的两个质量静代换，总质量和质心不变；ΔJ 为转动惯量之差："
+        }
+        Message::DynamicMasses => {
+            "构件 {0} 用位于 {1} 和摆动中心 {2} 的两个质量动代换，总质量、质心和转动惯量不变："
+        }
+        Message::StiffLink => {
+            "在此位置构件 {0} 和 {1} 相当于一个构件。在构件 {0} 的坐标系中，{2} 相对于 {3} 的位置为 ξ、η："
+        }
         Message::CylinderLength => "主动件给出液压缸两铰链间的长度 {0}。",
         Message::LoadRests => "{0} 在此位置不起作用。",
     }

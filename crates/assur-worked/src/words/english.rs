@@ -164,7 +164,7 @@ pub(super) const fn template(message: Message) -> &'static str {
             "One position is worked out in full here; all others are in the tables and plots at the end."
         }
         Message::TrainPlaces => {
-            "Wheels and shafts turn by the laws of their transmissions; their angles are stated where they are needed."
+            "Wheels and shafts turn by the laws of their transmissions; their angles follow from these laws where they are needed."
         }
         Message::LawsOfTrain => {
             "Each transmission is one linear law between rates. Seen from the carrier the wheels of a mesh turn as the numbers of their teeth (Willis)."
@@ -353,6 +353,21 @@ pub(super) const fn template(message: Message) -> &'static str {
         // powers
         Message::Powers => "Powers",
         // cylinders
+        Message::CommonNormal => {
+            "{0} is the relative instant centre of cam and follower. The common normal passes through it and {1}:"
+        }
+        Message::FrictionSharesHere => {
+            "Friction holds these links in more pairs than it takes. How the pairs share the loads is not determined, and neither are the reactions here."
+        }
+        Message::StaticMasses => {
+            "Link {0} as two masses in {1} and {2}, with the same mass and mass centre; ΔJ is what the moments of inertia differ by:"
+        }
+        Message::DynamicMasses => {
+            "Link {0} as two masses in {1} and in the centre of oscillation {2}, with the same mass, mass centre and moment of inertia:"
+        }
+        Message::StiffLink => {
+            "Links {0} and {1} are one stiff link at this position. In the axes of link {0}, from {3}, the place of {2} is ξ, η:"
+        }
         Message::CylinderLength => "The drive gives the length of the cylinder between its hinges, {0}.",
         Message::LoadRests => "{0} does not act at this position.",
     }

@@ -437,6 +437,16 @@ pub enum Message {
     ByEnergy,
     /// Heading: powers of transmissions.
     Powers,
+    /// The normal of a cam and its follower; 0: the instant centre, 1: the tip.
+    CommonNormal,
+    /// A group in which pairs share by friction what one of them could hold.
+    FrictionSharesHere,
+    /// Static substitution; 0: link, 1, 2: points.
+    StaticMasses,
+    /// Dynamic substitution; the same.
+    DynamicMasses,
+    /// Two bodies with a driven joint between them; 0, 1: these, 2: the inner hinge, 3: the outer one.
+    StiffLink,
     /// A driven cylinder; 0: its length.
     CylinderLength,
     /// A load that is nothing here; 0: it.

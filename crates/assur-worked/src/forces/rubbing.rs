@@ -1,0 +1,120 @@
+//! How the links of a pair with friction move against each other: the rate that decides the sense of friction.
+
+use crate::angle::Angle;
+use crate::course::Course;
+use assur_formula::{Expr, Name, Unit};
+use assur_math::math::Vec2;
+use assur_model::model::ProfileShape;
+use assur_model::structure::BodyOrigin;
+use assur_position::plan::{FrictionElement, FrictionLaw, Guide};
+
+/// Velocities nearer than this, over their size, are one.
+const SAME: f64 = 1e-9;
+
+impl Course<'_> {
+    /// The velocity of the element's body against its base, in the sense in which its friction counts.
+    pub(super) fn relative_rate(&mut self, element: &FrictionElement) -> Expr {
+        let speed = self.state().sliding_speed(element);
+        let index = format!("{},{}", self.label(element.body), self.label(element.base));
+        let right = match &element.kind {
+            FrictionLaw::Circle { .. } => {
+                let [of, against] = [element.body, element.base].map(|body| self.turning(body));
+                return self.component(Name::new("ω", &index), speed, Unit::AngularVelocity, of - against);
+            }
+            FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
+                Some(self.sliding_along(element, guide, speed))
+            }
+            FrictionLaw::Contact { .. } => self.sliding_in_contact(element),
+        };
+        let name = Name::new("v", &index);
+        match right.filter(|right| (right.value() - speed).abs() <= SAME * right.scale()) {
+            Some(right) => self.component(name, speed, Unit::Velocity, right),
+            None => self.stated(name, speed, Unit::Velocity),
+        }
+    }
+
+    fn turning(&self, body: usize) -> Expr {
+        self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone())
+    }
+
+    /// The velocity along a guide: found with the motion, or the difference of the slider and what is under it.
+    fn sliding_along(&mut self, element: &FrictionElement, guide: &Guide, speed: f64) -> Expr {
+        let slides = element.body == guide.slider || element.through == guide.slider;
+        let carrier = if guide.slider == guide.body { guide.base } else { guide.body };
+        let point = self.point_name(guide.slider, guide.point);
+        let name = Name::new("v", &format!("{point},{}", self.label(carrier)));
+        if let Some(found) = self.found.get(&name).cloned() {
+            for right in [found.clone(), -found] {
+                if (right.value() - speed).abs() <= SAME * speed.abs() {
+                    return right;
+                }
+            }
+        }
+        let [x, y] = self.velocity(guide.slider, guide.point);
+        let here = self.position(guide.slider, guide.point);
+        let [u, w] = self.under(1, carrier, &point, &here);
+        let along = self.way(guide).0.along(&[x - u, y - w]);
+        if slides { along } else { -along }
+    }
+
+    /// The velocity along the tangent where a round profile touches.
+    fn sliding_in_contact(&mut self, element: &FrictionElement) -> Option<Expr> {
+        let (place, along) = self.state().friction_line(element)?;
+        let FrictionLaw::Contact { first, second, .. } = element.kind else { return None };
+        let round =
+            [(element.body, first), (element.base, second)].into_iter().find_map(
+                |(body, shape)| match shape {
+                    ProfileShape::Point(at) => Some((body, at, 0.0)),
+                    ProfileShape::Circle(at, radius) => Some((body, at, radius)),
+                    ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
+                },
+            );
+        let (body, at, radius) = round?;
+        let tangent = self.tangent(element, along);
+        let here = self.touching(element, (body, at, radius), place, &tangent);
+        let name = format!("T{}", self.scene.mechanism().pair(element.pair).name);
+        let [x, y] = self.under(1, element.body, &name, &here);
+        let [u, w] = self.under(1, element.base, &name, &here);
+        Some(tangent.along(&[x - u, y - w]))
+    }
+
+    /// Where a round profile touches: its radius from its centre, across the tangent.
+    fn touching(
+        &mut self,
+        element: &FrictionElement,
+        (body, at, radius): (usize, Vec2, f64),
+        place: Vec2,
+        tangent: &Angle,
+    ) -> [Expr; 2] {
+        let centre = self.position(body, at);
+        let pair = self.scene.mechanism().pair(element.pair).name.clone();
+        let left = self
+            .state()
+            .friction_line(element)
+            .map_or(0.0, |(_, along)| along.cross(place - self.moved(body).position(at)));
+        let normal = Angle { quarters: tangent.quarters + if left > 0.0 { 1 } else { 3 }, ..tangent.clone() };
+        let r = self.given(Name::new("r", &pair), radius, Unit::Length);
+        let [x, y] = centre;
+        let name = format!("T{pair}");
+        [
+            self.component(Name::new("x", &name), place.x, Unit::Length, x + r.clone() * normal.cos()),
+            self.component(Name::new("y", &name), place.y, Unit::Length, y + r * normal.sin()),
+        ]
+    }
+
+    /// The direction of the tangent of a contact: that of the block which stands for it, or across it.
+    pub(super) fn tangent(&mut self, element: &FrictionElement, along: Vec2) -> Angle {
+        let bodies = &self.structure().replaced.bodies;
+        let blocks = (0..bodies.len()).filter(|i| bodies[*i].origin == BodyOrigin::Imaginary(element.pair));
+        for block in blocks {
+            let Some(known) = &self.bodies[block] else { continue };
+            let turn = Angle::whole_degrees(along.turned_back(self.moved(block).u));
+            if let Ok(Angle { part: None, quarters }) = turn {
+                return known.angle.plus(&Angle { part: None, quarters });
+            }
+        }
+        let pair = self.scene.mechanism().pair(element.pair).name.clone();
+        let degrees = libm::atan2(along.y, along.x).to_degrees();
+        Angle::of(self.stated(Name::new("τ", &pair), degrees, Unit::Angle))
+    }
+}
