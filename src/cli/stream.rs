@@ -87,6 +87,20 @@ impl Lines {
         }
     }
 
+    /// Adds the lines of positions side by side from their numbers alone; `false`, and nothing, where that is not all.
+    fn add_block(
+        &self,
+        block: &Block,
+        cells: &mut Vec<Vec<f64>>,
+        row: &mut Vec<f64>,
+        text: &mut Vec<u8>,
+    ) -> bool {
+        match self {
+            Self::Csv(lines) => lines.add_block(block, cells, row, text),
+            Self::Json(_) => false,
+        }
+    }
+
     /// Adds the line of a file without positions.
     fn add_without_pose(&self, answers: &Answers<'_>, text: &mut Vec<u8>) {
         match self {
@@ -183,6 +197,9 @@ struct Piece {
     text: Vec<u8>,
     /// The text is that of the blocks.
     is_written: bool,
+    /// Memory for numbers, column by column and of a line.
+    cells: Vec<Vec<f64>>,
+    row: Vec<f64>,
 }
 
 impl Stages for Writing<'_> {
@@ -200,7 +217,9 @@ impl Stages for Writing<'_> {
         for (i, block) in piece.blocks.iter_mut().enumerate() {
             ahead.solve(block, i * BLOCK);
             // angles depend on the positions before: lines that show none are written while the states are at hand
-            if piece.is_written {
+            if piece.is_written
+                && !self.lines.add_block(block, &mut piece.cells, &mut piece.row, &mut piece.text)
+            {
                 ahead.answer(block, false);
                 write(self.lines, self.answers, block, &mut piece.text);
             }

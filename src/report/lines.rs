@@ -5,7 +5,7 @@ use super::csv::{LINE_END, field};
 use super::rows::{AnswerColumns, FULL, write_text};
 use super::simulation;
 use assur_model::model::Value;
-use assur_solve::solve::{Model, NumberColumns, Pose};
+use assur_solve::solve::{Block, Model, NumberColumns, Pose, WideColumns};
 use assur_text::units::push_row;
 
 /// Writes lines.
@@ -18,6 +18,8 @@ pub struct CsvLines {
     whole: Vec<Option<Value>>,
     /// The columns, where a state decides them.
     numbers: Option<NumberColumns>,
+    /// The same for positions side by side.
+    wide: Option<WideColumns>,
     begun: bool,
     /// What heads the names of poses.
     pose: String,
@@ -35,6 +37,7 @@ impl CsvLines {
             file: file.map(cell),
             whole: Vec::new(),
             numbers: None,
+            wide: None,
             begun: false,
             pose: pose_header(model.mechanism),
             events: simulation::names_events(model.mechanism),
@@ -61,6 +64,8 @@ impl CsvLines {
         if !std::mem::replace(&mut self.begun, true) {
             self.whole = self.columns.whole(answers);
             self.numbers = self.columns.numbers(&self.whole);
+            let wide = self.numbers.as_ref().filter(|_| !self.events);
+            self.wide = wide.and_then(|numbers| numbers.wide(&answers.model));
         }
     }
 
@@ -99,6 +104,34 @@ impl CsvLines {
             _ => self.columns.write_beside(answers, pose, &self.whole, (FULL, None), out),
         }
         out.extend_from_slice(LINE_END.as_bytes());
+    }
+
+    /// Adds the lines of positions that were solved side by side, without a state of each; `cells` is memory for their numbers. `false`, and
+    /// nothing, where more than the numbers of the columns is to be written.
+    pub fn add_block(
+        &self,
+        block: &Block,
+        cells: &mut Vec<Vec<f64>>,
+        row: &mut Vec<f64>,
+        out: &mut Vec<u8>,
+    ) -> bool {
+        let Some(columns) = &self.wide else { return false };
+        cells.resize_with(columns.count(), Vec::new);
+        cells.iter_mut().for_each(Vec::clear);
+        block.read(columns, cells);
+        if cells.iter().flatten().any(|x| x.is_nan()) {
+            return false;
+        }
+        let file = self.file.as_deref().unwrap_or_default().as_bytes();
+        for i in 0..block.len() {
+            row.clear();
+            row.extend(cells.iter().map(|column| column[i]));
+            out.extend_from_slice(file);
+            block.push_name(i, out);
+            push_row(out, row, FULL);
+            out.extend_from_slice(LINE_END.as_bytes());
+        }
+        true
     }
 
     /// Adds the one line of a file without positions.

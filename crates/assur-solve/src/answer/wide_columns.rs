@@ -87,6 +87,16 @@ impl NumberColumns {
 }
 
 impl WideColumns {
+    /// How many there are: a vector has two.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        let vector = |column: &Column| match &column.shown {
+            WideShown::Drive(_, vector) => *vector,
+            WideShown::Found(expr) => expr.is_vector(),
+        };
+        self.0.iter().map(|column| 1 + usize::from(vector(column))).sum()
+    }
+
     /// Appends the numbers of the first positions; NaN where there is none. `values` are those of the drives.
     pub(crate) fn read(
         &self,

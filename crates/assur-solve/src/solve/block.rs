@@ -154,6 +154,11 @@ impl Block {
         self.free == 0
     }
 
+    /// Writes what a position is called.
+    pub fn push_name(&self, position: usize, out: &mut Vec<u8>) {
+        out.extend_from_slice(itoa::Buffer::new().format(self.first + position + 1).as_bytes());
+    }
+
     /// How many were solved.
     pub(super) const fn solved(&self) -> usize {
         self.solved
