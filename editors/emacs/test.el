@@ -26,6 +26,10 @@
   "GOT has to be WANTED."
   (unless (equal got wanted) (error "%S, not %S" got wanted)))
 
+(defun mistakes ()
+  "What is wrong, without what is shown faded."
+  (seq-remove (lambda (one) (eq (flymake-diagnostic-type one) 'eglot-note)) (flymake-diagnostics)))
+
 (defun accept-fix (place)
   "Apply the first fix at PLACE."
   (let ((actions (eglot-code-actions place (1+ place) "quickfix")))
@@ -64,7 +68,7 @@
     (flymake-mode 1)
     (let ((found (wait-for name (lambda () (flymake-start) (flymake-diagnostics)))))
       (accept-fix (flymake-diagnostic-beg (car found))))
-    (wait-for (concat "the fix of " name) (lambda () (flymake-start) (null (flymake-diagnostics))))
+    (wait-for (concat "the fix of " name) (lambda () (flymake-start) (not (mistakes))))
     (setq fixed (1+ fixed))
     (set-buffer-modified-p nil))
   (same fixed 10)

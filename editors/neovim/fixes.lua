@@ -16,7 +16,7 @@ for _, name in ipairs(vim.fn.readfile("editors/fixes.txt")) do
   local request = { textDocument = { uri = vim.uri_from_bufnr(buffer) }, range = { start = at, ["end"] = at }, context = { diagnostics = {} } }
   local answer = assert(vim.lsp.buf_request_sync(buffer, "textDocument/codeAction", request, 10000))[client]
   vim.lsp.util.apply_workspace_edit(answer.result[1].edit, "utf-16")
-  wait_for("the fix of " .. name, function() return #vim.diagnostic.get(buffer) == 0 end)
+  wait_for("the fix of " .. name, function() return #vim.diagnostic.get(buffer, { severity = vim.diagnostic.severity.ERROR }) == 0 end)
   count = count + 1
   vim.cmd("edit!")
 end

@@ -39,11 +39,13 @@ impl<'a> Asked<'a> {
 }
 
 impl Asked<'_> {
-    /// What is wrong with the text, with what its answers show where it is solved; then what is not used.
+    /// What is wrong with the text, with what its answers show where it is solved; then what nothing depends on, where it is shown faded.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
         let all = self.analysis.problems_with(self.results).into_iter();
-        let unused = self.analysis.unused().into_iter();
-        all.map(|problem| self.diagnostic(problem)).chain(unused.map(|one| self.unused(one))).collect()
+        let unused = if self.client.fades { self.analysis.unused() } else { Vec::new() };
+        all.map(|problem| self.diagnostic(problem))
+            .chain(unused.into_iter().map(|one| self.unused(one)))
+            .collect()
     }
 
     fn unused(&self, declared: &Declaration) -> Diagnostic {

@@ -11,6 +11,8 @@ pub struct Client {
     pub encoding: Encoding,
     /// It asks for diagnostics, and is told when there are new ones.
     pub pulls: bool,
+    /// It shows faded what is not needed.
+    pub fades: bool,
     /// It opens addresses.
     pub shows_documents: bool,
     /// It is told when a text is solved.
@@ -52,6 +54,7 @@ impl Client {
             encoding: if reads_bytes { Encoding::Utf8 } else { Encoding::Utf16 },
             // one that is not told would show what was there before the text was solved
             pulls: pulls && offers("/capabilities/workspace/diagnostics/refreshSupport"),
+            fades: ["publishDiagnostics", "diagnostic"].iter().any(|kind| fades(params, kind)),
             shows_documents: offers("/capabilities/window/showDocument/support"),
             hears_solved: options["solved"] == true,
             without: Without::of(options),
@@ -92,6 +95,13 @@ impl Client {
         let AsksAgain { hints, lenses } = self.asks_again;
         requests(&[(self.pulls, DIAGNOSTICS), (hints, HINTS), (lenses, LENSES)])
     }
+}
+
+/// Whether diagnostics of a kind may be tagged as unnecessary.
+fn fades(params: &Value, kind: &str) -> bool {
+    const UNNECESSARY: u32 = 1;
+    let tags = params.pointer(&format!("/capabilities/textDocument/{kind}/tagSupport/valueSet"));
+    tags.and_then(Value::as_array).is_some_and(|all| all.iter().any(|one| *one == UNNECESSARY))
 }
 
 /// Those of the requests that are offered.

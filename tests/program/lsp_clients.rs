@@ -80,8 +80,11 @@ fn kinds_of_hints_are_switched_off() {
 
 #[test]
 fn what_nothing_depends_on_is_faded() {
-    let (_, _, published) =
-        session(&ENGINE.replace("at n\n", "at 1500 rpm\n"), &json!({ "capabilities": {} }));
+    let text = ENGINE.replace("at n\n", "at 1500 rpm\n");
+    let (_, _, published) = session(&text, &json!({ "capabilities": {} }));
+    assert_eq!(published[0]["params"]["diagnostics"], json!([]), "this client would show it as others");
+    let fades = json!({ "textDocument": { "publishDiagnostics": { "tagSupport": { "valueSet": [1, 2] } } } });
+    let (_, _, published) = session(&text, &json!({ "capabilities": fades }));
     let all = published[0]["params"]["diagnostics"].as_array().expect("diagnostics").clone();
     assert_eq!(all.len(), 1, "{all:?}");
     assert_eq!(all[0]["message"], "nothing depends on `n`");
