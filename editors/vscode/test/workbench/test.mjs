@@ -165,10 +165,14 @@ async function previewed(page, isPicture) {
 
 /** The mechanism next to its text: the slider moves it, and it follows what is typed. */
 async function movePreview(page, { name, isPicture }) {
-  await page.keyboard.press("F1");
-  await page.keyboard.type("Show the Mechanism to the Side");
-  await page.locator(".quick-input-list", { hasText: "Show the Mechanism to the Side" }).waitFor();
-  await page.keyboard.press("Enter");
+  if (name === "program") {
+    await page.keyboard.press("F1");
+    await page.keyboard.type("Show the Mechanism to the Side");
+    await page.locator(".quick-input-list", { hasText: "Show the Mechanism to the Side" }).waitFor();
+    await page.keyboard.press("Enter");
+  } else {
+    await page.locator(".codelens-decoration a", { hasText: "picture" }).first().click();
+  }
   const frame = await previewed(page, isPicture);
   const crank = () => frame.locator('g.link[data-name="crank"] line').first().evaluate((line) => line.getBoundingClientRect().x);
   const before = await crank();
