@@ -86,7 +86,8 @@ export function run(folder: string, module: WebAssembly.Module, ended: (why: str
     if (isOver) return;
     count += 1;
     Atomics.store(sent, 0, count);
-    thread.postMessage(message);
+    // as text: settings of VS Code cannot be cloned
+    thread.postMessage(JSON.stringify(message));
     if (watch === undefined) wait();
   }, stop);
 

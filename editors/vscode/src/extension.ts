@@ -4,6 +4,7 @@ import { Uri, commands, window, workspace, type ExtensionContext } from "vscode"
 import { LanguageClient, type LanguageClientOptions, type MessageTransports } from "vscode-languageclient/node";
 import { load, run } from "./built-in";
 import { Preview } from "./preview";
+import { PAGES, pageOf, showPage } from "./pages";
 import { findServer } from "./program";
 import type { Server } from "./server";
 import { Status } from "./status";
@@ -29,6 +30,7 @@ class Extension {
       commands.registerCommand("assur.openPreview", () => this.preview.open(this.client)),
       commands.registerCommand("assur.format", () => commands.executeCommand("editor.action.formatDocument")),
       commands.registerCommand("assur.log", () => this.client?.outputChannel.show()),
+      workspace.registerTextDocumentContentProvider(PAGES, { provideTextDocumentContent: (uri) => pageOf(this.client, uri) }),
       workspace.onDidChangeConfiguration((change) => (change.affectsConfiguration("assur.path") ? this.restart() : undefined)),
     );
   }
@@ -77,7 +79,7 @@ class Extension {
         executeCommand: (command, args, next) => {
           if (command === "assur.preview") return this.preview.open(this.client);
           if (command === "assur.solve") return runOnFile(this.server, this.client, "solve");
-          return command === "assur.explain" ? showPage(this.client, args) : next(command, args);
+          return command === "assur.explain" ? showPage(String(args[1])) : next(command, args);
         },
       },
     };
@@ -91,15 +93,6 @@ class Extension {
       void window.showWarningMessage(`The built-in server of assur ended and is started again. ${why} The program \`assur\` has no such limit.`);
     });
   }
-}
-
-/** The page of a diagnostic's code, next to the text. */
-async function showPage(client: LanguageClient | undefined, args: unknown[]): Promise<void> {
-  // false: it is shown here
-  const asked = { command: "assur.explain", arguments: [...args, false] };
-  const content = await client?.sendRequest<string>("workspace/executeCommand", asked);
-  const page = await workspace.openTextDocument({ language: "markdown", content });
-  await commands.executeCommand("markdown.showPreviewToSide", page.uri);
 }
 
 async function complain(problem: string): Promise<void> {

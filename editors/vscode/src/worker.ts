@@ -19,6 +19,9 @@ interface Exports {
   handle(at: number, length: number): number;
 }
 
+/** No message waits; the author pauses. */
+const PUBLISH = JSON.stringify({ jsonrpc: "2.0", method: "assur/publish" });
+const SOLVE = JSON.stringify({ jsonrpc: "2.0", method: "assur/solve" });
 /** A pause of the author before a text is solved, in ms. */
 const PAUSE = 50;
 /** What a text may take to be solved, in ms. */
@@ -35,8 +38,8 @@ function serve(port: MessagePort): void {
   const stop = (): number => (Atomics.load(sent, 0) !== done ? 1 : Date.now() - begun > LONGEST ? 2 : 0);
   const post = (reply: Reply): void => port.postMessage(reply);
 
-  function handle({ memory, reserve, free, handle }: Exports, message: unknown): object[] {
-    const bytes = new TextEncoder().encode(JSON.stringify(message));
+  function handle({ memory, reserve, free, handle }: Exports, message: string): object[] {
+    const bytes = new TextEncoder().encode(message);
     const at = reserve(bytes.length) >>> 0;
     new Uint8Array(memory.buffer, at, bytes.length).set(bytes);
     begun = Date.now();
@@ -47,7 +50,7 @@ function serve(port: MessagePort): void {
     return JSON.parse(text) as object[];
   }
 
-  function answer(message: unknown): void {
+  function answer(message: string): void {
     if (exports === undefined) return;
     try {
       post({ done, messages: handle(exports, message) });
@@ -59,8 +62,8 @@ function serve(port: MessagePort): void {
   }
 
   function pause(): void {
-    answer({ jsonrpc: "2.0", method: "assur/publish" });
-    timer = setTimeout(() => answer({ jsonrpc: "2.0", method: "assur/solve" }), PAUSE);
+    answer(PUBLISH);
+    timer = setTimeout(() => answer(SOLVE), PAUSE);
   }
 
   port.on("message", (message) => {
@@ -72,7 +75,7 @@ function serve(port: MessagePort): void {
     }
     done += 1;
     clearTimeout(timer);
-    answer(message);
+    answer(message as string);
     timer = setTimeout(pause, 0);
   });
 }

@@ -208,6 +208,31 @@ async function acceptFix(page, file) {
   await page.keyboard.press("Escape");
 }
 
+/** The page of a diagnostic, offered behind its fixes. */
+async function explain(page) {
+  await page.locator(".action-widget").getByText("explain `mech::name::unknown`").waitFor();
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  const tab = page.locator(".tab", { hasText: "Preview" });
+  await tab.click();
+  const isPage = (frame) => frame.locator("h1", { hasText: "mech::name::unknown" }).count().catch(() => 0);
+  for (let tries = 0; !(await Promise.all(page.frames().map(isPage))).includes(1); tries += 1) {
+    assert.ok(tries < 60, "the page of the diagnostic");
+    await page.waitForTimeout(250);
+  }
+  await page.keyboard.press("Control+w");
+  await tab.waitFor({ state: "detached" });
+}
+
+/** Opens the list of what can be done with the mistake. */
+async function offer(page) {
+  await page.locator(".view-line", { hasText: "prismatic" }).click();
+  await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().click();
+  await bulb(page);
+  await page.keyboard.press("Control+.");
+  await page.locator(".action-widget").getByText("write `rod`").waitFor();
+}
+
 /** What is done with a mistake, with one of the servers. */
 async function correct(page, server) {
   await show(page, "engine.mech");
@@ -225,10 +250,9 @@ async function correct(page, server) {
   if (process.env.PICTURES && server.name === "program") await keep(page, "vscode-hover");
 
   await page.keyboard.press("Escape");
-  await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().click();
-  await bulb(page);
-  await page.keyboard.press("Control+.");
-  await page.locator(".action-widget").getByText("write `rod`").waitFor();
+  await offer(page);
+  await explain(page);
+  await offer(page);
   if (process.env.PICTURES && server.name === "program") await keep(page, "vscode-fix");
   await page.keyboard.press("Enter");
   await page.locator(".view-line", { hasText: /crank.-.rod$/ }).waitFor();
@@ -265,7 +289,7 @@ const page = await browser.newPage({ viewport: { width: 1100, height: 640 } });
 page.setDefaultTimeout(15_000);
 try {
   await test(page, port);
-  console.log(`VS Code, program and built-in server: colours, mistake, hover, format, ${fixes.length + 1} fixes by keyboard, preview; Markdown, snippet, choice of the server`);
+  console.log(`VS Code, program and built-in server: colours, mistake, hover, its page, format, ${fixes.length + 1} fixes by keyboard, preview; Markdown, snippet, choice of the server`);
 } catch (error) {
   await page.screenshot({ path: join(tmpdir(), "assur-workbench.png") });
   console.error(`the picture of the failure is ${join(tmpdir(), "assur-workbench.png")}`);
