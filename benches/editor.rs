@@ -1,5 +1,5 @@
-//! The time of what an editor asks, for a text of 1,000 lines: from a key to the diagnostics, a completion, a hover; and the answers of a
-//! sweep of 72 positions. The least of several rounds, in milliseconds, against what they may take.
+//! The time of what an editor asks, for a text of 1,000 lines: from a key to the diagnostics, a completion, a hover; the answers of a
+//! sweep of 72 positions; 10,000 lines in the one style. The least of several rounds, in milliseconds, against what they may take.
 //!
 //! `cargo bench --bench editor`
 
@@ -57,5 +57,8 @@ fn main() {
     let results = analysis.solve(&|| true);
     row("hover", 10.0, || _ = black_box(analysis.hover(place, results.as_ref())));
     let sweep = look(&rockers(3, "0 deg .. 355 deg in 71 steps at 60 rpm"));
+    let tenfold = look(&rockers(10 * DYADS, "60 deg at 60 rpm").replace(" = ", "="));
+    let edits = tenfold.formatting(None).len();
+    row(&format!("formatting 10,000 lines, {edits} edits"), 20.0, || _ = black_box(tenfold.formatting(None)));
     row("answers of 72 positions", 50.0, || _ = black_box(sweep.solve(&|| true)));
 }
