@@ -141,11 +141,14 @@ fn columns_of_a_sweep_allocate_nothing() {
     rows.begin(&answers);
     let columns = rows.wide().expect("its columns are read from lanes");
     let width = AnswerColumns::of_file(&model).fields(&compiled.mechanism).len();
-    let (mut block, mut out, mut sum) = (Block::default(), vec![Vec::with_capacity(BLOCK); width], 0.0);
+    let (mut block, mut branches) = (Block::default(), Vec::new());
+    let (mut out, mut sum) = (vec![Vec::with_capacity(BLOCK); width], 0.0);
     let mut blocks = |count: usize| {
         for _ in 0..count {
-            following.ahead(BLOCK).expect("positions do not depend on one another").solve(&mut block, 0);
-            assert!(following.take(&mut block));
+            let (ahead, mut taking) =
+                following.side_by_side(&mut branches).expect("positions do not depend on one another");
+            ahead.solve(&mut block, 0);
+            assert!(taking.take(&mut block));
             out.iter_mut().for_each(Vec::clear);
             block.read(columns, &mut out);
             assert!(out.iter().all(|column| column.len() == BLOCK));

@@ -6,7 +6,7 @@ use assur::internals::check::Overrides;
 use assur::internals::report::lines::CsvLines;
 use assur::internals::report::rows::AnswerColumns;
 use assur::internals::report::{Answers, NumberRows, Precision, csv, json, table_of_poses};
-use assur::internals::solve::{BLOCK, Block, Following, Model, Pose, Solution};
+use assur::internals::solve::{Block, Following, Model, Pose, Solution};
 use assur::internals::source::Source;
 use std::path::Path;
 
@@ -124,14 +124,14 @@ fn compare_columns(model: &Model<'_>, name: &str) -> usize {
     rows.begin(&answers);
     let Some(wide) = rows.wide() else { return 0 };
     let width = AnswerColumns::of_file(model).each_once().fields(model.mechanism).len();
-    let (mut block, mut row, mut compared) = (Block::default(), Vec::new(), 0);
-    while let Some(ahead) = following.ahead(BLOCK) {
+    let (mut block, mut branches, mut row, mut compared) = (Block::default(), Vec::new(), Vec::new(), 0);
+    while let Some((ahead, mut taking)) = following.side_by_side(&mut branches) {
         ahead.solve(&mut block, 0);
-        following.take(&mut block);
+        taking.take(&mut block);
         let mut columns = vec![Vec::new(); width];
         block.read(wide, &mut columns);
         let quality: Vec<_> = block.quality(model).collect();
-        following.last_taken().unwrap().answer(&mut block, true);
+        ahead.answer(&mut block, true);
         assert_eq!(block.poses().len(), block.len(), "{name}");
         for (i, pose) in block.poses().iter().enumerate() {
             rows.read(&answers, pose, &mut row);
