@@ -9,6 +9,9 @@ impl PoseAnswers<'_> {
     /// Whether the reaction of a pair depends on how others share what friction holds.
     #[must_use]
     pub fn shares_friction(&self, pair: PairId) -> bool {
+        if !self.state.friction_shares() {
+            return false;
+        }
         let joints = self.structure.replaced.joints_of(pair);
         let bodies: Vec<usize> = joints
             .flat_map(|joint| bodies_of(self.structure, &self.structure.replaced.joint(joint).kind))
@@ -19,13 +22,10 @@ impl PoseAnswers<'_> {
     /// Whether the forces on a body do.
     #[must_use]
     pub fn shares_friction_on(&self, body: usize) -> bool {
-        self.shares_friction_among(&[body])
+        self.state.friction_shares() && self.shares_friction_among(&[body])
     }
 
     fn shares_friction_among(&self, bodies: &[usize]) -> bool {
-        if !self.state.friction_shares() {
-            return false;
-        }
         let chains = Chains::of(self.structure);
         let elements = self.plan.friction.iter().zip(&self.state.motion.grips).filter(|(_, grip)| grip.open);
         let open: Vec<usize> = elements
