@@ -172,13 +172,13 @@ pub fn followed(
     let (mut sink, mut branches) = (sink, Vec::new());
     let (mut failed, mut ambiguous) = (0, false);
     loop {
-        if let Some(sink) = sink.as_deref_mut().filter(|_| !keeps_all && model.mechanism.expects.is_empty()) {
-            if let Some((ahead, mut taking)) = following.side_by_side(&mut branches) {
-                if !sink.add_side_by_side(&answers, &ahead, &mut |block| taking.take(block)) {
-                    return Ok(None);
-                }
-                continue;
+        if let Some(sink) = sink.as_deref_mut().filter(|_| !keeps_all && model.mechanism.expects.is_empty())
+            && let Some((ahead, mut taking)) = following.side_by_side(&mut branches)
+        {
+            if !sink.add_side_by_side(&answers, &ahead, &mut |block| taking.take(block)) {
+                return Ok(None);
             }
+            continue;
         }
         let Some(pose) = following.next() else { break };
         let pose = pose.map_err(|why| Problems::of([failure(model, &why)]))?;

@@ -8,13 +8,18 @@ use super::panels::{Piecewise, piecewise};
 use super::sampler::Sampler;
 use super::{extreme, switches};
 use crate::answer::{Undefined, WholeCycle};
+use crate::element::search::greatest;
 use crate::math::chebyshev::Series;
 use crate::model::Expr;
 use crate::position::Model;
+use std::cell::RefCell;
 
 /// What a curve may leave off, of its greatest value. Extremes are solved where it has them, which is near enough for all digits of
 /// their values.
 const DRAWN: f64 = 2e-9;
+/// Beside the greatest value an extreme below this may be one of nothing, and how far around it is looked for that.
+const NOTHING: f64 = 1e-4;
+const AROUND: f64 = 1e-3;
 
 /// A number over the sweep.
 #[derive(Clone, Debug, Default)]
@@ -121,7 +126,8 @@ fn of_set(
     let interval = if first.is_finite() && length.is_finite() { (first, length) } else { (0.0, 1.0) };
     let course = |(expr, piecewise): (&Expr, Piecewise)| {
         let mut found = |sign| -> Result<(f64, f64), Undefined> {
-            Ok(or_end(&piecewise, extreme(statics, sampler, expr, &piecewise, sign)?, sign))
+            let found = extreme(statics, sampler, expr, &piecewise, sign)?;
+            Ok(or_end(&piecewise, near_nothing(statics, sampler, expr, &piecewise, found), sign))
         };
         let (least, greatest) = (found(-1.0)?, found(1.0)?);
         let scale = piecewise.scale;
@@ -132,6 +138,25 @@ fn of_set(
         Ok(course)
     };
     exprs.iter().zip(found).map(course).collect()
+}
+
+/// An extreme that is next to nothing: of a magnitude that passes through zero, where no series is smooth. It is looked for around.
+fn near_nothing(
+    statics: &WholeCycle,
+    sampler: &mut Sampler<'_>,
+    expr: &Expr,
+    of: &Piecewise,
+    (at, value): (f64, f64),
+) -> (f64, f64) {
+    let (from, to) = ((at - AROUND).max(0.0), (at + AROUND).min(1.0));
+    let jumps = of.breaks.iter().any(|s| (from..=to).contains(s));
+    if jumps || value == 0.0 || value.abs() > NOTHING * of.scale {
+        return (at, value);
+    }
+    let sampler = RefCell::new(sampler);
+    let magnitude = |s| sampler.borrow_mut().sample(statics, s, expr).map_or(f64::NAN, f64::abs);
+    let (s, least) = greatest(from, to, &|s| -magnitude(s));
+    if -least < value.abs() { (s, value.signum() * -least) } else { (at, value) }
 }
 
 /// An extreme, or an end of the sweep where the number runs beyond it: there it may jump.
