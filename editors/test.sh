@@ -7,19 +7,22 @@ ASSUR=$(realpath "$ASSUR")
 
 editors/install.sh
 
-# pytest-lsp: every request once
 tools=target/editors
-timeout 120 "$tools/bin/python" -m pytest -q -p no:cacheprovider -o asyncio_default_fixture_loop_scope=function editors/pytest
+# Clients of a server: every request once by pytest-lsp, Neovim, Emacs.
+clients() {
+  ASSUR=$1 timeout 120 "$tools/bin/python" -m pytest -q -p no:cacheprovider -o asyncio_default_fixture_loop_scope=function editors/pytest
+  # an error in a script leaves Neovim with 0 and the reason on its last lines
+  for script in test fixes colours; do
+    said=$(ASSUR=$1 timeout 60 nvim --headless --clean -c "luafile editors/neovim/$script.lua" -c "cquit" 2>&1) || { echo "$said" >&2; exit 1; }
+    echo "$said"
+  done
+  ASSUR=$1 timeout 60 emacs --batch -l editors/emacs/test.el 2>&1 | tail -n 1
+}
 
-# an error in a script leaves Neovim with 0 and the reason on its last lines
-for script in test fixes colours; do
-  said=$(timeout 60 nvim --headless --clean -c "luafile editors/neovim/$script.lua" -c "cquit" 2>&1) || { echo "$said" >&2; exit 1; }
-  echo "$said"
-done
-
-timeout 60 emacs --batch -l editors/emacs/test.el 2>&1 | tail -n 1
-
+clients "$ASSUR"
 editors/vscode/test.sh
+# the same with the server that the extension has inside
+clients "$PWD/editors/built-in"
 
 # the page of `assur preview`
 tests/pictures/browser/preview.py

@@ -150,7 +150,7 @@ fn compare_columns(model: &Model<'_>, name: &str) -> usize {
 }
 
 #[test]
-fn columns_from_lanes_are_those_of_whole_positions() {
+fn columns_side_by_side_are_those_of_whole_positions() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let (mut files, mut positions) = (0, 0);
     for path in crate::folder::files(&root, "mech") {
