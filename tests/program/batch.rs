@@ -215,7 +215,17 @@ fn an_interrupt_leaves_whole_rows() {
     let folder =
         Folder::new("interrupt").with("p.mech", PRESS).with("old.csv", "old").with("t.csv", &many(400_000));
     let child = run::start(&folder, &["batch", "p.mech", "--variants", "t.csv", "--out", "old.csv"]);
-    std::thread::sleep(std::time::Duration::from_millis(1500));
+    let begun = |name: &String| {
+        let size = std::fs::metadata(folder.path(name)).map_or(0, |file| file.len());
+        !["p.mech", "old.csv", "t.csv"].contains(&name.as_str()) && size > 0
+    };
+    let wait = std::time::Duration::from_millis(5);
+    (0..2000).find(|_| {
+        folder.names().iter().any(begun) || {
+            std::thread::sleep(wait);
+            false
+        }
+    });
     let id = child.id().to_string();
     assert!(std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success());
     let said = run::end(child);
