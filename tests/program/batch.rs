@@ -217,15 +217,12 @@ fn an_interrupt_leaves_whole_rows() {
     let child = run::start(&folder, &["batch", "p.mech", "--variants", "t.csv", "--out", "old.csv"]);
     let begun = |name: &String| {
         let size = std::fs::metadata(folder.path(name)).map_or(0, |file| file.len());
-        !["p.mech", "old.csv", "t.csv"].contains(&name.as_str()) && size > 0
+        !["p.mech", "old.csv", "t.csv"].contains(&name.as_str()) && size > 10_000
     };
-    let wait = std::time::Duration::from_millis(5);
-    (0..2000).find(|_| {
-        folder.names().iter().any(begun) || {
-            std::thread::sleep(wait);
-            false
-        }
-    });
+    let (start, most) = (std::time::Instant::now(), std::time::Duration::from_secs(10));
+    while start.elapsed() < most && !folder.names().iter().any(begun) {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
     let id = child.id().to_string();
     assert!(std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success());
     let said = run::end(child);
