@@ -6,7 +6,7 @@ cd "$(dirname "$0")/../.."
 rustup target list --installed | grep -q wasm32-unknown-unknown || rustup target add wasm32-unknown-unknown
 profile=${PROFILE:-wasm}
 case $profile in
-dev) folder=debug quality=4 settings=(--config profile.dev.debug=false --config profile.dev.package.assur-position.opt-level=0) ;;
+dev) folder=debug quality=4 settings=(--config profile.dev.debug=false) ;;
 *) folder=$profile quality=11 settings=() ;;
 esac
 cargo build --quiet -p assur-wasm --profile "$profile" "${settings[@]}" --target wasm32-unknown-unknown

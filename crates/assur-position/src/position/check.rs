@@ -8,7 +8,7 @@ use crate::plan::{Checks, EffortCheck, JointCheck, Plan};
 
 impl<S: Scalar> State<S> {
     /// Greatest distance between what a joint joins, m, and the extent of the mechanism, m.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn gaps(&self, checks: &Checks) -> (S, S) {
         let bodies = &self.motion.bodies;
         // the root of the greatest square is the greatest root
@@ -40,7 +40,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// The greatest of these distances over the extent.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn closure(&self, checks: &Checks) -> S {
         let (worst, size) = self.gaps(checks);
         worst / size
@@ -48,7 +48,7 @@ impl<S: Scalar> State<S> {
 
     /// Virtual power of the loads and efforts on all moving bodies, and of what bodies of given motion put in through their
     /// joints, W.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn power(&self, checks: &Checks) -> S {
         let (bodies, forces) = (&self.motion.bodies, &self.forces);
         let mut sum = S::zero();
@@ -87,7 +87,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// The greatest force times the greatest velocity of a joint, W.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn most_power(&self, checks: &Checks) -> S {
         let (mut force, mut moment, mut speed, mut turn) = (S::zero(), S::zero(), S::zero(), S::zero());
         for w in &self.forces.applied {
@@ -136,7 +136,7 @@ impl<S: Scalar + Default> Sums<S> {
     }
 
     /// The same in the memory of other sums.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn restart(&mut self, applied: &[Wrench<S>]) {
         let tiny = S::of(f64::MIN_POSITIVE);
         self.total.clear();
@@ -146,7 +146,7 @@ impl<S: Scalar + Default> Sums<S> {
 
     /// The residuals of a state whose plan has neither laws nor friction: closure, equilibrium, power. The last two have a
     /// meaning where forces are solved.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub fn residuals(&mut self, plan: &Plan, state: &State<S>) -> [S; 3] {
         let checks = &plan.checks;
         let closure = state.closure(checks);
@@ -177,7 +177,7 @@ impl<S: Scalar + Default> Sums<S> {
     }
 
     /// Adds all reactions.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub fn reactions(&mut self, checks: &Checks, state: &State<S>) {
         for (slot, reaction) in checks.reactions.iter().enumerate() {
             let Some(at) = reaction else { continue };
@@ -190,7 +190,7 @@ impl<S: Scalar + Default> Sums<S> {
     }
 
     /// Adds all unknown efforts.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub fn efforts(&mut self, checks: &Checks, state: &State<S>) {
         let (bodies, none) = (&state.motion.bodies, V2::zero());
         for (slot, effort) in &checks.efforts {
@@ -216,7 +216,7 @@ impl<S: Scalar + Default> Sums<S> {
     }
 
     /// The worst equilibrium of a body, over the greatest force or moment.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub fn worst(&mut self, checks: &Checks, state: &State<S>) -> S {
         for w in &state.forces.applied {
             self.most_force = self.most_force.max(w.force.norm());

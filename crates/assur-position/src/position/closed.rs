@@ -38,7 +38,7 @@ impl pulp::NullaryFnOnce for Closed<'_, f64> {
 
 impl<S: Scalar> Closed<'_, S> {
     /// Motion, loads and forces, as far as the plan goes. Loads that are evaluated at every position are left out.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub fn run(&mut self) {
         match self.plan.effects.level {
             Level::Positions => self.motion::<0>(),
@@ -50,7 +50,7 @@ impl<S: Scalar> Closed<'_, S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn motion<const LEVEL: u8>(&mut self) {
         self.blocks.iter_mut().for_each(|block| block.start(self.plan));
         for step in &self.plan.motion {
@@ -60,7 +60,7 @@ impl<S: Scalar> Closed<'_, S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn forces(&mut self) {
         for block in &mut *self.blocks {
             block.unload(self.plan);

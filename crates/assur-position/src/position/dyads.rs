@@ -11,7 +11,7 @@ use crate::plan::step::unit;
 use crate::plan::{Anchor, Arm, ExactVec, Leg, MotionStep, Slide};
 
 impl<S: Scalar> State<S> {
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn rrr<const LEVEL: u8>(&mut self, branch: usize, legs: &[Leg; 2], sides: &Sides<f64>) {
         let [one, two] = legs;
         let a = point::<S, LEVEL>(&self.motion.bodies, &one.base);
@@ -23,7 +23,7 @@ impl<S: Scalar> State<S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn rrr_on<const LEVEL: u8>(
         &mut self,
         branch: usize,
@@ -52,7 +52,7 @@ impl<S: Scalar> State<S> {
         place::<S, LEVEL>(&mut self.motion.bodies[two.body], &two.pin, b, u_2, omega.1, alpha.1);
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn rrp<const LEVEL: u8>(
         &mut self,
         branch: usize,
@@ -84,7 +84,7 @@ impl<S: Scalar> State<S> {
         self.place_slider::<LEVEL>(slide, guide.along, pin, at.p_C, s_dot, s_ddot);
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn rpr<const LEVEL: u8>(&mut self, step: &MotionStep) {
         let MotionStep::Rpr { branch, bases, pins, slide, from_origin, from_point } = step else { return };
         let Branch2 { root, side } = self.branch(*branch, 0);
@@ -109,7 +109,7 @@ impl<S: Scalar> State<S> {
         place::<S, LEVEL>(&mut self.motion.bodies[slide.body], &pins[1], b, u_2, omega, alpha);
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn prp<const LEVEL: u8>(
         &mut self,
         branch: usize,

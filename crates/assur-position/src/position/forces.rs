@@ -71,7 +71,7 @@ impl State {
 
 impl<S: Scalar> State<S> {
     /// A step of forces that has a closed form: the figure of its condition, 0 for one that has none.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn closed_force(&mut self, step: &ForceStep) -> S {
         match step {
             ForceStep::Turn { hinge, effort, value } => self.force_turn(hinge, effort, *value),
@@ -160,7 +160,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// One body on a revolute: the effort is found from the moment about it.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn force_turn(&mut self, hinge: &Hinge, effort: &EffortLine, (slot, sign): (usize, f64)) -> S {
         let (p, force, moment) = self.load_at(hinge.body, &hinge.pin);
         match effort {
@@ -186,7 +186,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// One body on a guide: the effort is found from the forces along it.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn force_shift(
         &mut self,
         guide: &Guide,
@@ -221,7 +221,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// A dyad RRR in its position and its condition figure, from the step of motion where it is the same group.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn dyad_rrr(
         &self,
         outer: &[Hinge; 2],
@@ -237,7 +237,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// The same of a dyad RRP.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn dyad_rrp(
         &self,
         outer: &Hinge,
@@ -259,7 +259,7 @@ impl<S: Scalar> State<S> {
         (rrp::Rrp::new(r_1, d), r_1.dot(d) / r_1.norm())
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner, motion: Option<usize>) -> S {
         let [one, two] = outer;
         let (group, conditioning) = self.dyad_rrr(outer, inner, motion);
@@ -273,7 +273,7 @@ impl<S: Scalar> State<S> {
         conditioning
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, guide: &Guide, motion: Option<usize>) -> S {
         let (group, conditioning) = self.dyad_rrp(outer, inner, guide, motion);
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
@@ -286,7 +286,7 @@ impl<S: Scalar> State<S> {
         conditioning
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn force_rpr(&mut self, outer: &[Hinge; 2], guide: &Guide) -> S {
         let [one, two] = outer;
         let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
@@ -302,7 +302,7 @@ impl<S: Scalar> State<S> {
         s / r.norm()
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn force_prp(&mut self, ways: &[Guide; 2], inner: &Inner) -> S {
         let p_C = self.motion.bodies[ways[0].body].position(inner.pin);
         let d = [self.direction(&ways[0]), self.direction(&ways[1])];

@@ -22,7 +22,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// The loads that need no evaluation.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn known_loads(&mut self, plan: &Plan) {
         self.unload(plan);
         for step in &plan.loads {
@@ -31,7 +31,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// Bodies without mass start without load, as far as it is asked what they carry.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn unload(&mut self, plan: &Plan) {
         for &body in &plan.massless {
             self.forces.wrenches[body] = Wrench { force: V2::zero(), moment: S::zero() };
@@ -39,7 +39,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// Adds a load that needs no evaluation.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn known_load(&mut self, step: &LoadStep) {
         match step {
             LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, gravity, inertia } => {
@@ -76,7 +76,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// Sets the lines of unknown forces.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub fn set_lines(&mut self, plan: &Plan) {
         for line in &plan.lines {
             let p = self.motion.bodies[line.body].position(line.at);

@@ -123,7 +123,7 @@ fn slid<S: Scalar, const LEVEL: u8>(
 
 impl<S: Scalar> State<S> {
     /// Puts the bodies that are driven at a point where the drives say.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub fn start(&mut self, plan: &Plan) {
         self.motion.open = None;
         for &(body, at, drive) in &plan.outer {
@@ -135,7 +135,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// Runs a step of motion that has a closed form; one that has none leaves its group open.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn closed_form<const LEVEL: u8>(&mut self, step: &MotionStep) {
         match step {
             MotionStep::Turn { body, base, pin, drive, relative, .. } => {
@@ -177,7 +177,7 @@ impl<S: Scalar> State<S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn turn<const LEVEL: u8>(
         &mut self,
         body: usize,
@@ -207,7 +207,7 @@ impl<S: Scalar> State<S> {
         place::<S, LEVEL>(body, pin, hinge, u, omega, alpha);
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn shift<const LEVEL: u8>(&mut self, slide: &Slide, drive: usize) {
         let input = self.motion.inputs[drive];
         let guide = line(&self.motion.bodies, slide);
@@ -223,7 +223,7 @@ impl<S: Scalar> State<S> {
     }
 
     /// Puts a sliding body with its pin at `p`, moving along the guide.
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     pub(super) fn place_slider<const LEVEL: u8>(
         &mut self,
         slide: &Slide,

@@ -76,7 +76,7 @@ impl pulp::NullaryFnOnce for Work<'_> {
 }
 
 impl Work<'_> {
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn all(self) {
         let Self { plan, states, checked, sums, forces } = self;
         for (states, checked) in states.chunks_mut(TOGETHER).zip(checked.chunks_mut(TOGETHER)) {
@@ -96,14 +96,14 @@ impl Work<'_> {
 }
 
 impl State<Wide> {
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn least_condition(&self, plan: &Plan) -> Wide {
         let forces = if plan.effects.forces { self.forces.conditions.as_slice() } else { &[] };
         let all = self.motion.conditions.iter().chain(forces);
         all.fold(Wide::one(), |least, c| least.min(c.abs()))
     }
 
-    #[inline(always)]
+    #[cfg_attr(in_one, inline(always))]
     fn magnitude(&self) -> Wide {
         let mut sum = Wide::zero();
         let mut add = |x: Wide| sum = sum + x.abs();
