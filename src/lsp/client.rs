@@ -9,13 +9,13 @@ use serde_json::{Value, json};
 pub struct Client {
     /// How it counts columns.
     pub encoding: Encoding,
-    /// It asks for diagnostics, and is told when there are new ones.
+    /// It asks for diagnostics, and takes a notice when there are new ones.
     pub pulls: bool,
     /// It shows faded what is not needed.
     pub fades: bool,
     /// It opens addresses.
     pub shows_documents: bool,
-    /// It is told when a text is solved.
+    /// It takes a notice when a text is solved.
     pub hears_solved: bool,
     /// Hints that it does not want.
     without: Without,
@@ -30,7 +30,7 @@ struct Without {
     outcomes: bool,
 }
 
-/// What it asks for again when it is told to.
+/// What it asks for again after a notice.
 #[derive(Clone, Copy, Debug, Default)]
 struct AsksAgain {
     hints: bool,
@@ -52,7 +52,7 @@ impl Client {
         let options = params.get("initializationOptions").unwrap_or(&Value::Null);
         Self {
             encoding: if reads_bytes { Encoding::Utf8 } else { Encoding::Utf16 },
-            // one that is not told would show what was there before the text was solved
+            // one without notices would show what was there before the text was solved
             pulls: pulls && offers("/capabilities/workspace/diagnostics/refreshSupport"),
             fades: ["publishDiagnostics", "diagnostic"].iter().any(|kind| fades(params, kind)),
             shows_documents: offers("/capabilities/window/showDocument/support"),

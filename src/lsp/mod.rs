@@ -104,17 +104,17 @@ impl Server {
             params.pointer("/textDocument/uri").or(params.get("uri")).or(params.pointer("/arguments/0"));
         let text = named.and_then(Value::as_str).and_then(|uri| self.texts.written(uri));
         let failure = Failure::internal();
-        let told =
+        let line =
             text.map_or_else(|| failure.to_string(), |text| format!("{failure}, in this text:\n{text}"));
-        logged(method, &told)
+        logged(method, &line)
     }
 
     /// Diagnostics of the texts that changed. Ask when no other message waits, so that only the last of many changes is looked at.
     pub fn publish(&mut self) -> Vec<Value> {
         let changed = self.texts.changed();
         // one that asks for them asks after every change
-        let told = changed.iter().filter(|_| !self.client.pulls);
-        told.flat_map(|(uri, version)| self.published(uri, *version)).collect()
+        let pushed = changed.iter().filter(|_| !self.client.pulls);
+        pushed.flat_map(|(uri, version)| self.published(uri, *version)).collect()
     }
 
     /// Solves the texts that changed, until `patience` says to stop: diagnostics of their answers, and requests to ask for hints and
