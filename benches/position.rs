@@ -8,17 +8,21 @@
 //!   with all residuals; one figure.
 //!
 //! `cargo bench --features lanes --bench position -- FILE…`. With `--rounds N` the plan is run so often without looking at a
-//! clock, for a count of instructions: see `benches/instructions.sh`. With `--by-hand` the four-bar by hand is measured: `plan`
-//! stores the reactions here.
+//! clock, for a count of instructions: see `benches/instructions.sh`. With `--by-hand` the four-bar by hand is measured, one position
+//! after the other and in lanes of AVX2: `plan` stores the reactions here.
 
 mod by_hand;
 mod run;
 
-use assur::internals::math::Vec2;
+use assur::internals::math::{Lanes, V2, Vec2};
+use by_hand::Answer;
 use run::turn::Turn;
 use run::{Run, side_by_side};
 use std::hint::black_box;
 use std::time::Instant;
+
+/// Of the loop by hand: a vector of AVX2.
+const LANES: usize = 4;
 
 fn main() {
     let mut files = Vec::new();
@@ -55,11 +59,11 @@ fn measure(file: &str, text: &str) {
     let us = |seconds: f64| 1e6 * seconds / positions as f64;
     let forces = run.compiled.plan.effects.forces;
     let mut plan = [us(least(|| run.one_by_one())), 0.0, 0.0];
-    let mut array = [us(least(|| turn.one_by_one(&mut run)[0])), 0.0, 0.0];
+    let mut array = [us(least(|| turn.one_by_one(&mut run))), 0.0, 0.0];
     for (i, in_lanes) in [(1, false), (2, true)] {
         let (mut batch, inputs) = run.together(in_lanes);
         plan[i] = us(least(|| side_by_side(&mut batch, &inputs, forces)));
-        array[i] = us(least(|| turn.side_by_side(&run.compiled.plan, &mut batch)[0]));
+        array[i] = us(least(|| turn.side_by_side(&run.compiled.plan, &mut batch)));
     }
     let effects = run.compiled.plan.effects.computed().join(", ");
     println!(
@@ -73,7 +77,7 @@ fn a_hundred_turns(text: &str) -> f64 {
     let run = Run::of(text);
     let mut turn = Turn::of(&run);
     let (mut batch, _) = run.together(true);
-    (0..100).map(|_| black_box(turn.side_by_side(&run.compiled.plan, &mut batch))[0]).sum()
+    (0..100).map(|_| black_box(turn.side_by_side(&run.compiled.plan, &mut batch))).sum()
 }
 
 /// The four-bar written by hand, with the directions of its crank given, and from its angles.
@@ -81,19 +85,64 @@ fn by_hand() {
     let angles: Vec<f64> = (0..360).map(|i| f64::from(i).to_radians()).collect();
     let directions: Vec<Vec2> = angles.iter().map(|&a| Vec2::direction(a)).collect();
     let lengths = black_box([0.1, 0.35, 0.3, 0.4]);
-    let mut out = vec![([Vec2::zero(); 4], 0.0); angles.len()];
     let us = |seconds: f64| 1e6 * seconds / 360.0;
-    let plan = us(least(|| {
+    let mut out = vec![Answer::default(); angles.len()];
+    let mut plan = [0.0; 2];
+    let mut array = [0.0; 2];
+    plan[0] = us(least(|| {
         out.iter_mut().zip(&directions).for_each(|(out, u)| *out = by_hand::four_bar(lengths, 30.0, *u));
         black_box(&out)[0].1
     }));
-    let array = us(least(|| {
-        out.iter_mut()
-            .zip(&angles)
-            .for_each(|(out, a)| *out = by_hand::four_bar(lengths, 30.0, Vec2::direction(*a)));
+    array[0] = us(least(|| {
+        let each = out.iter_mut().zip(&angles);
+        each.for_each(|(out, a)| *out = by_hand::four_bar(lengths, 30.0, Vec2::direction(*a)));
         black_box(&out)[0].1
     }));
-    println!(r#"{{"plan": {plan:.5}, "array": {array:.5}}}"#);
+    let mut out = vec![Answer::default(); angles.len() / LANES];
+    let mut rows: Vec<_> = directions.as_chunks().0.iter().map(row).collect();
+    plan[1] = us(least(|| in_lanes(lengths, &rows, &mut out)));
+    array[1] = us(least(|| {
+        let each = rows.iter_mut().zip(angles.as_chunks().0);
+        each.for_each(|(to, angles): (_, &[f64; LANES])| *to = row(&angles.map(Vec2::direction)));
+        in_lanes(lengths, &rows, &mut out)
+    }));
+    println!(r#"{{"plan": {plan:.5?}, "array": {array:.5?}}}"#);
+}
+
+/// A row of directions.
+fn row(directions: &[Vec2; LANES]) -> V2<Lanes<LANES>> {
+    V2::new(Lanes(directions.map(|u| u.x)), Lanes(directions.map(|u| u.y)))
+}
+
+/// All rows by hand in AVX2, as far as the machine has it.
+fn in_lanes(lengths: [f64; 4], rows: &[V2<Lanes<LANES>>], out: &mut [Answer<Lanes<LANES>>]) -> f64 {
+    let all = ByHand { lengths, rows, out: &mut *out };
+    #[cfg(target_arch = "x86_64")]
+    let all = match pulp::x86::V3::try_new() {
+        Some(avx2) => {
+            avx2.vectorize(all);
+            return black_box(out)[0].1.0[0];
+        }
+        None => all,
+    };
+    pulp::NullaryFnOnce::call(all);
+    black_box(out)[0].1.0[0]
+}
+
+struct ByHand<'a> {
+    lengths: [f64; 4],
+    rows: &'a [V2<Lanes<LANES>>],
+    out: &'a mut [Answer<Lanes<LANES>>],
+}
+
+impl pulp::NullaryFnOnce for ByHand<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { lengths, rows, out } = self;
+        out.iter_mut().zip(rows).for_each(|(out, u)| *out = by_hand::four_bar(lengths, 30.0, *u));
+    }
 }
 
 /// The least time of a round, s.

@@ -6,7 +6,6 @@ pub mod turn;
 
 use assur::internals::Compiled;
 use assur::internals::check::Overrides;
-use assur::internals::plan::Level;
 #[cfg(feature = "lanes")]
 use assur::internals::solve::{Batch, DriveColumns};
 use assur::internals::solve::{DriveInput, State, solve};
@@ -47,19 +46,8 @@ impl Run {
     /// Everything that the plan holds, at one position.
     #[inline]
     pub fn at(&mut self, inputs: &[DriveInput]) {
-        let (model, state) = (self.compiled.model(), &mut self.state);
-        let plan = model.plan;
-        state.motion.inputs.iter_mut().zip(inputs).for_each(|(to, from)| *to = *from);
-        match plan.effects.level {
-            Level::Positions => state.run_motion::<0>(plan),
-            Level::Velocities => state.run_motion::<1>(plan),
-            Level::Accelerations => state.run_motion::<2>(plan),
-        }
-        if plan.effects.forces {
-            state.run_loads(&model, &[]);
-            state.set_lines(plan);
-            state.run_forces(plan);
-        }
+        self.state.motion.inputs.iter_mut().zip(inputs).for_each(|(to, from)| *to = *from);
+        self.state.run(&self.compiled.plan);
     }
 
     /// All positions, one by one; the sum of something of every position, so that nothing is left out.

@@ -2,17 +2,20 @@
 //! every answer is stored.
 
 use super::Run;
-use assur::internals::math::Vec2;
+use assur::internals::math::{Lanes, Scalar, Vec2};
 use assur::internals::plan::{Level, Plan};
-use assur::internals::solve::{Batch, BodyState, DriveColumns, DriveInput, Place};
+use assur::internals::solve::{Batch, BodyState, DriveColumns, DriveInput, Place, State, WIDTH};
 
-/// The angles of the drive, and an array for the answers.
+/// The angles of the drive, and arrays for the answers.
 pub struct Turn {
     /// Speed and acceleration of the drive.
     rates: DriveInput,
     angles: Vec<f64>,
     columns: DriveColumns,
+    /// Of positions one by one.
     answers: Vec<f64>,
+    /// Of rows of positions side by side.
+    rows: Vec<Lanes<WIDTH>>,
     /// Numbers of one position.
     width: usize,
 }
@@ -24,27 +27,33 @@ impl Turn {
         assert_eq!(plan.drives, 1, "one angle is driven");
         let angles: Vec<f64> = run.inputs.iter().map(|input| input.value).collect();
         let width = width(plan);
+        let rows = vec![Lanes::default(); width * angles.len().div_ceil(WIDTH)];
         let (columns, answers) = (DriveColumns::of(&run.inputs, 1), vec![0.0; width * angles.len()]);
-        Self { rates: run.inputs[0], angles, columns, answers, width }
+        Self { rates: run.inputs[0], angles, columns, answers, rows, width }
     }
 
     /// One position after the other.
-    pub fn one_by_one(&mut self, run: &mut Run) -> &[f64] {
+    pub fn one_by_one(&mut self, run: &mut Run) -> f64 {
         for (angle, out) in self.angles.iter().zip(self.answers.chunks_exact_mut(self.width)) {
-            run.at(&[DriveInput { value: *angle, place: Vec2::direction(*angle), ..self.rates }]);
-            store(&run.compiled.plan, Place::Alone(&run.state), out);
+            let place = Vec2::direction(*angle);
+            run.state.motion.inputs[0] = DriveInput { value: *angle, place, ..self.rates };
+            run.state.run(&run.compiled.plan);
+            store(&run.compiled.plan, &run.state, out);
         }
-        &self.answers
+        self.answers[0]
     }
 
     /// Several at a time.
-    pub fn side_by_side(&mut self, plan: &Plan, batch: &mut Batch<'_>) -> &[f64] {
+    pub fn side_by_side(&mut self, plan: &Plan, batch: &mut Batch<'_>) -> f64 {
         self.columns.set_angles(0, &self.angles);
-        let (answers, width) = (&mut self.answers, self.width);
-        batch.run(&self.columns, |i, place| {
-            store(plan, place, &mut answers[i * width..][..width]);
+        let Self { answers, rows, width, .. } = self;
+        batch.run(&self.columns, |i, place| match place {
+            Place::Alone(state) => store(plan, state, &mut answers[i * *width..][..*width]),
+            // all of a row with its first
+            Place::Lane(state, 0) => store(plan, state, &mut rows[i / WIDTH * *width..][..*width]),
+            Place::Lane(..) => {}
         });
-        &self.answers
+        self.rows[0].0[0]
     }
 }
 
@@ -59,25 +68,28 @@ fn width(plan: &Plan) -> usize {
 
 /// All reactions and efforts; without forces the places, the velocities or the accelerations of all bodies.
 #[inline(always)]
-fn store(plan: &Plan, place: Place<'_>, out: &mut [f64]) {
+fn store<S: Scalar>(plan: &Plan, state: &State<S>, out: &mut [S]) {
     if plan.effects.forces {
         let (reactions, efforts) = out.split_at_mut(3 * plan.reactions.len());
-        for (slot, out) in reactions.as_chunks_mut().0.iter_mut().enumerate() {
-            let reaction = place.reaction(slot);
+        for (reaction, out) in state.forces.reactions.iter().zip(reactions.as_chunks_mut().0) {
             *out = [reaction.force.x, reaction.force.y, reaction.couple];
         }
-        efforts.iter_mut().enumerate().for_each(|(slot, out)| *out = place.effort(slot));
+        efforts.copy_from_slice(&state.forces.efforts);
         return;
     }
+    let bodies = &state.motion.bodies[1..];
     match plan.effects.level {
-        Level::Positions => of_bodies(place, out, |b| [b.p.x, b.p.y, b.u.x, b.u.y]),
-        Level::Velocities => of_bodies(place, out, |b| [b.v.x, b.v.y, b.omega]),
-        Level::Accelerations => of_bodies(place, out, |b| [b.a.x, b.a.y, b.alpha]),
+        Level::Positions => of_bodies(bodies, out, |b| [b.p.x, b.p.y, b.u.x, b.u.y]),
+        Level::Velocities => of_bodies(bodies, out, |b| [b.v.x, b.v.y, b.omega]),
+        Level::Accelerations => of_bodies(bodies, out, |b| [b.a.x, b.a.y, b.alpha]),
     }
 }
 
 #[inline(always)]
-fn of_bodies<const N: usize>(place: Place<'_>, out: &mut [f64], numbers: impl Fn(BodyState) -> [f64; N]) {
-    let (bodies, _) = out.as_chunks_mut::<N>();
-    bodies.iter_mut().enumerate().for_each(|(i, out)| *out = numbers(place.body(i + 1)));
+fn of_bodies<S: Scalar, const N: usize>(
+    bodies: &[BodyState<S>],
+    out: &mut [S],
+    numbers: impl Fn(&BodyState<S>) -> [S; N],
+) {
+    bodies.iter().zip(out.as_chunks_mut::<N>().0).for_each(|(body, out)| *out = numbers(body));
 }

@@ -70,9 +70,9 @@ fn a_thousand_motions_come_out_alike_on_any_number_of_threads() {
 }
 
 #[cfg(unix)]
-fn interrupted(folder: &Folder, args: &[&str]) -> Said {
+fn interrupted(folder: &Folder, args: &[&str], seconds: u64) -> Said {
     let child = run::start(folder, args);
-    std::thread::sleep(std::time::Duration::from_millis(1500));
+    std::thread::sleep(std::time::Duration::from_secs(seconds));
     let id = child.id().to_string();
     assert!(std::process::Command::new("kill").args(["-INT", &id]).status().is_ok_and(|s| s.success()));
     run::end(child)
@@ -83,13 +83,17 @@ fn interrupted(folder: &Folder, args: &[&str]) -> Said {
 fn a_motion_that_is_stopped_shows_what_it_did() {
     let folder = Folder::new("stopped").with("a.mech", LONG);
     for format in ["csv", "table", "jsonl"] {
-        let said = interrupted(&folder, &["solve", "a.mech", "--format", format]);
-        assert_eq!(said.status, 130, "{}", said.stderr);
-        assert!(said.stderr.contains("the motion was stopped at"), "{}", said.stderr);
-        // no bar where nobody looks
-        assert!(!said.stderr.contains("run 1") && !said.stderr.contains('\r'), "{}", said.stderr);
-        let lines: Vec<&str> = said.stdout.lines().collect();
-        assert!(lines.len() > 100 && lines.len() < 20_000, "{format}: {} lines", lines.len());
+        let lines = |seconds: u64| {
+            let said = interrupted(&folder, &["solve", "a.mech", "--format", format], seconds);
+            assert_eq!(said.status, 130, "{}", said.stderr);
+            assert!(said.stderr.contains("the motion was stopped at"), "{}", said.stderr);
+            // no bar where nobody looks
+            assert!(!said.stderr.contains("run 1") && !said.stderr.contains('\r'), "{}", said.stderr);
+            said.stdout.lines().count()
+        };
+        // a busy machine comes less far
+        let counts = [1, 4, 16].into_iter().map(lines).find(|&count| count > 100);
+        assert!(counts.is_some_and(|count| count < 20_000), "{format}: {counts:?} lines");
     }
 }
 
@@ -98,7 +102,7 @@ fn a_motion_that_is_stopped_shows_what_it_did() {
 fn a_batch_of_motions_that_is_stopped_keeps_whole_rows() {
     let swing = SWING.replace("simulate 1 s", "simulate 300 s");
     let folder = Folder::new("stopped-rows").with("a.mech", &swing).with("t.csv", &table(20_000));
-    let said = interrupted(&folder, &["batch", "a.mech", "--variants", "t.csv", "--out", "b.csv"]);
+    let said = interrupted(&folder, &["batch", "a.mech", "--variants", "t.csv", "--out", "b.csv"], 2);
     assert_eq!(said.status, 130, "{}", said.stderr);
     assert!(said.stderr.contains("interrupted after"), "{}", said.stderr);
     let part = folder.read("b.csv.part");

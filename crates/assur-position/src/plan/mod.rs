@@ -96,6 +96,7 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
         plan.reactions_of = ByPair::of(&plan.reactions.iter().map(pair_of).collect::<Vec<_>>());
         plan.friction_of = ByPair::of(&plan.friction.iter().map(|e| e.pair).collect::<Vec<_>>());
     }
+    plan.closed = plan.find_closed();
     if plan.effects.loaded() {
         plan.massless = plan.find_massless();
     }

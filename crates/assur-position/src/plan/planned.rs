@@ -70,12 +70,19 @@ pub struct Plan {
     pub effects: Effects,
     /// How accurately.
     pub settings: Settings,
+    /// See [`Plan::is_batchable`].
+    pub closed: bool,
 }
 
 impl Plan {
     /// Whether every step has a closed form and every load is a number, so that several positions go side by side.
     #[must_use]
-    pub fn is_batchable(&self) -> bool {
+    pub const fn is_batchable(&self) -> bool {
+        self.closed
+    }
+
+    /// What [`Plan::is_batchable`] is for the steps planned.
+    pub fn find_closed(&self) -> bool {
         let closed = |step: &ForceStep| {
             !matches!(
                 step,

@@ -14,28 +14,6 @@ pub(super) struct Closed<'a, S> {
     pub keeps_loads: bool,
 }
 
-/// Positions in one lane, in the shorter code of AVX where there is any: the operations are the same.
-#[cfg(feature = "lanes")]
-#[inline(never)]
-pub(super) fn run_scalars(plan: &Plan, blocks: &mut [State]) {
-    let mut closed = Closed { plan, blocks, keeps_loads: false };
-    #[cfg(target_arch = "x86_64")]
-    if let Some(avx) = pulp::x86::V3::try_new() {
-        return avx.vectorize(closed);
-    }
-    closed.run();
-}
-
-#[cfg(feature = "lanes")]
-impl pulp::NullaryFnOnce for Closed<'_, f64> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(mut self) {
-        self.run();
-    }
-}
-
 impl<S: Scalar> Closed<'_, S> {
     /// Motion, loads and forces, as far as the plan goes. Loads that are evaluated at every position are left out.
     #[cfg_attr(in_one, inline(always))]
@@ -52,7 +30,9 @@ impl<S: Scalar> Closed<'_, S> {
 
     #[cfg_attr(in_one, inline(always))]
     fn motion<const LEVEL: u8>(&mut self) {
-        self.blocks.iter_mut().for_each(|block| block.start(self.plan));
+        for block in &mut *self.blocks {
+            block.start(self.plan);
+        }
         for step in &self.plan.motion {
             for block in &mut *self.blocks {
                 block.closed_form::<LEVEL>(step);

@@ -6,9 +6,10 @@
 //! position by position.
 
 use super::body::BodyState;
-use super::closed::{Closed, run_scalars};
+use super::closed::Closed;
 use super::columns::DriveColumns;
 use super::kinematics::DriveInput;
+use super::one_lane::run_scalars;
 use super::state::State;
 use super::together::WIDTH;
 use super::wrench::Reaction;

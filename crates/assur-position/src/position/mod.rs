@@ -33,6 +33,8 @@ mod losses;
 mod model;
 mod motion;
 mod newton_steps;
+#[cfg(feature = "lanes")]
+mod one_lane;
 mod precise;
 mod reduced;
 mod residual;

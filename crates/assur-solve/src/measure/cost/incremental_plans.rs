@@ -27,6 +27,7 @@ fn empty(plan: &Plan) -> Plan {
 fn loaded(plan: &Plan, loads: impl Fn(&LoadStep) -> Option<LoadStep>, forces: usize) -> Plan {
     let loads: Vec<LoadStep> = plan.loads.iter().filter_map(loads).collect();
     let mut part = Plan { forces: plan.forces[..forces].to_vec(), loads, ..plan.clone() };
+    part.closed = part.find_closed();
     part.massless = part.find_massless();
     part
 }
