@@ -29,7 +29,6 @@ pub mod report;
 #[doc(hidden)]
 pub mod screen;
 mod solve;
-mod stages;
 mod stream;
 mod test;
 #[doc(hidden)]

@@ -60,6 +60,10 @@ impl Workers for Threads {
         self.blocks()
     }
 
+    fn threads(&self) -> usize {
+        self.count()
+    }
+
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
         Self::each(self, &mut vec![(); count], |(i, ())| work(i));
     }

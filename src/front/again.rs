@@ -1,6 +1,7 @@
 //! One position after another, each in the memory of the last.
 
-use super::columns::{Columns, Filling};
+use super::columns::Columns;
+use super::filling::Filling;
 use super::positions::{GivenPositions, PositionsError, place};
 use crate::pipeline::{Compiled, Sink};
 use crate::report::{Answers, Precision};

@@ -1,8 +1,9 @@
 //! A text that is checked once, and solved at any positions.
 
 use super::again::OnePosition;
-use super::columns::{Blank, Columns, Filling};
+use super::columns::Columns;
 use super::diagnostics::Diagnostics;
+use super::filling::{Blank, Filling};
 use super::positions::{self, Drive, GivenPositions, PositionsError};
 use super::solution::Expectation;
 use super::workers::Workers;

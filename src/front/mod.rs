@@ -8,11 +8,13 @@ mod columns;
 mod diagnostics;
 mod document;
 mod drawn;
+mod filling;
 mod graded;
 mod positions;
 mod problem;
 mod row_answers;
 mod rows;
+mod side_by_side;
 mod solution;
 mod workers;
 

@@ -3,6 +3,7 @@
 use assur_math::math::Vec2;
 use assur_model::model::{DriveTarget, Expr, Mechanism, Positions, Value};
 use assur_text::diagnostic::did_you_mean;
+use std::sync::Arc;
 use thiserror::Error;
 
 /// The positions of a drive, SI: angles in radians, coordinates in metres.
@@ -136,7 +137,7 @@ pub(super) fn place(
     fits(mechanism, &placed)?;
     for ((own, drive), positions) in mechanism.drives.iter().zip(&mut moved.drives).zip(placed) {
         drive.positions = match positions {
-            Some(positions) => Positions::List(positions.exprs(own)?),
+            Some(positions) => positions.of_drive(own)?,
             None => own.positions.clone(),
         };
     }
@@ -202,25 +203,24 @@ impl DrivePositions {
         self.len() == 0
     }
 
-    fn exprs(self, drive: &assur_model::model::Drive) -> Result<Vec<Expr>, PositionsError> {
+    fn of_drive(self, drive: &assur_model::model::Drive) -> Result<Positions, PositionsError> {
         let (name, is_point) = (|| drive.name.clone(), matches!(drive.target, DriveTarget::Point(..)));
-        let finite = |row: usize, value: Value, finite: bool| {
-            if finite {
-                Ok(Expr::Constant(value))
-            } else {
-                Err(PositionsError::NotFinite { name: name(), row })
-            }
+        let all_finite = |wrong: Option<usize>| match wrong {
+            Some(row) => Err(PositionsError::NotFinite { name: name(), row }),
+            None => Ok(()),
         };
         match self {
             Self::Numbers(numbers) if !is_point => {
-                let number = |(row, x): (usize, f64)| finite(row, Value::Scalar(x), x.is_finite());
-                numbers.into_iter().enumerate().map(number).collect()
+                all_finite(numbers.iter().position(|x| !x.is_finite()))?;
+                Ok(match numbers.as_slice() {
+                    [one] => Positions::List(vec![Expr::number(*one)]),
+                    _ => Positions::Numbers(Arc::new(numbers)),
+                })
             }
             Self::Points(points) if is_point => {
-                let point = |(row, [x, y]): (usize, [f64; 2])| {
-                    finite(row, Value::Vector(Vec2::new(x, y)), x.is_finite() && y.is_finite())
-                };
-                points.into_iter().enumerate().map(point).collect()
+                all_finite(points.iter().position(|[x, y]| !(x.is_finite() && y.is_finite())))?;
+                let point = |[x, y]: [f64; 2]| Expr::Constant(Value::Vector(Vec2::new(x, y)));
+                Ok(Positions::List(points.into_iter().map(point).collect()))
             }
             Self::Numbers(_) => Err(PositionsError::Shape { name: name(), takes: "two numbers" }),
             Self::Points(_) => Err(PositionsError::Shape { name: name(), takes: "one number" }),

@@ -11,6 +11,11 @@ pub trait Workers: Sync {
         1
     }
 
+    /// On how many threads positions are solved, with the caller's: they are started for that.
+    fn threads(&self) -> usize {
+        1
+    }
+
     /// Calls `work` once with every number below `count`.
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
         (0..count).for_each(work);

@@ -143,6 +143,9 @@ fn first_pose_alone(mut mechanism: Mechanism) -> Mechanism {
         drive.positions = match &drive.positions {
             Positions::None => Positions::None,
             Positions::List(list) => Positions::List(list.iter().take(1).cloned().collect()),
+            Positions::Numbers(list) => {
+                Positions::List(list.iter().take(1).map(|x| Expr::number(*x)).collect())
+            }
             Positions::Range { from, .. } => Positions::List(vec![from.clone()]),
         };
     }

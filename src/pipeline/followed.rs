@@ -129,6 +129,7 @@ pub fn is_long(model: &Model<'_>) -> bool {
     let swept = mechanism.drives.iter().map(|d| match &d.positions {
         Positions::None => 1,
         Positions::List(list) => list.len(),
+        Positions::Numbers(list) => list.len(),
         Positions::Range { steps, .. } => steps + 1,
     });
     let beside = mechanism.poses.len() + mechanism.expects.len();

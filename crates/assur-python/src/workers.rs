@@ -57,6 +57,10 @@ impl Workers for Crew {
         self.threads.pieces()
     }
 
+    fn threads(&self) -> usize {
+        self.threads.count()
+    }
+
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
         Workers::each(&*self.threads, count, work);
     }

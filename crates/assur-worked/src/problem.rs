@@ -55,7 +55,7 @@ impl Course<'_> {
     pub fn only_stated(&self) -> Vec<Message> {
         let mechanism = self.scene.mechanism();
         let swept = mechanism.drives.iter().any(|d| match &d.positions {
-            Positions::Range { .. } => true,
+            Positions::Range { .. } | Positions::Numbers(_) => true,
             Positions::List(values) => values.len() > 1,
             Positions::None => false,
         });

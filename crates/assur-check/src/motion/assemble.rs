@@ -64,7 +64,7 @@ fn near_with_dead(cx: &mut Context<'_>) {
         let mut found = false;
         let mut look = |e: &model::Expr| e.queries(&mut |_| found = true);
         match &d.positions {
-            Positions::None => {}
+            Positions::None | Positions::Numbers(_) => {}
             Positions::List(values) => values.iter().for_each(look),
             Positions::Range { from, to, .. } => [from, to].into_iter().for_each(&mut look),
         }

@@ -347,6 +347,7 @@ pub(crate) fn count(positions: &Positions, moves: Moves) -> Option<usize> {
     match positions {
         Positions::None => Some(1),
         Positions::List(values) => Some(values.len()),
+        Positions::Numbers(values) => Some(values.len()),
         Positions::Range { from, to, steps } => {
             if moves != Moves::Turning {
                 return Some(steps + 1);

@@ -34,6 +34,7 @@ fn in_words(cx: &Context<'_>, drive: &Drive, count: usize) -> Option<String> {
     #[allow(clippy::cast_precision_loss)] // few poses
     let values = match &drive.positions {
         Positions::List(list) => list.iter().map(number).collect::<Option<Vec<_>>>()?,
+        Positions::Numbers(list) => list.to_vec(),
         Positions::Range { from, to, steps } => {
             let (from, to) = (number(from)?, number(to)?);
             let step = (to - from) / *steps as f64;

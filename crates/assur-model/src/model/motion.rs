@@ -3,6 +3,7 @@
 use super::{DriveId, Expr, LinkId, PairId};
 use crate::math::Vec2;
 use crate::source::Span;
+use std::sync::Arc;
 
 /// A drive: a motion that is known, or a start: a free coordinate of which the first instant is known.
 #[derive(Clone, Debug)]
@@ -47,6 +48,8 @@ pub enum Positions {
     None,
     /// Listed values; one value is a list of one.
     List(Vec<Expr>),
+    /// Several numbers from outside a text.
+    Numbers(Arc<Vec<f64>>),
     /// `from .. to in n steps`.
     Range {
         /// First value.
@@ -56,6 +59,18 @@ pub enum Positions {
         /// Number of steps, ≥ 1.
         steps: usize,
     },
+}
+
+impl Positions {
+    /// Several values one after another, as they were given.
+    #[must_use]
+    pub fn is_long_list(&self) -> bool {
+        match self {
+            Self::List(list) => list.len() > 1,
+            Self::Numbers(numbers) => numbers.len() > 1,
+            Self::None | Self::Range { .. } => false,
+        }
+    }
 }
 
 /// A pose in addition to those of the sweep.

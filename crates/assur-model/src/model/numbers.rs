@@ -5,6 +5,7 @@ use super::{
     PointRef, Positions, Query, Relation, Tolerance, Value,
 };
 use crate::math::Vec2;
+use std::sync::Arc;
 
 impl Mechanism {
     /// Calls `visit` on the numbers that statements of a linkage, its drives, loads and questions give, always in the same
@@ -25,6 +26,7 @@ impl Mechanism {
             match &mut drive.positions {
                 Positions::None => {}
                 Positions::List(list) => list.iter_mut().for_each(|e| e.each_number(visit)),
+                Positions::Numbers(numbers) => Arc::make_mut(numbers).iter_mut().for_each(&mut *visit),
                 Positions::Range { from, to, .. } => {
                     [from, to].into_iter().for_each(|e| e.each_number(visit))
                 }

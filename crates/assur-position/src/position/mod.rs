@@ -9,6 +9,7 @@ mod closed;
 mod columns;
 mod consistent;
 mod contact;
+mod directions;
 mod driven_legs;
 mod dyads;
 mod energy;

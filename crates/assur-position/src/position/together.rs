@@ -6,6 +6,7 @@
 use super::body::BodyState;
 use super::check::Sums;
 use super::closed::Closed;
+use super::directions::directions;
 use super::kinematics::{DriveInput, Motion, Shared};
 use super::residual::Residuals;
 use super::state::State;
@@ -45,10 +46,17 @@ pub struct Together {
 }
 
 impl Together {
-    /// Solves motion, loads and forces of states in which inputs and assemblies are set, and checks them. Where one has a group
-    /// `open`, one of its positions does not close. Without `forces` only the closure is checked. Allocates nothing once it has run.
-    pub fn run(&mut self, plan: &Plan, states: &mut [State<Wide>], checked: &mut [Checked], forces: bool) {
-        let work = Work { plan, states, checked, sums: &mut self.sums, forces };
+    /// Solves motion, loads and forces of states in which inputs and assemblies are set, and checks them. Of the drives that are
+    /// `turned` the directions are found from their values. Where one has a group `open`, one of its positions does not close. Without
+    /// `forces` only the closure is checked. Allocates nothing once it has run.
+    pub fn run(
+        &mut self,
+        plan: &Plan,
+        (states, turned): (&mut [State<Wide>], &[usize]),
+        checked: &mut [Checked],
+        forces: bool,
+    ) {
+        let work = Work { plan, states, turned, checked, sums: &mut self.sums, forces };
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = pulp::x86::V3::try_new() {
             return avx2.vectorize(work);
@@ -60,6 +68,7 @@ impl Together {
 struct Work<'a> {
     plan: &'a Plan,
     states: &'a mut [State<Wide>],
+    turned: &'a [usize],
     checked: &'a mut [Checked],
     sums: &'a mut Sums<Wide>,
     forces: bool,
@@ -78,8 +87,14 @@ impl pulp::NullaryFnOnce for Work<'_> {
 impl Work<'_> {
     #[cfg_attr(in_one, inline(always))]
     fn all(self) {
-        let Self { plan, states, checked, sums, forces } = self;
+        let Self { plan, states, turned, checked, sums, forces } = self;
         for (states, checked) in states.chunks_mut(TOGETHER).zip(checked.chunks_mut(TOGETHER)) {
+            for state in &mut *states {
+                for &drive in turned {
+                    let input = &mut state.motion.inputs[drive];
+                    input.place = directions(input.value);
+                }
+            }
             Closed { plan, blocks: states, keeps_loads: true }.run();
             for (state, checked) in states.iter().zip(checked) {
                 let [closure, equilibrium, power] = if forces {

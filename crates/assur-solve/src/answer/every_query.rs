@@ -13,7 +13,7 @@ pub(crate) fn every_expr(mechanism: &Mechanism, ask: &mut impl FnMut(&Expr, Span
     use crate::model::{At, FindKind, Relation};
     for drive in &mechanism.drives {
         match &drive.positions {
-            Positions::None => {}
+            Positions::None | Positions::Numbers(_) => {}
             Positions::List(list) => list.iter().for_each(|e| ask(e, drive.span)),
             Positions::Range { from, to, .. } => {
                 ask(from, drive.span);

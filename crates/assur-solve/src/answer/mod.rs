@@ -47,4 +47,4 @@ pub use switch::Switch;
 pub(crate) use switch::{Side, side_of, switches};
 pub use undefined::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
 pub use whole_cycle::{Extremes, WholeCycle};
-pub use wide_columns::WideColumns;
+pub use wide_columns::{WideColumns, finite};

@@ -9,6 +9,7 @@ use crate::model::{Axis, BinaryOp, Expr, FindKind, LinkId, PairId, PointRef, Que
 use crate::position::{BodyState, DriveValue, Model, State, WIDTH, Wide};
 use crate::structure::EffortSource;
 use assur_text::units::Conversion;
+use std::ops::Range;
 
 /// Columns of numbers.
 #[derive(Clone, Debug)]
@@ -97,42 +98,44 @@ impl WideColumns {
         self.0.iter().map(|column| 1 + usize::from(vector(column))).sum()
     }
 
-    /// Appends the numbers of the first positions; NaN where there is none. `values` are those of the drives.
-    pub(crate) fn read(
+    /// Writes the numbers of the first positions to places; NaN where there is none. `values` are those of the drives.
+    pub(crate) fn write<O: AsMut<[f64]>>(
         &self,
         rows: &[State<Wide>],
         (values, drives): (&[DriveValue], usize),
-        count: usize,
-        out: &mut [Vec<f64>],
+        places: Range<usize>,
+        out: &mut [O],
     ) {
-        let mut out = out.iter_mut();
+        let mut out = out.iter_mut().map(|column| &mut column.as_mut()[places.clone()]);
         for Column { shown, unit } in &self.0 {
             let Some(first) = out.next() else { return };
-            let expr = match shown {
-                WideShown::Found(expr) => expr,
+            match shown {
+                WideShown::Found(expr) if expr.is_vector() => {
+                    let Some(second) = out.next() else { return };
+                    let rows = rows.iter().zip(first.chunks_mut(WIDTH).zip(second.chunks_mut(WIDTH)));
+                    for (state, (x, y)) in rows {
+                        let WideValue::Vector(v) = expr.value(state) else { continue };
+                        put(x, (v.x, v.y), unit);
+                        put(y, (v.y, v.x), unit);
+                    }
+                }
+                WideShown::Found(expr) => {
+                    for (state, out) in rows.iter().zip(first.chunks_mut(WIDTH)) {
+                        let WideValue::Number(x) = expr.value(state) else { continue };
+                        put(out, (x, x), unit);
+                    }
+                }
                 WideShown::Drive(drive, vector) => {
                     let mut second = if *vector { out.next() } else { None };
-                    for value in values.iter().skip(*drive).step_by(drives.max(1)).take(count) {
+                    let values = values.iter().skip(*drive).step_by(drives.max(1));
+                    for (i, (value, first)) in values.zip(first).enumerate() {
                         let [x, y] = match (value, *vector) {
                             (DriveValue::Scalar(x), false) => [*x, f64::NAN],
                             (DriveValue::Point(p), true) => [p.x, p.y],
                             _ => [f64::NAN; 2],
                         };
-                        first.push(known(unit.of(x)));
-                        second.iter_mut().for_each(|second| second.push(known(unit.of(y))));
-                    }
-                    continue;
-                }
-            };
-            let mut second = None;
-            for (row, state) in rows.iter().enumerate() {
-                let count = count.saturating_sub(row * WIDTH).min(WIDTH);
-                match expr.value(state) {
-                    WideValue::Number(x) => append(first, (x, x), unit, count),
-                    WideValue::Vector(v) => {
-                        append(first, (v.x, v.y), unit, count);
-                        second = second.or_else(|| out.next());
-                        second.iter_mut().for_each(|second| append(second, (v.y, v.x), unit, count));
+                        *first = finite(unit.of(x));
+                        second.iter_mut().for_each(|second| second[i] = finite(unit.of(y)));
                     }
                 }
             }
@@ -140,14 +143,16 @@ impl WideColumns {
     }
 }
 
-/// Half a vector does not exist.
-fn append(out: &mut Vec<f64>, (x, beside): (Wide, Wide), unit: &Conversion, count: usize) {
-    let both = x.0[..count].iter().zip(&beside.0);
-    out.extend(both.map(|(x, beside)| if beside.is_finite() { known(unit.of(*x)) } else { f64::NAN }));
+/// Writes a row of numbers. Half a vector does not exist.
+fn put(out: &mut [f64], (x, beside): (Wide, Wide), unit: &Conversion) {
+    let both = x.0.iter().zip(beside.0);
+    let cells = both.map(|(x, beside)| if beside.is_finite() { finite(unit.of(*x)) } else { f64::NAN });
+    out.iter_mut().zip(cells).for_each(|(out, x)| *out = x);
 }
 
 /// An answer that is not a number does not exist.
-const fn known(x: f64) -> f64 {
+#[must_use]
+pub const fn finite(x: f64) -> f64 {
     if x.is_finite() { x } else { f64::NAN }
 }
 

@@ -105,7 +105,7 @@ fn written(mechanism: &Mechanism, drive: &Drive) -> (String, &'static str) {
         Positions::Range { from, to, steps } => {
             value(from).zip(value(to)).map(|(from, to)| format!("{from} .. {to} in {steps} steps"))
         }
-        Positions::None => None,
+        Positions::None | Positions::Numbers(_) => None,
     };
     (format!(" = {}", text.unwrap_or_else(|| "…".to_owned())), speed)
 }

@@ -205,7 +205,7 @@ impl Again {
 fn first_value(positions: &Positions) -> DriveValue {
     match positions {
         Positions::List(list) => list.first().and_then(known_value).map_or(DriveValue::None, DriveValue::of),
-        Positions::None | Positions::Range { .. } => DriveValue::None,
+        Positions::None | Positions::Numbers(_) | Positions::Range { .. } => DriveValue::None,
     }
 }
 

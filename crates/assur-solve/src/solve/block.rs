@@ -10,9 +10,11 @@ use super::lost::{MEETS, MODERATE};
 use super::positions::Sweep;
 use super::regular::NO_NOTE;
 use super::solution::{Pose, Solved};
-use super::taken::Turns;
+use super::steps::Pace;
+use super::taken::{Turns, Uneven};
 use super::track::CAREFUL;
-use crate::answer::{PoseAnswers, WholeCycle, WideColumns};
+use crate::answer::{PoseAnswers, WholeCycle, WideColumns, finite};
+use crate::math::Lanes;
 use crate::model::PairKind;
 use crate::plan::Numbers;
 use crate::position::{
@@ -40,6 +42,7 @@ pub struct Ahead<'f> {
     pub(super) rates: &'f Rates,
     pub(super) statics: &'f WholeCycle,
     pub(super) sweep: &'f Sweep,
+    pub(super) pace: &'f Pace,
     pub(super) branches: &'f [Branch],
     pub(super) first: usize,
     pub(super) count: usize,
@@ -61,12 +64,18 @@ pub struct Block {
     /// The values of the drives, position by position.
     values: Vec<DriveValue>,
     drives: usize,
+    /// The drives that an angle or a coordinate places.
+    turned: Vec<usize>,
     /// The residuals of the forces are known.
     residuals: bool,
     /// How many were solved.
     solved: usize,
     /// How many positions from the first on are what following would find, as far as it was looked at.
     free: usize,
+    /// How many positions from the first on are one step from the one before, the first apart.
+    pub(super) in_single_steps: usize,
+    /// Where bodies turn by more than their directions tell.
+    pub(super) uneven: Vec<Uneven>,
     pub(super) turns: Turns,
     poses: Vec<Pose>,
 }
@@ -93,10 +102,20 @@ impl Ahead<'_> {
     /// Solves positions, counted from the first that can be tried.
     pub fn solve(&self, block: &mut Block, from: usize) {
         block.begin(self, from);
-        block.together.run(self.model.plan, &mut block.rows, &mut block.checked, self.residuals);
-        let rows = block.rows.iter().zip(&block.checked);
-        let regular = rows.flat_map(|(row, checked)| regular(self.model, row, checked));
-        block.free = regular.take(block.solved).take_while(|regular| *regular).count();
+        let Block { rows, turned, checked, .. } = block;
+        block.together.run(self.model.plan, (rows, turned), checked, self.residuals);
+        let mut free = 0;
+        for (row, checked) in block.rows.iter().zip(&block.checked) {
+            let regular = regular(self.model, row, checked);
+            if regular.contains(&false) {
+                free += regular.iter().take_while(|regular| **regular).count();
+                break;
+            }
+            free += WIDTH;
+        }
+        block.free = free.min(block.solved);
+        block.in_single_steps = self.pace.single_steps(&block.values, block.drives).min(block.free);
+        block.look_at_turns();
     }
 
     /// Writes the positions, with the quantities; and with the angles if they are asked for, of positions that were taken over.
@@ -182,7 +201,32 @@ impl Block {
 
     /// Appends the numbers of the positions that are left, column by column.
     pub fn read(&self, columns: &WideColumns, out: &mut [Vec<f64>]) {
-        columns.read(&self.rows, (&self.values, self.drives), self.free, out);
+        let at = out.first().map_or(0, Vec::len);
+        out.iter_mut().for_each(|column| column.resize(at + self.free, f64::NAN));
+        self.write(columns, at, out);
+    }
+
+    /// Writes the numbers of the positions that are left from a place on, column by column.
+    pub fn write<O: AsMut<[f64]>>(&self, columns: &WideColumns, at: usize, out: &mut [O]) {
+        columns.write(&self.rows, (&self.values, self.drives), at..at + self.free, out);
+    }
+
+    /// Writes residuals and condition of the positions that are left from a place on; NaN where there are none.
+    pub fn write_quality(&self, model: &Model<'_>, at: usize, out: [&mut [f64]; 4]) {
+        let known = Checked::default().residuals(model.plan, 0, self.residuals);
+        let known = [true, known.equilibrium.is_some(), known.power.is_some(), true];
+        let parts: [fn(&Checked) -> Wide; 4] =
+            [|c| c.closure, |c| c.equilibrium, |c| c.power, |c| c.condition];
+        for ((out, part), known) in out.into_iter().zip(parts).zip(known) {
+            let out = &mut out[at..at + self.free];
+            if !known {
+                out.fill(f64::NAN);
+                continue;
+            }
+            for (out, checked) in out.chunks_mut(WIDTH).zip(&self.checked) {
+                out.iter_mut().zip(part(checked).0).for_each(|(out, x)| *out = finite(x));
+            }
+        }
     }
 
     /// Residuals and condition of the positions that are left.
@@ -199,20 +243,41 @@ impl Block {
         let plan = ahead.model.plan;
         self.solved = ahead.count.saturating_sub(from).min(BLOCK);
         (self.first, self.residuals, self.drives) = (ahead.first + from, ahead.residuals, plan.drives);
-        self.values.clear();
-        for i in 0..self.solved {
-            ahead.sweep.add_values(self.first + i, &mut self.values);
-        }
+        ahead.sweep.write_values(self.first, &mut self.values, self.solved);
         let count = self.solved.div_ceil(WIDTH);
         self.rows.truncate(count);
         self.rows.resize_with(count, || State::closed(plan));
         self.checked.resize(count, Checked::default());
-        for (index, row) in self.rows.iter_mut().enumerate() {
-            row.branches.copy_from_slice(ahead.branches);
-            for lane in 0..WIDTH {
-                let i = (index * WIDTH + lane).min(self.solved - 1);
-                let values = &self.values[i * self.drives..(i + 1) * self.drives];
-                ahead.rates.at_lane(values, lane, &mut row.motion.inputs);
+        self.rows.iter_mut().for_each(|row| row.branches.copy_from_slice(ahead.branches));
+        self.turned.clear();
+        for drive in 0..self.drives {
+            self.place(drive, ahead.rates);
+        }
+    }
+
+    /// Puts a drive at its values.
+    fn place(&mut self, drive: usize, rates: &Rates) {
+        let values = || self.values.iter().skip(drive).step_by(self.drives);
+        let Some(last) = values().last() else { return };
+        let last_and_after = std::iter::repeat(last);
+        let mut each = values().chain(last_and_after);
+        if values().all(|value| matches!(value, DriveValue::Scalar(_))) {
+            self.turned.push(drive);
+            let same = rates.wide(drive);
+            for row in &mut self.rows {
+                let mut value = [0.0; WIDTH];
+                value.iter_mut().zip(&mut each).for_each(|(x, value)| {
+                    if let DriveValue::Scalar(value) = value {
+                        *x = *value;
+                    }
+                });
+                row.motion.inputs[drive] = DriveInput { value: Lanes(value), ..same };
+            }
+        } else {
+            for row in &mut self.rows {
+                for (lane, value) in (0..WIDTH).zip(&mut each) {
+                    row.motion.inputs[drive].set_lane(lane, &rates.input(drive, *value));
+                }
             }
         }
     }
@@ -229,16 +294,19 @@ impl Block {
 /// Which positions are such that following finds them too, if it found the one before: far from change points, and with nothing to
 /// be said about them.
 fn regular(model: &Model<'_>, row: &State<Wide>, checked: &Checked) -> [bool; WIDTH] {
-    let mut regular = [row.motion.open.is_none(); WIDTH];
-    let mut all = |fits: &dyn Fn(usize) -> bool| {
-        regular.iter_mut().enumerate().for_each(|(lane, regular)| *regular &= fits(lane));
-    };
-    all(&|lane| checked.condition.0[lane] > NO_NOTE && checked.magnitude.0[lane] < MODERATE);
-    all(&|lane| checked.closure.0[lane] <= MEETS);
-    all(&|lane| !checked.equilibrium.0[lane].is_nan() && !checked.power.0[lane].is_nan());
+    let Checked { closure, equilibrium, power, condition, magnitude } = checked;
+    let closes = row.motion.open.is_none();
+    let mut regular = std::array::from_fn(|lane| {
+        closes
+            & (condition.0[lane] > NO_NOTE)
+            & (magnitude.0[lane] < MODERATE)
+            & (closure.0[lane] <= MEETS)
+            & !equilibrium.0[lane].is_nan()
+            & !power.0[lane].is_nan()
+    });
     for (step, conditions) in model.plan.motion.iter().zip(&row.motion.conditions) {
         if step.has_two_roots() {
-            all(&|lane| conditions.0[lane].abs() >= CAREFUL);
+            regular.iter_mut().zip(conditions.0).for_each(|(regular, c)| *regular &= c.abs() >= CAREFUL);
         }
     }
     regular
@@ -251,11 +319,11 @@ pub(super) fn keeps_its_assembly(model: &Model<'_>, state: &State) -> bool {
 }
 
 impl Rates {
-    /// As [`Rates::at`], for one position of several side by side.
-    fn at_lane(&self, values: &[DriveValue], lane: usize, inputs: &mut [DriveInput<Wide>]) {
-        for (i, input) in inputs.iter_mut().enumerate() {
-            let one = self.input(i, values[i]);
-            input.set_lane(lane, &one);
-        }
+    /// A drive at rest in its place, at several positions side by side.
+    fn wide(&self, drive: usize) -> DriveInput<Wide> {
+        let one = self.input(drive, DriveValue::None);
+        let mut wide = DriveInput::default();
+        (0..WIDTH).for_each(|lane| wide.set_lane(lane, &one));
+        wide
     }
 }

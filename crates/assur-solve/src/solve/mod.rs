@@ -40,7 +40,7 @@ mod unassembled;
 
 pub use crate::answer::{
     Beside, CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, Shown,
-    Source, WholeCycle, WideColumns, compare, read_numbers,
+    Source, WholeCycle, WideColumns, compare, finite, read_numbers,
 };
 pub use crate::position::Wanted;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]

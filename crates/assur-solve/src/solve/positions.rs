@@ -3,11 +3,13 @@
 use crate::answer::{WholeCycle, constant};
 use crate::model::{At, Drive, DriveId, Expr, Positions, Value};
 use crate::position::{DriveValue, Model, PoseOrigin, Wanted, turns};
+use std::sync::Arc;
 
 /// The values of one drive over its sweep.
 #[derive(Clone, Debug)]
 enum Values {
     List(Vec<DriveValue>),
+    Numbers(Arc<Vec<f64>>),
     Range { from: f64, to: f64, steps: usize, count: usize },
 }
 
@@ -18,6 +20,7 @@ impl Values {
             Positions::List(list) => {
                 Self::List(list.iter().map(|e| DriveValue::of(constant(model, statics, e))).collect())
             }
+            Positions::Numbers(numbers) => Self::Numbers(Arc::clone(numbers)),
             Positions::Range { from, to, steps } => {
                 let scalar = |e| match constant(model, statics, e) {
                     Value::Scalar(x) => x,
@@ -35,9 +38,10 @@ impl Values {
         Self::Range { from, to, steps, count: if whole { steps } else { steps + 1 } }
     }
 
-    const fn len(&self) -> usize {
+    fn len(&self) -> usize {
         match self {
             Self::List(list) => list.len(),
+            Self::Numbers(list) => list.len(),
             Self::Range { count, .. } => *count,
         }
     }
@@ -46,7 +50,7 @@ impl Values {
     fn after_turns(&self) -> Option<DriveValue> {
         match self {
             Self::List(list) if list.len() == 1 => list.first().copied(),
-            Self::List(_) => None,
+            Self::List(_) | Self::Numbers(_) => None,
             Self::Range { to, steps, count, .. } => (count == steps).then_some(DriveValue::Scalar(*to)),
         }
     }
@@ -55,11 +59,24 @@ impl Values {
     fn at(&self, index: usize) -> DriveValue {
         match self {
             Self::List(list) => list.get(index).or(list.last()).copied().unwrap_or(DriveValue::None),
+            Self::Numbers(list) => {
+                DriveValue::Scalar(list.get(index).or(list.last()).copied().unwrap_or(f64::NAN))
+            }
             #[allow(clippy::cast_precision_loss)] // steps are far below 2^52
             Self::Range { from, to, steps, count } => {
                 let i = index.min(count.saturating_sub(1));
                 DriveValue::Scalar(from + (to - from) * (i as f64 / *steps as f64))
             }
+        }
+    }
+
+    /// The values at some positions.
+    fn write(&self, first: usize, count: usize, out: &mut Vec<DriveValue>) {
+        match self {
+            Self::Numbers(list) if first + count <= list.len() => {
+                out.extend(list[first..first + count].iter().map(|x| DriveValue::Scalar(*x)));
+            }
+            _ => out.extend((first..first + count).map(|i| self.at(i))),
         }
     }
 }
@@ -96,9 +113,14 @@ impl Sweep {
         self.drives.iter().map(|d| d.at(index)).collect()
     }
 
-    /// Appends the same.
-    pub fn add_values(&self, index: usize, out: &mut Vec<DriveValue>) {
-        out.extend(self.drives.iter().map(|d| d.at(index)));
+    /// Writes the same of some positions one after another.
+    pub fn write_values(&self, first: usize, out: &mut Vec<DriveValue>, count: usize) {
+        out.clear();
+        if let [drive] = self.drives.as_slice() {
+            drive.write(first, count, out);
+        } else {
+            out.extend((first..first + count).flat_map(|i| self.drives.iter().map(move |d| d.at(i))));
+        }
     }
 
     pub fn at(&self, index: usize) -> Wanted {

@@ -78,6 +78,25 @@ impl Pace {
         self.ways(from, to).all(|way| way.abs() * self.finer - 1e-9 <= 1.0)
     }
 
+    /// How many positions from the first on are one step from the one before, the first apart: of values of all drives, position by
+    /// position.
+    pub(super) fn single_steps(&self, values: &[DriveValue], drives: usize) -> usize {
+        let count = values.len().checked_div(drives).unwrap_or(usize::MAX);
+        let before = values.chunks_exact(drives.max(1));
+        let steps = before.clone().zip(before.skip(1)).take_while(|(a, b)| self.is_one_step(a, b));
+        (1 + steps.count()).min(count)
+    }
+
+    /// Whether places are surely nearer to each other than that.
+    pub(super) fn are_near(&self, from: &[DriveValue], to: &[DriveValue]) -> bool {
+        match (self.largest.as_slice(), from, to) {
+            ([largest], [DriveValue::Scalar(a)], [DriveValue::Scalar(b)]) => {
+                (b - a).abs() < 0.99 * APART * largest
+            }
+            _ => false,
+        }
+    }
+
     /// Whether places are not nearer to each other than those that make a parabola.
     pub(super) fn is_apart(&self, from: &[DriveValue], to: &[DriveValue]) -> bool {
         length(self.ways(from, to)) >= APART

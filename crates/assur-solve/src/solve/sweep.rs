@@ -48,6 +48,7 @@ pub fn solve_with(model: &Model<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
 pub struct Following<'a, 's> {
     pub(super) run: Run<'a, 's>,
     sweep: Sweep,
+    pace: Pace,
     pub(super) next: usize,
     /// A motion under loads, instead of the sweep.
     pub(super) trajectory: Option<Trajectory>,
@@ -112,13 +113,15 @@ impl<'a, 's> Following<'a, 's> {
         let mut run = Run::new(model, rates, statics, loads_name_quantities(model.mechanism));
         run.centres = CentreNotes::of(model.mechanism);
         // positions farther apart are followed on a way between them
-        let apart = || Pace::of(model).steps(&sweep.values(0), &sweep.values(1));
+        let pace = Pace::of(model);
+        let apart = || pace.steps(&sweep.values(0), &sweep.values(1));
         let free = trajectory.is_none() && is_free(model) && run.centres.is_empty() && apart() <= 1.0;
         let (next, current, begin, first_failure) = (0, None, None, None);
         let (try_at, ahead) = (1, VecDeque::new());
         Ok(Some(Self {
             run,
             sweep,
+            pace,
             next,
             trajectory,
             current,
@@ -217,9 +220,9 @@ impl<'a, 's> Following<'a, 's> {
         let Run { model, rates, statics, closing, last, .. } = &mut self.run;
         let model: &'f Model<'a> = model;
         let first = self.next;
-        let sweep = &self.sweep;
-        let angles = tracker.angles.len();
-        let ahead = Ahead { model, rates, statics, sweep, branches, first, count, angles, residuals: true };
+        let (sweep, pace, angles) = (&self.sweep, &self.pace, tracker.angles.len());
+        let ahead =
+            Ahead { model, rates, statics, sweep, pace, branches, first, count, angles, residuals: true };
         Some((
             ahead,
             Taking { model, tracker, next: &mut self.next, try_at: &mut self.try_at, closing, last },

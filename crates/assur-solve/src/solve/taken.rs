@@ -1,7 +1,7 @@
 //! Positions of a block taken over by the one that follows the motion, as far as following comes to the same.
 
-use super::block::{BLOCK, Block, keeps_its_assembly};
-use super::track::{Tracker, continued};
+use super::block::{Block, keeps_its_assembly};
+use super::track::{KEPT, Tracker, continued};
 use crate::answer::whole_turns;
 use crate::math::{V2, Vec2};
 use crate::position::{BodyState, Model, WIDTH, Wide};
@@ -19,6 +19,13 @@ pub(super) struct Turns {
 }
 
 impl Turns {
+    /// The turns of the bodies at the last position.
+    fn last(&mut self) -> &[f64] {
+        self.now.clone_from(&self.before);
+        self.changes.iter().for_each(|&(_, body, turns)| self.now[body] = turns);
+        &self.now
+    }
+
     /// Calls `look` with the turns of bodies and pairs at every position.
     pub(super) fn each(&mut self, count: usize, mut look: impl FnMut(usize, &[f64], &[f64])) {
         self.now.clone_from(&self.before);
@@ -48,39 +55,89 @@ impl Tracker {
         self.values.clear();
         self.values.extend_from_slice(block.values(last));
         block.rows[last / WIDTH].motion.start_lane(last % WIDTH, &mut self.state.motion);
-        let Self { angles, state, .. } = self;
-        block.turns.each(taken, |position, turns, _| {
-            if position == last {
-                let bodies = state.motion.bodies.iter().zip(turns);
-                angles.iter_mut().zip(bodies).for_each(|(angle, (b, turns))| *angle = b.u.angle() + turns);
-            }
-        });
+        let bodies = self.state.motion.bodies.iter().zip(block.turns.last());
+        self.angles.iter_mut().zip(bodies).for_each(|(angle, (b, turns))| *angle = b.u.angle() + turns);
         taken
     }
 
     /// How many positions are one step from the one before.
     fn in_single_steps(&self, block: &Block) -> usize {
-        let before = |i: usize| if i == 0 { self.values.as_slice() } else { block.values(i - 1) };
-        (0..block.len()).take_while(|&i| self.pace.is_one_step(before(i), block.values(i))).count()
+        let first = !block.is_empty() && self.pace.is_one_step(&self.values, block.values(0));
+        if first { block.in_single_steps } else { 0 }
     }
 
     /// Keeps the places before each of the positions, as steps one by one do.
     fn remember_block(&mut self, block: &Block) {
         self.remember();
+        let (mut kept, mut count) = ([0; KEPT], 0_usize);
         for position in 0..block.len() - 1 {
             let values = block.values(position);
-            if self.history.first().is_some_and(|last| !self.pace.is_apart(&last.values, values)) {
+            let last = match count.checked_sub(1) {
+                Some(last) => Some(block.values(kept[last % KEPT])),
+                None => self.history.first().map(|place| place.values.as_slice()),
+            };
+            if last.is_some_and(|last| self.pace.are_near(last, values) || !self.pace.is_apart(last, values))
+            {
                 continue;
             }
+            kept[count % KEPT] = position;
+            count += 1;
+        }
+        // those before would be forgotten again
+        for i in count.saturating_sub(KEPT)..count {
+            let position = kept[i % KEPT];
             let (row, lane) = (&block.rows[position / WIDTH], position % WIDTH);
-            let vector = |v: V2<Wide>| Vec2::new(v.x.0[lane], v.y.0[lane]);
-            let poses = row.motion.bodies.iter().map(|b| (vector(b.p), vector(b.u)));
-            Self::keep(&mut self.history, values, poses);
+            let poses = row.motion.bodies.iter().map(|b| (vector(b.p, lane), vector(b.u, lane)));
+            Self::keep(&mut self.history, block.values(position), poses);
         }
     }
 }
 
+/// A body that turns by more than its directions tell, or over the negative x axis: only there the angle jumps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Uneven {
+    position: usize,
+    body: usize,
+    /// Its direction at the position before.
+    old: Vec2,
+    new: Vec2,
+}
+
+fn is_uneven(old: Vec2, new: Vec2) -> bool {
+    let jumps = (old.y.is_sign_negative() != new.y.is_sign_negative()) & ((old.x < 0.0) | (new.x < 0.0));
+    (old.dot(new) <= 0.0) | jumps
+}
+
+fn vector(v: V2<Wide>, lane: usize) -> Vec2 {
+    Vec2::new(v.x.0[lane], v.y.0[lane])
+}
+
 impl Block {
+    /// Looks how the bodies turn from each position to the next.
+    pub(super) fn look_at_turns(&mut self) {
+        self.uneven.clear();
+        let bodies = self.rows.first().map_or(0, |row| row.motion.bodies.len());
+        for body in 0..bodies {
+            let mut before = None;
+            for (index, row) in self.rows.iter().enumerate() {
+                let u = row.motion.bodies[body].u;
+                let old = before.unwrap_or_else(|| vector(u, 0));
+                before = Some(vector(u, WIDTH - 1));
+                let (mut x, mut y) = ([old.x; WIDTH], [old.y; WIDTH]);
+                x[1..].copy_from_slice(&u.x.0[..WIDTH - 1]);
+                y[1..].copy_from_slice(&u.y.0[..WIDTH - 1]);
+                let pair = |lane: usize| (Vec2::new(x[lane], y[lane]), vector(u, lane));
+                let uneven = |lane: usize| is_uneven(pair(lane).0, pair(lane).1);
+                if (0..WIDTH).fold(false, |any, lane| any | uneven(lane)) {
+                    for lane in (0..WIDTH).filter(|lane| uneven(*lane)) {
+                        let (old, new) = pair(lane);
+                        self.uneven.push(Uneven { position: index * WIDTH + lane, body, old, new });
+                    }
+                }
+            }
+        }
+    }
+
     /// Carries whole turns of the bodies on over the first positions. Returns how many these are: up to one where a body turns too
     /// far for that.
     fn turn_on(&mut self, angles: &[f64], bodies: &[BodyState], most: usize) -> usize {
@@ -90,22 +147,20 @@ impl Block {
         pairs.clear();
         pairs.extend_from_slice(&angles[bodies.len()..]);
         changes.clear();
-        let (mut taken, mut directions) = (most, [Vec2::zero(); BLOCK + 1]);
+        let (mut taken, Some(first)) = (most, self.rows.first()) else { return 0 };
+        let mut uneven = self.uneven.iter().copied().peekable();
         for (body, now) in bodies.iter().enumerate() {
-            directions[0] = now.u;
-            for (row, directions) in self.rows.iter().zip(directions[1..].chunks_mut(WIDTH)) {
-                let u = &row.motion.bodies[body].u;
-                directions.iter_mut().zip(u.x.0).zip(u.y.0).for_each(|((d, x), y)| *d = Vec2::new(x, y));
-            }
+            let (old, new) = (now.u, vector(first.motion.bodies[body].u, 0));
+            let begin = is_uneven(old, new).then_some(Uneven { position: 0, body, old, new });
             let mut turns = before[body];
-            for (position, two) in directions.windows(2).take(taken).enumerate() {
-                let (old, new) = (two[0], two[1]);
+            let others = std::iter::from_fn(|| uneven.next_if(|next| next.body == body));
+            for Uneven { position, old, new, .. } in begin.into_iter().chain(others) {
+                if position >= taken {
+                    continue;
+                }
                 if old.dot(new) <= 0.0 {
                     taken = position;
-                    break;
-                }
-                // only over the negative x axis the angle jumps
-                if old.y.is_sign_negative() != new.y.is_sign_negative() && (old.x < 0.0 || new.x < 0.0) {
+                } else {
                     turns = whole_turns(continued(old.angle() + turns, old, new) - new.angle());
                     changes.push((position, body, turns));
                 }

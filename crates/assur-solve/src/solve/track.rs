@@ -25,7 +25,7 @@ const CHANGES: f64 = 3e-7;
 const GOLDEN: f64 = 0.381_966_011_250_105;
 
 /// So many places before the present one are kept.
-const KEPT: usize = 4;
+pub(super) const KEPT: usize = 4;
 
 /// Pose of a body: origin and direction.
 type Pose = (Vec2, Vec2);

@@ -37,7 +37,7 @@ impl Interval {
                         *end = DriveValue::Scalar(x);
                     }
                 }
-                Positions::List(list) if list.len() > 1 && (drives.len() > 1 || !in_order(sweep)) => {
+                positions if positions.is_long_list() && (drives.len() > 1 || !in_order(sweep)) => {
                     return Err(NoSweep::Unordered(index));
                 }
                 _ => *end = if sweep.len() > 1 { *end } else { *from },
