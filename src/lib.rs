@@ -34,7 +34,7 @@ pub use front::{
     Alone, Answer, Cells, Checked, Column, Columns, ColumnsError, Diagnostics, DrawError, Drive,
     DrivePositions, Expectation, GivenPositions, GradeError, Marking, Options, Pose, PoseFailure,
     PositionsError, Problem, Quantity, Residuals, RowAnswers, RowField, RowLayout, Rows, Solution, Texts,
-    Workers, WrittenUnit, explain, format, grade, solve,
+    Values, Workers, WrittenUnit, explain, format, grade, solve,
 };
 
 /// The floors below the front door, for the program, the benchmarks and the tests. They change without notice.

@@ -110,7 +110,7 @@ impl Checked {
         let watch = |_: f64, _: f64| workers.goes_on();
         let model = self.model(mechanism);
         let mut filling = self.filling(workers, &watch);
-        filling.reserve(count);
+        filling.make_room(count);
         let (found, mut problems) = match self.within {
             None => self.each_position(&model, &mut filling),
             Some(within) => self.accurate(mechanism, within, &mut filling),

@@ -2,6 +2,8 @@
 
 use super::diagnostics::Diagnostics;
 use super::solution::Expectation;
+use std::ops::{Deref, Range};
+use std::sync::Arc;
 
 /// The answers of all positions, column by column, SI and radians. NaN where a position has no answer.
 #[derive(Clone, Debug, Default)]
@@ -17,7 +19,7 @@ pub struct Columns {
     /// The residuals of independent equations.
     pub residuals: Residuals,
     /// The least condition figure of all groups, in (0, 1].
-    pub condition: Vec<f64>,
+    pub condition: Values,
     /// The positions without a solution.
     pub failures: Vec<PoseFailure>,
     /// The expectations of the text, if the positions are its own.
@@ -38,7 +40,7 @@ pub struct Column {
     /// It shows a condition: 1 is true, 0 false.
     pub condition: bool,
     /// Its numbers in SI.
-    pub values: Vec<f64>,
+    pub values: Values,
 }
 
 /// A unit of the author.
@@ -67,11 +69,11 @@ impl WrittenUnit {
 #[derive(Clone, Debug, Default)]
 pub struct Residuals {
     /// Worst mismatch of the pairs over the size of the mechanism.
-    pub closure: Vec<f64>,
+    pub closure: Values,
     /// Worst equilibrium of a link over the greatest force.
-    pub equilibrium: Vec<f64>,
+    pub equilibrium: Values,
     /// Sum of the powers over the greatest force times the greatest velocity.
-    pub power: Vec<f64>,
+    pub power: Values,
 }
 
 /// A position without a solution.
@@ -85,11 +87,30 @@ pub struct PoseFailure {
     pub message: String,
 }
 
-impl Columns {
-    /// The numbers of all columns, those of the answers first.
-    pub(super) fn all(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
-        let Residuals { closure, equilibrium, power } = &mut self.residuals;
-        let own = [closure, equilibrium, power, &mut self.condition];
-        self.columns.iter_mut().map(|column| &mut column.values).chain(own)
+/// The numbers of a column: a part of memory that all columns of a solution share.
+#[derive(Clone, Debug, Default)]
+pub struct Values {
+    memory: Arc<Vec<f64>>,
+    first: usize,
+    len: usize,
+}
+
+impl Deref for Values {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        &self.memory[self.first..self.first + self.len]
+    }
+}
+
+impl Values {
+    pub(super) const fn of(memory: Arc<Vec<f64>>, first: usize, len: usize) -> Self {
+        Self { memory, first, len }
+    }
+
+    /// The memory, and where the numbers are in it.
+    #[must_use]
+    pub fn into_parts(self) -> (Arc<Vec<f64>>, Range<usize>) {
+        (self.memory, self.first..self.first + self.len)
     }
 }

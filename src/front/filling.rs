@@ -1,7 +1,7 @@
 //! Positions made into columns.
 
-use super::columns::{Column, Columns, PoseFailure, WrittenUnit};
-use super::side_by_side::SideBySide;
+use super::columns::{Column, Columns, PoseFailure, Residuals, Values, WrittenUnit};
+use super::side_by_side::{OWN, SideBySide};
 use super::workers::Workers;
 use crate::pipeline::Sink;
 use crate::report::rows::AnswerColumns;
@@ -9,6 +9,10 @@ use crate::report::{Answers, NumberField, NumberRows};
 use assur_solve::message::failure;
 use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Model, Pose, Watch, finite};
 use miette::Diagnostic;
+use std::sync::Arc;
+
+/// Positions there is room for at first.
+const FIRST: usize = 16;
 
 /// The columns of a text without a position yet.
 #[derive(Clone, Debug)]
@@ -24,6 +28,10 @@ pub(super) struct Filling<'w> {
     columns: Columns,
     rows: NumberRows,
     angles: bool,
+    /// The numbers of one column after another, of the answers first.
+    memory: Vec<f64>,
+    /// How many positions there is room for.
+    room: usize,
     row: Vec<f64>,
     workers: &'w dyn Workers,
     watch: &'w Watch<'w>,
@@ -41,7 +49,7 @@ impl Blank {
             unit: si.display.unit,
             written: WrittenUnit::of(written.display),
             condition: si.condition,
-            values: Vec::new(),
+            values: Values::default(),
         };
         let columns = si.fields(model.mechanism).into_iter().zip(in_units).map(column).collect();
         let columns = Columns { pose_header: si.pose_header().to_owned(), columns, ..Columns::default() };
@@ -54,25 +62,40 @@ impl Blank {
 impl<'w> Filling<'w> {
     pub fn of(blank: Blank, workers: &'w dyn Workers, watch: &'w Watch<'w>) -> Self {
         let Blank { columns, rows, angles } = blank;
-        Self { columns, rows, angles, row: Vec::new(), workers, watch, goes_on: true }
+        let (memory, row) = (Vec::new(), Vec::new());
+        Self { columns, rows, angles, memory, room: 0, row, workers, watch, goes_on: true }
     }
 
-    /// Makes room for positions.
-    pub fn reserve(&mut self, count: usize) {
-        self.columns.all().for_each(|values| values.reserve_exact(count));
+    /// Makes room for positions: fresh memory comes from the system when it is written.
+    pub fn make_room(&mut self, count: usize) {
+        if count <= self.room {
+            return;
+        }
+        let (len, width) = (self.columns.len, self.columns.columns.len() + OWN);
+        let mut memory = vec![0.0; count * width];
+        if len > 0 {
+            let old = self.memory.chunks(self.room);
+            memory.chunks_mut(count).zip(old).for_each(|(new, old)| new[..len].copy_from_slice(&old[..len]));
+        }
+        (self.memory, self.room) = (memory, count);
     }
 
     /// Adds the one row of a text without positions.
     pub fn add_without_pose(&mut self, answers: &Answers<'_>) {
         self.rows.read_without_pose(answers, &mut self.row);
-        self.push([f64::NAN; 4]);
+        self.push([f64::NAN; OWN]);
         self.columns.names.push((0, String::new()));
     }
 
-    pub fn end(mut self) -> Columns {
-        let len = self.columns.len;
-        self.columns.all().for_each(|values| values.truncate(len));
-        self.columns
+    pub fn end(self) -> Columns {
+        let Self { mut columns, memory, room, .. } = self;
+        let (memory, len) = (Arc::new(memory), columns.len);
+        let mut each = (0..).map(|i| Values::of(Arc::clone(&memory), i * room, len));
+        let mut next = || each.next().unwrap_or_default();
+        columns.columns.iter_mut().for_each(|column| column.values = next());
+        columns.residuals = Residuals { closure: next(), equilibrium: next(), power: next() };
+        columns.condition = next();
+        columns
     }
 
     pub const fn is_empty(&self) -> bool {
@@ -80,15 +103,13 @@ impl<'w> Filling<'w> {
     }
 
     /// Adds the row that was read.
-    fn push(&mut self, quality: [f64; 4]) {
+    fn push(&mut self, quality: [f64; OWN]) {
         let len = self.columns.len;
-        let all = self.row.iter().copied().chain(quality).map(finite);
-        for (values, x) in self.columns.all().zip(all) {
-            match values.get_mut(len) {
-                Some(place) => *place = x,
-                None => values.push(x),
-            }
+        if len == self.room {
+            self.make_room((2 * len).max(FIRST));
         }
+        let all = self.row.iter().copied().chain(quality).map(finite);
+        self.memory.chunks_mut(self.room).zip(all).for_each(|(values, x)| values[len] = x);
         self.columns.len += 1;
     }
 
@@ -104,21 +125,11 @@ impl<'w> Filling<'w> {
             self.columns.failures.push(PoseFailure { index, code, message });
         }
     }
-
-    /// Makes every column so long: fresh memory comes from the system when it is written.
-    fn lay_out(&mut self, count: usize) {
-        let len = self.columns.len;
-        for values in self.columns.all().filter(|values| values.len() < count) {
-            let mut longer = vec![0.0; count];
-            longer[..len].copy_from_slice(&values[..len]);
-            *values = longer;
-        }
-    }
 }
 
 /// Residuals and condition of a position.
-fn quality(pose: &Pose) -> [f64; 4] {
-    let Ok(solved) = &pose.outcome else { return [f64::NAN; 4] };
+fn quality(pose: &Pose) -> [f64; OWN] {
+    let Ok(solved) = &pose.outcome else { return [f64::NAN; OWN] };
     let or_none = |x: Option<f64>| x.unwrap_or(f64::NAN);
     let residuals = &solved.residuals;
     [residuals.closure, or_none(residuals.equilibrium), or_none(residuals.power), solved.condition]
@@ -154,9 +165,9 @@ impl Sink for Filling<'_> {
         self.rows.begin(answers);
         let first = self.columns.len;
         // the last position of a sweep is solved by itself
-        self.lay_out(first + ahead.count() + 1);
-        let Self { columns, rows, angles, workers, .. } = self;
-        let places = columns.all().map(|values| &mut values[first..]).collect();
+        self.make_room(first + ahead.count() + 1);
+        let Self { columns, rows, angles, memory, room, workers, .. } = self;
+        let places = memory.chunks_mut(*room).map(|values| &mut values[first..]).collect();
         let positions = SideBySide { answers, ahead: *ahead, rows, angles: *angles, workers: *workers };
         let (taken, goes_on) = positions.write(places, take);
         columns.len += taken;

@@ -25,7 +25,7 @@ pub(crate) use cells::header_line;
 #[cfg(feature = "cli")]
 pub(crate) use cells::{Missing, digits_count, read_row};
 pub use checked::{Checked, ColumnsError};
-pub use columns::{Column, Columns, PoseFailure, Residuals, WrittenUnit};
+pub use columns::{Column, Columns, PoseFailure, Residuals, Values, WrittenUnit};
 pub use diagnostics::Diagnostics;
 pub use document::{explain, format};
 pub use drawn::DrawError;

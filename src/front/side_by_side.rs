@@ -13,7 +13,7 @@ const FEWEST: usize = 8 * BLOCKS * BLOCK;
 /// So many positions are solved before the workers are asked whether to go on.
 const ASKED: usize = 4096;
 /// Residuals and condition.
-const OWN: usize = 4;
+pub(super) const OWN: usize = 4;
 
 /// What the columns are made of.
 pub(super) struct SideBySide<'s> {

@@ -16,7 +16,7 @@ use crate::values::definition::Settled;
 use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
 use crate::values::typed::{Type, Typed};
 use assur_math::math::Vec2;
-use assur_model::model::{Expr, FindKind, LinkId, Mechanism, Value};
+use assur_model::model::{Expr, FindKind, LinkId, Mechanism, NumberPlaces, Value};
 use assur_syntax::document;
 use assur_syntax::document::ExprKind;
 use assur_text::units::Dimension;
@@ -56,8 +56,9 @@ pub struct RowPatches {
     fixed: Vec<(Register, f64)>,
     /// Pairs of points of links whose points move, and whether they lie on one another.
     moved: Vec<(LinkId, [usize; 2], bool)>,
-    /// The numbers of the last row with their places.
-    numbers: Vec<(usize, f64)>,
+    /// Where these numbers are, and those of the last row.
+    places: NumberPlaces,
+    numbers: Vec<f64>,
 }
 
 impl Signed {
@@ -81,6 +82,7 @@ impl RowPatches {
             alike: Vec::new(),
             fixed: Vec::new(),
             moved: Vec::new(),
+            places: NumberPlaces::default(),
             numbers: Vec::new(),
         };
         let mut probes = vec![patches.probe(row, &mut first)?];
@@ -102,7 +104,7 @@ impl RowPatches {
         (probes.len() > PROBES).then_some(())?;
         patches.slots(&probes)?;
         patches.moved = moved(&first, &patches.slots);
-        patches.numbers = patches.slots.iter().map(|slot| (slot.place, f64::NAN)).collect();
+        patches.places = first.number_places(patches.slots.iter().map(|slot| slot.place));
         Some(patches)
     }
 
@@ -146,10 +148,9 @@ impl RowPatches {
             return false;
         }
         let values = self.program.values();
-        for (number, slot) in self.numbers.iter_mut().zip(&self.slots) {
-            number.1 = slot.from.of(values);
-        }
-        mechanism.put_numbers(&self.numbers);
+        self.numbers.clear();
+        self.numbers.extend(self.slots.iter().map(|slot| slot.from.of(values)));
+        mechanism.put_numbers(&self.places, &self.numbers);
         self.moved.iter().all(|(link, [i, j], together)| {
             let points = &mechanism.link(*link).points;
             (points[*i].at == points[*j].at) == *together

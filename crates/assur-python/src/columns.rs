@@ -14,11 +14,15 @@ use pyo3::types::PyCapsule;
 use std::fmt::Write;
 use std::sync::Arc;
 
+/// Columns of residuals and condition.
+const OWN: usize = 4;
+
 /// The answers of all positions.
 #[pyclass(frozen, module = "assur")]
 pub struct Columns {
     columns: Vec<Column>,
-    quality: [Column; 4],
+    /// Residuals and condition.
+    quality: Vec<Column>,
     solved: Arc<Solved>,
 }
 
@@ -45,29 +49,34 @@ impl Columns {
     /// Takes the columns of the library over: nothing is copied.
     pub fn of(found: assur::Columns) -> Self {
         let assur::Columns { pose_header, len, names, failures, expectations, diagnostics, .. } = found;
-        let column = |c: assur::Column| Column {
-            name: c.name,
-            unit: c.unit,
-            written: c.written,
-            condition: c.condition,
-            values: c.values.into(),
-        };
-        let plain = |name: &str, values: Vec<f64>| Column {
-            name: name.to_owned(),
-            unit: String::new(),
-            written: WrittenUnit::default(),
-            condition: false,
-            values: values.into(),
-        };
         let assur::Residuals { closure, equilibrium, power } = found.residuals;
+        let named = |name: &str| (name.to_owned(), String::new(), WrittenUnit::default(), false);
+        let own = [
+            (named("residual(closure)"), closure),
+            (named("residual(equilibrium)"), equilibrium),
+            (named("residual(power)"), power),
+            (named("condition"), found.condition),
+        ];
+        let answers = found.columns.into_iter().map(|c| ((c.name, c.unit, c.written, c.condition), c.values));
+        let (mut memory, mut parts) = (Arc::default(), Vec::new());
+        for (head, values) in answers.chain(own) {
+            let (all, range) = values.into_parts();
+            memory = all;
+            parts.push((head, range));
+        }
+        // nobody else has it any more
+        let memory = ScalarBuffer::from(Arc::unwrap_or_clone(memory));
+        let mut columns: Vec<Column> = parts
+            .into_iter()
+            .map(|((name, unit, written, condition), range)| {
+                let values = memory.slice(range.start, range.len());
+                Column { name, unit, written, condition, values }
+            })
+            .collect();
+        let quality = columns.split_off(columns.len() - OWN);
         Self {
-            columns: found.columns.into_iter().map(column).collect(),
-            quality: [
-                plain("residual(closure)", closure),
-                plain("residual(equilibrium)", equilibrium),
-                plain("residual(power)", power),
-                plain("condition", found.condition),
-            ],
+            columns,
+            quality,
             solved: Arc::new(Solved { pose_header, len, names, failures, expectations, diagnostics }),
         }
     }
@@ -189,7 +198,7 @@ impl Columns {
         };
         Self {
             columns: self.columns.iter().map(column).collect(),
-            quality: self.quality.each_ref().map(same),
+            quality: self.quality.iter().map(same).collect(),
             solved: Arc::clone(&self.solved),
         }
     }

@@ -1,95 +1,196 @@
 //! The numbers of a mechanism, one after another: what a row of variants may change without changing the mechanism.
 
 use super::{
-    BalanceKind, DriveTarget, Expr, Friction, Guide, HintKind, Link, LoadKind, Mechanism, PairKind, Place,
-    PointRef, Positions, Query, Relation, Tolerance, Value,
+    BalanceKind, Drive, DriveTarget, Expect, Expr, Friction, Guide, HintKind, Link, LoadKind, Mechanism,
+    PairKind, Place, PointRef, Positions, Query, Relation, Tolerance, Value,
 };
 use crate::math::Vec2;
 use std::sync::Arc;
+
+/// The statements of a mechanism that have numbers, in the order in which these are visited.
+const STATEMENTS: [Statement; 14] = [
+    Statement::Link,
+    Statement::Pair,
+    Statement::Drive,
+    Statement::Pose,
+    Statement::Hint,
+    Statement::Gravity,
+    Statement::Load,
+    Statement::Spring,
+    Statement::Balance,
+    Statement::Quantity,
+    Statement::Find,
+    Statement::Expect,
+    Statement::Cycle,
+    Statement::Value,
+];
+
+/// A kind of statement.
+#[derive(Clone, Copy, Debug)]
+enum Statement {
+    Link,
+    Pair,
+    Drive,
+    Pose,
+    Hint,
+    Gravity,
+    Load,
+    Spring,
+    Balance,
+    Quantity,
+    Find,
+    Expect,
+    Cycle,
+    Value,
+}
+
+/// Where some numbers of a mechanism are.
+#[derive(Clone, Debug, Default)]
+pub struct NumberPlaces {
+    /// Statements, and how many numbers each has of them.
+    statements: Vec<(Statement, usize, usize)>,
+    /// The places of these among the numbers of their statements.
+    within: Vec<usize>,
+}
 
 impl Mechanism {
     /// Calls `visit` on the numbers that statements of a linkage, its drives, loads and questions give, always in the same
     /// order. What cams, wheels, transmissions and flywheels are is left out.
     pub fn each_number(&mut self, visit: &mut impl FnMut(&mut f64)) {
-        self.links.iter_mut().for_each(|link| link.each_number(visit));
-        for pair in &mut self.pairs {
-            of_pair(&mut pair.kind, visit);
-            match &mut pair.friction {
-                Some(Friction::Circle(x) | Friction::Coefficient(x) | Friction::BothEnds(x)) => visit(x),
-                None => {}
+        for statement in STATEMENTS {
+            (0..self.count(statement)).for_each(|index| self.numbers_of(statement, index, visit));
+        }
+    }
+
+    /// Where numbers are, by their places in the order of [`Mechanism::each_number`], the first ones first.
+    pub fn number_places(&mut self, numbers: impl IntoIterator<Item = usize>) -> NumberPlaces {
+        let (mut found, mut first) = (NumberPlaces::default(), 0);
+        let mut wanted = numbers.into_iter().peekable();
+        for statement in STATEMENTS {
+            for index in 0..self.count(statement) {
+                let mut end = first;
+                self.numbers_of(statement, index, &mut |_| end += 1);
+                let before = found.within.len();
+                found.within.extend(
+                    std::iter::from_fn(|| wanted.next_if(|place| *place < end)).map(|place| place - first),
+                );
+                let own = found.within.len() - before;
+                if own > 0 {
+                    found.statements.push((statement, index, own));
+                }
+                first = end;
             }
         }
-        for drive in &mut self.drives {
-            if let DriveTarget::Point(_, at) = &mut drive.target {
-                of_vector(at, visit);
-            }
-            match &mut drive.positions {
-                Positions::None => {}
-                Positions::List(list) => list.iter_mut().for_each(|e| e.each_number(visit)),
-                Positions::Numbers(numbers) => Arc::make_mut(numbers).iter_mut().for_each(&mut *visit),
-                Positions::Range { from, to, .. } => {
-                    [from, to].into_iter().for_each(|e| e.each_number(visit))
+        found
+    }
+
+    /// Puts numbers in their places.
+    pub fn put_numbers(&mut self, places: &NumberPlaces, numbers: &[f64]) {
+        let mut numbers = places.within.iter().zip(numbers);
+        for &(statement, index, count) in &places.statements {
+            let mut own = numbers.by_ref().take(count);
+            let (mut next, mut place) = (own.next(), 0);
+            self.numbers_of(statement, index, &mut |x| {
+                if let Some((_, number)) = next.filter(|(at, _)| **at == place) {
+                    *x = *number;
+                    next = own.next();
+                }
+                place += 1;
+            });
+        }
+    }
+
+    fn count(&self, statement: Statement) -> usize {
+        match statement {
+            Statement::Link => self.links.len(),
+            Statement::Pair => self.pairs.len(),
+            Statement::Drive => self.drives.len(),
+            Statement::Pose => self.poses.len(),
+            Statement::Hint => self.hints.len(),
+            Statement::Gravity => usize::from(self.gravity.is_some()),
+            Statement::Load => self.loads.len(),
+            Statement::Spring => self.springs.len(),
+            Statement::Balance => self.balances.len(),
+            Statement::Quantity => self.quantities.len(),
+            Statement::Find => self.finds.len(),
+            Statement::Expect => self.expects.len(),
+            Statement::Cycle => self.cycles.len(),
+            Statement::Value => self.values.len(),
+        }
+    }
+
+    fn numbers_of(&mut self, statement: Statement, index: usize, visit: &mut impl FnMut(&mut f64)) {
+        match statement {
+            Statement::Link => self.links[index].each_number(visit),
+            Statement::Pair => {
+                let pair = &mut self.pairs[index];
+                of_pair(&mut pair.kind, visit);
+                match &mut pair.friction {
+                    Some(Friction::Circle(x) | Friction::Coefficient(x) | Friction::BothEnds(x)) => visit(x),
+                    None => {}
                 }
             }
-            drive.speed.iter_mut().chain(&mut drive.acceleration).for_each(|e| e.each_number(visit));
+            Statement::Drive => of_drive(&mut self.drives[index], visit),
+            Statement::Pose => {
+                self.poses[index].at.iter_mut().for_each(|(_, value)| value.each_number(visit))
+            }
+            Statement::Hint => of_hint(&mut self.hints[index].kind, visit),
+            Statement::Gravity => {
+                self.gravity.iter_mut().for_each(|gravity| of_vector(&mut gravity.acceleration, visit));
+            }
+            Statement::Load => {
+                let load = &mut self.loads[index];
+                of_load(&mut load.kind, visit);
+                load.when.iter_mut().for_each(|e| e.each_number(visit));
+            }
+            Statement::Spring => {
+                let spring = &mut self.springs[index];
+                [&mut spring.from.1, &mut spring.to.1].into_iter().for_each(|at| of_vector(at, visit));
+                [&mut spring.stiffness, &mut spring.free_length, &mut spring.damping]
+                    .into_iter()
+                    .for_each(visit);
+            }
+            Statement::Balance => of_balance(&mut self.balances[index].kind, visit),
+            Statement::Quantity => self.quantities[index].expr.each_number(visit),
+            Statement::Find => {
+                if let super::FindKind::Value { expr, .. } = &mut self.finds[index].kind {
+                    expr.each_number(visit);
+                }
+            }
+            Statement::Expect => of_expect(&mut self.expects[index], visit),
+            Statement::Cycle => self.cycles[index].expr.each_number(visit),
+            Statement::Value => of_value(&mut self.values[index].value, visit),
         }
-        for (_, value) in self.poses.iter_mut().flat_map(|pose| &mut pose.at) {
-            value.each_number(visit);
-        }
-        self.hints.iter_mut().for_each(|hint| of_hint(&mut hint.kind, visit));
-        self.gravity.iter_mut().for_each(|gravity| of_vector(&mut gravity.acceleration, visit));
-        for load in &mut self.loads {
-            of_load(&mut load.kind, visit);
-            load.when.iter_mut().for_each(|e| e.each_number(visit));
-        }
-        for spring in &mut self.springs {
-            [&mut spring.from.1, &mut spring.to.1].into_iter().for_each(|at| of_vector(at, visit));
-            [&mut spring.stiffness, &mut spring.free_length, &mut spring.damping]
-                .into_iter()
-                .for_each(&mut *visit);
-        }
-        self.balances.iter_mut().for_each(|balance| of_balance(&mut balance.kind, visit));
-        self.quantities.iter_mut().for_each(|quantity| quantity.expr.each_number(visit));
-        self.questions(visit);
-        self.values.iter_mut().for_each(|named| of_value(&mut named.value, visit));
     }
+}
 
-    /// Puts numbers in their places, in the order in which [`Mechanism::each_number`] comes by them.
-    pub fn put_numbers(&mut self, numbers: &[(usize, f64)]) {
-        let (mut next, mut place) = (numbers.iter(), 0);
-        let (mut at, mut number) = next.next().copied().unwrap_or((usize::MAX, 0.0));
-        self.each_number(&mut |x| {
-            if place == at {
-                *x = number;
-                (at, number) = next.next().copied().unwrap_or((usize::MAX, 0.0));
-            }
-            place += 1;
-        });
+fn of_drive(drive: &mut Drive, visit: &mut impl FnMut(&mut f64)) {
+    if let DriveTarget::Point(_, at) = &mut drive.target {
+        of_vector(at, visit);
     }
+    match &mut drive.positions {
+        Positions::None => {}
+        Positions::List(list) => list.iter_mut().for_each(|e| e.each_number(visit)),
+        Positions::Numbers(numbers) => Arc::make_mut(numbers).iter_mut().for_each(&mut *visit),
+        Positions::Range { from, to, .. } => [from, to].into_iter().for_each(|e| e.each_number(visit)),
+    }
+    drive.speed.iter_mut().chain(&mut drive.acceleration).for_each(|e| e.each_number(visit));
+}
 
-    fn questions(&mut self, visit: &mut impl FnMut(&mut f64)) {
-        for find in &mut self.finds {
-            if let super::FindKind::Value { expr, .. } = &mut find.kind {
-                expr.each_number(visit);
-            }
-        }
-        for expect in &mut self.expects {
-            expect.expr.each_number(visit);
-            match &mut expect.relation {
-                Relation::Equal(values) => values.iter_mut().for_each(|e| e.each_number(visit)),
-                Relation::Compare(_, bound) => bound.each_number(visit),
-                Relation::Condition => {}
-            }
-            match &mut expect.tolerance {
-                Tolerance::Relative(x) | Tolerance::Absolute(x) => visit(x),
-                Tolerance::Written(all) => all.iter_mut().for_each(&mut *visit),
-                Tolerance::None => {}
-            }
-            if let Some(super::At::Drives(list)) = &mut expect.at {
-                list.iter_mut().for_each(|(_, e)| e.each_number(visit));
-            }
-        }
-        self.cycles.iter_mut().for_each(|cycle| cycle.expr.each_number(visit));
+fn of_expect(expect: &mut Expect, visit: &mut impl FnMut(&mut f64)) {
+    expect.expr.each_number(visit);
+    match &mut expect.relation {
+        Relation::Equal(values) => values.iter_mut().for_each(|e| e.each_number(visit)),
+        Relation::Compare(_, bound) => bound.each_number(visit),
+        Relation::Condition => {}
+    }
+    match &mut expect.tolerance {
+        Tolerance::Relative(x) | Tolerance::Absolute(x) => visit(x),
+        Tolerance::Written(all) => all.iter_mut().for_each(&mut *visit),
+        Tolerance::None => {}
+    }
+    if let Some(super::At::Drives(list)) = &mut expect.at {
+        list.iter_mut().for_each(|(_, e)| e.each_number(visit));
     }
 }
 

@@ -38,7 +38,8 @@ const LARGE: f64 = 1e6;
 
 /// The directions: the operations of `libm::sincos` in its order where they are those of most angles, and itself for the others.
 #[cfg_attr(in_one, inline(always))]
-pub(super) fn directions(angles: Wide) -> V2<Wide> {
+#[must_use]
+pub fn directions(angles: Wide) -> V2<Wide> {
     let (mut cos, mut sin, mut plain) = ([0.0; WIDTH], [0.0; WIDTH], true);
     for lane in 0..WIDTH {
         let one = direction(angles.0[lane]);

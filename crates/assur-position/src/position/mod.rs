@@ -56,6 +56,8 @@ pub use body::BodyState;
 #[cfg(feature = "lanes")]
 pub use columns::DriveColumns;
 pub use consistent::{Consistent, Searched};
+#[doc(hidden)]
+pub use directions::directions;
 pub use friction::STILL;
 pub use friction_work::FrictionWork;
 pub use general::{STARTS, assemblies as general_assemblies, is_never_regular};

@@ -1,4 +1,5 @@
 //! Unit tests, one module per source file.
 
+mod directions;
 #[cfg(feature = "lanes")]
 mod lanes;

@@ -20,6 +20,7 @@ impl JointReaction {
     }
 
     /// The force on the link, N, as [`PoseAnswers::reaction`] has it.
+    #[inline]
     #[must_use]
     pub fn force<S: Scalar>(&self, state: &State<S>) -> V2<S> {
         self.0
@@ -28,6 +29,7 @@ impl JointReaction {
     }
 
     /// The couple on the link, N m, as [`PoseAnswers::moment`] has it where it is determined.
+    #[inline]
     #[must_use]
     pub fn couple<S: Scalar>(&self, state: &State<S>) -> S {
         self.0

@@ -47,4 +47,5 @@ pub use switch::Switch;
 pub(crate) use switch::{Side, side_of, switches};
 pub use undefined::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
 pub use whole_cycle::{Extremes, WholeCycle};
+pub(crate) use wide_columns::write_row;
 pub use wide_columns::{WideColumns, finite};

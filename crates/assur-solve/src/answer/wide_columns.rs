@@ -112,19 +112,9 @@ impl WideColumns {
             match shown {
                 WideShown::Found(expr) if expr.is_vector() => {
                     let Some(second) = out.next() else { return };
-                    let rows = rows.iter().zip(first.chunks_mut(WIDTH).zip(second.chunks_mut(WIDTH)));
-                    for (state, (x, y)) in rows {
-                        let WideValue::Vector(v) = expr.value(state) else { continue };
-                        put(x, (v.x, v.y), unit);
-                        put(y, (v.y, v.x), unit);
-                    }
+                    expr.write_vectors(rows, first, second, *unit);
                 }
-                WideShown::Found(expr) => {
-                    for (state, out) in rows.iter().zip(first.chunks_mut(WIDTH)) {
-                        let WideValue::Number(x) = expr.value(state) else { continue };
-                        put(out, (x, x), unit);
-                    }
-                }
+                WideShown::Found(expr) => expr.write_numbers(rows, first, *unit),
                 WideShown::Drive(drive, vector) => {
                     let mut second = if *vector { out.next() } else { None };
                     let values = values.iter().skip(*drive).step_by(drives.max(1));
@@ -143,17 +133,60 @@ impl WideColumns {
     }
 }
 
+/// Writes rows of numbers.
+#[inline(always)]
+fn numbers(rows: &[State<Wide>], out: &mut [f64], unit: Conversion, of: impl Fn(&State<Wide>) -> Wide) {
+    for (state, out) in rows.iter().zip(out.chunks_mut(WIDTH)) {
+        let x = of(state);
+        put(out, &x, &x, unit);
+    }
+}
+
+/// Writes rows of vectors.
+#[inline(always)]
+fn vectors(
+    rows: &[State<Wide>],
+    (x, y): (&mut [f64], &mut [f64]),
+    unit: Conversion,
+    of: impl Fn(&State<Wide>) -> V2<Wide>,
+) {
+    for (state, (x, y)) in rows.iter().zip(x.chunks_mut(WIDTH).zip(y.chunks_mut(WIDTH))) {
+        let v = of(state);
+        put(x, &v.x, &v.y, unit);
+        put(y, &v.y, &v.x, unit);
+    }
+}
+
 /// Writes a row of numbers. Half a vector does not exist.
-fn put(out: &mut [f64], (x, beside): (Wide, Wide), unit: &Conversion) {
-    let both = x.0.iter().zip(beside.0);
-    let cells = both.map(|(x, beside)| if beside.is_finite() { finite(unit.of(*x)) } else { f64::NAN });
-    out.iter_mut().zip(cells).for_each(|(out, x)| *out = x);
+#[inline(always)]
+fn put(out: &mut [f64], x: &Wide, beside: &Wide, unit: Conversion) {
+    let row = match unit {
+        Conversion::None => *x,
+        Conversion::Times(n) => *x * Wide::of(n),
+        Conversion::Over(factor) => *x / Wide::of(factor),
+    };
+    let mut row = row;
+    for (x, beside) in row.0.iter_mut().zip(beside.0) {
+        *x = if beside.abs() < f64::INFINITY { *x } else { f64::NAN };
+    }
+    write_row(out, &row);
+}
+
+/// Writes a row of numbers, as far as there are places.
+#[inline(always)]
+pub(crate) fn write_row(out: &mut [f64], row: &Wide) {
+    let cells = row.0.map(finite);
+    match <&mut [f64; WIDTH]>::try_from(&mut *out) {
+        Ok(out) => *out = cells,
+        Err(_) => out.copy_from_slice(&cells[..out.len()]),
+    }
 }
 
 /// An answer that is not a number does not exist.
+#[inline]
 #[must_use]
 pub const fn finite(x: f64) -> f64 {
-    if x.is_finite() { x } else { f64::NAN }
+    if x.abs() < f64::INFINITY { x } else { f64::NAN }
 }
 
 impl WideExpr {
@@ -230,6 +263,31 @@ impl WideExpr {
             | Self::Component(..) => false,
             Self::Negate(a) => a.is_vector(),
             Self::Binary(_, a, b) => a.is_vector() || b.is_vector(),
+        }
+    }
+
+    fn write_vectors(&self, rows: &[State<Wide>], x: &mut [f64], y: &mut [f64], unit: Conversion) {
+        match self {
+            Self::Position(link, at) => {
+                vectors(rows, (x, y), unit, |state| state.motion.bodies[link.index()].position(*at));
+            }
+            Self::Force(joints) => vectors(rows, (x, y), unit, |state| joints.force(state)),
+            other => vectors(rows, (x, y), unit, |state| match other.value(state) {
+                WideValue::Vector(v) => v,
+                WideValue::Number(x) => V2 { x, y: x },
+            }),
+        }
+    }
+
+    fn write_numbers(&self, rows: &[State<Wide>], out: &mut [f64], unit: Conversion) {
+        match self {
+            Self::Omega(link) => numbers(rows, out, unit, |state| state.motion.bodies[link.index()].omega),
+            Self::Effort(slot) => numbers(rows, out, unit, |state| state.forces.efforts[*slot]),
+            Self::Couple(joints) => numbers(rows, out, unit, |state| joints.couple(state)),
+            other => numbers(rows, out, unit, |state| match other.value(state) {
+                WideValue::Vector(v) => v.x,
+                WideValue::Number(x) => x,
+            }),
         }
     }
 

@@ -13,7 +13,7 @@ use super::solution::{Pose, Solved};
 use super::steps::Pace;
 use super::taken::{Turns, Uneven};
 use super::track::CAREFUL;
-use crate::answer::{PoseAnswers, WholeCycle, WideColumns, finite};
+use crate::answer::{PoseAnswers, WholeCycle, WideColumns, write_row};
 use crate::math::Lanes;
 use crate::model::PairKind;
 use crate::plan::Numbers;
@@ -104,16 +104,13 @@ impl Ahead<'_> {
         block.begin(self, from);
         let Block { rows, turned, checked, .. } = block;
         block.together.run(self.model.plan, (rows, turned), checked, self.residuals);
-        let mut free = 0;
-        for (row, checked) in block.rows.iter().zip(&block.checked) {
-            let regular = regular(self.model, row, checked);
-            if regular.contains(&false) {
-                free += regular.iter().take_while(|regular| **regular).count();
-                break;
-            }
-            free += WIDTH;
+        let regular = || block.rows.iter().zip(&block.checked).map(|(row, c)| regular(self.model, row, c));
+        let all =
+            regular().fold([u64::MAX; WIDTH], |all, row| std::array::from_fn(|lane| all[lane] & row[lane]));
+        block.free = block.solved;
+        if all.contains(&0) {
+            block.free = regular().flatten().take(block.solved).take_while(|regular| *regular != 0).count();
         }
-        block.free = free.min(block.solved);
         block.in_single_steps = self.pace.single_steps(&block.values, block.drives).min(block.free);
         block.look_at_turns();
     }
@@ -224,7 +221,7 @@ impl Block {
                 continue;
             }
             for (out, checked) in out.chunks_mut(WIDTH).zip(&self.checked) {
-                out.iter_mut().zip(part(checked).0).for_each(|(out, x)| *out = finite(x));
+                write_row(out, &part(checked));
             }
         }
     }
@@ -292,21 +289,28 @@ impl Block {
 }
 
 /// Which positions are such that following finds them too, if it found the one before: far from change points, and with nothing to
-/// be said about them.
-fn regular(model: &Model<'_>, row: &State<Wide>, checked: &Checked) -> [bool; WIDTH] {
+/// be said about them. All bits where a position is, as vectors compare.
+#[inline(always)]
+fn regular(model: &Model<'_>, row: &State<Wide>, checked: &Checked) -> [u64; WIDTH] {
+    const fn bits(holds: bool) -> u64 {
+        if holds { u64::MAX } else { 0 }
+    }
     let Checked { closure, equilibrium, power, condition, magnitude } = checked;
-    let closes = row.motion.open.is_none();
+    let closes = bits(row.motion.open.is_none());
     let mut regular = std::array::from_fn(|lane| {
         closes
-            & (condition.0[lane] > NO_NOTE)
-            & (magnitude.0[lane] < MODERATE)
-            & (closure.0[lane] <= MEETS)
-            & !equilibrium.0[lane].is_nan()
-            & !power.0[lane].is_nan()
+            & bits(condition.0[lane] > NO_NOTE)
+            & bits(magnitude.0[lane] < MODERATE)
+            & bits(closure.0[lane] <= MEETS)
+            & bits(!equilibrium.0[lane].is_nan())
+            & bits(!power.0[lane].is_nan())
     });
     for (step, conditions) in model.plan.motion.iter().zip(&row.motion.conditions) {
         if step.has_two_roots() {
-            regular.iter_mut().zip(conditions.0).for_each(|(regular, c)| *regular &= c.abs() >= CAREFUL);
+            regular
+                .iter_mut()
+                .zip(conditions.0)
+                .for_each(|(regular, c)| *regular &= bits(c.abs() >= CAREFUL));
         }
     }
     regular

@@ -83,8 +83,17 @@ impl Pace {
     pub(super) fn single_steps(&self, values: &[DriveValue], drives: usize) -> usize {
         let count = values.len().checked_div(drives).unwrap_or(usize::MAX);
         let before = values.chunks_exact(drives.max(1));
-        let steps = before.clone().zip(before.skip(1)).take_while(|(a, b)| self.is_one_step(a, b));
-        (1 + steps.count()).min(count)
+        // a bound without the rounding of the other: most steps are far below it
+        let short = match self.largest.as_slice() {
+            [largest] => 0.99 * largest / self.finer,
+            _ => f64::NAN,
+        };
+        let is_short = |a: &[DriveValue], b: &[DriveValue]| match (a, b) {
+            ([DriveValue::Scalar(a)], [DriveValue::Scalar(b)]) => (b - a).abs() < short,
+            _ => false,
+        };
+        let steps = before.clone().zip(before.skip(1));
+        (1 + steps.take_while(|(a, b)| is_short(a, b) || self.is_one_step(a, b)).count()).min(count)
     }
 
     /// Whether places are surely nearer to each other than that.

@@ -103,13 +103,14 @@ pub(super) struct Uneven {
     new: Vec2,
 }
 
-fn is_uneven(old: Vec2, new: Vec2) -> bool {
-    let jumps = (old.y.is_sign_negative() != new.y.is_sign_negative()) & ((old.x < 0.0) | (new.x < 0.0));
-    (old.dot(new) <= 0.0) | jumps
-}
-
 fn vector(v: V2<Wide>, lane: usize) -> Vec2 {
     Vec2::new(v.x.0[lane], v.y.0[lane])
+}
+
+/// Whether it does.
+fn is_uneven(old: Vec2, new: Vec2) -> bool {
+    let jumps = old.y.is_sign_negative() != new.y.is_sign_negative() && (old.x < 0.0 || new.x < 0.0);
+    old.dot(new) <= 0.0 || jumps
 }
 
 impl Block {
@@ -118,24 +119,42 @@ impl Block {
         self.uneven.clear();
         let bodies = self.rows.first().map_or(0, |row| row.motion.bodies.len());
         for body in 0..bodies {
-            let mut before = None;
-            for (index, row) in self.rows.iter().enumerate() {
+            if self.is_even(body) {
+                continue;
+            }
+            let directions = self.rows.iter().flat_map(|row| {
                 let u = row.motion.bodies[body].u;
-                let old = before.unwrap_or_else(|| vector(u, 0));
-                before = Some(vector(u, WIDTH - 1));
-                let (mut x, mut y) = ([old.x; WIDTH], [old.y; WIDTH]);
-                x[1..].copy_from_slice(&u.x.0[..WIDTH - 1]);
-                y[1..].copy_from_slice(&u.y.0[..WIDTH - 1]);
-                let pair = |lane: usize| (Vec2::new(x[lane], y[lane]), vector(u, lane));
-                let uneven = |lane: usize| is_uneven(pair(lane).0, pair(lane).1);
-                if (0..WIDTH).fold(false, |any, lane| any | uneven(lane)) {
-                    for lane in (0..WIDTH).filter(|lane| uneven(*lane)) {
-                        let (old, new) = pair(lane);
-                        self.uneven.push(Uneven { position: index * WIDTH + lane, body, old, new });
-                    }
+                (0..WIDTH).map(move |lane| vector(u, lane))
+            });
+            let mut old = None;
+            for (position, new) in directions.enumerate() {
+                if let Some(old) = old.replace(new).filter(|old| is_uneven(*old, new)) {
+                    self.uneven.push(Uneven { position, body, old, new });
                 }
             }
         }
+    }
+
+    /// Whether a body turns by little from each position to the next, and not over the negative x axis.
+    fn is_even(&self, body: usize) -> bool {
+        let (mut near, mut sides) = ([u64::MAX; WIDTH], [0; WIDTH]);
+        let mut before = None;
+        for row in &self.rows {
+            let u = &row.motion.bodies[body].u;
+            let old = before.unwrap_or_else(|| vector(*u, 0));
+            before = Some(vector(*u, WIDTH - 1));
+            let (mut x, mut y) = ([old.x; WIDTH], [old.y; WIDTH]);
+            x[1..].copy_from_slice(&u.x.0[..WIDTH - 1]);
+            y[1..].copy_from_slice(&u.y.0[..WIDTH - 1]);
+            for lane in 0..WIDTH {
+                let (old, new) = ((x[lane], y[lane]), (u.x.0[lane], u.y.0[lane]));
+                let turned = old.0 * new.0 + old.1 * new.1;
+                near[lane] &= if turned > 0.0 { u64::MAX } else { 0 };
+                let (left, crossed) = (old.0.to_bits() | new.0.to_bits(), old.1.to_bits() ^ new.1.to_bits());
+                sides[lane] |= left & crossed;
+            }
+        }
+        !near.contains(&0) && sides.iter().fold(0, |all, side| all | side) >> 63 == 0
     }
 
     /// Carries whole turns of the bodies on over the first positions. Returns how many these are: up to one where a body turns too

@@ -34,11 +34,18 @@ impl Unit {
     }
 }
 
+/// 2⁵²: what is added to it has no digits behind the point.
+const WHOLE: f64 = 4_503_599_627_370_496.0;
+
 /// The whole number that a factor below one is the reciprocal of: dividing by 1000 rounds right where multiplying by
 /// 0.001 need not.
 pub(super) fn whole_reciprocal(factor: f64) -> Option<f64> {
-    let n = (1.0 / factor).round();
-    (factor < 1.0 && n <= 1e15 && 1.0 / n == factor).then_some(n)
+    if factor >= 1.0 {
+        return None;
+    }
+    // the nearest whole number, where there is one that is meant
+    let n = (1.0 / factor + WHOLE) - WHOLE;
+    (n <= 1e15 && 1.0 / n == factor).then_some(n)
 }
 
 /// From SI into a unit, as [`Unit::from_si`], with what does not depend on the number found once.
