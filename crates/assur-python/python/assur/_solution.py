@@ -40,7 +40,8 @@ class Solution:
 
     def __init__(self, columns: _assur.Columns, si: Solution | None = None) -> None:
         self._columns = columns
-        self._si = si or self
+        # none where it is this one: an object that holds itself, and its memory with it, goes late
+        self._si = si
 
     def __getitem__(self, name: str) -> Array | tuple[Array, Array]:
         if f"{name}.x" in self.units and name not in self.units:
@@ -104,9 +105,10 @@ class Solution:
     def to(self, units: str = "file") -> Solution:
         """The same in the units of the file (``"file"``), which copies it, or in SI units (``"si"``)."""
         if units == "file":
-            return Solution(self._si._columns.in_file_units(), self._si)
+            si = self._si or self
+            return Solution(si._columns.in_file_units(), si)
         if units == "si":
-            return self._si
+            return self._si or self
         raise ValueError(f'units are "file" or "si", not {units!r}')
 
     def to_pandas(self) -> Any:
