@@ -1,163 +1,250 @@
 //! Which label has which place: the cheapest free one first, then moves to something cheaper, alone or with one neighbour.
 
 use crate::geometry::Rect;
-use crate::grid::Grid;
+use crate::ground::Grounds;
 use crate::label::Label;
-use crate::placement::{APART, Candidate, Later};
+use crate::placement::{APART, Later};
+use crate::places::{Place, Places};
+use crate::seats::Seats;
 
 /// The part of the later frames in which two labels may overlap.
 const PASSING: f64 = 0.1;
+/// What it costs to have no place inside, mm.
+const OUTSIDE: f64 = 60.0;
+/// What places may cost beyond what is asked for and are looked at with the others, mm.
+const BEYOND: f64 = 2.0;
 
 /// Who sits where.
 pub(crate) struct Board<'a> {
-    candidates: &'a [Vec<Candidate>],
+    places: Vec<Places>,
+    grounds: &'a Grounds<'a>,
     later: &'a [Later],
     chosen: Vec<Option<usize>>,
-    /// The places that labels have, or had.
+    /// The boxes that labels have.
     boxes: Vec<Rect>,
-    /// Labels by the cells of the places that they have.
-    taken: Grid<usize>,
+    seats: Seats,
     ranks: Vec<u8>,
-    /// Where anything must change before a label that found nothing cheaper finds it.
-    regions: Vec<Rect>,
     /// The boxes that labels have left or taken, in order.
     changes: Vec<Rect>,
-    /// How many changes there were when a label last found nothing cheaper.
-    looked: Vec<Option<usize>>,
+    /// Of a label that found nothing cheaper: when that was, and where it looked.
+    looked: Vec<Option<Moment>>,
+    views: Vec<View>,
 }
 
-/// What it costs to have no place inside, mm.
-const OUTSIDE: f64 = 60.0;
+/// How many changes there were, and where another one counts.
+#[derive(Clone, Copy)]
+struct Moment {
+    changes: usize,
+    region: Rect,
+}
+
+/// The places of a label that cost less than something, with at most one other in the way, as they were at a moment.
+#[derive(Clone)]
+struct View {
+    below: f64,
+    at: Moment,
+    places: Vec<(usize, Option<usize>)>,
+}
+
+/// Who is in the way of a place.
+enum Way {
+    Free,
+    Of(usize),
+    OfSeveral,
+}
 
 impl<'a> Board<'a> {
     pub fn new(
         labels: &[Label],
-        candidates: &'a [Vec<Candidate>],
-        later: &'a [Later],
+        places: Vec<Places>,
+        (grounds, later): (&'a Grounds<'a>, &'a [Later]),
         around: &Rect,
     ) -> Self {
-        let taken = Grid::knowing((0..labels.len()).collect(), around);
-        let ranks = labels.iter().map(|l| l.rank).collect();
-        let (chosen, boxes) = (vec![None; candidates.len()], vec![Rect::NOTHING; candidates.len()]);
-        let (regions, looked) = (regions(candidates), vec![None; candidates.len()]);
-        Self { candidates, later, chosen, boxes, taken, ranks, regions, changes: Vec::new(), looked }
+        let count = labels.len();
+        let at = Moment { changes: 0, region: Rect::NOTHING };
+        Self {
+            places,
+            grounds,
+            later,
+            chosen: vec![None; count],
+            boxes: vec![Rect::NOTHING; count],
+            seats: Seats::over(around),
+            ranks: labels.iter().map(|l| l.rank).collect(),
+            changes: Vec::new(),
+            looked: vec![None; count],
+            views: vec![View { below: f64::NEG_INFINITY, at, places: Vec::new() }; count],
+        }
     }
 
     fn cost(&self, label: usize) -> f64 {
         match self.chosen[label] {
-            Some(number) => self.candidates[label][number].cost,
+            Some(number) => self.place(label, number).cost,
             None => OUTSIDE - f64::from(self.ranks[label]),
         }
     }
 
+    /// A place that was looked at.
+    fn place(&self, label: usize, number: usize) -> Place {
+        self.places[label].known[number]
+    }
+
     /// Moves a label to another place, or to none.
     fn choose(&mut self, label: usize, number: Option<usize>) {
-        let all = &self.candidates[label];
-        if let Some(old) = self.chosen[label] {
-            self.taken.put(label, &all[old].bounds, false);
+        if self.chosen[label].is_some() {
+            self.seats.put(label, &self.boxes[label], false);
         }
-        if let Some(new) = number {
-            self.taken.put(label, &all[new].bounds, true);
-            self.boxes[label] = all[new].bounds;
+        self.boxes[label] = number.map_or(Rect::NOTHING, |n| self.place(label, n).bounds);
+        if number.is_some() {
+            self.seats.put(label, &self.boxes[label], true);
         }
         self.chosen[label] = number;
     }
 
-    /// The first labels whose boxes overlap a place: one of them where no more are wanted, else two.
-    fn in_the_way(&self, label: usize, bounds: &Rect, both: bool) -> [Option<usize>; 2] {
-        let wanted = bounds.grown(APART);
-        let mut found = [None; 2];
-        self.taken.any(&wanted, |&other| {
-            if other == label || found[0] == Some(other) || !self.boxes[other].overlaps(&wanted) {
-                return false;
+    /// Tells of the places that cost less, the cheapest first, who is in their way, until it is told enough; where it looked.
+    fn each_below(
+        &mut self,
+        label: usize,
+        below: f64,
+        mut is_enough: impl FnMut(usize, Way) -> bool,
+    ) -> Rect {
+        let mut seen = if self.later.is_empty() { Rect::NOTHING } else { Rect::ALL };
+        let mut number = 0;
+        while let Some(place) = self.places[label].get(number, self.grounds).filter(|p| p.cost < below) {
+            seen.join(&place.bounds.grown(APART));
+            if is_enough(number, self.way(label, &place.bounds)) {
+                break;
             }
-            found[usize::from(found[0].is_some())] = Some(other);
-            !both || found[1].is_some()
-        });
-        if !self.later.is_empty() && found[usize::from(both)].is_none() {
-            self.in_the_way_later(label, bounds, &mut found);
+            number += 1;
         }
-        found
+        seen
     }
 
-    /// Adds those that overlap it in too many of the later frames.
-    fn in_the_way_later(&self, label: usize, bounds: &Rect, found: &mut [Option<usize>; 2]) {
-        for other in (0..self.chosen.len()).filter(|o| *o != label && self.chosen[*o].is_some()) {
-            let on = |l: &&Later| {
-                self.boxes[other].shifted(l.shifts[other]).overlaps(&bounds.shifted(l.shifts[label]))
-            };
-            let passes = || self.later.iter().filter(on).count() as f64 <= PASSING * self.later.len() as f64;
-            if found.contains(&Some(other)) || passes() {
-                continue;
+    /// Who is in the way of a place.
+    fn way(&self, label: usize, bounds: &Rect) -> Way {
+        let mut way = Way::Free;
+        let mut look = |other: usize| {
+            let is_known = matches!(way, Way::Of(known) if known == other);
+            if other != label && !is_known && self.meets((label, bounds), (other, &self.boxes[other])) {
+                way = if matches!(way, Way::Free) { Way::Of(other) } else { Way::OfSeveral };
             }
-            found[usize::from(found[0].is_some())] = Some(other);
-            if found[1].is_some() {
-                return;
-            }
+            matches!(way, Way::OfSeveral)
+        };
+        if self.later.is_empty() {
+            self.seats.any(&bounds.grown(APART), &mut look);
+        } else {
+            (0..self.chosen.len()).filter(|other| self.chosen[*other].is_some()).any(&mut look);
         }
+        way
     }
 
+    /// Whether two labels at places overlap, or do so in too many of the later frames.
+    fn meets(&self, (one, own): (usize, &Rect), (other, its): (usize, &Rect)) -> bool {
+        let on = |l: &&Later| its.shifted(l.shifts[other]).overlaps(&own.shifted(l.shifts[one]));
+        its.overlaps(&own.grown(APART))
+            || self.later.iter().filter(on).count() as f64 > PASSING * self.later.len() as f64
+    }
+
+    /// Takes the cheapest place that is free.
     pub fn take_cheapest(&mut self, label: usize) {
-        let number = self.cheapest(label, f64::INFINITY);
-        self.choose(label, number);
+        let mut found = None;
+        self.each_below(label, f64::INFINITY, |number, way| {
+            found = matches!(way, Way::Free).then_some(number);
+            found.is_some()
+        });
+        self.choose(label, found);
     }
 
-    /// The cheapest place that is free and costs less.
-    fn cheapest(&self, label: usize, below: f64) -> Option<usize> {
-        let all = &self.candidates[label];
-        (0..all.len())
-            .take_while(|number| all[*number].cost < below)
-            .find(|number| self.in_the_way(label, &all[*number].bounds, false)[0].is_none())
+    /// Whether nothing has changed since, where it counts.
+    fn is_as(&self, at: &Moment) -> bool {
+        !self.changes[at.changes..].iter().any(|change| change.overlaps(&at.region))
+    }
+
+    /// Looks at the places of a label that cost less, if that is not known.
+    fn look(&mut self, label: usize, below: f64) {
+        let known = &self.views[label];
+        if known.below >= below && self.is_as(&known.at) {
+            return;
+        }
+        let (below, mut places) = (below + BEYOND, std::mem::take(&mut self.views[label].places));
+        places.clear();
+        let region = self.each_below(label, below, |number, way| {
+            match way {
+                Way::Free => places.push((number, None)),
+                Way::Of(other) => places.push((number, Some(other))),
+                Way::OfSeveral => {}
+            }
+            false
+        });
+        self.views[label] = View { below, at: Moment { changes: self.changes.len(), region }, places };
     }
 
     /// Moves a label to a cheaper place, where needed by moving one neighbour; whether anything changed.
     pub fn improve(&mut self, label: usize) -> bool {
-        let region = self.regions[label];
-        // labels that are apart now may meet in later frames
-        if self.later.is_empty()
-            && let Some(looked) = self.looked[label]
-            && !self.changes[looked..].iter().any(|change| change.overlaps(&region))
-        {
+        if self.looked[label].is_some_and(|at| self.is_as(&at)) {
             return false;
         }
-        let before = self.chosen[label].map(|_| self.boxes[label]);
-        let changed = self.search(label);
+        let before = self.boxes[label];
+        let mut seen = if self.later.is_empty() { before } else { Rect::ALL };
+        let changed = self.search(label, &mut seen);
         if changed {
-            self.changes.extend(before);
-            self.changes.extend(self.chosen[label].map(|_| self.boxes[label]));
+            self.changes.extend([before, self.boxes[label]]);
         }
-        self.looked[label] = (!changed).then_some(self.changes.len());
+        self.looked[label] = (!changed).then_some(Moment { changes: self.changes.len(), region: seen });
         changed
     }
 
-    fn search(&mut self, label: usize) -> bool {
+    /// The same, with where it looked.
+    fn search(&mut self, label: usize, seen: &mut Rect) -> bool {
         let own = self.cost(label);
-        let free = self.cheapest(label, own - 1e-9);
-        let reached = free.map_or(own, |number| self.candidates[label][number].cost);
-        for number in 0..self.candidates[label].len() {
-            let candidate = self.candidates[label][number];
-            if candidate.cost >= reached - 1e-9 {
+        self.look(label, own - 1e-9);
+        seen.join(&self.views[label].at.region);
+        let places = std::mem::take(&mut self.views[label].places);
+        let cost = |board: &Self, number: usize| board.place(label, number).cost;
+        let free = places.iter().find(|(number, other)| other.is_none() && cost(self, *number) < own - 1e-9);
+        let free = free.map(|(number, _)| *number);
+        let reached = free.map_or(own, |number| cost(self, number));
+        let mut swap = None;
+        for &(number, other) in &places {
+            let Place { bounds, cost } = self.place(label, number);
+            if cost >= own - 1e-9 || cost >= reached - 1e-9 {
                 break;
             }
-            let [Some(neighbour), None] = self.in_the_way(label, &candidate.bounds, true) else { continue };
-            let before = self.cost(neighbour);
-            let (old, old_neighbour) = (self.chosen[label], self.chosen[neighbour]);
-            self.choose(neighbour, None);
-            self.choose(label, Some(number));
-            let most = reached - candidate.cost + before;
-            if let Some(moved) = self.cheapest(neighbour, most - 1e-9) {
-                self.changes.extend(old_neighbour.map(|old| self.candidates[neighbour][old].bounds));
-                self.choose(neighbour, Some(moved));
-                self.changes.push(self.boxes[neighbour]);
-                return true;
+            let Some(neighbour) = other else { continue };
+            let most = reached - cost + self.cost(neighbour);
+            if let Some(moved) = self.gives_way(neighbour, (label, &bounds), most - 1e-9, seen) {
+                swap = Some((number, neighbour, moved));
+                break;
             }
-            self.choose(label, old);
-            self.choose(neighbour, old_neighbour);
         }
-        if free.is_some() {
+        self.views[label].places = places;
+        if let Some((number, neighbour, moved)) = swap {
+            let left = self.boxes[neighbour];
+            self.choose(neighbour, Some(moved));
+            self.changes.extend([left, self.boxes[neighbour]]);
+            self.choose(label, Some(number));
+        } else if free.is_some() {
             self.choose(label, free);
         }
-        free.is_some()
+        swap.is_some() || free.is_some()
+    }
+
+    /// The cheapest place of a label that costs less and would be free if another one moved to a place.
+    fn gives_way(
+        &mut self,
+        label: usize,
+        (to, place): (usize, &Rect),
+        below: f64,
+        seen: &mut Rect,
+    ) -> Option<usize> {
+        self.look(label, below);
+        let view = &self.views[label];
+        seen.join(&view.at.region);
+        let left = view.places.iter().map(|(number, other)| (*number, self.place(label, *number), *other));
+        let mut left = left.take_while(|(_, own, _)| own.cost < below);
+        let free = |(_, own, other): &(usize, Place, Option<usize>)| {
+            other.is_none_or(|other| other == to) && !self.meets((label, &own.bounds), (to, place))
+        };
+        left.find(free).map(|(number, ..)| number)
     }
 
     /// The places of all labels; better in the way later than outside.
@@ -168,22 +255,6 @@ impl<'a> Board<'a> {
                 self.take_cheapest(label);
             }
         }
-        self.chosen.iter().zip(self.candidates).map(|(chosen, all)| chosen.map(|c| all[c].bounds)).collect()
+        (0..order.len()).map(|i| self.chosen[i].map(|_| self.boxes[i])).collect()
     }
-}
-
-/// For each label the box of the places that it, or a label in its way, may take.
-fn regions(candidates: &[Vec<Candidate>]) -> Vec<Rect> {
-    let reach = |all: &Vec<Candidate>| {
-        let mut reach = Rect::NOTHING;
-        all.iter().for_each(|candidate| reach.join(&candidate.bounds.grown(APART)));
-        reach
-    };
-    let reaches: Vec<Rect> = candidates.iter().map(reach).collect();
-    let region = |own: &Rect| {
-        let mut region = *own;
-        reaches.iter().filter(|other| other.overlaps(own)).for_each(|other| region.join(other));
-        region
-    };
-    reaches.iter().map(region).collect()
 }

@@ -27,6 +27,12 @@ impl Rect {
         max: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
     };
 
+    /// Everything.
+    pub const ALL: Self = Self {
+        min: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+        max: Vec2::new(f64::INFINITY, f64::INFINITY),
+    };
+
     /// The box around a point.
     #[must_use]
     pub fn around(centre: Vec2, half: Vec2) -> Self {
@@ -90,6 +96,12 @@ impl Rect {
     #[must_use]
     pub fn contains(&self, o: &Self) -> bool {
         self.min.x <= o.min.x && self.min.y <= o.min.y && self.max.x >= o.max.x && self.max.y >= o.max.y
+    }
+
+    /// Whether a point lies in it.
+    #[must_use]
+    pub fn has(&self, p: Vec2) -> bool {
+        self.min.x <= p.x && p.x <= self.max.x && self.min.y <= p.y && p.y <= self.max.y
     }
 
     /// The point of the box nearest to another.

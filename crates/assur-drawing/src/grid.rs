@@ -9,6 +9,11 @@ const CELL: f64 = 5.0;
 /// The most cells along a side.
 const MOST: usize = 400;
 
+/// What rounding may move an edge by, mm.
+const ROUNDING: f64 = 1e-9;
+/// The end of a list.
+const END: u32 = u32::MAX;
+
 /// A grid over a box.
 #[derive(Debug)]
 pub struct Grid<T> {
@@ -16,8 +21,12 @@ pub struct Grid<T> {
     cell: f64,
     columns: usize,
     rows: usize,
-    cells: Vec<Vec<u32>>,
-    items: Vec<T>,
+    /// The first and the last entry of each cell.
+    cells: Vec<[u32; 2]>,
+    /// Items, each with the next entry of its cell.
+    entries: Vec<[u32; 2]>,
+    /// With the boxes that they lie in.
+    items: Vec<(Rect, T)>,
 }
 
 impl<T> Grid<T> {
@@ -27,8 +36,8 @@ impl<T> Grid<T> {
         let cell = CELL.max(size.x.max(size.y) / MOST as f64);
         let count = |length: f64| index(length / cell) + 1;
         let (columns, rows) = (count(size.x), count(size.y));
-        let cells = (0..columns * rows).map(|_| Vec::new()).collect();
-        Self { origin: bounds.min, cell, columns, rows, cells, items: Vec::new() }
+        let (cells, entries, items) = (vec![[END; 2]; columns * rows], Vec::new(), Vec::new());
+        Self { origin: bounds.min, cell, columns, rows, cells, entries, items }
     }
 
     fn span(&self, bounds: &Rect) -> [usize; 4] {
@@ -40,48 +49,39 @@ impl<T> Grid<T> {
         [column(bounds.min.x), column(bounds.max.x), row(bounds.min.y), row(bounds.max.y)]
     }
 
-    /// An empty grid that knows items.
-    pub fn knowing(items: Vec<T>, bounds: &Rect) -> Self {
-        Self { items, ..Self::over(bounds) }
-    }
-
     /// Adds an item that lies in a box.
     pub fn add(&mut self, item: T, bounds: &Rect) {
         let Ok(id) = u32::try_from(self.items.len()) else { return };
-        self.items.push(item);
+        self.items.push((bounds.grown(ROUNDING), item));
         let [left, right, top, bottom] = self.span(bounds);
         for row in top..=bottom {
             for column in left..=right {
-                self.cells[row * self.columns + column].push(id);
-            }
-        }
-    }
-
-    /// Puts an item that is there into the cells of a box, or takes it out of them.
-    pub fn put(&mut self, id: usize, bounds: &Rect, inside: bool) {
-        let Ok(id) = u32::try_from(id) else { return };
-        let [left, right, top, bottom] = self.span(bounds);
-        for row in top..=bottom {
-            for column in left..=right {
-                let cell = &mut self.cells[row * self.columns + column];
-                if inside {
-                    cell.push(id);
+                let Ok(entry) = u32::try_from(self.entries.len()) else { return };
+                self.entries.push([id, END]);
+                let [first, last] = &mut self.cells[row * self.columns + column];
+                if *last == END {
+                    *first = entry;
                 } else {
-                    cell.retain(|other| *other != id);
+                    self.entries[*last as usize][1] = entry;
                 }
+                *last = entry;
             }
         }
     }
 
-    /// Whether any item near a box answers yes; each is asked once or more.
+    /// Whether any item whose box overlaps a box answers yes; each is asked once or more.
     pub fn any(&self, bounds: &Rect, mut asked: impl FnMut(&T) -> bool) -> bool {
         let [left, right, top, bottom] = self.span(bounds);
         for row in top..=bottom {
-            for cell in &self.cells[row * self.columns + left..=row * self.columns + right] {
-                for id in cell {
-                    if asked(&self.items[*id as usize]) {
+            for [first, _] in &self.cells[row * self.columns + left..=row * self.columns + right] {
+                let mut entry = *first;
+                while entry != END {
+                    let [id, next] = self.entries[entry as usize];
+                    let (around, item) = &self.items[id as usize];
+                    if around.overlaps(bounds) && asked(item) {
                         return true;
                     }
+                    entry = next;
                 }
             }
         }

@@ -3,6 +3,7 @@
 use crate::geometry::{Rect, Segment};
 use crate::style::Style;
 use assur_math::math::Vec2;
+use std::f64::consts::TAU;
 
 /// Length of an arrow's head, mm.
 const HEAD: f64 = 2.6;
@@ -97,6 +98,20 @@ pub fn on_circle(centre: Vec2, radius: f64, angle: f64) -> Vec2 {
     centre + Vec2::direction(angle) * radius
 }
 
+/// Tells the short parts of an arc by their ends.
+fn each_part(centre: Vec2, radius: f64, from: f64, sweep: f64, mut tell: impl FnMut(Vec2, Vec2)) {
+    let parts = (sweep.abs() / ARC_PARTS).ceil().max(1.0);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // less than a hundred
+    let count = parts.min(100.0) as usize;
+    let at = |i: usize| on_circle(centre, radius, from + sweep * i as f64 / count as f64);
+    let mut before = at(0);
+    for i in 1..=count {
+        let here = at(i);
+        tell(before, here);
+        before = here;
+    }
+}
+
 impl Shape {
     /// A polygon.
     #[must_use]
@@ -140,34 +155,32 @@ impl Shape {
     /// The strokes of it, arcs in short parts.
     #[must_use]
     pub fn segments(&self) -> Vec<Segment> {
-        let line = |a: &Vec2, b: &Vec2| Segment { a: *a, b: *b };
-        let arc = |centre: Vec2, radius: f64, from: f64, sweep: f64| {
-            let parts = (sweep.abs() / ARC_PARTS).ceil().max(1.0);
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // less than a hundred
-            let count = parts.min(100.0) as usize;
-            let at = |i: usize| on_circle(centre, radius, from + sweep * i as f64 / count as f64);
-            (0..count).map(|i| Segment { a: at(i), b: at(i + 1) }).collect::<Vec<_>>()
-        };
+        let mut all = Vec::new();
+        self.each_segment(|segment| all.push(segment));
+        all
+    }
+
+    /// Tells each of its strokes, arcs in short parts.
+    pub fn each_segment(&self, mut tell: impl FnMut(Segment)) {
+        let mut line = |a: Vec2, b: Vec2| tell(Segment { a, b });
         match self {
-            Self::Line(a, b) => vec![line(a, b)],
+            Self::Line(a, b) | Self::Arrow(a, b) => line(*a, *b),
             Self::Lines { points, closed } => {
-                let mut all: Vec<_> = points.windows(2).map(|w| line(&w[0], &w[1])).collect();
+                points.windows(2).for_each(|w| line(w[0], w[1]));
                 if let (true, Some(first), Some(last)) = (*closed, points.first(), points.last()) {
-                    all.push(line(last, first));
+                    line(*last, *first);
                 }
-                all
             }
-            Self::Strokes(lines) => lines.iter().map(|(a, b)| line(a, b)).collect(),
-            Self::Circle { centre, radius } => arc(*centre, *radius, 0.0, std::f64::consts::TAU),
-            Self::Arc { centre, radius, from, sweep } => arc(*centre, *radius, *from, *sweep),
+            Self::Strokes(lines) => lines.iter().for_each(|(a, b)| line(*a, *b)),
+            Self::Circle { centre, radius } => each_part(*centre, *radius, 0.0, TAU, line),
+            Self::Arc { centre, radius, from, sweep } | Self::ArcArrow { centre, radius, from, sweep } => {
+                each_part(*centre, *radius, *from, *sweep, line);
+            }
             Self::Sector { centre, radius, from, sweep } => {
-                let mut all = arc(*centre, *radius, *from, *sweep);
-                all.push(Segment { a: *centre, b: on_circle(*centre, *radius, *from) });
-                all.push(Segment { a: *centre, b: on_circle(*centre, *radius, from + sweep) });
-                all
+                each_part(*centre, *radius, *from, *sweep, &mut line);
+                line(*centre, on_circle(*centre, *radius, *from));
+                line(*centre, on_circle(*centre, *radius, from + sweep));
             }
-            Self::Arrow(a, b) => vec![line(a, b)],
-            Self::ArcArrow { centre, radius, from, sweep } => arc(*centre, *radius, *from, *sweep),
         }
     }
 
@@ -178,10 +191,10 @@ impl Shape {
         if let Self::Circle { centre, radius } = self {
             return Rect::around(*centre, Vec2::new(*radius, *radius));
         }
-        for segment in self.segments() {
+        self.each_segment(|segment| {
             rect.add(segment.a);
             rect.add(segment.b);
-        }
+        });
         for corner in self.own_head().into_iter().flatten() {
             rect.add(corner);
         }
@@ -191,18 +204,23 @@ impl Shape {
     /// What labels keep away from: strokes with half their width, small circles whole.
     #[must_use]
     pub fn obstacles(&self, half: f64) -> Vec<Obstacle> {
+        let mut all = Vec::new();
+        self.each_obstacle(half, |obstacle| all.push(obstacle));
+        all
+    }
+
+    /// Tells each of them.
+    pub fn each_obstacle(&self, half: f64, mut tell: impl FnMut(Obstacle)) {
         match self {
             Self::Circle { centre, radius } if *radius <= SMALL => {
-                vec![Obstacle::Disc(*centre, radius + half)]
+                tell(Obstacle::Disc(*centre, radius + half));
             }
             _ => {
-                let mut all: Vec<_> =
-                    self.segments().into_iter().map(|s| Obstacle::Stroke(s, half)).collect();
+                self.each_segment(|segment| tell(Obstacle::Stroke(segment, half)));
                 if let Some([tip, _, _, base]) = self.own_head() {
                     let wide = (HALF_HEAD * (tip - base).norm() / HEAD).max(half);
-                    all.push(Obstacle::Stroke(Segment { a: tip, b: base }, wide));
+                    tell(Obstacle::Stroke(Segment { a: tip, b: base }, wide));
                 }
-                all
             }
         }
     }

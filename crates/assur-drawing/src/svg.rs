@@ -2,6 +2,7 @@
 
 use crate::drawing::{CAPTION, Placed, Sheet};
 use crate::mark::{Mark, Shape, on_circle};
+use crate::number::number;
 use crate::palette::{Palette, Role, Theme};
 use crate::style::{STYLES, Style};
 use crate::text::Text;
@@ -14,20 +15,15 @@ pub const FAMILIES: [&str; 5] =
 /// The same as a rule.
 const FAMILY: &str = r#""Times New Roman",Tinos,"Liberation Serif","Nimbus Roman","TeX Gyre Termes",serif"#;
 
-/// A number with two decimals at most, without zeros at its end and without a minus before nothing.
-#[must_use]
-pub fn number(x: f64) -> String {
-    let mut text = format!("{x:.2}");
-    if text.contains('.') {
-        text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
-    }
-    if text == "-0" { "0".to_owned() } else { text }
-}
-
 /// A text in which no sign is one of the document's.
 #[must_use]
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
+    escape(&mut out, text);
+    out
+}
+
+fn escape(out: &mut String, text: &str) {
     for c in text.chars() {
         match c {
             '&' => out.push_str("&amp;"),
@@ -39,7 +35,34 @@ pub fn escaped(text: &str) -> String {
             c => out.push(c),
         }
     }
-    out
+}
+
+/// The kinds of stroke of a sheet, those that have arrows' heads, and the colours of its texts.
+struct Used {
+    styles: [bool; STYLES.len()],
+    headed: [bool; STYLES.len()],
+    colours: Vec<Role>,
+}
+
+impl Used {
+    fn of(sheet: &Sheet) -> Self {
+        let none = [false; STYLES.len()];
+        let mut used = Self { styles: none, headed: none, colours: Vec::new() };
+        for mark in &sheet.drawing.marks {
+            used.styles[mark.style as usize] = true;
+            used.headed[mark.style as usize] |=
+                matches!(mark.shape, Shape::Arrow(..) | Shape::ArcArrow { .. });
+        }
+        for placed in &sheet.placed {
+            used.styles[Style::Number as usize] |= placed.label.ring.is_some();
+            used.styles[Style::Thin as usize] |= placed.leader.is_some();
+            if !used.colours.contains(&placed.label.role) {
+                used.colours.push(placed.label.role);
+            }
+        }
+        used.styles[Style::Medium as usize] |= sheet.drawing.captions.iter().any(|c| c.bar.is_some());
+        used
+    }
 }
 
 impl Sheet {
@@ -90,87 +113,17 @@ impl Sheet {
             Theme::Dark => Palette::DARK,
             Theme::Mono => Palette::MONO,
         };
+        let used = Used::of(self);
         out.push_str("<style>");
-        self.rules(out, &first, true);
+        rules(out, &used, &first, true);
         if theme == Theme::Auto {
             out.push_str("@media (prefers-color-scheme:dark){");
-            self.rules(out, &Palette::DARK, false);
+            rules(out, &used, &Palette::DARK, false);
             out.push_str("}\n@media print{");
-            self.rules(out, &Palette::PRINT, false);
+            rules(out, &used, &Palette::PRINT, false);
             out.push('}');
         }
         out.push_str("</style>\n");
-    }
-
-    /// Rules for what the sheet has; all that they say, or colours alone.
-    fn rules(&self, out: &mut String, palette: &Palette, whole: bool) {
-        let _ = write!(out, ".fig .bg{{fill:{}}}", palette.of(Role::Paper));
-        for style in STYLES.into_iter().filter(|s| self.has(*s)) {
-            let paint = style.paint();
-            let _ = write!(out, ".fig .{}{{", paint.class);
-            let mut parts = Vec::new();
-            match paint.stroke {
-                Some((role, width)) => {
-                    parts.push(format!("stroke:{}", palette.of(role)));
-                    if whole {
-                        parts.push(format!("stroke-width:{}", number(width)));
-                    }
-                }
-                None if whole => parts.push("stroke:none".to_owned()),
-                None => {}
-            }
-            match paint.fill {
-                Some(role) => parts.push(format!("fill:{}", palette.of(role))),
-                None if whole => parts.push("fill:none".to_owned()),
-                None => {}
-            }
-            if whole {
-                if !paint.dashes.is_empty() {
-                    parts.push(format!("stroke-dasharray:{}", paint.dashes));
-                }
-                if paint.opacity < 1.0 {
-                    parts.push(format!("opacity:{}", number(paint.opacity)));
-                }
-                if matches!(style, Style::Link | Style::Plate | Style::Block | Style::Medium) {
-                    parts.push("stroke-linejoin:round".to_owned());
-                }
-                if style == Style::Link {
-                    parts.push("stroke-linecap:round".to_owned());
-                }
-            }
-            let _ = write!(out, "{}}}", parts.join(";"));
-            if let (Some((role, _)), true) = (paint.stroke, self.has_head(style)) {
-                let line = if whole { "stroke:none;" } else { "" };
-                let _ = write!(out, ".fig .{}.head{{{line}fill:{}}}", paint.class, palette.of(role));
-            }
-        }
-        if whole {
-            let _ = write!(out, ".fig text{{font-family:{FAMILY};fill:{}}}", palette.of(Role::Ink));
-            out.push_str(".fig .i{font-style:italic}");
-        } else {
-            let _ = write!(out, ".fig text{{fill:{}}}", palette.of(Role::Ink));
-        }
-        for role in [Role::Grey, Role::Blue, Role::Vermilion, Role::Green] {
-            if self.placed.iter().any(|p| p.label.role == role) {
-                let _ = write!(out, ".fig .{} text{{fill:{}}}", text_class(role), palette.of(role));
-            }
-        }
-        out.push('\n');
-    }
-
-    fn has(&self, style: Style) -> bool {
-        let of_labels = match style {
-            Style::Number => self.placed.iter().any(|p| p.label.ring.is_some()),
-            Style::Thin => self.placed.iter().any(|p| p.leader.is_some()),
-            Style::Medium => self.drawing.captions.iter().any(|c| c.bar.is_some()),
-            _ => false,
-        };
-        of_labels || self.drawing.marks.iter().any(|m| m.style == style)
-    }
-
-    fn has_head(&self, style: Style) -> bool {
-        let headed = |m: &Mark| m.style == style && m.shape.own_head().is_some();
-        self.drawing.marks.iter().any(headed)
     }
 
     fn marks(&self, out: &mut String) {
@@ -255,6 +208,62 @@ impl Sheet {
     }
 }
 
+/// Rules for what the sheet has; all that they say, or colours alone.
+fn rules(out: &mut String, used: &Used, palette: &Palette, whole: bool) {
+    let _ = write!(out, ".fig .bg{{fill:{}}}", palette.of(Role::Paper));
+    for style in STYLES.into_iter().filter(|s| used.styles[*s as usize]) {
+        let paint = style.paint();
+        let _ = write!(out, ".fig .{}{{", paint.class);
+        let mut parts = Vec::new();
+        match paint.stroke {
+            Some((role, width)) => {
+                parts.push(format!("stroke:{}", palette.of(role)));
+                if whole {
+                    parts.push(format!("stroke-width:{}", number(width)));
+                }
+            }
+            None if whole => parts.push("stroke:none".to_owned()),
+            None => {}
+        }
+        match paint.fill {
+            Some(role) => parts.push(format!("fill:{}", palette.of(role))),
+            None if whole => parts.push("fill:none".to_owned()),
+            None => {}
+        }
+        if whole {
+            if !paint.dashes.is_empty() {
+                parts.push(format!("stroke-dasharray:{}", paint.dashes));
+            }
+            if paint.opacity < 1.0 {
+                parts.push(format!("opacity:{}", number(paint.opacity)));
+            }
+            if matches!(style, Style::Link | Style::Plate | Style::Block | Style::Medium) {
+                parts.push("stroke-linejoin:round".to_owned());
+            }
+            if style == Style::Link {
+                parts.push("stroke-linecap:round".to_owned());
+            }
+        }
+        let _ = write!(out, "{}}}", parts.join(";"));
+        if let (Some((role, _)), true) = (paint.stroke, used.headed[style as usize]) {
+            let line = if whole { "stroke:none;" } else { "" };
+            let _ = write!(out, ".fig .{}.head{{{line}fill:{}}}", paint.class, palette.of(role));
+        }
+    }
+    if whole {
+        let _ = write!(out, ".fig text{{font-family:{FAMILY};fill:{}}}", palette.of(Role::Ink));
+        out.push_str(".fig .i{font-style:italic}");
+    } else {
+        let _ = write!(out, ".fig text{{fill:{}}}", palette.of(Role::Ink));
+    }
+    for role in [Role::Grey, Role::Blue, Role::Vermilion, Role::Green] {
+        if used.colours.contains(&role) {
+            let _ = write!(out, ".fig .{} text{{fill:{}}}", text_class(role), palette.of(role));
+        }
+    }
+    out.push('\n');
+}
+
 /// Writes something, in a group of its own where it has a class.
 fn within(out: &mut String, class: Option<&Option<String>>, write: impl FnOnce(&mut String)) {
     let Some(class) = class.and_then(Option::as_ref) else { return write(out) };
@@ -289,26 +298,22 @@ fn text(out: &mut String, text: &Text, at: Vec2, size: f64) {
         let space = if blanks { r#" xml:space="preserve""# } else { "" };
         let _ = write!(
             out,
-            r#"<text class="{class}" x="{}" y="{}" font-size="{}"{space} textLength="{}" lengthAdjust="spacingAndGlyphs">{}</text>"#,
+            r#"<text class="{class}" x="{}" y="{}" font-size="{}"{space} textLength="{}" lengthAdjust="spacingAndGlyphs">"#,
             number(place.x),
             number(place.y),
             number(set.size),
-            number(set.width.max(0.01)),
-            escaped(&set.run.letters)
+            number(set.width.max(0.01))
         );
+        escape(out, &set.run.letters);
+        out.push_str("</text>");
     }
 }
 
-fn point(p: Vec2) -> String {
-    format!("{} {}", number(p.x), number(p.y))
-}
-
 fn line(out: &mut String, class: &str, a: Vec2, b: Vec2) {
+    let (x, y) = (number(a.x), number(a.y));
     let _ = writeln!(
         out,
-        r#"<line class="{class}" x1="{}" y1="{}" x2="{}" y2="{}"/>"#,
-        number(a.x),
-        number(a.y),
+        r#"<line class="{class}" x1="{x}" y1="{y}" x2="{}" y2="{}"/>"#,
         number(b.x),
         number(b.y)
     );
@@ -319,37 +324,56 @@ fn circle(out: &mut String, class: &str, centre: Vec2, radius: f64) {
     let _ = writeln!(out, r#"<circle class="{class}" cx="{x}" cy="{y}" r="{}"/>"#, number(radius));
 }
 
-fn path(out: &mut String, class: &str, d: &str) {
-    let _ = writeln!(out, r#"<path class="{class}" d="{d}"/>"#);
+/// A path along which `draw` goes.
+fn path(out: &mut String, class: &str, draw: impl FnOnce(&mut String)) {
+    let _ = write!(out, r#"<path class="{class}" d=""#);
+    draw(out);
+    out.push_str("\"/>\n");
 }
 
-fn arc(centre: Vec2, radius: f64, from: f64, sweep: f64) -> String {
+/// A step of a path to a point.
+fn to(out: &mut String, step: &str, p: Vec2) {
+    out.push_str(step);
+    out.push_str(number(p.x).as_str());
+    out.push(' ');
+    out.push_str(number(p.y).as_str());
+}
+
+/// An arc of a path, with the step to its begin.
+fn arc(out: &mut String, step: &str, (centre, radius): (Vec2, f64), (from, sweep): (f64, f64)) {
     let large = u8::from(sweep.abs() > std::f64::consts::PI);
     let onwards = u8::from(sweep > 0.0);
     let r = number(radius);
-    let (start, end) = (on_circle(centre, radius, from), on_circle(centre, radius, from + sweep));
-    format!("{}A{r} {r} 0 {large} {onwards} {}", point(start), point(end))
+    to(out, step, on_circle(centre, radius, from));
+    let _ = write!(out, "A{r} {r} 0 {large} {onwards} ");
+    to(out, "", on_circle(centre, radius, from + sweep));
 }
 
 fn shape(out: &mut String, mark: &Mark) {
     let class = mark.style.paint().class;
     match &mark.shape {
         Shape::Line(a, b) => line(out, class, *a, *b),
-        Shape::Lines { points, closed } => {
-            let corners: Vec<String> = points.iter().map(|p| point(*p)).collect();
-            path(out, class, &format!("M{}{}", corners.join("L"), if *closed { "Z" } else { "" }));
-        }
-        Shape::Strokes(lines) => {
-            let d: String = lines.iter().map(|(a, b)| format!("M{}L{}", point(*a), point(*b))).collect();
-            path(out, class, &d);
-        }
+        Shape::Lines { points, closed } => path(out, class, |out| {
+            out.push('M');
+            let steps = std::iter::once("").chain(std::iter::repeat("L"));
+            points.iter().zip(steps).for_each(|(p, step)| to(out, step, *p));
+            out.push_str(if *closed { "Z" } else { "" });
+        }),
+        Shape::Strokes(lines) => path(out, class, |out| {
+            for (a, b) in lines {
+                to(out, "M", *a);
+                to(out, "L", *b);
+            }
+        }),
         Shape::Circle { centre, radius } => circle(out, class, *centre, *radius),
         Shape::Arc { centre, radius, from, sweep } => {
-            path(out, class, &format!("M{}", arc(*centre, *radius, *from, *sweep)));
+            path(out, class, |out| arc(out, "M", (*centre, *radius), (*from, *sweep)));
         }
-        Shape::Sector { centre, radius, from, sweep } => {
-            path(out, class, &format!("M{}L{}Z", point(*centre), arc(*centre, *radius, *from, *sweep)));
-        }
+        Shape::Sector { centre, radius, from, sweep } => path(out, class, |out| {
+            to(out, "M", *centre);
+            arc(out, "L", (*centre, *radius), (*from, *sweep));
+            out.push('Z');
+        }),
         Shape::Arrow(a, _) => {
             let [tip, left, right, base] = mark.shape.own_head().unwrap_or([*a; 4]);
             line(out, class, *a, base);
@@ -357,7 +381,7 @@ fn shape(out: &mut String, mark: &Mark) {
         }
         Shape::ArcArrow { centre, radius, from, sweep } => {
             let shaft = Shape::shaft_sweep(*radius, *sweep);
-            path(out, class, &format!("M{}", arc(*centre, *radius, *from, shaft)));
+            path(out, class, |out| arc(out, "M", (*centre, *radius), (*from, shaft)));
             if let Some([tip, left, right, _]) = mark.shape.own_head() {
                 head(out, class, [tip, left, right]);
             }
@@ -366,6 +390,9 @@ fn shape(out: &mut String, mark: &Mark) {
 }
 
 fn head(out: &mut String, class: &str, [tip, left, right]: [Vec2; 3]) {
-    let d = format!("M{}L{}L{}Z", point(tip), point(left), point(right));
-    path(out, &format!("{class} head"), &d);
+    let _ = write!(out, r#"<path class="{class} head" d=""#);
+    to(out, "M", tip);
+    to(out, "L", left);
+    to(out, "L", right);
+    out.push_str("Z\"/>\n");
 }

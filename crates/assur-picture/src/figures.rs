@@ -24,9 +24,14 @@ pub const FORCE: [i8; 4] = [1, 1, -2, 0];
 /// Of moments.
 pub const MOMENT: [i8; 4] = [2, 1, -2, 0];
 
+/// What is no greater than this is rounding beside another number.
+pub fn rounding(large: f64) -> f64 {
+    if large.is_finite() { ROUNDING * large } else { 0.0 }
+}
+
 /// A number, or 0 where it is rounding beside another.
 pub fn cleared(si: f64, large: f64) -> f64 {
-    if large.is_finite() && si.abs() <= ROUNDING * large { 0.0 } else { si }
+    if si.abs() <= rounding(large) { 0.0 } else { si }
 }
 
 /// A place where something is least or greatest, or 0 where it differs from that by rounding.

@@ -2,7 +2,7 @@
 
 use crate::diagram::thinned;
 use crate::error::Missing;
-use crate::figures::{FORCE, VELOCITY, cleared};
+use crate::figures::{FORCE, VELOCITY, cleared, rounding};
 use crate::frame::Frame;
 use crate::no_diagram::NoDiagram;
 use crate::paper::{Paper, Scaled};
@@ -11,7 +11,7 @@ use crate::words;
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Axis, Expr, FindKind, LinkId, Mechanism, PairId, PairKind, PointRef, Query, Value};
-use assur_solve::solve::{Pose, PoseOrigin, courses};
+use assur_solve::solve::{CourseSet, Pose, PoseOrigin, courses};
 
 /// Points of the curve over the sweep.
 const PARTS: f64 = 480.0;
@@ -176,7 +176,10 @@ fn on(mechanism: &Mechanism, pair: PairId) -> LinkId {
 }
 
 fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], paper: &Paper) -> Result<Vec<Drawing>, Missing> {
-    let sets: Vec<Vec<Expr>> = all.iter().map(|swept| components(&swept.query)).collect();
+    let dimension = if of == Of::Velocity { VELOCITY } else { FORCE };
+    let rounding = rounding(scene.greatest.in_si(dimension));
+    let set = |swept: &Swept| CourseSet { exprs: components(&swept.query), rounding };
+    let sets: Vec<CourseSet> = all.iter().map(set).collect();
     let what = if of == Of::Velocity { "hodograph" } else { "polar diagram" };
     let found = courses(&scene.model, &scene.solution.statics, &sets)
         .map_err(|cause| NoDiagram::no_sweep(scene, what, &cause))?;

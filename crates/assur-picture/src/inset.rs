@@ -89,14 +89,23 @@ fn spot(drawing: &Drawing, at: Vec2) -> Vec2 {
     let all = drawing.extent();
     let reach = FAR + RADIUS + CLEAR;
     let near = |s: &Segment| s.distance(at) < reach;
-    let segments: Vec<Segment> = drawing.marks.iter().flat_map(|m| m.shape.segments()).filter(near).collect();
+    let mut segments: Vec<Segment> = Vec::new();
+    for mark in &drawing.marks {
+        mark.shape.each_segment(|segment| segments.extend(Some(segment).filter(near)));
+    }
     let steps = (FAR / STEP) as i32;
     let offers = (-steps..=steps).flat_map(|i| (-steps..=steps).map(move |j| (i, j)));
     let offers = offers.map(|(i, j)| at + flipped(Vec2::new(f64::from(i), f64::from(j))) * STEP);
     let inside = |c: &Vec2| all.contains(&Rect::around(*c, Vec2::new(RADIUS, RADIUS)));
-    let mut offers: Vec<Vec2> = offers.filter(|c| (*c - at).norm() < FAR && inside(c)).collect();
-    offers.sort_by(|a, b| (*a - at).norm().total_cmp(&(*b - at).norm()));
-    let clear = |c: &Vec2| segments.iter().all(|s| s.distance(*c) >= RADIUS + CLEAR);
+    let offers = offers.map(|c| ((c - at).norm(), c));
+    let mut offers: Vec<(f64, Vec2)> = offers.filter(|(away, c)| *away < FAR && inside(c)).collect();
+    offers.sort_by(|a, b| a.0.total_cmp(&b.0));
     let beside = Vec2::new(all.max.x + BESIDE, all.centre().y);
-    offers.into_iter().find(clear).unwrap_or(beside)
+    let clear = offers.into_iter().find(|(_, c)| {
+        let first = segments.iter().position(|s| s.distance(*c) < RADIUS + CLEAR);
+        // what is in the way of one is in the way of those beside it, too
+        first.into_iter().for_each(|i| segments.swap(0, i));
+        first.is_none()
+    });
+    clear.map_or(beside, |(_, c)| c)
 }

@@ -5,14 +5,14 @@ use crate::diagram::{
 };
 use crate::error::Missing;
 use crate::event_marks::marked_events;
-use crate::figures::{cleared, unit_text};
+use crate::figures::{cleared, rounding, unit_text};
 use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use crate::words;
 use assur_drawing::{CURVES, Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Axis as Component, Display, Expr, FindKind, Value};
-use assur_solve::solve::{OverTime, courses, over_time};
+use assur_solve::solve::{CourseSet, OverTime, courses, over_time};
 
 /// Width of a panel, mm, and the height of one, two and more.
 const WIDTH: f64 = 150.0;
@@ -114,7 +114,7 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Mis
 /// The curves of items; over a motion under loads with the instants of every event.
 fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>>), Missing> {
     let exprs: Vec<Expr> = items.iter().map(|item| item.expr.clone()).collect();
-    match over_time(&scene.model, &exprs) {
+    match over_time(&scene.model, scene.solution.simulation.as_ref(), &exprs) {
         Ok(None) => {}
         Ok(Some(OverTime { courses, events })) => {
             let large = |item: &Item| scene.greatest.in_si(item.display.dimension);
@@ -124,7 +124,11 @@ fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>
         // as the file itself does not
         Err(_) => return Err(NoDiagram::no_quantity(scene, "the motion does not begin").into()),
     }
-    let sets: Vec<Vec<Expr>> = exprs.into_iter().map(|expr| vec![expr]).collect();
+    let set = |(item, expr): (&Item, Expr)| {
+        let rounding = rounding(scene.greatest.in_si(item.display.dimension));
+        CourseSet { exprs: vec![expr], rounding }
+    };
+    let sets: Vec<CourseSet> = items.iter().zip(exprs).map(set).collect();
     let found = courses(&scene.model, &scene.solution.statics, &sets)
         .map_err(|cause| NoDiagram::no_sweep(scene, "plot", &cause))?;
     let curves = items.iter().zip(found).map(|(item, found)| match found.as_deref() {

@@ -14,7 +14,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{
     BalanceKind, BinaryOp, Display, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Query,
 };
-use assur_solve::solve::{Course, FlywheelAnswer, courses};
+use assur_solve::solve::{Course, CourseSet, FlywheelAnswer, courses};
 use assur_text::units::Dimension;
 
 /// Width of the panels, mm, and their heights.
@@ -52,9 +52,10 @@ pub fn work(scene: &Scene<'_>) -> Result<Vec<Drawing>, Missing> {
     let numbers = |(i, (wheel, found)): (usize, &(&Flywheel, &FlywheelAnswer))| {
         let own = Expr::Query(Query::Flywheel(i, FlywheelPart::Torque));
         let torque = Expr::Binary(BinaryOp::Mul, Box::new(own), Box::new(Expr::number(found.ratio)));
-        std::iter::once(torque).chain(links(scene, i, wheel, found)).collect()
+        let exprs = std::iter::once(torque).chain(links(scene, i, wheel, found)).collect();
+        CourseSet { exprs, rounding: 0.0 }
     };
-    let sets: Vec<Vec<Expr>> = wheels.iter().enumerate().map(numbers).collect();
+    let sets: Vec<CourseSet> = wheels.iter().enumerate().map(numbers).collect();
     let all = courses(&scene.model, &scene.solution.statics, &sets)
         .map_err(|cause| NoDiagram::no_sweep(scene, "work", &cause))?;
     let mut drawings = Vec::new();

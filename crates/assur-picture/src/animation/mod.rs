@@ -12,7 +12,8 @@ use crate::error::Missing;
 use crate::kind::Options;
 use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
-use crate::scheme::{Loads, Scheme, described, frame_of_all, scheme_in};
+use crate::scheme::{Loads, Scheme, captioned, described, frame_of_all, scheme_in};
+use crate::shape::shapes;
 use crate::wording::Wording;
 use crate::words;
 use assur_drawing::{Drawing, Later, Rect, Sheet};
@@ -49,11 +50,21 @@ fn schemes<'f>(
     options: &Options,
 ) -> Result<impl Iterator<Item = Drawing> + use<'f>, Missing> {
     let wanted = Scheme { loads: Loads::None, ..Scheme::default() };
-    let frame = frame_of_all(frames, &options.scheme.paper())?;
+    // what a link looks like is the same at every position
+    let shapes = frames.first().map(shapes).unwrap_or_default();
+    let frame = frame_of_all(frames, &shapes, &options.scheme.paper())?;
     if frame.scale.is_none() {
         return Err(Missing::nothing_placed(scene, "an animation shows links that move"));
     }
-    Ok(frames.iter().map(move |scene| scheme_in(scene, &wanted, &frame)))
+    let scheme = move |(i, scene): (usize, &Scene<'_>)| {
+        let mut scheme = scheme_in(scene, &wanted, &shapes, &frame);
+        // those of the first frame are shown
+        if i == 0 {
+            captioned(&mut scheme, &frame, None);
+        }
+        scheme
+    };
+    Ok(frames.iter().enumerate().map(scheme))
 }
 
 /// The first frame.

@@ -48,7 +48,8 @@ impl Sketch<'_, '_> {
             let sides =
                 outline.plates.iter().flat_map(|p| (0..p.len()).map(|i| (p[i], p[(i + 1) % p.len()])));
             for (a, b) in outline.bars.iter().chain(&outline.arms).copied().chain(sides) {
-                if (assur_drawing::Segment { a, b }).distance(at) > SAME {
+                let line = assur_drawing::Segment { a, b };
+                if !line.bounds().grown(2.0 * SAME).has(at) || line.distance(at) > SAME {
                     continue;
                 }
                 let ends = [a - at, b - at].into_iter().filter(|d| d.norm() > 2.0 * SAME);
@@ -61,6 +62,8 @@ impl Sketch<'_, '_> {
     /// Mass centres, and points that the author named.
     pub(super) fn points(&mut self, drawing: &mut Drawing) {
         let scene = self.scene;
+        let pins = self.pins();
+        let is_joint = |at: Vec2| pins.iter().any(|pin| (*pin - at).norm() <= SAME);
         for (i, link) in scene.mechanism().links.iter().enumerate().skip(1) {
             let id = LinkId::at(i);
             if !scene.is_placed(id) || scene.is_in_cylinder(id) {
@@ -69,7 +72,7 @@ impl Sketch<'_, '_> {
             let body = |at: Vec2| self.frame.point(scene.at(id, at));
             drawing.begin("link", &link.name);
             let centre = link.mass.filter(|m| m.mass > 0.0).map(|m| body(m.centre));
-            if let Some(at) = centre.filter(|at| !self.is_joint(*at)) {
+            if let Some(at) = centre.filter(|at| !is_joint(*at)) {
                 mass::centre(drawing, at);
             }
             for point in &link.points {
@@ -78,7 +81,7 @@ impl Sketch<'_, '_> {
                     continue;
                 }
                 let is_centre = centre.is_some_and(|c| (c - at).norm() <= SAME);
-                let is_joint = self.is_joint(at);
+                let is_joint = is_joint(at);
                 if !is_centre && !is_joint {
                     mass::point(drawing, at);
                 }
@@ -99,19 +102,23 @@ impl Sketch<'_, '_> {
         }
     }
 
-    /// Whether a hinge or a pin is at a point of the paper.
-    fn is_joint(&self, at: Vec2) -> bool {
-        self.scene.mechanism().pairs.iter().any(|pair| match &pair.kind {
-            PairKind::Revolute(pins) => pins
-                .iter()
-                .filter(|pin| self.scene.is_placed(pin.link))
-                .any(|pin| (self.on_paper(pin.link, pin.at) - at).norm() <= SAME),
-            PairKind::Slot(g) => (self.on_paper(g.slider, g.point) - at).norm() <= SAME,
-            PairKind::Cylinder { from, to, .. } => {
-                [from, to].iter().any(|pin| (self.on_paper(pin.link, pin.at) - at).norm() <= SAME)
+    /// Hinges and pins on paper.
+    fn pins(&self) -> Vec<Vec2> {
+        let mut pins = Vec::new();
+        for pair in &self.scene.mechanism().pairs {
+            match &pair.kind {
+                PairKind::Revolute(all) => {
+                    let placed = all.iter().filter(|pin| self.scene.is_placed(pin.link));
+                    pins.extend(placed.map(|pin| self.on_paper(pin.link, pin.at)));
+                }
+                PairKind::Slot(g) => pins.push(self.on_paper(g.slider, g.point)),
+                PairKind::Cylinder { from, to, .. } => {
+                    pins.extend([from, to].map(|pin| self.on_paper(pin.link, pin.at)));
+                }
+                _ => {}
             }
-            _ => false,
-        })
+        }
+        pins
     }
 
     /// The number of every link, off the link; the ground's at every fixed pair.

@@ -94,24 +94,25 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
     let frame = sheet.frame(Scaled::Length, &bounds, AROUND)?;
     let forces = if wanted.numbers { numbers::scale(scene, wanted)? } else { None };
     let mut drawing = drawn(scene, wanted, &shapes, &frame, &traced, forces);
+    captioned(&mut drawing, &frame, forces);
     Sketch::new(scene, &shapes, &frame).hidden(&mut drawing);
     Ok(described(scene, drawing))
 }
 
-/// The size and place on paper that hold a mechanism at several positions.
+/// The size and place on paper that hold a mechanism of these shapes at several positions.
 ///
 /// # Errors
 /// A scale is wanted that does not fit.
-pub fn frame_of_all(scenes: &[Scene<'_>], space: &Paper) -> Result<Frame, Missing> {
+pub fn frame_of_all(scenes: &[Scene<'_>], shapes: &[LinkShape], space: &Paper) -> Result<Frame, Missing> {
     let mut bounds = Rect::NOTHING;
-    scenes.iter().for_each(|scene| bounds.join(&extent(scene, &shapes(scene))));
+    scenes.iter().for_each(|scene| bounds.join(&extent(scene, shapes)));
     let size = scenes.first().map_or(space.size, |scene| space.size * crowding(scene));
     Paper { size: paper(&bounds, size), ..*space }.frame(Scaled::Length, &bounds, AROUND)
 }
 
-/// The scheme of a position where others have their places too, without words.
-pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, frame: &Frame) -> Drawing {
-    drawn(scene, wanted, &shapes(scene), frame, &[], None)
+/// The scheme of a position where others have their places too, without words and scales.
+pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, shapes: &[LinkShape], frame: &Frame) -> Drawing {
+    drawn(scene, wanted, shapes, frame, &[], None)
 }
 
 /// With its title and what it shows.
@@ -146,6 +147,11 @@ fn drawn(
     sketch.paths(&mut drawing, traced);
     sketch.draw(&mut drawing, wanted);
     drawing.description = sketch.said;
+    drawing
+}
+
+/// With its scales below.
+pub fn captioned(drawing: &mut Drawing, frame: &Frame, forces: Option<Scale>) {
     if let Some(scale) = frame.scale {
         drawing.captions.insert(0, length_scale(&scale));
         drawing.description += &format!("Length scale {} m per mm.", scale.text());
@@ -154,7 +160,6 @@ fn drawn(
         drawing.captions.push(numbers::caption(&scale));
         drawing.description += &format!(" Force scale {} N per mm.", scale.text());
     }
-    drawing
 }
 
 /// How much larger than usual a sheet is, so that the symbols of many pairs have room.

@@ -57,7 +57,7 @@ pub use again::{Again, Reads};
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
 pub use block::{Ahead, BLOCK, Block};
 pub use clause::{Clause, NamedPoint};
-pub use cycle::{Course, courses, over_cycle};
+pub use cycle::{Course, CourseSet, courses, over_cycle};
 pub use failure::{Cause, Failure, GroupId, Halt, Lost, NoCycle};
 pub use gap::GroupGap;
 pub use greatest::Greatest;

@@ -83,14 +83,23 @@ impl Course {
     }
 }
 
-/// The courses of numbers over the sweep of a solved file. Those of one set have their points at the same places.
+/// Numbers that have their points at the same places.
+#[derive(Clone, Debug, Default)]
+pub struct CourseSet {
+    /// The numbers.
+    pub exprs: Vec<Expr>,
+    /// What is no greater than this is rounding, SI.
+    pub rounding: f64,
+}
+
+/// The courses of numbers over the sweep of a solved file, set by set.
 ///
 /// # Errors
 /// There is no sweep.
 pub fn courses(
     model: &Model<'_>,
     statics: &WholeCycle,
-    sets: &[Vec<Expr>],
+    sets: &[CourseSet],
 ) -> Result<Vec<Result<Vec<Course>, Undefined>>, Cause> {
     let sweep = Sweep::of(model, statics);
     let interval = Interval::of(model, statics, &sweep).map_err(Cause::NoSweep)?;
@@ -98,11 +107,14 @@ pub fn courses(
     sampler.tolerance = sampler.tolerance.max(DRAWN);
     let mut found: Vec<Option<Result<Vec<Course>, Undefined>>> = vec![None; sets.len()];
     for forces in [false, true] {
-        let late = |exprs: &[Expr]| exprs.iter().any(|e| depends_on_forces(model.mechanism, e));
-        let sets = || sets.iter().enumerate().filter(|(_, exprs)| late(exprs) == forces);
+        let late = |set: &CourseSet| set.exprs.iter().any(|e| depends_on_forces(model.mechanism, e));
+        let sets = || sets.iter().enumerate().filter(|(_, set)| late(set) == forces);
         // what is solved at a place for one of them is there for all
-        sampler.share(sets().flat_map(|(_, exprs)| exprs).filter(|e| depends_on_nothing_else(e)).cloned());
-        sets().for_each(|(i, exprs)| found[i] = Some(of_set(model, statics, &mut sampler, exprs)));
+        sampler.share(sets().flat_map(|(_, set)| &set.exprs).filter(|e| depends_on_nothing_else(e)).cloned());
+        for (i, set) in sets() {
+            sampler.rounding = set.rounding;
+            found[i] = Some(of_set(model, statics, &mut sampler, &set.exprs));
+        }
     }
     Ok(found.into_iter().flatten().collect())
 }

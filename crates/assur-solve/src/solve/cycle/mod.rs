@@ -13,7 +13,7 @@ mod panels;
 mod sampler;
 mod switches;
 
-pub use course::{Course, courses};
+pub use course::{Course, CourseSet, courses};
 pub(super) use depends::loads_name_quantities;
 
 use super::failure::{Cause, Failure};

@@ -90,6 +90,9 @@ pub(super) fn piecewise(
         values.fold(0.0_f64, |most, x| most.max(x.abs()))
     };
     let scales: Vec<f64> = (0..exprs.len()).map(greatest).collect();
+    // what is nothing but rounding is never smooth, beside something it is nothing
+    let is_rounding = scales.iter().all(|scale| *scale <= sampler.rounding);
+    let rounding = if is_rounding { 0.0 } else { sampler.rounding };
     let mut done: Vec<Piecewise> = scales
         .iter()
         .map(|scale| Piecewise {
@@ -105,14 +108,15 @@ pub(super) fn piecewise(
     while let (Some((from, to)), Some(panel)) = (waiting.pop(), sampled.pop()) {
         let length = to - from;
         let left_off = |(_, series): &(_, Series)| series.tail() * length;
-        if panel.iter().zip(&scales).all(|(p, scale)| left_off(p) <= small * scale) {
+        let has_converged = |(p, scale): (_, &f64)| left_off(p) <= (small * scale).max(rounding);
+        if panel.iter().zip(&scales).all(has_converged) {
             for ((_, series), out) in panel.into_iter().zip(&mut done) {
                 out.error += series.tail() * length;
                 out.panels.push(series);
             }
             continue;
         }
-        if done.first().map_or(0, |d| d.panels.len()) + waiting.len() > MOST {
+        if is_rounding || done.first().map_or(0, |d| d.panels.len()) + waiting.len() > MOST {
             return Err(Undefined::Unresolved);
         }
         let middle = 0.5 * (from + to);

@@ -57,6 +57,8 @@ pub(super) struct Sampler<'a> {
     pub interval: &'a Interval,
     /// What a series may leave off, of the greatest value, where it is as long as the sweep.
     pub tolerance: f64,
+    /// What is no greater than this is rounding, SI.
+    pub rounding: f64,
     rates: Rates,
     anchors: Vec<Anchor>,
     /// Intervals between the anchors of the whole sweep.
@@ -122,6 +124,7 @@ impl<'a> Sampler<'a> {
             model: *model,
             interval,
             tolerance: model.plan.settings.samples,
+            rounding: 0.0,
             rates,
             anchors,
             intervals: count,

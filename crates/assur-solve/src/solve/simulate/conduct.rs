@@ -13,6 +13,10 @@ pub struct Conduct<'c> {
     pub method: Option<Method>,
     /// Steps of the run at least: of runs that nothing else tells apart.
     pub steps: f64,
+    /// One run alone, at this tolerance: of a motion whose accuracy is known.
+    pub alone: Option<f64>,
+    /// Of extremes that differ by no more than this part of the greatest value the first counts.
+    pub same: f64,
     /// Told how far it is, in each of the runs that it takes.
     pub watch: Option<&'c Watch<'c>>,
 }

@@ -42,6 +42,8 @@ pub(super) struct Function<'m> {
     lasted: f64,
     /// What the series leave off that its value is of, of the greatest.
     left_off: f64,
+    /// Extremes that were as good as the greatest, in order, where the first of them counts: when, s, and how great.
+    near: Vec<(f64, f64)>,
 }
 
 impl<'m> Function<'m> {
@@ -64,6 +66,7 @@ impl<'m> Function<'m> {
             greatest: 0.0,
             lasted: 0.0,
             left_off: 0.0,
+            near: Vec::new(),
         }
     }
 }
@@ -93,8 +96,8 @@ impl Function<'_> {
         })
     }
 
-    /// Takes a part of a step.
-    fn take(&mut self, series: &Series, values: &[f64; PLACES]) {
+    /// Takes a part of a step; of extremes that differ by no more than this part of the greatest value the first counts.
+    fn take(&mut self, series: &Series, values: &[f64; PLACES], same: f64) {
         self.lasted += series.to - series.from;
         self.greatest = self.greatest.max(greatest(values));
         let left_off = if self.greatest > 0.0 { series.tail() / self.greatest } else { 0.0 };
@@ -103,14 +106,28 @@ impl Function<'_> {
             self.left_off = self.left_off.max(left_off);
             return;
         };
-        if most_possible(sign, series) < sign * self.value {
+        let apart = same * self.greatest;
+        if most_possible(sign, series) < sign * self.value - apart {
             return;
         }
         for (t, x) in extremes(series, values) {
+            if apart > 0.0 && sign * x > sign * self.value - apart {
+                self.near.push((t, x));
+            }
             if sign * x > sign * self.value {
                 (self.value, self.at, self.left_off) = (x, t, left_off);
             }
         }
+    }
+}
+
+impl Function<'_> {
+    /// Where the extreme is, s: the first that differs by no more than this part of the greatest value.
+    fn first(&self, same: f64) -> f64 {
+        let sign = self.sign().unwrap_or(1.0);
+        let as_good = |(_, x): &&(f64, f64)| sign * x >= sign * self.value - same * self.greatest;
+        let times = self.near.iter().filter(as_good).map(|(t, _)| *t);
+        times.fold(self.at, f64::min)
     }
 }
 
@@ -200,7 +217,7 @@ impl Watch<'_> {
             let known = each().all(|(f, series, values)| self.functions[f].is_known(series, values, smooth));
             if known || (anyway && step == 1) {
                 for (f, series, values) in each() {
-                    self.functions[f].take(series, values);
+                    self.functions[f].take(series, values, self.same);
                 }
                 return true;
             }
@@ -239,6 +256,9 @@ impl Watch<'_> {
             CycleFunction::Integral => f.greatest * length(f),
             CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => f.greatest,
         };
-        self.functions.iter().map(|f| OverRun { value: value(f), scale: scale(f), at: f.at }).collect()
+        self.functions
+            .iter()
+            .map(|f| OverRun { value: value(f), scale: scale(f), at: f.first(self.same) })
+            .collect()
     }
 }

@@ -91,6 +91,7 @@ impl<'m, 'o> Going<'m, 'o> {
         let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
         let mut watch = Watch::new(mechanism, equations.start().len(), (begin, last), tolerance);
         watch.guard = outputs.guard;
+        watch.same = outputs.conduct.same;
         Self {
             recorder: Recorder::new(equations),
             watch,

@@ -1,9 +1,12 @@
 //! Numbers over a motion under loads as they run, for pictures.
 
+use super::conduct::Conduct;
+use super::report::SimulationReport;
 use crate::model::{Cycle, CycleFunction, Expr, Part, Value};
 use crate::position::{Model, PoseOrigin};
 use crate::solve::failure::Failure;
-use crate::solve::sweep::solve;
+use crate::solve::solution::Solution;
+use crate::solve::sweep::Following;
 use crate::source::Span;
 
 /// Instants of a course at least, with the first.
@@ -11,8 +14,9 @@ const STEPS: usize = 480;
 /// What a picture shows.
 const WITHIN: f64 = 1e-7;
 
-/// Numbers that differ by less, relative to the greatest, are the same.
+/// Numbers that differ by less, relative to the greatest, are the same; extremes of one run.
 const ROUNDING: f64 = 1e-12;
+const SAME: f64 = 1e-6;
 
 /// A number over a motion.
 #[derive(Clone, Debug, Default)]
@@ -44,11 +48,17 @@ impl TimeCourse {
     }
 }
 
-/// Numbers over the motion of a solved file, one after another. Of a file without a motion nothing.
+/// Numbers over the motion of a solved file, one after another, from what it says of itself: one run more, as accurate as is seen.
+/// Of a file without a motion nothing.
 ///
 /// # Errors
 /// The motion does not begin.
-pub fn over_time(model: &Model<'_>, exprs: &[Expr]) -> Result<Option<OverTime>, Vec<Failure>> {
+pub fn over_time(
+    model: &Model<'_>,
+    solved: Option<&SimulationReport>,
+    exprs: &[Expr],
+) -> Result<Option<OverTime>, Vec<Failure>> {
+    let Some(solved) = solved else { return Ok(None) };
     let mut mechanism = model.mechanism.clone();
     let Some(simulation) = &mut mechanism.simulation else { return Ok(None) };
     let own = simulation.steps.unwrap_or(1).max(1);
@@ -63,7 +73,15 @@ pub fn over_time(model: &Model<'_>, exprs: &[Expr]) -> Result<Option<OverTime>, 
         }
     }
     let model = Model { mechanism: &mechanism, ..*model };
-    let solution = solve(&model)?;
+    let looser = (WITHIN / solved.within).max(1.0);
+    let alone = Some(solved.tolerance * looser);
+    let conduct = Conduct { alone, same: SAME, ..Conduct::default() };
+    let Some(mut following) = Following::conducted(&model, Vec::new(), &conduct)? else { return Ok(None) };
+    let mut poses = Vec::with_capacity(following.positions());
+    while let Some(pose) = following.next() {
+        poses.push(pose.map_err(|e| vec![e])?);
+    }
+    let solution = Solution { poses, ..following.end() };
     let mut courses = vec![TimeCourse { lines: vec![Vec::new()], ..TimeCourse::default() }; exprs.len()];
     for pose in solution.poses.iter().filter(|pose| matches!(pose.origin, PoseOrigin::Sweep(_))) {
         let Ok(solved) = &pose.outcome else { continue };

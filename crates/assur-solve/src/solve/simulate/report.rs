@@ -27,6 +27,8 @@ pub struct SimulationReport {
     pub evaluations: usize,
     /// Those of the finer run, which is printed.
     pub printed: usize,
+    /// The tolerance of the run that is printed.
+    pub tolerance: f64,
     /// The wanted accuracy.
     pub within: f64,
     /// The estimated error, the worst of all kinds, relative to the greatest of its kind.

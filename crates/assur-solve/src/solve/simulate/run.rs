@@ -57,6 +57,8 @@ pub(super) struct Run {
     pub end: f64,
     /// The error is not said to be less than a part of this.
     pub floor: f64,
+    /// Its tolerance.
+    pub tolerance: f64,
 }
 
 /// Integrates from the first of the instants, s, to the last.
@@ -105,7 +107,7 @@ pub(super) fn run(
         }
     }
     part.floor = floor;
-    going.end(part, (counts, method))
+    Run { tolerance, ..going.end(part, (counts, method)) }
 }
 
 /// What became of a part of a run in one choice of coordinates.
@@ -293,6 +295,7 @@ impl Going<'_, '_> {
             stopped,
             end,
             floor: part.floor,
+            tolerance: 0.0,
         }
     }
 }
@@ -360,6 +363,7 @@ impl Run {
             stopped: Some((first, halt)),
             end: first,
             floor: 0.0,
+            tolerance: 0.0,
         }
     }
 }

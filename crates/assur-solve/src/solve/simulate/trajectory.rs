@@ -143,12 +143,13 @@ pub(crate) fn trajectory(
     let mut run =
         |tolerance, measures| run(&begin, &mut charts, tolerance, &outputs, simulation.to, measures);
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
-    let mut tolerance = (LOOSER * within).min(LOOSEST);
+    let mut tolerance = conduct.alone.unwrap_or((LOOSER * within).min(LOOSEST));
     let mut best = Compared::UNKNOWN;
     let mut coarse = run(tolerance, true);
     let mut spent = coarse.counts.evaluations;
     let (printed, kinds, compared) = loop {
-        if matches!(coarse.stopped, Some((_, Halt::TooManySteps | Halt::Interrupted))) {
+        let ended = matches!(coarse.stopped, Some((_, Halt::TooManySteps | Halt::Interrupted)));
+        if ended || conduct.alone.is_some() {
             // a finer run takes more
             break (coarse, Kinds::default(), Compared { error: 1.0, ..Compared::UNKNOWN });
         }
@@ -247,6 +248,7 @@ fn report(
         rejected: fine.counts.rejected,
         evaluations: spent,
         printed: fine.counts.evaluations,
+        tolerance: fine.tolerance,
         within,
         error: compared.error,
         worst: compared.worst,

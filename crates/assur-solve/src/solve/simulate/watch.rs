@@ -34,6 +34,8 @@ pub(super) struct Watch<'m> {
     pub(super) places: Extremes,
     /// What series of functions may leave off, of the greatest value.
     pub(super) smooth: f64,
+    /// Of extremes that differ by no more than this part of the greatest value the first counts.
+    pub same: f64,
     /// Instants of every event, s.
     pub times: Vec<Vec<f64>>,
     /// The way in which an event was passed where the present step begins.
@@ -79,6 +81,7 @@ impl<'m> Watch<'m> {
             comes_again,
             places: Extremes::new(),
             smooth: SMOOTH.max(OF_TOLERANCE * tolerance),
+            same: 0.0,
             times: vec![Vec::new(); count],
             passed: vec![None; count],
             guard: None,

@@ -1,0 +1,124 @@
+//! What labels meet on the paper: what they may not touch, and what they cross at a price.
+
+use crate::geometry::{Rect, Segment};
+use crate::grid::{Grid, bounds, pieces, touches};
+use crate::label::{Anchor, Label};
+use crate::mark::{Mark, Obstacle, Shape};
+use crate::placement::{APART, Later};
+use crate::raster::Raster;
+use crate::style::Style;
+
+/// Price of a millimetre of thin line inside, in millimetres of distance.
+const PER_LINE: f64 = 0.9;
+/// Price of a place that marks lie on in all later frames, in millimetres of distance.
+const LATER: f64 = 20.0;
+
+/// What is drawn.
+struct Ground {
+    raster: Raster,
+    solid: Grid<Obstacle>,
+    thin: Grid<Segment>,
+    /// Circles that only labels of what is in them may enter.
+    insets: Vec<Obstacle>,
+    /// What is kept free around labels, mm.
+    apart: f64,
+}
+
+/// What is drawn now and in later frames.
+pub(crate) struct Grounds<'a> {
+    now: Ground,
+    later: Vec<(Ground, &'a Later)>,
+}
+
+impl<'a> Grounds<'a> {
+    pub fn of(marks: &[Mark], later: &'a [Later], around: &Rect) -> Self {
+        let now = Ground::of(marks, around, APART);
+        Self { now, later: later.iter().map(|l| (Ground::of(&l.marks, around, 0.0), l)).collect() }
+    }
+
+    /// Whether a label may take a place.
+    pub fn is_free(&self, label: &Label, place: &Rect, round: bool) -> bool {
+        !self.now.is_taken(place, round) && !self.now.is_closed(label, place, round)
+    }
+
+    /// What a place costs a label with what it crosses.
+    pub fn priced(&self, index: usize, place: &Rect, round: bool, cost: f64) -> f64 {
+        let cost = cost + PER_LINE * self.now.crossed(place);
+        if self.later.is_empty() {
+            return cost;
+        }
+        let on =
+            |(ground, later): &&(Ground, &Later)| ground.is_taken(&place.shifted(later.shifts[index]), round);
+        let hits = self.later.iter().filter(on).count();
+        cost + LATER * hits as f64 / self.later.len() as f64
+    }
+}
+
+impl Ground {
+    fn of(marks: &[Mark], around: &Rect, apart: f64) -> Self {
+        let (raster, solid, thin) = (Raster::over(around), Grid::over(around), Grid::over(around));
+        let mut ground = Self { raster, solid, thin, insets: Vec::new(), apart };
+        for mark in marks {
+            if let (Style::Inset, Shape::Circle { centre, radius }) = (mark.style, &mark.shape) {
+                ground.insets.push(Obstacle::Disc(*centre, *radius));
+            }
+            if mark.style.is_solid() {
+                mark.shape.each_obstacle(mark.style.half_width(), |obstacle| ground.add(obstacle));
+            } else if mark.style.paint().stroke.is_some() {
+                mark.shape.each_segment(|segment| {
+                    pieces(&segment).for_each(|piece| ground.thin.add(piece, &piece.bounds()));
+                });
+            }
+        }
+        ground
+    }
+
+    /// Adds what no label may touch.
+    fn add(&mut self, obstacle: Obstacle) {
+        self.raster.add(&obstacle, self.apart);
+        match obstacle {
+            Obstacle::Stroke(segment, half) => {
+                for piece in pieces(&segment) {
+                    let piece = Obstacle::Stroke(piece, half);
+                    self.solid.add(piece, &bounds(&piece).grown(APART));
+                }
+            }
+            disc @ Obstacle::Disc(..) => self.solid.add(disc, &bounds(&disc).grown(APART)),
+        }
+    }
+
+    /// Whether something that no label may touch is in a box, or in the disc in it.
+    fn is_taken(&self, place: &Rect, round: bool) -> bool {
+        let cells = self.raster.cells(place);
+        if self.raster.are_clear(&cells) {
+            return false;
+        }
+        // what covers a box may leave the disc in it free
+        let taken = !round && self.raster.are_taken(&cells);
+        taken || self.solid.any(place, |o| touches(place, round, o, self.apart))
+    }
+
+    /// Whether a place is in an inset of something else.
+    fn is_closed(&self, label: &Label, place: &Rect, round: bool) -> bool {
+        self.insets.iter().any(|inset| !holds(inset, label) && touches(place, round, inset, APART))
+    }
+
+    /// The length of thin lines in a place, mm.
+    fn crossed(&self, place: &Rect) -> f64 {
+        let mut inside = 0.0;
+        self.thin.any(place, |s| {
+            inside += place.inside(s).unwrap_or(0.0);
+            false
+        });
+        inside
+    }
+}
+
+/// Whether what a label is about lies in a disc.
+fn holds(inset: &Obstacle, label: &Label) -> bool {
+    let (Obstacle::Disc(centre, radius), Anchor::Point(at, _) | Anchor::Line(at, _)) = (inset, label.anchor)
+    else {
+        return false;
+    };
+    (at - *centre).norm() < *radius
+}
