@@ -158,6 +158,28 @@ impl Expr {
         terms.into_iter().fold(Self::ZERO, |sum, term| sum + term)
     }
 
+    /// The same with other trees in the places of some quantities.
+    #[must_use]
+    pub fn replaced(&self, by: &dyn Fn(&Quantity) -> Option<Self>) -> Self {
+        match self {
+            Self::Leaf(q) => by(q).unwrap_or_else(|| self.clone()),
+            Self::Neg(x) => -x.replaced(by),
+            Self::Sum(terms) => Self::sum(terms.iter().map(|(sign, x)| match sign {
+                Sign::Plus => x.replaced(by),
+                Sign::Minus => -x.replaced(by),
+            })),
+            Self::Product(factors) => {
+                factors.iter().fold(Self::Int(1), |product, x| product * x.replaced(by))
+            }
+            Self::Ratio(a, b) => a.replaced(by) / b.replaced(by),
+            Self::Square(x) => x.replaced(by).squared(),
+            Self::Root(x) => x.replaced(by).root(),
+            Self::Abs(x) => x.replaced(by).abs(),
+            Self::Of(function, x) => x.replaced(by).of(*function),
+            Self::Int(_) | Self::Degrees(_) | Self::Number(_) | Self::Pi => self.clone(),
+        }
+    }
+
     /// Visits all quantities.
     pub fn visit(&self, see: &mut dyn FnMut(&Arc<Quantity>)) {
         match self {

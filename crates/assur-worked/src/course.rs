@@ -287,7 +287,8 @@ impl<'a> Course<'a> {
             // another quantity has these letters
             name.letter.push('′');
         }
-        let (scale, rounding) = (value.abs().max(large), 0.0);
+        // what is found together with greater values has their rounding
+        let (scale, rounding) = (value.abs().max(large), f64::EPSILON * large);
         let q = Quantity { name: name.clone(), value, unit, scale, given: false, rounding };
         self.lines.push((self.blocks.len(), q.name.clone()));
         let lines = if self.shown { stated(&q) } else { Lines { left: Node::empty(), rows: Vec::new() } };
@@ -307,6 +308,10 @@ impl<'a> Course<'a> {
     pub fn given(&self, mut name: Name, value: f64, unit: Unit) -> Expr {
         if value.abs() == 0.0 {
             return Expr::ZERO;
+        }
+        let found = self.found.get(&name).filter(|own| (own.value() - value).abs() <= 1e-12 * value.abs());
+        if let Some(found) = found {
+            return found.clone();
         }
         let mut known = self.given.borrow_mut();
         while let Some(other) = known.get(&name) {

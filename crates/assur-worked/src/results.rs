@@ -4,17 +4,15 @@ use crate::course::Course;
 use crate::document::{Table, text};
 use crate::words::{Message, phrase};
 use assur_math::math::Vec2;
-use assur_model::model::{Display, FindKind, PairId, PairKind, Value};
+use assur_model::model::{Bearing, Display, FindKind, PairId, PairKind, Value};
 use assur_text::units::{Dimension, significant};
 
 /// Digits of results.
 const DIGITS: usize = 5;
 
 impl Course<'_> {
-    /// The section with the results.
+    /// The table of results.
     pub fn results(&mut self) {
-        let heading = self.words(Message::Results);
-        self.heading(2, heading);
         let headers = [Message::Quantity, Message::Value, Message::Unit].map(|m| vec![text(self.words(m))]);
         let mut table = Table { headers: headers.into(), numbers: vec![1], ..Table::default() };
         let view = self.scene.view();
@@ -34,7 +32,7 @@ impl Course<'_> {
         if reactions && !self.state().forces.locked {
             let display = mechanism.display_of(Dimension::FORCE);
             for (i, pair) in mechanism.pairs.iter().enumerate() {
-                if matches!(pair.kind, PairKind::Transmission(_)) {
+                if matches!(pair.kind, PairKind::Transmission(_)) || pair.bearing == Some(Bearing::Open) {
                     continue;
                 }
                 let links = pair.kind.links();

@@ -2,6 +2,7 @@
 
 use crate::course::{Counts, Course};
 use crate::document::{Block, Document, Figure, Line, cited};
+use crate::formulas::Formula;
 use crate::motion::Stage;
 use crate::words::{Language, Message};
 use assur_formula::{Equation, Expr, Name, Unit};
@@ -85,12 +86,17 @@ pub struct Worked {
 /// The worked solution of a position; all parts where none are named.
 #[must_use]
 pub fn worked(scene: Scene<'_>, language: Language, parts: &[Part]) -> Worked {
-    worked_from(scene, language, parts, &[])
+    worked_from(scene, language, parts, (&[], &[]))
 }
 
-/// The same behind the sizes that the file works out from its given values.
+/// The same after the sizes that the file works out from its given values, and with its formulas of results.
 #[must_use]
-pub fn worked_from(scene: Scene<'_>, language: Language, parts: &[Part], sizes: &[Size]) -> Worked {
+pub fn worked_from(
+    scene: Scene<'_>,
+    language: Language,
+    parts: &[Part],
+    (sizes, formulas): (&[Size], &[Formula]),
+) -> Worked {
     let mut course = Course::new(scene, language);
     let mut sections: Vec<(Part, usize)> = Vec::new();
     let begin = |course: &Course<'_>, part: Part, sections: &mut Vec<(Part, usize)>| {
@@ -100,6 +106,11 @@ pub fn worked_from(scene: Scene<'_>, language: Language, parts: &[Part], sizes: 
         begin(&course, part, &mut sections);
         if part == Part::Structure {
             course.sizes(sizes);
+        }
+        if part == Part::Results {
+            course.designs();
+            course.head(Message::Results);
+            course.formulas(formulas);
         }
         course.part(part);
     }
@@ -249,10 +260,7 @@ impl Course<'_> {
                 }
                 self.run();
             }
-            Part::Results => {
-                self.designs();
-                self.results();
-            }
+            Part::Results => self.results(),
         }
     }
 
@@ -265,6 +273,7 @@ impl Course<'_> {
         self.heading(2, heading);
         self.say(Message::SizesOf, &[]);
         for size in sizes {
+            self.asked.insert(size.name.clone());
             self.equate(size.name.clone(), size.value, size.unit, size.right.clone());
         }
     }

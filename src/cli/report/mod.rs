@@ -92,7 +92,8 @@ pub fn document(
     let pose = pose.or_else(|| moving(solved));
     let scene = Scene::of(solved.compiled.model(), &solved.solution, file, pose)?;
     let sizes = sizes::sizes(read, &solved.compiled.mechanism);
-    let mut document = worked_from(scene, language, parts, &sizes).document;
+    let formulas = sizes::formulas(read, &solved.compiled.mechanism);
+    let mut document = worked_from(scene, language, parts, (&sizes, &formulas)).document;
     if parts.is_empty() || parts.contains(&Part::Results) {
         let more = tables::blocks(source, solved, Some(&scene), language);
         document.blocks.extend(without_repeated(&document.blocks, more));

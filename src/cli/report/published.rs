@@ -7,6 +7,8 @@ use assur_text::units::significant;
 /// A tolerance below this part of the value is that of an exact one, and above the second that of a published one.
 const EXACT: f64 = 1e-6;
 const PUBLISHED: f64 = 1e-4;
+/// A deviation below this part is rounding.
+const ROUNDING: f64 = 1e-12;
 /// Digits of both.
 const DIGITS: usize = 6;
 
@@ -25,7 +27,11 @@ pub fn section(outcomes: &[Outcome]) -> Option<Section> {
             published.pose.clone().unwrap_or_default(),
             published.display.text(published.expected, DIGITS),
             exact.display.text(exact.expected, DIGITS),
-            if apart.is_finite() { format!("{} %", significant(apart, 2)) } else { "–".to_owned() },
+            match apart {
+                apart if apart <= 100.0 * ROUNDING => "0 %".to_owned(),
+                apart if apart.is_finite() => format!("{} %", significant(apart, 2)),
+                _ => "–".to_owned(),
+            },
         ]);
     }
     let mut section = Section::new("Published values");

@@ -1,11 +1,17 @@
-//! The sizes that a file works out from its given values, `let l = H/(2*sin(psi/2))`, as formulas.
+//! The sizes that a file works out from its given values, `let l = H/(2*sin(psi/2))`, and what it asks for by formulas of results,
+//! `find M = M_A + M_B`.
 
-use assur_formula::{Expr, Function, Quantity, Unit};
-use assur_model::model::{Mechanism, NamedValue, Value};
-use assur_syntax::document::{BinaryOp, Document, Expr as Written, ExprKind, Statement, UnaryOp};
-use assur_worked::{Size, quantity_name};
+use assur_formula::{Expr, Function as Maths, Name, Quantity, Unit, quantity};
+use assur_model::model::{Expr as Model, FindKind, Function, Mechanism, NamedValue, QuantityId, Value};
+use assur_syntax::document::{Arg, BinaryOp, Document, Expr as Written, ExprKind, Statement, UnaryOp};
+use assur_text::source::Spanned;
+use assur_worked::{Formula, Size, quantity_name};
+use std::cell::RefCell;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
+/// Functions of one number.
+const MATHS: [&str; 8] = ["sqrt", "abs", "sin", "cos", "tan", "asin", "acos", "atan"];
 /// A formula that comes to something else than the value is of a kind that is not written here.
 const SAME: f64 = 1e-9;
 
@@ -17,7 +23,7 @@ pub fn sizes(document: &Document, mechanism: &Mechanism) -> Vec<Size> {
             .iter()
             .any(|s| matches!(&s.node, Statement::Given(definition) if definition.name.node == name))
     };
-    let known = Known { values: &mechanism.values, given: &given };
+    let known = Known { values: &mechanism.values, given: &given, results: None };
     let size = |name: &str, expr: &Written| {
         if matches!(expr.kind, ExprKind::Number(_) | ExprKind::Name(_)) {
             return None;
@@ -34,10 +40,109 @@ pub fn sizes(document: &Document, mechanism: &Mechanism) -> Vec<Size> {
     lets.collect()
 }
 
+/// What a file asks for by formulas of results, and the named quantities that these use, which come first.
+pub fn formulas(document: &Document, mechanism: &Mechanism) -> Vec<Formula> {
+    let given = |name: &str| {
+        let own = |s: &Spanned<Statement>| matches!(&s.node, Statement::Given(d) if d.name.node == name);
+        document.statements.iter().any(own)
+    };
+    let of = |name: &str, written: &Written, of: &Model, dimension| {
+        if matches!(of, Model::Query(_) | Model::Component(..) | Model::Quantity(_)) {
+            return None;
+        }
+        let results = Some(Results::of(of, mechanism));
+        let known = Known { values: &mechanism.values, given: &given, results };
+        let right = known.formula(written)?;
+        let results = known.results?.taken.into_inner();
+        let name = quantity_name(name);
+        (!results.is_empty())
+            .then(|| Some(Formula { name, unit: unit(dimension)?, of: of.clone(), right, results }))?
+    };
+    let mut found = Vec::new();
+    for statement in &document.statements {
+        if let Statement::Let(d) = &statement.node
+            && let Some(quantity) = mechanism.quantities.iter().find(|q| q.name == d.name.node)
+        {
+            found.extend(of(&quantity.name, &d.value, &quantity.expr, quantity.display.dimension));
+        }
+    }
+    let items = document.statements.iter().filter_map(|s| match &s.node {
+        Statement::Find(find) => Some(&find.items),
+        _ => None,
+    });
+    for item in items.flatten().filter(|item| item.name.is_some()) {
+        let asked =
+            mechanism.finds.iter().find(|find| item.name.as_ref().is_some_and(|n| n.node == find.name));
+        if let Some(FindKind::Value { expr, display, .. }) = asked.map(|find| &find.kind) {
+            found.extend(item.name.as_ref().and_then(|n| of(&n.node, &item.value, expr, display.dimension)));
+        }
+    }
+    used(found, mechanism)
+}
+
+/// Without named quantities that nothing asked for uses.
+fn used(formulas: Vec<Formula>, mechanism: &Mechanism) -> Vec<Formula> {
+    let mut wanted: Vec<Name> = mechanism.finds.iter().map(|find| quantity_name(&find.name)).collect();
+    let mut kept: Vec<Formula> = Vec::new();
+    for formula in formulas.into_iter().rev().filter(|f| f.unit != Unit::Angle) {
+        if wanted.contains(&formula.name) {
+            wanted.extend(formula.results.iter().map(|(name, _)| name.clone()));
+            kept.push(formula);
+        }
+    }
+    kept.reverse();
+    kept
+}
+
+/// The results in an expression of the model, in their order: those that a written expression has are taken one by one.
+struct Results<'a> {
+    left: RefCell<VecDeque<Model>>,
+    taken: RefCell<Vec<(Name, Model)>>,
+    mechanism: &'a Mechanism,
+}
+
+impl<'a> Results<'a> {
+    fn of(expr: &Model, mechanism: &'a Mechanism) -> Self {
+        let mut left = VecDeque::new();
+        collect(expr, &mut left);
+        Self { left: RefCell::new(left), taken: RefCell::default(), mechanism }
+    }
+
+    /// The next result, if it is of this kind, as letters of its own.
+    fn next(&self, is: impl Fn(&Model) -> bool) -> Option<Expr> {
+        if !self.left.borrow().front().is_some_and(is) {
+            return None;
+        }
+        let result = self.left.borrow_mut().pop_front()?;
+        let name = Name::new("result", &self.taken.borrow().len().to_string());
+        self.taken.borrow_mut().push((name.clone(), result));
+        Some(quantity(name, 1.0, Unit::One))
+    }
+
+    /// A named quantity.
+    fn named(&self, name: &str) -> Option<Expr> {
+        let index = self.mechanism.quantities.iter().position(|q| q.name == name)?;
+        let name = quantity_name(name);
+        self.taken.borrow_mut().push((name.clone(), Model::Quantity(QuantityId::at(index))));
+        Some(quantity(name, 1.0, Unit::One))
+    }
+}
+
+fn collect(expr: &Model, found: &mut VecDeque<Model>) {
+    match expr {
+        Model::Query(_) | Model::Component(..) => found.push_back(expr.clone()),
+        Model::Call(Function::Mag, args) if matches!(args.as_slice(), [Model::Query(_)]) => {
+            found.push_back(expr.clone());
+        }
+        other => other.children(&mut |part| collect(part, found)),
+    }
+}
+
 /// The values that formulas are of.
 struct Known<'a> {
     values: &'a [NamedValue],
     given: &'a dyn Fn(&str) -> bool,
+    results: Option<Results<'a>>,
 }
 
 impl Known<'_> {
@@ -46,6 +151,13 @@ impl Known<'_> {
         let Value::Scalar(x) = found.value else { return None };
         let unit = unit(found.display.dimension)?;
         Some((if unit == Unit::Angle { x.to_degrees() } else { x }, unit))
+    }
+
+    /// A value that is given in revolutions per minute, in these.
+    fn speed(&self, name: &str) -> Option<(f64, Unit)> {
+        let found = self.values.iter().find(|v| v.name == name && v.display.unit == "rpm")?;
+        let Value::Scalar(x) = found.value else { return None };
+        (self.given)(name).then(|| (found.display.of_si(x), Unit::Speed))
     }
 
     fn formula(&self, expr: &Written) -> Option<Expr> {
@@ -62,18 +174,32 @@ impl Known<'_> {
                     (None, None) => Some(Expr::Number(number.value)),
                 }
             }
-            ExprKind::Name(name) => match self.value(name) {
+            ExprKind::Name(name) => match self.speed(name).or_else(|| self.value(name)) {
+                Some((value, Unit::Speed)) => {
+                    let (name, given) = (quantity_name(name), (self.given)(name));
+                    let scale = value.abs();
+                    let unit = Unit::Speed;
+                    let speed = Quantity { name, value, unit, scale, given, rounding: 0.0 };
+                    Some(Expr::Pi * Expr::Leaf(Arc::new(speed)) / Expr::Int(30))
+                }
                 Some((value, unit)) => {
                     let (name, given) = (quantity_name(name), (self.given)(name));
                     let scale = value.abs();
                     Some(Expr::Leaf(Arc::new(Quantity { name, value, unit, scale, given, rounding: 0.0 })))
                 }
                 None if name == "pi" => Some(Expr::Pi),
-                None => None,
+                None => self.results.as_ref()?.named(name),
             },
             ExprKind::Call { function, args } => match args.as_slice() {
-                [one] if one.name.is_none() => self.call(&function.node, &one.value),
-                _ => None,
+                [one] if one.name.is_none() && MATHS.contains(&&*function.node) => {
+                    self.call(&function.node, &one.value)
+                }
+                _ if function.node == "journal_torque" => self.journal(args),
+                _ if function.node == "thrust_torque" => self.thrust(args),
+                _ if function.node == "mag" => {
+                    self.results.as_ref()?.next(|m| matches!(m, Model::Call(Function::Mag, _)))
+                }
+                _ => self.results.as_ref()?.next(|m| matches!(m, Model::Query(_))),
             },
             ExprKind::Unary(sign, inner) => match sign.node {
                 UnaryOp::Minus => Some(-self.formula(inner)?),
@@ -100,8 +226,43 @@ impl Known<'_> {
                 }
                 _ => None,
             },
-            ExprKind::Member(..) | ExprKind::Vector(..) | ExprKind::Polar(..) | ExprKind::Compare(..) => None,
+            ExprKind::Member(..) => self.results.as_ref()?.next(|m| matches!(m, Model::Component(..))),
+            ExprKind::Vector(..) | ExprKind::Polar(..) | ExprKind::Compare(..) => None,
         }
+    }
+
+    /// k f F r of a journal.
+    fn journal(&self, args: &[Arg]) -> Option<Expr> {
+        let fit = match named(args, "fit").map(|fit| &fit.kind) {
+            None => Expr::Int(1),
+            Some(ExprKind::Name(word)) if word == "line" => Expr::Int(1),
+            Some(ExprKind::Name(word)) if word == "even" => Expr::Pi / Expr::Int(2),
+            Some(ExprKind::Name(word)) if word == "worn" => Expr::Int(4) / Expr::Pi,
+            Some(_) => return None,
+        };
+        let of = |name| self.formula(named(args, name)?);
+        Some(fit * of("friction")? * of("load")? * of("radius")?)
+    }
+
+    /// The torque of a thrust bearing: of a new one with even pressure, or of one that is worn.
+    fn thrust(&self, args: &[Arg]) -> Option<Expr> {
+        let of = |name| self.formula(named(args, name)?);
+        let pull = of("friction")? * of("load")?;
+        let outer = of("outer")?;
+        let inner = match named(args, "inner") {
+            Some(inner) => self.formula(inner)?,
+            None => Expr::ZERO,
+        };
+        let is_worn =
+            named(args, "fit").is_some_and(|fit| matches!(&fit.kind, ExprKind::Name(w) if w == "worn"));
+        Some(if is_worn {
+            pull * (outer + inner) / Expr::Int(2)
+        } else if inner.is_zero() {
+            Expr::Int(2) * pull * outer / Expr::Int(3)
+        } else {
+            let squares = outer.clone().squared() + outer.clone() * inner.clone() + inner.clone().squared();
+            Expr::Int(2) * pull * squares / (Expr::Int(3) * (outer + inner))
+        })
     }
 
     fn call(&self, function: &str, of: &Written) -> Option<Expr> {
@@ -111,13 +272,18 @@ impl Known<'_> {
             "abs" => of.abs(),
             "sin" => of.sin(),
             "cos" => of.cos(),
-            "tan" => of.of(Function::Tan),
-            "asin" => of.of(Function::Arcsin),
-            "acos" => of.of(Function::Arccos),
-            "atan" => of.of(Function::Arctan),
+            "tan" => of.of(Maths::Tan),
+            "asin" => of.of(Maths::Arcsin),
+            "acos" => of.of(Maths::Arccos),
+            "atan" => of.of(Maths::Arctan),
             _ => return None,
         })
     }
+}
+
+/// The argument of a name.
+fn named<'a>(args: &'a [Arg], name: &str) -> Option<&'a Written> {
+    args.iter().find(|arg| arg.name.as_ref().is_some_and(|own| own.node == name)).map(|arg| &arg.value)
 }
 
 /// The unit of equations of a dimension.

@@ -110,7 +110,7 @@ impl Draft {
             }
             let (p, q) = (self.spot(), self.spot());
             self.mechanism.springs.push(Spring {
-                name: "spring".into(),
+                name: format!("spring{}", self.mechanism.springs.len() + 1),
                 span: Span::default(),
                 from: (a, self.local(a, p)),
                 to: (b, self.local(b, q)),

@@ -1,9 +1,11 @@
 //! Forces and couples that are known on a body.
 
 use crate::course::Course;
-use crate::document::Line;
+use crate::document::{Line, text};
+use crate::motion::heading_of;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
+use std::collections::BTreeMap;
 
 /// A known force on a body.
 #[derive(Clone, Debug)]
@@ -42,6 +44,8 @@ pub struct Acting {
     pub couples: Vec<Vec<Couple>>,
     /// Reactions found: letters, components, couple; by slot.
     pub reactions: Vec<Option<Name>>,
+    /// Lines along which reactions on links without loads act.
+    pub lines: BTreeMap<Name, Line>,
     /// Reactions that are stated, by slot: components and couple.
     pub stated: Vec<Option<([Expr; 2], Expr)>>,
 }
@@ -53,6 +57,7 @@ impl Acting {
             forces: vec![Vec::new(); bodies],
             couples: vec![Vec::new(); bodies],
             reactions: vec![None; reactions],
+            lines: BTreeMap::new(),
             stated: vec![None; reactions],
         }
     }
@@ -83,7 +88,10 @@ impl Course<'_> {
         let size = size.as_ref().map(crate::course::cell).unwrap_or_default();
         let [x, y] = parts.clone();
         if !(x.is_zero() && y.is_zero()) {
-            let known = [size, vec![crate::document::text("–")]];
+            let along = self.acting.lines.get(&name).cloned();
+            let along =
+                along.unwrap_or_else(|| vec![text(format!("{}°", heading_of(&-x.clone(), &-y.clone())))]);
+            let known = [size, along];
             self.acting.forces[from].push(Force {
                 name: opposite.clone(),
                 at,

@@ -109,7 +109,7 @@ impl Course<'_> {
     }
 
     /// Whether an effort is a force, and not a torque.
-    pub(super) fn is_force(&self, slot: usize) -> bool {
+    pub(crate) fn is_force(&self, slot: usize) -> bool {
         matches!(self.structure().efforts[slot].kind, EffortKind::Line(_) | EffortKind::Coordinate(_))
     }
 }

@@ -8,7 +8,7 @@ use crate::motion::{of, pin};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
-use assur_model::model::BalanceKind;
+use assur_model::model::{BalanceKind, Bearing};
 use assur_model::structure::{BodyId, EffortSource, JointId, JointKind};
 use assur_position::plan::{EffortLine, Guide, Hinge};
 
@@ -82,7 +82,7 @@ impl Course<'_> {
         let label: Line = vec![text(self.label(body))];
         let is_force = matches!(effort, EffortLine::Force { .. });
         let name = self.effort_name(slot, is_force);
-        self.say(Message::BalanceTurn, &[label, vec![text(point)], of(&name)]);
+        self.say(Message::BalanceTurn, &[label, vec![text(&*point)], of(&name)]);
         let moment = self.moment_about(body, at);
         let value = self.state().forces.efforts[slot];
         let mut pushed = [Expr::ZERO, Expr::ZERO];
@@ -111,6 +111,10 @@ impl Course<'_> {
             EffortLine::Along(_) => {}
         }
         self.sense_of_effort(&name, slot, is_force);
+        if self.has_open_place(hinge.slot) {
+            self.say(Message::PlaceOpen, &[vec![text(point)]]);
+            return;
+        }
         let value = self.state().forces.reactions[hinge.slot].force;
         let right = [0, 1].map(|i| {
             let loads = Expr::sum(self.acting.forces[body].iter().map(|f| f.parts[i].clone()));
@@ -177,6 +181,13 @@ impl Course<'_> {
         self.say(Message::SumAcrossGuide, &[]);
         let (normal, couple) = self.guide_reaction(guide, -across, d, at);
         self.carry_guide(guide, &way, &normal, &couple, at);
+    }
+
+    /// Whether a reaction is in a hinge of a shaft without a place.
+    fn has_open_place(&self, slot: usize) -> bool {
+        let joint = self.scene.model.plan.reactions[slot].joint;
+        let pair = self.structure().replaced.joint(joint).pair;
+        self.scene.mechanism().pair(pair).bearing == Some(Bearing::Open)
     }
 
     /// In which sense an effort acts; a free coordinate has none, and what is zero has no sense.

@@ -46,8 +46,7 @@ impl Course<'_> {
             ];
             if parts.iter().any(|p| !p.is_zero()) {
                 let size = self.magnitude(name.clone(), &parts);
-                let point = self.point_name(body, mass.centre);
-                let known = [cell(&size), against("a", &point)];
+                let known = [cell(&size), against("a", &self.point_of(&a, body, mass.centre))];
                 self.acting.forces[body].push(Force {
                     name,
                     at: mass.centre,
@@ -69,6 +68,29 @@ impl Course<'_> {
             self.acting.couples[body].push(Couple { value: couple, load: true, rubs: false });
             self.counts.loads[0] += 1;
             self.arm_of_inertia(body, mass);
+        }
+    }
+
+    /// The point whose acceleration this is: of a link that does not turn that which was found.
+    fn point_of(&self, parts: &[Expr; 2], body: usize, at: Vec2) -> String {
+        let other = parts.iter().any(Expr::is_zero).then(|| {
+            parts.iter().find_map(|part| match part {
+                Expr::Leaf(q) => Some(q.name.clone()),
+                Expr::Neg(x) => {
+                    if let Expr::Leaf(q) = &**x {
+                        Some(q.name.clone())
+                    } else {
+                        None
+                    }
+                }
+                _ => None,
+            })
+        });
+        let whole =
+            |name: &Name| name.letter == "a" && name.sup.is_empty() && !name.sub.ends_with(['x', 'y']);
+        match other.flatten().filter(whole) {
+            Some(name) => name.sub,
+            None => self.point_name(body, at),
         }
     }
 

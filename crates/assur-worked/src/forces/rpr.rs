@@ -49,7 +49,17 @@ impl Course<'_> {
         let along = if (b - a).dot(d) * along.value() < 0.0 { -along } else { along };
         let value = sign * d.perp().dot(reaction.force);
         let normal = self.equate(name, value, Unit::Force, (first - couple.clone()) / along);
-        let parts = [-(normal.clone() * way.sin()), normal * way.cos()];
+        let parts = [-(normal.clone() * way.sin()), normal.clone() * way.cos()];
+        if (reference - a).norm() > self.tiny {
+            let name = self.reaction_name(one.body, two.body);
+            self.couple_at_slider(
+                guide,
+                &name,
+                &(normal, couple),
+                (two.body, pins[1]),
+                sign * reaction.couple,
+            );
+        }
         let named = [
             self.component(
                 self.reaction_name(one.body, two.body).and("x"),

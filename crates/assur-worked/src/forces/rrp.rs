@@ -3,10 +3,11 @@
 use crate::angle::Angle;
 use crate::course::{Course, joined};
 use crate::document::text;
-use crate::motion::{across, pin, unknown};
+use crate::motion::{across, of, pin, unknown};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
+use assur_model::model::{FindKind, Query};
 use assur_position::plan::{Guide, Hinge, Inner};
 
 impl Course<'_> {
@@ -79,13 +80,71 @@ impl Course<'_> {
         let place = self.moved(guide.body).position(at);
         let about = reaction.couple + (reference - place).cross(reaction.force);
         if couple.is_zero() {
-            self.say(Message::ThroughPoint, &[vec![text(point)], crate::motion::of(&name)]);
+            self.say(Message::ThroughPoint, &[vec![text(point)], of(&name)]);
             return (across, Expr::ZERO);
         }
         let letters = Name::new("M", &name.sub);
-        self.say(Message::CoupleOfGuide, &[vec![text(point)], crate::motion::of(&letters)]);
+        self.say(Message::CoupleOfGuide, &[vec![text(&*point)], of(&letters)]);
         let couple = self.equate(letters, about, Unit::Torque, couple);
+        self.line_of_guide(&name, &across, &couple, &point);
+        let own = (across.clone(), couple.clone());
+        self.couple_at_slider(guide, &name, &own, (guide.body, at), reaction.couple);
         (across, couple)
+    }
+
+    /// Force and couple of a guide as one force at a distance from a point.
+    fn line_of_guide(&mut self, name: &Name, normal: &Expr, couple: &Expr, point: &str) {
+        let nothing = |x: &Expr| matches!(x, Expr::Leaf(q) if q.is_nothing());
+        if normal.is_zero() || nothing(normal) || nothing(couple) {
+            return;
+        }
+        self.say(Message::InertiaArm, &[of(name), vec![text(point)]]);
+        let right = couple.clone().abs() / normal.clone().abs();
+        let value = right.value();
+        self.equate(Name::new("h", &name.sub), value, Unit::Length, right);
+    }
+
+    /// The couple of a guide about the point of its slider, from that about another point: where the file asks for reactions or for it.
+    pub(super) fn couple_at_slider(
+        &mut self,
+        guide: &Guide,
+        name: &Name,
+        (normal, couple): &(Expr, Expr),
+        (body, at): (usize, Vec2),
+        value: f64,
+    ) {
+        let place = self.moved(guide.slider).position(guide.point);
+        let from = self.moved(body).position(at);
+        if (place - from).norm() <= self.tiny || !self.asks_for_couple(guide) {
+            return;
+        }
+        let (point, other) = (self.point_name(guide.slider, guide.point), self.point_name(body, at));
+        let (way, d) = self.way(guide);
+        self.say(Message::CoupleAtSlider, &[vec![text(&*point)]]);
+        let (a, b) = (self.position(body, at), self.position(guide.slider, guide.point));
+        let right = way.along(&[b[0].clone() - a[0].clone(), b[1].clone() - a[1].clone()]);
+        let along = Name::new("s", &joined(&other, &point));
+        let along = self.component(along, d.dot(place - from), Unit::Length, right);
+        let right = couple.clone() - along * normal.clone();
+        self.equate(Name::new("M", &name.sub).marked(&point), value, Unit::Torque, right);
+    }
+
+    /// Whether the file asks for all reactions or for the couple of a guide.
+    fn asks_for_couple(&self, guide: &Guide) -> bool {
+        let mechanism = self.scene.mechanism();
+        let joint = self.scene.model.plan.reactions[guide.slot].joint;
+        let pair = self.structure().replaced.joint(joint).pair;
+        let mut asked = false;
+        for find in &mechanism.finds {
+            match &find.kind {
+                FindKind::Reactions => return true,
+                FindKind::Value { expr, .. } => crate::prune::queries(mechanism, expr, &mut |query| {
+                    asked |= matches!(query, Query::Moment(own, _) if *own == pair);
+                }),
+                FindKind::Table(_) => {}
+            }
+        }
+        asked
     }
 
     /// Keeps the reaction of a guide at a point of the body that it acts on.

@@ -17,6 +17,7 @@ impl Course<'_> {
         let label: Line = vec![text(self.label(hinge.body))];
         if self.is_unloaded(hinge.body) {
             let line = joined(&self.point_name(hinge.body, outer), &self.point_name(hinge.body, inner));
+            self.acting.lines.insert(name.clone(), vec![text(format!("∥ {line}"))]);
             self.say(Message::TwoForces, &[label, of(&name), vec![text(line)]]);
             return (name, Expr::ZERO);
         }

@@ -172,7 +172,7 @@ impl Course<'_> {
 }
 
 /// The direction of a vector in degrees.
-fn heading_of(x: &Expr, y: &Expr) -> String {
+pub(crate) fn heading_of(x: &Expr, y: &Expr) -> String {
     let noise = 1e-10 * x.scale().max(y.scale());
     let clear = |v: f64| if v.abs() <= noise { 0.0 } else { v };
     let angle = libm::atan2(clear(y.value()), clear(x.value())).to_degrees();

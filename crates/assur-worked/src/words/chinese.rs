@@ -297,6 +297,9 @@ pub(super) const fn template(message: Message) -> &'static str {
             "在此位置构件 {0} 和 {1} 相当于一个构件。在构件 {0} 的坐标系中，{2} 相对于 {3} 的位置为 ξ、η："
         }
         Message::CylinderLength => "主动件给出液压缸两铰链间的长度 {0}。",
+        Message::PlaceOpen => "轴的位置没有给出，故不能确定 {0} 处的反力。",
+        Message::CoupleAtSlider => "对滑块上的点 {0}，导路的反力偶为：",
+        Message::ByFormulas => "将上述结果代入题目自身的公式：",
         Message::LoadRests => "{0} 在此位置不起作用。",
     }
 }

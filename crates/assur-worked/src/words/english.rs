@@ -369,6 +369,9 @@ pub(super) const fn template(message: Message) -> &'static str {
             "Links {0} and {1} are one stiff link at this position. In the axes of link {0}, from {3}, the place of {2} is ξ, η:"
         }
         Message::CylinderLength => "The drive gives the length of the cylinder between its hinges, {0}.",
+        Message::PlaceOpen => "The place of a shaft is not given, so the reaction in {0} is not determined.",
+        Message::CoupleAtSlider => "About {0}, the point of the slider, the couple of the guide is:",
+        Message::ByFormulas => "The file’s own formulas with these results:",
         Message::LoadRests => "{0} does not act at this position.",
     }
 }

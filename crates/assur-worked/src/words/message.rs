@@ -451,6 +451,12 @@ pub enum Message {
     CylinderLength,
     /// A load that is nothing here; 0: it.
     LoadRests,
+    /// A hinge of a shaft without a place; 0: it.
+    PlaceOpen,
+    /// The couple of a guide about the point of its slider; 0: the point.
+    CoupleAtSlider,
+    /// What the file asks for by formulas of its own.
+    ByFormulas,
 }
 
 impl Message {
@@ -462,6 +468,8 @@ impl Message {
                 | Self::SumAcrossGuide
                 | Self::SumOfLink
                 | Self::MomentsOfLink
+                | Self::MemberGives
+                | Self::MembersGive
                 | Self::AcrossGuide
                 | Self::AlongGuide
                 | Self::Projected
