@@ -1,8 +1,11 @@
 //! Every formula in LaTeX parses, read by a parser that is not of this repository.
 
 use crate::examples::{Example, examples};
+use crate::reader::{Read, mathml};
+use assur::internals::cli::report::document;
 use assur::internals::picture::Scene;
-use assur::internals::worked::{Language, markdown, worked};
+use assur::internals::syntax::parse;
+use assur::internals::worked::{Language, html, markdown, worked};
 use pulldown_latex::{Parser, Storage};
 
 /// The formulas of a text in Markdown, between dollars; escaped dollars are text.
@@ -52,4 +55,28 @@ fn every_formula_in_latex_parses() {
     println!("{count} formulas");
     assert!(count > 30_000, "{count}");
     assert!(wrong.is_empty(), "{} of {count}: {:#?}", wrong.len(), &wrong[..wrong.len().min(20)]);
+}
+
+#[test]
+fn what_a_file_asks_for_by_formulas_is_derived_and_balances() {
+    let (mut wrong, mut derived) = (Vec::new(), 0);
+    for Example { name, text, solved } in examples() {
+        let Some((source, solved)) = solved else { continue };
+        let (read, _) = parse(source);
+        let Ok(page) = document(source, &read, solved, Language::English, (None, &[])) else { continue };
+        let page = html(&page);
+        derived += usize::from(page.contains("own formulas with these results"));
+        for infix in mathml::equations(&page) {
+            if let Ok(equation) = Read::of(&infix)
+                && let Err(fault) = equation.judge()
+                && !equation.approximate
+            {
+                wrong.push(format!("{name}: {fault:?}"));
+            }
+        }
+        if name == "friction/jib-crane.mech" {
+            assert!(text.contains("find M = M_A + M_B + M_T") && page.contains("own formulas"), "{page}");
+        }
+    }
+    assert!(wrong.is_empty() && derived > 0, "{derived} {wrong:#?}");
 }

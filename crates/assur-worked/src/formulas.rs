@@ -130,7 +130,7 @@ impl Course<'_> {
         match query {
             Query::Reaction(pair, _) => {
                 let found = self.with_value(self.reactions_of(*pair).into_iter(), vector.norm())?;
-                Some(found.abs()).filter(|found| found.value() > 0.0)
+                Some(if found.value() < 0.0 { found.abs() } else { found })
             }
             Query::InertiaForce(link) => {
                 let index = format!("{}{}", self.language.letters().inertia, self.label(link.index()));

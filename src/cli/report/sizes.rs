@@ -71,11 +71,14 @@ pub fn formulas(document: &Document, mechanism: &Mechanism) -> Vec<Formula> {
         _ => None,
     });
     for item in items.flatten().filter(|item| item.name.is_some()) {
-        let asked =
-            mechanism.finds.iter().find(|find| item.name.as_ref().is_some_and(|n| n.node == find.name));
-        if let Some(FindKind::Value { expr, display, .. }) = asked.map(|find| &find.kind) {
-            found.extend(item.name.as_ref().and_then(|n| of(&n.node, &item.value, expr, display.dimension)));
-        }
+        let Some(name) = &item.name else { continue };
+        let asked = mechanism.finds.iter().find(|find| find.name == name.node);
+        let Some(FindKind::Value { expr, display, .. }) = asked.map(|find| &find.kind) else { continue };
+        let own = match expr {
+            Model::Quantity(id) => mechanism.quantities.get(id.index()).filter(|q| q.name == name.node),
+            _ => None,
+        };
+        found.extend(of(&name.node, &item.value, own.map_or(expr, |q| &q.expr), display.dimension));
     }
     used(found, mechanism)
 }
