@@ -137,7 +137,7 @@ fn numbers(m: &mut Mechanism) -> Vec<&mut f64> {
                 expr(from, &mut out);
                 expr(to, &mut out);
             }
-            Positions::None => {}
+            Positions::None | Positions::Numbers(_) => {}
         }
         drive.speed.iter_mut().chain(&mut drive.acceleration).for_each(|e| expr(e, &mut out));
     }

@@ -106,6 +106,7 @@ pub fn vector(expr: &Expr) -> Vec2 {
 fn law(drive: &Drive) -> Jet {
     let value = match &drive.positions {
         Positions::List(list) => list.first().map_or(f64::NAN, number),
+        Positions::Numbers(list) => list.first().copied().unwrap_or(f64::NAN),
         Positions::None | Positions::Range { .. } => f64::NAN,
     };
     let rate = drive.speed.as_ref().map_or(0.0, number);
@@ -206,7 +207,7 @@ pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driv
 fn point_law(drive: &Drive) -> [Vec2; 3] {
     let place = match &drive.positions {
         Positions::List(list) => list.first().map_or(Vec2::zero(), vector),
-        Positions::None | Positions::Range { .. } => Vec2::zero(),
+        Positions::None | Positions::Numbers(_) | Positions::Range { .. } => Vec2::zero(),
     };
     let of = |e: &Option<Expr>| e.as_ref().map_or(Vec2::zero(), vector);
     [place, of(&drive.speed), of(&drive.acceleration)]
