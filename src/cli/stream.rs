@@ -6,7 +6,7 @@ use super::motion::OnTheWay;
 use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
 use super::threads::Threads;
-use crate::pipeline::stages::{InOrder, Stages, work};
+use crate::front::stages::{InOrder, Stages, work};
 use crate::pipeline::{Compiled, Sink, Solved};
 use crate::report::json::JsonLines;
 use crate::report::lines::CsvLines;
@@ -171,12 +171,8 @@ impl Sink for Out<'_, '_, '_> {
         let ahead = ahead.behind(from);
         let Self { lines, angles, printer, .. } = self;
         let stages = Writing { lines, answers, ahead, angles: *angles };
-        let goes_on = work(
-            self.threads.count(),
-            ahead.count().div_ceil(PIECES),
-            &stages,
-            &mut Printing { take, printer },
-        );
+        let goes_on =
+            work(self.threads, ahead.count().div_ceil(PIECES), &stages, &mut Printing { take, printer });
         self.failed |= !goes_on;
         goes_on
     }

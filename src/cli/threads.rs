@@ -64,6 +64,16 @@ impl Workers for Threads {
         self.count()
     }
 
+    fn beside(&self, help: &(dyn Fn() + Sync), own: &mut dyn FnMut()) {
+        std::thread::scope(|scope| {
+            for _ in 1..self.count() {
+                // the caller does the work where no other thread can be had
+                drop(std::thread::Builder::new().spawn_scoped(scope, help));
+            }
+            own();
+        });
+    }
+
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
         Self::each(self, &mut vec![(); count], |(i, ())| work(i));
     }

@@ -16,6 +16,7 @@ mod row_answers;
 mod rows;
 mod side_by_side;
 mod solution;
+pub(crate) mod stages;
 mod workers;
 
 pub use answer::{Answer, Quantity};

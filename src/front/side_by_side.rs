@@ -1,7 +1,7 @@
 //! Columns of positions of which none depends on another, written by all threads where they end up.
 
-use super::workers::Workers;
-use crate::pipeline::stages::{InOrder, Stages, work};
+use super::stages::{InOrder, Stages, work};
+use super::workers::{Alone, Workers};
 use crate::report::{Answers, NumberRows};
 use assur_solve::solve::{Ahead, BLOCK, Block, finite};
 use std::sync::{Mutex, PoisonError};
@@ -29,8 +29,8 @@ impl SideBySide<'_> {
     /// Writes columns, as far as `take` takes the positions over. Returns how many these are, and whether the workers want to go on.
     pub fn write(self, columns: Vec<&mut [f64]>, take: &mut dyn FnMut(&mut Block) -> bool) -> (usize, bool) {
         let count = self.ahead.count();
-        let threads = if count < FEWEST { 1 } else { self.workers.threads() };
-        let size = if threads < 2 { BLOCK } else { BLOCKS * BLOCK };
+        let workers = if count < FEWEST { &Alone } else { self.workers };
+        let size = if workers.threads() < 2 { BLOCK } else { BLOCKS * BLOCK };
         let pieces = count.div_ceil(size);
         let mut places: Vec<Places<'_>> = (0..pieces).map(|_| Vec::with_capacity(columns.len())).collect();
         for column in columns {
@@ -38,7 +38,7 @@ impl SideBySide<'_> {
         }
         let places = places.into_iter().map(Mutex::new).collect();
         let mut order = Taking { take, workers: self.workers, taken: 0, asked: 0 };
-        let goes_on = work(threads, pieces, &Writing { positions: self, size, places }, &mut order);
+        let goes_on = work(workers, pieces, &Writing { positions: self, size, places }, &mut order);
         (order.taken, goes_on)
     }
 }

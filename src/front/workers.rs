@@ -11,9 +11,15 @@ pub trait Workers: Sync {
         1
     }
 
-    /// On how many threads positions are solved, with the caller's: they are started for that.
+    /// On how many threads positions are solved, with the caller's: see [`Workers::beside`].
     fn threads(&self) -> usize {
         1
+    }
+
+    /// Calls `help` on every other thread, while `own` runs on the caller's; comes back when all have ended. Fewer threads are
+    /// enough: what nobody helps with is done by `own`.
+    fn beside(&self, _help: &(dyn Fn() + Sync), own: &mut dyn FnMut()) {
+        own();
     }
 
     /// Calls `work` once with every number below `count`.

@@ -13,7 +13,6 @@ mod open_sizes;
 mod other_assembly;
 mod quick_rows;
 mod solved;
-pub mod stages;
 mod test;
 mod turn;
 mod variant_solver;

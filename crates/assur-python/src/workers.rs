@@ -61,6 +61,10 @@ impl Workers for Crew {
         self.threads.count()
     }
 
+    fn beside(&self, help: &(dyn Fn() + Sync), own: &mut dyn FnMut()) {
+        self.threads.beside(help, own);
+    }
+
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
         Workers::each(&*self.threads, count, work);
     }

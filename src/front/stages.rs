@@ -1,9 +1,10 @@
 //! Pieces of work in two stages on several threads, with something that is done here and in their order between the stages, and behind
 //! them.
 
+use super::workers::Workers;
 use std::collections::VecDeque;
-use std::sync::mpsc::{Receiver, channel};
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, Sender, channel};
 
 /// What is done with every piece.
 pub trait Stages: Sync {
@@ -32,33 +33,58 @@ pub trait InOrder<P> {
 const MOST: usize = 3;
 
 /// Works on pieces, on this thread too; `false` where an end asked for no more.
-pub fn work<S: Stages>(threads: usize, count: usize, stages: &S, order: &mut impl InOrder<S::Piece>) -> bool {
+pub fn work<S: Stages>(
+    workers: &dyn Workers,
+    count: usize,
+    stages: &S,
+    order: &mut impl InOrder<S::Piece>,
+) -> bool {
+    let threads = workers.threads();
     if threads.min(count) < 2 {
         return one_by_one(count, stages, order);
     }
-    std::thread::scope(|scope| {
-        let (jobs, waiting) = channel();
-        let (done, reached) = channel();
-        let waiting = Arc::new(Mutex::new(waiting));
-        for _ in 1..threads {
-            let (waiting, done) = (Arc::clone(&waiting), done.clone());
-            let help =
-                move || while next(&waiting, true).is_some_and(|job| done.send(job.done(stages)).is_ok()) {};
-            // this thread does the work where no other can be had
-            drop(std::thread::Builder::new().spawn_scoped(scope, help));
+    let (jobs, waiting) = channel();
+    let (done, reached) = channel();
+    let waiting = Mutex::new(waiting);
+    let help = || {
+        while let Some(job) = next(&waiting, true) {
+            Reply::of(job, stages, &done);
         }
-        drop(done);
+    };
+    let (mut jobs, mut goes_on) = (Some(jobs), false);
+    workers.beside(&help, &mut || {
+        if let Some(jobs) = jobs.take() {
+            let pieces = Pieces { jobs, waiting: &waiting, reached: &reached, threads, count };
+            goes_on = pieces.in_their_order(stages, order);
+        }
+    });
+    goes_on
+}
+
+/// Pieces on their way through the stages.
+struct Pieces<'w, P> {
+    /// Those who help end with it.
+    jobs: Sender<Job<P>>,
+    waiting: &'w Mutex<Receiver<Job<P>>>,
+    /// What the others have done; nothing of a piece that was lost.
+    reached: &'w Receiver<Option<Job<P>>>,
+    threads: usize,
+    count: usize,
+}
+
+impl<P> Pieces<'_, P> {
+    fn in_their_order(&self, stages: &impl Stages<Piece = P>, order: &mut impl InOrder<P>) -> bool {
         let mut line = Line { begun: Queue::default(), finished: Queue::default(), free: Vec::new() };
         // a piece more each time that one was wanted: where few are, few are begun in vain
-        let (mut window, mut sent, mut wanted) = (1, 0, count);
+        let (mut window, mut sent, mut wanted) = (1, 0, self.count);
         loop {
-            reached.try_iter().for_each(|job| line.put(job));
+            self.reached.try_iter().flatten().for_each(|job| line.put(job));
             while line.begun.first < wanted
                 && let Some(mut piece) = line.begun.take()
             {
                 let number = line.begun.first - 1;
                 if order.between(&mut piece) {
-                    window = (window + 1).min(MOST * threads);
+                    window = (window + 1).min(MOST * self.threads);
                 } else {
                     wanted = number + 1;
                 }
@@ -66,7 +92,7 @@ pub fn work<S: Stages>(threads: usize, count: usize, stages: &S, order: &mut imp
                 let job = Job { number, piece, stage };
                 match job.stage {
                     Stage::Finished => line.put(job),
-                    _ => drop(jobs.send(job)),
+                    _ => drop(self.jobs.send(job)),
                 }
             }
             while let Some(mut piece) = line.finished.take() {
@@ -80,18 +106,38 @@ pub fn work<S: Stages>(threads: usize, count: usize, stages: &S, order: &mut imp
             }
             while sent < wanted.min(line.finished.first + window) {
                 let piece = line.free.pop().unwrap_or_else(|| stages.piece());
-                drop(jobs.send(Job { number: sent, piece, stage: Stage::New }));
+                drop(self.jobs.send(Job { number: sent, piece, stage: Stage::New }));
                 sent += 1;
             }
-            match next(&waiting, false) {
+            match next(self.waiting, false) {
                 Some(job) => line.put(job.done(stages)),
-                None => match reached.recv() {
-                    Ok(job) => line.put(job),
-                    Err(_) => return false,
+                None => match self.reached.recv() {
+                    Ok(Some(job)) => line.put(job),
+                    _ => return false,
                 },
             }
         }
-    })
+    }
+}
+
+/// What comes back of a piece: nothing where the work on it panics.
+struct Reply<'d, P> {
+    done: &'d Sender<Option<Job<P>>>,
+    job: Option<Job<P>>,
+}
+
+impl<'d, P> Reply<'d, P> {
+    /// Does the next stage.
+    fn of(job: Job<P>, stages: &impl Stages<Piece = P>, done: &'d Sender<Option<Job<P>>>) {
+        let mut reply = Self { done, job: None };
+        reply.job = Some(job.done(stages));
+    }
+}
+
+impl<P> Drop for Reply<'_, P> {
+    fn drop(&mut self) {
+        drop(self.done.send(self.job.take()));
+    }
 }
 
 /// The next piece that waits to be worked on; whether to wait for one.
