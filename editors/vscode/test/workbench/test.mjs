@@ -189,9 +189,16 @@ async function movePreview(page, { name, isPicture }) {
   await page.locator(".tab").first().waitFor({ state: "detached" });
 }
 
-/** Waits for the bulb at a fix: VS Code offers nothing while it still asks for it. */
-function bulb(page) {
-  return page.locator("[class*=lightbulb]:visible, [class*=light-bulb]:visible").first().waitFor();
+/** Waits for the bulb at a fix: VS Code offers nothing while it still asks for it, and asks once more when the cursor moves if what it
+ * knows of another file changed meanwhile. */
+async function bulb(page) {
+  const shown = page.locator("[class*=lightbulb]:visible, [class*=light-bulb]:visible").first();
+  for (let tries = 0; tries < 3; tries += 1) {
+    if (await shown.waitFor({ timeout: 4000 }).then(() => true, () => false)) return;
+    await page.keyboard.press("ArrowLeft");
+    await page.keyboard.press("ArrowRight");
+  }
+  await shown.waitFor();
 }
 
 /** Goes to the only problem of a file and accepts what is offered, by keyboard. */
