@@ -11,6 +11,9 @@ use crate::position::{DriveValue, Model, STARTS, State, extent};
 
 /// Bodies nearer than this, over the extent of the mechanism, stand at one place.
 const SAME: f64 = 1e-9;
+/// So many roundings, over the condition of a group, two ways to its position may differ by; and no more than this.
+const ROUNDINGS: f64 = 64.0;
+const MOST: f64 = 1e-6;
 
 /// Where an iteration begins.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,11 +87,13 @@ fn searched(
     found.then_some(Iteration { begun: Begun::Searched, steps })
 }
 
-/// Whether a group stands where it does in a solution.
+/// Whether a group stands where it does in a solution, as far as rounding tells it near a dead position.
 fn is_there(model: &Model<'_>, state: &State, solved: &Solved, index: usize) -> bool {
-    let near = SAME * extent(model);
+    let condition = solved.state.motion.conditions[index].abs();
+    let same = SAME.max((ROUNDINGS * f64::EPSILON / condition).min(MOST));
+    let near = same * extent(model);
     model.structure.motion[index].bodies.iter().all(|body| {
         let (one, two) = (&state.motion.bodies[body.0], &solved.state.motion.bodies[body.0]);
-        (one.p - two.p).norm() <= near && (one.u - two.u).norm() <= SAME
+        (one.p - two.p).norm() <= near && (one.u - two.u).norm() <= same
     })
 }
