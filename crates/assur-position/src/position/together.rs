@@ -57,10 +57,7 @@ impl Together {
         forces: bool,
     ) {
         let work = Work { plan, states, turned, checked, sums: &mut self.sums, forces };
-        #[cfg(target_arch = "x86_64")]
-        if let Some(avx512) = pulp::x86::V4::try_new() {
-            return avx512.vectorize(work);
-        }
+        // AVX-512 would need all steps once more, in as much time of the compiler as everything else here
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = pulp::x86::V3::try_new() {
             return avx2.vectorize(work);
