@@ -9,8 +9,8 @@ use std::path::Path;
 use std::sync::{LazyLock, mpsc};
 use std::time::Duration;
 
-/// Far more than any of these files needs on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(30);
+/// A run of a motion ends after a million steps: some ten seconds, and several times that on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(120);
 /// What may stand in the place of a number.
 const NUMBERS: [&str; 12] =
     ["0", "-1", "1e308", "1e-308", "1e999", "-1e308", "NaN", "inf", "1e15", "0.0000001", "3..", "−0"];

@@ -63,7 +63,7 @@ pub enum SimulateError {
     #[diagnostic(
         code(mech::simulate::too_many_steps),
         help(
-            "let `simulate` end earlier, ask for less accuracy with `within`, or look for a spring or damper that is far stiffer than the motion"
+            "let `simulate` end earlier, ask for less accuracy with `within`, or look for a spring or damper that is far stiffer than the motion, or a `start` so large that its last digit is longer than a step"
         )
     )]
     TooManySteps {

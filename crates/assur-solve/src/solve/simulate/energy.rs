@@ -24,8 +24,8 @@ impl Equations<'_, '_> {
     /// Mass and force along the coordinate at a value of it, and the powers whose works are asked for, at a unit rate.
     pub(super) fn mass_and_force(&mut self, q: f64, out: &mut [f64]) -> Result<bool, Undefined> {
         self.forget();
-        if let Err(group) = self.walk_to(q) {
-            self.why = Some(Halt::Open { group });
+        if let Err(halt) = self.walk_to(q) {
+            self.why = Some(halt);
             return Err(Undefined);
         }
         self.start_trial();

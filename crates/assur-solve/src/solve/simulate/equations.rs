@@ -272,8 +272,8 @@ const NEAR_DEAD: f64 = 0.1;
 impl System<f64> for Equations<'_, '_> {
     fn rates(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Undefined> {
         let n = self.order();
-        if let Err(group) = self.walk_to(y[0]) {
-            self.why = Some(Halt::Open { group });
+        if let Err(halt) = self.walk_to(y[0]) {
+            self.why = Some(halt);
             return Err(Undefined);
         }
         self.set_position(t, y);

@@ -28,6 +28,8 @@ const LOOKED_AT: usize = 20_000;
 const TURN: f64 = std::f64::consts::PI;
 /// So many are never done.
 const ENDLESS: f64 = 2e7;
+/// Nor are so many, where a tenth of them are done.
+const TOO_MANY: f64 = 2e6;
 
 /// How a method ended.
 pub(super) enum Ended {
@@ -134,7 +136,13 @@ impl Going<'_, '_> {
                 Err(Stopped::Stiff) if !exactly => return Ended::Stiff,
                 Err(Stopped::Stiff) => {}
                 Err(Stopped::TooManySteps) => return Ended::Halted(Halt::TooManySteps),
-                Err(Stopped::StepTooSmall | Stopped::Undefined) => return Ended::Stuck(equations.halt()),
+                Err(Stopped::Undefined) => return Ended::Stuck(equations.halt()),
+                Err(Stopped::StepTooSmall) => {
+                    // everything has a value
+                    let halt = equations.halt();
+                    let halt = if matches!(halt, Halt::NotANumber) { Halt::TooManySteps } else { halt };
+                    return Ended::Stuck(halt);
+                }
             }
             if is_endless(method, self.begin, last) {
                 return Ended::Halted(Halt::TooManySteps);
@@ -336,5 +344,7 @@ impl Going<'_, '_> {
 fn is_endless<M: Integrator<f64>>(method: &M, first: f64, last: f64) -> bool {
     let counts = method.counts();
     let steps = counts.steps + counts.rejected;
-    steps >= LOOKED_AT && steps as f64 * (last - first) > ENDLESS * (method.t() - first)
+    // what the first steps show of the others is less sure
+    let most = (ENDLESS * LOOKED_AT as f64 / steps as f64).max(TOO_MANY);
+    steps >= LOOKED_AT && steps as f64 * (last - first) > most * (method.t() - first)
 }

@@ -4,12 +4,15 @@
 use super::equations::Equations;
 use crate::math::Vec2;
 use crate::position::State;
+use crate::solve::failure::Halt;
 use std::f64::consts::TAU;
 
 /// No body turns by more in a part of the way, rad.
 const PART: f64 = 0.5;
 /// A part is so much of the way at least.
 const SHORTEST: f64 = 1e-4;
+/// A run goes no further by it: some 400,000 turns of a body, those that steps look at again among them.
+const MOST_PARTS: usize = 5_000_000;
 
 /// Where the way has come to.
 #[derive(Clone, Debug)]
@@ -22,6 +25,8 @@ pub(super) struct Walk {
     angles: Vec<f64>,
     /// Memory for the next place.
     next: State,
+    /// How many parts it has gone.
+    parts: usize,
 }
 
 impl Walk {
@@ -39,7 +44,7 @@ impl Equations<'_, '_> {
         let angles = angles[..state.motion.bodies.len()].to_vec();
         let (mut state, next) = (state.clone(), self.trial.clone());
         state.motion.inputs.clone_from(&next.motion.inputs);
-        self.walk = needed.then(|| Box::new(Walk { begin: q, q: f64::NAN, state, angles, next }));
+        self.walk = needed.then(|| Box::new(Walk { begin: q, q: f64::NAN, state, angles, next, parts: 0 }));
     }
 
     /// The present step begins here.
@@ -52,15 +57,15 @@ impl Equations<'_, '_> {
     /// Goes to a value of the coordinate.
     ///
     /// # Errors
-    /// The group that does not close on the way.
-    pub fn walk_to(&mut self, q: f64) -> Result<(), usize> {
+    /// The group that does not close on the way, or a way that is too long.
+    pub fn walk_to(&mut self, q: f64) -> Result<(), Halt> {
         let Some(mut walk) = self.walk.take() else { return Ok(()) };
         let found = self.walked(&mut walk, q);
         self.walk = Some(walk);
         found
     }
 
-    fn walked(&mut self, walk: &mut Walk, q: f64) -> Result<(), usize> {
+    fn walked(&mut self, walk: &mut Walk, q: f64) -> Result<(), Halt> {
         if walk.q.to_bits() == q.to_bits() {
             return Ok(());
         }
@@ -76,6 +81,10 @@ impl Equations<'_, '_> {
         let whole = q - walk.q;
         let mut part = PART / Walk::fastest(&walk.state);
         while walk.q.to_bits() != q.to_bits() {
+            walk.parts += 1;
+            if walk.parts > MOST_PARTS {
+                return Err(Halt::TooManySteps);
+            }
             let left = q - walk.q;
             let to = if left.abs() <= part { q } else { walk.q + part.copysign(left) };
             walk.next.start_from(&walk.state);
@@ -102,7 +111,7 @@ impl Equations<'_, '_> {
     }
 
     /// Moves the bodies of a state at a unit rate of the coordinate.
-    fn stand(&mut self, state: &mut State, q: f64) -> Result<(), usize> {
+    fn stand(&mut self, state: &mut State, q: f64) -> Result<(), Halt> {
         let input = &mut state.motion.inputs[self.reduced.free()[0]];
         (input.value, input.place) = (q, Vec2::direction(q));
         (input.rate, input.acceleration) = (1.0, 0.0);
@@ -114,7 +123,7 @@ impl Equations<'_, '_> {
             state.branches.copy_from_slice(bridge.branches(q));
         }
         state.run_motion::<1>(self.model.plan);
-        state.motion.open.map_or(Ok(()), Err)
+        state.motion.open.map_or(Ok(()), |group| Err(Halt::Open { group }))
     }
 
     /// Starts the trial from where the way has come to, or from where the present step begins.

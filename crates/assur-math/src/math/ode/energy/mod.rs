@@ -25,6 +25,8 @@ const MOST: f64 = 1.4;
 const OFF: f64 = 12.0;
 /// Below this part of the scale an interval is too short.
 const SHORTEST: f64 = 1e-9;
+/// And below so many roundings of the coordinate: places within it would not be told apart.
+const ROUNDINGS: f64 = 1e5;
 /// The series of time leaves off less than this part of the tolerance: it costs no evaluation.
 const OF_TIME: f64 = 0.02;
 /// No tolerance is finer: rounding is what is left.
@@ -136,12 +138,13 @@ impl Energy {
             return Ok(known);
         }
         let index = self.next;
-        let longest = self.reach().max(SHORTEST * self.scale);
+        let shortest = (SHORTEST * self.scale).max(ROUNDINGS * f64::EPSILON * q.abs());
+        let longest = self.reach().max(shortest);
         let wanted = self.length;
         let (mut length, mut before) = (wanted.min(longest), f64::INFINITY);
         let mut undefined = false;
         loop {
-            if length < SHORTEST * self.scale {
+            if length < shortest {
                 return Err(if undefined { Stopped::Undefined } else { Stopped::StepTooSmall });
             }
             let range = if sense > 0.0 { q..q + length } else { q - length..q };

@@ -137,7 +137,9 @@ impl Way {
         // a place without force has no size of its own
         let near = if near.is_nan() { length } else { near };
         let most = SCAN * length;
-        let mut step = (0.25 * near).clamp(LEAST * length, most);
+        // a shorter one would end where it begins
+        let least = (LEAST * length).max(2.0 * f64::EPSILON * self.low.abs().max(self.high.abs())).min(most);
+        let mut step = (0.25 * near).clamp(least, most);
         let mut before = q;
         while (last - before) * sense > 0.0 {
             let next = before + sense * step.min((last - before).abs());
