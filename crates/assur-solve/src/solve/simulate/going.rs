@@ -137,12 +137,7 @@ impl Going<'_, '_> {
                 Err(Stopped::Stiff) => {}
                 Err(Stopped::TooManySteps) => return Ended::Halted(Halt::TooManySteps),
                 Err(Stopped::Undefined) => return Ended::Stuck(equations.halt()),
-                Err(Stopped::StepTooSmall) => {
-                    // everything has a value
-                    let halt = equations.halt();
-                    let halt = if matches!(halt, Halt::NotANumber) { Halt::TooManySteps } else { halt };
-                    return Ended::Stuck(halt);
-                }
+                Err(Stopped::StepTooSmall) => return Ended::Stuck(too_small(equations)),
             }
             if is_endless(method, self.begin, last) {
                 return Ended::Halted(Halt::TooManySteps);
@@ -336,6 +331,14 @@ impl Going<'_, '_> {
         let longest = self.longest.unwrap_or(f64::INFINITY).min(turning);
         method.progress_mut().longest = (longest < f64::INFINITY).then_some(longest);
         Ok(())
+    }
+}
+
+/// Why no step is short enough where everything has a value.
+fn too_small(equations: &mut Equations<'_, '_>) -> Halt {
+    match equations.halt() {
+        Halt::NotANumber => Halt::TooManySteps,
+        halt => halt,
     }
 }
 
