@@ -109,71 +109,74 @@ impl<S: Scalar> State<S> {
     }
 }
 
+impl<S: Scalar> State<S> {
+    /// The residuals of a state whose plan has neither laws nor friction: closure, equilibrium, power. The last two have a
+    /// meaning where forces are solved. `totals` is memory.
+    #[cfg_attr(in_one, inline(always))]
+    pub(super) fn residuals(&self, plan: &Plan, totals: &mut Vec<Wrench<S>>) -> [S; 3] {
+        let checks = &plan.checks;
+        let closure = self.closure(checks);
+        if !plan.has_forces() {
+            return [closure, S::zero(), S::zero()];
+        }
+        let mut sums = Sums::of(&self.forces.applied, std::mem::take(totals));
+        sums.reactions(checks, self);
+        sums.efforts(checks, self);
+        let equilibrium = sums.worst(checks);
+        *totals = sums.into_memory();
+        [closure, equilibrium, self.power(checks).abs() / self.most_power(checks)]
+    }
+}
+
 #[inline(always)]
 fn square<S: Scalar>(v: V2<S>) -> S {
     v.dot(v)
 }
 
-/// Sums of all forces on every body, with the greatest force, N, and moment, N m, among them.
-#[derive(Debug, Default)]
+/// Sums of all forces on every body, with the square of the greatest force, N², and the greatest moment, N m, among them.
+///
+/// A root and a division keep the order of what they are taken of: of many the greatest is looked for first.
+#[derive(Debug)]
 pub(super) struct Sums<S> {
     total: Vec<Wrench<S>>,
     most_force: S,
     most_moment: S,
 }
 
-impl<S: Scalar + Default> Sums<S> {
+impl<S: Scalar> Sums<S> {
     /// Of the loads alone, in the memory of a list.
-    pub fn of(applied: &[Wrench<S>], total: Vec<Wrench<S>>) -> Self {
-        let mut sums = Self { total, most_force: S::zero(), most_moment: S::zero() };
-        sums.restart(applied);
-        sums
+    #[cfg_attr(in_one, inline(always))]
+    pub fn of(applied: &[Wrench<S>], mut total: Vec<Wrench<S>>) -> Self {
+        total.clear();
+        total.extend_from_slice(applied);
+        let (mut most_force, mut most_moment) = (S::zero(), S::zero());
+        for w in applied {
+            most_force = most_force.max(square(w.force));
+            most_moment = most_moment.max(w.moment.abs());
+        }
+        Self { total, most_force, most_moment }
     }
 
     /// The list.
+    #[inline(always)]
     pub fn into_memory(self) -> Vec<Wrench<S>> {
         self.total
     }
 
-    /// The same in the memory of other sums.
-    #[cfg_attr(in_one, inline(always))]
-    fn restart(&mut self, applied: &[Wrench<S>]) {
-        let tiny = S::of(f64::MIN_POSITIVE);
-        self.total.clear();
-        self.total.extend_from_slice(applied);
-        (self.most_force, self.most_moment) = (tiny, tiny);
-    }
-
-    /// The residuals of a state whose plan has neither laws nor friction: closure, equilibrium, power. The last two have a
-    /// meaning where forces are solved.
-    #[cfg_attr(in_one, inline(always))]
-    pub fn residuals(&mut self, plan: &Plan, state: &State<S>) -> [S; 3] {
-        let checks = &plan.checks;
-        let closure = state.closure(checks);
-        if !plan.has_forces() {
-            return [closure, S::zero(), S::zero()];
-        }
-        self.restart(&state.forces.applied);
-        self.reactions(checks, state);
-        self.efforts(checks, state);
-        [closure, self.worst(checks, state), state.power(checks).abs() / state.most_power(checks)]
-    }
-
-    /// Adds a force at a place in ground axes, and a couple.
+    /// Adds a force at a place in ground axes.
     #[inline(always)]
-    pub fn add(&mut self, state: &State<S>, body: usize, p: V2<S>, force: V2<S>, couple: S) {
-        self.add_known(state, body, p, (force, force.norm()), couple);
+    pub fn add_force(&mut self, state: &State<S>, body: usize, p: V2<S>, force: V2<S>) {
+        let norm = self.look(force, S::zero());
+        let arm = self.put(state, body, p, (force, S::zero()));
+        self.most_moment = self.most_moment.max(arm.sqrt() * norm);
     }
 
+    /// Adds a couple.
     #[inline(always)]
-    fn add_known(&mut self, state: &State<S>, body: usize, p: V2<S>, (force, norm): (V2<S>, S), couple: S) {
-        let r = p - state.motion.bodies[body].p;
-        let moment = r.cross(force) + couple;
+    pub fn add_couple(&mut self, body: usize, couple: S) {
         let total = &mut self.total[body];
-        total.force += force;
-        total.moment = total.moment + moment;
-        self.most_force = self.most_force.max(norm);
-        self.most_moment = self.most_moment.max(r.norm() * norm).max(couple.abs());
+        total.moment = total.moment + couple;
+        self.most_moment = self.most_moment.max(couple.abs());
     }
 
     /// Adds all reactions.
@@ -183,33 +186,52 @@ impl<S: Scalar + Default> Sums<S> {
             let Some(at) = reaction else { continue };
             let p = state.motion.bodies[at.at.0].position(at.at.1);
             let reaction = state.forces.reactions[slot];
-            let norm = reaction.force.norm();
-            self.add_known(state, at.body, p, (reaction.force, norm), reaction.couple);
-            self.add_known(state, at.base, p, (-reaction.force, norm), -reaction.couple);
+            let norm = self.look(reaction.force, reaction.couple);
+            let arm = self.put(state, at.body, p, (reaction.force, reaction.couple));
+            let other = self.put(state, at.base, p, (-reaction.force, -reaction.couple));
+            self.most_moment = self.most_moment.max(arm.max(other).sqrt() * norm);
         }
+    }
+
+    /// The magnitude of a force: it and the couple may be the greatest.
+    #[inline(always)]
+    fn look(&mut self, force: V2<S>, couple: S) -> S {
+        let norm_2 = square(force);
+        self.most_force = self.most_force.max(norm_2);
+        self.most_moment = self.most_moment.max(couple.abs());
+        norm_2.sqrt()
+    }
+
+    /// Puts a force and a couple on a body; the square of the arm, m².
+    #[inline(always)]
+    fn put(&mut self, state: &State<S>, body: usize, p: V2<S>, (force, couple): (V2<S>, S)) -> S {
+        let r = p - state.motion.bodies[body].p;
+        let total = &mut self.total[body];
+        total.force += force;
+        total.moment = total.moment + (r.cross(force) + couple);
+        square(r)
     }
 
     /// Adds all unknown efforts.
     #[cfg_attr(in_one, inline(always))]
     pub fn efforts(&mut self, checks: &Checks, state: &State<S>) {
-        let (bodies, none) = (&state.motion.bodies, V2::zero());
         for (slot, effort) in &checks.efforts {
             let value = state.forces.efforts[*slot];
             match effort {
-                EffortCheck::Torque(body) => self.add(state, *body, bodies[*body].p, none, value),
+                EffortCheck::Torque(body) => self.add_couple(*body, value),
                 EffortCheck::Between(first, second) => {
-                    self.add(state, *second, bodies[*second].p, none, value);
-                    self.add(state, *first, bodies[*first].p, none, -value);
+                    self.add_couple(*second, value);
+                    self.add_couple(*first, -value);
                 }
                 EffortCheck::Line(body) => {
                     let (p, n) = state.forces.lines[*slot];
-                    self.add(state, *body, p, n * value, S::zero());
+                    self.add_force(state, *body, p, n * value);
                 }
                 EffortCheck::Along { slider, direction, guide, .. } => {
-                    let s = &bodies[slider.0];
+                    let s = &state.motion.bodies[slider.0];
                     let (p, force) = (s.position(slider.1), V2::of(*direction).turned(s.u) * value);
-                    self.add(state, slider.0, p, force, S::zero());
-                    self.add(state, *guide, p, -force, S::zero());
+                    self.add_force(state, slider.0, p, force);
+                    self.add_force(state, *guide, p, -force);
                 }
             }
         }
@@ -217,16 +239,14 @@ impl<S: Scalar + Default> Sums<S> {
 
     /// The worst equilibrium of a body, over the greatest force or moment.
     #[cfg_attr(in_one, inline(always))]
-    pub fn worst(&mut self, checks: &Checks, state: &State<S>) -> S {
-        for w in &state.forces.applied {
-            self.most_force = self.most_force.max(w.force.norm());
-            self.most_moment = self.most_moment.max(w.moment.abs());
-        }
-        let mut worst = S::zero();
+    pub fn worst(&self, checks: &Checks) -> S {
+        let (mut force, mut moment) = (S::zero(), S::zero());
         for &slot in &checks.free {
             let w = &self.total[slot];
-            worst = worst.max(w.force.norm() / self.most_force).max(w.moment.abs() / self.most_moment);
+            force = force.max(square(w.force));
+            moment = moment.max(w.moment.abs());
         }
-        worst
+        let least = S::of(f64::MIN_POSITIVE);
+        (force.sqrt() / self.most_force.sqrt().max(least)).max(moment / self.most_moment.max(least))
     }
 }

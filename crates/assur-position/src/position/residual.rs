@@ -5,7 +5,6 @@ use super::check::Sums;
 use super::model::Model;
 use super::state::State;
 use super::wrench::Wrench;
-use crate::math::Vec2;
 use crate::structure::{BodyRate, JointId, JointKind};
 
 /// How well independent equations hold, relative to the quantities in play.
@@ -92,24 +91,26 @@ fn equilibrium(model: &Model<'_>, state: &State, totals: &mut Vec<Wrench>) -> f6
     let mut sums = Sums::of(&state.forces.applied, std::mem::take(totals));
     let checks = &model.plan.checks;
     sums.reactions(checks, state);
-    let mut add = |body: usize, p: Vec2, force: Vec2, couple: f64| sums.add(state, body, p, force, couple);
     for (slot, law) in model.plan.laws.iter().enumerate() {
-        state.forces_of_law(law, slot, &mut add);
+        state.forces_of_law(law, slot, &mut |body, p, force, couple| {
+            sums.add_force(state, body, p, force);
+            sums.add_couple(body, couple);
+        });
     }
     for (element, &value) in model.plan.friction.iter().zip(&state.forces.frictions) {
         match state.friction_line(element) {
             None => {
-                add(element.through, state.motion.bodies[element.through].p, Vec2::zero(), value);
-                add(element.base, state.motion.bodies[element.base].p, Vec2::zero(), -value);
+                sums.add_couple(element.through, value);
+                sums.add_couple(element.base, -value);
             }
             Some((p, d)) => {
-                add(element.through, p, d * value, 0.0);
-                add(element.base, p, d * -value, 0.0);
+                sums.add_force(state, element.through, p, d * value);
+                sums.add_force(state, element.base, p, d * -value);
             }
         }
     }
     sums.efforts(checks, state);
-    let worst = sums.worst(checks, state);
+    let worst = sums.worst(checks);
     *totals = sums.into_memory();
     worst
 }

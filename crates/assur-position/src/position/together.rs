@@ -4,7 +4,6 @@
 //! bits of [`State::run`].
 
 use super::body::BodyState;
-use super::check::Sums;
 use super::closed::Closed;
 use super::directions::directions;
 use super::kinematics::{DriveInput, Motion, Shared};
@@ -42,7 +41,7 @@ pub struct Checked {
 /// Memory for positions of plans that are [batchable](Plan::is_batchable).
 #[derive(Debug, Default)]
 pub struct Together {
-    sums: Sums<Wide>,
+    totals: Vec<Wrench<Wide>>,
 }
 
 impl Together {
@@ -56,7 +55,7 @@ impl Together {
         checked: &mut [Checked],
         forces: bool,
     ) {
-        let work = Work { plan, states, turned, checked, sums: &mut self.sums, forces };
+        let work = Work { plan, states, turned, checked, totals: &mut self.totals, forces };
         // AVX-512 would need all steps once more, in as much time of the compiler as everything else here
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = pulp::x86::V3::try_new() {
@@ -71,7 +70,7 @@ struct Work<'a> {
     states: &'a mut [State<Wide>],
     turned: &'a [usize],
     checked: &'a mut [Checked],
-    sums: &'a mut Sums<Wide>,
+    totals: &'a mut Vec<Wrench<Wide>>,
     forces: bool,
 }
 
@@ -88,7 +87,7 @@ impl pulp::NullaryFnOnce for Work<'_> {
 impl Work<'_> {
     #[cfg_attr(in_one, inline(always))]
     fn all(self) {
-        let Self { plan, states, turned, checked, sums, forces } = self;
+        let Self { plan, states, turned, checked, totals, forces } = self;
         for (states, checked) in states.chunks_mut(TOGETHER).zip(checked.chunks_mut(TOGETHER)) {
             for state in &mut *states {
                 for &drive in turned {
@@ -99,7 +98,7 @@ impl Work<'_> {
             Closed { plan, blocks: states, keeps_loads: true }.run();
             for (state, checked) in states.iter().zip(checked) {
                 let [closure, equilibrium, power] = if forces {
-                    sums.residuals(plan, state)
+                    state.residuals(plan, totals)
                 } else {
                     [state.closure(&plan.checks), Wide::zero(), Wide::zero()]
                 };
@@ -121,18 +120,17 @@ impl State<Wide> {
 
     #[cfg_attr(in_one, inline(always))]
     fn magnitude(&self) -> Wide {
+        let of = |v: V2<Wide>| v.x.abs() + v.y.abs();
         let mut sum = Wide::zero();
-        let mut add = |x: Wide| sum = sum + x.abs();
         for b in &self.motion.bodies {
-            [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]
-                .into_iter()
-                .for_each(&mut add);
+            // several sums at a time, as none waits for another
+            let [places, motion] = [of(b.p) + of(b.u), of(b.v) + of(b.a)];
+            sum = sum + ((places + motion) + (b.omega.abs() + b.alpha.abs()));
         }
         for r in &self.forces.reactions {
-            [r.force.x, r.force.y, r.couple].into_iter().for_each(&mut add);
+            sum = sum + (of(r.force) + r.couple.abs());
         }
-        self.forces.efforts.iter().copied().for_each(add);
-        sum
+        self.forces.efforts.iter().fold(sum, |sum, effort| sum + effort.abs())
     }
 
     /// Writes one of the positions.
