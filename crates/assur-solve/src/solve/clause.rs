@@ -66,6 +66,11 @@ pub struct NamedPoint {
 
 /// One state for every assembly of a group.
 pub(super) fn distinct<'s>(model: &Model<'_>, states: &[&'s State], group: &Group) -> Vec<&'s State> {
+    apart(model, states, group).iter().map(|alike| alike[0]).collect()
+}
+
+/// The states, apart by the assembly of a group.
+pub(super) fn apart<'s>(model: &Model<'_>, states: &[&'s State], group: &Group) -> Vec<Vec<&'s State>> {
     let extent = extent(model);
     let same = |a: &State, b: &State| {
         group.bodies.iter().all(|i| {
@@ -73,10 +78,11 @@ pub(super) fn distinct<'s>(model: &Model<'_>, states: &[&'s State], group: &Grou
             (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME
         })
     };
-    let mut assemblies: Vec<&State> = Vec::new();
+    let mut assemblies: Vec<Vec<&State>> = Vec::new();
     for &state in states {
-        if !assemblies.iter().any(|a| same(a, state)) {
-            assemblies.push(state);
+        match assemblies.iter_mut().find(|alike| same(alike[0], state)) {
+            Some(alike) => alike.push(state),
+            None => assemblies.push(vec![state]),
         }
     }
     assemblies

@@ -1,6 +1,6 @@
 //! Why the mechanism is not assembled: what of its groups is kept for the message.
 
-use super::clause::{clauses, coordinate, distinct, points};
+use super::clause::{apart, clauses, coordinate, distinct, points};
 use super::failure::Cause;
 use super::gap::group_gap;
 use crate::model::HintKind;
@@ -26,12 +26,15 @@ pub(super) fn does_not_close(model: &Model<'_>, state: State, group: usize) -> C
 /// Several assemblies remain.
 pub(super) fn ambiguous(model: &Model<'_>, states: &[&State]) -> Cause {
     let mut groups = Vec::new();
+    // a group whose assembly the groups before it decide leaves nothing to choose
+    let mut alike = vec![states.to_vec()];
     for (index, group) in model.structure.motion.iter().enumerate() {
-        let assemblies = distinct(model, states, group);
-        if assemblies.len() < 2 {
+        let next: Vec<_> = alike.iter().flat_map(|states| apart(model, states, group)).collect();
+        if next.len() == alike.len() {
             continue;
         }
-        let mut clauses = clauses(model, &assemblies, group);
+        alike = next;
+        let mut clauses = clauses(model, &distinct(model, states, group), group);
         clauses.truncate(MOST_CLAUSES);
         groups.push((index, clauses));
     }
