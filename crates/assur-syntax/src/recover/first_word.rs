@@ -39,7 +39,8 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     }
     let member = words::is_member(word) || words::is_cam_member(word);
     let exactly = if member { displaced(case, word) } else { None };
-    exactly
+    wheel_on_shaft(case, word)
+        .or(exactly)
         .or_else(|| synonym(case, word))
         .or_else(|| misspelt(case, word, &known))
         .or_else(|| displaced(case, word))
@@ -85,6 +86,52 @@ fn displaced(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
         .unwrap_or_else(|| format!("put it there: {owner} NAME {{ {} }}", case.slice.trim()));
     let found = word.to_owned();
     Some(SyntaxError::MisplacedMember { found, at: case.span(0, word.len()), place, help: help.into() })
+}
+
+/// What other programs call a wheel.
+const WHEELS: &[&str] = &["wheel", "gear", "gearwheel", "cogwheel", "sprocket", "pulley"];
+
+/// `gear z1 on sun teeth 20`: the wheel in the braces of its shaft.
+fn wheel_on_shaft(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
+    if !WHEELS.contains(&word) {
+        return None;
+    }
+    let mut words: Vec<&str> = case.slice.split_whitespace().skip(1).collect();
+    let on = words.iter().position(|w| *w == "on");
+    let owner = match on.filter(|on| on + 1 < words.len()) {
+        Some(on) => words.drain(on..on + 2).nth(1),
+        // without a word on its shaft it is a member outside the braces
+        None if word == "wheel" => return None,
+        None => None,
+    };
+    let internal = words.iter().position(|w| *w == "internal").map(|at| words.remove(at));
+    let member = format!("wheel {}", words.join(" "));
+    Grammar::parse(Rule::one_member, &member).ok()?;
+    let line = owner.and_then(|owner| line_of(case, owner));
+    let mut help = match line {
+        Some(line) => with_member(line, &member),
+        None => format!("put it there: shaft {} {{ {member} }}", owner.unwrap_or("NAME")),
+    };
+    if internal.is_some() {
+        help += "\nand say in the pair which wheel is a ring, as in `mesh k: w2 - w3 { internal }`";
+    }
+    let place = "a wheel goes inside the braces of its shaft or link";
+    Some(SyntaxError::MisplacedMember {
+        found: word.to_owned(),
+        at: case.span(0, word.len()),
+        place,
+        help: help.into(),
+    })
+}
+
+/// The line that declares a shaft or a link, if nothing else is on it.
+fn line_of<'a>(case: &Case<'a>, name: &str) -> Option<&'a str> {
+    let declares = |line: &&str| {
+        let mut words = line.split_whitespace();
+        matches!(words.next(), Some("shaft" | "link")) && words.next() == Some(name)
+    };
+    let line = case.text.lines().map(str::trim).find(declares)?;
+    (line.ends_with('}') || !line.contains(['{', ';', '/'])).then_some(line)
 }
 
 /// `mass of coupler = 3 kg`: the line of that link with the member in its braces.
