@@ -2,7 +2,7 @@
 
 use assur_text::diagnostic::Help;
 use assur_text::source::Span;
-use miette::Diagnostic;
+use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
 /// A mistake in the text. `help` is, where possible, the corrected line.
@@ -257,6 +257,16 @@ pub enum SyntaxError {
         missing: String,
         #[label("before this")]
         at: Span,
+        #[help]
+        help: Help,
+    },
+
+    #[error("this line has {count} mistakes")]
+    #[diagnostic(code(mech::syntax::several_mistakes))]
+    SeveralMistakes {
+        count: usize,
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
         #[help]
         help: Help,
     },

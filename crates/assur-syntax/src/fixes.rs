@@ -31,6 +31,7 @@ impl SyntaxError {
             | Self::ReservedName { help, .. }
             | Self::TwoStatements { help, .. }
             | Self::MissingWord { help, .. }
+            | Self::SeveralMistakes { help, .. }
             | Self::MissingOperator { help, .. }
             | Self::OtherWord { help, .. }
             | Self::NeedlessSign { help, .. }

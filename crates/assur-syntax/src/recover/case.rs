@@ -13,6 +13,7 @@ use pest::Parser;
 use pest::error::{ErrorVariant, InputLocation};
 
 /// A piece of text, and where and why reading it alone fails.
+#[derive(Clone)]
 pub(super) struct Case<'a> {
     /// The author's text.
     pub(super) text: &'a str,
@@ -26,11 +27,14 @@ pub(super) struct Case<'a> {
     pub(super) fail: usize,
     /// What would have fitted there.
     pub(super) expected: Vec<Rule>,
+    /// A repair need not make the piece read: it is enough that reading comes further.
+    on_the_way: bool,
 }
 
 impl<'a> Case<'a> {
     pub(super) fn new(text: &'a str, slice: &'a str, offset: usize, what: What) -> Self {
-        let mut case = Self { text, slice, offset, what, fail: slice.len(), expected: Vec::new() };
+        let mut case =
+            Self { text, slice, offset, what, fail: slice.len(), expected: Vec::new(), on_the_way: false };
         if let Err(error) = Grammar::parse(what.rule(), slice) {
             case.fail = place(&error).min(slice.len());
             if let ErrorVariant::ParsingError { positives, .. } = error.variant {
@@ -40,9 +44,17 @@ impl<'a> Case<'a> {
         case
     }
 
+    /// The same piece, which is repaired by one mistake of several.
+    pub(super) fn on_the_way(&self) -> Self {
+        Self { on_the_way: true, ..self.clone() }
+    }
+
     /// Whether a text reads as what this should be. What begins with the word of a member stays one: it is not corrected
     /// to a point of that name.
     pub(super) fn reads(&self, text: &str) -> bool {
+        if self.on_the_way {
+            return text.len().saturating_sub(self.fail_of(text)) < self.slice.len() - self.fail;
+        }
         let Ok(mut pairs) = Grammar::parse(self.what.rule(), text) else { return false };
         let word = self.token(0);
         let begins = self.what == What::Member && words::is_member(word) && text.starts_with(word);

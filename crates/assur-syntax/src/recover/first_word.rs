@@ -134,9 +134,10 @@ fn line_of<'a>(case: &Case<'a>, name: &str) -> Option<&'a str> {
     (line.ends_with('}') || !line.contains(['{', ';', '/'])).then_some(line)
 }
 
-/// `mass of coupler = 3 kg`: the line of that link with the member in its braces.
+/// `mass of coupler = 3 kg`, `mass coupler = 3 kg`: the line of that link with the member in its braces.
 fn of_link(case: &Case<'_>, word: &str) -> Option<String> {
-    let rest = case.slice.get(word.len()..)?.trim_start().strip_prefix("of ")?;
+    let rest = case.slice.get(word.len()..)?.trim_start();
+    let rest = rest.strip_prefix("of ").unwrap_or(rest);
     let (name, value) = rest.split_once('=')?;
     let is_link = |line: &&str| {
         let mut words = line.split_whitespace();

@@ -14,13 +14,18 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| comment(case))
         .or_else(|| repeated(case))
         .or_else(|| filler(case))
-        .or_else(|| inches(case))
+        .or_else(|| in_other_places(case))
+        .or_else(|| drive_left_out(case))
+        .or_else(|| fillers(case))
+}
+
+/// Those of them that are one mistake of several, too.
+pub(super) fn in_other_places(case: &Case<'_>) -> Option<SyntaxError> {
+    inches(case)
         .or_else(|| direction(case))
         .or_else(|| point_of_link(case))
         .or_else(|| point_of(case))
         .or_else(|| relative(case))
-        .or_else(|| drive_left_out(case))
-        .or_else(|| fillers(case))
 }
 
 /// The repair of a part, if the piece reads with it.

@@ -10,9 +10,12 @@ mod meant;
 mod name;
 mod order;
 mod phrase;
+mod points;
 mod range;
 mod separator;
+mod several;
 mod swap;
+mod unnamed;
 mod what;
 mod within;
 
@@ -35,6 +38,7 @@ const EXPLAINED: usize = 200;
 /// The correction, if it reads.
 fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     first_word::explain(case)
+        .or_else(|| unnamed::explain(case))
         .or_else(|| within::equals_of_expect(case))
         .or_else(|| commas::explain(case))
         .or_else(|| separator::statements(case))
@@ -49,6 +53,7 @@ fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| swap::explain(case))
         .or_else(|| order::explain(case))
         .or_else(|| within::missing(case))
+        .or_else(|| several::explain(case))
 }
 
 /// Reports the text at `at`, and collects the names in it.

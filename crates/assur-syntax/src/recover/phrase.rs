@@ -1,6 +1,7 @@
 //! Words of other languages for a sign, a size or a place.
 
 use super::case::Case;
+use super::points::points_in;
 use super::what::What;
 use crate::error::SyntaxError;
 use crate::line::Line;
@@ -10,13 +11,72 @@ use assur_text::language::Collection;
 use assur_text::units::{Dimension, lookup};
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
-    at_in_find(case)
-        .or_else(|| times(case))
+    at_in_find(case).or_else(|| of_other_languages(case)).or_else(|| comma_in_list(case))
+}
+
+/// Those of them that are one mistake of several, too.
+pub(super) fn of_other_languages(case: &Case<'_>) -> Option<SyntaxError> {
+    times(case)
         .or_else(|| diameter(case))
         .or_else(|| through(case))
         .or_else(|| bar(case))
+        .or_else(|| balanced(case))
         .or_else(|| position_or_speed(case))
-        .or_else(|| comma_in_list(case))
+}
+
+/// Names of quantities in two words.
+const TWO_WORDS: &[(&str, &str, &str)] =
+    &[("angular", "velocity", "omega"), ("angular", "speed", "omega"), ("angular", "acceleration", "alpha")];
+
+/// `find angular velocity of rocker`
+pub(super) fn two_words(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let named =
+        |pair: &&[(usize, &str)]| TWO_WORDS.iter().any(|(a, b, _)| (pair[0].1, pair[1].1) == (*a, *b));
+    let pair = words.windows(2).find(named)?;
+    let (_, _, wanted) = TWO_WORDS.iter().find(|(a, b, _)| (pair[0].1, pair[1].1) == (*a, *b))?;
+    let (start, end) = (pair[0].0, pair[1].0 + pair[1].1.len());
+    case.reads(&case.with(start, end, wanted)).then(|| SyntaxError::OtherWord {
+        found: case.slice.get(start..end).unwrap_or_default().to_owned(),
+        wanted: (*wanted).to_owned(),
+        at: case.span(start, end - start),
+        help: case.help(start, end, wanted),
+    })
+}
+
+/// `find the acceleration of B`
+pub(super) fn article(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let asked = matches!(case.token(0), "find" | "expect");
+    let is_article = |(_, word): &&(usize, &str)| matches!(*word, "the" | "a" | "an") && asked;
+    let (at, word) = *words.iter().filter(|(at, _)| *at <= case.fail).rev().find(is_article)?;
+    let end = at + word.len() + 1;
+    case.reads(&case.with(at, end, "")).then(|| SyntaxError::NeedlessSign {
+        found: word.to_owned(),
+        at: case.span(at, word.len()),
+        help: case.help(at, end, ""),
+    })
+}
+
+/// `balance Mb on crank`: what is sought, by the letter of its name.
+fn balanced(case: &Case<'_>) -> Option<SyntaxError> {
+    let name = case.token(case.fail);
+    if case.token(0) != "balance" || !name.starts_with(is_name_char) {
+        return None;
+    }
+    let line = |kind: &str| case.help(case.fail, case.fail, &format!("{kind} "));
+    let reads = |kind: &&str| case.reads(&case.with(case.fail, case.fail, &format!("{kind} ")));
+    let kinds: &[&str] = match name.chars().next()? {
+        'M' | 'T' => &["torque"],
+        'F' | 'P' | 'Q' => &["force"],
+        _ => &["torque", "force"],
+    };
+    let (missing, help) = match kinds.iter().copied().filter(reads).collect::<Vec<_>>().as_slice() {
+        [] => return None,
+        [kind] => ((*kind).to_owned(), line(kind)),
+        several => (several.join("` or `"), Help::one_of(several.iter().map(|kind| line(kind)).collect())),
+    };
+    Some(SyntaxError::MissingWord { missing, at: case.span(case.fail, name.len()), help })
 }
 
 /// `find omega(bar) at time = 0.5 s`
@@ -145,7 +205,11 @@ fn through(case: &Case<'_>) -> Option<SyntaxError> {
     if case.what != What::Member || case.token(0) != "line" {
         return None;
     }
-    let points = points(case);
+    /// The most points that are proposed.
+    const MOST: usize = 4;
+    let line = Line::around(case.text, case.offset);
+    let mut points = points_in(case.text.get(line.start..line.end).unwrap_or_default());
+    points.truncate(MOST);
     let with = |point: &str| format!("through {point} ");
     let fits = |point: &&str| case.reads(&case.with(case.fail, case.fail, &with(point)));
     let points = points.into_iter().filter(fits).collect::<Vec<_>>();
@@ -157,23 +221,6 @@ fn through(case: &Case<'_>) -> Option<SyntaxError> {
     };
     let at = case.span(case.fail, case.token(case.fail).len());
     Some(SyntaxError::MissingWord { missing, at, help })
-}
-
-/// The points on the line of a member, of the bar and in the braces.
-fn points<'a>(case: &Case<'a>) -> Vec<&'a str> {
-    /// The most points that are proposed.
-    const MOST: usize = 4;
-    let line = Line::around(case.text, case.offset);
-    let line = case.text.get(line.start..line.end).unwrap_or_default();
-    let (head, body) = line.split_once('{').unwrap_or(("", line));
-    let named = |text: &'a str| !text.is_empty() && text.chars().all(is_name_char);
-    let bar = head.split_whitespace().find_map(|word| word.split_once('-'));
-    let ends = bar.into_iter().flat_map(|(from, to)| [from, to]);
-    let members = body.split([';', '}']).filter_map(|member| member.trim().split_once('('));
-    let mut points =
-        ends.chain(members.map(|(name, _)| name.trim())).filter(|p| named(p)).collect::<Vec<_>>();
-    points.truncate(MOST);
-    points
 }
 
 /// `find reactions Mb`: something that is to be found after something complete.

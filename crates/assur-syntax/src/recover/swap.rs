@@ -18,6 +18,11 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| other_word_before(case))
 }
 
+/// Those of them that are one mistake of several, too.
+pub(super) fn one_for_another(case: &Case<'_>) -> Option<SyntaxError> {
+    foreign_operator(case).or_else(|| other_word(case))
+}
+
 /// `A (0, 0), B (1 m, 0)`, `given r = 1 m, l = 2 m`
 fn comma_between(case: &Case<'_>) -> Option<SyntaxError> {
     let complete = case.token(case.fail) == "," && case.expected.contains(&Rule::EOI);

@@ -52,6 +52,7 @@ pub const CODES: &[Code] = codes! {
     "syntax" / "two_statements",
     "syntax" / "missing_word",
     "syntax" / "missing_operator",
+    "syntax" / "several_mistakes",
     "syntax" / "third_coordinate",
     "syntax" / "comment_sign",
     "syntax" / "point_without_coordinates",

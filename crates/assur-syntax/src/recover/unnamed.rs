@@ -1,0 +1,68 @@
+//! Pairs without a name: `revolute ground - crank`.
+
+use super::case::Case;
+use super::points::points_of;
+use super::what::What;
+use crate::error::SyntaxError;
+use crate::words::is_name_char;
+use assur_text::language::JointKind;
+
+/// What people write between two links.
+const BETWEEN: &[&str] = &[" - ", "-", " and ", " to ", ", ", " with ", " / "];
+
+/// A pair as it is written without a name.
+struct Pair<'a> {
+    kind: &'a str,
+    first: &'a str,
+    second: &'a str,
+    /// The point behind `at`.
+    place: Option<&'a str>,
+}
+
+impl<'a> Pair<'a> {
+    fn of(statement: &'a str) -> Option<Self> {
+        let (kind, rest) = statement.trim().split_once(' ')?;
+        if statement.contains(':') || JointKind::named(kind).is_none() {
+            return None;
+        }
+        let (links, place) = match rest.split_once(" at ") {
+            Some((links, place)) => (links, Some(place.trim())),
+            None => (rest, None),
+        };
+        let (first, second) = BETWEEN.iter().find_map(|sign| links.split_once(sign))?;
+        Some(Self { kind, first: first.trim(), second: second.trim(), place })
+    }
+
+    /// The point that it is at: the one that is named, or the only one that both links have.
+    fn point(&self, text: &'a str) -> Option<&'a str> {
+        if self.place.is_some() {
+            return self.place;
+        }
+        let name = |link: &'a str| link.split(|c| !is_name_char(c)).next().unwrap_or_default();
+        let second = points_of(text, name(self.second));
+        let mut common = points_of(text, name(self.first)).into_iter().filter(|point| second.contains(point));
+        let only = common.next()?;
+        common.next().is_none().then_some(only)
+    }
+}
+
+pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+    let pair = Pair::of(case.slice).filter(|_| case.what == What::Statement)?;
+    let name = pair.point(case.text).map_or_else(|| unused(case), str::to_owned);
+    let line = format!("{} {name}: {} - {}", pair.kind, pair.first, pair.second);
+    let at = case.slice.len() - case.slice.get(pair.kind.len()..)?.trim_start().len();
+    case.reads(&line).then(|| SyntaxError::MissingWord {
+        missing: format!("{name}:"),
+        at: case.span(at, case.token(at).len()),
+        help: case.help(0, case.slice.len(), &line),
+    })
+}
+
+/// A letter that the text has no name of, and that no pair above needs.
+fn unused(case: &Case<'_>) -> String {
+    let is_word = |name: &String| case.text.split(|c| !is_name_char(c)).any(|word| word == name);
+    let mut letters = ('A'..='Z').map(String::from).filter(|name| !is_word(name));
+    let above = case.text.get(..case.offset).unwrap_or_default().lines().filter_map(Pair::of);
+    let needed = above.filter(|pair| pair.point(case.text).is_none()).count();
+    letters.nth(needed).unwrap_or_else(|| "J".to_owned())
+}
