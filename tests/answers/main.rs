@@ -14,6 +14,7 @@ mod expressions;
 mod folder;
 mod formatted;
 mod geometry;
+mod jumps;
 mod large;
 mod names;
 mod number_cases;

@@ -14,15 +14,15 @@ use nalgebra::{DMatrix, DVector};
 
 /// A stop in the hinge between a link and the next: the sign of its gap against the angle, its limit, deg, its restitution.
 #[derive(Clone, Copy, Debug)]
-struct Stop {
-    hinge: usize,
-    sign: f64,
+pub(super) struct Stop {
+    pub hinge: usize,
+    pub sign: f64,
     limit: f64,
     restitution: f64,
 }
 
 /// A random chain on the ground, hinges `H0`, `H1`, `H2`, links `L1`, `L2`, `L3`, with stops on its two inner hinges.
-fn chain(seed: u64) -> (String, Vec<Stop>) {
+pub(super) fn chain(seed: u64) -> (String, Vec<Stop>) {
     let mut random = Random::new(seed);
     let mut between = |low: f64, high: f64| random.within(low, high);
     let mut text = "mech 1\ngravity 9.81 m/s^2\nground { P0 (0, 0) }\n".to_owned();
@@ -65,13 +65,13 @@ fn chain(seed: u64) -> (String, Vec<Stop>) {
 }
 
 /// The masses of all bodies, and the directions in which hinges and the stops that are reached can press.
-struct Bodies<'a> {
-    mechanism: &'a Mechanism,
-    state: &'a State,
+pub(super) struct Bodies<'a> {
+    pub mechanism: &'a Mechanism,
+    pub state: &'a State,
 }
 
 impl Bodies<'_> {
-    fn masses(&self) -> Vec<MassProperties> {
+    pub fn masses(&self) -> Vec<MassProperties> {
         self.mechanism.links.iter().skip(1).map(|link| link.mass.unwrap()).collect()
     }
 
@@ -84,18 +84,18 @@ impl Bodies<'_> {
         DVector::from_iterator(3 * self.masses().len(), each)
     }
 
-    fn velocities(&self) -> DVector<f64> {
+    pub fn velocities(&self) -> DVector<f64> {
         let bodies = &self.state.motion.bodies;
         self.rates(|i, at| (bodies[i].velocity(at), bodies[i].omega))
     }
 
-    fn accelerations(&self) -> DVector<f64> {
+    pub fn accelerations(&self) -> DVector<f64> {
         let bodies = &self.state.motion.bodies;
         self.rates(|i, at| (bodies[i].acceleration(at), bodies[i].alpha))
     }
 
     /// Mass times rates.
-    fn momentum(&self, rates: &DVector<f64>) -> DVector<f64> {
+    pub fn momentum(&self, rates: &DVector<f64>) -> DVector<f64> {
         let masses = self.masses();
         DVector::from_fn(rates.len(), |i, _| {
             let mass = &masses[i / 3];
@@ -104,7 +104,7 @@ impl Bodies<'_> {
     }
 
     /// Generalised forces of all hinges, a column each for x and y, then of stops.
-    fn directions(&self, stops: &[Stop]) -> DMatrix<f64> {
+    pub fn directions(&self, stops: &[Stop]) -> DMatrix<f64> {
         let (bodies, masses) = (&self.state.motion.bodies, self.masses());
         let count = masses.len();
         let mut columns = DMatrix::zeros(3 * count, 2 * count + stops.len());
@@ -130,7 +130,7 @@ impl Bodies<'_> {
     }
 
     /// How far a stop is from being reached, rad.
-    fn gap(&self, stop: &Stop) -> f64 {
+    pub fn gap(&self, stop: &Stop) -> f64 {
         let bodies = &self.state.motion.bodies;
         let angle = bodies[stop.hinge + 1].u.turned_back(bodies[stop.hinge].u).angle();
         stop.sign * (angle - stop.limit.to_radians())
@@ -156,7 +156,12 @@ const REACHED: f64 = 5e-13;
 const NEAR: f64 = 1e-9;
 
 /// The laws of an impact, from just before it to just after it. How many stops take part.
-fn judge_impact(name: &str, mechanism: &Mechanism, stops: &[Stop], [before, after]: [&State; 2]) -> usize {
+pub(super) fn judge_impact(
+    name: &str,
+    mechanism: &Mechanism,
+    stops: &[Stop],
+    [before, after]: [&State; 2],
+) -> usize {
     let (one, two) = (Bodies { mechanism, state: before }, Bodies { mechanism, state: after });
     let reached: Vec<Stop> = stops.iter().filter(|stop| two.gap(stop).abs() < REACHED).copied().collect();
     if stops.iter().any(|stop| (REACHED..NEAR).contains(&two.gap(stop).abs())) {

@@ -1,9 +1,11 @@
 //! Motion under loads against the equations of all bodies at once.
 
+mod change_points;
 mod coordinates;
 mod follow;
 mod impacts;
 mod newton_euler;
+mod rough_stops;
 mod rubbing;
 mod stops;
 mod trains;

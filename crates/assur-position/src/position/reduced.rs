@@ -286,6 +286,11 @@ impl Reduced {
         (v, omega)
     }
 
+    /// Sets the velocity of a body's origin and its angular velocity for a unit rate of a free coordinate.
+    pub fn set_unit_motion(&mut self, coordinate: usize, body: usize, (v, omega): (Vec2, f64)) {
+        self.columns[coordinate][body] = Column { v, omega };
+    }
+
     /// The greatest speed of a body for a unit rate of a free coordinate, lengths over `extent`; a unit of each coordinate is one
     /// of these scales.
     pub fn greatest_speed(&self, extent: f64, scales: impl Iterator<Item = f64>) -> f64 {

@@ -30,6 +30,7 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
         Halt::NoCycle(why) => no_cycle(*why, span),
         Halt::StopPassed { stop, by } => stop_passed(model, *stop, *by, time),
         Halt::StopsAtOnce { stops } => stops_at_once(model, stops, time),
+        Halt::Shaken { stop } => shaken(model, *stop, time),
         Halt::RubsOnDriven => return rubs_on_driven(model),
         Halt::NotANumber => {
             let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
@@ -92,14 +93,10 @@ fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: String) -
     let mut all = labels(model, group, "in a dead position");
     all.extend(starts(model).map(|d| label("started here", d.span)));
     let rubs = model.plan.effects.loses();
-    let passed = match (starts(model).count(), rubs) {
-        (1, false) => "no other coordinates move it past this place",
-        (1, true) => {
-            "no other coordinates move it past this place, and a change point, with links in line, is only passed where nothing rubs"
-        }
-        _ => {
-            "no other coordinates move it past this place, and a change point, with links in line, is only passed with one `start`"
-        }
+    let passed = if rubs {
+        "no other coordinates move it past this place, and a change point, with links in line, is only passed where nothing rubs"
+    } else {
+        "no other coordinates move it past this place"
     };
     SimulateError::Dead {
         group: links(model, group),
@@ -188,9 +185,17 @@ fn stops_at_once(model: &Model<'_>, stops: &[usize], time: String) -> SimulateEr
     SimulateError::StopsAtOnce { names, time, labels }
 }
 
+fn shaken(model: &Model<'_>, stop: usize, time: String) -> SimulateError {
+    let stop = &model.mechanism.stops[stop];
+    let name = model.mechanism.pair(stop.pair).name.clone();
+    let mut labels = vec![label("rebounds", stop.span)];
+    labels.extend(rubbing(model, "rubs"));
+    SimulateError::Shaken { name, time, labels }
+}
+
 fn rubs_on_driven(model: &Model<'_>) -> SolveError {
     let what =
-        "friction between links that a drive moves against each other, next to a stop, a loss or a load `against motion` in a motion under loads,".to_owned();
+        "friction between links that a drive moves against each other, next to a loss or a load `against motion` in a motion under loads,".to_owned();
     SolveError::NotSupportedYet { what, labels: rubbing(model, "rubs") }
 }
 

@@ -180,6 +180,25 @@ pub enum SimulateError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// Rebounds in which friction holds a pair for a while.
+    #[error(
+        "from {time} on the rebounds at the stop of `{name}` are too low to be followed, and pairs that rub stick and slip in them"
+    )]
+    #[diagnostic(
+        code(mech::simulate::shaken),
+        help(
+            "leave out `restitution` of the stop: it then stays closed after its first impact; or let `simulate` end before {time}"
+        )
+    )]
+    Shaken {
+        /// The pair of the stop.
+        name: String,
+        /// The instant.
+        time: String,
+        /// The stop, and what rubs.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
     /// A cam that friction would let roll on its follower.
     #[error("from {time} on friction would hold `{name}`, so that the cam rolls on its follower")]
     #[diagnostic(

@@ -155,6 +155,11 @@ pub enum Halt {
         /// Indices into [`crate::model::Mechanism::stops`].
         stops: Vec<usize>,
     },
+    /// Rebounds that become lower and lower let friction hold in some of them and slide in others.
+    Shaken {
+        /// Index into [`crate::model::Mechanism::stops`].
+        stop: usize,
+    },
     /// A load is not a number.
     NotANumber,
     /// The most steps are done.

@@ -265,6 +265,7 @@ pub const CODES: &[Code] = codes! {
     "simulate" / "no_cycle",
     "simulate" / "stop_passed",
     "simulate" / "stops_at_once",
+    "simulate" / "shaken",
     "accuracy" / "out_of_reach",
     "request" / "not_supported_yet",
     "request" / "needs_speed",

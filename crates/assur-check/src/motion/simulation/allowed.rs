@@ -81,22 +81,16 @@ fn no_meaning(cx: &mut Context<'_>) {
 
 /// Notes losses, which are not solved yet where the motion follows from the loads.
 fn not_solved_yet(cx: &mut Context<'_>) {
-    let rubs = |pair: &&Pair| pair.friction.is_some_and(|f| f.is_some());
     let loses = |pair: &&Pair| match &pair.kind {
         PairKind::Transmission(t) => t.slip > 0.0 || t.laws.iter().any(|law| law.efficiency.is_some()),
         _ => false,
     };
     // with one free coordinate all of it is solved
     let free = cx.builder.mech.drives.iter().filter(|d| d.free).count();
-    let stopped = !cx.builder.mech.stops.is_empty();
-    let pairs = || cx.builder.mech.pairs.iter().filter(|_| free > 1);
-    let rubbing = pairs()
-        .filter(|pair| stopped && rubs(pair))
-        .map(|pair| ("friction next to a stop in a motion of several free coordinates", pair.span));
-    let losing =
-        pairs().filter(loses).map(|pair| ("losses in a motion of several free coordinates", pair.span));
-    for (what, span) in rubbing.chain(losing).collect::<Vec<_>>() {
-        cx.builder.unsupported(what, span);
+    let pairs = cx.builder.mech.pairs.iter().filter(|_| free > 1);
+    let losing: Vec<Span> = pairs.filter(loses).map(|pair| pair.span).collect();
+    for span in losing {
+        cx.builder.unsupported("losses in a motion of several free coordinates", span);
     }
 }
 

@@ -9,20 +9,20 @@ use crate::math::chebyshev::{NODES, Nodes, polynomials};
 use crate::position::{BodyState, Branch, Motion, State};
 
 /// A bridge reaches at most so far to both sides, of the coordinate, rad or parts of the extent.
-const REACH: f64 = 0.5;
+pub(super) const REACH: f64 = 0.5;
 /// A change point is looked for up to here, and given up beyond it.
-const FARTHEST: f64 = 2.0 * REACH;
+pub(super) const FARTHEST: f64 = 2.0 * REACH;
 /// What the series leave off is less than this.
-const SMOOTH: f64 = 1e-11;
+pub(super) const SMOOTH: f64 = 1e-11;
 /// Groups below this |σ| at the change point have their assemblies in one there.
-const CHANGES: f64 = 1e-3;
+pub(super) const CHANGES: f64 = 1e-3;
 /// The change point is known well enough below this.
 const FOUND: f64 = 1e-6;
 /// The way to it is gone in so many steps at most, each leaving a tenth.
 const STEPS: usize = 16;
 const PART: f64 = 0.9;
 /// Numbers of a body.
-const WIDTH: usize = 10;
+pub(super) const WIDTH: usize = 10;
 
 /// The way over a change point.
 #[derive(Clone, Debug)]
@@ -131,7 +131,7 @@ impl Bridge {
 
 /// The place ahead where the least |σ| vanishes, and the position just before it; `None` where the mechanism does not close on the way,
 /// or nothing vanishes.
-fn change_point(
+pub(super) fn change_point(
     at: &mut impl FnMut(f64, &[Branch]) -> Option<State>,
     near: &[Branch],
     value: f64,

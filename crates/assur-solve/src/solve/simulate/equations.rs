@@ -5,6 +5,7 @@ use super::bridge::Bridge;
 use super::chart::Chart;
 use super::drives::{moves, prescribed};
 use super::loads::{loads_need_angles, sides};
+use super::passage::Passage;
 use super::setup::{Begin, is_length};
 use super::slipping::{Mode, Slipping};
 use super::walk::Walk;
@@ -27,6 +28,8 @@ pub(super) struct Equations<'a, 's> {
     pub begins: &'s [Branch],
     /// The way over the change point that is near.
     pub bridge: Option<Box<Bridge>>,
+    /// The same with several free coordinates.
+    pub passage: Option<Box<Passage>>,
     /// When change points were passed, s.
     pub crossed: Vec<f64>,
     /// The same with the friction at rest, where it is another one.
@@ -95,6 +98,7 @@ impl<'a, 's> Equations<'a, 's> {
             written: free.iter().map(|&i| begin.model.mechanism.drives[i].target).collect(),
             begins: &begin.state.branches,
             bridge: None,
+            passage: None,
             crossed: Vec::new(),
             statics: begin.statics,
             from: begin.from,
@@ -218,9 +222,16 @@ impl<'a, 's> Equations<'a, 's> {
             (Some((group, condition)), Some(Halt::Jam)) if condition.abs() < JAMS => {
                 Halt::Dead { group, condition: condition.abs() }
             }
-            (_, Some(halt @ (Halt::NoInertia | Halt::NotANumber | Halt::Jam | Halt::StopsAtOnce { .. }))) => {
-                halt
-            }
+            (
+                _,
+                Some(
+                    halt @ (Halt::NoInertia
+                    | Halt::NotANumber
+                    | Halt::Jam
+                    | Halt::StopsAtOnce { .. }
+                    | Halt::Shaken { .. }),
+                ),
+            ) => halt,
             (Some((group, condition)), _) if condition.abs() < NEAR_DEAD => {
                 Halt::Dead { group, condition: condition.abs() }
             }
@@ -332,6 +343,12 @@ impl System<f64> for Equations<'_, '_> {
             // from here on the assemblies are those on this side
             self.trial.branches.copy_from_slice(bridge.branches(y[0]));
             if bridge.is_behind(y[0]) {
+                self.crossed.push(t);
+            }
+        }
+        if let Some(behind) = self.passage.as_mut().and_then(|passage| passage.accept()) {
+            self.passage = None;
+            if behind {
                 self.crossed.push(t);
             }
         }

@@ -1,9 +1,10 @@
-//! Which pairs are held by friction, and in which sense the others slide: chosen where a sliding speed passes zero, or where
-//! friction at rest no longer holds.
+//! Which pairs are held by friction, in which sense the others slide, and which stops that are touched are closed: chosen where a
+//! sliding speed passes zero, where friction at rest no longer holds, and at stops.
 //!
 //! First all pairs without sliding speed are held; those that need more than their friction at rest are let go, in the sense
-//! in which they are pulled. Where this comes to no end all ways are tried. A way fits where what is held lies within friction
-//! at rest, and what begins to slide accelerates in its sense.
+//! in which they are pulled. Stops that would pull are opened, those that would be passed are closed. Where this comes to no end all ways
+//! are tried. A way fits where what is held lies within friction at rest, what begins to slide accelerates in its sense, closed stops
+//! press, and others are not passed.
 
 use super::drives::moves;
 use super::equations::Equations;
@@ -20,13 +21,20 @@ const ROUNDING: f64 = 1e-10;
 /// What is not held yet is not held at the limit.
 const SURE: f64 = 1e-9;
 /// What is at its limit begins to slide without acceleration: of the greatest term.
-const SLOW: f64 = 1e-9;
+pub(super) const SLOW: f64 = 1e-9;
 /// So many pairs at most are tried in all ways.
 const MOST: usize = 6;
 /// Pairs whose speeds depend on those of others but for this part.
 const DEPENDS: f64 = 1e-9;
 /// What is chosen anew so often at one instant has no way on.
 const AGAIN: u32 = 40;
+
+/// A way on: the senses of the elements that may be held, and which of the stops that are touched are closed.
+#[derive(Clone, PartialEq)]
+struct Way {
+    senses: Vec<f64>,
+    closed: Vec<bool>,
+}
 
 /// What comes of a way.
 enum Judged {
@@ -35,6 +43,8 @@ enum Judged {
     LetGo(usize, f64),
     /// The element does not accelerate in its sense.
     Held(usize),
+    /// The stop is to be closed, or open.
+    Closed(usize, bool),
     /// No acceleration satisfies the laws.
     Jams,
 }
@@ -77,12 +87,14 @@ impl Equations<'_, '_> {
             // in which sense they are let go
             self.slipping_accelerations(slipping)?;
         }
-        self.trial.run_motion::<1>(self.model.plan);
+        self.reduced.run_motion(self.model.plan, &mut self.trial);
         let speeds = self.sliding_speeds(slipping);
+        let stops = self.standing_stops(slipping, t, y);
         let (open, let_go) = slipping.take_senses(&speeds);
         (slipping.rests, slipping.undetermined) = (false, false);
-        self.find_way(slipping, (t, y), &open)?;
+        self.find_way(slipping, (t, y), (&open, &stops))?;
         self.find_still(slipping, &[open, let_go].concat());
+        self.find_kept(slipping, &stops);
         slipping.begun = true;
         self.stop_held(slipping, y)
     }
@@ -99,32 +111,41 @@ impl Equations<'_, '_> {
         speeds
     }
 
-    /// Finds how the open elements go on.
-    fn find_way(&mut self, slipping: &mut Slipping, at: (f64, &[f64]), open: &[usize]) -> Result<(), Halt> {
-        let mut senses = vec![0.0; open.len()];
-        let mut seen: Vec<Vec<f64>> = Vec::new();
-        while !seen.contains(&senses) {
-            seen.push(senses.clone());
+    /// Finds how the open elements and the stops that are touched go on.
+    fn find_way(
+        &mut self,
+        slipping: &mut Slipping,
+        at: (f64, &[f64]),
+        may: (&[usize], &[usize]),
+    ) -> Result<(), Halt> {
+        let (open, stops) = may;
+        let first: Vec<bool> = stops.iter().map(|stop| self.closed.contains(stop)).collect();
+        let mut way = Way { senses: vec![0.0; open.len()], closed: first.clone() };
+        let mut seen: Vec<Way> = Vec::new();
+        while !seen.contains(&way) {
+            seen.push(way.clone());
             let place = |element: usize| open.iter().position(|e| *e == element);
-            match self.judge(slipping, at, (open, &senses))? {
+            match self.judge(slipping, at, may, &way)? {
                 Judged::Fits => return Ok(()),
                 Judged::LetGo(element, sense) => {
-                    place(element).into_iter().for_each(|i| senses[i] = sense);
+                    place(element).into_iter().for_each(|i| way.senses[i] = sense);
                 }
-                Judged::Held(element) => place(element).into_iter().for_each(|i| senses[i] = 0.0),
+                Judged::Held(element) => place(element).into_iter().for_each(|i| way.senses[i] = 0.0),
+                Judged::Closed(stop, closed) => {
+                    let place = stops.iter().position(|s| *s == stop);
+                    place.into_iter().for_each(|i| way.closed[i] = closed);
+                }
                 Judged::Jams => break,
             }
         }
-        if open.len() <= MOST {
-            let mut ways: Vec<Vec<f64>> =
-                (0..3_usize.pow(open.len() as u32)).map(|way| ternary(way, open.len())).collect();
-            ways.sort_by_key(|way| way.iter().filter(|sense| **sense != 0.0).count());
-            for senses in ways.iter().filter(|way| !seen.contains(way)) {
-                if matches!(self.judge(slipping, at, (open, senses))?, Judged::Fits) {
+        if open.len() + stops.len() <= MOST {
+            for way in Way::all(open.len(), stops.len()).iter().filter(|way| !seen.contains(way)) {
+                if matches!(self.judge(slipping, at, may, way)?, Judged::Fits) {
                     return Ok(());
                 }
             }
         }
+        self.close_those(stops, &first);
         self.without_way(slipping, at, open)
     }
 
@@ -138,7 +159,7 @@ impl Equations<'_, '_> {
         open.iter().for_each(|&element| slipping.senses[element] = 0.0);
         self.take_independent(slipping, at, 0);
         let depends = slipping.held.len() < open.len();
-        let all = slipping.held.len() == self.order() && !self.drives_move();
+        let all = slipping.held.len() + self.closed.len() == self.order() && !self.drives_move();
         let friction = &self.model.plan.friction;
         if let Some(element) = open.iter().find(|&&element| !can_hold(&friction[element])) {
             return Err(Halt::Rolls { pair: friction[*element].pair });
@@ -157,16 +178,26 @@ impl Equations<'_, '_> {
         &mut self,
         slipping: &mut Slipping,
         at: (f64, &[f64]),
-        (open, senses): (&[usize], &[f64]),
+        (open, stops): (&[usize], &[usize]),
+        way: &Way,
     ) -> Result<Judged, Halt> {
-        for (&element, &sense) in open.iter().zip(senses) {
+        for (&element, &sense) in open.iter().zip(&way.senses) {
             slipping.senses[element] = sense;
         }
+        self.close_those(stops, &way.closed);
         let mut judged = Judged::Jams;
         // which of those that depend on each other hold is not known: any will do
         for first in 0..open.len().max(1) {
             self.take_independent(slipping, at, first);
-            judged = self.judge_held(slipping, (open, senses))?;
+            if slipping.held.len() + self.closed.len() > self.order() {
+                break;
+            }
+            judged = self.judge_held(slipping, (open, &way.senses))?;
+            if matches!(judged, Judged::Fits)
+                && let Some((stop, closed)) = self.misjudged_stop(slipping, stops)
+            {
+                return Ok(Judged::Closed(stop, closed));
+            }
             let held = open.iter().filter(|element| slipping.senses[**element] == 0.0).count();
             if matches!(judged, Judged::Fits) || held == slipping.held.len() {
                 break;
@@ -181,7 +212,7 @@ impl Equations<'_, '_> {
         (open, senses): (&[usize], &[f64]),
     ) -> Result<Judged, Halt> {
         let plan = self.model.plan;
-        slipping.rests = slipping.held.len() == self.order() && !self.drives_move();
+        slipping.rests = slipping.held.len() + self.closed.len() == self.order() && !self.drives_move();
         match self.slipping_accelerations(slipping) {
             Err(Halt::Jam) => return Ok(Judged::Jams),
             other => other?,
@@ -215,10 +246,7 @@ impl Equations<'_, '_> {
 
     /// Which of the elements that slide from rest are kept from it by those that are held: their friction is at its limit.
     fn find_still(&mut self, slipping: &mut Slipping, slow: &[usize]) {
-        let mut basis = Vec::new();
-        for element in slipping.held.clone() {
-            self.is_independent(element, &mut basis);
-        }
+        let mut basis = self.basis(&slipping.held);
         let count = basis.len();
         slipping.still.fill(false);
         for &element in slow.iter().filter(|element| slipping.senses[**element] != 0.0) {
@@ -235,7 +263,7 @@ impl Equations<'_, '_> {
         if effort == 0.0 { 0.0 } else { effort / most }
     }
 
-    /// Of all elements that are held, those whose speeds do not depend on those before them, from one of them on.
+    /// Of all elements that are held, those whose speeds do not depend on closed stops and those before them, from one of them on.
     fn take_independent(&mut self, slipping: &mut Slipping, (t, y): (f64, &[f64]), first: usize) {
         let n = self.order();
         self.set_position(t, y);
@@ -245,9 +273,9 @@ impl Equations<'_, '_> {
         let turn = first.checked_rem(held.len()).unwrap_or(0);
         held.rotate_left(turn);
         slipping.held.clear();
-        let mut basis = Vec::new();
+        let mut basis = self.basis(&[]);
         for element in held {
-            if slipping.held.len() == n {
+            if basis.len() == n {
                 break;
             }
             if self.is_independent(element, &mut basis) {
@@ -260,23 +288,13 @@ impl Equations<'_, '_> {
     pub fn is_independent(&mut self, element: usize, basis: &mut Vec<Vec<f64>>) -> bool {
         let mut row = Vec::with_capacity(self.order());
         self.slopes_of_element(element, &mut row);
-        let size = norm(&row);
-        for known in &*basis {
-            let along: f64 = row.iter().zip(known).map(|(a, b)| a * b).sum();
-            row.iter_mut().zip(known).for_each(|(a, b)| *a -= along * b);
-        }
-        let left = norm(&row);
-        let alone = left > DEPENDS * size;
-        if alone {
-            row.iter_mut().for_each(|x| *x /= left);
-            basis.push(row);
-        }
-        alone
+        joins(row, basis)
     }
 
     /// Takes what is left of the speeds of the elements that are held from the rates, by impulses of what holds them.
     fn stop_held(&mut self, slipping: &Slipping, y: &mut [f64]) -> Result<(), Halt> {
-        let (n, count) = (self.order(), slipping.held.len());
+        let (n, held) = (self.order(), slipping.held.len());
+        let count = held + self.closed.len();
         if slipping.rests {
             y[n..2 * n].fill(0.0);
             return Ok(());
@@ -294,7 +312,10 @@ impl Equations<'_, '_> {
         let mut factors = Lu::new(count);
         let mut impulses = Vec::with_capacity(count);
         for k in 0..count {
-            impulses.push(self.trial.sliding_speed(&self.model.plan.friction[slipping.held[k]]));
+            impulses.push(match k.checked_sub(held) {
+                None => self.trial.sliding_speed(&self.model.plan.friction[slipping.held[k]]),
+                Some(place) => self.rate(self.closed[place], y).0,
+            });
             for (j, each) in each.iter().enumerate() {
                 let slopes = slipping.slopes_of(k, n).iter();
                 *factors.at_mut(k, j) = slopes.zip(each).map(|(a, b)| a * b).sum();
@@ -325,7 +346,8 @@ impl Slipping {
         let (mut open, mut let_go) = (Vec::new(), Vec::new());
         for (element, speed) in speeds.iter().enumerate() {
             let turns = self.turning.iter().any(|(_, turns)| *turns == element);
-            let held = self.begun && self.senses[element] == 0.0;
+            let struck = std::mem::take(&mut self.struck[element]) && speed.abs() > NONE * self.fastest;
+            let held = self.begun && self.senses[element] == 0.0 && !struck;
             self.before[element] = !self.begun || held;
             if held && turns {
                 let_go.push(element);
@@ -339,6 +361,37 @@ impl Slipping {
         self.turning.clear();
         (open, let_go)
     }
+}
+
+impl Way {
+    /// All of so many elements and stops, those first in which least slides.
+    fn all(open: usize, stops: usize) -> Vec<Self> {
+        let count = 3_usize.pow(open as u32) << stops;
+        let mut ways: Vec<Self> = (0..count)
+            .map(|way| Self {
+                senses: ternary(way >> stops, open),
+                closed: (0..stops).map(|stop| way >> stop & 1 == 1).collect(),
+            })
+            .collect();
+        ways.sort_by_key(|way| way.senses.iter().filter(|sense| **sense != 0.0).count());
+        ways
+    }
+}
+
+/// Whether a row does not depend on those of a basis, which it then joins.
+pub(super) fn joins(mut row: Vec<f64>, basis: &mut Vec<Vec<f64>>) -> bool {
+    let size = norm(&row);
+    for known in &*basis {
+        let along: f64 = row.iter().zip(known).map(|(a, b)| a * b).sum();
+        row.iter_mut().zip(known).for_each(|(a, b)| *a -= along * b);
+    }
+    let left = norm(&row);
+    let alone = left > DEPENDS * size;
+    if alone {
+        row.iter_mut().for_each(|x| *x /= left);
+        basis.push(row);
+    }
+    alone
 }
 
 fn norm(row: &[f64]) -> f64 {

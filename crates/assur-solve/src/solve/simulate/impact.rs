@@ -15,6 +15,9 @@ use crate::model::{Query, Stop, Value};
 use crate::position::extent;
 use crate::solve::failure::Halt;
 
+/// A closed stop pulls that does so by more than this part of the greatest effort of a stop.
+const PULLS: f64 = 1e-9;
+
 /// Rebounds from a stop.
 pub(super) struct Rebounds {
     /// Of the first, m or rad.
@@ -23,6 +26,20 @@ pub(super) struct Rebounds {
     pub one: f64,
     /// Duration of all together, s.
     pub all: f64,
+}
+
+impl Rebounds {
+    /// From this speed, with accelerations away from the stop on the way up and on the way back; nothing where nothing pulls it back.
+    pub fn between(speed: f64, restitution: f64, up: f64, back: f64) -> Option<Self> {
+        if up >= 0.0 || back >= 0.0 {
+            return None;
+        }
+        let (up, back) = (-up, -back);
+        let height = 0.5 * speed * speed / up;
+        let one = speed / up * (1.0 + (up / back).sqrt());
+        let kept = restitution * (back / up).sqrt();
+        Some(Self { height, one, all: if kept < 1.0 { one / (1.0 - kept) } else { 0.0 } })
+    }
 }
 
 impl Equations<'_, '_> {
@@ -143,14 +160,7 @@ impl Equations<'_, '_> {
             let back = self.pull(index, t, y)?;
             (back, back)
         };
-        if up >= 0.0 || back >= 0.0 {
-            return Ok(None);
-        }
-        let (up, back) = (-up, -back);
-        let height = 0.5 * speed * speed / up;
-        let one = speed / up * (1.0 + (up / back).sqrt());
-        let kept = restitution * (back / up).sqrt();
-        Ok(Some(Rebounds { height, one, all: if kept < 1.0 { one / (1.0 - kept) } else { 0.0 } }))
+        Ok(Rebounds::between(speed, restitution, up, back))
     }
 
     /// Adds to the accelerations what closed stops bear, and leaves their efforts.
@@ -194,6 +204,17 @@ impl Equations<'_, '_> {
             self.trial.motion.stops[*index] = self.stop(*index).side * effort;
         }
         Ok(())
+    }
+
+    /// The closed stop that would have to pull most, where everything was evaluated and no friction holds it.
+    pub fn pulling(&self) -> Option<usize> {
+        if self.mode.is_some() {
+            return None;
+        }
+        let effort = |index: usize| self.stop(index).side * self.trial.motion.stops[index];
+        let greatest = self.closed.iter().map(|index| effort(*index).abs()).fold(0.0, f64::max);
+        let pulls = self.closed.iter().copied().filter(|index| effort(*index) < -PULLS * greatest);
+        pulls.min_by(|a, b| effort(*a).total_cmp(&effort(*b)))
     }
 
     /// The unknowns a short time later, as they go on from here.

@@ -4,6 +4,7 @@ use super::bridge::Bridge;
 use super::chart::Given;
 use super::coordinates::measured;
 use super::equations::Equations;
+use super::passage::Passage;
 use super::records::Stand;
 use crate::answer::PoseAnswers;
 use crate::math::Vec2;
@@ -28,6 +29,12 @@ impl Equations<'_, '_> {
 
     /// Motion and velocities for unit rates at the inputs that are set, the first coordinate at `q`.
     pub fn reduce(&mut self, q: f64) {
+        if let Some(passage) = &mut self.passage {
+            if !passage.run(self.model.plan, &mut self.reduced, &mut self.trial) {
+                self.trial.motion.open = Some(passage.group());
+            }
+            return;
+        }
         let Some(bridge) = &mut self.bridge else {
             return self.reduced.run_motion(self.model.plan, &mut self.trial);
         };
@@ -58,6 +65,13 @@ impl Equations<'_, '_> {
 
     /// Motion at the inputs that are set, the first coordinate at `q`.
     fn move_bodies(&mut self, q: f64) {
+        if self.passage.is_some() {
+            let inputs = &self.trial.motion.inputs;
+            let accelerations: Vec<f64> =
+                self.reduced.free().iter().map(|&drive| inputs[drive].acceleration).collect();
+            self.reduce(q);
+            return self.reduced.accelerate(&mut self.trial, &accelerations);
+        }
         if let Some(bridge) = &self.bridge {
             self.trial.branches.copy_from_slice(bridge.branches(q));
         }
@@ -76,6 +90,10 @@ impl Equations<'_, '_> {
 
     /// Goes over a change point, if there is one ahead of where the present step begins.
     pub fn cross(&mut self, y: &[f64]) -> bool {
+        if !self.reduced.is_alone() && self.passage.is_none() {
+            self.passage = Passage::near(self, y).map(Box::new);
+            return self.passage.is_some();
+        }
         if self.bridge.is_none() && y[1] != 0.0 {
             self.bridge = Bridge::ahead(self, y[0], y[1].signum()).map(Box::new);
             return self.bridge.is_some();
@@ -92,7 +110,8 @@ impl Equations<'_, '_> {
     /// The position with these accelerations of the free coordinates, in a chart, as the mechanism as it is written has it, and
     /// the coordinates written there with their rates and accelerations.
     pub fn given(&mut self, (t, y): (f64, &[f64]), accelerations: &[f64]) -> Option<(Given, Vec<f64>)> {
-        let on_bridge = self.bridge.as_ref().is_some_and(|bridge| bridge.covers(y[0]));
+        let on_bridge = self.bridge.as_ref().is_some_and(|bridge| bridge.covers(y[0]))
+            || self.passage.as_ref().is_some_and(|passage| passage.is_on());
         if self.chart.is_none() && !on_bridge {
             return None;
         }

@@ -70,10 +70,11 @@ impl Equations<'_, '_> {
     fn mark_open(&mut self, slipping: &Slipping) {
         let held: Vec<usize> = (0..slipping.senses.len()).filter(|&e| slipping.senses[e] == 0.0).collect();
         if held.len() == slipping.held.len() {
+            // none depends on others
             return;
         }
         for &element in &held {
-            let mut basis = Vec::new();
+            let mut basis = self.basis(&[]);
             for &other in held.iter().filter(|other| **other != element) {
                 self.is_independent(other, &mut basis);
             }

@@ -248,9 +248,8 @@ impl Equations<'_, '_> {
 
     /// Whether friction alone depends on the sense of the motion.
     pub fn is_friction_alone(&self) -> bool {
-        let mechanism = self.model.mechanism;
-        let against = mechanism.loads.iter().any(Load::is_against_motion);
-        !against && !self.model.plan.effects.losses && mechanism.stops.is_empty()
+        let against = self.model.mechanism.loads.iter().any(Load::is_against_motion);
+        !against && !self.model.plan.effects.losses
     }
 
     /// Whether drives alone move nothing against each other that rubs: then all of it rests with the free coordinate.

@@ -248,6 +248,7 @@ impl Going<'_, '_> {
             let (ended, method) = (Ended::Halted(halt), Method::Dop853);
             return Part { ended, method, counts: Counts::default(), end: to.t, floor: 0.0 };
         }
+        self.note_stops(&equations, &to.closed, (to.t, &[], Some(to.t)));
         self.part(&mut equations, charts, tolerance, (to.t, &y))
     }
 

@@ -5,8 +5,8 @@
 //!
 //! effort(q̈, φ) = 0 of all free coordinates, relative acceleration(q̈) = 0 of all pairs that are held,
 //!
-//! by secants from M q̈ − Jᵀφ = Q, J q̈ = −J̇ q̇ without other friction. Which pairs are held changes at events alone
-//! (`holding`).
+//! by secants from M q̈ − Jᵀφ = Q, J q̈ = −J̇ q̇ without other friction. What closed stops bear is found with them, as if it
+//! were held. Which pairs are held and which stops are closed changes at events alone (`holding`).
 
 use super::equations::Equations;
 use super::slipping::Slipping;
@@ -42,7 +42,9 @@ impl Equations<'_, '_> {
     pub fn slipping_accelerations(&mut self, slipping: &mut Slipping) -> Result<(), Halt> {
         self.take_grips(slipping);
         let n = self.order();
-        slipping.secants.resize(n + slipping.held.len());
+        let closed = self.closed.len();
+        slipping.secants.resize(n + slipping.held.len() + closed);
+        self.trial.motion.stops.fill(0.0);
         self.accelerations_without_friction(&mut slipping.secants.x[..n])?;
         self.find_slopes(slipping);
         let Slipping { held, units, slopes, matrix, secants, efforts_of, greatest, .. } = slipping;
@@ -51,11 +53,11 @@ impl Equations<'_, '_> {
         }
         if slipping.undetermined {
             secants.x.fill(0.0);
-            let mut left = vec![0.0; n];
+            let mut left = vec![0.0; n + closed];
             self.unbalanced((&[], units, efforts_of), &secants.x, &mut left)?;
             return Ok(());
         }
-        fill(matrix, (n, held.len()), (self.reduced.mass(), slopes), units);
+        fill(matrix, (n, held.len() + closed), (self.reduced.mass(), slopes), units);
         if !matrix.factor() {
             return Err(Halt::Jam);
         }
@@ -85,6 +87,10 @@ impl Equations<'_, '_> {
         for (k, &element) in held.iter().enumerate() {
             self.trial.motion.grips[element].effort = x[n + k] * units[n + k];
         }
+        let stopped = n + held.len();
+        for (k, x) in x[stopped..].iter().enumerate() {
+            self.press(self.closed[k], x * units[stopped + k]);
+        }
         self.trial.run_motion::<2>(plan);
         self.trial.run_loads_and_forces(self.model, &self.evaluated);
         if self.trial.forces.locked {
@@ -98,11 +104,15 @@ impl Equations<'_, '_> {
         for (k, &element) in held.iter().enumerate() {
             left[n + k] = self.trial.sliding_acceleration(&plan.friction[element]) * units[n + k];
         }
+        for k in stopped..left.len() {
+            left[k] = self.stop_acceleration(self.closed[k - stopped]) * units[k];
+        }
         let known = left.iter().all(|left| left.is_finite()) && greatest.is_finite();
         if known { Ok(greatest) } else { Err(Halt::NotANumber) }
     }
 
-    /// Speeds of the elements that are held for unit rates, in the state that was moved last, and the units of all unknowns.
+    /// Speeds of the elements that are held and of closed stops for unit rates, in the state that was moved last, and the units of all
+    /// unknowns.
     fn find_slopes(&mut self, slipping: &mut Slipping) {
         let n = self.order();
         slipping.units.clear();
@@ -111,6 +121,11 @@ impl Equations<'_, '_> {
         for k in 0..slipping.held.len() {
             let element = slipping.held[k];
             self.slopes_of_element(element, &mut slipping.slopes);
+        }
+        for k in 0..self.closed.len() {
+            slipping.slopes.extend(self.slopes(self.closed[k]));
+        }
+        for k in 0..slipping.held.len() + self.closed.len() {
             let slopes = slipping.slopes_of(k, n).iter().zip(&slipping.units);
             let square: f64 = slopes.map(|(slope, unit)| (slope * unit).powi(2)).sum();
             slipping.units.push(1.0 / square.sqrt());

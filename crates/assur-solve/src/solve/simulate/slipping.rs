@@ -17,6 +17,7 @@ pub(super) enum Mode {
 }
 
 /// How every pair that rubs moves.
+#[derive(Clone, Debug)]
 pub(super) struct Slipping {
     /// By element of friction: ±1, or 0 where it is held.
     pub senses: Vec<f64>,
@@ -30,6 +31,12 @@ pub(super) struct Slipping {
     pub efforts: Vec<f64>,
     /// Friction at rest over that of sliding, by element.
     pub at_rest: Vec<f64>,
+    /// Elements whose speeds the last impact has changed.
+    pub struck: Vec<bool>,
+    /// Stops that are open, and at which friction holds the coordinate.
+    pub kept: Vec<bool>,
+    /// A stop that is as good as touched, but not looked at.
+    pub off: Option<usize>,
     /// What turns within the last step, s.
     pub turning: Vec<(f64, usize)>,
     /// The greatest sliding speed so far.
@@ -44,7 +51,7 @@ pub(super) struct Slipping {
     pub again: (f64, u32),
     /// Where the efforts of the free coordinates stand.
     pub efforts_of: Vec<usize>,
-    /// Speeds of the held elements for a unit rate of each free coordinate.
+    /// Speeds of the held elements, then of closed stops, for a unit rate of each free coordinate.
     pub slopes: Vec<f64>,
     /// Units of the unknowns.
     pub units: Vec<f64>,
@@ -69,6 +76,9 @@ impl Slipping {
             before: vec![true; count],
             efforts: vec![0.0; count],
             at_rest: model.plan.friction.iter().map(|e| greater_at_rest(still, e)).collect(),
+            struck: vec![false; count],
+            kept: vec![false; model.mechanism.stops.len()],
+            off: None,
             turning: Vec::new(),
             fastest: 0.0,
             begun: false,
@@ -98,7 +108,7 @@ impl Slipping {
         (self.begun, self.fastest) = (true, held.fastest);
     }
 
-    /// The slopes of a held element, by its place among them.
+    /// The slopes of a held element or a closed stop, by its place among them.
     pub fn slopes_of(&self, place: usize, n: usize) -> &[f64] {
         &self.slopes[n * place..][..n]
     }

@@ -10,11 +10,11 @@ use crate::solve::failure::Halt;
 
 /// Rebounds lower than this part of the size of the mechanism, or of a radian, are not followed: how many are counted does not
 /// depend on the accuracy.
-const LOWEST: f64 = 1e-11;
+pub(super) const LOWEST: f64 = 1e-11;
 /// Rounding of a coordinate, of the size of the mechanism, and of a rate, of the sum of what it consists of.
 pub(super) const ROUNDING: f64 = 1e-12;
 /// The first step after an impact, of the time until the next.
-const FLIGHT: f64 = 1.2;
+pub(super) const FLIGHT: f64 = 1.2;
 
 /// What happens at a stop.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +31,8 @@ pub(super) struct Stops {
     at_once: f64,
     /// Left where the present step begins.
     left: Vec<bool>,
+    /// The last four instants at which each was hit, s.
+    pub(super) hits: Vec<[f64; 4]>,
     /// When each is closed, and when it opens again, s.
     pub rests: Vec<Vec<(f64, Option<f64>)>>,
 }
@@ -48,7 +50,12 @@ pub(super) struct Struck {
 impl Stops {
     /// For stops of this number; `at_once` is the time in which things happen together, s.
     pub fn new(count: usize, at_once: f64) -> Self {
-        Self { at_once, left: vec![false; count], rests: vec![Vec::new(); count] }
+        Self {
+            at_once,
+            left: vec![false; count],
+            hits: vec![[f64::NAN; 4]; count],
+            rests: vec![Vec::new(); count],
+        }
     }
 
     /// Where all stops stand at the first instant; changes the rates where one is hit at once.
@@ -58,6 +65,10 @@ impl Stops {
     pub fn begin(&mut self, equations: &mut Equations<'_, '_>, t: f64, y: &mut Vec<f64>) -> Result<(), Halt> {
         for index in 0..self.left.len() {
             equations.settle(t, y)?;
+            if equations.closed.contains(&index) {
+                self.reconcile(equations, (t, &[], 0.0));
+                continue;
+            }
             let distance = equations.distance(index);
             let near = ROUNDING * equations.size(index);
             if distance < -near {
@@ -70,7 +81,7 @@ impl Stops {
             if rate < -rounding {
                 let struck = self.strike(equations, t, y, index)?;
                 *y = struck.y;
-            } else if rate <= rounding && equations.pull(index, t, y)? < 0.0 {
+            } else if equations.slipping.is_none() && rate <= rounding && equations.pull(index, t, y)? < 0.0 {
                 equations.close(index);
                 self.rests[index].push((t, None));
                 equations.settle(t, y)?;
@@ -88,6 +99,9 @@ impl Stops {
     ) -> Option<(f64, Touch)> {
         let mut first: Option<(f64, Touch)> = None;
         for index in 0..self.left.len() {
+            if equations.slipping.as_ref().is_some_and(|slipping| slipping.kept[index]) {
+                continue;
+            }
             let found = if equations.closed.contains(&index) {
                 opening(equations, method, index).map(|t| (t, Touch::Opens(index)))
             } else {
@@ -124,10 +138,10 @@ impl Stops {
         touched.filter(|(t, _)| *t <= here).map(|(_, touch)| touch)
     }
 
-    /// The stops beside this one at which a coordinate stands that does not come to them, where everything was evaluated.
-    fn touching(&self, equations: &mut Equations<'_, '_>, y: &[f64], index: usize) -> Vec<usize> {
+    /// The stops beside those that are hit at which a coordinate stands that does not come to them, where everything was evaluated.
+    pub fn touching(&self, equations: &mut Equations<'_, '_>, y: &[f64], hit: &[usize]) -> Vec<usize> {
         let others =
-            (0..self.left.len()).filter(|other| *other != index && !equations.closed.contains(other));
+            (0..self.left.len()).filter(|other| !hit.contains(other) && !equations.closed.contains(other));
         let mut touching: Vec<usize> = others.collect();
         touching.retain(|other| {
             let (rate, rounding) = equations.rate(*other, y);
@@ -154,12 +168,40 @@ impl Stops {
         Ok(())
     }
 
+    /// Opens closed stops that would have to pull after an impact, and evaluates everything.
+    fn release(&mut self, equations: &mut Equations<'_, '_>, t: f64, y: &[f64]) -> Result<(), Halt> {
+        equations.settle(t, y)?;
+        while let Some(index) = equations.pulling() {
+            self.open(equations, t, index);
+            equations.settle(t, y)?;
+        }
+        Ok(())
+    }
+
     /// A closed stop opens.
     pub fn open(&mut self, equations: &mut Equations<'_, '_>, t: f64, index: usize) {
         equations.closed.retain(|closed| *closed != index);
         self.left[index] = true;
         if let Some(rest) = self.rests[index].last_mut().filter(|rest| rest.1.is_none()) {
             rest.1 = Some(t);
+        }
+    }
+
+    /// A coordinate leaves its stop.
+    pub fn leave(&mut self, index: usize) {
+        self.left[index] = true;
+    }
+
+    /// Notes which stops have been closed and opened at an instant, s; those that are hit are closed so much later.
+    pub fn reconcile(&mut self, equations: &Equations<'_, '_>, (t, hit, later): (f64, &[usize], f64)) {
+        for (index, rests) in self.rests.iter_mut().enumerate() {
+            let closed = equations.closed.contains(&index);
+            match rests.last_mut().filter(|rest| rest.1.is_none()) {
+                Some(rest) if !closed => rest.1 = Some(t),
+                None if closed => rests.push((if hit.contains(&index) { t + later } else { t }, None)),
+                _ => continue,
+            }
+            self.left[index] = true;
         }
     }
 
@@ -183,11 +225,14 @@ impl Stops {
         y: &[f64],
         index: usize,
     ) -> Result<Struck, Halt> {
+        if equations.slipping.is_some() {
+            return self.strike_slipping(equations, (t, y), &[index]);
+        }
         let restitution = equations.stop(index).restitution;
         let mut after = y.to_vec();
         equations.settle(t, y)?;
         let before = equations.rate(index, y).0;
-        let touching = self.touching(equations, y, index);
+        let touching = self.touching(equations, y, &[index]);
         let closed = std::mem::take(&mut equations.closed);
         let standing = closed.iter().map(|other| (*other, equations.rate(*other, y).0)).collect::<Vec<_>>();
         let stand = [&closed[..], &touching].concat();
@@ -203,6 +248,7 @@ impl Stops {
         }
         equations.settle(t, &after)?;
         self.close_or_leave(equations, (t, &after), (&touching, ROUNDING * before.abs()))?;
+        self.release(equations, t, &after)?;
         let speed = -restitution * before;
         let Some(Rebounds { height, one, all }) =
             equations.rebounds(index, t, &after, (speed, restitution))?
@@ -218,7 +264,7 @@ impl Stops {
         equations.reflect(&[(index, 0.0)], &stand, &mut rest)?;
         equations.close(index);
         self.rests[index].push((t + all, None));
-        equations.settle(t, &rest)?;
+        self.release(equations, t, &rest)?;
         Ok(Struck { y: rest, closed: Some(all), step: f64::INFINITY })
     }
 
@@ -248,6 +294,9 @@ impl Stops {
             }
             return Ok(all);
         }
+        if equations.slipping.is_some() {
+            return self.strike_slipping(equations, (t, y), hit);
+        }
         let wanted: Vec<(usize, f64)> = hit.iter().map(|stop| (*stop, 0.0)).collect();
         let closed = std::mem::take(&mut equations.closed);
         equations.reflect(&wanted, &closed, &mut all.y)?;
@@ -262,7 +311,7 @@ impl Stops {
                 equations.close(index);
             }
         }
-        equations.settle(t, &all.y)?;
+        self.release(equations, t, &all.y)?;
         for &index in hit {
             // what is pulled away leaves at once
             if equations.closed.contains(&index) {
@@ -312,8 +361,9 @@ fn opening<M: Integrator<f64>>(
     method: &mut M,
     index: usize,
 ) -> Option<f64> {
-    if equations.mode.is_some() {
-        // it is left as any rest
+    // it is left as any rest
+    let undetermined = equations.slipping.as_ref().is_some_and(|slipping| slipping.undetermined);
+    if equations.mode.is_some() || undetermined {
         return None;
     }
     let step = (method.previous_t(), method.t());

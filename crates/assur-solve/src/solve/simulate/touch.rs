@@ -23,13 +23,23 @@ impl Going<'_, '_> {
         let y = method.y().to_vec();
         let begun = self.watch.counts();
         let before = self.watch.values(equations, t, &y);
+        let (was, kept) = (equations.closed.clone(), equations.kept_pairs());
         let ended = match touch {
+            Touch::Opens(index) if equations.slipping.is_some() => {
+                equations.closed.retain(|closed| *closed != index);
+                let mut y = y;
+                equations.choose_slips(t, &mut y)?;
+                if method.restart(equations, &y, last).is_err() {
+                    return Err(equations.halt());
+                }
+                self.note_stops(equations, &was, (t, &[], Some(t)))
+            }
             Touch::Opens(index) => {
                 self.stops.open(equations, t, index);
                 if method.restart(equations, &y, last).is_err() {
                     return Err(equations.halt());
                 }
-                self.watch.situation(Situation::Rests(equations.stop(index).pair), false, t)
+                self.note_stops(equations, &was, (t, &[], Some(t)))
             }
             Touch::Hits(hit) => {
                 equations.held = false;
@@ -37,8 +47,6 @@ impl Going<'_, '_> {
                     [only] => self.stops.strike(equations, t, &y, only)?,
                     _ => self.stops.strike_all(equations, t, &y, &hit)?,
                 };
-                let closed: Vec<usize> =
-                    hit.into_iter().filter(|index| equations.closed.contains(index)).collect();
                 let until = struck.closed.map(|lasting| t + lasting).filter(|until| *until < last);
                 let resumed = match until.filter(|until| *until > t) {
                     None => {
@@ -56,18 +64,40 @@ impl Going<'_, '_> {
                 }
                 method.progress_mut().begin_with(struck.step);
                 let now = (method.t(), method.y().to_vec());
-                let ended = self.watch.jumped(equations, (now.0, &now.1), &before);
-                closed.into_iter().fold(ended, |ended, index| {
-                    let rests = Situation::Rests(equations.stop(index).pair);
-                    ended.or(until.and_then(|until| self.watch.situation(rests, true, until)))
-                })
+                let ended = self.watch.jumped(equations, (now.0, &now.1), (&before, &kept));
+                ended.or(self.note_stops(equations, &was, (t, &hit, until)))
             }
         };
+        let ended = ended.or(self.note_held(equations, t));
+        self.watch.moves_again(equations.model.mechanism, &kept);
         self.ended_by = ended;
         let happened = self.watch.counts() != begun;
         if happened && !self.keep(equations, method, (&begun, ended.is_some())) {
             return Err(equations.halt());
         }
         Ok(ended.is_some())
+    }
+
+    /// Notes which stops have been closed and opened since then; those that are hit are closed a little later, s, if the motion goes on so
+    /// long. Returns the event that ends the motion by it.
+    pub fn note_stops(
+        &mut self,
+        equations: &Equations<'_, '_>,
+        was: &[usize],
+        (t, hit, until): (f64, &[usize], Option<f64>),
+    ) -> Option<usize> {
+        self.stops.reconcile(equations, (t, hit, until.map_or(0.0, |until| until - t)));
+        let now = equations.closed.clone();
+        let rests = |index: usize| Situation::Rests(equations.stop(index).pair);
+        let opened = was.iter().filter(|index| !now.contains(index));
+        let mut ended = None;
+        for &index in opened {
+            ended = ended.or(self.watch.situation(rests(index), false, t));
+        }
+        for &index in now.iter().filter(|index| !was.contains(index)) {
+            let Some(time) = (if hit.contains(&index) { until } else { Some(t) }) else { continue };
+            ended = ended.or(self.watch.situation(rests(index), true, time));
+        }
+        ended
     }
 }

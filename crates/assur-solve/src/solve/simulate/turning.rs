@@ -90,8 +90,11 @@ impl Going<'_, '_> {
         equations.held = false;
         if let Some(slipping) = &mut equations.slipping {
             slipping.turning.retain(|turns| turns.0 <= t + self.at_once());
+            let (was, kept) = (equations.closed.clone(), equations.kept_pairs());
             equations.choose_slips(t, y)?;
-            return Ok(self.note_held(equations, t));
+            self.watch.moves_again(equations.model.mechanism, &kept);
+            let ended = self.note_held(equations, t);
+            return Ok(ended.or(self.note_stops(equations, &was, (t, &[], Some(t)))));
         }
         y[1] = 0.0;
         match equations.mode {
@@ -116,7 +119,7 @@ impl Going<'_, '_> {
     }
 
     /// Notes what friction holds from now on, and what it does no longer. Returns the event that ends the motion by it.
-    fn note_held(&mut self, equations: &Equations<'_, '_>, time: f64) -> Option<usize> {
+    pub fn note_held(&mut self, equations: &Equations<'_, '_>, time: f64) -> Option<usize> {
         let now = equations.held_pairs();
         let mut changed: Vec<(PairId, bool)> = Vec::new();
         for (pair, _, end) in self.held.iter_mut().filter(|held| held.2.is_none()) {
@@ -160,6 +163,13 @@ impl Equations<'_, '_> {
             };
         }
         self.slipping = Some(slipping);
+    }
+
+    /// The pairs that do not move: friction holds them, or a stop is closed.
+    pub fn kept_pairs(&self) -> Vec<PairId> {
+        let mut pairs = self.held_pairs();
+        pairs.extend(self.closed.iter().map(|index| self.stop(*index).pair));
+        pairs
     }
 
     /// The pairs that friction holds.

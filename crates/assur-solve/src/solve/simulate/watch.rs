@@ -6,7 +6,7 @@ use super::records::within_step;
 use crate::math::lobatto::Extremes;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
-use crate::model::{Event, Expr, Level, Mechanism, PairKind, Query, Situation};
+use crate::model::{Event, Expr, Level, Mechanism, PairId, PairKind, Query, Situation};
 
 /// Events nearer to each other than this part of the run happen at once.
 pub(super) const AT_ONCE: f64 = 1e-12;
@@ -17,6 +17,9 @@ const ROUNDING: f64 = 1e-11;
 /// An event that was passed is not passed again so soon, times the tolerance, of the run, with values so small in between, of its
 /// greatest: a step that ends at a corner ends a little beside it.
 const AGAIN: f64 = 10.0;
+
+/// The way in which a value leaves zero is looked at after this part of the step.
+const SOON: f64 = 1.0 / 256.0;
 
 /// Crossings of one event within a step that are passed over at most.
 const MOST_TRIES: usize = 4;
@@ -40,6 +43,8 @@ pub(super) struct Watch<'m> {
     pub times: Vec<Vec<f64>>,
     /// The way in which an event was passed where the present step begins.
     passed: Vec<Option<bool>>,
+    /// What kept the value of an event where it was has ended where the present step begins.
+    left: Vec<bool>,
     /// An event that does not count before this instant, s.
     pub guard: Option<(usize, f64)>,
     /// The greatest value of every event.
@@ -84,6 +89,7 @@ impl<'m> Watch<'m> {
             same: 0.0,
             times: vec![Vec::new(); count],
             passed: vec![None; count],
+            left: vec![false; count],
             guard: None,
             greatest: vec![0.0; count],
             crossed: vec![f64::NEG_INFINITY; count],
@@ -101,15 +107,17 @@ impl<'m> Watch<'m> {
         method: &mut M,
     ) -> Option<Happened> {
         let mut found: Vec<(usize, Crossing<f64>)> = Vec::new();
+        let kept = if self.events.is_empty() { Vec::new() } else { equations.kept_pairs() };
         for index in 0..self.events.len() {
             let way = self.events[index].rising;
             let step = (method.previous_t(), method.t());
-            let passed = self.passed[index];
+            let passed = self.sense_at_begin(equations, method, index);
             // what it is in is told, not looked for
             if self.events[index].situation.is_some() || self.too_early(index, step.1) {
                 continue;
             }
-            if !equations.closed.is_empty() && self.stays(equations, method, index) {
+            let stands = is_kept(equations.model.mechanism, &kept, &self.events[index].value);
+            if stands || (!equations.closed.is_empty() && self.stays(equations, method, index)) {
                 continue;
             }
             let crossing = self.crossing(equations, method, index, step, passed);
@@ -200,6 +208,29 @@ impl<'m> Watch<'m> {
         if known { equations.value(expr) } else { f64::NAN }
     }
 
+    /// In which way an event was passed where the last step begins; where its value was kept until then, the way in which it leaves.
+    fn sense_at_begin<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        index: usize,
+    ) -> Option<bool> {
+        if !self.left[index] {
+            return self.passed[index];
+        }
+        let (from, to) = (method.previous_t(), method.t());
+        let value = &self.events[index].value;
+        let soon = self.value(equations, method, from + SOON * (to - from), value);
+        Some(soon > 0.0)
+    }
+
+    /// These pairs move again from here on: what they kept zero leaves it, and is not passed.
+    pub fn moves_again(&mut self, mechanism: &Mechanism, pairs: &[PairId]) {
+        for (event, left) in self.events.iter().zip(&mut self.left) {
+            *left |= !pairs.is_empty() && is_kept(mechanism, pairs, &event.value);
+        }
+    }
+
     /// From here nothing moves: what is zero stays so and was not passed.
     pub fn rests(&mut self) {
         self.passed.fill(None);
@@ -221,8 +252,9 @@ impl<'m> Watch<'m> {
         &mut self,
         equations: &mut Equations<'_, '_>,
         (t, y): (f64, &[f64]),
-        before: &[f64],
+        (before, kept): (&[f64], &[PairId]),
     ) -> Option<usize> {
+        let mechanism = equations.model.mechanism;
         let after = self.values(equations, t, y);
         let mut ends = None;
         for (index, (before, after)) in before.iter().zip(&after).enumerate() {
@@ -234,7 +266,8 @@ impl<'m> Watch<'m> {
             let rising = after > before;
             let event = &self.events[index];
             let stays = after.abs() <= ROUNDING * self.greatest[index];
-            if before * after < 0.0 && !stays && event.rising.is_none_or(|way| way == rising) {
+            let left = is_kept(mechanism, kept, &event.value);
+            if before * after < 0.0 && !stays && !left && event.rising.is_none_or(|way| way == rising) {
                 self.times[index].push(t);
                 ends = ends.or(event.ends.then_some(index));
             }
@@ -283,6 +316,7 @@ impl<'m> Watch<'m> {
     ) -> Option<usize> {
         self.functions_in(equations, method);
         self.passed.fill(None);
+        self.left.fill(false);
         let mut ends = None;
         for (index, rising) in happened.into_iter().flat_map(|h| h.events) {
             // at rest a value stays where it is
@@ -325,6 +359,23 @@ fn comes_again(mechanism: &Mechanism, expr: &Expr) -> bool {
         _ => {}
     });
     again
+}
+
+/// Whether a value stays as it is while these pairs do not move: it consists of their coordinates and rates.
+fn is_kept(mechanism: &Mechanism, pairs: &[PairId], expr: &Expr) -> bool {
+    let (mut any, mut all) = (false, true);
+    expr.parts(&mut |part| match part {
+        Expr::Query(
+            Query::Displacement(pair) | Query::RelativeVelocity(pair) | Query::RelativeAcceleration(pair),
+        ) if pairs.contains(pair) => any = true,
+        Expr::Query(_) => all = false,
+        Expr::Quantity(id) => {
+            let kept = is_kept(mechanism, pairs, &mechanism.quantities[id.index()].expr);
+            (any, all) = (any || kept, all && kept);
+        }
+        _ => {}
+    });
+    any && all
 }
 
 /// Whether a value depends on accelerations or forces.

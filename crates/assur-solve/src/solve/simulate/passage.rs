@@ -1,0 +1,248 @@
+//! Change points of several free coordinates: all that moves is a smooth function of one of them, the others as they are.
+//!
+//! Where a group's two assemblies are one depends on the others. At every evaluation positions, velocities for unit rates, and
+//! accelerations without any of the free coordinates are taken from regular positions on both sides, along the one coordinate, by
+//! Chebyshev's series.
+
+use super::bridge::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point};
+use super::equations::Equations;
+use crate::math::Vec2;
+use crate::math::chebyshev::{NODES, Nodes, polynomials, tail};
+use crate::plan::Plan;
+use crate::position::{BodyState, Branch, Reduced, State};
+
+/// Where the change point is looked for from, before the place where it was, parts of the reach.
+const BEFORE: [f64; 2] = [0.6, 0.3];
+/// Numbers of a body for a unit rate of a coordinate.
+const UNIT: usize = 3;
+
+/// The way over a change point.
+#[derive(Clone, Debug)]
+pub(super) struct Passage {
+    /// The slot of the drive of the coordinate that passes it.
+    drive: usize,
+    /// The sense in which it does.
+    ahead: f64,
+    /// The assemblies before it and behind it.
+    near: Vec<Branch>,
+    far: Vec<Branch>,
+    reach: f64,
+    /// Its value there: where the present step begins, and in the last evaluation.
+    began: f64,
+    change: f64,
+    /// Its value in the last evaluation.
+    here: f64,
+    /// A group that changes.
+    group: usize,
+    /// Conditions of the groups before it.
+    conditions: Vec<f64>,
+    extent: f64,
+    nodes: Nodes,
+    /// All numbers at the nodes.
+    values: Vec<[f64; NODES]>,
+}
+
+impl Passage {
+    /// Over the change point that is nearest to where the present step begins, if there is one in the way of a free coordinate.
+    pub fn near(equations: &Equations<'_, '_>, y: &[f64]) -> Option<Self> {
+        let plan = equations.model.plan;
+        let rubs = equations.mode.is_some() || equations.slipping.is_some();
+        if rubs || equations.reduced.is_alone() || plan.goes_on() {
+            return None;
+        }
+        let (t, here, _) = equations.here();
+        let mut here = here.clone();
+        equations.inputs_at(t, y, &mut here.motion);
+        let mut found: Option<(f64, Self)> = None;
+        for &drive in equations.reduced.free() {
+            let value = here.motion.inputs[drive].value;
+            for ahead in [1.0, -1.0] {
+                let mut state = here.clone();
+                let mut at = |q: f64, branches: &[Branch]| {
+                    state.branches.copy_from_slice(branches);
+                    set(&mut state, drive, q);
+                    state.run_motion::<1>(plan);
+                    state.motion.open.is_none().then(|| state.clone())
+                };
+                let Some((change, there)) = change_point(&mut at, &here.branches, value, ahead) else {
+                    continue;
+                };
+                let conditions = &there.motion.conditions;
+                let Some(group) = conditions.iter().position(|c| c.abs() < CHANGES) else { continue };
+                let far = here.branches.iter().zip(conditions).map(|(branch, condition)| {
+                    let root = if condition.abs() < CHANGES { -branch.root } else { branch.root };
+                    Branch { root, ..*branch }
+                });
+                let passage = Self {
+                    drive,
+                    ahead,
+                    near: here.branches.clone(),
+                    far: far.collect(),
+                    reach: REACH,
+                    began: change,
+                    change,
+                    here: value,
+                    group,
+                    conditions: here.motion.conditions.clone(),
+                    extent: equations.extent(),
+                    nodes: Nodes::new(),
+                    values: Vec::new(),
+                };
+                let apart = (change - value).abs();
+                if found.as_ref().is_none_or(|(least, _)| apart < *least) {
+                    found = Some((apart, passage));
+                }
+            }
+        }
+        let (_, mut passage) = found?;
+        let mut reduced = equations.reduced.clone();
+        for _ in 0..3 {
+            let mut state = here.clone();
+            if passage.covers(passage.here) && passage.run(plan, &mut reduced, &mut state) {
+                return Some(passage);
+            }
+            passage.reach *= 0.5;
+        }
+        None
+    }
+
+    /// Moves the bodies as the inputs of a state say, no free coordinate accelerating, and finds what they do for a unit rate of each; `false`
+    /// where they do not close, or do not move smoothly.
+    pub fn run(&mut self, plan: &Plan, reduced: &mut Reduced, state: &mut State) -> bool {
+        let value = state.motion.inputs[self.drive].value;
+        self.here = value;
+        if !self.find_change(plan, state) {
+            return false;
+        }
+        set(state, self.drive, value);
+        if !self.covers(value) {
+            state.branches.copy_from_slice(self.branches(value));
+            reduced.run_motion(plan, state);
+            return state.motion.open.is_none();
+        }
+        let (low, high) = (self.change - self.reach, self.change + self.reach);
+        let columns = reduced.free().len();
+        self.values.resize(state.motion.bodies.len() * (WIDTH + UNIT * columns), [0.0; NODES]);
+        for node in 0..NODES {
+            let q = self.nodes.at(low, high, node);
+            set(state, self.drive, q);
+            state.branches.copy_from_slice(self.branches(q));
+            reduced.run_motion(plan, state);
+            if state.motion.open.is_some() {
+                return false;
+            }
+            self.take(node, reduced, state);
+        }
+        set(state, self.drive, value);
+        state.branches.copy_from_slice(self.branches(value));
+        // what forces are found from is that of the place itself
+        reduced.run_motion(plan, state);
+        state.motion.open = None;
+        state.motion.conditions.copy_from_slice(&self.conditions);
+        self.put(polynomials(low, high, value), columns, reduced, state)
+    }
+
+    /// Takes all numbers at a node.
+    fn take(&mut self, node: usize, reduced: &Reduced, state: &State) {
+        let columns = reduced.free().len();
+        let each = self.values.chunks_exact_mut(WIDTH + UNIT * columns);
+        for (index, (body, values)) in state.motion.bodies.iter().zip(each).enumerate() {
+            let BodyState { p, u, v, omega, a, alpha, .. } = body;
+            let own = [p.x, p.y, u.x, u.y, v.x, v.y, *omega, a.x, a.y, *alpha];
+            let units = (0..columns).flat_map(|i| {
+                let (v, omega) = reduced.unit_motion(i, index);
+                [v.x, v.y, omega]
+            });
+            values.iter_mut().zip(own.into_iter().chain(units)).for_each(|(row, x)| row[node] = x);
+        }
+    }
+
+    /// Puts all numbers at a place where Chebyshev's polynomials have these values; `false` where they are not smooth.
+    fn put(&self, factors: [f64; NODES], columns: usize, reduced: &mut Reduced, state: &mut State) -> bool {
+        let mut smooth = true;
+        let each = self.values.chunks_exact(WIDTH + UNIT * columns);
+        for (index, (body, values)) in state.motion.bodies.iter_mut().zip(each).enumerate() {
+            let numbers = values.iter().enumerate().map(|(number, values)| {
+                let series = self.nodes.coefficients(values);
+                // positions tell whether it is smooth
+                let unit = if number < 2 { self.extent } else { 1.0 };
+                smooth &= number >= 4 || tail(&series) <= SMOOTH * unit;
+                series.iter().zip(&factors).map(|(c, factor)| c * factor).sum::<f64>()
+            });
+            let n: Vec<f64> = numbers.collect();
+            let u = Vec2::new(n[2], n[3]);
+            *body = BodyState {
+                p: Vec2::new(n[0], n[1]),
+                u: u / u.norm(),
+                v: Vec2::new(n[4], n[5]),
+                omega: n[6],
+                a: Vec2::new(n[7], n[8]),
+                alpha: n[9],
+                turned: body.turned,
+            };
+            for (i, unit) in n[WIDTH..].chunks_exact(UNIT).enumerate() {
+                reduced.set_unit_motion(i, index, (Vec2::new(unit[0], unit[1]), unit[2]));
+            }
+        }
+        smooth
+    }
+
+    /// Finds about where the change point is, from two regular places before it.
+    fn find_change(&mut self, plan: &Plan, state: &mut State) -> bool {
+        self.change = self.began;
+        for _ in 0..2 {
+            let mut sigmas = [0.0; 2];
+            let places = BEFORE.map(|part| self.change - self.ahead * part * self.reach);
+            for (q, sigma) in places.into_iter().zip(&mut sigmas) {
+                state.branches.copy_from_slice(&self.near);
+                set(state, self.drive, q);
+                state.run_motion::<1>(plan);
+                if state.motion.open.is_some() {
+                    return false;
+                }
+                *sigma = state.motion.conditions[self.group].abs();
+            }
+            self.change = places[1] + (places[1] - places[0]) * sigmas[1] / (sigmas[0] - sigmas[1]);
+            if !self.change.is_finite() || (self.change - self.began).abs() > FARTHEST {
+                return false;
+            }
+        }
+        true
+    }
+
+    fn covers(&self, q: f64) -> bool {
+        (q - self.change).abs() <= self.reach
+    }
+
+    /// Whether the last evaluation was on it.
+    pub fn is_on(&self) -> bool {
+        self.covers(self.here)
+    }
+
+    /// The assemblies at a value of the coordinate.
+    fn branches(&self, q: f64) -> &[Branch] {
+        if (q - self.change) * self.ahead < 0.0 { &self.near } else { &self.far }
+    }
+
+    /// A group that changes.
+    pub const fn group(&self) -> usize {
+        self.group
+    }
+
+    /// A step has ended at the last evaluation. Whether the change point lies behind it; nothing where it is still near.
+    pub fn accept(&mut self) -> Option<bool> {
+        self.began = self.change;
+        let beyond = (self.here - self.change) * self.ahead;
+        match beyond {
+            _ if beyond > self.reach => Some(true),
+            _ if beyond < -FARTHEST => Some(false),
+            _ => None,
+        }
+    }
+}
+
+/// Puts a coordinate.
+fn set(state: &mut State, drive: usize, value: f64) {
+    let input = &mut state.motion.inputs[drive];
+    (input.value, input.place) = (value, Vec2::direction(value));
+}
