@@ -132,6 +132,11 @@ impl Equations<'_, '_> {
                 }
                 Judged::Held(element) => place(element).into_iter().for_each(|i| way.senses[i] = 0.0),
                 Judged::Closed(stop, closed) => {
+                    if closed {
+                        // what moved towards it may be held there
+                        way.senses.fill(0.0);
+                        self.hold_at(slipping, stop);
+                    }
                     let place = stops.iter().position(|s| *s == stop);
                     place.into_iter().for_each(|i| way.closed[i] = closed);
                 }
@@ -348,7 +353,7 @@ impl Slipping {
             let turns = self.turning.iter().any(|(_, turns)| *turns == element);
             let struck = std::mem::take(&mut self.struck[element]) && speed.abs() > NONE * self.fastest;
             let held = self.begun && self.senses[element] == 0.0 && !struck;
-            self.before[element] = !self.begun || held;
+            self.before[element] = !self.begun || held || self.still[element];
             if held && turns {
                 let_go.push(element);
                 self.senses[element] = -self.efforts[element].signum();

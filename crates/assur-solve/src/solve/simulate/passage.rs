@@ -13,6 +13,10 @@ use crate::position::{BodyState, Branch, Reduced, State};
 
 /// Where the change point is looked for from, before the place where it was, parts of the reach.
 const BEFORE: [f64; 2] = [0.6, 0.3];
+/// It is known well enough where it moves by less than this part of the reach: the nearest regular positions are a tenth away.
+const CLOSE: f64 = 0.03;
+/// So often at most it is guessed anew.
+const GUESSES: usize = 6;
 /// Numbers of a body for a unit rate of a coordinate.
 const UNIT: usize = 3;
 
@@ -27,7 +31,8 @@ pub(super) struct Passage {
     near: Vec<Branch>,
     far: Vec<Branch>,
     reach: f64,
-    /// Its value there: where the present step begins, and in the last evaluation.
+    /// Its value there: where the last step began, where the present one does, and in the last evaluation.
+    before: f64,
     began: f64,
     change: f64,
     /// Its value in the last evaluation.
@@ -43,7 +48,7 @@ pub(super) struct Passage {
 }
 
 impl Passage {
-    /// Over the change point that is nearest to where the present step begins, if there is one in the way of a free coordinate.
+    /// Over the change point ahead of where the present step begins, if there is one in the way of a free coordinate.
     pub fn near(equations: &Equations<'_, '_>, y: &[f64]) -> Option<Self> {
         let plan = equations.model.plan;
         let rubs = equations.mode.is_some() || equations.slipping.is_some();
@@ -79,6 +84,7 @@ impl Passage {
                     near: here.branches.clone(),
                     far: far.collect(),
                     reach: REACH,
+                    before: change,
                     began: change,
                     change,
                     here: value,
@@ -88,7 +94,9 @@ impl Passage {
                     nodes: Nodes::new(),
                     values: Vec::new(),
                 };
-                let apart = (change - value).abs();
+                // the one that comes to it first: of the others it moves away
+                let rate = here.motion.inputs[drive].rate.abs();
+                let apart = (change - value).abs() / rate.max(f64::MIN_POSITIVE);
                 if found.as_ref().is_none_or(|(least, _)| apart < *least) {
                     found = Some((apart, passage));
                 }
@@ -187,27 +195,39 @@ impl Passage {
         smooth
     }
 
-    /// Finds about where the change point is, from two regular places before it.
+    /// Finds about where the change point is, from where it was.
     fn find_change(&mut self, plan: &Plan, state: &mut State) -> bool {
-        self.change = self.began;
-        for _ in 0..2 {
+        let guesses = [self.began, self.change, self.before];
+        let found = guesses.into_iter().find_map(|guess| self.change_from(guess, plan, state));
+        found.inspect(|change| self.change = *change).is_some()
+    }
+
+    /// About where it is, from regular places before a guess.
+    fn change_from(&self, guess: f64, plan: &Plan, state: &mut State) -> Option<f64> {
+        let mut change = guess;
+        for _ in 0..GUESSES {
             let mut sigmas = [0.0; 2];
-            let places = BEFORE.map(|part| self.change - self.ahead * part * self.reach);
+            let places = BEFORE.map(|part| change - self.ahead * part * self.reach);
             for (q, sigma) in places.into_iter().zip(&mut sigmas) {
                 state.branches.copy_from_slice(&self.near);
                 set(state, self.drive, q);
                 state.run_motion::<1>(plan);
                 if state.motion.open.is_some() {
-                    return false;
+                    return None;
                 }
                 *sigma = state.motion.conditions[self.group].abs();
             }
-            self.change = places[1] + (places[1] - places[0]) * sigmas[1] / (sigmas[0] - sigmas[1]);
-            if !self.change.is_finite() || (self.change - self.began).abs() > FARTHEST {
-                return false;
+            let next = places[1] + (places[1] - places[0]) * sigmas[1] / (sigmas[0] - sigmas[1]);
+            if !next.is_finite() || (next - guess).abs() > FARTHEST {
+                return None;
+            }
+            let moved = (next - change).abs();
+            change = next;
+            if moved <= CLOSE * self.reach {
+                return Some(change);
             }
         }
-        true
+        None
     }
 
     fn covers(&self, q: f64) -> bool {
@@ -231,7 +251,7 @@ impl Passage {
 
     /// A step has ended at the last evaluation. Whether the change point lies behind it; nothing where it is still near.
     pub fn accept(&mut self) -> Option<bool> {
-        self.began = self.change;
+        (self.before, self.began) = (self.began, self.change);
         let beyond = (self.here - self.change) * self.ahead;
         match beyond {
             _ if beyond > self.reach => Some(true),

@@ -73,6 +73,10 @@ impl Stops {
         let go_on = |equations: &mut Equations<'_, '_>, part: f64, off: Option<usize>| {
             let after = impact(equations, part)?;
             (equations.slipping, equations.closed) = was.clone();
+            if part == 0.0 && off.is_none() {
+                // as long as none would have to pull
+                hit.iter().for_each(|stop| equations.close(*stop));
+            }
             equations.after_impact((t, y), after, (hit[0], off), ROUNDING * before.abs())
         };
         let mut struck = Struck { y: Vec::new(), closed: None, step: f64::INFINITY };

@@ -6,6 +6,8 @@ use super::slipping::Slipping;
 use super::stop::ROUNDING;
 use crate::model::{LoadId, Query, Value};
 
+/// What stands at a stop may have a rate that is so many times what rounding makes of it: what integration leaves.
+const DRIFT: f64 = 1e3;
 /// A sliding speed that an impact changes by less than this part of the greatest stays as it is.
 const SAME: f64 = 1e-11;
 
@@ -49,7 +51,7 @@ impl Equations<'_, '_> {
             return false;
         }
         let (rate, rounding) = self.rate(index, y);
-        rate.abs() <= rounding
+        rate.abs() <= DRIFT * rounding
     }
 
     /// Of these stops, closes those that are to be closed, and opens the others.
@@ -81,6 +83,20 @@ impl Equations<'_, '_> {
             }
         }
         None
+    }
+
+    /// Lets friction hold the elements that move with the coordinate of a stop, and with nothing else.
+    pub fn hold_at(&mut self, slipping: &mut Slipping, stop: usize) {
+        let slopes = self.slopes(stop);
+        for element in 0..slipping.senses.len() {
+            let mut own = Vec::with_capacity(self.order());
+            self.slopes_of_element(element, &mut own);
+            let mut basis = Vec::new();
+            joins(slopes.clone(), &mut basis);
+            if !joins(own, &mut basis) {
+                slipping.senses[element] = 0.0;
+            }
+        }
     }
 
     /// Notes the stops that are open while friction holds their coordinates there.

@@ -27,6 +27,8 @@ impl Going<'_, '_> {
         let ended = match touch {
             Touch::Opens(index) if equations.slipping.is_some() => {
                 equations.closed.retain(|closed| *closed != index);
+                // what turns later does so after this
+                equations.slipping.iter_mut().for_each(|slipping| slipping.turning.clear());
                 let mut y = y;
                 equations.choose_slips(t, &mut y)?;
                 if method.restart(equations, &y, last).is_err() {
