@@ -91,7 +91,9 @@ TEXT
 Written by `python3 benches/simulate/run.py --write`, which installs the other programs under target/simulate-peers, and tries several tolerances or steps in
 each: the fastest that keeps an error is shown. Errors are against references with 30 digits, at the last instant: of Andrews' mechanism
 the greatest |Δq|/(1 + |q|) of its angles. A run is the motion alone, without reading the text; that of assur has the runs from which its error is estimated. A process begins with
-starting the interpreter, and with compiling by numba. The equations for scipy and IDA are those of the angles of all links, compiled by numba; what calls them is Python.
+starting the interpreter, and with compiling by numba or the C compiler. The times of the others are those on the processor, the least of several; of RADAU5, whose clock
+has milliseconds, the mean. The equations for RADAU5, scipy and IDA are those of the angles of all links: compiled by the C compiler for RADAU5, which is called
+without a line of R between, and by numba for scipy and IDA; what calls them there is Python.
 TEXT
   echo
   if [ -s "$kept" ]; then cat "$kept"; else printf '%s\n%s\n' '<!-- peers: written by benches/simulate/run.py -->' '<!-- end of peers -->'; fi
