@@ -260,8 +260,9 @@ fn allocations_of_a_run(text: &str, end: &str) -> (u64, usize) {
     (counted.count_total, steps)
 }
 
-/// A crank-slider with a curve, a spring and loads that depend on the motion; two freedoms with a drive beside them.
-const RUNS: [&str; 2] = [
+/// A crank-slider with a curve, a spring and loads that depend on the motion; two freedoms with a drive beside them; functions over
+/// the run, an event and a work; functions where energy is conserved.
+const RUNS: [&str; 4] = [
     "
 ground { A (0, 0); line guide through A along 0 deg }
 link crank  A-B 100 mm { mass 1 kg at A; inertia 0.5 kg*m^2 }
@@ -295,6 +296,33 @@ start bar = -80 deg
 start end = -60 deg
 simulate END within 1e-9
 find angle(bar), reactions
+",
+    "
+gravity 9.81 m/s^2
+ground { A (0, 0); line guide through A along 0 deg }
+link crank  A-B 100 mm { mass 1 kg at A; inertia 0.5 kg*m^2 }
+link rod    B-C 350 mm { S (117 mm, 0); mass 2.5 kg at S; inertia 0.0425 kg*m^2 }
+link piston { C (0, 0); mass 2.14 kg at C }
+revolute  A: ground - crank
+revolute  B: crank - rod
+revolute  C: rod - piston
+prismatic D: piston.C - ground.guide
+assemble C ahead of B
+torque M on crank = 20 N*m - 0.2 N*m*s*omega(crank)
+start crank = 45 deg
+simulate END within 1e-8
+event quarter: angle(crank) = 90 deg
+let speed = mag(velocity(C))
+find max(speed), argmax(speed), integral(speed), mean(omega(crank)), max(mag(acceleration(C)), after = 0.1 s), time(quarter), work(M)
+",
+    "
+gravity 9.81 m/s^2
+ground { A (0, 0) }
+link bar A-P 1 m { mass 1 kg at P; inertia 0.1 kg*m^2 }
+revolute A: ground - bar
+start bar = 0 deg at 100 rad/s
+simulate END within 1e-8
+find max(omega(bar)), min(mag(acceleration(P))), mean(position(P).y)
 ",
 ];
 

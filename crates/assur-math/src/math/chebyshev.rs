@@ -53,6 +53,20 @@ impl Nodes {
         Series { from, to, coefficients: self.coefficients(values).to_vec() }
     }
 
+    /// The coefficients of many functions: of each polynomial those of all, from the values of all at each node.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)] // far below 2^52
+    pub fn coefficients_of_all(&self, values: &[Vec<f64>; NODES]) -> [Vec<f64>; NODES] {
+        std::array::from_fn(|k| {
+            let factors = std::array::from_fn(|j| self.cosines[k * (2 * j + 1) % (4 * NODES)]);
+            let mut sums = vec![0.0; values[0].len()];
+            add_rows(&mut sums, values, &factors);
+            let times = if k == 0 { 1.0 } else { 2.0 };
+            sums.iter_mut().for_each(|sum| *sum = *sum * times / NODES as f64);
+            sums
+        })
+    }
+
     /// The coefficients of a function with these values at the nodes.
     #[must_use]
     #[allow(clippy::cast_precision_loss)] // far below 2^52
@@ -62,6 +76,19 @@ impl Nodes {
             let sum: f64 = terms.map(|(j, f)| f * self.cosines[k * (2 * j + 1) % (4 * NODES)]).sum();
             sum * if k == 0 { 1.0 } else { 2.0 } / NODES as f64
         })
+    }
+}
+
+/// Adds multiples of as many rows of numbers as there are nodes to a row, in their order.
+pub fn add_rows(sums: &mut [f64], rows: &[Vec<f64>; NODES], factors: &[f64; NODES]) {
+    let count = sums.len();
+    for (rows, factors) in rows.chunks_exact(4).zip(factors.chunks_exact(4)) {
+        // four at a time: the sums are read and written less often
+        let ([a, b, c, d], [p, q, r, s]) = (rows, factors) else { return };
+        let (a, b, c, d) = (&a[..count], &b[..count], &c[..count], &d[..count]);
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum = *sum + p * a[i] + q * b[i] + r * c[i] + s * d[i];
+        }
     }
 }
 
@@ -95,6 +122,58 @@ pub fn tail(coefficients: &[f64]) -> f64 {
     last.fold(0.0, |most, c| if c.is_nan() { f64::INFINITY } else { c.abs().max(most) })
 }
 
+/// Values that a series does not pass on [−1, 1]: |T_k| ≤ 1.
+#[must_use]
+pub fn bounds(coefficients: &[f64]) -> (f64, f64) {
+    let [first, rest @ ..] = coefficients else { return (0.0, 0.0) };
+    let away: f64 = rest.iter().map(|c| c.abs()).sum();
+    (first - away, first + away)
+}
+
+/// The integral of a series over an interval.
+#[must_use]
+#[allow(clippy::cast_precision_loss)] // far below 2^52
+pub fn integral((from, to): (f64, f64), coefficients: &[f64]) -> f64 {
+    let even = coefficients.iter().enumerate().step_by(2);
+    let sum: f64 = even.map(|(k, c)| 2.0 * c / (1.0 - (k * k) as f64)).sum();
+    0.5 * (to - from) * sum
+}
+
+/// The value of a series at a place of an interval.
+#[must_use]
+pub fn value((from, to): (f64, f64), coefficients: &[f64], x: f64) -> f64 {
+    sum(coefficients, ((x - from) + (x - to)) / (to - from))
+}
+
+/// Tells where a series changes its sign within an interval, in order.
+#[allow(clippy::cast_precision_loss)] // far below 2^52
+pub fn roots((from, to): (f64, f64), coefficients: &[f64], mut found: impl FnMut(f64)) {
+    let [first, rest @ ..] = coefficients else { return };
+    // |T_k| ≤ 1
+    if first.abs() > (1.0 + 1e-9) * rest.iter().map(|c| c.abs()).sum::<f64>() {
+        return;
+    }
+    let parts = 4 * coefficients.len();
+    let at = |i: usize| {
+        // denser towards the ends, as the series turns there
+        let t = -libm::cos(PI * i as f64 / parts as f64);
+        if i == parts { to } else { from + 0.5 * (to - from) * (1.0 + t) }
+    };
+    let value = |x: f64| value((from, to), coefficients, x);
+    let (mut x, mut f) = (from, value(from));
+    for i in 1..=parts {
+        let next = at(i);
+        let g = value(next);
+        if f * g < 0.0 {
+            // from the near end of the interval, so that a root close to it keeps its digits
+            found(from + root(x - from, next - from, f, g, |d| value(from + d)));
+        } else if g == 0.0 && i < parts {
+            found(next);
+        }
+        (x, f) = (next, g);
+    }
+}
+
 /// The antiderivative in t, times a factor, with this value at −1: one coefficient more.
 #[allow(clippy::cast_precision_loss)] // far below 2^52
 pub fn integrate(coefficients: &[f64], factor: f64, start: f64, out: &mut [f64]) {
@@ -122,7 +201,6 @@ pub fn derive(coefficients: &[f64], out: &mut [f64]) {
     }
 }
 
-#[allow(clippy::cast_precision_loss)] // the numbers of coefficients are far below 2^52
 impl Series {
     /// With these coefficients, of T_0 first.
     #[must_use]
@@ -145,24 +223,19 @@ impl Series {
     /// Its value.
     #[must_use]
     pub fn value(&self, x: f64) -> f64 {
-        let t = ((x - self.from) + (x - self.to)) / (self.to - self.from);
-        sum(&self.coefficients, t)
+        value((self.from, self.to), &self.coefficients, x)
     }
 
     /// Values that it does not pass within the interval: |T_k| ≤ 1.
     #[must_use]
     pub fn bounds(&self) -> (f64, f64) {
-        let [first, rest @ ..] = self.coefficients.as_slice() else { return (0.0, 0.0) };
-        let away: f64 = rest.iter().map(|c| c.abs()).sum();
-        (first - away, first + away)
+        bounds(&self.coefficients)
     }
 
     /// The integral over the interval.
     #[must_use]
     pub fn integral(&self) -> f64 {
-        let even = self.coefficients.iter().enumerate().step_by(2);
-        let sum: f64 = even.map(|(k, c)| 2.0 * c / (1.0 - (k * k) as f64)).sum();
-        0.5 * (self.to - self.from) * sum
+        integral((self.from, self.to), &self.coefficients)
     }
 
     /// The function less a constant.
@@ -203,32 +276,8 @@ impl Series {
     /// Where the series changes its sign within the interval, in order.
     #[must_use]
     pub fn roots(&self) -> Vec<f64> {
-        let [first, rest @ ..] = self.coefficients.as_slice() else { return Vec::new() };
-        // |T_k| ≤ 1
-        if first.abs() > (1.0 + 1e-9) * rest.iter().map(|c| c.abs()).sum::<f64>() {
-            return Vec::new();
-        }
-        let parts = 4 * self.coefficients.len();
-        let at = |i: usize| {
-            // denser towards the ends, as the series turns there
-            let t = -libm::cos(PI * i as f64 / parts as f64);
-            if i == parts { self.to } else { self.from + 0.5 * (self.to - self.from) * (1.0 + t) }
-        };
         let mut found = Vec::new();
-        let (mut x, mut f) = (self.from, self.value(self.from));
-        for i in 1..=parts {
-            let next = at(i);
-            let g = self.value(next);
-            if f * g < 0.0 {
-                // from the near end of the interval, so that a root close to it keeps its digits
-                found.push(
-                    self.from + root(x - self.from, next - self.from, f, g, |d| self.value(self.from + d)),
-                );
-            } else if g == 0.0 && i < parts {
-                found.push(next);
-            }
-            (x, f) = (next, g);
-        }
+        roots((self.from, self.to), &self.coefficients, |root| found.push(root));
         found
     }
 }

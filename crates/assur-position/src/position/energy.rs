@@ -58,6 +58,7 @@ impl State {
 
     fn known_power(&self, load: &LoadStep) -> f64 {
         match load {
+            LoadStep::Mass { weight, .. } if *weight == Vec2::zero() => 0.0,
             LoadStep::Mass { body, centre, weight, .. } => {
                 weight.dot(self.motion.bodies[*body].velocity(centre.unwrap_or_default()))
             }

@@ -243,6 +243,10 @@ impl Reduced {
     /// M = Σ Kᵀ m K.
     fn sum_up(&mut self, plan: &Plan, state: &State) {
         let n = self.free.len();
+        if let ([mass], [column]) = (&mut self.mass[..], &self.columns[..]) {
+            *mass = mass_along(plan, state, column);
+            return;
+        }
         self.mass.fill(0.0);
         for load in &plan.loads {
             let LoadStep::Mass { body, centre, mass, moment_of_inertia, .. } = load else { continue };
@@ -312,6 +316,18 @@ impl Reduced {
     pub fn mass(&self) -> &[f64] {
         &self.mass
     }
+}
+
+/// The mass along one coordinate.
+fn mass_along(plan: &Plan, state: &State, column: &[Column]) -> f64 {
+    let mut sum = 0.0;
+    for load in &plan.loads {
+        let LoadStep::Mass { body, centre, mass, moment_of_inertia, .. } = load else { continue };
+        let Column { v, omega } = column[*body];
+        let v = centre.map_or(v, |at| v + at.turned(state.motion.bodies[*body].u).perp() * omega);
+        sum += mass * v.dot(v) + moment_of_inertia * omega * omega;
+    }
+    sum
 }
 
 fn power(column: &[Column], state: &State) -> f64 {

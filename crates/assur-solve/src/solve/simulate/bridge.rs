@@ -5,7 +5,7 @@
 
 use super::equations::Equations;
 use crate::math::Vec2;
-use crate::math::chebyshev::{NODES, Nodes, polynomials};
+use crate::math::chebyshev::{NODES, Nodes, add_rows, polynomials, tail};
 use crate::position::{BodyState, Branch, Motion, State};
 
 /// A bridge reaches at most so far to both sides, of the coordinate, rad or parts of the extent.
@@ -111,9 +111,7 @@ impl Bridge {
         motion.conditions.copy_from_slice(&self.conditions);
         let factors = polynomials(self.low, self.high, q);
         self.numbers.fill(0.0);
-        for (factor, row) in factors.iter().zip(&self.series) {
-            self.numbers.iter_mut().zip(row).for_each(|(sum, c)| *sum += factor * c);
-        }
+        add_rows(&mut self.numbers, &self.series, &factors);
         for (body, n) in motion.bodies.iter_mut().zip(self.numbers.chunks_exact(WIDTH)) {
             let u = Vec2::new(n[2], n[3]);
             *body = BodyState {
@@ -164,28 +162,22 @@ fn smooth(
     extent: f64,
 ) -> Option<[Vec<f64>; NODES]> {
     let nodes = Nodes::new();
-    let mut values: Vec<[f64; NODES]> = Vec::new();
-    for node in 0..NODES {
+    let mut values: [Vec<f64>; NODES] = std::array::from_fn(|_| Vec::new());
+    for (node, values) in values.iter_mut().enumerate() {
         let state = positions(node, &nodes)?;
-        values.resize(WIDTH * state.motion.bodies.len(), [0.0; NODES]);
-        for (body, values) in state.motion.bodies.iter().zip(values.chunks_exact_mut(WIDTH)) {
-            let BodyState { p, u, v, omega, a, alpha, .. } = body;
-            let numbers = [p.x, p.y, u.x, u.y, v.x, v.y, *omega, a.x, a.y, *alpha];
-            for (values, number) in values.iter_mut().zip(numbers) {
-                values[node] = number;
-            }
+        values.reserve_exact(WIDTH * state.motion.bodies.len());
+        for BodyState { p, u, v, omega, a, alpha, .. } in &state.motion.bodies {
+            values.extend([p.x, p.y, u.x, u.y, v.x, v.y, *omega, a.x, a.y, *alpha]);
         }
     }
-    let mut series: [Vec<f64>; NODES] = std::array::from_fn(|_| Vec::with_capacity(values.len()));
-    for (number, values) in values.iter().enumerate() {
-        let of = nodes.series(-1.0, 1.0, values);
-        let length = matches!(number % WIDTH, 0 | 1);
-        let allowed = SMOOTH * if length { extent } else { 1.0 };
+    let series = nodes.coefficients_of_all(&values);
+    let [.., a, b, c] = &series;
+    for (number, ((a, b), c)) in a.iter().zip(b).zip(c).enumerate().filter(|(number, _)| number % WIDTH < 4) {
         // positions tell whether it is smooth; rates have fewer digits where the formulas are near to fail
-        if number % WIDTH < 4 && (of.tail().is_nan() || of.tail() > allowed) {
+        let length = number % WIDTH < 2;
+        if tail(&[*a, *b, *c]) > SMOOTH * if length { extent } else { 1.0 } {
             return None;
         }
-        series.iter_mut().zip(of.coefficients()).for_each(|(row, c)| row.push(*c));
     }
     Some(series)
 }

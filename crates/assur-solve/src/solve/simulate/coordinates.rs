@@ -100,10 +100,11 @@ impl<'w> Charts<'w> {
         let links = (1..mechanism.links.len()).map(LinkId::at).map(DriveTarget::Link);
         let pairs = (0..mechanism.pairs.len()).map(PairId::at).map(DriveTarget::Pair);
         let mut others = Vec::new();
+        let extent = extent(self.written);
         for target in links.chain(pairs).filter(|target| !now.contains(target)) {
             for (coordinate, &drive) in equations.reduced.free().iter().enumerate() {
                 let moves = self.moves(equations, coordinate, target);
-                let moves = moves / self.unit(target) * self.unit(now[drive]);
+                let moves = moves / unit(target, extent) * unit(now[drive], extent);
                 // what divides by nothing is the greatest there is
                 if moves.is_nan() || moves > BETTER {
                     others.push((if moves.is_nan() { f64::INFINITY } else { moves }, drive, target));
@@ -118,14 +119,6 @@ impl<'w> Charts<'w> {
             targets
         });
         std::iter::once(home).chain(other).filter(|targets| targets != now).collect()
-    }
-
-    /// A unit of a coordinate: an angle of 1, or the extent.
-    fn unit(&self, target: DriveTarget) -> f64 {
-        match target {
-            DriveTarget::Pair(_) => extent(self.written),
-            DriveTarget::Link(_) | DriveTarget::Point(..) => 1.0,
-        }
     }
 
     /// What a link turns, or a sliding pair slides, for a unit rate of a free coordinate; zero of what is no coordinate.
@@ -186,6 +179,14 @@ impl Change {
     pub fn coordinates(&self, written: &Model<'_>) -> Vec<DriveTarget> {
         let model = self.chart.as_deref().map_or(*written, Chart::model);
         model.mechanism.drives.iter().filter(|d| d.free).map(|d| d.target).collect()
+    }
+}
+
+/// A unit of a coordinate: an angle of 1, or the extent.
+const fn unit(target: DriveTarget, extent: f64) -> f64 {
+    match target {
+        DriveTarget::Pair(_) => extent,
+        DriveTarget::Link(_) | DriveTarget::Point(..) => 1.0,
     }
 }
 

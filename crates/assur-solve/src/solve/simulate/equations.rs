@@ -53,6 +53,8 @@ pub(super) struct Equations<'a, 's> {
     pub walk: Option<Box<Walk>>,
     /// Memory for the values of the file's quantities, where loads name them.
     pub quantities: Option<Vec<Value>>,
+    /// The same for what is looked at.
+    pub named: Vec<Value>,
     pub evaluated: Vec<(LoadId, Value)>,
     /// What is not smooth in the loads, on the sides where the present step begins.
     pub switches: Vec<Switch<'a>>,
@@ -111,6 +113,7 @@ impl<'a, 's> Equations<'a, 's> {
             loads_need_angles: loads_need_angles(model),
             walk: None,
             quantities: loads_name_quantities(model.mechanism).then(Vec::new),
+            named: Vec::new(),
             evaluated: Vec::new(),
             switches: switches(model.mechanism),
             held: false,

@@ -4,8 +4,7 @@ use super::equations::Equations;
 use super::part::{is_known, part};
 use super::records::within_step;
 use super::watch::{AT_ONCE, Watch};
-use crate::math::chebyshev::Series;
-use crate::math::lobatto::PLACES;
+use crate::math::lobatto::{PLACES, Short};
 use crate::math::ode::Integrator;
 use crate::model::{Bound, Cycle, CycleFunction, Part};
 
@@ -82,7 +81,7 @@ impl Function<'_> {
     }
 
     /// Whether the series over a part of a step, through these values, says all there is to say of it.
-    fn is_known(&self, series: &Series, values: &[f64; PLACES], smooth: f64) -> bool {
+    fn is_known(&self, series: &Short, values: &[f64; PLACES], smooth: f64) -> bool {
         let smooth = if self.cycle.how == CycleFunction::Argmax { SMOOTH } else { smooth };
         let greatest = greatest(values).max(self.greatest);
         if series.tail() <= smooth * greatest {
@@ -91,13 +90,17 @@ impl Function<'_> {
         // an extreme that is known already is not surpassed
         self.sign().is_some_and(|sign| {
             let surpasses = |most: f64| sign * self.value > most + SURPASSED * series.tail();
-            let most = || extremes(series, values).map(|(_, x)| sign * x).fold(f64::NEG_INFINITY, f64::max);
+            let most = || {
+                let mut most = f64::NEG_INFINITY;
+                extremes(series, values, |_, x| most = most.max(sign * x));
+                most
+            };
             surpasses(most_possible(sign, series)) || surpasses(most())
         })
     }
 
     /// Takes a part of a step; of extremes that differ by no more than this part of the greatest value the first counts.
-    fn take(&mut self, series: &Series, values: &[f64; PLACES], same: f64) {
+    fn take(&mut self, series: &Short, values: &[f64; PLACES], same: f64) {
         self.lasted += series.to - series.from;
         self.greatest = self.greatest.max(greatest(values));
         let left_off = if self.greatest > 0.0 { series.tail() / self.greatest } else { 0.0 };
@@ -110,14 +113,14 @@ impl Function<'_> {
         if most_possible(sign, series) < sign * self.value - apart {
             return;
         }
-        for (t, x) in extremes(series, values) {
+        extremes(series, values, |t, x| {
             if apart > 0.0 && sign * x > sign * self.value - apart {
                 self.near.push((t, x));
             }
             if sign * x > sign * self.value {
                 (self.value, self.at, self.left_off) = (x, t, left_off);
             }
-        }
+        });
     }
 }
 
@@ -132,7 +135,7 @@ impl Function<'_> {
 }
 
 /// What a series, or its opposite, is at most.
-fn most_possible(sign: f64, series: &Series) -> f64 {
+fn most_possible(sign: f64, series: &Short) -> f64 {
     let (least, greatest) = series.bounds();
     if sign > 0.0 { greatest } else { -least }
 }
@@ -142,10 +145,27 @@ fn greatest(values: &[f64; PLACES]) -> f64 {
     values.iter().fold(0.0_f64, |most, x| most.max(x.abs()))
 }
 
-/// Where a series turns, with the value there, and both ends.
-fn extremes<'s>(series: &'s Series, values: &[f64; PLACES]) -> impl Iterator<Item = (f64, f64)> + 's {
-    let ends = [(series.from, values[0]), (series.to, values[PLACES - 1])];
-    series.derivative().roots().into_iter().map(|t| (t, series.value(t))).chain(ends)
+/// Tells where a series turns, with the value there, and both ends.
+fn extremes(series: &Short, values: &[f64; PLACES], mut found: impl FnMut(f64, f64)) {
+    series.turns(&mut found);
+    found(series.from, values[0]);
+    found(series.to, values[PLACES - 1]);
+}
+
+/// Memory for the functions over a part of a step.
+#[derive(Default)]
+pub(super) struct Memory {
+    /// Parts of the step that are to be looked at, each with how often it may be halved.
+    parts: Vec<(f64, f64, u32)>,
+    /// Functions that count there.
+    asked: Vec<usize>,
+    /// The first functions of their expressions.
+    sets: Vec<usize>,
+    /// Of each function that counts, which of those.
+    set_of: Vec<usize>,
+    /// Values of each expression.
+    values: Vec<[f64; PLACES]>,
+    series: Vec<Short>,
 }
 
 impl Watch<'_> {
@@ -158,14 +178,16 @@ impl Watch<'_> {
         if self.functions.is_empty() {
             return;
         }
-        let mut parts = vec![(method.previous_t(), method.t(), HALVED)];
-        while let Some((from, to, left)) = parts.pop() {
-            let known = self.functions_between(equations, method, (from, to), left == 0);
+        let mut memory = std::mem::take(&mut self.memory);
+        memory.parts.push((method.previous_t(), method.t(), HALVED));
+        while let Some((from, to, left)) = memory.parts.pop() {
+            let known = self.functions_between(equations, method, ((from, to), left == 0), &mut memory);
             if !known {
                 let middle = 0.5 * (from + to);
-                parts.extend([(middle, to, left - 1), (from, middle, left - 1)]);
+                memory.parts.extend([(middle, to, left - 1), (from, middle, left - 1)]);
             }
         }
+        self.memory = memory;
     }
 
     /// Takes all functions over a part of the last step; `false`, and nothing is taken, where it is too long for their series. With
@@ -174,29 +196,32 @@ impl Watch<'_> {
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
-        (from, to): (f64, f64),
-        anyway: bool,
+        ((from, to), anyway): ((f64, f64), bool),
+        memory: &mut Memory,
     ) -> bool {
         let near = AT_ONCE * self.length;
         let counts = |function: &Function<'_>| {
             let (after, before) = part(function.cycle, &self.times);
             from >= after - near && to <= before + near
         };
-        let asked: Vec<usize> = (0..self.functions.len()).filter(|&f| counts(&self.functions[f])).collect();
+        let Memory { asked, sets, set_of, values, series, .. } = memory;
+        asked.clear();
+        asked.extend((0..self.functions.len()).filter(|&f| counts(&self.functions[f])));
         if asked.is_empty() {
             return true;
         }
         // several functions may be of one expression
-        let mut sets: Vec<usize> = Vec::with_capacity(asked.len());
-        let set_of = asked.iter().map(|&f| {
+        sets.clear();
+        set_of.clear();
+        for &f in asked.iter() {
             let source = self.functions[f].source;
-            sets.iter().position(|&set| set == source).unwrap_or_else(|| {
+            set_of.push(sets.iter().position(|&set| set == source).unwrap_or_else(|| {
                 sets.push(source);
                 sets.len() - 1
-            })
-        });
-        let set_of: Vec<usize> = set_of.collect();
-        let mut values = vec![[f64::NAN; PLACES]; sets.len()];
+            }));
+        }
+        values.clear();
+        values.resize(sets.len(), [f64::NAN; PLACES]);
         // first few places: most parts are far from an extreme
         for (first, apart, step) in [(0, 4, 4), (2, 4, 2), (1, 2, 1)] {
             for place in (first..PLACES).step_by(apart) {
@@ -206,13 +231,13 @@ impl Watch<'_> {
                 {
                     continue;
                 }
-                for (values, &source) in values.iter_mut().zip(&sets) {
+                for (values, &source) in values.iter_mut().zip(&*sets) {
                     values[place] = equations.value(&self.functions[source].cycle.expr);
                 }
             }
-            let series = values.iter().map(|values| self.places.series(from, to, values, step));
-            let series: Vec<Series> = series.collect();
-            let each = || asked.iter().zip(&set_of).map(|(&f, &set)| (f, &series[set], &values[set]));
+            series.clear();
+            series.extend(values.iter().map(|values| self.places.series(from, to, values, step)));
+            let each = || asked.iter().zip(&*set_of).map(|(&f, &set)| (f, &series[set], &values[set]));
             let smooth = self.smooth;
             let known = each().all(|(f, series, values)| self.functions[f].is_known(series, values, smooth));
             if known || (anyway && step == 1) {

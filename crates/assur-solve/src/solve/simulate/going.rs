@@ -178,7 +178,7 @@ impl Going<'_, '_> {
             let turned = turned.is_some_and(|t| t <= method.t());
             let opened = opened.filter(|(t, _)| *t <= here);
             let touched = self.stops.passed(equations, method, (touched, here));
-            let begun = self.watch.counts();
+            self.watch.begin();
             self.ended_by = self.watch.look(equations, method, happened);
             let mut done = self.ended_by.is_some() || method.t() >= last;
             // within the step it moves as before
@@ -200,7 +200,7 @@ impl Going<'_, '_> {
             if equations.stands() {
                 self.watch.rests();
             }
-            if !self.keep(equations, method, (&begun, done)) {
+            if !self.keep(equations, method, done) {
                 return Ended::Halted(equations.halt());
             }
             if done {
@@ -272,12 +272,12 @@ impl Going<'_, '_> {
         kept
     }
 
-    /// Keeps all that is wanted at the end of the last step; `begun` counts the events before it.
+    /// Keeps all that is wanted at the end of the last step, events that happened there among it.
     pub fn keep<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
-        (begun, done): (&[usize], bool),
+        done: bool,
     ) -> bool {
         let mut printed = f64::NAN;
         let mut kept = true;
@@ -289,15 +289,12 @@ impl Going<'_, '_> {
             self.next += 1;
         }
         let here = method.t();
-        let counts = self.watch.counts();
-        let happened = |event: usize| counts[event] > begun[event];
-        let any = (0..counts.len()).any(happened);
         // the end of the run is printed, wherever it is
-        if printed != here && (done || (any && self.outputs.prints_events)) {
+        if printed != here && (done || (self.watch.any_happened() && self.outputs.prints_events)) {
             kept &= self.recorder.keep(equations, method, (here, Origin::Printed));
         }
         for &(event, which, expect) in &self.outputs.events {
-            if happened(event) && counts[event] == which {
+            if self.watch.happened(event) && self.watch.times[event].len() == which {
                 kept &= self.recorder.keep(equations, method, (here, Origin::Expected(expect)));
             }
         }

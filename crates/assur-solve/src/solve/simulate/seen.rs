@@ -24,12 +24,12 @@ impl Equations<'_, '_> {
 
     /// The value of an expression in the state that is observed.
     pub fn value(&mut self, expr: &Expr) -> f64 {
+        let memory = std::mem::take(&mut self.named);
         let view = self.view();
-        if self.model.mechanism.quantities.is_empty() {
-            return view.scalar(expr);
-        }
-        let quantities = view.all_quantities();
-        PoseAnswers { quantities: &quantities, ..view }.scalar(expr)
+        let quantities = view.all_quantities_in(memory);
+        let value = PoseAnswers { quantities: &quantities, ..view }.scalar(expr);
+        self.named = quantities;
+        value
     }
 
     /// The values of the loads that depend on the state, on the sides of their corners where the step begins.

@@ -21,7 +21,7 @@ impl Going<'_, '_> {
         let Some(touch) = touch else { return Ok(false) };
         let (t, last) = (method.t(), self.last);
         let y = method.y().to_vec();
-        let begun = self.watch.counts();
+        self.watch.begin();
         let before = self.watch.values(equations, t, &y);
         let (was, kept) = (equations.closed.clone(), equations.kept_pairs());
         let ended = match touch {
@@ -73,8 +73,7 @@ impl Going<'_, '_> {
         let ended = ended.or(self.note_held(equations, t));
         self.watch.moves_again(equations.model.mechanism, &kept);
         self.ended_by = ended;
-        let happened = self.watch.counts() != begun;
-        if happened && !self.keep(equations, method, (&begun, ended.is_some())) {
+        if self.watch.any_happened() && !self.keep(equations, method, ended.is_some()) {
             return Err(equations.halt());
         }
         Ok(ended.is_some())

@@ -1,7 +1,7 @@
 //! Events of a run.
 
 use super::equations::Equations;
-use super::functions::{Function, OF_TOLERANCE, SMOOTH};
+use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
 use super::records::within_step;
 use crate::math::lobatto::Extremes;
 use crate::math::ode::Integrator;
@@ -54,6 +54,9 @@ pub(super) struct Watch<'m> {
     /// Below this part values and times are those of the same event.
     again: f64,
     pub(super) y: Vec<f64>,
+    pub(super) memory: Memory,
+    /// How often every event had happened where the last step began.
+    begun: Vec<usize>,
     /// The length of the run, s.
     pub(super) length: f64,
     pub(super) begin: f64,
@@ -95,6 +98,8 @@ impl<'m> Watch<'m> {
             crossed: vec![f64::NEG_INFINITY; count],
             again: AT_ONCE.max(AGAIN * tolerance),
             y: vec![0.0; unknowns],
+            memory: Memory::default(),
+            begun: vec![0; count],
             length: end - begin,
             begin,
         }
@@ -302,9 +307,19 @@ impl<'m> Watch<'m> {
         ends
     }
 
-    /// How often every event has happened.
-    pub fn counts(&self) -> Vec<usize> {
-        self.times.iter().map(Vec::len).collect()
+    /// What happens from now on is new.
+    pub fn begin(&mut self) {
+        self.begun.iter_mut().zip(&self.times).for_each(|(begun, times)| *begun = times.len());
+    }
+
+    /// Whether an event has happened since.
+    pub fn happened(&self, event: usize) -> bool {
+        self.times[event].len() > self.begun[event]
+    }
+
+    /// Whether any has.
+    pub fn any_happened(&self) -> bool {
+        (0..self.times.len()).any(|event| self.happened(event))
     }
 
     /// A step has ended, at events or not. Returns the event that ends the run.
