@@ -5,7 +5,7 @@ use crate::reader::{Read, mathml};
 use assur::internals::cli::report::document;
 use assur::internals::picture::Scene;
 use assur::internals::syntax::parse;
-use assur::internals::worked::{Language, html, markdown, worked};
+use assur::internals::worked::{Block, Inline, Language, Table, html, markdown, worked};
 use pulldown_latex::{Parser, Storage};
 
 /// The formulas of a text in Markdown, between dollars; escaped dollars are text.
@@ -79,4 +79,50 @@ fn what_a_file_asks_for_by_formulas_is_derived_and_balances() {
         }
     }
     assert!(wrong.is_empty() && derived > 0, "{derived} {wrong:#?}");
+}
+
+/// Questions that a step of the position answers.
+const OF_STEPS: [&str; 11] = [
+    "omega",
+    "alpha",
+    "inertia_force",
+    "inertia_torque",
+    "inertia_arm",
+    "relative_velocity",
+    "relative_acceleration",
+    "normal",
+    "effort",
+    "power",
+    "tangential_force",
+];
+
+#[test]
+fn answers_have_the_letters_of_their_steps() {
+    let (mut without, mut with) = (Vec::new(), 0);
+    for Example { name, solved, .. } in examples() {
+        let Some((source, solved)) = solved else { continue };
+        let (read, _) = parse(source);
+        let Ok(page) = document(source, &read, solved, Language::English, (None, &[])) else { continue };
+        let words = |line: &[Inline]| match line.first() {
+            Some(Inline::Text(words)) => words.clone(),
+            _ => String::new(),
+        };
+        let is_results = |table: &&Table| table.headers.first().is_some_and(|h| words(h) == "Quantity");
+        let mut tables =
+            page.blocks.iter().filter_map(|b| if let Block::Table(t) = b { Some(t) } else { None });
+        let Some(table) = tables.find(is_results) else { continue };
+        let lettered = table.headers.len() == 4;
+        for row in &table.rows {
+            let asked = words(&row[0]);
+            let has = lettered && !row[1].is_empty();
+            with += usize::from(has);
+            let of_step = OF_STEPS.iter().any(|word| asked.starts_with(&format!("{word}(")));
+            if of_step && !has && words(&row[row.len() - 2]) != "0" {
+                without.push(format!("{name}: {asked}"));
+            }
+        }
+    }
+    println!("{with} answers with letters");
+    assert!(with > 700, "{with}");
+    assert_eq!(without, Vec::<String>::new());
 }

@@ -75,11 +75,17 @@ impl Equation {
     #[must_use]
     pub fn set(&self) -> Set {
         let (result, count, balances) = digits::of(self.left.value, &self.right);
-        let (mut quantities, mut alone) = (0, false);
+        let mut quantities = 0;
         self.right.visit(&mut |_| quantities += 1);
-        if let Expr::Leaf(q) = &self.right {
-            alone = q.figures(count).value() == result.value();
-        }
+        // one number is not written twice
+        let alone = match &self.right {
+            Expr::Leaf(q) => q.figures(count).value() == result.value(),
+            Expr::Neg(x) => {
+                matches!(&**x, Expr::Leaf(q) if q.value > 0.0 && q.figures(count).value() == -result.value())
+            }
+            Expr::Degrees(_) => true,
+            _ => false,
+        };
         let in_numbers = numbers(&self.right, count);
         Set {
             left: name_node(&self.left.name),

@@ -24,4 +24,4 @@ pub use node::Node;
 pub use number::{Figures, with_decimals, with_digits};
 pub use print::{latex, latex_lines, mathml, mathml_lines, text, text_lines, typst, typst_lines, unit_latex};
 pub use quantity::{Quantity, quantity};
-pub use unit::Unit;
+pub use unit::{Unit, unit_words};

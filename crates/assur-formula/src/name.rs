@@ -26,10 +26,13 @@ impl Name {
         Self { sup: sup.to_owned(), ..self.clone() }
     }
 
-    /// With more behind its index.
+    /// With more behind its index; behind a word a letter is set apart.
     #[must_use]
     pub fn and(&self, more: &str) -> Self {
-        Self { sub: format!("{}{more}", self.sub), ..self.clone() }
+        let is_letter = more.len() == 1 && more.chars().all(char::is_alphabetic);
+        let word = self.sub.chars().rev().take_while(|c| c.is_alphabetic()).count() > 2;
+        let apart = if is_letter && word { "," } else { "" };
+        Self { sub: format!("{}{apart}{more}", self.sub), ..self.clone() }
     }
 
     /// Its index, or its letter where it has none.

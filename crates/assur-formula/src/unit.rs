@@ -80,3 +80,9 @@ impl Unit {
         }
     }
 }
+
+/// A unit of a file as formulas have it: `kg*m^2` is kg·m².
+#[must_use]
+pub fn unit_words(unit: &str) -> String {
+    unit.replace('*', "·").replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
+}

@@ -167,16 +167,32 @@ impl<'a> Scene<'a> {
         link.number.as_deref().unwrap_or(&link.name)
     }
 
-    /// The name of a load, or that of the value that it has: `Fr` of `force on ram at F = Fr against motion`.
+    /// The name of a load, or that of the value that it has: `Fr` of `force on ram at F = Fr against motion`; else a letter with its link.
     #[must_use]
     pub fn load_words(&self, load: &Load) -> Option<String> {
+        self.written_words(load).or_else(|| {
+            let letter = if load.is_vector() { 'F' } else { 'M' };
+            let link = load.link()?;
+            let loads = self.mechanism().loads.iter();
+            let alike = |l: &&Load| l.link() == Some(link) && l.is_vector() == load.is_vector();
+            let nameless: Vec<_> =
+                loads.filter(|l| alike(l) && self.written_words(l).is_none()).map(|l| l.span).collect();
+            // of several on a link each has a letter
+            let which = nameless.iter().position(|span| *span == load.span).filter(|_| nameless.len() > 1);
+            let more = which.and_then(|i| ('a'..='z').nth(i)).map(String::from).unwrap_or_default();
+            Some(format!("{letter}_{}{more}", self.link_label(link)))
+        })
+    }
+
+    /// The name that the file has for a load or for its value.
+    fn written_words(&self, load: &Load) -> Option<String> {
         load.name.clone().or_else(|| {
             let statement = self.text.get(load.span.start..load.span.end)?;
             let value = statement.split_once('=')?.1.trim_start();
             let in_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
             let end = value.find(|c: char| !in_name(c)).unwrap_or(value.len());
             let rest = value[end..].trim_start();
-            let alone = rest.is_empty() || rest.starts_with(char::is_alphabetic);
+            let alone = rest.is_empty() || rest.starts_with(char::is_alphabetic) || rest.starts_with('@');
             (alone && value.starts_with(char::is_alphabetic)).then(|| value[..end].to_owned())
         })
     }

@@ -104,3 +104,35 @@ fn modified(law: Law, x: &Expr, place: f64) -> [Expr; 3] {
     let way = x() / fourth() + x() / int(4) - int(1) / int(16) - angle().cos() / square();
     [way, int(1) / fourth() + int(1) / int(4) + angle().sin() / fourth(), angle().cos()]
 }
+
+/// The derivatives by the cam's angle in radians, from those by the part of a stage of this angle in degrees; a lift that is an angle is in
+/// degrees itself.
+pub fn derivatives(turns: bool, slope: Expr, bend: Expr, angle: Expr) -> [Expr; 2] {
+    if turns {
+        return [over(slope, angle.clone()), over(Expr::Int(180) * bend, Expr::Pi * angle.squared())];
+    }
+    let square = |x: Expr| Expr::Square(Box::new(x));
+    [
+        over(Expr::Int(180) * slope, Expr::Pi * angle.clone()),
+        over(square(Expr::Int(180)) * bend, square(Expr::Pi) * square(angle)),
+    ]
+}
+
+/// A quotient without a fraction in its numerator.
+fn over(x: Expr, by: Expr) -> Expr {
+    match x {
+        Expr::Neg(x) => -over(*x, by),
+        Expr::Ratio(a, b) => *a / (*b * by),
+        Expr::Product(factors) if factors.iter().any(|f| matches!(f, Expr::Ratio(..))) => {
+            let (mut top, mut bottom) = (Expr::Int(1), by);
+            for factor in factors {
+                match factor {
+                    Expr::Ratio(a, b) => (top, bottom) = (top * *a, bottom * *b),
+                    other => top = top * other,
+                }
+            }
+            top / bottom
+        }
+        x => x / by,
+    }
+}

@@ -73,6 +73,8 @@ pub struct Course<'a> {
     pub awaiting: Vec<usize>,
     /// Powers that transmissions lose.
     pub lost: Vec<Expr>,
+    /// Pairs whose reaction has no place that is known.
+    pub unplaced: Vec<bool>,
 }
 
 /// What a solution works out.
@@ -121,6 +123,7 @@ impl<'a> Course<'a> {
             shown: true,
             rubbing: Vec::new(),
             lost: Vec::new(),
+            unplaced: assur_solve::solve::unplaced_reactions(&scene.model),
             awaiting: Vec::new(),
         }
     }
@@ -234,6 +237,17 @@ impl<'a> Course<'a> {
         }
         let equation = Equation::new(name, value, unit, right);
         self.write(equation)
+    }
+
+    /// The same; what is nothing for all values is written as 0.
+    pub fn equate_or_nothing(&mut self, name: &Name, value: f64, unit: Unit, right: Expr) -> Expr {
+        if !right.is_zero() {
+            return self.equate(name.clone(), value, unit, right);
+        }
+        let zero = Quantity { name: name.clone(), value: 0.0, unit, scale: 0.0, given: true, rounding: 0.0 };
+        let lines = if self.shown { stated(&zero) } else { Lines { left: Node::empty(), rows: Vec::new() } };
+        self.blocks.push(Block::Equation(lines));
+        Expr::ZERO
     }
 
     fn write(&mut self, equation: Equation) -> Expr {

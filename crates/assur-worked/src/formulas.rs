@@ -63,7 +63,7 @@ impl Course<'_> {
     }
 
     /// A result in the letters in which it was found; none where no step has it.
-    fn result(&mut self, of: &model::Expr) -> Option<Expr> {
+    pub(crate) fn result(&mut self, of: &model::Expr) -> Option<Expr> {
         use model::Expr as E;
         match of {
             E::Quantity(id) => {
@@ -86,12 +86,12 @@ impl Course<'_> {
                 [E::Query(query)] => self.magnitude_of(query),
                 _ => None,
             },
-            E::Query(query) => self.number_of(query),
+            E::Query(query) => self.number_of(query).or_else(|| self.scalar_symbol(query)),
             _ => None,
         }
     }
 
-    fn number_of(&self, query: &Query) -> Option<Expr> {
+    pub(crate) fn number_of(&self, query: &Query) -> Option<Expr> {
         let body = |link: &model::LinkId| self.bodies[link.index()].as_ref();
         match query {
             Query::Omega(link) => Some(body(link)?.rates[0].clone()),
@@ -114,18 +114,25 @@ impl Course<'_> {
             Query::Position(PointRef::Fixed(link, at)) => self.position(link.index(), *at),
             Query::Velocity(PointRef::Fixed(link, at)) => self.velocity(link.index(), *at),
             Query::Acceleration(PointRef::Fixed(link, at)) => self.acceleration(link.index(), *at),
+            Query::InertiaForce(link) => {
+                let Value::Vector(force) = self.scene.view().query(query) else { return None };
+                let index = format!("{}{}", self.language.letters().inertia, self.label(link.index()));
+                let name = Name::new("F", &index);
+                return self.with_value([name.and(["x", "y"][i]), name].into_iter(), [force.x, force.y][i]);
+            }
             Query::Reaction(pair, _) => {
                 let Value::Vector(force) = self.scene.view().query(query) else { return None };
                 let value = [force.x, force.y][i];
-                let names = self.reactions_of(*pair).into_iter().map(|name| name.and(["x", "y"][i]));
-                return self.with_value(names, value);
+                let names = self.reactions_of(*pair).into_iter();
+                let names = names.flat_map(|name| [name.and(["x", "y"][i]), name]);
+                return self.with_value(names.collect::<Vec<_>>().into_iter(), value);
             }
             _ => return None,
         };
         Some(parts[i].clone())
     }
 
-    fn magnitude_of(&mut self, query: &Query) -> Option<Expr> {
+    pub(crate) fn magnitude_of(&mut self, query: &Query) -> Option<Expr> {
         let Value::Vector(vector) = self.scene.view().query(query) else { return None };
         match query {
             Query::Reaction(pair, _) => {
@@ -141,7 +148,7 @@ impl Course<'_> {
     }
 
     /// The letters of the reactions in a pair.
-    fn reactions_of(&self, pair: model::PairId) -> Vec<Name> {
+    pub(crate) fn reactions_of(&self, pair: model::PairId) -> Vec<Name> {
         let joints: Vec<_> = self.structure().replaced.joints_of(pair).collect();
         let slots = self.scene.model.plan.reactions.iter().enumerate();
         slots
@@ -151,7 +158,7 @@ impl Course<'_> {
     }
 
     /// What was found by one of these letters with a value, or with its opposite.
-    fn with_value(&self, names: impl Iterator<Item = Name>, value: f64) -> Option<Expr> {
+    pub(crate) fn with_value(&self, names: impl Iterator<Item = Name>, value: f64) -> Option<Expr> {
         let mut found = names.filter_map(|name| self.found.get(&name).cloned());
         let near = |x: f64| (x - value).abs() <= SAME * value.abs();
         found.find_map(|x| if near(x.value()) { Some(x) } else { near(-x.value()).then(|| -x) })

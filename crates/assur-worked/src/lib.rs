@@ -2,6 +2,7 @@
 //! the solver's, and a formula that does not agree with it is not printed.
 
 mod angle;
+mod asked;
 mod cam_law;
 mod course;
 mod design;
@@ -18,6 +19,7 @@ mod prune;
 mod results;
 mod sheet;
 mod structure;
+mod symbols;
 mod system;
 mod words;
 mod worked;

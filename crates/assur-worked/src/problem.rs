@@ -24,6 +24,13 @@ impl Course<'_> {
         let headers = [Message::Given, Message::Value].map(|m| vec![text(self.words(m))]);
         let mut blocks: Vec<Block> = two_abreast(headers, rows).into_iter().map(Block::Table).collect();
         blocks.push(Block::Remark(say(self.language, Message::Conventions, &[])));
+        let open = self.scene.mechanism().open_sizes.iter();
+        let taken = open.map(|size| Name::new("r", &size.wheel)).filter(|name| self.is_given(name));
+        let taken: Vec<Inline> = taken.map(|name| Inline::Math(name_node(&name))).collect();
+        if !taken.is_empty() {
+            let listed = taken.into_iter().flat_map(|name| [text(", "), name]).skip(1).collect();
+            blocks.push(Block::Remark(say(self.language, Message::OpenSizes, &[listed])));
+        }
         blocks.extend(self.only_stated().into_iter().map(|m| Block::Remark(say(self.language, m, &[]))));
         blocks
     }

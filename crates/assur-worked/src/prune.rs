@@ -98,6 +98,7 @@ impl Course<'_> {
             let words = crate::words::say(self.language, Message::AskedFor, &[]);
             self.insert(before, vec![Block::Paragraph(words)]);
         }
+        self.asked_of_guides(stage);
     }
 }
 

@@ -1,10 +1,11 @@
 //! The table of results: the questions of the file and all reactions, as the solver answers them.
 
 use crate::course::Course;
-use crate::document::{Table, text};
+use crate::document::{Inline, Line, Table, text};
 use crate::words::{Message, phrase};
+use assur_formula::{name_node, unit_words};
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, Display, FindKind, PairId, PairKind, Value};
+use assur_model::model::{Display, FindKind, PairId, PairKind, Value};
 use assur_text::units::{Dimension, significant};
 
 /// Digits of results.
@@ -13,16 +14,18 @@ const DIGITS: usize = 5;
 impl Course<'_> {
     /// The table of results.
     pub fn results(&mut self) {
-        let headers = [Message::Quantity, Message::Value, Message::Unit].map(|m| vec![text(self.words(m))]);
-        let mut table = Table { headers: headers.into(), numbers: vec![1], ..Table::default() };
+        let headers = [Message::Quantity, Message::Letters, Message::Value, Message::Unit];
+        let headers = headers.map(|m| vec![text(self.words(m))]);
+        let mut table = Table { headers: headers.into(), numbers: vec![2], ..Table::default() };
         let view = self.scene.view();
         let mechanism = self.scene.mechanism();
         let mut reactions = false;
         for (i, find) in mechanism.finds.iter().enumerate() {
             match &find.kind {
-                FindKind::Value { display, .. } => {
+                FindKind::Value { display, expr, .. } => {
                     if let Some(value) = view.found(i) {
-                        self.row(&mut table, &find.name, value, display);
+                        let letters = self.symbol(&find.name, expr, value).map(Inline::Math);
+                        self.row(&mut table, &find.name, letters.into_iter().collect(), value, display);
                     }
                 }
                 FindKind::Reactions => reactions = true,
@@ -32,7 +35,7 @@ impl Course<'_> {
         if reactions && !self.state().forces.locked {
             let display = mechanism.display_of(Dimension::FORCE);
             for (i, pair) in mechanism.pairs.iter().enumerate() {
-                if matches!(pair.kind, PairKind::Transmission(_)) || pair.bearing == Some(Bearing::Open) {
+                if matches!(pair.kind, PairKind::Transmission(_)) || self.unplaced[i] {
                     continue;
                 }
                 let links = pair.kind.links();
@@ -42,20 +45,21 @@ impl Course<'_> {
                     if force.x.is_nan() && view.shares_friction(PairId::at(i)) {
                         continue;
                     }
-                    let name = format!(
-                        "{}: R_{}{}",
-                        pair.name,
-                        self.scene.link_label(*from),
-                        self.scene.link_label(*on)
-                    );
-                    self.row(&mut table, &name, Value::Vector(force), &display);
+                    let letters = name_node(&self.reaction_name(from.index(), on.index()).arrow());
+                    let letters = vec![Inline::Math(letters)];
+                    self.row(&mut table, &pair.name, letters, Value::Vector(force), &display);
                 }
             }
+        }
+        if table.rows.iter().all(|row| row[1].is_empty()) {
+            table.headers.remove(1);
+            table.rows.iter_mut().for_each(|row| drop(row.remove(1)));
+            table.numbers = vec![1];
         }
         self.table(table);
     }
 
-    fn row(&self, table: &mut Table, name: &str, value: Value, display: &Display) {
+    fn row(&self, table: &mut Table, name: &str, letters: Line, value: Value, display: &Display) {
         let large = self.scene.greatest.in_unit(display);
         let clear = |x: f64| if x.abs() <= 1e-11 * large { 0.0 } else { x };
         let figure = |x: f64| significant(clear(x), DIGITS).replace('-', "−");
@@ -67,6 +71,11 @@ impl Course<'_> {
             }
             Value::Bool(truth) => phrase(self.language, &truth.to_string()),
         };
-        table.rows.push(vec![vec![text(name)], vec![text(written)], vec![text(&*display.unit)]]);
+        table.rows.push(vec![
+            vec![text(name)],
+            letters,
+            vec![text(written)],
+            vec![text(unit_words(&display.unit))],
+        ]);
     }
 }

@@ -244,6 +244,7 @@ impl Course<'_> {
                 self.forces(&figures);
                 if !shares {
                     self.friction_balance();
+                    self.asked_of_forces();
                 }
             }
             Part::Inertia => {}

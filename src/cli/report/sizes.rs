@@ -229,7 +229,9 @@ impl Known<'_> {
                 }
                 _ => None,
             },
-            ExprKind::Member(..) => self.results.as_ref()?.next(|m| matches!(m, Model::Component(..))),
+            ExprKind::Member(..) => {
+                self.results.as_ref()?.next(|m| matches!(m, Model::Component(..) | Model::Query(_)))
+            }
             ExprKind::Vector(..) | ExprKind::Polar(..) | ExprKind::Compare(..) => None,
         }
     }

@@ -5,6 +5,7 @@ use crate::pipeline::Solved;
 use crate::report::document::{Align, Block as Printed, Section, Table as Rows};
 use crate::report::{self, AccuracyShown, Precision};
 use assur_drawing::Theme;
+use assur_formula::unit_words;
 use assur_picture::{Kind, Options, Scene, draw};
 use assur_text::source::Source;
 use assur_worked::{Block, Figure, Inline, Language, Table, drawing_in, localised};
@@ -27,13 +28,54 @@ pub fn blocks(source: &Source, solved: &Solved, scene: Option<&Scene<'_>>, langu
     let mut blocks: Vec<Block> = report.sections.iter().filter(kept).flat_map(|s| section(s, ROWS)).collect();
     let published = super::published::section(&solved.outcomes);
     blocks.extend(published.iter().flat_map(|s| section(s, usize::MAX)));
-    let mut blocks = localised(language, blocks);
+    let mut blocks: Vec<Block> = localised(language, blocks).into_iter().map(with_units).collect();
     for picture in scene.into_iter().flat_map(|scene| PICTURES.map(|kind| pictures(scene, kind, language))) {
         if !picture.is_empty() {
             blocks.push(Block::Figures(picture));
         }
     }
     blocks
+}
+
+/// Units of a table as formulas have them.
+fn with_units(block: Block) -> Block {
+    let line = |words: &dyn Fn(&str) -> String, line: Vec<Inline>| -> Vec<Inline> {
+        let part = |part: Inline| match part {
+            Inline::Text(own) => Inline::Text(words(&own)),
+            part => part,
+        };
+        line.into_iter().map(part).collect()
+    };
+    let Block::Table(table) = block else { return block };
+    let headers = table.headers.into_iter().map(|cell| line(&in_brackets, cell)).collect();
+    let rows = table.rows.into_iter().map(|row| row.into_iter().map(|cell| line(&of_cell, cell)).collect());
+    Block::Table(Table { headers, rows: rows.collect(), numbers: table.numbers })
+}
+
+/// `M [N*m]` → M [N·m]
+fn in_brackets(header: &str) -> String {
+    match header.rsplit_once(" [") {
+        Some((name, unit)) => format!("{name} [{}", unit_words(unit)),
+        None => header.to_owned(),
+    }
+}
+
+/// A unit, or a number with its unit: all that letters, `*`, `/` and powers make.
+fn of_cell(words: &str) -> String {
+    let is_unit = |unit: &str| {
+        !unit.is_empty()
+            && unit
+                .split(['*', '/'])
+                .all(|one| one.trim_end_matches("^2").trim_end_matches("^3").chars().all(char::is_alphabetic))
+    };
+    let is_number = |x: &str| x.starts_with(|c: char| c.is_ascii_digit() || "−(-".contains(c));
+    match words.rsplit_once(' ') {
+        None if is_unit(words) => unit_words(words),
+        Some((number, unit)) if is_number(number) && is_unit(unit) => {
+            format!("{number} {}", unit_words(unit))
+        }
+        _ => words.to_owned(),
+    }
 }
 
 fn section(section: &Section, most: usize) -> Vec<Block> {

@@ -60,6 +60,15 @@ impl Page {
         equation.found()
     }
 
+    /// The same; where the formula is of another side of a corner the value alone.
+    pub(super) fn equate_or_state(&mut self, name: Name, value: f64, unit: Unit, right: Expr) -> Expr {
+        let equation = Equation::new(name.clone(), value, unit, right.clone());
+        if equation.disagrees().is_some() || !right.value().is_finite() {
+            return self.stated(name, value, unit);
+        }
+        self.equate(name, value, unit, right)
+    }
+
     /// A value of the solver without a formula.
     pub(super) fn stated(&mut self, name: Name, value: f64, unit: Unit) -> Expr {
         let q = Quantity { name, value, unit, scale: value.abs(), given: false, rounding: 0.0 };

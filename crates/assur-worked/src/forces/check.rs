@@ -49,19 +49,27 @@ impl Course<'_> {
         for slot in 0..self.structure().efforts.len() {
             terms.push(self.power_of_effort(slot)?);
         }
+        terms.extend(self.powers_of_loads(true));
+        terms.extend(self.lost.iter().map(|p| -p.clone()));
+        let sum = Expr::sum(terms);
+        (!sum.is_zero()).then_some(sum)
+    }
+
+    /// The powers of loads and inertia forces, with friction or without.
+    pub(super) fn powers_of_loads(&mut self, with_friction: bool) -> Vec<Expr> {
+        let mut terms = Vec::new();
         for body in 1..self.bodies.len() {
-            for force in self.acting.forces[body].clone().into_iter().filter(|f| f.load) {
+            let acts = |load: bool, rubs: bool| load && (with_friction || !rubs);
+            for force in self.acting.forces[body].clone().into_iter().filter(|f| acts(f.load, f.rubs)) {
                 let [vx, vy] = self.velocity(body, force.at);
                 let [fx, fy] = force.parts;
                 terms.push(fx * vx + fy * vy);
             }
             let omega = self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
-            let couples = self.acting.couples[body].iter().filter(|c| c.load);
+            let couples = self.acting.couples[body].iter().filter(|c| acts(c.load, c.rubs));
             terms.extend(couples.map(|c| c.value.clone() * omega.clone()));
         }
-        terms.extend(self.lost.iter().map(|p| -p.clone()));
-        let sum = Expr::sum(terms);
-        (!sum.is_zero()).then_some(sum)
+        terms
     }
 
     fn power_of_effort(&mut self, slot: usize) -> Option<Expr> {
@@ -71,7 +79,7 @@ impl Course<'_> {
     }
 
     /// The power of a value of an effort.
-    pub(super) fn power_of(&mut self, slot: usize, value: Expr) -> Option<Expr> {
+    pub(crate) fn power_of(&mut self, slot: usize, value: Expr) -> Option<Expr> {
         let places: Vec<EffortKind> = self.structure().efforts[slot].places().collect();
         let mut sum = Expr::ZERO;
         for kind in places {

@@ -8,7 +8,7 @@ use crate::motion::{of, pin};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
-use assur_model::model::{BalanceKind, Bearing};
+use assur_model::model::BalanceKind;
 use assur_model::structure::{BodyId, EffortSource, JointId, JointKind};
 use assur_position::plan::{EffortLine, Guide, Hinge};
 
@@ -89,7 +89,7 @@ impl Course<'_> {
         match effort {
             EffortLine::Torque { base, .. } => {
                 let right = if sign < 0.0 { moment } else { -moment };
-                let found = self.equate(name.clone(), value, Unit::Torque, right);
+                let found = self.equate_or_nothing(&name, value, Unit::Torque, right);
                 if *base != 0 {
                     let on_base = if sign < 0.0 { found } else { -found };
                     let couple = super::Couple { value: on_base, load: false, rubs: false };
@@ -150,7 +150,8 @@ impl Course<'_> {
         let mut across = way.across(&sums);
         match effort {
             EffortLine::Along(_) => {
-                let found = self.equate(name.clone(), value, Unit::Force, signed(-way.along(&sums)));
+                let right = signed(-way.along(&sums));
+                let found = self.equate_or_nothing(&name, value, Unit::Force, right);
                 let on = signed(found);
                 if guide.base != 0 {
                     let known = [Vec::new(), Vec::new()];
@@ -187,13 +188,13 @@ impl Course<'_> {
     fn has_open_place(&self, slot: usize) -> bool {
         let joint = self.scene.model.plan.reactions[slot].joint;
         let pair = self.structure().replaced.joint(joint).pair;
-        self.scene.mechanism().pair(pair).bearing == Some(Bearing::Open)
+        self.unplaced[pair.index()]
     }
 
     /// In which sense an effort acts; a free coordinate has none, and what is zero has no sense.
     fn sense_of_effort(&mut self, name: &Name, slot: usize, force: bool) {
         let is_nothing = |found: &Expr| matches!(found, Expr::Leaf(q) if q.is_nothing());
-        if self.found.get(name).is_some_and(is_nothing) && !self.has_no_effort(slot) {
+        if self.found.get(name).is_none_or(is_nothing) && !self.has_no_effort(slot) {
             return;
         }
         let message = match (force, self.state().forces.efforts[slot] < 0.0) {

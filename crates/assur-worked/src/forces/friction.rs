@@ -6,6 +6,7 @@ use crate::document::{Inline, Line, text};
 use crate::motion::of;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
+use assur_model::model::LinkId;
 use assur_position::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw};
 
 impl Course<'_> {
@@ -61,11 +62,17 @@ impl Course<'_> {
         }
         let rate = self.relative_rate(element);
         let value = vec![Inline::Math(assur_formula::letters(&rate))];
-        let labels = [element.body, element.base].map(|b| vec![text(self.label(b))]);
-        let [on, from] = labels;
-        let message =
-            if rate.value() > 0.0 { Message::PairMovesPositive } else { Message::PairMovesNegative };
-        self.say(message, &[pair, on, from, value, of(&self.friction_name(element))]);
+        let [on, from] = [element.body, element.base].map(|b| vec![text(self.label(b))]);
+        let (friction, positive) = (of(&self.friction_name(element)), rate.value() > 0.0);
+        let nameless = element.base == 0 && self.scene.mechanism().link(LinkId::GROUND).number.is_none();
+        if nameless {
+            let message =
+                if positive { Message::PairOnGroundPositive } else { Message::PairOnGroundNegative };
+            self.say(message, &[pair, on, value, friction]);
+        } else {
+            let message = if positive { Message::PairMovesPositive } else { Message::PairMovesNegative };
+            self.say(message, &[pair, on, from, value, friction]);
+        }
         Some(rate)
     }
 

@@ -160,7 +160,10 @@ impl Course<'_> {
             if slot == 0 {
                 self.say(Message::WithoutFriction, &[]);
             }
-            let first = self.stated(first, ideal.state.forces.efforts[slot], unit);
+            let alone =
+                if self.structure().efforts.len() == 1 { self.ideal_effort(&first, unit) } else { None };
+            let ideal = ideal.state.forces.efforts[slot];
+            let first = alone.unwrap_or_else(|| self.stated(first, ideal, unit));
             let (Some(now), Some(first)) = (self.power_of(slot, now), self.power_of(slot, first)) else {
                 return;
             };
@@ -177,6 +180,27 @@ impl Course<'_> {
         self.say(if drives { Message::EffortsDrive } else { Message::EffortsResist }, &[]);
         self.equate(Name::new("η", ""), value, Unit::One, if drives { p_0 / p } else { p / p_0 });
         self.say(if value > 0.0 { Message::NotLocked } else { Message::LocksItself }, &[]);
+    }
+
+    /// The one effort without friction, by the power of the loads; none where this does not give it.
+    fn ideal_effort(&mut self, name: &Name, unit: Unit) -> Option<Expr> {
+        let ideal = self.scene.view().without_friction();
+        let (effort, power) = (ideal.state.forces.efforts[0], ideal.power_of_efforts());
+        if self.counts.forces[1] + self.counts.held + self.counts.loads[1] > 0 {
+            return None;
+        }
+        let rate = self.power_of(0, Expr::Int(1))?;
+        let right = -Expr::sum(self.powers_of_loads(false));
+        let near = |x: f64, y: f64| (x - y).abs() <= SAME * right.scale().max(y.abs());
+        if rate.is_zero()
+            || right.is_zero()
+            || !near(right.value(), power)
+            || !near(effort * rate.value(), power)
+        {
+            return None;
+        }
+        let power = self.equate(Name::new("P", "0"), power, Unit::Power, right);
+        Some(self.equate(name.clone(), effort, unit, power / rate))
     }
 
     /// The values of the file at which locking begins.

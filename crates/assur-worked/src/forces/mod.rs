@@ -31,7 +31,6 @@ pub use loads::quantity_name;
 use crate::course::Course;
 use crate::document::{Figure, Line, Term, text};
 use crate::words::Message;
-use assur_model::model::Bearing;
 use assur_model::structure::Group;
 use assur_position::plan::ForceStep;
 
@@ -92,8 +91,7 @@ impl Course<'_> {
         let large = found.iter().map(|r| r.force.norm()).chain(loads).fold(0.0, f64::max);
         for (slot, joint) in plan.reactions.iter().enumerate() {
             let pair = self.structure().replaced.joint(joint.joint).pair;
-            let open = self.scene.mechanism().pair(pair).bearing == Some(Bearing::Open)
-                || self.scene.view().shares_friction(pair);
+            let open = self.unplaced[pair.index()] || self.scene.view().shares_friction(pair);
             if open || found[slot].force.norm() <= NOTHING * large {
                 continue;
             }

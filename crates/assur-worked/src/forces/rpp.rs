@@ -32,7 +32,7 @@ impl Course<'_> {
         let reference = self.moved(inner.slider).position(inner.point);
         let about = sign * (between.couple + (reference - place).cross(between.force));
         let couple = if moment.is_zero() {
-            self.say(Message::ThroughPoint, &[vec![text(point)], of(&name)]);
+            self.say(Message::ThroughPoint, &[vec![text(self.label(one))], vec![text(point)], of(&name)]);
             Expr::ZERO
         } else {
             self.equate(Name::new("M", &name.sub), about, Unit::Torque, moment)

@@ -25,7 +25,10 @@ impl Course<'_> {
         let about = sign * (reaction.couple + (reference - b).cross(reaction.force));
         let name = self.reaction_name(one.body, two.body);
         let couple = if second.is_zero() {
-            self.say(Message::ThroughPoint, &[vec![text(&*point)], crate::motion::of(&name)]);
+            self.say(
+                Message::ThroughPoint,
+                &[vec![text(&*labels[1])], vec![text(&*point)], crate::motion::of(&name)],
+            );
             Expr::ZERO
         } else {
             self.equate(Name::new("M", &name.sub), about, Unit::Torque, -second)
@@ -34,7 +37,8 @@ impl Course<'_> {
         self.say(Message::MomentsOfLink, &[vec![text(&*labels[0])], vec![text(&*hinge)]]);
         let first = self.moment_about(one.body, pins[0]);
         let distance = Name::new("s", &joined(&hinge, &point));
-        let along = match self.found.get(&distance) {
+        let reverse = Name::new("s", &joined(&point, &hinge));
+        let along = match self.found.get(&distance).or_else(|| self.found.get(&reverse)) {
             Some(along) => along.clone(),
             None => {
                 let (a, b) = (self.position(one.body, pins[0]), self.position(two.body, pins[1]));

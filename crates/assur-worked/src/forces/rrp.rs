@@ -72,7 +72,7 @@ impl Course<'_> {
         let name = self.reaction_name(guide.base, guide.body);
         let reaction = self.state().forces.reactions[guide.slot];
         let value = d.perp().dot(reaction.force);
-        let across = self.equate(name.clone(), value, Unit::Force, normal);
+        let across = self.equate_or_nothing(&name, value, Unit::Force, normal);
         let moment = self.moment_about(guide.body, at);
         let couple = -moment;
         let point = self.point_name(guide.body, at);
@@ -80,7 +80,10 @@ impl Course<'_> {
         let place = self.moved(guide.body).position(at);
         let about = reaction.couple + (reference - place).cross(reaction.force);
         if couple.is_zero() {
-            self.say(Message::ThroughPoint, &[vec![text(point)], of(&name)]);
+            if !across.is_zero() {
+                let label = self.label(guide.body);
+                self.say(Message::ThroughPoint, &[vec![text(label)], vec![text(point)], of(&name)]);
+            }
             return (across, Expr::ZERO);
         }
         let letters = Name::new("M", &name.sub);

@@ -42,8 +42,11 @@ impl Course<'_> {
         let slides = element.body == guide.slider || element.through == guide.slider;
         let carrier = if guide.slider == guide.body { guide.base } else { guide.body };
         let point = self.point_name(guide.slider, guide.point);
-        let name = Name::new("v", &format!("{point},{}", self.label(carrier)));
-        if let Some(found) = self.found.get(&name).cloned() {
+        let indices =
+            [format!("{point},{}", self.label(carrier)), self.against_slider(&point, carrier, guide.slider)];
+        for found in
+            indices.map(|index| self.found.get(&Name::new("v", &index)).cloned()).into_iter().flatten()
+        {
             for right in [found.clone(), -found] {
                 if (right.value() - speed).abs() <= SAME * speed.abs() {
                     return right;

@@ -31,7 +31,7 @@ impl Course<'_> {
         let members = of_train.members.clone();
         let laws = of_train.laws.clone();
         members.iter().for_each(|member| self.complete(body_of(member)));
-        self.say(Message::TrainForces, &[]);
+        self.say_once(Message::TrainForces);
         self.directions(&laws);
         let before = self.acting.forces.clone();
         let unknowns = self.unknowns_of(train);
@@ -185,10 +185,30 @@ impl Course<'_> {
                 .find(|w| (w.radius - size).abs() <= 1e-12 * size && self.label(w.link.index()) == label);
             match wheel {
                 Some(wheel) => self.given(Name::new("r", &wheel.name), size, Unit::Length),
-                None => self.given(Name::new("r", &format!("{pair},{label}")), size, Unit::Length),
+                None => self.centre_distance(pair, size).unwrap_or_else(|| {
+                    self.given(Name::new("r", &format!("{pair},{label}")), size, Unit::Length)
+                }),
             }
         };
         if value < 0.0 { -factor } else { factor }
+    }
+
+    /// The arm of a carrier: the sum of the radii of two wheels, or their difference.
+    fn centre_distance(&self, pair: &str, size: f64) -> Option<Expr> {
+        let mechanism = self.scene.mechanism();
+        let PairKind::Transmission(t) = &mechanism.pairs.iter().find(|p| p.name == pair)?.kind else {
+            return None;
+        };
+        let wheels: Vec<&Wheel> =
+            t.ends.iter().filter_map(|end| mechanism.wheels.iter().find(|w| w.name == *end)).collect();
+        let [a, b] = wheels.as_slice() else { return None };
+        let (large, small) = if a.radius >= b.radius { (a, b) } else { (b, a) };
+        let radius = |w: &Wheel| self.given(Name::new("r", &w.name), w.radius, Unit::Length);
+        let is = |x: f64| (x - size).abs() <= 1e-12 * size;
+        if is(a.radius + b.radius) {
+            return Some(radius(a) + radius(b));
+        }
+        is(large.radius - small.radius).then(|| radius(large) - radius(small))
     }
 
     /// The forces on a wheel act on the link that carries its axis.
@@ -242,12 +262,11 @@ impl Course<'_> {
 
     /// −rest / factor; where nothing loads it, it is nothing.
     fn solved_for(&mut self, name: Name, value: f64, unit: Unit, rest: Expr, factor: Expr) -> Expr {
-        let right = -(rest / factor);
-        if right.is_zero() {
+        let found = self.equate_or_nothing(&name, value, unit, -(rest / factor));
+        if found.is_zero() {
             self.found.insert(name, Expr::ZERO);
-            return Expr::ZERO;
         }
-        self.equate(name, value, unit, right)
+        found
     }
 }
 

@@ -9,7 +9,7 @@ use crate::motion::pin;
 use crate::words::Message;
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, Meeting};
+use assur_model::model::Meeting;
 use assur_position::plan::{Guide, LawSite, PlannedLaw, TrainSupport};
 
 impl Course<'_> {
@@ -38,6 +38,15 @@ impl Course<'_> {
                 LawSite::Turn(_) => {}
             }
         }
+    }
+
+    /// The couple of a transmission on one of its shafts.
+    pub(crate) fn couple_of_law(&mut self, slot: usize, body: usize) -> Option<Expr> {
+        let law = self.scene.model.plan.laws[slot].clone();
+        let force = self.found.get(&self.law_name(slot).0).cloned()?;
+        let is_there = |(site, _): &(LawSite, f64)| matches!(site, LawSite::Turn(b) if *b == body);
+        let term = law.terms.iter().position(is_there)?;
+        Some(force * self.side_lever(slot, &law, term, body))
     }
 
     /// The lever of a side of a law with what is left of its force; of the carrier that of both sides.
@@ -198,8 +207,7 @@ impl Course<'_> {
                 continue;
             }
             let pair = self.structure().replaced.joint(self.scene.model.plan.reactions[slot].joint).pair;
-            let open = self.scene.mechanism().pair(pair).bearing == Some(Bearing::Open);
-            if open && base == 0 {
+            if self.unplaced[pair.index()] && base == 0 {
                 // where its bearing stands is not known, and nothing else depends on it
                 continue;
             }

@@ -1,7 +1,7 @@
 //! The lift of a cam at a position: the formula of the stage in which the cam stands.
 
 use super::cam::CamLaw;
-use crate::cam_law::{greatest_acceleration, is_of_half, shape};
+use crate::cam_law::{derivatives, greatest_acceleration, is_of_half, shape};
 use crate::course::Course;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::element::cam::{Law, Phase};
@@ -35,16 +35,7 @@ impl Course<'_> {
         let (place, of) = if mirrored { (1.0 - x, Expr::Int(1) - part) } else { (x, part) };
         let [way, slope, bend] = shape(phase.law, &h, &of, place, &constants)?;
         let [way, bend] = if mirrored { [h - way, -bend] } else { [way, bend] };
-        // by the angle in radians; a lift that is an angle is in degrees itself
-        let [first, second] = if law.turns {
-            [over(slope, angle.clone()), over(Expr::Int(180) * bend, Expr::Pi * angle.squared())]
-        } else {
-            let square = |x: Expr| Expr::Square(Box::new(x));
-            [
-                over(Expr::Int(180) * slope, Expr::Pi * angle.clone()),
-                over(square(Expr::Int(180)) * bend, square(Expr::Pi) * square(angle)),
-            ]
-        };
+        let [first, second] = derivatives(law.turns, slope, bend, angle);
         Some([from + way, first, second])
     }
 
@@ -72,24 +63,5 @@ impl Course<'_> {
             }
             _ => Vec::new(),
         }
-    }
-}
-
-/// A quotient without a fraction in its numerator.
-fn over(x: Expr, by: Expr) -> Expr {
-    match x {
-        Expr::Neg(x) => -over(*x, by),
-        Expr::Ratio(a, b) => *a / (*b * by),
-        Expr::Product(factors) if factors.iter().any(|f| matches!(f, Expr::Ratio(..))) => {
-            let (mut top, mut bottom) = (Expr::Int(1), by);
-            for factor in factors {
-                match factor {
-                    Expr::Ratio(a, b) => (top, bottom) = (top * *a, bottom * *b),
-                    other => top = top * other,
-                }
-            }
-            top / bottom
-        }
-        x => x / by,
     }
 }

@@ -73,11 +73,8 @@ impl Course<'_> {
         let group = &self.structure().motion[index];
         let labels: Vec<String> = group.bodies.iter().map(|b| self.label(b.0)).collect();
         let labels = labels.join(", ");
-        let message = if self.scene.model.plan.motion.len() > 1 && group.efforts.is_empty() {
-            Message::GroupOf
-        } else {
-            Message::LinkOf
-        };
+        let several = self.scene.model.plan.motion.len() > 1 || group.bodies.len() > 1;
+        let message = if several && group.efforts.is_empty() { Message::GroupOf } else { Message::LinkOf };
         let line = crate::words::say(self.language, message, &[vec![text(labels)]]);
         let words = crate::course::plain(&line);
         self.heading(3, words);

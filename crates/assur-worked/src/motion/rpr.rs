@@ -1,18 +1,23 @@
-//! Dyad RPR: a link hung by a hinge A carries a guide, along which a body hung by a hinge B slides.
+//! Dyad RPR: a link hung by a hinge A carries a guide, along which a body hung by a hinge B slides. B is compared with the point of the
+//! guide's link that it covers at this instant.
 
-use super::{Stage, pin, unknown};
+use super::{Stage, of, pin, unknown};
 use crate::angle::Angle;
 use crate::course::{Body, Course, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_math::math::Vec2;
+use assur_model::structure::JointKind;
 use assur_position::plan::{Anchor, Arm, Slide};
 
 /// A dyad in letters.
 struct Letters {
     points: [String; 2],
     label: String,
+    /// The point of the guide's link that B covers; its motion against B.
+    covered: String,
+    relative: String,
     /// The guide, the distance along it, the offset.
     guide: Angle,
     along: Expr,
@@ -28,11 +33,24 @@ impl Course<'_> {
         pins: [Arm; 2],
         slide: &Slide,
     ) {
-        match stage {
-            Stage::Positions => self.rpr_position(branch, bases, pins, slide),
-            Stage::Velocities => self.rpr_rates(1, branch, bases, pins, slide),
-            Stage::Accelerations => self.rpr_rates(2, branch, bases, pins, slide),
+        let (mut bases, mut pins, mut slide) = (*bases, pins, *slide);
+        if self.has_guide_on_slider(&slide) {
+            (bases, pins, slide) = ([bases[1], bases[0]], [pins[1], pins[0]], seen_from_slider(&slide));
         }
+        match stage {
+            Stage::Positions => self.rpr_position(branch, &bases, pins, &slide),
+            Stage::Velocities => self.rpr_rates(1, branch, &bases, pins, &slide),
+            Stage::Accelerations => self.rpr_rates(2, branch, &bases, pins, &slide),
+        }
+    }
+
+    /// Whether the file has the guide on the link that slides in the plan.
+    fn has_guide_on_slider(&self, slide: &Slide) -> bool {
+        slide.radius == 0.0
+            && self.structure().replaced.joints.iter().any(|joint| match joint.kind {
+                JointKind::Prismatic { slider, guide, .. } => (slider.0, guide.0) == (slide.base, slide.body),
+                _ => false,
+            })
     }
 
     /// How far B is to the left of the parallel to the guide through A, m.
@@ -52,7 +70,12 @@ impl Course<'_> {
         let d = [b[0].clone() - a[0].clone(), b[1].clone() - a[1].clone()];
         let third = joined(&one, &two);
         let h = self.rpr_offset(branch, pins, slide);
-        self.say(Message::Slotted, &[vec![text(&*two)], vec![text(&*one)]]);
+        let mut parts = vec![vec![text(self.label(slide.base))], vec![text(&*one)], vec![text(&*two)]];
+        let message = if h.is_zero() { Message::SlottedThrough } else { Message::Slotted };
+        if !h.is_zero() {
+            parts.push(of(&Name::new("h", &two)));
+        }
+        self.say(message, &parts);
         let length = self.distance(Name::new("l", &third), &d);
         let delta = self.direction_of(Name::new("δ", &third), &d, &third);
         let places = [0, 1].map(|i| self.moved([slide.base, slide.body][i]).position(pin(&pins[i])));
@@ -77,7 +100,10 @@ impl Course<'_> {
         let name = Name::new("s", &joined(&points[0], &points[1]));
         let along = self.found.get(&name).cloned().unwrap_or(Expr::ZERO);
         let offset = self.rpr_offset(branch, pins, slide);
-        Letters { label: self.label(slide.base), guide: self.guide(slide), along, offset, points }
+        let covered = self.covered_point(&points[1], slide.base);
+        let relative = self.against_slider(&points[1], slide.base, slide.body);
+        let (label, guide) = (self.label(slide.base), self.guide(slide));
+        Letters { points, label, covered, relative, guide, along, offset }
     }
 
     /// Velocities (1) or accelerations (2).
@@ -91,32 +117,33 @@ impl Course<'_> {
         let d = [b[0].clone() - a[0].clone(), b[1].clone() - a[1].clone()];
         self.rpr_vectors(order, bases, slide, &l);
         let body = slide.base;
-        let name = self.sliding_name(["", "v", "a"][order], slide, pin(&pins[1]));
+        let back = d.clone().map(|part| -part);
         self.say(Message::AcrossGuide, &[]);
+        let value = -self.rpr_sliding(order, slide, pin(&pins[1]));
+        let sliding = |letter| Name::new(letter, &l.relative);
         if order == 1 {
-            let value = self.moved(body).omega;
+            let omega = self.moved(body).omega;
             let right = l.guide.across(&d) / l.along.clone();
-            let omega = self.equate(Name::new("ω", &l.label), value, Unit::AngularVelocity, right);
+            let omega = self.equate(Name::new("ω", &l.label), omega, Unit::AngularVelocity, right);
             self.set_rate(body, 0, omega.clone());
             self.say(Message::AlongGuide, &[]);
-            let right = l.guide.along(&d) + omega * l.offset.clone();
-            let value = self.rpr_sliding(1, slide, pin(&pins[1]));
-            self.equate(name, value, Unit::Velocity, right);
+            let right = l.guide.along(&back) - omega * l.offset.clone();
+            self.equate(sliding("v"), value, Unit::Velocity, right);
             self.senses(&[body]);
         } else {
             let omega = self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
-            let speed = self.sliding_name("v", slide, pin(&pins[1]));
-            let speed = self.found.get(&speed).cloned().unwrap_or(Expr::ZERO);
-            let coriolis = self.coriolis(&l.points[1], &omega, &speed);
-            let value = self.moved(body).alpha;
-            let top = l.guide.across(&d) - coriolis + omega.clone().squared() * l.offset.clone();
+            let speed = self.found.get(&sliding("v")).cloned().unwrap_or(Expr::ZERO);
+            let right = Expr::Int(2) * omega.clone() * speed;
+            let coriolis = right.value();
+            let coriolis = self.equate(sliding("a").marked("k"), coriolis, Unit::Acceleration, right);
+            let alpha = self.moved(body).alpha;
+            let top = l.guide.across(&d) + coriolis + omega.clone().squared() * l.offset.clone();
             let right = top / l.along.clone();
-            let alpha = self.equate(Name::new("α", &l.label), value, Unit::AngularAcceleration, right);
+            let alpha = self.equate(Name::new("α", &l.label), alpha, Unit::AngularAcceleration, right);
             self.set_rate(body, 1, alpha.clone());
             self.say(Message::AlongGuide, &[]);
-            let right = l.guide.along(&d) + alpha * l.offset.clone() + omega.squared() * l.along.clone();
-            let value = self.rpr_sliding(2, slide, pin(&pins[1]));
-            self.equate(name, value, Unit::Acceleration, right);
+            let right = l.guide.along(&back) - alpha * l.offset.clone() - omega.squared() * l.along.clone();
+            self.equate(sliding("a").marked("r"), value, Unit::Acceleration, right);
         }
         self.set_slider_rate(slide, order - 1);
     }
@@ -135,46 +162,79 @@ impl Course<'_> {
         (body.acceleration(at) - under).dot(d)
     }
 
-    /// v_B2 = v_B1 + v_B2B1
+    /// v_B3 = v_B + v_B3B2, where B3 is the point of the guide's link that B covers.
     fn rpr_vectors(&mut self, order: usize, bases: &[Anchor; 2], slide: &Slide, l: &Letters) {
         let letter = ["", "v", "a"][order];
         let [one, two] = &l.points;
         let stage = if order == 1 { Stage::Velocities } else { Stage::Accelerations };
+        if order == 1 {
+            let parts = [&l.covered, &l.label, two].map(|words| vec![text(&**words)]);
+            self.say(Message::Covered, &parts);
+        }
         let mut terms = Vec::new();
-        let left = self.absolute(stage, "", &bases[1]);
-        match left {
-            Some(term) => terms.push(term),
-            None => {
-                let zero = vec![text("0")];
-                terms.push(self.term("", Name::new(letter, two), zero, vec![text("–")]));
-            }
-        }
-        let absolute = self.absolute(stage, "=", &bases[0]);
-        let mut sign = if absolute.is_some() { "+" } else { "=" };
-        terms.extend(absolute);
-        let turned = Name::new(letter, &joined(&format!("{two}{}", l.label), one));
+        let base = self.absolute(stage, "", &bases[0]);
+        let mut sign = if base.is_some() { "+" } else { "" };
+        let index = if base.is_some() { joined(&l.covered, one) } else { l.covered.clone() };
+        terms.extend(base);
+        let turned = Name::new(letter, &index);
         if order == 2 {
-            let omega = self.bodies[slide.base].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
-            let length = Name::new("s", &joined(one, two));
-            let size = self.found.get(&length).cloned().unwrap_or(Expr::ZERO);
-            let size = super::formula(&(omega.squared() * size));
+            let size = super::formula(&self.rpr_normal(slide, l));
             terms.push(self.term(sign, turned.marked("n"), size, super::towards(two, one)));
-            terms.push(self.term(
-                "+",
-                turned.marked(self.language.letters().tangential),
-                unknown(),
-                super::across(two, one),
-            ));
-            let across = vec![text(format!("⊥ {}", self.words(Message::Guide)))];
-            terms.push(self.term("+", Name::new("a", two).marked("k"), vec![text("2 ω v")], across));
-            sign = "+";
+            let tangential = turned.marked(self.language.letters().tangential);
+            terms.push(self.term("+", tangential, unknown(), super::across(one, two)));
         } else {
-            terms.push(self.term(sign, turned, unknown(), super::across(two, one)));
-            sign = "+";
+            terms.push(self.term(sign, turned, unknown(), super::across(one, two)));
         }
-        let along = vec![text(format!("∥ {}", self.words(Message::Guide)))];
-        let name = Name::new(letter, &format!("{two},{}", l.label));
-        terms.push(self.term(sign, name, unknown(), along));
+        let slider = self.absolute(stage, "=", &bases[1]);
+        sign = if slider.is_some() { "+" } else { "=" };
+        terms.extend(slider);
+        let relative = Name::new(letter, &l.relative);
+        let guide = self.words(Message::Guide);
+        if order == 2 {
+            let across = vec![text(format!("⊥ {guide}"))];
+            terms.push(self.term(sign, relative.marked("k"), vec![text("2 ω v")], across));
+            terms.push(self.term("+", relative.marked("r"), unknown(), vec![text(format!("∥ {guide}"))]));
+        } else {
+            terms.push(self.term(sign, relative, unknown(), vec![text(format!("∥ {guide}"))]));
+        }
         self.vectors(terms);
+    }
+
+    /// ω² times the distance of B from A.
+    fn rpr_normal(&self, slide: &Slide, l: &Letters) -> Expr {
+        let letter = if l.offset.is_zero() { "s" } else { "l" };
+        let length = Name::new(letter, &joined(&l.points[0], &l.points[1]));
+        let length = self.found.get(&length).cloned().unwrap_or(Expr::ZERO);
+        let length = if length.value() < 0.0 { length.abs() } else { length };
+        let omega = self.bodies[slide.base].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
+        omega.squared() * length
+    }
+
+    /// The index of a point of a link that another point covers: A4.
+    fn covered_point(&self, point: &str, body: usize) -> String {
+        let label = self.label(body);
+        let short =
+            !point.ends_with(|c: char| c.is_ascii_digit()) && label.chars().all(|c| c.is_ascii_digit());
+        if short { format!("{point}{label}") } else { format!("{point},{label}") }
+    }
+
+    /// The index of the motion of a link against a slider at the slider's point: A4A3.
+    pub(crate) fn against_slider(&self, point: &str, carrier: usize, slider: usize) -> String {
+        let [of, against] = [carrier, slider].map(|body| self.covered_point(point, body));
+        if of.contains(',') { format!("{of},{}", self.label(slider)) } else { format!("{of}{against}") }
+    }
+}
+
+/// The same guide with the line on the body that slides, and the other sliding along it.
+fn seen_from_slider(slide: &Slide) -> Slide {
+    Slide {
+        base: slide.body,
+        origin: slide.point,
+        along: slide.direction,
+        body: slide.base,
+        point: slide.origin,
+        direction: slide.along,
+        turn: Vec2::new(slide.turn.x, -slide.turn.y),
+        ..*slide
     }
 }

@@ -5,7 +5,7 @@ use crate::course::Course;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
-use assur_model::model::{PairKind, Query, TransmissionKind, Value};
+use assur_model::model::{PairKind, Query, TransmissionKind, Value, Wheel};
 use assur_model::structure::{BodyRate, JointId, JointKind};
 use assur_position::plan::TrainMember;
 
@@ -287,8 +287,9 @@ impl Course<'_> {
                 return self.shared(&terms, z(&a.name, z_a), z(&b.name, z_b));
             }
         }
-        let plain = |(i, (_, c)): (usize, &(BodyRate, f64))| {
+        let plain = |(i, (rate, c)): (usize, &(BodyRate, f64))| {
             let size = c.abs();
+            let turned = |w: &Wheel| matches!(rate, BodyRate::Turn(body) if body.0 == w.link.index());
             let radius = wheels.iter().find(|w| (w.radius - size).abs() <= 1e-12 * size);
             let worm = transmission.kind == TransmissionKind::Worm;
             let toothed = wheels.iter().find(|w| w.teeth == Some(size));
@@ -297,7 +298,7 @@ impl Course<'_> {
                     let name = toothed.map_or(&mechanism.pair(pair).name, |w| &w.name);
                     self.given(Name::new("z", name), size, Unit::One)
                 }
-                _ if (size - 1.0).abs() < 1e-12 => Expr::Int(1),
+                _ if (size - 1.0).abs() < 1e-12 && !radius.is_some_and(|w| turned(w)) => Expr::Int(1),
                 Some(wheel) => self.given(Name::new("r", &wheel.name), size, Unit::Length),
                 None => self.given(
                     Name::new("k", &format!("{},{}", mechanism.pair(pair).name, i + 1)),

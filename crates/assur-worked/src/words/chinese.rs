@@ -20,6 +20,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Given => "已知",
         Message::Value => "数值",
         Message::Quantity => "物理量",
+        Message::Letters => "符号",
         Message::Unit => "单位",
         Message::Pair => "运动副",
         Message::Links => "构件",
@@ -59,7 +60,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::DrivenAngle => "由驱动给定 {0}。",
         Message::DrivenRate => "由驱动给定 {0}。",
         Message::FreeCoordinate => "载荷作用下的运动给出此时刻的 {0}。",
-        Message::Uniform => "原动件匀速转动：{0} = 0。",
+        Message::Uniform => "原动件匀速运动：{0} = 0。",
         Message::Triangle => "三角形 {0} 的三边已知：",
         Message::LeftOf => "{0} 位于由 {1} 到 {2} 的连线左侧：",
         Message::RightOf => "{0} 位于由 {1} 到 {2} 的连线右侧：",
@@ -67,7 +68,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::OnGuide => "{0} 在导路上，由此得构件的方向：",
         Message::AcrossGuide => "垂直于导路投影：",
         Message::AlongGuide => "沿导路投影：",
-        Message::Slotted => "{0} 的导路与 {1} 的距离已知：",
+        Message::Slotted => "{2} 到过 {1} 且沿构件 {0} 导路方向的直线的距离为 {3}（左侧为正）：",
+        Message::SlottedThrough => "构件 {0} 的导路平行于 {1}、{2} 的连线：",
+        Message::Covered => "{0} 为构件 {1} 上此瞬时与 {2} 重合的点。",
         Message::TwoGuides => "{0} 为沿两导路的轨迹的交点：",
         Message::TwoSlides => "两个叠置的滑块确定 {0} 的位置：",
         Message::BetweenGuides => "构件 {0} 沿两导路滑动，相对导路不转动。",
@@ -104,7 +107,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::SumAlongGuide => "沿导路的力的平衡：",
         Message::SumAcrossGuide => "垂直于导路的力的平衡：",
         Message::SumOfLink => "构件 {0} 的力的平衡：",
-        Message::ThroughPoint => "该构件的其他力都通过 {0}，故 {1} 也通过该点。",
+        Message::ThroughPoint => "构件 {0} 的其他力都通过 {1}，故 {2} 也通过该点。",
         Message::CoupleOfGuide => "对 {0} 取矩得导路的反力偶 {1}：",
         Message::EachAlongGuide => "各滑块沿自身导路的平衡给出 {0} 处的力：",
         Message::CouplesOpen => "两导路如何分担力偶不能确定，其法向力为：",
@@ -128,6 +131,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::FrictionLaws => "把求得的反力代入摩擦定律，得到相同的摩擦：",
         Message::PairStill => "运动副 {0} 中没有相对滑动，无摩擦。",
         Message::PairHeld => "摩擦使运动副 {0} 保持静止：{1} 与各加速度一起求出，使其两构件没有相对运动。",
+        Message::OpenSizes => "下列各轮的尺寸只给出比值；其中一个取为 1 m，结果与此无关：{0}。",
         Message::SweepStated => "这里详细求解一个位置；其余位置见文末的表格和曲线。",
         Message::TrainPlaces => "轮和轴按传动关系转动；需要时由这些关系求其转角。",
         Message::LawsOfTrain => {
@@ -153,6 +157,8 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::EquilibriumOf => "构件 {0}：",
         Message::Closes => "杆组的每个运动副代入这些值后封闭（Δ 为余量）：",
         Message::AskedFor => "题目所求的点：",
+        Message::AskedOfGuides => "题目所求的沿导路的量：",
+        Message::AskedOfForces => "题目所求的功率和力矩：",
         Message::NoForces => "题目没有要求力，或力不能确定。",
         Message::SeeScheme => "点和方向见 {0}。",
         Message::SeePlan => "{0} 按比例画出本节的矢量。",
@@ -169,6 +175,12 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::PairMovesNegative => {
             "运动副 {0}：构件 {1} 相对构件 {2} 的 {3} < 0，因此作用在构件 {1} 上的 {4} 为正。"
         }
+        Message::PairOnGroundPositive => {
+            "运动副 {0}：构件 {1} 相对机架的 {2} > 0，因此作用在构件 {1} 上的 {3} 为负。"
+        }
+        Message::PairOnGroundNegative => {
+            "运动副 {0}：构件 {1} 相对机架的 {2} < 0，因此作用在构件 {1} 上的 {3} 为正。"
+        }
         Message::FrictionSteps => {
             "第 0 步为无摩擦时的约束反力。以后每一步令各力的作用线平行于上一步的作用线并与摩擦圆相切（移动副取受压一侧），平衡方程成为线性，重新求出反力。最后一列为反力的最大变化与最大反力之比："
         }
@@ -179,7 +191,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Change => "变化",
         Message::Losses => "损失与效率",
         Message::PairsLose => "每个运动副损失其摩擦的功率：",
-        Message::WithoutFriction => "无摩擦时（下标 0），同样的载荷需要：",
+        Message::WithoutFriction => "无摩擦时（下标 0），载荷与平衡力的功率之和为零：",
         Message::EffortsDrive => "平衡力（矩）为驱动力：效率为无摩擦功率与有摩擦功率之比。",
         Message::EffortsResist => "平衡力（矩）为阻力：效率为有摩擦功率与无摩擦功率之比。",
         Message::NotLocked => "η > 0：机构能沿此方向运动，不自锁。",
@@ -224,14 +236,14 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::TimesOf => "较长转角与较短转角之比为行程速比系数；θ 为极位夹角：",
         Message::FlywheelOf => "飞轮 {0}（装在 {1} 上）",
         Message::FlywheelTable => {
-            "以另一侧的平均力矩 M_m = {0} 为准，轴上力矩 M 所作的盈亏功 W（自第一位置起）："
+            "M 为各构件作用在轴上的力矩，M_m = {0} 为另一侧的平均力矩；M − M_m 所作的盈亏功为 W（自第一位置起）："
         }
         Message::FlywheelExtremes => "在 M 等于平均值处，功在 {0}° 最小，在 {1}° 最大：",
         Message::FlywheelInertia => "保证运转不均匀系数 δ 所需的转动惯量：",
         Message::FlywheelRim => "轮缘，质量集中于直径 D，高为宽的 c 倍：",
         Message::CamOf => "凸轮 {0}",
         Message::CamStages => {
-            "各阶段的运动规律；φ 自阶段起点计，Φ 为阶段转角，h 为升程变化，s′ 为对凸轮转角的导数。下标为公式取值处在该阶段中的百分数；分段公式者各段均取一处："
+            "各阶段的运动规律；Φ 为阶段转角，h 为升程变化，u = φ / Φ 为已转过的比例，s′ 为对凸轮转角的导数。下标为以百分数表示的 u；分段公式者各段均取一处："
         }
         Message::CamDwell => "{0}：停歇。",
         Message::CamOther => "{0}：无简短公式的规律，数值见表。",
@@ -248,7 +260,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LawSpline => "样条的一段",
         Message::CamStart => "从动件在基圆上的位置：",
         Message::CamPressure => "压力角在凸轮转角 {0}° 处最大；该处（下标 α）：",
-        Message::CamCurvature => "理论廓线在 {0}° 处曲率半径最小：",
+        Message::CamCurvature => {
+            "理论廓线在凸轮转角 {0}° 处曲率半径最小；该处（下标 ρ），w 为从动点相对凸轮每弧度的路程："
+        }
         Message::GearsOf => "齿轮副 {0}",
         Message::InvoluteSolved => "由此渐开线函数得角：",
         // sizes

@@ -20,6 +20,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Given => "Given",
         Message::Value => "Value",
         Message::Quantity => "Quantity",
+        Message::Letters => "Symbol",
         Message::Unit => "Unit",
         Message::Pair => "Pair",
         Message::Links => "Links",
@@ -65,7 +66,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::DrivenAngle => "The drive gives {0}.",
         Message::DrivenRate => "The drive gives {0}.",
         Message::FreeCoordinate => "The motion under the loads gives {0} at this instant.",
-        Message::Uniform => "The drive turns uniformly: {0} = 0.",
+        Message::Uniform => "The drive is uniform: {0} = 0.",
         Message::Triangle => "The triangle {0} has three known sides:",
         Message::LeftOf => "{0} is to the left of the line from {1} to {2}:",
         Message::RightOf => "{0} is to the right of the line from {1} to {2}:",
@@ -73,9 +74,13 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::OnGuide => "{0} is on its guide, which gives the direction of the link:",
         Message::AcrossGuide => "Projection across the guide:",
         Message::AlongGuide => "Projection along the guide:",
-        Message::Slotted => "The guide of {0} passes at a known distance from {1}:",
+        Message::Slotted => {
+            "{2} is off the line through {1} along the guide of link {0} by {3}, positive to the left:"
+        }
+        Message::SlottedThrough => "The guide of link {0} has the direction of the line through {1} and {2}:",
+        Message::Covered => "{0} is the point of link {1} that coincides with {2} at this instant.",
         Message::TwoGuides => "{0} is where the paths along two guides meet:",
-        Message::TwoSlides => "Two sliders, one on the other, give the place of {0}:",
+        Message::TwoSlides => "Two sliders, one on the other, give the position of {0}:",
         Message::BetweenGuides => "Link {0} slides on two guides and does not turn against them.",
         Message::Guide => "guide",
         Message::Found => "found",
@@ -126,7 +131,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::SumAlongGuide => "Sum of forces along the guide:",
         Message::SumAcrossGuide => "Sum of forces across the guide:",
         Message::SumOfLink => "Sum of forces on link {0}:",
-        Message::ThroughPoint => "All other forces on the link pass through {0}, so {1} does too.",
+        Message::ThroughPoint => "All other forces on link {0} pass through {1}, so {2} does too.",
         Message::CoupleOfGuide => "Moments about {0} give the couple {1} of the guide:",
         Message::EachAlongGuide => "Each slider along its own guide gives the force in {0}:",
         Message::CouplesOpen => {
@@ -159,6 +164,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::PairStill => "Nothing slides in pair {0}: no friction.",
         Message::PairHeld => {
             "Friction holds pair {0}: {1} is found with the accelerations, so that its links do not move against each other."
+        }
+        Message::OpenSizes => {
+            "The file gives the sizes of these wheels as ratios only; one of them is taken as 1 m, and no result depends on it: {0}."
         }
         Message::SweepStated => {
             "One position is worked out in full here; all others are in the tables and plots at the end."
@@ -193,6 +201,8 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::EquilibriumOf => "Link {0}:",
         Message::Closes => "Every pair of the group closes with these values (Δ is what is left):",
         Message::AskedFor => "Points that the file asks for:",
+        Message::AskedOfGuides => "Along guides, as the file asks:",
+        Message::AskedOfForces => "Powers and torques that the file asks for:",
         Message::NoForces => "The file asks for no forces, or none are determined.",
         Message::SeeScheme => "Points and directions are those of {0}.",
         Message::SeePlan => "{0} shows the vectors of this section to scale.",
@@ -204,17 +214,23 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Rates => "No drive has a speed: velocities are not worked out.",
         // friction: iteration, losses
         Message::FrictionDirect => {
-            "What presses in this pair depends on the loads alone, and not on its friction. The sense of the friction:"
+            "The normal force in this pair depends on the loads alone, not on friction. The sense of the friction:"
         }
         Message::FrictionSenses => "Friction in the pairs of this group opposes the relative motion:",
         Message::PairMovesPositive => {
-            "Pair {0}: link {1} moves against link {2} with {3} > 0; so {4} on link {1} is negative."
+            "Pair {0}: link {1} moves relative to link {2} with {3} > 0, so {4} on link {1} is negative."
         }
         Message::PairMovesNegative => {
-            "Pair {0}: link {1} moves against link {2} with {3} < 0; so {4} on link {1} is positive."
+            "Pair {0}: link {1} moves relative to link {2} with {3} < 0, so {4} on link {1} is positive."
+        }
+        Message::PairOnGroundPositive => {
+            "Pair {0}: link {1} moves relative to the ground with {2} > 0, so {3} on link {1} is negative."
+        }
+        Message::PairOnGroundNegative => {
+            "Pair {0}: link {1} moves relative to the ground with {2} < 0, so {3} on link {1} is positive."
         }
         Message::FrictionSteps => {
-            "Step 0 has the reactions without friction. Every other step takes the lines of action parallel to the last ones and tangent to the friction circles (in guides the side that presses), so that equilibrium is linear, and finds the reactions anew. The last column is the greatest change of a reaction over the greatest reaction:"
+            "Step 0 has the reactions without friction. Every other step takes the lines of action parallel to the last ones and tangent to the friction circles (in guides: on the side that presses). Equilibrium is then linear and gives new reactions. The last column is the greatest change of a reaction over the greatest reaction:"
         }
         Message::FrictionSearched => {
             "This iteration of one group leads to no motion. The laws of all pairs were then solved together for every combination of pressing sides; the values below are those of the solution found."
@@ -223,7 +239,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Change => "Change",
         Message::Losses => "Losses and efficiency",
         Message::PairsLose => "Every pair loses the power of its friction:",
-        Message::WithoutFriction => "Without friction (index 0) the same loads need:",
+        Message::WithoutFriction => {
+            "Without friction (index 0) the powers of the loads and the efforts add up to zero:"
+        }
         Message::EffortsDrive => {
             "The efforts drive: the efficiency is their power without friction over that with it."
         }
@@ -266,7 +284,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::TeethPress => "The teeth of {0} also press the wheels apart, by the pressure angle:",
         Message::BearingsOf => "The bearings take the sum of all forces on their wheels:",
         Message::TrainPowers => {
-            "Power that every transmission takes from the side that drives it, seen from its carrier, and what is lost of it:"
+            "Power that every transmission takes from its driving side, relative to its carrier, and its loss:"
         }
         // Willis
         Message::CarrierLocked => "carrier locked",
@@ -280,11 +298,11 @@ pub(super) const fn template(message: Message) -> &'static str {
             "{0} is at its ends where its velocity passes through zero; the drive is then at φ_1 (least) and φ_2 (greatest):"
         }
         Message::TimesOf => {
-            "The longer way over the shorter is the ratio of the times; θ is the angle between the two extreme positions:"
+            "The larger drive angle over the smaller is the ratio of the times; θ is the angle between the crank’s two extreme positions:"
         }
         Message::FlywheelOf => "Flywheel {0} on {1}",
         Message::FlywheelTable => {
-            "Against the mean torque M_m = {0} of the other side the torque M on the shaft does the work W, counted from the first position:"
+            "M is the torque of the links on the shaft, M_m = {0} the mean torque of the other side; M − M_m does the work W, counted from the first position:"
         }
         Message::FlywheelExtremes => {
             "Between the positions, where M passes through its mean, the work is least at {0}° and greatest at {1}°:"
@@ -293,7 +311,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::FlywheelRim => "The rim, its mass on the diameter D, its height c times its width:",
         Message::CamOf => "Cam {0}",
         Message::CamStages => {
-            "The law by stages; φ is counted from the begin of a stage, Φ is its angle, h its change of the lift, s′ the derivative by the cam angle. The index says where in its stage, in hundredths, a formula is filled in; a law with several formulas has each of them:"
+            "The law by stages; Φ is the angle of a stage, h its change of the lift, u = φ / Φ the part of it that is passed, s′ the derivative by the cam angle. The index gives u in hundredths; a law with several formulas has each of them:"
         }
         Message::CamDwell => "{0}: dwell.",
         Message::CamOther => "{0}: a law without a short formula; its values are in the table.",
@@ -312,7 +330,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LawSpline => "a piece of a spline",
         Message::CamStart => "On the base circle the follower is at:",
         Message::CamPressure => "The pressure angle is greatest at {0}° of the cam; there (index α):",
-        Message::CamCurvature => "The pitch curve is sharpest at {0}°:",
+        Message::CamCurvature => {
+            "The pitch curve is sharpest at {0}° of the cam; there (index ρ), with w the path of the follower’s point in the cam per rad:"
+        }
         Message::GearsOf => "Gears of {0}",
         Message::InvoluteSolved => "The angle with this involute (inv α = tan α − α):",
         // sizes
@@ -320,7 +340,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::SizesOf => "What the file works out from its given values:",
         // cams in motion
         Message::CamTurned => {
-            "Cam {0} has turned by {1} from where its x axis points to the follower; its law there gives the lift {2}, and its derivatives by the cam angle (′, ″):"
+            "Cam {0} is at the cam angle {1}, counted from where its x axis points to the follower. Its law gives the lift {2} there, and the derivatives by the cam angle (′, ″):"
         }
         Message::CamTurnedBy => {
             "Cam {0} is where its law has the lift {2} of the follower; {1} is the angle by which the cam has turned from where its x axis points to the follower:"

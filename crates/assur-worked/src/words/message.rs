@@ -25,6 +25,8 @@ pub enum Message {
     Value,
     /// Header.
     Quantity,
+    /// Header: the letters of a quantity.
+    Letters,
     /// Header.
     Unit,
     /// Header.
@@ -121,6 +123,10 @@ pub enum Message {
     AlongGuide,
     /// A slotted link; 0: B, 1: A.
     Slotted,
+    /// The same where both hinges are as far from the guide; 0: link of the guide, 1: its hinge, 2: hinge of the slider.
+    SlottedThrough,
+    /// A point that another covers; 0: it, 1: its link, 2: the other.
+    Covered,
     /// A point on two guides; 0: it.
     TwoGuides,
     /// A slide on a slide; 0: the point.
@@ -221,6 +227,8 @@ pub enum Message {
     PairStill,
     /// Friction holds a pair; 0: pair, 1: what holds.
     PairHeld,
+    /// Sizes that the file leaves open; 0: they.
+    OpenSizes,
     /// Quantities over a sweep.
     SweepStated,
     /// Angles of wheels.
@@ -263,6 +271,10 @@ pub enum Message {
     Closes,
     /// Points that the file asks for.
     AskedFor,
+    /// Coordinates of sliders that the file asks for.
+    AskedOfGuides,
+    /// Powers and couples that the file asks for.
+    AskedOfForces,
     /// Nothing loads the mechanism.
     NoForces,
     /// The scheme has the points; 0: the figure.
@@ -285,6 +297,10 @@ pub enum Message {
     PairMovesPositive,
     /// The same, backwards.
     PairMovesNegative,
+    /// A pair of the ground moves; 0: pair, 1: link, 2: rate, 3: friction.
+    PairOnGroundPositive,
+    /// The same, backwards.
+    PairOnGroundNegative,
     /// The iteration of friction.
     FrictionSteps,
     /// The whole mechanism was searched.

@@ -1,0 +1,224 @@
+//! The letters under which the steps have what the file asks for.
+
+use crate::course::Course;
+use crate::forces::quantity_name;
+use assur_formula::{Expr, Name, Node, letters, name_node};
+use assur_math::math::Vec2;
+use assur_model::model::{self, Function, PairId, PairKind, PointRef, Query, SubstitutionPart, Value};
+
+/// What differs by less than this part of it is the same.
+const SAME: f64 = 1e-9;
+
+impl Course<'_> {
+    /// The letters of a question's answer; none where no step has them.
+    pub(crate) fn symbol(&mut self, name: &str, of: &model::Expr, value: Value) -> Option<Node> {
+        match value {
+            Value::Scalar(x) => {
+                let own = self.found.get(&quantity_name(name)).cloned();
+                let found = own.filter(|own| is_same(own, x)).or_else(|| self.symbol_of(of))?;
+                [found.clone(), -found.clone(), found.abs()]
+                    .into_iter()
+                    .find(|found| is_same(found, x))
+                    .map(|found| letters(&found))
+            }
+            Value::Vector(v) => match of {
+                model::Expr::Query(Query::Position(PointRef::Fixed(link, at))) => {
+                    let point = self.point_name(link.index(), *at);
+                    let [x, y] = ["x", "y"].map(|axis| name_node(&Name::new(axis, &point)));
+                    self.points[0].contains_key(&point).then(|| Node::Row(vec![x, Node::Operator(","), y]))
+                }
+                _ => self.vector_symbol(of, v).map(|name| name_node(&name.arrow())),
+            },
+            Value::Bool(_) => None,
+        }
+    }
+
+    fn symbol_of(&mut self, of: &model::Expr) -> Option<Expr> {
+        use model::Expr as E;
+        match of {
+            E::Quantity(id) => {
+                let quantity = self.scene.mechanism().quantities.get(id.index())?;
+                self.symbol_of(&quantity.expr)
+            }
+            E::Negate(inner) => self.symbol_of(inner).map(|found| -found),
+            E::Call(Function::Abs, args) => args.first().and_then(|inner| self.symbol_of(inner)),
+            E::Call(Function::Mag, args) => match args.as_slice() {
+                [inner] => self.magnitude_symbol(inner),
+                _ => None,
+            },
+            E::Query(query) => self.scalar_symbol(query),
+            _ => self.result(of),
+        }
+    }
+
+    /// A number that a step has under letters of the question.
+    pub(crate) fn scalar_symbol(&mut self, query: &Query) -> Option<Expr> {
+        let value = match self.scene.view().query(query) {
+            Value::Scalar(x) => x,
+            _ => return None,
+        };
+        let inertia = self.language.letters().inertia;
+        let indexed = |letter: &str, index: String| vec![Name::new(letter, &index)];
+        let names = match query {
+            Query::InertiaTorque(link) => indexed("M", format!("{inertia}{}", self.label(link.index()))),
+            Query::InertiaArm(link) => indexed("h", format!("{inertia}{}", self.label(link.index()))),
+            Query::Normal(pair, _) => self.reactions_of(*pair),
+            Query::Moment(pair, _) => self.couples_of(*pair),
+            Query::LineOffset(pair) => self.lettered("h", *pair),
+            Query::Efficiency => vec![Name::new("η", "")],
+            Query::DynamicSubstitution(.., part) | Query::StaticSubstitution(.., part) => {
+                let letter = match part {
+                    SubstitutionPart::M1 | SubstitutionPart::M2 => "m",
+                    SubstitutionPart::L2 => "l",
+                    SubstitutionPart::DJ => "ΔJ",
+                    _ => return None,
+                };
+                return self.found_with(|name| name.letter.trim_end_matches('′') == letter, value);
+            }
+            Query::Displacement(pair) => return self.on_guide_with(&["s", "x", "y"], *pair, value),
+            Query::RelativeVelocity(pair) => return self.on_guide_with(&["v"], *pair, value),
+            Query::RelativeAcceleration(pair) => return self.on_guide_with(&["a"], *pair, value),
+            Query::TangentialForce(pair, _) => {
+                let name = self.scene.mechanism().pair(*pair).name.clone();
+                let is = |own: &Name| own.letter == "F" && own.sub.split(',').next() == Some(name.as_str());
+                return self.found_with(is, value);
+            }
+            Query::Friction(pair, _) => {
+                let index = format!("f{}", self.scene.mechanism().pair(*pair).name);
+                return self.found_with(|own| own.sub == index && "FM".contains(&*own.letter), value);
+            }
+            Query::BalancePower(_)
+            | Query::EffortPower(_)
+            | Query::LoadPower(_)
+            | Query::FrictionPower(_) => {
+                return self.found_with(|name| name.letter.trim_end_matches('′') == "P", value);
+            }
+            _ => return self.number_of(query),
+        };
+        self.with_value(names.into_iter(), value)
+    }
+
+    fn magnitude_symbol(&mut self, of: &model::Expr) -> Option<Expr> {
+        let model::Expr::Query(query) = of else {
+            if let model::Expr::Quantity(id) = of {
+                let expr = self.scene.mechanism().quantities.get(id.index())?.expr.clone();
+                return self.magnitude_symbol(&expr);
+            }
+            return None;
+        };
+        let Value::Vector(v) = self.scene.view().query(query) else { return None };
+        let names = match query {
+            Query::Reaction(..) | Query::InertiaForce(_) => return self.magnitude_of(query),
+            Query::Coriolis(_) => {
+                return self.found_with(|name| name.letter == "a" && name.sup == "k", v.norm());
+            }
+            _ => vec![self.vector_name(query, v)?],
+        };
+        let one_part = |name: &Name| ["x", "y"].map(|axis| name.and(axis));
+        let names = names.iter().cloned().chain(names.iter().flat_map(one_part));
+        self.with_value(names.collect::<Vec<_>>().into_iter(), v.norm())
+    }
+
+    fn vector_symbol(&mut self, of: &model::Expr, v: Vec2) -> Option<Name> {
+        match of {
+            model::Expr::Quantity(id) => {
+                let expr = self.scene.mechanism().quantities.get(id.index())?.expr.clone();
+                self.vector_symbol(&expr, v)
+            }
+            model::Expr::Query(query) => self.vector_name(query, v),
+            _ => None,
+        }
+    }
+
+    /// The letters of a vector, where one of its parts or its magnitude has been found by them.
+    fn vector_name(&mut self, query: &Query, v: Vec2) -> Option<Name> {
+        let inertia = self.language.letters().inertia;
+        let name = match query {
+            Query::Velocity(PointRef::Fixed(link, at)) => Name::new("v", &self.point_name(link.index(), *at)),
+            Query::Acceleration(PointRef::Fixed(link, at)) => {
+                Name::new("a", &self.point_name(link.index(), *at))
+            }
+            Query::InertiaForce(link) => Name::new("F", &format!("{inertia}{}", self.label(link.index()))),
+            Query::Reaction(pair, _) => {
+                let names = self.reactions_of(*pair).into_iter();
+                return names.into_iter().find(|name| self.has_parts(name, v));
+            }
+            Query::DynamicSubstitution(.., part) | Query::StaticSubstitution(.., part) => {
+                let letter = match part {
+                    SubstitutionPart::A2 => "a",
+                    SubstitutionPart::F1 | SubstitutionPart::F2 => "F",
+                    _ => return None,
+                };
+                let found = self.found.iter().find(|(name, x)| {
+                    name.letter.trim_end_matches('′') == letter
+                        && name.sub.ends_with('x')
+                        && near(x.value(), v.x)
+                        && self.has_parts(&without_axis(name), v)
+                });
+                return found.map(|(name, _)| without_axis(name));
+            }
+            _ => return None,
+        };
+        self.has_parts(&name, v).then_some(name)
+    }
+
+    /// Whether the parts of a vector, or all of it, have been found by these letters.
+    fn has_parts(&self, name: &Name, v: Vec2) -> bool {
+        let found = |name: &Name, value: f64| {
+            self.found.get(name).is_some_and(|x| near(x.value().abs(), value.abs()))
+        };
+        found(name, v.norm()) || found(&name.and("x"), v.x) || found(&name.and("y"), v.y)
+    }
+
+    /// The letters of the couples in a pair: of guides, and of transmissions on their shafts.
+    fn couples_of(&self, pair: PairId) -> Vec<Name> {
+        let reactions = self.reactions_of(pair);
+        let couples = reactions.iter().map(|name| Name::new("M", &name.sub));
+        let own = |name: &&Name| name.letter == "M" && reactions.iter().any(|r| r.sub == name.sub);
+        let others = self.found.keys().filter(own).cloned();
+        let transmission = self.scene.mechanism().pair(pair).name.clone();
+        let of_law = self
+            .found
+            .keys()
+            .filter(|name| name.letter == "M" && name.sub.split(',').next() == Some(transmission.as_str()));
+        couples.chain(others).chain(of_law.cloned()).collect()
+    }
+
+    /// A letter with the index of the reactions in a pair.
+    fn lettered(&self, letter: &str, pair: PairId) -> Vec<Name> {
+        self.reactions_of(pair).iter().map(|name| Name::new(letter, &name.sub)).collect()
+    }
+
+    /// A coordinate of a slider, or its rate, by these letters: with the index of its pair, or of its point.
+    pub(crate) fn on_guide_with(&self, found_by: &[&str], pair: PairId, value: f64) -> Option<Expr> {
+        let own = self.scene.mechanism().pair(pair);
+        let (PairKind::Prismatic(g) | PairKind::Slot(g)) = &own.kind else { return None };
+        let point = self.point_name(g.slider.index(), g.point);
+        let is = |name: &Name| {
+            let letter = name.letter.trim_end_matches('′');
+            let of_point = name.sub.starts_with(&point) || name.sub.ends_with(&point);
+            found_by.contains(&letter) && (name.sub == own.name || of_point)
+        };
+        self.found_with(is, value)
+    }
+
+    fn found_with(&self, is: impl Fn(&Name) -> bool, value: f64) -> Option<Expr> {
+        let found = self.found.iter().find(|(name, x)| is(name) && near(x.value().abs(), value.abs()));
+        found.map(|(_, x)| x.clone())
+    }
+}
+
+/// A name without the axis at its end.
+fn without_axis(name: &Name) -> Name {
+    let sub = name.sub.strip_suffix('x').unwrap_or(&name.sub);
+    Name { sub: sub.trim_end_matches(',').to_owned(), ..name.clone() }
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME * b.abs()
+}
+
+fn is_same(found: &Expr, value: f64) -> bool {
+    let own = found.value();
+    near(own, value) || near(own, value.to_degrees()) || value == 0.0 && own.abs() <= SAME * found.scale()
+}
