@@ -155,6 +155,13 @@ pub enum CliError {
         /// The feature.
         feature: &'static str,
     },
+    /// An answer key as a table of columns.
+    #[error("`{name}` cannot be written: an answer key is comma-separated values")]
+    #[diagnostic(help("let its name end in `.csv`; `assur grade` reads no other keys"))]
+    KeyOfColumns {
+        /// As given.
+        name: String,
+    },
     /// No font.
     #[cfg(feature = "png")]
     #[error("`{name}` cannot be written: no font for its letters is installed")]

@@ -17,6 +17,17 @@ pub enum Column {
     Names(Vec<Option<String>>),
 }
 
+impl Column {
+    /// Adds the rows of the same column.
+    pub fn append(&mut self, more: Self) {
+        match (self, more) {
+            (Self::Numbers(all), Self::Numbers(mut more)) => all.append(&mut more),
+            (Self::Names(all), Self::Names(mut more)) => all.append(&mut more),
+            _ => {}
+        }
+    }
+}
+
 /// The columns of a batch in its order: by the name of each, and whether it has names instead of numbers.
 ///
 /// # Errors

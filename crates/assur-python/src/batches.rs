@@ -21,26 +21,26 @@ use pyo3::types::PyCapsule;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Schema and array of a batch.
-pub type Capsules<'py> = (Bound<'py, PyCapsule>, Bound<'py, PyCapsule>);
+type Capsules<'py> = (Bound<'py, PyCapsule>, Bound<'py, PyCapsule>);
 
 /// A schema for others.
-pub fn schema_capsule<'py>(py: Python<'py>, schema: &Schema) -> PyResult<Bound<'py, PyCapsule>> {
+fn schema_capsule<'py>(py: Python<'py>, schema: &Schema) -> PyResult<Bound<'py, PyCapsule>> {
     PyCapsule::new_with_value(py, FFI_ArrowSchema::try_from(schema).map_err(arrow)?, c"arrow_schema")
 }
 
 /// A batch for others.
-pub fn array_capsules(py: Python<'_>, batch: RecordBatch) -> PyResult<Capsules<'_>> {
+fn array_capsules(py: Python<'_>, batch: RecordBatch) -> PyResult<Capsules<'_>> {
     let schema = schema_capsule(py, &batch.schema())?;
     let array = FFI_ArrowArray::new(&StructArray::from(batch).into_data());
     Ok((schema, PyCapsule::new_with_value(py, array, c"arrow_array")?))
 }
 
 /// Batches for others.
-pub fn stream_capsule(py: Python<'_>, reader: Reader) -> PyResult<Bound<'_, PyCapsule>> {
+fn stream_capsule(py: Python<'_>, reader: Reader) -> PyResult<Bound<'_, PyCapsule>> {
     PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(reader), c"arrow_array_stream")
 }
 
-/// A batch of answers.
+/// Columns of answers.
 #[pyclass(frozen, module = "assur")]
 pub struct Batch(RecordBatch);
 
@@ -111,6 +111,11 @@ impl Batch {
 }
 
 impl Batch {
+    /// Of columns that are there.
+    pub const fn of(batch: RecordBatch) -> Self {
+        Self(batch)
+    }
+
     fn column(&self, name: &str) -> PyResult<&ArrayRef> {
         self.0.column_by_name(name).ok_or_else(|| PyKeyError::new_err(name.to_owned()))
     }

@@ -1,8 +1,8 @@
 //! The solution of a problem as columns.
 
-use crate::batches::{Capsules, array_capsules, schema_capsule, stream_capsule};
+use crate::batches::Batch;
 use crate::numbers::Numbers;
-use arrow_array::{ArrayRef, RecordBatch, RecordBatchIterator, StringArray};
+use arrow_array::{ArrayRef, RecordBatch, StringArray};
 use arrow_buffer::ScalarBuffer;
 use arrow_schema::{ArrowError, DataType, Field, Schema};
 use assur::internals::diagnostic::did_you_mean;
@@ -10,7 +10,6 @@ use assur::{Diagnostics, PoseFailure, WrittenUnit};
 use assur_arrow::{array, field};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyCapsule;
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -93,8 +92,7 @@ impl Columns {
         })
     }
 
-    /// All of it as a batch of Arrow.
-    fn batch(&self) -> Result<RecordBatch, ArrowError> {
+    fn record(&self) -> Result<RecordBatch, ArrowError> {
         let Solved { pose_header, len, names, failures, .. } = &*self.solved;
         let mut fields = vec![Field::new(pose_header, DataType::Utf8, false)];
         let mut arrays: Vec<ArrayRef> = vec![Arc::new(pose_names(*len, names))];
@@ -203,31 +201,10 @@ impl Columns {
         }
     }
 
-    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
-        schema_capsule(py, &self.batch().map_err(arrow)?.schema())
-    }
-
-    #[pyo3(signature = (requested_schema = None))]
-    fn __arrow_c_array__<'py>(
-        &self,
-        py: Python<'py>,
-        requested_schema: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<Capsules<'py>> {
-        // a schema may be asked for; this is the only one there is
-        drop(requested_schema);
-        array_capsules(py, self.batch().map_err(arrow)?)
-    }
-
-    #[pyo3(signature = (requested_schema = None))]
-    fn __arrow_c_stream__<'py>(
-        &self,
-        py: Python<'py>,
-        requested_schema: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyCapsule>> {
-        drop(requested_schema);
-        let batch = self.batch().map_err(arrow)?;
-        let schema = batch.schema();
-        stream_capsule(py, Box::new(RecordBatchIterator::new([Ok(batch)], schema)))
+    /// All of it as a batch of Arrow.
+    #[getter]
+    fn batch(&self) -> PyResult<Batch> {
+        self.record().map(Batch::of).map_err(arrow)
     }
 }
 

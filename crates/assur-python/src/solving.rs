@@ -7,11 +7,14 @@ use arrow_schema::{ArrowError, Schema, SchemaRef};
 use assur::{Cells, RowAnswers, RowField, RowLayout, Rows, WrittenUnit};
 use assur_arrow::{Column, Head, Lines, Texts, columns};
 use pyo3::prelude::*;
-use std::collections::VecDeque;
+use std::iter::Fuse;
 use std::sync::Arc;
 
-/// Rows that are solved at a time.
+/// Rows that are solved at a time, at the most.
 const ROWS: usize = 1 << 16;
+/// Rows that are gathered before they are solved, from batches that have fewer: what rows have in common is looked for once for
+/// all that are solved at a time.
+const GATHERED: usize = 1 << 13;
 
 /// What the answers look like.
 #[derive(Clone, Copy)]
@@ -42,15 +45,30 @@ pub enum Begin {
 pub struct Solving {
     rows: Rows,
     fields: Vec<RowField>,
-    reader: Reader,
-    /// Rows that were read and not solved yet.
-    waiting: VecDeque<RecordBatch>,
+    reader: Fuse<Reader>,
+    /// What was read and is not taken yet.
+    waiting: Option<Result<RecordBatch, ArrowError>>,
+    /// The first rows, until they are solved.
+    first: Option<Given>,
     layout: Option<RowLayout>,
     head: Head,
     schema: SchemaRef,
     /// How many rows were solved.
     before: usize,
     form: Form,
+}
+
+/// Rows that are solved at a time.
+struct Given {
+    columns: Vec<Column>,
+    count: usize,
+}
+
+impl Given {
+    fn append(&mut self, more: Self) {
+        self.columns.iter_mut().zip(more.columns).for_each(|(column, more)| column.append(more));
+        self.count += more.count;
+    }
 }
 
 impl Iterator for Solving {
@@ -77,25 +95,21 @@ impl Solving {
     /// The rows of a reader whose columns fit the problem.
     pub fn of(rows: Rows, reader: Reader, form: Form) -> Self {
         let fields = rows.fields();
-        let (waiting, schema) = (VecDeque::new(), Arc::new(Schema::empty()));
-        Self { rows, fields, reader, waiting, layout: None, head: Head::default(), schema, before: 0, form }
+        let (head, schema) = (Head::default(), Arc::new(Schema::empty()));
+        let reader = reader.fuse();
+        Self { rows, fields, reader, waiting: None, first: None, layout: None, head, schema, before: 0, form }
     }
 
     /// Reads the first rows and finds the columns of the answers.
     pub fn begin(&mut self) -> Result<(), Begin> {
-        let first = self.read().transpose().map_err(Begin::Arrow)?;
-        let columns = first.as_ref().map(|batch| self.columns(batch)).transpose();
-        let columns = columns.map_err(Begin::Arrow)?.unwrap_or_default();
+        self.first = self.read().transpose().map_err(Begin::Arrow)?;
+        let columns = self.first.as_ref().map_or(&[][..], |first| &first.columns);
         let cells: Vec<Cells<'_>> = columns.iter().map(cells).collect();
-        let count = first.as_ref().map_or(0, RecordBatch::num_rows);
+        let count = self.first.as_ref().map_or(0, |first| first.count);
         let layout = self.rows.layout(&cells, count, self.form.key).map_err(Begin::Diagnostics)?;
         self.head = self.head(&layout);
         self.schema = self.head.schema();
         self.layout = Some(layout);
-        // before what is left of the same batch
-        if let Some(first) = first {
-            self.waiting.push_front(first);
-        }
         Ok(())
     }
 
@@ -116,20 +130,31 @@ impl Solving {
         }
     }
 
-    /// The next rows, no more than are solved at a time.
-    fn read(&mut self) -> Option<Result<RecordBatch, ArrowError>> {
-        let batch = match self.waiting.pop_front() {
-            Some(batch) => batch,
-            None => match self.reader.next()? {
-                Ok(batch) => batch,
-                Err(error) => return Some(Err(error)),
-            },
-        };
-        let count = batch.num_rows();
-        if count > ROWS {
-            self.waiting.push_front(batch.slice(ROWS, count - ROWS));
+    /// The next rows, no more than are solved at a time, and no less than are gathered unless these are all.
+    fn read(&mut self) -> Option<Result<Given, ArrowError>> {
+        let mut given: Option<Given> = None;
+        while given.as_ref().map_or(0, |given| given.count) < GATHERED {
+            let Some(next) = self.waiting.take().or_else(|| self.reader.next()) else { break };
+            let room = ROWS - given.as_ref().map_or(0, |given| given.count);
+            let read = next.and_then(|batch| {
+                let count = batch.num_rows().min(room);
+                let columns = self.columns(&batch.slice(0, count))?;
+                let left = batch.num_rows() - count;
+                self.waiting = (left > 0).then(|| Ok(batch.slice(count, left)));
+                Ok(Given { columns, count })
+            });
+            match (read, &mut given) {
+                (Ok(read), None) => given = Some(read),
+                (Ok(read), Some(given)) => given.append(read),
+                (Err(error), None) => return Some(Err(error)),
+                // it comes after the rows before it
+                (Err(error), Some(_)) => {
+                    self.waiting = Some(Err(error));
+                    break;
+                }
+            }
         }
-        Some(Ok(batch.slice(0, count.min(ROWS))))
+        given.map(Ok)
     }
 
     /// Who solves them.
@@ -139,26 +164,25 @@ impl Solving {
 
     /// The answers to the next rows.
     pub fn next_batch(&mut self, crew: &Crew) -> Option<Result<RecordBatch, ArrowError>> {
-        let batch = match self.read()? {
-            Ok(batch) => batch,
+        let given = match self.first.take().map(Ok).or_else(|| self.read())? {
+            Ok(given) => given,
             Err(error) => return Some(Err(error)),
         };
         let layout = self.layout.take()?;
-        let answered = self.answered(&layout, &batch, crew);
+        let answered = self.answered(&layout, &given, crew);
         self.layout = Some(layout);
-        self.before += batch.num_rows();
+        self.before += given.count;
         Some(answered)
     }
 
     fn answered(
         &self,
         layout: &RowLayout,
-        batch: &RecordBatch,
+        Given { columns, count }: &Given,
         crew: &Crew,
     ) -> Result<RecordBatch, ArrowError> {
-        let columns = self.columns(batch)?;
         let cells: Vec<Cells<'_>> = columns.iter().map(cells).collect();
-        let answers = self.rows.solve(layout, &cells, batch.num_rows(), crew);
+        let answers = self.rows.solve(layout, &cells, *count, crew);
         let Some(answers) = answers else {
             return Err(ArrowError::ExternalError("interrupted".into()));
         };

@@ -288,6 +288,11 @@ const fn feature_of(ending: &str) -> Option<(&'static str, bool)> {
     }
 }
 
+/// Whether a name is that of a file with columns.
+pub fn has_columns(name: &str) -> bool {
+    ending(name).and_then(feature_of).is_some()
+}
+
 /// That feature, where this build does not have it.
 pub fn lacking(name: &str) -> Option<&'static str> {
     ending(name).and_then(feature_of).filter(|(_, has)| !has).map(|(feature, _)| feature)
@@ -307,7 +312,7 @@ fn outer(
         return Err(CliError::NoColumns { name: name.to_owned(), feature });
     }
     #[cfg(feature = "arrow")]
-    if ending(name).and_then(feature_of).is_some() {
+    if has_columns(name) {
         let reader = columns::open(name)?;
         return Ok(columns::header(document, name, &reader).and_then(|table| {
             let (columns, problems) = check::columns(document, overrides, &table.columns);

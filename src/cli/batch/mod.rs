@@ -25,7 +25,7 @@ use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
 use assur_text::source::shown_in_line;
 pub use job::open_table;
-use job::{Job, lacking};
+use job::{Job, has_columns, lacking};
 use layout::Layout;
 use out::Out;
 use run::Run;
@@ -72,6 +72,9 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     keeps_inputs(args)?;
     if let Some((name, feature)) = args.out.as_ref().and_then(|name| Some((name, lacking(name)?))) {
         return Err(CliError::NoColumns { name: name.clone(), feature });
+    }
+    if let Some(name) = args.key.as_ref().filter(|name| has_columns(name)) {
+        return Err(CliError::KeyOfColumns { name: name.clone() });
     }
     let format = args.format().common();
     let layout = Layout::of(&jobs, format);

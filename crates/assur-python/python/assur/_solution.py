@@ -118,13 +118,13 @@ class Solution:
         return pandas.DataFrame({name: self._view(name) for name in self})
 
     def __arrow_c_schema__(self) -> object:
-        return self._columns.__arrow_c_schema__()
+        return self._columns.batch.__arrow_c_schema__()
 
     def __arrow_c_array__(self, requested_schema: object | None = None) -> tuple[object, object]:
-        return self._columns.__arrow_c_array__(requested_schema)
+        return self._columns.batch.__arrow_c_array__(requested_schema)
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
-        return self._columns.__arrow_c_stream__(requested_schema)
+        return self._columns.batch.__arrow_c_stream__(requested_schema)
 
     def __repr__(self) -> str:
         plural = "" if len(self) == 1 else "s"
