@@ -13,6 +13,8 @@ use assur_text::diagnostic::Problems;
 /// What rows with the same columns have in common.
 pub struct QuickRows {
     patches: RowPatches,
+    /// The joints whose numbers depend on the row.
+    differ: Vec<bool>,
     /// The last row.
     solved: Solved,
     /// Where it has one position, and nothing is to be said of it.
@@ -28,8 +30,9 @@ impl QuickRows {
             return None;
         }
         let again = Again::of(&compiled.model(), reads);
+        let differ = compiled.structure.joints_of(patches.pairs());
         let solved = Solved { compiled, solution: Solution::default(), outcomes: Vec::new(), reached: None };
-        Some(Self { patches, solved, again, reads })
+        Some(Self { patches, differ, solved, again, reads })
     }
 
     /// Puts a row into the mechanism, its structure and its plan; `None` where it takes more.
@@ -38,9 +41,9 @@ impl QuickRows {
         if !self.patches.put(row, mechanism) {
             return None;
         }
-        structure.renumber(mechanism);
+        structure.renumber(mechanism, &self.differ);
         if plan.is_renumbered() {
-            plan.renumber_steps(mechanism, structure);
+            plan.renumber_steps(mechanism, structure, &self.differ);
             if self.reads.residuals {
                 plan.renumber_balance(mechanism, structure);
             }

@@ -16,7 +16,7 @@ use crate::values::definition::Settled;
 use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
 use crate::values::typed::{Type, Typed};
 use assur_math::math::Vec2;
-use assur_model::model::{Expr, FindKind, LinkId, Mechanism, NumberPlaces, Value};
+use assur_model::model::{Expr, FindKind, LinkId, Mechanism, NumberPlaces, PairId, Value};
 use assur_syntax::document;
 use assur_syntax::document::ExprKind;
 use assur_text::units::Dimension;
@@ -139,6 +139,11 @@ impl RowPatches {
             self.alike.extend(fitting.map(|other| (from, other)));
         }
         Some(())
+    }
+
+    /// The pairs whose numbers depend on the row.
+    pub fn pairs(&self) -> impl Iterator<Item = PairId> {
+        self.places.pairs()
     }
 
     /// Puts a row into a mechanism of this document; `false` where the row is to be checked as a whole. The mechanism is then

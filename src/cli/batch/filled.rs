@@ -5,6 +5,7 @@ use super::rows::AsWritten;
 use crate::front::{Line, RowAnswers, RowLayout};
 use crate::report::Answers;
 use assur_check::{Row, RowColumn};
+use assur_solve::solve::NumberColumns;
 
 /// What lines repeat of their row.
 pub struct Cited<'a> {
@@ -35,6 +36,8 @@ pub struct Filled<'a> {
     layout: &'a RowLayout,
     /// Memory for the answers of a line.
     numbers: Vec<f64>,
+    /// The columns of rows that differ in numbers alone, once they were looked for.
+    quick: Option<Option<NumberColumns>>,
     /// The answers; rows are counted from 0.
     pub answers: RowAnswers,
     /// The name of the row of each line.
@@ -48,21 +51,25 @@ impl<'a> Filled<'a> {
     pub fn of(job: &'a Job) -> Self {
         let layout = job.layout();
         let givens = job.givens().map(|_| Vec::new()).collect();
-        Self { layout, numbers: Vec::new(), answers: RowAnswers::of(layout), labels: Vec::new(), givens }
+        let (numbers, answers, labels) = (Vec::new(), RowAnswers::of(layout), Vec::new());
+        Self { layout, numbers, quick: None, answers, labels, givens }
     }
 
-    /// Adds the lines of a row; without answers one that says why.
-    pub fn row(&mut self, job: &Job, row: &Cited<'_>, answers: Option<&Answers<'_>>, error: &str) {
+    /// Adds the lines of a row, and whether it differs from others in numbers alone; without answers one that says why.
+    pub fn row(
+        &mut self,
+        job: &Job,
+        row: &Cited<'_>,
+        (answers, quick): (Option<&Answers<'_>>, bool),
+        error: &str,
+    ) {
+        let columns = answers.filter(|_| quick).and_then(|answers| {
+            self.quick.get_or_insert_with(|| self.layout.answers.in_quick_rows(&answers.model)).as_ref()
+        });
         let before = self.answers.len();
         let index = row.number.saturating_sub(1);
-        Line {
-            layout: self.layout,
-            index,
-            numbers: &mut self.numbers,
-            columns: None,
-            out: &mut self.answers,
-        }
-        .all(answers, error);
+        Line { layout: self.layout, index, numbers: &mut self.numbers, columns, out: &mut self.answers }
+            .all(answers, error);
         let count = self.answers.len() - before;
         for ((i, column), cells) in job.givens().zip(&mut self.givens) {
             cells.extend(std::iter::repeat_n(row.number_of(i, column), count));

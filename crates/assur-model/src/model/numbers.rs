@@ -2,7 +2,7 @@
 
 use super::{
     BalanceKind, Drive, DriveTarget, Expect, Expr, Friction, Guide, HintKind, Link, LoadKind, Mechanism,
-    PairKind, Place, PointRef, Positions, Query, Relation, Tolerance, Value,
+    PairId, PairKind, Place, PointRef, Positions, Query, Relation, Tolerance, Value,
 };
 use crate::math::Vec2;
 use std::sync::Arc;
@@ -47,10 +47,18 @@ enum Statement {
 /// Where some numbers of a mechanism are.
 #[derive(Clone, Debug, Default)]
 pub struct NumberPlaces {
-    /// Statements, and how many numbers each has of them.
+    /// Statements, and where those of each end in `within`.
     statements: Vec<(Statement, usize, usize)>,
     /// The places of these among the numbers of their statements.
     within: Vec<usize>,
+}
+
+impl NumberPlaces {
+    /// The pairs that have some of these numbers.
+    pub fn pairs(&self) -> impl Iterator<Item = PairId> {
+        let pairs = self.statements.iter().filter(|(statement, ..)| matches!(statement, Statement::Pair));
+        pairs.map(|&(_, index, _)| PairId::at(index))
+    }
 }
 
 impl Mechanism {
@@ -74,9 +82,8 @@ impl Mechanism {
                 found.within.extend(
                     std::iter::from_fn(|| wanted.next_if(|place| *place < end)).map(|place| place - first),
                 );
-                let own = found.within.len() - before;
-                if own > 0 {
-                    found.statements.push((statement, index, own));
+                if found.within.len() > before {
+                    found.statements.push((statement, index, found.within.len()));
                 }
                 first = end;
             }
@@ -86,17 +93,19 @@ impl Mechanism {
 
     /// Puts numbers in their places.
     pub fn put_numbers(&mut self, places: &NumberPlaces, numbers: &[f64]) {
-        let mut numbers = places.within.iter().zip(numbers);
-        for &(statement, index, count) in &places.statements {
-            let mut own = numbers.by_ref().take(count);
-            let (mut next, mut place) = (own.next(), 0);
+        let mut first = 0;
+        for &(statement, index, end) in &places.statements {
+            let within = &places.within[first..end];
+            let numbers = &numbers[first..end];
+            let (mut done, mut place) = (0, 0);
             self.numbers_of(statement, index, &mut |x| {
-                if let Some((_, number)) = next.filter(|(at, _)| **at == place) {
-                    *x = *number;
-                    next = own.next();
+                if within.get(done) == Some(&place) {
+                    *x = numbers[done];
+                    done += 1;
                 }
                 place += 1;
             });
+            first = end;
         }
     }
 

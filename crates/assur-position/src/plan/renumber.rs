@@ -5,10 +5,10 @@ use super::planned::Plan;
 use super::step::MotionStep;
 use super::{forces, loads, motion};
 use crate::model::Mechanism;
-use crate::structure::Structure;
+use crate::structure::{Group, Structure};
 
 impl Plan {
-    /// Whether [`Plan::renumber`] knows all of its steps: closed forms without friction, laws and driven points.
+    /// Whether [`Plan::renumber_steps`] knows all of its steps: closed forms without friction, laws and driven points.
     #[must_use]
     pub fn is_renumbered(&self) -> bool {
         let motion = |step: &MotionStep| {
@@ -39,21 +39,18 @@ impl Plan {
             && self.forces.iter().all(force)
     }
 
-    /// Takes over the numbers of a mechanism that calls for the same steps, see [`Plan::is_renumbered`].
-    pub fn renumber(&mut self, mechanism: &Mechanism, structure: &Structure) {
-        self.renumber_steps(mechanism, structure);
-        self.renumber_balance(mechanism, structure);
-    }
-
-    /// The same but for the equations by which the balance of forces is checked.
-    pub fn renumber_steps(&mut self, mechanism: &Mechanism, structure: &Structure) {
+    /// Takes over the numbers of a mechanism that calls for the same steps, see [`Plan::is_renumbered`], and of the joints that
+    /// may differ, by their indices. The equations by which the balance of forces is checked are left out.
+    pub fn renumber_steps(&mut self, mechanism: &Mechanism, structure: &Structure, differ: &[bool]) {
         for (branch, group) in structure.motion.iter().enumerate() {
-            if let Some(step) = motion::closed(structure, group, branch) {
+            if has(group, differ)
+                && let Some(step) = motion::closed(structure, group, branch)
+            {
                 self.motion[branch] = step;
             }
         }
         if self.effects.forces {
-            self.renumber_forces(mechanism, structure);
+            self.renumber_forces(mechanism, structure, differ);
         }
         self.checks.renumber_joints(structure);
     }
@@ -65,7 +62,7 @@ impl Plan {
         self.checks = checks;
     }
 
-    fn renumber_forces(&mut self, mechanism: &Mechanism, structure: &Structure) {
+    fn renumber_forces(&mut self, mechanism: &Mechanism, structure: &Structure, differ: &[bool]) {
         loads::plan(mechanism, &self.effects, &mut self.loads);
         loads::lines(mechanism, structure, &mut self.lines);
         let mut first = 0;
@@ -74,10 +71,17 @@ impl Plan {
                 ForceStep::Rrr { motion, .. } | ForceStep::Rrp { motion, .. } => *motion,
                 _ => None,
             };
-            if let Some(step) = forces::closed(structure, group, first, self, moved_by) {
+            if has(group, differ)
+                && let Some(step) = forces::closed(structure, group, first, self, moved_by)
+            {
                 self.forces[index] = step;
             }
             first += group.joints.len();
         }
     }
+}
+
+/// Whether one of these joints is in a group: the numbers of its steps are those of its joints.
+fn has(group: &Group, joints: &[bool]) -> bool {
+    group.joints.iter().any(|joint| joints[joint.joint.0])
 }

@@ -40,6 +40,8 @@ pub struct Again {
     hints: Vec<Vec<usize>>,
     /// The ways in which a group can stand.
     ways: Vec<Assembly>,
+    /// Distances of cylinders are looked at.
+    cylinders: bool,
     rates: Rates,
     loads_name_quantities: bool,
     carried: Vec<f64>,
@@ -76,6 +78,7 @@ impl Again {
             reads: Reads { angles, ..reads },
             hints: hints_by_group(model),
             ways: Vec::new(),
+            cylinders: mechanism.pairs.iter().any(|pair| matches!(pair.kind, PairKind::Cylinder { .. })),
             rates: Rates::of(model, &NOTHING),
             loads_name_quantities: loads_name_quantities(mechanism),
             carried: Vec::new(),
@@ -171,7 +174,7 @@ impl Again {
     }
 
     fn only_way(&mut self, model: &Model<'_>, state: &mut State, index: usize) -> Option<Branch> {
-        let Self { hints, ways, .. } = self;
+        let Self { hints, ways, cylinders, .. } = self;
         let step = &model.plan.motion[index];
         if hints[index].is_empty() && is_single(model, index) {
             return Some(Branch::FIRST);
@@ -182,7 +185,8 @@ impl Again {
             state.branches[index] = branch;
             state.motion.open = None;
             state.step::<0>(model.plan, step);
-            let stands = state.motion.open.is_none() && cylinders_are_positive(model, state, index);
+            let stands =
+                state.motion.open.is_none() && (!*cylinders || cylinders_are_positive(model, state, index));
             let here = |way: &Assembly| way.is_here(model, state, index, || extent(model));
             if !stands || ways[..count].iter().any(here) {
                 continue;
