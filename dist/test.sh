@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests what dist/build.sh has made: the archive, the Debian package installed and removed, the wheel in a fresh environment, the sources of
-# the Python package, and Ray with two workers. Installs packages by pip; the Debian package needs root.
+# the Python package, and Dask and Ray with two workers. Installs packages by pip; the Debian package needs root.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 out=$PWD/target/artefacts
@@ -76,7 +76,7 @@ rows = pyarrow.table({"r [mm]": numpy.where(i == 7777, 9000.0, 80.0 + i % 40), "
 wanted = pyarrow.table(assur.load(path).batch(rows)).combine_chunks()
 assert wanted["error"].null_count == len(i) - 1
 pyarrow.parquet.write_table(rows, f"{folder}/rows.parquet")
-pyarrow.feather.write_feather(rows, f"{folder}/rows.feather", compression="uncompressed")
+pyarrow.feather.write_feather(rows, f"{folder}/rows.feather", compression="lz4")
 for source, out in [("rows.parquet", "out.feather"), ("rows.feather", "out.parquet")]:
     command = [program, "batch", path, "--variants", f"{folder}/{source}", "--out", f"{folder}/{out}"]
     assert subprocess.run(command, stderr=subprocess.DEVNULL).returncode == 1, "a row does not close"
@@ -93,6 +93,8 @@ tar -C "$work" -xzf "$out"/assur-*[0-9].tar.gz
 rm -rf "$work/target"
 say "sources of the Python package"
 
-"$fresh/pip" install --quiet 'ray[data]'
-(cd crates/assur-python && "$fresh/python" -m pytest -q -p no:cacheprovider tests/clusters/test_ray.py)
-say "Ray: 1,000,000 rows on two workers, one of which was killed"
+"$fresh/pip" install --quiet 'ray[data]' distributed
+for cluster in dask ray; do
+  (cd crates/assur-python && "$fresh/python" -m pytest -q -p no:cacheprovider tests/clusters/test_$cluster.py)
+  say "$cluster: 1,000,000 rows on two workers, one of which was killed"
+done

@@ -341,3 +341,15 @@ fn a_build_without_columns_says_so() {
     }
     assert_eq!(folder.names(), ["p.mech", "t.parquet"]);
 }
+
+#[test]
+fn a_key_is_comma_separated() {
+    let folder = Folder::new("key").with("p.mech", PRESS).with("t.csv", &many(3));
+    for name in ["key.arrow", "key.parquet"] {
+        let said = assur(&folder, &["batch", "p.mech", "--variants", "t.csv", "--key", name]);
+        assert_eq!((said.status, said.stdout.as_str()), (2, ""), "{name}");
+        let why = format!("`{name}` cannot be written: an answer key is comma-separated values");
+        assert!(said.stderr.contains(&why), "{}", said.stderr);
+        assert!(!Path::new(&folder.path(name)).exists());
+    }
+}

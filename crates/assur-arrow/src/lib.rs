@@ -9,6 +9,9 @@ mod lines;
 #[doc(hidden)]
 pub use arrow_array;
 pub use arrow_array::{RecordBatch, RecordBatchReader};
+#[cfg(feature = "ipc")]
+#[doc(hidden)]
+pub use arrow_ipc;
 pub use arrow_schema::{ArrowError, Field, Schema, SchemaRef};
 pub use cells::{array, field};
 #[cfg(feature = "ipc")]

@@ -3,6 +3,7 @@
 use super::{read, same_as};
 use crate::run::{Folder, assur};
 use assur_arrow::arrow_array::{ArrayRef, Float32Array, Float64Array, RecordBatch, StringArray};
+use assur_arrow::arrow_ipc::{CompressionType, writer::FileWriter, writer::IpcWriteOptions};
 use assur_arrow::{Kind, Schema, Writer};
 use std::sync::Arc;
 
@@ -87,6 +88,22 @@ fn columns_have_the_answers_of_comma_separated_values() {
             same_as(&read(&folder, &out), &wanted.stdout);
         }
     }
+}
+
+#[test]
+fn files_that_are_compressed_are_read() {
+    let folder = Folder::new("compressed").with("p.mech", PRESS);
+    write(&folder, "plain.arrow", Kind::File, &[rows(500)]);
+    let options = IpcWriteOptions::default().try_with_compression(Some(CompressionType::LZ4_FRAME)).unwrap();
+    let mut bytes = Vec::new();
+    let mut writer = FileWriter::try_new_with_options(&mut bytes, &rows(0).schema(), options).unwrap();
+    writer.write(&rows(500)).unwrap();
+    writer.finish().unwrap();
+    drop(writer);
+    folder.write_bytes("packed.arrow", &bytes);
+    let answers = |name| assur(&folder, &["batch", "p.mech", "--variants", name, "--format", "csv"]).stdout;
+    assert!(bytes.len() < std::fs::metadata(folder.path("plain.arrow")).unwrap().len() as usize);
+    assert!(answers("packed.arrow") == answers("plain.arrow"));
 }
 
 #[test]
