@@ -52,7 +52,7 @@ within() {
     total=0
     for function in "$@"; do
         one=$(awk -v f=":$function" '{ at = index($0, f); rest = substr($0, at + length(f), 1) }
-            at && (rest == " " || rest == "") && $1 > most { most = $1 } END { print most + 0 }' "$folder/profile")
+            at && (rest == " " || rest == "") && $1 > most { most = $1 } END { printf "%.0f\n", most }' "$folder/profile")
         total=$((total + one))
     done
     echo "$total"

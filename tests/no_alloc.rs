@@ -10,7 +10,7 @@ use assur::internals::math::ode::{
 };
 use assur::internals::model::{Friction, Mechanism, PairKind};
 use assur::internals::report::json::JsonLines;
-use assur::internals::report::lines::CsvLines;
+use assur::internals::report::lines::{CsvLines, LineMemory};
 use assur::internals::report::rows::AnswerColumns;
 use assur::internals::report::{Answers, NumberRows, Precision};
 use assur::internals::solve::{Ahead, BLOCK, Block, DriveInput, Following, Model, Solution, solve};
@@ -116,17 +116,21 @@ const SWEEP: &str = include_str!("../benches/peers/four-bar.mech");
 fn a_sweep_and_its_lines_allocate_nothing() {
     let text = SWEEP.replace("in 360 steps", "in 10000 steps");
     let count = allocations_of_blocks(&text, |answers| {
-        let (mut row, mut out, mut json) = (Vec::new(), Vec::new(), JsonLines::of("a".to_owned()));
-        let mut csv = CsvLines::of(&answers.model, None);
+        let (mut memory, mut out) = (LineMemory::default(), Vec::new());
+        let (mut csv, mut json) = (CsvLines::of(&answers.model, None), JsonLines::of("a".to_owned()));
         move |answers: &Answers<'_>, ahead: &Ahead<'_>, block: &mut Block| {
             ahead.answer(block, true);
             for pose in block.poses() {
                 out.clear();
                 csv.begin(answers);
-                csv.add(answers, pose, &mut row, &mut out);
+                csv.add(answers, pose, &mut memory, &mut out);
                 json.begin(answers, pose);
-                json.add(answers, pose, &mut row, &mut out);
+                json.add(answers, pose, &mut memory, &mut out);
             }
+            out.clear();
+            assert!(
+                csv.add_block(block, &mut memory, &mut out) && json.add_block(block, &mut memory, &mut out)
+            );
         }
     });
     assert_eq!(count, 0);

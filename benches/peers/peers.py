@@ -30,12 +30,17 @@ ASKS = {POSITIONS: "position({})", VELOCITIES: "velocity({})", ACCELERATIONS: "a
 POINT = {"crank-slider": "C", "four-bar": "C", "six-bar": "F"}
 
 FROM_ANGLE = "sine and cosine of the drive; answers stored in an array"
+THREADS = [("", "", "1"), (", two threads", ", by the clock", "2")]
+WHOLE = {
+    "csv": "the whole program for a million positions, of the four-bar 14 numbers each: sines, following, closure, writing to /dev/null",
+    "jsonl": "the same, of the four-bar 98 numbers each: motion of all links and points, reactions, residuals",
+}
 ROWS = [
     *(("assur, one by one", what, FROM_ANGLE) for what in ASKS),
     *(("assur, eight together", what, FROM_ANGLE) for what in ASKS),
     *(("assur, lanes", what, FROM_ANGLE) for what in ASKS),
     ("assur, lanes, from the text", FORCES, "the same for 36,000 positions, and once reading and compiling the text and following a turn with residuals"),
-    ("`assur solve --format csv`", FORCES, "the whole program for a million positions: sines, following, closure, writing to /dev/null"),
+    *((f"`assur solve --format {form}`{on}", FORCES, WHOLE[form] + clock) for form in WHOLE for on, clock, _ in THREADS),
     ("plan alone, one by one", FORCES, "sine and cosine given, nothing stored"),
     ("plan alone, eight together", FORCES, "sine and cosine given, nothing stored"),
     ("plan alone, lanes", FORCES, "sine and cosine given, nothing stored"),
@@ -166,9 +171,11 @@ class Case:
                     self.keep(f"plan alone, {way}", what, plan)
                 self.keep("assur, lanes, from the text", what, out["text"])
             path.write_text(self.text.replace(f"in {COUNT} steps", f"in {MILLION} steps"))
-            command = [assur, "solve", path, "--format", "csv", "--threads", "1"]
-            run = lambda: subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-            self.keep("`assur solve --format csv`", FORCES, 1e6 * least(run, 1) / MILLION)
+            for form in WHOLE:
+                for on, _, threads in THREADS:
+                    command = [assur, "solve", path, "--format", form, "--threads", threads]
+                    run = lambda: subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+                    self.keep(f"`assur solve --format {form}`{on}", FORCES, 1e6 * least(run, 1) / MILLION)
         if self.name == "four-bar":
             out = json.loads(output(program, "--by-hand"))
             for way, array, plan in zip(("by hand", "by hand, lanes"), out["array"], out["plan"]):

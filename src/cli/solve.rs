@@ -14,7 +14,7 @@ use super::screen::Screen;
 use super::stream;
 use super::threads::Threads;
 use crate::pipeline::{Compiled, Solved};
-use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words, is_long};
+use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words};
 use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::json::Variant;
 use crate::report::{self, AccuracyShown, Answers, Precision};
@@ -89,7 +89,7 @@ impl Printing<'_> {
             compiled => compiled,
         };
         let compiled = match compiled {
-            Some(compiled) if !problems.has_errors() && self.by_position(&compiled) => {
+            Some(compiled) if !problems.has_errors() && self.by_position() => {
                 let file = self.several.then_some(source.name.as_str());
                 let (form, to) = ((self.format, file), (printer, &self.threads));
                 return stream::positions(form, source, compiled, problems, self.screen, to);
@@ -117,10 +117,8 @@ impl Printing<'_> {
     }
 
     /// Whether positions are written one after another.
-    fn by_position(&self, compiled: &Compiled) -> bool {
-        let format = self.format;
-        let forgets = format == Format::Jsonl || format == Format::Csv && is_long(&compiled.model());
-        forgets && self.args.within.is_none()
+    fn by_position(&self) -> bool {
+        matches!(self.format, Format::Jsonl | Format::Csv) && self.args.within.is_none()
     }
 
     fn answers(&self, source: &Source, answers: &Answers<'_>) -> String {

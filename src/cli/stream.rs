@@ -7,9 +7,9 @@ use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
 use super::threads::Threads;
 use crate::front::stages::{InOrder, Stages, work};
-use crate::pipeline::{Compiled, Sink, Solved};
+use crate::pipeline::{Compiled, Sink, Solved, is_long};
 use crate::report::json::JsonLines;
-use crate::report::lines::CsvLines;
+use crate::report::lines::{CsvLines, LineMemory};
 use crate::report::{Answers, Precision};
 use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Pose, Watch};
 use assur_text::diagnostic::Problems;
@@ -35,15 +35,13 @@ pub fn positions(
         Format::Csv => Lines::Csv(CsvLines::of(&compiled.model(), file)),
         _ => Lines::Json(JsonLines::of(source.name.clone())),
     };
-    let angles = match &lines {
-        Lines::Csv(lines) => lines.reads_angles(&compiled.model()),
-        Lines::Json(_) => true,
-    };
+    // of few positions nothing is printed where one makes all of them meaningless
+    let held = (format == Format::Csv && !is_long(&compiled.model())).then(Vec::new);
     let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
     let way = OnTheWay::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
     let (begun, any, failed) = (false, false, false);
-    let mut out = Out { lines, angles, text, begun, any, failed, printer, threads, watch: &watch };
+    let mut out = Out { lines, text, held, begun, any, failed, printer, threads, watch: &watch };
     let (solved, found) = crate::pipeline::solve_each(compiled, &mut out);
     problems.append(found);
     if let Ok(solved) = &solved {
@@ -79,25 +77,27 @@ impl Lines {
         }
     }
 
-    /// Adds the line of a position.
-    fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, text: &mut Vec<u8>) {
+    /// Whether they show angles.
+    fn show_angles(&self, answers: &Answers<'_>) -> bool {
         match self {
-            Self::Csv(lines) => lines.add(answers, pose, row, text),
-            Self::Json(lines) => lines.add(answers, pose, row, text),
+            Self::Csv(lines) => lines.reads_angles(&answers.model),
+            Self::Json(lines) => lines.shows_angles(),
+        }
+    }
+
+    /// Adds the line of a position.
+    fn add(&self, answers: &Answers<'_>, pose: &Pose, memory: &mut LineMemory, text: &mut Vec<u8>) {
+        match self {
+            Self::Csv(lines) => lines.add(answers, pose, memory, text),
+            Self::Json(lines) => lines.add(answers, pose, memory, text),
         }
     }
 
     /// Adds the lines of positions side by side from their numbers alone; `false`, and nothing, where that is not all.
-    fn add_block(
-        &self,
-        block: &Block,
-        cells: &mut Vec<Vec<f64>>,
-        row: &mut Vec<f64>,
-        text: &mut Vec<u8>,
-    ) -> bool {
+    fn add_block(&self, block: &Block, memory: &mut LineMemory, text: &mut Vec<u8>) -> bool {
         match self {
-            Self::Csv(lines) => lines.add_block(block, cells, row, text),
-            Self::Json(_) => false,
+            Self::Csv(lines) => lines.add_block(block, memory, text),
+            Self::Json(lines) => lines.add_block(block, memory, text),
         }
     }
 
@@ -112,9 +112,9 @@ impl Lines {
 
 struct Out<'p, 'o, 'w> {
     lines: Lines,
-    /// The lines show angles.
-    angles: bool,
     text: Vec<u8>,
+    /// What is printed once all is known, where that is wanted.
+    held: Option<Vec<u8>>,
     /// A position has a meaning.
     begun: bool,
     any: bool,
@@ -134,7 +134,7 @@ impl Sink for Out<'_, '_, '_> {
         self.any = true;
         self.begun |= pose.outcome.is_ok() || pose.failure().is_some();
         self.lines.begin(answers, Some(pose));
-        self.lines.add(answers, pose, &mut Vec::new(), &mut self.text);
+        self.lines.add(answers, pose, &mut LineMemory::default(), &mut self.text);
         if self.text.len() >= if self.begun { PIECE } else { HELD } {
             self.flush();
         }
@@ -161,7 +161,7 @@ impl Sink for Out<'_, '_, '_> {
             let whole = take(&mut block);
             ahead.answer(&mut block, true);
             self.lines.begin(answers, block.poses().first());
-            write(&self.lines, answers, &block, &mut self.text);
+            write(&self.lines, answers, &block, (&mut LineMemory::default(), &mut self.text));
             if !whole {
                 return !self.failed;
             }
@@ -169,10 +169,14 @@ impl Sink for Out<'_, '_, '_> {
         }
         self.flush();
         let ahead = ahead.behind(from);
-        let Self { lines, angles, printer, .. } = self;
-        let stages = Writing { lines, answers, ahead, angles: *angles };
-        let goes_on =
-            work(self.threads, ahead.count().div_ceil(PIECES), &stages, &mut Printing { take, printer });
+        let Self { lines, printer, held, .. } = self;
+        let stages = Writing { lines, answers, ahead, angles: lines.show_angles(answers) };
+        let goes_on = work(
+            self.threads,
+            ahead.count().div_ceil(PIECES),
+            &stages,
+            &mut Printing { take, held, printer },
+        );
         self.failed |= !goes_on;
         goes_on
     }
@@ -193,9 +197,7 @@ struct Piece {
     text: Vec<u8>,
     /// The text is that of the blocks.
     is_written: bool,
-    /// Memory for numbers, column by column and of a line.
-    cells: Vec<Vec<f64>>,
-    row: Vec<f64>,
+    memory: LineMemory,
 }
 
 impl Stages for Writing<'_> {
@@ -213,11 +215,8 @@ impl Stages for Writing<'_> {
         for (i, block) in piece.blocks.iter_mut().enumerate() {
             ahead.solve(block, i * BLOCK);
             // angles depend on the positions before: lines that show none are written while the states are at hand
-            if piece.is_written
-                && !self.lines.add_block(block, &mut piece.cells, &mut piece.row, &mut piece.text)
-            {
-                ahead.answer(block, false);
-                write(self.lines, self.answers, block, &mut piece.text);
+            if piece.is_written {
+                self.write(block, &mut piece.memory, &mut piece.text);
             }
         }
     }
@@ -229,8 +228,17 @@ impl Stages for Writing<'_> {
     fn finish(&self, piece: &mut Piece) {
         piece.text.clear();
         for block in &mut piece.blocks {
+            self.write(block, &mut piece.memory, &mut piece.text);
+        }
+    }
+}
+
+impl Writing<'_> {
+    /// Adds the lines of a block.
+    fn write(&self, block: &mut Block, memory: &mut LineMemory, text: &mut Vec<u8>) {
+        if !self.lines.add_block(block, memory, text) {
             self.ahead.answer(block, self.angles);
-            write(self.lines, self.answers, block, &mut piece.text);
+            write(self.lines, self.answers, block, (memory, text));
         }
     }
 }
@@ -238,6 +246,7 @@ impl Stages for Writing<'_> {
 /// Takes positions over, and prints their lines.
 struct Printing<'t, 'p, 'o> {
     take: &'t mut dyn FnMut(&mut Block) -> bool,
+    held: &'t mut Option<Vec<u8>>,
     printer: &'p mut Printer<'o>,
 }
 
@@ -257,15 +266,30 @@ impl InOrder<Piece> for Printing<'_, '_, '_> {
     }
 
     fn end(&mut self, piece: &mut Piece) -> bool {
-        self.printer.print(&piece.text)
+        print(&piece.text, self.held, self.printer)
     }
 }
 
-/// Adds the lines of a block.
-fn write(lines: &Lines, answers: &Answers<'_>, block: &Block, text: &mut Vec<u8>) {
-    let mut row = Vec::new();
+/// Prints lines, or holds them back.
+fn print(text: &[u8], held: &mut Option<Vec<u8>>, printer: &mut Printer<'_>) -> bool {
+    match held {
+        Some(held) => {
+            held.extend_from_slice(text);
+            true
+        }
+        None => printer.print(text),
+    }
+}
+
+/// Adds the lines of positions that were answered.
+fn write(
+    lines: &Lines,
+    answers: &Answers<'_>,
+    block: &Block,
+    (memory, text): (&mut LineMemory, &mut Vec<u8>),
+) {
     let poses = block.poses().iter().filter(|pose| pose.is_position());
-    poses.for_each(|pose| lines.add(answers, pose, &mut row, text));
+    poses.for_each(|pose| lines.add(answers, pose, memory, text));
 }
 
 impl Out<'_, '_, '_> {
@@ -277,10 +301,13 @@ impl Out<'_, '_, '_> {
             self.lines.add_without_pose(&answers, &mut self.text);
         }
         self.flush();
+        if let Some(held) = self.held.take() {
+            self.failed |= !self.printer.print(held);
+        }
     }
 
     fn flush(&mut self) {
-        self.failed |= !self.printer.print(&self.text);
+        self.failed |= !print(&self.text, &mut self.held, self.printer);
         self.text.clear();
     }
 }

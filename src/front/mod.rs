@@ -12,6 +12,7 @@ mod filling;
 mod graded;
 mod positions;
 mod problem;
+mod queues;
 mod row_answers;
 mod rows;
 mod side_by_side;

@@ -1,9 +1,9 @@
 //! Pieces of work in two stages on several threads, with something that is done here and in their order between the stages, and behind
-//! them.
+//! them. A piece stays with one thread, and so does its memory: that thread has them in its cache.
 
+use super::queues::{Line, Waiting};
 use super::workers::Workers;
-use std::collections::VecDeque;
-use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 /// What is done with every piece.
@@ -43,80 +43,153 @@ pub fn work<S: Stages>(
     if threads.min(count) < 2 {
         return one_by_one(count, stages, order);
     }
-    let (jobs, waiting) = channel();
+    let waiting: Vec<Waiting<S::Piece>> = (0..threads).map(|_| Waiting::default()).collect();
     let (done, reached) = channel();
-    let waiting = Mutex::new(waiting);
+    let here = AtomicUsize::new(1);
     let help = || {
-        while let Some(job) = next(&waiting, true) {
+        let Some(waiting) = waiting.get(here.fetch_add(1, Ordering::Relaxed)) else { return };
+        while let Some(job) = waiting.wait() {
             Reply::of(job, stages, &done);
         }
     };
-    let (mut jobs, mut goes_on) = (Some(jobs), false);
+    let mut goes_on = false;
     workers.beside(&help, &mut || {
-        if let Some(jobs) = jobs.take() {
-            let pieces = Pieces { jobs, waiting: &waiting, reached: &reached, threads, count };
-            goes_on = pieces.in_their_order(stages, order);
-        }
+        let _ending = Ending(&waiting);
+        goes_on = Pieces::new(&waiting, &reached, count).in_their_order(stages, order);
     });
     goes_on
 }
 
-/// Pieces on their way through the stages.
-struct Pieces<'w, P> {
-    /// Those who help end with it.
-    jobs: Sender<Job<P>>,
-    waiting: &'w Mutex<Receiver<Job<P>>>,
-    /// What the others have done; nothing of a piece that was lost.
-    reached: &'w Receiver<Option<Job<P>>>,
-    threads: usize,
-    count: usize,
+/// Lets those go who help.
+struct Ending<'w, P>(&'w [Waiting<P>]);
+
+impl<P> Drop for Ending<'_, P> {
+    fn drop(&mut self) {
+        self.0.iter().for_each(Waiting::end);
+    }
 }
 
-impl<P> Pieces<'_, P> {
-    fn in_their_order(&self, stages: &impl Stages<Piece = P>, order: &mut impl InOrder<P>) -> bool {
-        let mut line = Line { begun: Queue::default(), finished: Queue::default(), free: Vec::new() };
-        // a piece more each time that one was wanted: where few are, few are begun in vain
-        let (mut window, mut sent, mut wanted) = (1, 0, self.count);
+/// Pieces on their way through the stages.
+struct Pieces<'w, P> {
+    /// What waits for each thread, for this one first. What nobody has begun is done here, too.
+    waiting: &'w [Waiting<P>],
+    /// What the others have done; nothing of a piece that was lost.
+    reached: &'w Receiver<Option<Job<P>>>,
+    /// How many jobs each thread has.
+    given: Vec<usize>,
+    /// Memory of pieces that are done, thread by thread.
+    free: Vec<Vec<P>>,
+    begun: Line<P>,
+    finished: Line<P>,
+    /// A piece more each time that one was wanted: where few are, few are begun in vain.
+    window: usize,
+    sent: usize,
+    wanted: usize,
+}
+
+impl<'w, P> Pieces<'w, P> {
+    fn new(waiting: &'w [Waiting<P>], reached: &'w Receiver<Option<Job<P>>>, count: usize) -> Self {
+        let (given, free) = (vec![0; waiting.len()], waiting.iter().map(|_| Vec::new()).collect());
+        let (begun, finished) = (Line::default(), Line::default());
+        Self { waiting, reached, given, free, begun, finished, window: 1, sent: 0, wanted: count }
+    }
+
+    fn in_their_order(&mut self, stages: &impl Stages<Piece = P>, order: &mut impl InOrder<P>) -> bool {
         loop {
-            self.reached.try_iter().flatten().for_each(|job| line.put(job));
-            while line.begun.first < wanted
-                && let Some(mut piece) = line.begun.take()
-            {
-                let number = line.begun.first - 1;
-                if order.between(&mut piece) {
-                    window = (window + 1).min(MOST * self.threads);
-                } else {
-                    wanted = number + 1;
-                }
-                let stage = if stages.is_finished(&piece) { Stage::Finished } else { Stage::Begun };
-                let job = Job { number, piece, stage };
-                match job.stage {
-                    Stage::Finished => line.put(job),
-                    _ => drop(self.jobs.send(job)),
-                }
+            self.reached.try_iter().flatten().for_each(|job| self.put(job));
+            self.between(stages, order);
+            if !self.end(order) {
+                return false;
             }
-            while let Some(mut piece) = line.finished.take() {
-                if !order.end(&mut piece) {
-                    return false;
-                }
-                line.free.push(piece);
-            }
-            if line.finished.first >= wanted {
+            if self.finished.first() >= self.wanted {
                 return true;
             }
-            while sent < wanted.min(line.finished.first + window) {
-                let piece = line.free.pop().unwrap_or_else(|| stages.piece());
-                drop(self.jobs.send(Job { number: sent, piece, stage: Stage::New }));
-                sent += 1;
-            }
-            match next(self.waiting, false) {
-                Some(job) => line.put(job.done(stages)),
+            self.give(stages);
+            match self.own(stages) {
+                Some(job) => self.put(job.done(stages)),
                 None => match self.reached.recv() {
-                    Ok(Some(job)) => line.put(job),
+                    Ok(Some(job)) => self.put(job),
                     _ => return false,
                 },
             }
         }
+    }
+
+    /// Takes a job that is done.
+    fn put(&mut self, job: Job<P>) {
+        self.given[job.thread] -= 1;
+        if job.stage == Stage::Finished { self.finished.put(job) } else { self.begun.put(job) }
+    }
+
+    /// Gives a thread a job.
+    fn send(&mut self, job: Job<P>) {
+        self.given[job.thread] += 1;
+        self.waiting[job.thread].put(job);
+    }
+
+    fn between(&mut self, stages: &impl Stages<Piece = P>, order: &mut impl InOrder<P>) {
+        while self.begun.first() < self.wanted
+            && let Some(mut job) = self.begun.take()
+        {
+            if order.between(&mut job.piece) {
+                self.window = (self.window + 1).min(MOST * self.waiting.len());
+            } else {
+                self.wanted = job.number + 1;
+            }
+            if stages.is_finished(&job.piece) {
+                self.finished.put(Job { stage: Stage::Finished, ..job });
+            } else {
+                self.send(job);
+            }
+        }
+    }
+
+    fn end(&mut self, order: &mut impl InOrder<P>) -> bool {
+        while let Some(mut job) = self.finished.take() {
+            if !order.end(&mut job.piece) {
+                return false;
+            }
+            self.free[job.thread].push(job.piece);
+        }
+        true
+    }
+
+    /// A new piece for a thread.
+    fn new_piece(&mut self, thread: usize, stages: &impl Stages<Piece = P>) -> Option<Job<P>> {
+        if self.sent >= self.wanted.min(self.finished.first() + self.window) {
+            return None;
+        }
+        let piece = self.free[thread].pop().unwrap_or_else(|| stages.piece());
+        self.sent += 1;
+        Some(Job { number: self.sent - 1, piece, stage: Stage::New, thread })
+    }
+
+    /// Gives those who help new pieces, in turn.
+    fn give(&mut self, stages: &impl Stages<Piece = P>) {
+        for jobs in 0..MOST {
+            for thread in 1..self.waiting.len() {
+                if self.given[thread] <= jobs
+                    && let Some(job) = self.new_piece(thread, stages)
+                {
+                    self.send(job);
+                }
+            }
+        }
+    }
+
+    /// What this thread does next.
+    fn own(&mut self, stages: &impl Stages<Piece = P>) -> Option<Job<P>> {
+        if let Some(job) = self.waiting[0].take() {
+            return Some(job);
+        }
+        if let Some(job) = self.new_piece(0, stages) {
+            self.given[0] += 1;
+            return Some(job);
+        }
+        let job = self.waiting[1..].iter().find_map(Waiting::take)?;
+        self.given[job.thread] -= 1;
+        self.given[0] += 1;
+        Some(Job { thread: 0, ..job })
     }
 }
 
@@ -140,11 +213,6 @@ impl<P> Drop for Reply<'_, P> {
     }
 }
 
-/// The next piece that waits to be worked on; whether to wait for one.
-fn next<P>(waiting: &Mutex<Receiver<Job<P>>>, waits: bool) -> Option<Job<P>> {
-    if waits { waiting.lock().ok()?.recv().ok() } else { waiting.try_lock().ok()?.try_recv().ok() }
-}
-
 fn one_by_one<S: Stages>(count: usize, stages: &S, order: &mut impl InOrder<S::Piece>) -> bool {
     let mut piece = stages.piece();
     for number in 0..count {
@@ -165,75 +233,30 @@ fn one_by_one<S: Stages>(count: usize, stages: &S, order: &mut impl InOrder<S::P
 
 /// How far a piece is.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Stage {
+pub(super) enum Stage {
     New,
     Begun,
     Finished,
 }
 
-struct Job<P> {
-    number: usize,
-    piece: P,
-    stage: Stage,
+pub(super) struct Job<P> {
+    pub number: usize,
+    pub piece: P,
+    pub stage: Stage,
+    /// The number of the thread that works on it.
+    pub thread: usize,
 }
 
 impl<P> Job<P> {
     /// With the next stage done.
-    fn done(self, stages: &impl Stages<Piece = P>) -> Self {
-        let Self { number, mut piece, stage } = self;
-        let stage = if stage == Stage::New {
-            stages.begin(number, &mut piece);
-            Stage::Begun
+    fn done(mut self, stages: &impl Stages<Piece = P>) -> Self {
+        if self.stage == Stage::New {
+            stages.begin(self.number, &mut self.piece);
+            self.stage = Stage::Begun;
         } else {
-            stages.finish(&mut piece);
-            Stage::Finished
-        };
-        Self { number, piece, stage }
-    }
-}
-
-/// Pieces behind their stages.
-struct Line<P> {
-    begun: Queue<P>,
-    finished: Queue<P>,
-    /// Memory of pieces that are done.
-    free: Vec<P>,
-}
-
-impl<P> Line<P> {
-    fn put(&mut self, Job { number, piece, stage }: Job<P>) {
-        let queue = if stage == Stage::Finished { &mut self.finished } else { &mut self.begun };
-        queue.put(number, piece);
-    }
-}
-
-/// Pieces that come in any order, taken in theirs.
-struct Queue<P> {
-    /// The number of the next one.
-    first: usize,
-    pieces: VecDeque<Option<P>>,
-}
-
-impl<P> Default for Queue<P> {
-    fn default() -> Self {
-        Self { first: 0, pieces: VecDeque::new() }
-    }
-}
-
-impl<P> Queue<P> {
-    fn put(&mut self, number: usize, piece: P) {
-        let place = number - self.first;
-        if self.pieces.len() <= place {
-            self.pieces.resize_with(place + 1, || None);
+            stages.finish(&mut self.piece);
+            self.stage = Stage::Finished;
         }
-        self.pieces[place] = Some(piece);
-    }
-
-    /// The next one, if it has come.
-    fn take(&mut self) -> Option<P> {
-        let piece = self.pieces.front_mut()?.take()?;
-        self.pieces.pop_front();
-        self.first += 1;
-        Some(piece)
+        self
     }
 }

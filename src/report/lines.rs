@@ -5,8 +5,19 @@ use super::csv::{LINE_END, field};
 use super::rows::{AnswerColumns, FULL, write_text};
 use super::simulation;
 use assur_model::model::Value;
-use assur_solve::solve::{Block, Model, NumberColumns, Pose, WideColumns};
-use assur_text::units::push_row;
+use assur_solve::solve::{Block, BlockNumbers, Model, NumberColumns, Pose, WideColumns};
+use assur_text::units::{Places, push_row};
+
+/// Memory for the numbers of lines.
+#[derive(Debug, Default)]
+pub struct LineMemory {
+    /// Of several positions.
+    pub(super) numbers: BlockNumbers,
+    /// Of one.
+    pub(super) row: Vec<f64>,
+    /// Where they stand in its line.
+    pub(super) places: Places,
+}
 
 /// Writes lines.
 #[derive(Clone, Debug)]
@@ -81,8 +92,9 @@ impl CsvLines {
         self.columns.reads_angles(model)
     }
 
-    /// Adds the line of a position, once it has [begun](CsvLines::begin); `row` is memory for its numbers.
-    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) {
+    /// Adds the line of a position, once it has [begun](CsvLines::begin).
+    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, memory: &mut LineMemory, out: &mut Vec<u8>) {
+        let row = &mut memory.row;
         out.extend_from_slice(self.file.as_deref().unwrap_or_default().as_bytes());
         if pose.name.bytes().all(|b| b.is_ascii_digit()) {
             out.extend_from_slice(pose.name.as_bytes());
@@ -106,29 +118,18 @@ impl CsvLines {
         out.extend_from_slice(LINE_END.as_bytes());
     }
 
-    /// Adds the lines of positions that were solved side by side, without a state of each; `cells` is memory for their numbers. `false`, and
-    /// nothing, where more than the numbers of the columns is to be written.
-    pub fn add_block(
-        &self,
-        block: &Block,
-        cells: &mut Vec<Vec<f64>>,
-        row: &mut Vec<f64>,
-        out: &mut Vec<u8>,
-    ) -> bool {
-        let Some(columns) = &self.wide else { return false };
-        cells.resize_with(columns.count(), Vec::new);
-        cells.iter_mut().for_each(Vec::clear);
-        block.read(columns, cells);
-        if cells.iter().flatten().any(|x| x.is_nan()) {
+    /// Adds the lines of positions that were solved side by side, without a state of each. `false`, and nothing, where more than the
+    /// numbers of the columns is to be written.
+    pub fn add_block(&self, block: &Block, memory: &mut LineMemory, out: &mut Vec<u8>) -> bool {
+        if !self.wide.as_ref().is_some_and(|columns| memory.numbers.read(block, columns)) {
             return false;
         }
         let file = self.file.as_deref().unwrap_or_default().as_bytes();
         for i in 0..block.len() {
-            row.clear();
-            row.extend(cells.iter().map(|column| column[i]));
             out.extend_from_slice(file);
             block.push_name(i, out);
-            push_row(out, row, FULL);
+            memory.numbers.line(i, &mut memory.row);
+            push_row(out, &memory.row, FULL);
             out.extend_from_slice(LINE_END.as_bytes());
         }
         true

@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
 use assur::internals::check::Overrides;
-use assur::internals::report::lines::CsvLines;
+use assur::internals::report::json::JsonLines;
+use assur::internals::report::lines::{CsvLines, LineMemory};
 use assur::internals::report::rows::AnswerColumns;
 use assur::internals::report::{Answers, NumberRows, Precision, csv, json, table_of_poses};
 use assur::internals::solve::{Block, Following, Model, Pose, Solution};
@@ -28,7 +29,7 @@ fn every_example_comes_out_the_same() {
         let (mut text, mut objects) = (rows.header().into_bytes(), Vec::new());
         let (solved, _) = assur::internals::solve_each(second, &mut |answers: &Answers<'_>, pose: &Pose| {
             rows.begin(answers);
-            rows.add(answers, pose, &mut Vec::new(), &mut text);
+            rows.add(answers, pose, &mut LineMemory::default(), &mut text);
             objects.push(json::render_position("a", None, answers, Some(pose)));
             true
         });
@@ -164,6 +165,53 @@ fn columns_side_by_side_are_those_of_whole_positions() {
     assert!(files > 10 && positions > 2_000, "{files} files, {positions} positions");
 }
 
+/// Lines of JSON that are filled in from lanes are those of whole positions; gives how many were compared.
+fn compare_objects(model: &Model<'_>, name: &str) -> usize {
+    let Ok(Some(mut following)) = Following::new(model, Vec::new()) else { return 0 };
+    following.next();
+    let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
+    let precision = Precision::READABLE;
+    let answers = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
+    let mut lines = JsonLines::of("a".to_owned());
+    let (mut block, mut branches, mut memory) = (Block::default(), Vec::new(), LineMemory::default());
+    let mut compared = 0;
+    while let Some((ahead, mut taking)) = following.side_by_side(&mut branches) {
+        ahead.solve(&mut block, 0);
+        taking.take(&mut block);
+        let mut filled = Vec::new();
+        let is_filled = lines.add_block(&block, &mut memory, &mut filled);
+        ahead.answer(&mut block, true);
+        for pose in block.poses() {
+            lines.begin(&answers, pose);
+        }
+        if is_filled {
+            let object = |pose| json::render_position("a", None, &answers, Some(pose)) + "\n";
+            let whole: String = block.poses().iter().map(object).collect();
+            assert_eq!(String::from_utf8(filled).unwrap(), whole, "{name}");
+            compared += block.len();
+        }
+        if block.is_empty() {
+            break;
+        }
+    }
+    compared
+}
+
+#[test]
+fn objects_from_lanes_are_those_of_whole_positions() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let (mut files, mut positions) = (0, 0);
+    for path in crate::folder::files(&root, "mech") {
+        let text = in_steps(&std::fs::read_to_string(&path).unwrap(), 480);
+        let source = Source::new(path.display().to_string(), text);
+        let Some(compiled) = compiled(&source) else { continue };
+        let compared = compare_objects(&compiled.model(), &source.name);
+        files += usize::from(compared > 0);
+        positions += compared;
+    }
+    assert!(files > 10 && positions > 2_000, "{files} files, {positions} positions");
+}
+
 /// The greatest number of bytes in use while a sweep is printed.
 fn peak(name: &str, steps: usize) -> u64 {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/hostile").join(name);
@@ -178,7 +226,7 @@ fn peak(name: &str, steps: usize) -> u64 {
             assur::internals::solve_each(compiled, &mut |answers: &Answers<'_>, pose: &Pose| {
                 text.clear();
                 rows.begin(answers);
-                rows.add(answers, pose, &mut Vec::new(), &mut text);
+                rows.add(answers, pose, &mut LineMemory::default(), &mut text);
                 lines += 1;
                 true
             });

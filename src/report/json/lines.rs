@@ -5,11 +5,13 @@ use serde::Serialize;
 use std::io;
 
 use super::{Answers, escaped, render_position};
+use crate::report::lines::LineMemory;
 use crate::report::reactions::{has_moment, meets_at};
 use assur_model::model::{FindKind, LinkId, PairId, PairKind};
 use assur_position::plan::Level;
 use assur_solve::solve::{
-    Beside, JointReaction, Pose, PoseAnswers, Solved, Source, State, read_numbers, unplaced_reactions,
+    Beside, Block, JointReaction, Pose, PoseAnswers, Solved, Source, State, WideColumns, read_numbers,
+    unplaced_reactions,
 };
 use assur_text::units::Template;
 
@@ -31,6 +33,8 @@ struct Filled {
     before: String,
     behind: Template,
     sources: Vec<Source>,
+    /// The same for positions side by side.
+    wide: Option<WideColumns>,
     /// Numbers that are the same at all positions.
     known: Vec<f64>,
 }
@@ -57,12 +61,25 @@ impl JsonLines {
         self.filled.is_some() || self.seen >= TRIES
     }
 
-    /// Adds the line of a position; `row` is memory for its numbers.
-    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) {
-        if !self.filled.as_ref().is_some_and(|filled| filled.write(answers, pose, row, out)) {
+    /// Whether a line shows the angle of a link, as far as is known.
+    #[must_use]
+    pub fn shows_angles(&self) -> bool {
+        let columns = self.filled.as_ref().and_then(|filled| filled.wide.as_ref());
+        columns.is_none_or(WideColumns::shows_angles)
+    }
+
+    /// Adds the line of a position.
+    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, memory: &mut LineMemory, out: &mut Vec<u8>) {
+        if !self.filled.as_ref().is_some_and(|filled| filled.write(answers, pose, memory, out)) {
             out.extend_from_slice(render_position(&self.file, None, answers, Some(pose)).as_bytes());
         }
         out.push(b'\n');
+    }
+
+    /// Adds the lines of positions that were solved side by side, without a state of each. `false`, and nothing, where one may have
+    /// other entries.
+    pub fn add_block(&self, block: &Block, memory: &mut LineMemory, out: &mut Vec<u8>) -> bool {
+        self.filled.as_ref().is_some_and(|filled| filled.write_block(block, memory, out))
     }
 
     /// Adds the line of a file without positions.
@@ -99,12 +116,20 @@ impl Filled {
         let before = escaped(format!("{before}\"pose\":{{\"name\":\""));
         let pieces: Vec<String> =
             format!("\"{behind}").split(MARK).map(|piece| escaped(piece.to_owned())).collect();
+        let behind = Template::of(pieces.iter().map(String::as_str), &written);
         let known = written.split_off(numbers.len());
-        Some(Self { before, behind: Template::of(pieces.iter().map(String::as_str)), sources, known })
+        let wide = WideColumns::of_sources(&answers.model, &sources);
+        Some(Self { before, behind, sources, wide, known })
     }
 
     /// Writes the line of a position without its end; `false` where its entries differ.
-    fn write(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) -> bool {
+    fn write(
+        &self,
+        answers: &Answers<'_>,
+        pose: &Pose,
+        LineMemory { row, places, .. }: &mut LineMemory,
+        out: &mut Vec<u8>,
+    ) -> bool {
         let Ok(solved) = &pose.outcome else { return false };
         row.clear();
         let view = answers.solution.view(&answers.model, solved);
@@ -118,7 +143,23 @@ impl Filled {
         row.extend_from_slice(&self.known);
         out.extend_from_slice(self.before.as_bytes());
         out.extend_from_slice(pose.name.as_bytes());
-        self.behind.fill(row, out);
+        self.behind.fill(row, places, out);
+        true
+    }
+
+    /// Writes the lines of positions side by side; `false`, and nothing, where the entries of one differ.
+    fn write_block(&self, block: &Block, memory: &mut LineMemory, out: &mut Vec<u8>) -> bool {
+        if !self.wide.as_ref().is_some_and(|columns| memory.numbers.read(block, columns)) {
+            return false;
+        }
+        for i in 0..block.len() {
+            memory.numbers.line(i, &mut memory.row);
+            memory.row.extend_from_slice(&self.known);
+            out.extend_from_slice(self.before.as_bytes());
+            block.push_name(i, out);
+            self.behind.fill(&memory.row, &mut memory.places, out);
+            out.push(b'\n');
+        }
         true
     }
 }
@@ -197,7 +238,9 @@ fn reactions(answers: &Answers<'_>, all: &mut Vec<Source>) {
             all.push(Source::Force(joints.clone()));
             all.extend(has_moment(model, id).then_some(Source::Couple(joints)));
             all.extend(place(&pair.kind, id, on));
-            if let PairKind::Prismatic(guide) = &pair.kind {
+            if let PairKind::Prismatic(guide) = &pair.kind
+                && guide.contacts.is_some()
+            {
                 all.push(Source::Contacts(id, guide.clone()));
             }
         }

@@ -29,6 +29,8 @@ mod turning;
 mod undefined;
 mod whole_cycle;
 mod wide_columns;
+mod wide_crossing;
+mod wide_numbers;
 
 pub(crate) use angles::{first_angles, first_angles_in, whole_turns};
 pub(crate) use constant::constant;
@@ -47,5 +49,5 @@ pub use switch::Switch;
 pub(crate) use switch::{Side, side_of, switches};
 pub use undefined::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
 pub use whole_cycle::{Extremes, WholeCycle};
-pub(crate) use wide_columns::write_row;
+pub(crate) use wide_columns::{WideBeside, write_row};
 pub use wide_columns::{WideColumns, finite};

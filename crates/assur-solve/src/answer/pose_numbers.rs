@@ -47,6 +47,9 @@ pub enum Source {
     Condition,
 }
 
+/// A reaction below this part of the greatest force is none.
+pub(super) const NO_FORCE: f64 = 1e-12;
+
 /// What a position has beside its state.
 #[derive(Clone, Copy, Debug)]
 pub struct Beside<'a> {
@@ -122,7 +125,7 @@ impl PoseAnswers<'_> {
     pub fn crossing(&self, pair: PairId, on: LinkId, guide: &Guide) -> Option<Vec2> {
         let scale = self.state.forces.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
         let coordinate = self.line_offset(pair);
-        let crosses = coordinate.is_finite() && self.reaction(pair, on).norm() > 1e-12 * scale;
+        let crosses = coordinate.is_finite() && self.reaction(pair, on).norm() > NO_FORCE * scale;
         crosses.then(|| self.body(guide.guide).position(guide.through) + self.along(guide) * coordinate)
     }
 

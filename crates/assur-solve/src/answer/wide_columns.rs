@@ -4,6 +4,7 @@
 use super::joint_reaction::JointReaction;
 use super::number_columns::{NumberColumns, Shown};
 use super::pose_answers::PoseAnswers;
+use super::wide_crossing::WideCrossing;
 use crate::math::{Scalar, V2, Vec2};
 use crate::model::{Axis, BinaryOp, Expr, FindKind, LinkId, PairId, PointRef, Query, Value};
 use crate::position::{BodyState, DriveValue, Model, State, WIDTH, Wide};
@@ -13,26 +14,41 @@ use std::ops::Range;
 
 /// Columns of numbers.
 #[derive(Clone, Debug)]
-pub struct WideColumns(Vec<Column>);
+pub struct WideColumns(pub(super) Vec<Column>);
 
 #[derive(Clone, Debug)]
-struct Column {
-    shown: WideShown,
-    unit: Conversion,
+pub(super) struct Column {
+    pub shown: WideShown,
+    pub unit: Conversion,
 }
 
 /// What a column shows, or two for a vector.
 #[derive(Clone, Debug)]
-enum WideShown {
+pub(super) enum WideShown {
     /// The value of a drive.
     Drive(usize, bool),
     /// What an expression comes to.
     Found(WideExpr),
+    /// What is known of a position in addition to its state.
+    Beside(WideBeside),
+}
+
+/// What is known of a position in addition to its state.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum WideBeside {
+    /// The angle of a link with its whole turns, rad.
+    Angle(LinkId),
+    /// The residual of the equilibrium.
+    Equilibrium,
+    /// The residual of the powers.
+    Power,
+    /// The condition figure.
+    Condition,
 }
 
 /// Expressions of answers that need no angle, in operations that all positions share.
 #[derive(Clone, Debug)]
-enum WideExpr {
+pub(super) enum WideExpr {
     Number(f64),
     Vector(Vec2),
     Position(LinkId, Vec2),
@@ -46,6 +62,7 @@ enum WideExpr {
     Force(JointReaction),
     /// The couple.
     Couple(JointReaction),
+    Crossing(Box<WideCrossing>),
     Component(Box<Self>, Axis),
     Negate(Box<Self>),
     Binary(BinaryOp, Box<Self>, Box<Self>),
@@ -74,7 +91,7 @@ impl NumberColumns {
                     let FindKind::Value { expr, .. } = &model.mechanism.finds.get(*index)?.kind else {
                         return None;
                     };
-                    let found = WideExpr::of(model, expr, &mut LONGEST.clone())?;
+                    let found = WideExpr::of_answer(model, expr)?;
                     (found.is_vector() == vector).then_some(WideShown::Found(found))?
                 }
                 Shown::Known(Some(Value::Scalar(x))) if !vector => WideShown::Found(WideExpr::Number(*x)),
@@ -91,14 +108,24 @@ impl WideColumns {
     /// How many there are: a vector has two.
     #[must_use]
     pub fn count(&self) -> usize {
-        let vector = |column: &Column| match &column.shown {
-            WideShown::Drive(_, vector) => *vector,
-            WideShown::Found(expr) => expr.is_vector(),
-        };
-        self.0.iter().map(|column| 1 + usize::from(vector(column))).sum()
+        self.0.iter().map(Column::count).sum()
     }
 
-    /// Writes the numbers of the first positions to places; NaN where there is none. `values` are those of the drives.
+    /// Those that show what is known of a position in addition to its state, with their numbers.
+    pub(crate) fn beside(&self) -> impl Iterator<Item = (usize, WideBeside)> {
+        let mut next = 0;
+        self.0.iter().filter_map(move |column| {
+            let number = next;
+            next += column.count();
+            match column.shown {
+                WideShown::Beside(beside) => Some((number, beside)),
+                WideShown::Drive(..) | WideShown::Found(_) => None,
+            }
+        })
+    }
+
+    /// Writes the numbers of the first positions to places; NaN where there is none. `values` are those of the drives. What is known
+    /// in addition to the states is left out.
     pub(crate) fn write<O: AsMut<[f64]>>(
         &self,
         rows: &[State<Wide>],
@@ -115,6 +142,7 @@ impl WideColumns {
                     expr.write_vectors(rows, first, second, *unit);
                 }
                 WideShown::Found(expr) => expr.write_numbers(rows, first, *unit),
+                WideShown::Beside(_) => {}
                 WideShown::Drive(drive, vector) => {
                     let mut second = if *vector { out.next() } else { None };
                     let values = values.iter().skip(*drive).step_by(drives.max(1));
@@ -130,6 +158,16 @@ impl WideColumns {
                 }
             }
         }
+    }
+}
+
+impl Column {
+    fn count(&self) -> usize {
+        1 + usize::from(match &self.shown {
+            WideShown::Drive(_, vector) => *vector,
+            WideShown::Found(expr) => expr.is_vector(),
+            WideShown::Beside(_) => false,
+        })
     }
 }
 
@@ -191,6 +229,10 @@ pub const fn finite(x: f64) -> f64 {
 
 impl WideExpr {
     /// `None` for what is evaluated position by position.
+    pub fn of_answer(model: &Model<'_>, expr: &Expr) -> Option<Self> {
+        Self::of(model, expr, &mut LONGEST.clone())
+    }
+
     fn of(model: &Model<'_>, expr: &Expr, left: &mut usize) -> Option<Self> {
         *left = left.checked_sub(1)?;
         Some(match expr {
@@ -218,7 +260,6 @@ impl WideExpr {
 
     fn of_query(model: &Model<'_>, query: &Query) -> Option<Self> {
         let mass = |link: &LinkId| model.mechanism.link(*link).mass;
-        let times = |a: Self, x: f64| Self::Binary(BinaryOp::Mul, Box::new(a), Box::new(Self::Number(x)));
         Some(match query {
             Query::Position(PointRef::Fixed(link, at)) => Self::Position(*link, *at),
             Query::Velocity(PointRef::Fixed(link, at)) => Self::Velocity(*link, *at),
@@ -228,32 +269,35 @@ impl WideExpr {
             Query::Balance(id) => Self::effort(model, EffortSource::Balance(*id))?,
             Query::Effort(id) => Self::effort(model, EffortSource::Drive(*id))?,
             Query::Reaction(pair, link) => Self::Force(joints(model, *pair, *link)?),
-            Query::Moment(pair, link) => Self::Couple(
-                joints(model, *pair, *link)
-                    .filter(|_| model.structure.undetermined_couples.binary_search(pair).is_err())?,
-            ),
+            Query::Moment(pair, link) => Self::Couple(couple_joints(model, *pair, *link)?),
             Query::InertiaForce(link) => match mass(link) {
-                Some(m) => times(Self::Acceleration(*link, m.centre), -m.mass),
+                Some(m) => Self::Acceleration(*link, m.centre).times(-m.mass),
                 None => Self::Vector(Vec2::zero()),
             },
             Query::InertiaTorque(link) => match mass(link) {
-                Some(m) => times(Self::Alpha(*link), -m.inertia),
+                Some(m) => Self::Alpha(*link).times(-m.inertia),
                 None => Self::Number(0.0),
             },
             _ => return None,
         })
     }
 
+    /// A product with a number.
+    pub fn times(self, factor: f64) -> Self {
+        Self::Binary(BinaryOp::Mul, Box::new(self), Box::new(Self::Number(factor)))
+    }
+
     fn effort(model: &Model<'_>, source: EffortSource) -> Option<Self> {
         model.structure.efforts.iter().position(|effort| effort.source == source).map(Self::Effort)
     }
 
-    fn is_vector(&self) -> bool {
+    pub fn is_vector(&self) -> bool {
         match self {
             Self::Vector(_)
             | Self::Position(..)
             | Self::Velocity(..)
             | Self::Acceleration(..)
+            | Self::Crossing(_)
             | Self::Force(_) => true,
             Self::Number(_)
             | Self::Omega(_)
@@ -305,6 +349,7 @@ impl WideExpr {
             Self::Effort(slot) => Number(state.forces.efforts[*slot]),
             Self::Force(joints) => Vector(joints.force(state)),
             Self::Couple(joints) => Number(joints.couple(state)),
+            Self::Crossing(crossing) => Vector(crossing.at(state)),
             Self::Component(v, axis) => match (v.value(state), axis) {
                 (Vector(v), Axis::X) => Number(v.x),
                 (Vector(v), Axis::Y) => Number(v.y),
@@ -320,9 +365,15 @@ impl WideExpr {
 }
 
 /// The joints that a reaction is made up of, where they alone do, and forces are solved.
-fn joints(model: &Model<'_>, pair: PairId, link: LinkId) -> Option<JointReaction> {
+pub(super) fn joints(model: &Model<'_>, pair: PairId, link: LinkId) -> Option<JointReaction> {
     let state = State::closed(model.plan);
     JointReaction::of(&PoseAnswers::bare(model, &state), pair, link).filter(|_| model.plan.has_forces())
+}
+
+/// The same where its couple is determined.
+pub(super) fn couple_joints(model: &Model<'_>, pair: PairId, link: LinkId) -> Option<JointReaction> {
+    let determined = model.structure.undetermined_couples.binary_search(&pair).is_err();
+    joints(model, pair, link).filter(|_| determined)
 }
 
 /// Two operands, as one position has them.

@@ -11,9 +11,9 @@ use super::positions::Sweep;
 use super::regular::NO_NOTE;
 use super::solution::{Pose, Solved};
 use super::steps::Pace;
-use super::taken::{Turns, Uneven};
+use super::taken::{Turns, Uneven, vector};
 use super::track::CAREFUL;
-use crate::answer::{PoseAnswers, WholeCycle, WideColumns, write_row};
+use crate::answer::{PoseAnswers, WholeCycle, WideBeside, WideColumns, finite, write_row};
 use crate::math::Lanes;
 use crate::model::PairKind;
 use crate::plan::Numbers;
@@ -206,6 +206,32 @@ impl Block {
     /// Writes the numbers of the positions that are left from a place on, column by column.
     pub fn write<O: AsMut<[f64]>>(&self, columns: &WideColumns, at: usize, out: &mut [O]) {
         columns.write(&self.rows, (&self.values, self.drives), at..at + self.free, out);
+        for (number, beside) in columns.beside() {
+            if let Some(column) = out.get_mut(number) {
+                self.write_beside(beside, &mut column.as_mut()[at..at + self.free]);
+            }
+        }
+    }
+
+    /// Writes what is known in addition to the states; angles of positions that were taken over.
+    fn write_beside(&self, beside: WideBeside, out: &mut [f64]) {
+        let part: fn(&Checked) -> Wide = match beside {
+            WideBeside::Angle(link) => {
+                let each = self.turns.of(link.index(), out.len());
+                for (i, (out, turns)) in out.iter_mut().zip(each).enumerate() {
+                    let u = self.rows[i / WIDTH].motion.bodies[link.index()].u;
+                    *out = finite(vector(u, i % WIDTH).angle() + turns);
+                }
+                return;
+            }
+            WideBeside::Equilibrium | WideBeside::Power if !self.residuals => return out.fill(f64::NAN),
+            WideBeside::Equilibrium => |c| c.equilibrium,
+            WideBeside::Power => |c| c.power,
+            WideBeside::Condition => |c| c.condition,
+        };
+        for (out, checked) in out.chunks_mut(WIDTH).zip(&self.checked) {
+            write_row(out, &part(checked));
+        }
     }
 
     /// Writes residuals and condition of the positions that are left from a place on; NaN where there are none.

@@ -26,6 +26,18 @@ impl Turns {
         &self.now
     }
 
+    /// The turns of a body at the first positions.
+    pub(super) fn of(&self, body: usize, count: usize) -> impl Iterator<Item = f64> {
+        let mut now = self.before.get(body).copied().unwrap_or(f64::NAN);
+        let mut changes = self.changes.iter().filter(move |change| change.1 == body).peekable();
+        (0..count).map(move |position| {
+            while let Some(&(_, _, turns)) = changes.next_if(|change| change.0 <= position) {
+                now = turns;
+            }
+            now
+        })
+    }
+
     /// Calls `look` with the turns of bodies and pairs at every position.
     pub(super) fn each(&mut self, count: usize, mut look: impl FnMut(usize, &[f64], &[f64])) {
         self.now.clone_from(&self.before);
@@ -103,7 +115,7 @@ pub(super) struct Uneven {
     new: Vec2,
 }
 
-fn vector(v: V2<Wide>, lane: usize) -> Vec2 {
+pub(super) fn vector(v: V2<Wide>, lane: usize) -> Vec2 {
     Vec2::new(v.x.0[lane], v.y.0[lane])
 }
 
