@@ -67,16 +67,16 @@ rows() {
     row table 'check' "$(within assur_check::check)"
     row table 'structure' "$(within assur_model::structure::structure)"
     row table 'plan' "$(within assur_position::plan::plan)"
-    one=$(within assur::pipeline::solved::solve_within)
+    one=$(within assur::pipeline::solved::solve_conducted)
     row table 'first position' "$one"
     row table 'report: table' "$(within assur::report::of_answers assur::cli::solve::Printing::page)"
     count solve "$folder/chain.mech" --format json
     row table 'report: JSON' "$(within assur::cli::solve::json)"
     count solve "$folder/chain.mech" --format csv
-    row table 'report: CSV' "$(within assur::report::table_of_poses assur::cli::solve::Printing::csv)"
+    row table 'report: CSV' "$(($(within assur::cli::stream::positions) - one))"
     text "$n" '60 deg .. 90 deg in 10 steps at 60 rpm' > "$folder/chain.mech"
     count solve "$folder/chain.mech"
-    row table 'a position more' "$((($(within assur::pipeline::solved::solve_within) - one) / 10))"
+    row table 'a position more' "$((($(within assur::pipeline::solved::solve_conducted) - one) / 10))"
 }
 
 [ $# -gt 0 ] || set -- 10 100 1000

@@ -116,7 +116,7 @@ const SWEEP: &str = include_str!("../benches/peers/four-bar.mech");
 fn a_sweep_and_its_lines_allocate_nothing() {
     let text = SWEEP.replace("in 360 steps", "in 10000 steps");
     let count = allocations_of_blocks(&text, |answers| {
-        let (mut memory, mut out) = (LineMemory::default(), Vec::new());
+        let (mut memory, mut own, mut out) = (LineMemory::default(), LineMemory::default(), Vec::new());
         let (mut csv, mut json) = (CsvLines::of(&answers.model, None), JsonLines::of("a".to_owned()));
         move |answers: &Answers<'_>, ahead: &Ahead<'_>, block: &mut Block| {
             ahead.answer(block, true);

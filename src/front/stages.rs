@@ -159,7 +159,9 @@ impl<'w, P> Pieces<'w, P> {
         if self.sent >= self.wanted.min(self.finished.first() + self.window) {
             return None;
         }
-        let piece = self.free[thread].pop().unwrap_or_else(|| stages.piece());
+        let others = |free: &mut Vec<Vec<P>>| free.iter_mut().find_map(Vec::pop);
+        let memory = self.free[thread].pop().or_else(|| others(&mut self.free));
+        let piece = memory.unwrap_or_else(|| stages.piece());
         self.sent += 1;
         Some(Job { number: self.sent - 1, piece, stage: Stage::New, thread })
     }
