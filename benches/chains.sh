@@ -73,7 +73,8 @@ rows() {
     count solve "$folder/chain.mech" --format json
     row table 'report: JSON' "$(within assur::cli::solve::json)"
     count solve "$folder/chain.mech" --format csv
-    row table 'report: CSV' "$(($(within assur::cli::stream::positions) - one))"
+    lines=assur::report::lines::CsvLines
+    row table 'report: CSV' "$(within $lines::of $lines::header $lines::begin $lines::add)"
     text "$n" '60 deg .. 90 deg in 10 steps at 60 rpm' > "$folder/chain.mech"
     count solve "$folder/chain.mech"
     row table 'a position more' "$((($(within assur::pipeline::solved::solve_conducted) - one) / 10))"

@@ -128,9 +128,7 @@ fn a_sweep_and_its_lines_allocate_nothing() {
                 json.add(answers, pose, &mut memory, &mut out);
             }
             out.clear();
-            assert!(
-                csv.add_block(block, &mut memory, &mut out) && json.add_block(block, &mut memory, &mut out)
-            );
+            assert!(csv.add_block(block, &mut memory, &mut out) && json.add_block(block, &mut own, &mut out));
         }
     });
     assert_eq!(count, 0);
