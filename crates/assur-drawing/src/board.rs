@@ -6,6 +6,7 @@ use crate::label::Label;
 use crate::placement::{APART, Later};
 use crate::places::{Place, Places};
 use crate::seats::Seats;
+use assur_math::math::Vec2;
 
 /// The part of the later frames in which two labels may overlap.
 const PASSING: f64 = 0.1;
@@ -22,9 +23,12 @@ pub(crate) struct Board<'a> {
     chosen: Vec<Option<usize>>,
     /// The boxes that labels have.
     boxes: Vec<Rect>,
+    /// By how much each of them moves in later frames.
+    ways: Vec<Rect>,
+    /// Where they are in any of the frames.
     seats: Seats,
     ranks: Vec<u8>,
-    /// The boxes that labels have left or taken, in order.
+    /// Where labels were that have left, and are that have come, in any of the frames; in order.
     changes: Vec<Rect>,
     /// Of a label that found nothing cheaper: when that was, and where it looked.
     looked: Vec<Option<Moment>>,
@@ -68,6 +72,7 @@ impl<'a> Board<'a> {
             later,
             chosen: vec![None; count],
             boxes: vec![Rect::NOTHING; count],
+            ways: (0..count).map(|label| way_of(later, label)).collect(),
             seats: Seats::over(around),
             ranks: labels.iter().map(|l| l.rank).collect(),
             changes: Vec::new(),
@@ -88,14 +93,25 @@ impl<'a> Board<'a> {
         self.places[label].known[number]
     }
 
+    /// Where a label is in any of the frames from a place.
+    fn swept(&self, label: usize, place: &Rect) -> Rect {
+        let way = &self.ways[label];
+        Rect { min: place.min + way.min, max: place.max + way.max }
+    }
+
+    /// Where the box of a label is in any of the frames.
+    fn seat(&self, label: usize) -> Rect {
+        self.swept(label, &self.boxes[label])
+    }
+
     /// Moves a label to another place, or to none.
     fn choose(&mut self, label: usize, number: Option<usize>) {
         if self.chosen[label].is_some() {
-            self.seats.put(label, &self.boxes[label], false);
+            self.seats.put(label, &self.seat(label), false);
         }
         self.boxes[label] = number.map_or(Rect::NOTHING, |n| self.place(label, n).bounds);
         if number.is_some() {
-            self.seats.put(label, &self.boxes[label], true);
+            self.seats.put(label, &self.seat(label), true);
         }
         self.chosen[label] = number;
     }
@@ -107,10 +123,10 @@ impl<'a> Board<'a> {
         below: f64,
         mut is_enough: impl FnMut(usize, Way) -> bool,
     ) -> Rect {
-        let mut seen = if self.later.is_empty() { Rect::NOTHING } else { Rect::ALL };
+        let mut seen = Rect::NOTHING;
         let mut number = 0;
         while let Some(place) = self.places[label].get(number, self.grounds).filter(|p| p.cost < below) {
-            seen.join(&place.bounds.grown(APART));
+            seen.join(&self.swept(label, &place.bounds).grown(APART));
             if is_enough(number, self.way(label, &place.bounds)) {
                 break;
             }
@@ -121,27 +137,33 @@ impl<'a> Board<'a> {
 
     /// Who is in the way of a place.
     fn way(&self, label: usize, bounds: &Rect) -> Way {
-        let mut way = Way::Free;
-        let mut look = |other: usize| {
-            let is_known = matches!(way, Way::Of(known) if known == other);
-            if other != label && !is_known && self.meets((label, bounds), (other, &self.boxes[other])) {
-                way = if matches!(way, Way::Free) { Way::Of(other) } else { Way::OfSeveral };
+        let (mut way, near) = (Way::Free, bounds.grown(APART));
+        self.seats.any(&self.swept(label, &near), |other| {
+            let its = &self.boxes[other];
+            if (its.overlaps(&near) || self.meets_later((label, bounds), (other, its))) && other != label {
+                way = match way {
+                    Way::Free => Way::Of(other),
+                    Way::Of(known) if known == other => Way::Of(known),
+                    _ => Way::OfSeveral,
+                };
             }
             matches!(way, Way::OfSeveral)
-        };
-        if self.later.is_empty() {
-            self.seats.any(&bounds.grown(APART), &mut look);
-        } else {
-            (0..self.chosen.len()).filter(|other| self.chosen[*other].is_some()).any(&mut look);
-        }
+        });
         way
     }
 
     /// Whether two labels at places overlap, or do so in too many of the later frames.
     fn meets(&self, (one, own): (usize, &Rect), (other, its): (usize, &Rect)) -> bool {
+        its.overlaps(&own.grown(APART)) || self.meets_later((one, own), (other, its))
+    }
+
+    /// Whether two labels at places overlap in too many of the later frames.
+    fn meets_later(&self, (one, own): (usize, &Rect), (other, its): (usize, &Rect)) -> bool {
+        if self.later.is_empty() || !self.swept(one, own).overlaps(&self.swept(other, its)) {
+            return false;
+        }
         let on = |l: &&Later| its.shifted(l.shifts[other]).overlaps(&own.shifted(l.shifts[one]));
-        its.overlaps(&own.grown(APART))
-            || self.later.iter().filter(on).count() as f64 > PASSING * self.later.len() as f64
+        self.later.iter().filter(on).count() as f64 > PASSING * self.later.len() as f64
     }
 
     /// Takes the cheapest place that is free.
@@ -183,11 +205,11 @@ impl<'a> Board<'a> {
         if self.looked[label].is_some_and(|at| self.is_as(&at)) {
             return false;
         }
-        let before = self.boxes[label];
-        let mut seen = if self.later.is_empty() { before } else { Rect::ALL };
+        let before = self.seat(label);
+        let mut seen = before;
         let changed = self.search(label, &mut seen);
         if changed {
-            self.changes.extend([before, self.boxes[label]]);
+            self.changes.extend([before, self.seat(label)]);
         }
         self.looked[label] = (!changed).then_some(Moment { changes: self.changes.len(), region: seen });
         changed
@@ -218,9 +240,9 @@ impl<'a> Board<'a> {
         }
         self.views[label].places = places;
         if let Some((number, neighbour, moved)) = swap {
-            let left = self.boxes[neighbour];
+            let left = self.seat(neighbour);
             self.choose(neighbour, Some(moved));
-            self.changes.extend([left, self.boxes[neighbour]]);
+            self.changes.extend([left, self.seat(neighbour)]);
             self.choose(label, Some(number));
         } else if free.is_some() {
             self.choose(label, free);
@@ -257,4 +279,11 @@ impl<'a> Board<'a> {
         }
         (0..order.len()).map(|i| self.chosen[i].map(|_| self.boxes[i])).collect()
     }
+}
+
+/// The box of all that a label moves by, with nothing.
+fn way_of(later: &[Later], label: usize) -> Rect {
+    let mut way = Rect::around(Vec2::zero(), Vec2::zero());
+    later.iter().for_each(|l| way.add(l.shifts[label]));
+    way
 }

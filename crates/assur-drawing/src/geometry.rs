@@ -27,12 +27,6 @@ impl Rect {
         max: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
     };
 
-    /// Everything.
-    pub const ALL: Self = Self {
-        min: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
-        max: Vec2::new(f64::INFINITY, f64::INFINITY),
-    };
-
     /// The box around a point.
     #[must_use]
     pub fn around(centre: Vec2, half: Vec2) -> Self {

@@ -54,8 +54,11 @@ pub(crate) struct Places {
     index: usize,
     half: Vec2,
     round: bool,
-    /// The best first.
     rays: Vec<Ray>,
+    /// Their prices with their numbers, the best first.
+    prices: Vec<(f64, usize)>,
+    /// How many places are free.
+    pub count: usize,
     /// For every distance the next ray, and the least that the place there costs.
     next: [usize; DISTANCES.len()],
     least: [f64; DISTANCES.len()],
@@ -78,7 +81,7 @@ impl Places {
             DISTANCES.map(|far| grounds.is_free(label, &beyond(from, direction, far, half), round))
         };
         let free = &free;
-        let mut rays: Vec<Ray> = match label.anchor {
+        let rays: Vec<Ray> = match label.anchor {
             Anchor::Point(p, radius) => {
                 let ray = |(i, direction): (usize, &Vec2)| {
                     let (from, turned) = (p + *direction * radius, turned(PER_RADIAN, *direction));
@@ -106,11 +109,14 @@ impl Places {
                 ALONG.into_iter().enumerate().flat_map(ray).collect()
             }
         };
-        rays.sort_by(|a, b| a.price().total_cmp(&b.price()));
-        let best = rays.first().map_or(f64::INFINITY, Ray::price);
+        let mut prices: Vec<(f64, usize)> =
+            rays.iter().enumerate().map(|(i, ray)| (ray.turned + ray.extra, i)).collect();
+        prices.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let count = rays.iter().flat_map(|ray| ray.free).filter(|free| *free).count();
+        let best = prices.first().map_or(f64::INFINITY, |(price, _)| *price);
         let (next, least) = (Default::default(), DISTANCES.map(|distance| distance + best - ROUNDING));
         let (known, waiting) = (Vec::with_capacity(16), Vec::with_capacity(16));
-        Self { index, half, round, rays, next, least, known, waiting }
+        Self { index, half, round, rays, prices, count, next, least, known, waiting }
     }
 
     /// The place of a number, where there are so many.
@@ -133,16 +139,11 @@ impl Places {
         self.known.get(number).copied()
     }
 
-    /// How many are free.
-    pub fn count(&self) -> usize {
-        self.rays.iter().flat_map(|ray| ray.free).filter(|free| *free).count()
-    }
-
     /// Looks at the next place at a distance.
     fn look(&mut self, distance: usize, grounds: &Grounds<'_>) {
-        let ray = &self.rays[self.next[distance]];
+        let ray = &self.rays[self.prices[self.next[distance]].1];
         self.next[distance] += 1;
-        let price = self.rays.get(self.next[distance]).map_or(f64::INFINITY, Ray::price);
+        let price = self.prices.get(self.next[distance]).map_or(f64::INFINITY, |(price, _)| *price);
         self.least[distance] = DISTANCES[distance] + price - ROUNDING;
         if !ray.free[distance] {
             return;
@@ -158,12 +159,6 @@ impl Places {
             |(other, its): &(Place, usize)| other.cost.total_cmp(&cost).then(its.cmp(&order)).is_gt();
         let at = self.waiting.partition_point(before);
         self.waiting.insert(at, (Place { bounds, cost }, order));
-    }
-}
-
-impl Ray {
-    fn price(&self) -> f64 {
-        self.turned + self.extra
     }
 }
 

@@ -29,6 +29,20 @@ impl Scale {
             .find(|scale| scale.factor() >= least)
     }
 
+    /// The largest factor up to a number; `None` where that is no factor.
+    #[must_use]
+    pub fn largest(most: f64) -> Option<Self> {
+        let least = Self::fitting(most, 1.0)?;
+        if least.factor() <= most * (1.0 + 1e-9) {
+            return Some(least);
+        }
+        let at = SERIES.iter().position(|m| m.to_bits() == least.mantissa.to_bits())?;
+        Some(match at.checked_sub(1) {
+            Some(before) => Self { mantissa: SERIES[before], ..least },
+            None => Self { mantissa: 5.0, exponent: least.exponent - 1 },
+        })
+    }
+
     /// Units per millimetre: the number that its decimal digits make.
     #[must_use]
     pub fn factor(&self) -> f64 {

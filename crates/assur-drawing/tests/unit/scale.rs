@@ -17,6 +17,16 @@ fn the_smallest_factor_of_the_series_fits() {
 }
 
 #[test]
+fn the_largest_factor_up_to_a_number() {
+    let largest = |most: f64| Scale::largest(most).map(|scale| scale.text());
+    assert_eq!(largest(0.3 / 12.0).as_deref(), Some("0.025"));
+    assert_eq!(largest(0.0399).as_deref(), Some("0.025"));
+    assert_eq!(largest(0.99).as_deref(), Some("0.5"));
+    assert_eq!(largest(7e9).as_deref(), Some("5·10⁹"));
+    assert_eq!(largest(0.0), None);
+}
+
+#[test]
 fn nothing_has_no_scale() {
     assert!(Scale::fitting(0.0, 100.0).is_none());
     assert!(Scale::fitting(f64::NAN, 100.0).is_none());

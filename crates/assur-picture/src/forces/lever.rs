@@ -7,7 +7,7 @@ use crate::angles::{flipped, freest};
 use crate::error::Missing;
 use crate::figures::{cleared, plain};
 use crate::frame::Frame;
-use crate::motion::{Node, Nodes, velocity_at};
+use crate::motion::{Nodes, velocity_at};
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::{hinge, mass};
@@ -136,10 +136,10 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
             None => names.push((at, node.image())),
         }
     }
-    for (at, name) in further(scene, &nodes.nodes) {
-        let at = frame.point(at);
+    for (link, name, at) in nodes.others(scene) {
+        let at = frame.point(image(scene, link, at));
         if names.iter().all(|(p, _)| (*p - at).norm() >= 0.06) {
-            names.push((at, name));
+            names.push((at, Text::name(&name.to_lowercase())));
         }
     }
     for (at, name) in names {
@@ -160,16 +160,6 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
 fn slides(scene: &Scene<'_>, link: LinkId) -> bool {
     let on_ground = |kind: &PairKind| matches!(kind, PairKind::Prismatic(g) if g.slider == link && g.guide == LinkId::GROUND);
     scene.mechanism().pairs.iter().any(|p| on_ground(&p.kind))
-}
-
-/// Images of further points that links name.
-fn further(scene: &Scene<'_>, nodes: &[Node]) -> Vec<(Vec2, Text)> {
-    let near = 1e-7 * assur_solve::solve::extent(&scene.model);
-    let links = scene.mechanism().links.iter().enumerate().skip(1).map(|(i, link)| (LinkId::at(i), link));
-    let placed = links.filter(|(id, _)| scene.is_placed(*id) && !scene.is_in_cylinder(*id));
-    let points = placed.flat_map(|(id, link)| link.points.iter().map(move |p| (id, p, scene.at(id, p.at))));
-    let new = points.filter(|(_, _, at)| nodes.iter().all(|n| (n.at - *at).norm() > near));
-    new.map(|(id, p, at)| (image(scene, id, at), Text::name(&p.name.to_lowercase()))).collect()
 }
 
 /// Loads, weights, inertia and unknown forces; couples as pairs of forces on the image of their link.
@@ -260,7 +250,7 @@ fn terms(scene: &Scene<'_>) -> Vec<(Text, f64)> {
     }
     let listed: f64 = terms.iter().map(|t| t.1).sum();
     let size = terms.iter().map(|t| t.1.abs()).fold(applied.abs(), f64::max);
-    if (applied - listed).abs() > 1e-9 * size {
+    if effects.springs && (applied - listed).abs() > 1e-9 * size {
         terms.push((Text::upright("springs"), applied - listed));
     }
     for (i, balance) in mechanism.balances.iter().enumerate() {

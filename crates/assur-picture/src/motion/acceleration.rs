@@ -2,7 +2,7 @@
 
 use super::nodes::{Node, Nodes, acceleration, rank};
 use super::velocity::images;
-use super::{PlanOf, natural, title};
+use super::{NOTHING_MOVES, PlanOf, magnitudes, natural, title};
 use crate::error::Missing;
 use crate::figures::ACCELERATION;
 use crate::paper::{Paper, Scaled};
@@ -27,11 +27,10 @@ pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missin
     let parts = parts(scene, &nodes);
     let mut ends = all.clone();
     ends.extend(parts.iter().flat_map(|p| [p.from, p.to]));
-    let mut said: Vec<String> = Vec::new();
-    for (node, a) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
-        said.push(format!("a_{} = {} m/s²", node.index(), scene.figure(a.norm(), ACCELERATION)));
-    }
-    let description = format!("Accelerations from the pole p′: {}.", said.join(", "));
+    let description = match magnitudes(scene, &nodes, ("a", "m/s²", ACCELERATION), acceleration) {
+        Some(said) => format!("Accelerations from the pole p′: {said}."),
+        None => NOTHING_MOVES.to_owned(),
+    };
     let id = crate::words::id(scene, "accelerations");
     let drawing = Drawing::new(&id, title(scene, "acceleration plan"), description);
     ends.extend(Nodes::extent(scene, acceleration));

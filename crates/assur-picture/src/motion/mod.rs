@@ -5,7 +5,7 @@ mod nodes;
 mod velocity;
 
 pub use acceleration::accelerations;
-pub use nodes::{Node, Nodes, velocity as velocity_at};
+pub use nodes::{Nodes, velocity as velocity_at};
 pub use velocity::velocities;
 
 use crate::error::Missing;
@@ -16,6 +16,8 @@ use crate::scene::Scene;
 use crate::symbol::mass;
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Style, Text};
 use assur_math::math::Vec2;
+use assur_model::model::LinkId;
+use assur_solve::solve::BodyState;
 
 /// Sizes of letters at points and at vectors.
 const POINT: f64 = 4.4;
@@ -28,6 +30,9 @@ const SAME: f64 = 0.06;
 const SHORT: f64 = 0.3;
 /// Vectors less than this part of the largest are rounding.
 const ROUNDING: f64 = 1e-9;
+
+/// What is said of a plan that has the pole alone.
+const NOTHING_MOVES: &str = "No joint and no named point moves: the plan is a point.";
 
 /// Where no vector is more than this part of the natural size, all are rounding.
 const NOISE: f64 = 1e-13;
@@ -146,7 +151,7 @@ impl PlanOf {
     /// Dots with their names, the pole, the scale.
     fn finish(mut self, symbol: &str, role: Role) -> Drawing {
         let dots = std::mem::take(&mut self.dots);
-        let lengths = self.lengths(&dots);
+        let (lengths, points) = (self.lengths(&dots), dots.len());
         for (i, (at, names)) in dots.into_iter().enumerate() {
             self.drawing.begin("point", &names.iter().map(Text::plain).collect::<Vec<_>>().join(" = "));
             if i == 0 {
@@ -168,9 +173,8 @@ impl PlanOf {
             self.drawing.description += &format!(" Scale {} {} per mm.", scale.text(), self.unit);
         } else {
             let what = if role == Role::Blue { "velocities" } else { "accelerations" };
-            self.drawing.caption(Text::upright(&format!(
-                "All {what} are zero at this position: the plan is a point."
-            )));
+            let words = format!("All {what} are zero at this position: the plan is a point.");
+            self.drawing.caption(Text::upright(if points == 1 { NOTHING_MOVES } else { &words }));
         }
         for line in self.short.chunks(4) {
             let mut text = Text::upright("Too short to draw: ");
@@ -214,6 +218,25 @@ impl PlanOf {
 
 /// What names of points and vectors take, mm.
 const AROUND: Vec2 = Vec2::new(24.0, 20.0);
+
+/// `v_B = 0.15 m/s, v_C = 0.149 m/s` of joints, and of points that the author named where no joint moves; none where there are none.
+fn magnitudes(
+    scene: &Scene<'_>,
+    nodes: &Nodes,
+    (letter, unit, dimension): (&str, &str, [i8; 4]),
+    of: fn(&BodyState, Vec2) -> Vec2,
+) -> Option<String> {
+    let said = |name: &str, link: LinkId, at: Vec2| {
+        let value = scene.figure(of(scene.body(link), at).norm(), dimension);
+        format!("{letter}_{name} = {value} {unit}")
+    };
+    let joints = nodes.nodes.iter().filter(|node| !node.fixed);
+    let mut all: Vec<String> = joints.map(|node| said(&node.index(), node.link, node.at)).collect();
+    if all.is_empty() {
+        all.extend(nodes.others(scene).map(|(link, name, at)| said(name, link, at)));
+    }
+    (!all.is_empty()).then(|| all.join(", "))
+}
 
 /// The velocity and the acceleration that the fastest turn gives over the whole mechanism.
 fn natural(scene: &Scene<'_>) -> (f64, f64) {

@@ -52,6 +52,17 @@ pub fn rank(scene: &Scene<'_>, link: LinkId) -> usize {
 }
 
 impl Nodes {
+    /// Points of links that the author named, with their places, m, where no joint is.
+    pub fn others<'n>(&'n self, scene: &'n Scene<'_>) -> impl Iterator<Item = (LinkId, &'n str, Vec2)> {
+        let near = 1e-7 * assur_solve::solve::extent(&scene.model);
+        let links = scene.mechanism().links.iter().enumerate().skip(1).map(|(i, link)| (LinkId::at(i), link));
+        let placed = links.filter(move |(id, _)| scene.is_placed(*id) && !scene.is_in_cylinder(*id));
+        let points = placed.flat_map(move |(id, link)| {
+            link.points.iter().map(move |p| (id, p.name.as_str(), scene.at(id, p.at)))
+        });
+        points.filter(move |(_, _, at)| self.nodes.iter().all(|n| (n.at - *at).norm() > near))
+    }
+
     /// The joints of a mechanism at a position.
     pub fn of(scene: &Scene<'_>, contacts: bool) -> Self {
         let mut nodes = Self::default();

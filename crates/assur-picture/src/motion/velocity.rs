@@ -1,7 +1,7 @@
 //! The plan of velocities.
 
 use super::nodes::{Node, Nodes, velocity};
-use super::{PlanOf, natural, title};
+use super::{NOTHING_MOVES, PlanOf, magnitudes, natural, title};
 use crate::error::Missing;
 use crate::figures::VELOCITY;
 use crate::paper::{Paper, Scaled};
@@ -23,12 +23,11 @@ pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> 
         return Err(Missing::nothing_placed(scene, "a plan shows velocities of points"));
     }
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.velocity(scene)).collect();
-    let mut said: Vec<String> = Vec::new();
-    for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
-        said.push(format!("v_{} = {} m/s", node.index(), scene.figure(v.norm(), VELOCITY)));
-    }
     let ratios = if scene.model.plan.effects.timed { "" } else { " for a unit speed of the drive" };
-    let description = format!("Velocities from the pole p{ratios}: {}.", said.join(", "));
+    let description = match magnitudes(scene, &nodes, ("v", "m/s", VELOCITY), velocity) {
+        Some(said) => format!("Velocities from the pole p{ratios}: {said}."),
+        None => NOTHING_MOVES.to_owned(),
+    };
     let id = crate::words::id(scene, "velocities");
     let drawing = Drawing::new(&id, title(scene, "velocity plan"), description);
     let mut room = Nodes::extent(scene, velocity);

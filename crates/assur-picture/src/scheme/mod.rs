@@ -10,6 +10,7 @@ mod mesh;
 mod numbers;
 mod pair;
 mod profile;
+mod room;
 mod ways;
 
 pub use dimension::{Dimension, Measured};
@@ -73,8 +74,6 @@ impl Scheme {
 
 /// What symbols and labels take beside the links, mm.
 const AROUND: Vec2 = Vec2::new(20.0, 16.0);
-/// Pairs that have room on a usual sheet.
-const USUAL: f64 = 24.0;
 /// How much taller what is taller than wide may be.
 const TALLER: f64 = 1.35;
 /// The longest scale bar, mm.
@@ -89,8 +88,8 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
     let traced = ways::traced(scene, wanted)?;
     let mut bounds = extent(scene, &shapes);
     ways::extent(scene, wanted, &traced, &mut bounds);
-    let size = wanted.size * crowding(scene);
-    let sheet = Paper { size: paper(&bounds, size), ..wanted.paper() };
+    let sheet =
+        Paper { size: paper(&bounds, room::for_pairs(scene, &bounds, wanted.size)), ..wanted.paper() };
     let frame = sheet.frame(Scaled::Length, &bounds, AROUND)?;
     let forces = if wanted.numbers { numbers::scale(scene, wanted)? } else { None };
     let mut drawing = drawn(scene, wanted, &shapes, &frame, &traced, forces);
@@ -106,7 +105,7 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
 pub fn frame_of_all(scenes: &[Scene<'_>], shapes: &[LinkShape], space: &Paper) -> Result<Frame, Missing> {
     let mut bounds = Rect::NOTHING;
     scenes.iter().for_each(|scene| bounds.join(&extent(scene, shapes)));
-    let size = scenes.first().map_or(space.size, |scene| space.size * crowding(scene));
+    let size = scenes.first().map_or(space.size, |scene| room::for_pairs(scene, &bounds, space.size));
     Paper { size: paper(&bounds, size), ..*space }.frame(Scaled::Length, &bounds, AROUND)
 }
 
@@ -160,12 +159,6 @@ pub fn captioned(drawing: &mut Drawing, frame: &Frame, forces: Option<Scale>) {
         drawing.captions.push(numbers::caption(&scale));
         drawing.description += &format!(" Force scale {} N per mm.", scale.text());
     }
-}
-
-/// How much larger than usual a sheet is, so that the symbols of many pairs have room.
-fn crowding(scene: &Scene<'_>) -> f64 {
-    let pairs = scene.mechanism().pairs.iter().filter(|p| p.bearing.is_none()).count();
-    (pairs as f64 / USUAL).sqrt().max(1.0)
 }
 
 /// The size for a box: what is taller than wide may be taller.
