@@ -9,7 +9,7 @@ use crate::figures::{FORCE, MOMENT};
 use crate::frame::Frame;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
-use crate::scheme::length_scale;
+use crate::scheme::{Freed, length_scale};
 use crate::shape::{Outline, shapes};
 use crate::symbol::{arrow, guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text};
@@ -40,6 +40,8 @@ pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, paper: &Paper) -> R
         all[link.index()].extent(scene, *link, &mut bounds);
     }
     acting.forces.iter().for_each(|f| bounds.add(f.at));
+    let profiles = Freed(&part.links);
+    profiles.extent(scene, &mut bounds);
     let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let links = names(scene, part);
     let said: Vec<String> = acting
@@ -61,6 +63,7 @@ pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, paper: &Paper) -> R
         let body = scene.body(*link);
         outlines.push((*link, all[link.index()].outline(&frame, &|at| body.position(at))));
     }
+    profiles.draw(scene, &all, &frame, &mut drawing);
     bodies(scene, &mut drawing, &frame, &outlines, part);
     let arrows = arrows(scene, part, acting);
     vectors(&mut drawing, &frame, &arrows);

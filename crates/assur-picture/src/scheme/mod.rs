@@ -14,6 +14,7 @@ mod room;
 mod ways;
 
 pub use dimension::{Dimension, Measured};
+pub use profile::Freed;
 
 use crate::error::Missing;
 use crate::frame::Frame;

@@ -1,11 +1,14 @@
 //! Profiles that touch: circles, lines, points, designed cams; wheels seen from the front.
 
 use super::Sketch;
+use crate::frame::Frame;
 use crate::scene::Scene;
+use crate::shape::LinkShape;
 use crate::symbol::{hinge, mass};
 use assur_drawing::{Drawing, Rect, Shape, Style};
+use assur_math::element::cam::Cam;
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, PairId, PairKind, Profile, ProfileShape, Wheel};
+use assur_model::model::{CamContact, LinkId, PairId, PairKind, Profile, ProfileShape, Wheel};
 
 /// How far a flat face goes beyond its contact, mm.
 const FACE: f64 = 7.0;
@@ -16,30 +19,69 @@ const STEPS: u32 = 360;
 
 /// What profiles and wheels take, m.
 pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
-    let mut round = |centre: Vec2, radius: f64| {
-        bounds.add(centre - Vec2::new(radius, radius));
-        bounds.add(centre + Vec2::new(radius, radius));
-    };
+    extent_of(scene, |_| true, bounds);
+    for wheel in front(scene) {
+        if let Some(centre) = wheel.centre {
+            round(bounds, scene.at(wheel.link, centre), wheel.radius);
+        }
+    }
+}
+
+fn round(bounds: &mut Rect, centre: Vec2, radius: f64) {
+    bounds.add(centre - Vec2::new(radius, radius));
+    bounds.add(centre + Vec2::new(radius, radius));
+}
+
+/// What the profiles of some links take, m.
+fn extent_of(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mut Rect) {
     for pair in &scene.mechanism().pairs {
         let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
-        for profile in [first, second] {
+        for profile in [first, second].into_iter().filter(|profile| wanted(profile.link)) {
             match profile.shape {
-                ProfileShape::Circle(centre, radius) => round(scene.at(profile.link, centre), radius),
+                ProfileShape::Circle(centre, radius) => round(bounds, scene.at(profile.link, centre), radius),
                 ProfileShape::Rim(contact) => {
                     let Some(contact) = scene.mechanism().cam_contacts.get(contact) else { continue };
                     let Some(plate) = scene.mechanism().cams.get(contact.cam) else { continue };
                     let centre = scene.at(contact.disk, contact.centre);
                     let greatest =
                         (0..STEPS).step_by(6).map(|i| plate.cam.at(f64::from(i).to_radians()).contact.norm());
-                    round(centre, greatest.fold(0.0, f64::max));
+                    round(bounds, centre, greatest.fold(0.0, f64::max));
                 }
                 ProfileShape::Point(_) | ProfileShape::Line(..) => {}
             }
         }
     }
-    for wheel in front(scene) {
-        if let Some(centre) = wheel.centre {
-            round(scene.at(wheel.link, centre), wheel.radius);
+}
+
+/// The profiles by which some links touch others, and what they take, m: of links that are drawn alone.
+pub struct Freed<'l>(pub &'l [LinkId]);
+
+impl Freed<'_> {
+    /// What they take, m.
+    pub fn extent(&self, scene: &Scene<'_>, bounds: &mut Rect) {
+        extent_of(scene, |link| self.0.contains(&link), bounds);
+    }
+
+    /// Draws them.
+    pub fn draw(&self, scene: &Scene<'_>, shapes: &[LinkShape], frame: &Frame, drawing: &mut Drawing) {
+        let sketch = Sketch::new(scene, shapes, frame);
+        for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
+            let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
+            for profile in [first, second].into_iter().filter(|profile| self.0.contains(&profile.link)) {
+                drawing.begin("profile", &profile.name);
+                match profile.shape {
+                    ProfileShape::Circle(centre, radius) => {
+                        let centre = sketch.on_paper(profile.link, centre);
+                        drawing.mark(Style::Medium, Shape::Circle { centre, radius: frame.length(radius) });
+                    }
+                    ProfileShape::Line(at, along) => sketch.face(drawing, PairId::at(i), profile, at, along),
+                    ProfileShape::Rim(contact) => {
+                        sketch.rim(drawing, contact);
+                    }
+                    ProfileShape::Point(_) => {}
+                }
+                drawing.end();
+            }
         }
     }
 }
@@ -78,7 +120,7 @@ impl Sketch<'_, '_> {
                             .mark(Style::Plate, Shape::Circle { centre, radius: self.frame.length(radius) });
                     }
                     ProfileShape::Line(at, along) => self.face(drawing, PairId::at(i), profile, at, along),
-                    ProfileShape::Rim(contact) => self.rim(drawing, contact),
+                    ProfileShape::Rim(contact) => self.cam(drawing, contact),
                     ProfileShape::Circle(..) | ProfileShape::Point(_) => {}
                 }
                 drawing.end();
@@ -161,23 +203,30 @@ impl Sketch<'_, '_> {
     }
 
     /// The profile of a designed cam, its base circle, and the path of a roller's centre.
-    fn rim(&self, drawing: &mut Drawing, contact: usize) {
-        let mechanism = self.scene.mechanism();
-        let Some(contact) = mechanism.cam_contacts.get(contact) else { return };
-        let Some(plate) = mechanism.cams.get(contact.cam) else { return };
-        let place = |v: Vec2| self.on_paper(contact.disk, contact.centre + v);
-        let around = |of: &dyn Fn(f64) -> Vec2| {
-            (0..STEPS).map(|i| place(of(f64::from(i).to_radians()))).collect::<Vec<_>>()
-        };
-        let cam = &plate.cam;
-        let rim = around(&|phi| cam.in_cam(cam.at(phi).contact, phi));
-        drawing.mark(Style::Plate, Shape::polygon(rim));
-        let centre = place(Vec2::zero());
+    fn cam(&self, drawing: &mut Drawing, contact: usize) {
+        let Some((contact, cam)) = self.rim(drawing, contact) else { return };
         if cam.follower.shape().radius() > 0.0 {
-            let pitch = around(&|phi| cam.in_cam(cam.at(phi).tip, phi));
+            let pitch = self.around(contact, |phi| cam.in_cam(cam.at(phi).tip, phi));
             drawing.mark(Style::Way, Shape::polygon(pitch));
         }
-        let radius = self.frame.length(cam.base_radius);
+        let (centre, radius) =
+            (self.on_paper(contact.disk, contact.centre), self.frame.length(cam.base_radius));
         drawing.mark(Style::Axis, Shape::Circle { centre, radius });
+    }
+
+    /// The profile of a designed cam.
+    fn rim(&self, drawing: &mut Drawing, contact: usize) -> Option<(&CamContact, &Cam)> {
+        let mechanism = self.scene.mechanism();
+        let contact = mechanism.cam_contacts.get(contact)?;
+        let cam = &mechanism.cams.get(contact.cam)?.cam;
+        let rim = self.around(contact, |phi| cam.in_cam(cam.at(phi).contact, phi));
+        drawing.mark(Style::Plate, Shape::polygon(rim));
+        Some((contact, cam))
+    }
+
+    /// Points around a cam, on paper.
+    fn around(&self, contact: &CamContact, of: impl Fn(f64) -> Vec2) -> Vec<Vec2> {
+        let place = |v: Vec2| self.on_paper(contact.disk, contact.centre + v);
+        (0..STEPS).map(|i| place(of(f64::from(i).to_radians()))).collect()
     }
 }
