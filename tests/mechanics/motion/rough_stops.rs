@@ -100,11 +100,11 @@ fn judge(
     }
 }
 
-/// The states of a run, unless its rebounds end in no series.
+/// The states of a run, unless its rebounds end in no series, or so small a difference decides about them that its runs do not agree.
 fn states(name: &str, text: &str) -> Option<(Mechanism, Vec<State>)> {
     let (solved, problems) = solve_source(&Source::new("chain", text), &Overrides::none());
     let all = format!("{problems:?}");
-    let ended = ["Shaken"].iter().any(|why| all.contains(why));
+    let ended = ["Shaken", "Accuracy"].iter().any(|why| all.contains(why));
     let Some(solved) = solved.filter(|_| !problems.has_errors() || ended) else {
         panic!("{name}\n{text}\n{all:.2000}")
     };
@@ -133,22 +133,28 @@ fn impacts_next_to_friction_keep_the_momentum_of_all_bodies() {
         }
     }
     println!("{runs} runs, {shaken} shaken, {impacts} impacts");
-    assert!(impacts > 2 * runs && shaken < runs);
+    assert!(impacts > 2 * runs && 5 * shaken <= runs);
 }
 
 #[test]
 fn friction_next_to_stops_keeps_the_laws_of_all_bodies() {
-    let (mut seen, mut runs) = (Seen::default(), 0);
+    let (mut seen, mut runs, mut ended) = (Seen::default(), 0, 0);
     for seed in 0..20 * super::times() {
         let name = format!("chain {seed}");
         let (text, stops, radii) = rough(seed, " in 60 steps");
-        let Some((mechanism, states)) = states(&name, &text) else { continue };
+        let Some((mechanism, states)) = states(&name, &text) else {
+            ended += 1;
+            continue;
+        };
         runs += 1;
         for state in &states {
             let name = format!("{name} at {} s", state.motion.time);
             judge(&name, (&mechanism, state), &stops, radii, &mut seen);
         }
     }
-    println!("{runs} runs, {seen:?}");
-    assert!(seen.sliding > 60 * runs && seen.closed > runs && seen.held > runs, "{seen:?}");
+    println!("{runs} runs, {ended} ended, {seen:?}");
+    assert!(
+        ended * 5 <= runs && seen.sliding > 60 * runs && seen.closed > runs && seen.held > runs,
+        "{seen:?}"
+    );
 }

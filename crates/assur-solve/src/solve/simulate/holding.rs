@@ -10,6 +10,7 @@ use super::drives::moves;
 use super::equations::Equations;
 use super::rubbing::wakes;
 use super::slipping::{Held, Slipping, can_hold};
+use super::ways::Way;
 use crate::math::Lu;
 use crate::plan::FrictionLaw;
 use crate::solve::failure::Halt;
@@ -28,13 +29,6 @@ const MOST: usize = 6;
 const DEPENDS: f64 = 1e-9;
 /// What is chosen anew so often at one instant has no way on.
 const AGAIN: u32 = 40;
-
-/// A way on: the senses of the elements that may be held, and which of the stops that are touched are closed.
-#[derive(Clone, PartialEq)]
-struct Way {
-    senses: Vec<f64>,
-    closed: Vec<bool>,
-}
 
 /// What comes of a way.
 enum Judged {
@@ -368,21 +362,6 @@ impl Slipping {
     }
 }
 
-impl Way {
-    /// All of so many elements and stops, those first in which least slides.
-    fn all(open: usize, stops: usize) -> Vec<Self> {
-        let count = 3_usize.pow(open as u32) << stops;
-        let mut ways: Vec<Self> = (0..count)
-            .map(|way| Self {
-                senses: ternary(way >> stops, open),
-                closed: (0..stops).map(|stop| way >> stop & 1 == 1).collect(),
-            })
-            .collect();
-        ways.sort_by_key(|way| way.senses.iter().filter(|sense| **sense != 0.0).count());
-        ways
-    }
-}
-
 /// Whether a row does not depend on those of a basis, which it then joins.
 pub(super) fn joins(mut row: Vec<f64>, basis: &mut Vec<Vec<f64>>) -> bool {
     let size = norm(&row);
@@ -401,14 +380,4 @@ pub(super) fn joins(mut row: Vec<f64>, basis: &mut Vec<Vec<f64>>) -> bool {
 
 fn norm(row: &[f64]) -> f64 {
     row.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-/// The digits of a number to base three, as senses.
-fn ternary(mut way: usize, count: usize) -> Vec<f64> {
-    let digits = (0..count).map(|_| {
-        let digit = way % 3;
-        way /= 3;
-        [0.0, 1.0, -1.0][digit]
-    });
-    digits.collect()
 }

@@ -47,6 +47,7 @@ mod trials;
 mod turning;
 mod walk;
 mod watch;
+mod ways;
 
 pub use compare::{KINDS, STATES};
 pub use conduct::{Conduct, Watch};
