@@ -19,7 +19,7 @@ impl Course<'_> {
         let mut all = Vec::new();
         for find in &mechanism.finds {
             let FindKind::Value { expr, poseless: false, .. } = &find.kind else { continue };
-            crate::prune::queries(mechanism, expr, &mut |query| all.push(query.clone()));
+            crate::prune::queries(mechanism, expr, &mut |query| all.push(*query));
         }
         all
     }
@@ -29,11 +29,12 @@ impl Course<'_> {
         let before = self.blocks.len();
         for query in self.questions() {
             let pair = match (stage, &query) {
-                (Stage::Positions, Query::Displacement(pair))
+                (Stage::Positions, Query::Displacement(pair) | Query::Travel(pair))
                 | (Stage::Velocities, Query::RelativeVelocity(pair))
                 | (Stage::Accelerations, Query::RelativeAcceleration(pair)) => *pair,
                 _ => continue,
             };
+            let query = if stage == Stage::Positions { Query::Displacement(pair) } else { query };
             if let Value::Scalar(value) = self.scene.view().query(&query) {
                 self.along_its_guide(stage, pair, value);
             }
@@ -97,15 +98,85 @@ impl Course<'_> {
                 Query::EffortPower(id) => self.power_asked_for(EffortSource::Drive(*id)),
                 Query::BalancePower(id) => self.power_asked_for(EffortSource::Balance(*id)),
                 Query::Moment(pair, link) => self.couple_asked_for(*pair, link.index()),
+                Query::ContactForce(pair, which) => self.contact_asked_for(*pair, *which, value),
                 _ => None,
             };
-            let Some((name, unit, right)) = found else { continue };
-            if value != 0.0 && (right.value() - value).abs() <= SAME * right.scale() {
-                self.asked.insert(name.clone());
-                self.equate(name, value, unit, right);
-            }
+            self.answered(found, value);
         }
         self.introduce(before, Message::AskedOfForces);
+    }
+
+    /// How far sliders have come from the end of their stroke, where this is found.
+    pub(crate) fn asked_of_strokes(&mut self) {
+        let before = self.blocks.len();
+        for query in self.questions() {
+            let (Query::Travel(pair), Value::Scalar(value)) = (&query, self.scene.view().query(&query))
+            else {
+                continue;
+            };
+            let found = self.travel_asked_for(*pair, value);
+            self.answered(found, value);
+        }
+        self.introduce(before, Message::AskedOfGuides);
+    }
+
+    fn answered(&mut self, found: Option<(Name, Unit, Expr)>, value: f64) {
+        let Some((name, unit, right)) = found else { return };
+        if value != 0.0 && (right.value() - value).abs() <= SAME * right.scale() {
+            self.asked.insert(name.clone());
+            self.equate(name, value, unit, right);
+        }
+    }
+
+    fn travel_asked_for(&mut self, pair: PairId, value: f64) -> Option<(Name, Unit, Expr)> {
+        let Value::Scalar(here) = self.scene.view().query(&Query::Displacement(pair)) else { return None };
+        let here = self.on_guide_with(&["s", "x", "y"], pair, here)?;
+        let pair = &self.scene.mechanism().pair(pair).name;
+        let ends = ["min", "max"].map(|end| Name::new("s", &format!("{end},{pair}")));
+        let mut right = None;
+        for (_, equation) in &self.equations {
+            equation.right.visit(&mut |q| {
+                if ends.contains(&q.name) {
+                    let end = Expr::Leaf(std::sync::Arc::clone(q));
+                    let both = [here.clone() - end.clone(), end - here.clone()];
+                    let near = |x: &Expr| (x.value() - value).abs() <= SAME * x.scale();
+                    right = right.take().or_else(|| both.into_iter().find(near));
+                }
+            });
+        }
+        Some((Name::new("S", pair), Unit::Length, right?))
+    }
+
+    /// The force at one of two points where a slider touches its guide, from the normal force and the couple about the slider's point.
+    fn contact_asked_for(&mut self, pair: PairId, which: u8, value: f64) -> Option<(Name, Unit, Expr)> {
+        let named = self.scene.mechanism().pair(pair);
+        let PairKind::Prismatic(g) = &named.kind else { return None };
+        let [first, second] = g.contacts?;
+        let (own, other) = if which == 1 { (first, second) } else { (second, first) };
+        let place =
+            |x: f64, i: u8| self.given(Name::new("c", &format!("{},{i}", named.name)), x, Unit::Length);
+        let (own, other) = (place(own, which), place(other, 3 - which));
+        let scalar = |query: Query| match self.scene.view().query(&query) {
+            Value::Scalar(x) => x,
+            _ => f64::NAN,
+        };
+        let normal = scalar(Query::Normal(pair, g.slider));
+        let couple = scalar(Query::Moment(pair, g.slider));
+        let normal = self.with_value(self.reactions_of(pair).into_iter(), normal)?;
+        let couple = match self.with_value(self.couples_of(pair).into_iter(), couple) {
+            Some(couple) => couple,
+            None if couple.abs() <= SAME * normal.scale() * own.scale() => Expr::ZERO,
+            None => return None,
+        };
+        let of = |m: Expr, r: Expr| (m - r * other.clone()) / (own.clone() - other.clone());
+        let all = [
+            of(couple.clone(), normal.clone()),
+            of(-couple.clone(), normal.clone()),
+            of(couple.clone(), -normal.clone()),
+            of(-couple, -normal),
+        ];
+        let right = all.into_iter().find(|x| (x.value() - value).abs() <= SAME * x.scale())?;
+        Some((Name::new("N", &format!("{},{which}", named.name)), Unit::Force, right))
     }
 
     fn power_asked_for(&mut self, source: EffortSource) -> Option<(Name, Unit, Expr)> {

@@ -53,10 +53,7 @@ impl Course<'_> {
 
     /// A number that a step has under letters of the question.
     pub(crate) fn scalar_symbol(&mut self, query: &Query) -> Option<Expr> {
-        let value = match self.scene.view().query(query) {
-            Value::Scalar(x) => x,
-            _ => return None,
-        };
+        let Value::Scalar(value) = self.scene.view().query(query) else { return None };
         let inertia = self.language.letters().inertia;
         let indexed = |letter: &str, index: String| vec![Name::new(letter, &index)];
         let names = match query {
@@ -75,6 +72,10 @@ impl Course<'_> {
                 };
                 return self.found_with(|name| name.letter.trim_end_matches('′') == letter, value);
             }
+            Query::ContactForce(pair, which) => {
+                indexed("N", format!("{},{which}", self.scene.mechanism().pair(*pair).name))
+            }
+            Query::Travel(pair) => indexed("S", self.scene.mechanism().pair(*pair).name.clone()),
             Query::Displacement(pair) => return self.on_guide_with(&["s", "x", "y"], *pair, value),
             Query::RelativeVelocity(pair) => return self.on_guide_with(&["v"], *pair, value),
             Query::RelativeAcceleration(pair) => return self.on_guide_with(&["a"], *pair, value),
@@ -171,7 +172,7 @@ impl Course<'_> {
     }
 
     /// The letters of the couples in a pair: of guides, and of transmissions on their shafts.
-    fn couples_of(&self, pair: PairId) -> Vec<Name> {
+    pub(crate) fn couples_of(&self, pair: PairId) -> Vec<Name> {
         let reactions = self.reactions_of(pair);
         let couples = reactions.iter().map(|name| Name::new("M", &name.sub));
         let own = |name: &&Name| name.letter == "M" && reactions.iter().any(|r| r.sub == name.sub);

@@ -110,6 +110,7 @@ pub fn worked_from(
         if part == Part::Results {
             course.designs();
             course.head(Message::Results);
+            course.asked_of_strokes();
             course.formulas(formulas);
         }
         course.part(part);

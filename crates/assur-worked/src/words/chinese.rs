@@ -158,7 +158,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Closes => "杆组的每个运动副代入这些值后封闭（Δ 为余量）：",
         Message::AskedFor => "题目所求的点：",
         Message::AskedOfGuides => "题目所求的沿导路的量：",
-        Message::AskedOfForces => "题目所求的功率和力矩：",
+        Message::AskedOfForces => "题目所求的力、力矩和功率：",
         Message::NoForces => "题目没有要求力，或力不能确定。",
         Message::SeeScheme => "点和方向见 {0}。",
         Message::SeePlan => "{0} 按比例画出本节的矢量。",

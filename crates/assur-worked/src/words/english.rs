@@ -202,7 +202,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Closes => "Every pair of the group closes with these values (Δ is what is left):",
         Message::AskedFor => "Points that the file asks for:",
         Message::AskedOfGuides => "Along guides, as the file asks:",
-        Message::AskedOfForces => "Powers and torques that the file asks for:",
+        Message::AskedOfForces => "Forces, torques and powers that the file asks for:",
         Message::NoForces => "The file asks for no forces, or none are determined.",
         Message::SeeScheme => "Points and directions are those of {0}.",
         Message::SeePlan => "{0} shows the vectors of this section to scale.",

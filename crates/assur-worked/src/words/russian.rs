@@ -202,7 +202,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Closes => "Каждая пара группы с этими значениями замкнута (Δ есть остаток):",
         Message::AskedFor => "Точки, заданные в вопросе:",
         Message::AskedOfGuides => "Перемещения и скорости вдоль направляющих по условию:",
-        Message::AskedOfForces => "Мощности и моменты по условию:",
+        Message::AskedOfForces => "Силы, моменты и мощности по условию:",
         Message::NoForces => "Силы не требуются или не определены.",
         Message::SeeScheme => "Точки и направления показаны здесь: {0}.",
         Message::SeePlan => "Векторы этого раздела построены в масштабе: {0}.",
