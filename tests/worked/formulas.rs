@@ -82,7 +82,7 @@ fn what_a_file_asks_for_by_formulas_is_derived_and_balances() {
 }
 
 /// Questions that a step of the position answers.
-const OF_STEPS: [&str; 9] = [
+const OF_STEPS: [&str; 10] = [
     "omega",
     "alpha",
     "inertia_force",
@@ -92,6 +92,7 @@ const OF_STEPS: [&str; 9] = [
     "relative_acceleration",
     "normal",
     "effort",
+    "contact_force",
 ];
 
 #[test]

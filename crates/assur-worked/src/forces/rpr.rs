@@ -52,9 +52,9 @@ impl Course<'_> {
         let a = self.moved(one.body).position(pins[0]);
         let along = if (b - a).dot(d) * along.value() < 0.0 { -along } else { along };
         let value = sign * d.perp().dot(reaction.force);
-        let normal = self.equate(name, value, Unit::Force, (first - couple.clone()) / along);
+        let normal = self.equate(name, value, Unit::Force, (first.clone() - couple.clone()) / along);
         let parts = [-(normal.clone() * way.sin()), normal.clone() * way.cos()];
-        if (reference - a).norm() > self.tiny {
+        if (reference - a).norm() > self.tiny || !first.is_zero() {
             let name = self.reaction_name(one.body, two.body);
             self.couple_at_slider(
                 guide,

@@ -142,7 +142,8 @@ impl Course<'_> {
             match &find.kind {
                 FindKind::Reactions => return true,
                 FindKind::Value { expr, .. } => crate::prune::queries(mechanism, expr, &mut |query| {
-                    asked |= matches!(query, Query::Moment(own, _) if *own == pair);
+                    asked |=
+                        matches!(query, Query::Moment(own, _) | Query::ContactForce(own, _) if *own == pair);
                 }),
                 FindKind::Table(_) => {}
             }
