@@ -3,26 +3,11 @@
 //! There the formulas divide nothing by nothing, yet all that moves is a smooth function of the coordinate. It is taken from
 //! regular positions on both sides, by Chebyshev's series over a short way.
 
+use super::change::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point};
 use super::equations::Equations;
 use crate::math::Vec2;
 use crate::math::chebyshev::{NODES, Nodes, add_rows, polynomials, tail};
 use crate::position::{BodyState, Branch, Motion, State};
-
-/// A bridge reaches at most so far to both sides, of the coordinate, rad or parts of the extent.
-pub(super) const REACH: f64 = 0.5;
-/// A change point is looked for up to here, and given up beyond it.
-pub(super) const FARTHEST: f64 = 2.0 * REACH;
-/// What the series leave off is less than this.
-pub(super) const SMOOTH: f64 = 1e-11;
-/// Groups below this |σ| at the change point have their assemblies in one there.
-pub(super) const CHANGES: f64 = 1e-3;
-/// The change point is known well enough below this.
-const FOUND: f64 = 1e-6;
-/// The way to it is gone in so many steps at most, each leaving a tenth.
-const STEPS: usize = 16;
-const PART: f64 = 0.9;
-/// Numbers of a body.
-pub(super) const WIDTH: usize = 10;
 
 /// The way over a change point.
 #[derive(Clone, Debug)]
@@ -125,35 +110,6 @@ impl Bridge {
             };
         }
     }
-}
-
-/// The place ahead where the least |σ| vanishes, and the position just before it; `None` where the mechanism does not close on the way,
-/// or nothing vanishes.
-pub(super) fn change_point(
-    at: &mut impl FnMut(f64, &[Branch]) -> Option<State>,
-    near: &[Branch],
-    value: f64,
-    ahead: f64,
-) -> Option<(f64, State)> {
-    let sigma = |state: &State| state.motion.conditions.iter().fold(1.0_f64, |least, c| least.min(c.abs()));
-    let mut before = (value, sigma(&at(value, near)?));
-    let mut q = value + ahead * 0.1 * before.1;
-    for _ in 0..STEPS {
-        let state = at(q, near)?;
-        let here = sigma(&state);
-        let slope = (here - before.1) / (q - before.0);
-        let to_go = -here / slope;
-        if here < FOUND {
-            return Some((q, state));
-        }
-        // it falls ahead, and not far away
-        if to_go.is_nan() || to_go * ahead <= 0.0 || (q + to_go - value).abs() > FARTHEST {
-            return None;
-        }
-        before = (q, here);
-        q += PART * to_go;
-    }
-    None
 }
 
 /// The series of all that moves over these positions; `None` where they do not close or are not smooth.

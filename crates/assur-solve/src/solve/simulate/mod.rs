@@ -5,6 +5,7 @@
 //! differ by is the error of the coarser one, and the finer one is what is reported.
 
 mod bridge;
+mod change;
 mod chart;
 mod compare;
 mod conduct;

@@ -4,8 +4,7 @@
 //! accelerations without any of the free coordinates are taken from regular positions on both sides, along the one coordinate, by
 //! Chebyshev's series.
 
-use super::bridge::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point};
-use super::equations::Equations;
+use super::change::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point};
 use crate::math::Vec2;
 use crate::math::chebyshev::{NODES, Nodes, polynomials, tail};
 use crate::plan::Plan;
@@ -49,17 +48,9 @@ pub(super) struct Passage {
 
 impl Passage {
     /// Over the change point ahead of where the present step begins, if there is one in the way of a free coordinate.
-    pub fn near(equations: &Equations<'_, '_>, y: &[f64]) -> Option<Self> {
-        let plan = equations.model.plan;
-        let rubs = equations.mode.is_some() || equations.slipping.is_some();
-        if rubs || equations.reduced.is_alone() || plan.goes_on() {
-            return None;
-        }
-        let (t, here, _) = equations.here();
-        let mut here = here.clone();
-        equations.inputs_at(t, y, &mut here.motion);
+    pub fn near(plan: &Plan, reduced: &Reduced, here: &State, extent: f64) -> Option<Self> {
         let mut found: Option<(f64, Self)> = None;
-        for &drive in equations.reduced.free() {
+        for &drive in reduced.free() {
             let value = here.motion.inputs[drive].value;
             for ahead in [1.0, -1.0] {
                 let mut state = here.clone();
@@ -90,7 +81,7 @@ impl Passage {
                     here: value,
                     group,
                     conditions: here.motion.conditions.clone(),
-                    extent: equations.extent(),
+                    extent,
                     nodes: Nodes::new(),
                     values: Vec::new(),
                 };
@@ -103,7 +94,7 @@ impl Passage {
             }
         }
         let (_, mut passage) = found?;
-        let mut reduced = equations.reduced.clone();
+        let mut reduced = reduced.clone();
         for _ in 0..3 {
             let mut state = here.clone();
             if passage.covers(passage.here) && passage.run(plan, &mut reduced, &mut state) {

@@ -91,7 +91,14 @@ impl Equations<'_, '_> {
     /// Goes over a change point, if there is one ahead of where the present step begins.
     pub fn cross(&mut self, y: &[f64]) -> bool {
         if !self.reduced.is_alone() && self.passage.is_none() {
-            self.passage = Passage::near(self, y).map(Box::new);
+            let plan = self.model.plan;
+            if self.mode.is_some() || self.slipping.is_some() || plan.goes_on() {
+                return false;
+            }
+            let (t, here, _) = self.here();
+            let mut here = here.clone();
+            self.inputs_at(t, y, &mut here.motion);
+            self.passage = Passage::near(plan, &self.reduced, &here, self.extent()).map(Box::new);
             return self.passage.is_some();
         }
         if self.bridge.is_none() && y[1] != 0.0 {
