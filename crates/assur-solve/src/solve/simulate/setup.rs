@@ -120,8 +120,7 @@ pub(super) fn begin<'s>(
 /// The errors allowed: of coordinates absolute, since angles and places are read off them whatever their turns; of rates
 /// relative, and where they pass zero by what would move a coordinate in the time of the run. The work is not judged.
 pub(super) fn allowed(equations: &Equations<'_, '_>, tolerance: f64, length: f64) -> Tolerance<f64> {
-    let free = equations.reduced.free();
-    let scales: Vec<f64> = free.iter().map(|&drive| scale_of(equations, drive)).collect();
+    let scales = scales(equations);
     let coordinates = scales.iter().map(|scale| (0.0, tolerance * scale));
     let rates = scales.iter().map(|scale| (tolerance, tolerance * scale / length));
     let each: Vec<(f64, f64)> = coordinates
@@ -129,6 +128,11 @@ pub(super) fn allowed(equations: &Equations<'_, '_>, tolerance: f64, length: f64
         .chain(std::iter::repeat_n((0.0, f64::MAX), 1 + equations.model.mechanism.works.len()))
         .collect();
     Tolerance::each(&each)
+}
+
+/// What is much for each free coordinate: a radian, or the extent.
+pub(super) fn scales(equations: &Equations<'_, '_>) -> Vec<f64> {
+    equations.reduced.free().iter().map(|&drive| scale_of(equations, drive)).collect()
 }
 
 /// What is much for the first free coordinate: a radian, or the extent.

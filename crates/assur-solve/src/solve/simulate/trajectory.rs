@@ -7,7 +7,7 @@ use super::functions::OverRun;
 use super::records::Records;
 use super::report::SimulationReport;
 use super::run::{Run, run};
-use super::setup::{Begin, at_rest, begin, outputs};
+use super::setup::{Begin, at_rest, begin, outputs, scales};
 use super::steady::steady;
 use crate::answer::{CycleAnswer, WholeCycle};
 use crate::model::{Mechanism, Simulation, Steady};
@@ -147,6 +147,7 @@ pub(crate) fn trajectory(
     let mut best = Compared::UNKNOWN;
     let mut coarse = run(tolerance, true);
     let mut spent = coarse.counts.evaluations;
+    let scales = scales(&begin.equations());
     let (printed, kinds, compared) = loop {
         let ended = matches!(coarse.stopped, Some((_, Halt::TooManySteps | Halt::Interrupted)));
         if ended || conduct.alone.is_some() {
@@ -165,7 +166,7 @@ pub(crate) fn trajectory(
         if let Some(found) = &steady {
             compared.steady(found.error);
         }
-        compared.error = compared.error.max(LEAST * fine.floor).max(rounding(&fine));
+        compared.error = compared.error.max(LEAST * fine.floor).max(rounding(&fine, &scales));
         let interrupted = matches!(fine.stopped, Some((_, Halt::Interrupted)));
         if compared.error <= SURE * within || interrupted {
             break (fine, coarse.kinds, compared);
@@ -207,10 +208,14 @@ fn at_most_all(compared: Compared) -> Compared {
     Compared { error: compared.error.min(1.0), ..compared }
 }
 
-/// What rounding makes of a run at least: it adds up as a random walk, and grows near dead positions.
+/// What rounding makes of a run at least: that of the greatest coordinate adds up as a random walk, and grows near dead positions.
+/// `scales` are what is much for each coordinate.
 #[allow(clippy::cast_precision_loss)] // far below 2^52
-fn rounding(run: &Run) -> f64 {
-    f64::EPSILON * (run.counts.steps as f64).sqrt() / run.worst_condition.0.max(LEAST_CONDITION)
+fn rounding(run: &Run, scales: &[f64]) -> f64 {
+    let kept = (0..run.records.count).flat_map(|index| run.records.state(index).iter().zip(scales));
+    let greatest = kept.map(|(q, scale)| q.abs() / scale).fold(1.0, f64::max);
+    let steps = (run.counts.steps as f64).sqrt();
+    f64::EPSILON * greatest * steps / run.worst_condition.0.max(LEAST_CONDITION)
 }
 
 /// A run that is not as accurate as is wanted, if it is not.
