@@ -67,7 +67,9 @@ pub struct Short {
 }
 
 impl Short {
-    fn coefficients(&self) -> &[f64] {
+    /// Its coefficients, of T_0 first.
+    #[must_use]
+    pub fn coefficients(&self) -> &[f64] {
         &self.coefficients[..self.count]
     }
 
