@@ -92,8 +92,11 @@ impl CsvLines {
         self.columns.reads_angles(model)
     }
 
-    /// Adds the line of a position, once it has [begun](CsvLines::begin).
+    /// Adds the line of a position, once it has [begun](CsvLines::begin); none where it only says that its accuracy was missed.
     pub fn add(&self, answers: &Answers<'_>, pose: &Pose, memory: &mut LineMemory, out: &mut Vec<u8>) {
+        if !pose.is_position() {
+            return;
+        }
         let row = &mut memory.row;
         out.extend_from_slice(self.file.as_deref().unwrap_or_default().as_bytes());
         if pose.name.bytes().all(|b| b.is_ascii_digit()) {
