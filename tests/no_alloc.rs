@@ -322,7 +322,7 @@ gravity 9.81 m/s^2
 ground { A (0, 0) }
 link bar A-P 1 m { mass 1 kg at P; inertia 0.1 kg*m^2 }
 revolute A: ground - bar
-start bar = 0 deg at 100 rad/s
+start bar = 0 deg at 30 rad/s
 simulate END within 1e-8
 find max(omega(bar)), min(mag(acceleration(P))), mean(position(P).y)
 ",
@@ -333,8 +333,8 @@ find max(omega(bar)), min(mag(acceleration(P))), mean(position(P).y)
 #[test]
 fn the_steps_of_a_run_allocate_nothing() {
     for text in RUNS {
-        let found =
-            ["0.3 s", "0.5 s", "0.7 s", "1 s", "1.5 s", "2 s"].map(|end| allocations_of_a_run(text, end));
+        let ends = ["0.3 s", "0.5 s", "0.7 s", "1 s", "1.5 s", "2 s", "2.8 s", "3 s"];
+        let found = ends.map(|end| allocations_of_a_run(text, end));
         let alike = |a: &(u64, usize), b: &(u64, usize)| a.0 == b.0 && b.1 > a.1 + 30;
         assert!(found.iter().any(|a| found.iter().any(|b| alike(a, b))), "{found:?}");
     }
