@@ -139,11 +139,12 @@ fn every_group_and_every_load_has_its_steps() {
 
 /// Values that no equation of the page gives: a cam angle that the law of the cam confirms, the spline of a table of lifts, friction that
 /// holds and is found with the accelerations, planets without a place.
-const ALONE: [&str; 14] = [
+const ALONE: [&str; 15] = [
     "cams/driven-by-follower.mech: θ_K",
     "cams/from-table.mech: a_1",
     "cams/from-table.mech: b_1",
     "cams/from-table.mech: c_1",
+    "simulation/loaded-sled-at-a-wall.mech: F_fH",
     "simulation/planetary-run-up.mech: a_Px",
     "simulation/planetary-run-up.mech: a_Py",
     "simulation/planetary-run-up.mech: v_Px",
