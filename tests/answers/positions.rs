@@ -150,19 +150,24 @@ fn compare_columns(model: &Model<'_>, name: &str) -> usize {
     compared
 }
 
-#[test]
-fn columns_side_by_side_are_those_of_whole_positions() {
+/// Compares sweeps of 480 steps of all examples.
+fn in_all_examples(compare: impl Fn(&Model<'_>, &str) -> usize) {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let (mut files, mut positions) = (0, 0);
     for path in crate::folder::files(&root, "mech") {
         let text = in_steps(&std::fs::read_to_string(&path).unwrap(), 480);
         let source = Source::new(path.display().to_string(), text);
         let Some(compiled) = compiled(&source) else { continue };
-        let compared = compare_columns(&compiled.model(), &source.name);
+        let compared = compare(&compiled.model(), &source.name);
         files += usize::from(compared > 0);
         positions += compared;
     }
     assert!(files > 10 && positions > 2_000, "{files} files, {positions} positions");
+}
+
+#[test]
+fn columns_side_by_side_are_those_of_whole_positions() {
+    in_all_examples(compare_columns);
 }
 
 /// Lines of JSON that are filled in from lanes are those of whole positions; gives how many were compared.
@@ -199,17 +204,7 @@ fn compare_objects(model: &Model<'_>, name: &str) -> usize {
 
 #[test]
 fn objects_from_lanes_are_those_of_whole_positions() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let (mut files, mut positions) = (0, 0);
-    for path in crate::folder::files(&root, "mech") {
-        let text = in_steps(&std::fs::read_to_string(&path).unwrap(), 480);
-        let source = Source::new(path.display().to_string(), text);
-        let Some(compiled) = compiled(&source) else { continue };
-        let compared = compare_objects(&compiled.model(), &source.name);
-        files += usize::from(compared > 0);
-        positions += compared;
-    }
-    assert!(files > 10 && positions > 2_000, "{files} files, {positions} positions");
+    in_all_examples(compare_objects);
 }
 
 /// The greatest number of bytes in use while a sweep is printed.

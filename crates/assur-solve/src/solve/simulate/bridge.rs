@@ -3,7 +3,7 @@
 //! There the formulas divide nothing by nothing, yet all that moves is a smooth function of the coordinate. It is taken from
 //! regular positions on both sides, by Chebyshev's series over a short way.
 
-use super::change::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point};
+use super::change::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point, put_numbers};
 use super::equations::Equations;
 use crate::math::Vec2;
 use crate::math::chebyshev::{NODES, Nodes, add_rows, polynomials, tail};
@@ -98,16 +98,7 @@ impl Bridge {
         self.numbers.fill(0.0);
         add_rows(&mut self.numbers, &self.series, &factors);
         for (body, n) in motion.bodies.iter_mut().zip(self.numbers.chunks_exact(WIDTH)) {
-            let u = Vec2::new(n[2], n[3]);
-            *body = BodyState {
-                p: Vec2::new(n[0], n[1]),
-                u: u / u.norm(),
-                v: Vec2::new(n[4], n[5]),
-                omega: n[6],
-                a: Vec2::new(n[7], n[8]),
-                alpha: n[9],
-                turned: body.turned,
-            };
+            put_numbers(body, n);
         }
     }
 }

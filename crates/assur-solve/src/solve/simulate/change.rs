@@ -1,6 +1,7 @@
 //! Where a change point is, and how far to both sides it is gone over.
 
-use crate::position::{Branch, State};
+use crate::math::Vec2;
+use crate::position::{BodyState, Branch, State};
 
 /// A bridge reaches at most so far to both sides, of the coordinate, rad or parts of the extent.
 pub(super) const REACH: f64 = 0.5;
@@ -17,6 +18,20 @@ const STEPS: usize = 16;
 const PART: f64 = 0.9;
 /// Numbers of a body.
 pub(super) const WIDTH: usize = 10;
+
+/// Moves a body as these numbers say: place, direction, velocity, angular velocity, acceleration, angular acceleration.
+pub(super) fn put_numbers(body: &mut BodyState, n: &[f64]) {
+    let u = Vec2::new(n[2], n[3]);
+    *body = BodyState {
+        p: Vec2::new(n[0], n[1]),
+        u: u / u.norm(),
+        v: Vec2::new(n[4], n[5]),
+        omega: n[6],
+        a: Vec2::new(n[7], n[8]),
+        alpha: n[9],
+        turned: body.turned,
+    };
+}
 
 /// The place ahead where the least |σ| vanishes, and the position just before it; `None` where the mechanism does not close on the way,
 /// or nothing vanishes.

@@ -4,7 +4,7 @@
 //! accelerations without any of the free coordinates are taken from regular positions on both sides, along the one coordinate, by
 //! Chebyshev's series.
 
-use super::change::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point};
+use super::change::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point, put_numbers};
 use crate::math::Vec2;
 use crate::math::chebyshev::{NODES, Nodes, polynomials, tail};
 use crate::plan::Plan;
@@ -169,16 +169,7 @@ impl Passage {
                 series.iter().zip(&factors).map(|(c, factor)| c * factor).sum::<f64>()
             });
             let n: Vec<f64> = numbers.collect();
-            let u = Vec2::new(n[2], n[3]);
-            *body = BodyState {
-                p: Vec2::new(n[0], n[1]),
-                u: u / u.norm(),
-                v: Vec2::new(n[4], n[5]),
-                omega: n[6],
-                a: Vec2::new(n[7], n[8]),
-                alpha: n[9],
-                turned: body.turned,
-            };
+            put_numbers(body, &n);
             for (i, unit) in n[WIDTH..].chunks_exact(UNIT).enumerate() {
                 reduced.set_unit_motion(i, index, (Vec2::new(unit[0], unit[1]), unit[2]));
             }
