@@ -1,14 +1,15 @@
 //! A text with numbers between its pieces, which stay the same.
 
-/// Longer pieces are copied as they are.
-const SHORT: usize = 64;
+/// Pieces are copied as so much text, if they are not longer: most are short, and a size known beforehand takes no loop.
+const SHORT: usize = 16;
+const LONG: usize = 64;
 /// No number is longer.
 const LONGEST: usize = 32;
 
 /// The pieces.
 #[derive(Clone, Debug, Default)]
 pub struct Template {
-    /// One after another, with as much behind the last as a short piece has.
+    /// One after another, with as much behind the last as is copied at a time.
     text: Vec<u8>,
     ends: Vec<usize>,
     /// For every number an earlier one that it may repeat.
@@ -27,7 +28,7 @@ impl Template {
             template.text.extend_from_slice(piece.as_bytes());
             template.ends.push(template.text.len());
         }
-        template.text.extend_from_slice(&[b' '; SHORT]);
+        template.text.extend_from_slice(&[b' '; LONG]);
         template.repeats = (0..example.len()).map(|i| repeated(example, i)).collect();
         template
     }
@@ -35,35 +36,27 @@ impl Template {
     /// Appends the pieces with the shortest decimal numbers that are read as the given ones, which are finite, between them, as
     /// `serde_json` writes them. `places` is memory.
     pub fn fill(&self, numbers: &[f64], places: &mut Places, out: &mut Vec<u8>) {
-        out.reserve(self.text.len() + numbers.len() * LONGEST);
+        let before = out.len();
+        // room for what is copied beyond the end of a piece or a number, and written over by the next
+        out.resize(before + self.text.len() + numbers.len() * LONGEST, b' ');
+        let mut page = Page { text: &mut out[before..], end: 0 };
         places.clear();
         let mut begin = 0;
         for (i, &end) in self.ends.iter().enumerate() {
-            self.push_piece(begin, end, out);
+            page.push_piece(&self.text[begin..], end - begin);
             begin = end;
             let Some(&x) = numbers.get(i) else { continue };
-            let at = out.len();
+            let at = page.end;
             match self.repeats.get(i) {
                 Some(&Some(earlier)) if numbers[earlier].to_bits() == x.to_bits() => {
-                    push_again(places[earlier], out);
+                    page.push_again(places[earlier]);
                 }
-                _ => push_shortest(x, out),
+                _ => page.push_shortest(x),
             }
-            places.push((at, out.len()));
+            places.push((at, page.end));
         }
-    }
-
-    // pieces and numbers are copied as a whole, with a size known beforehand, and written over by what follows
-    #[inline]
-    fn push_piece(&self, begin: usize, end: usize, out: &mut Vec<u8>) {
-        let (at, len) = (out.len(), end - begin);
-        match self.text[begin..].first_chunk::<SHORT>() {
-            Some(chunk) if len <= SHORT => {
-                out.extend_from_slice(chunk);
-                out.truncate(at + len);
-            }
-            _ => out.extend_from_slice(&self.text[begin..end]),
-        }
+        let len = before + page.end;
+        out.truncate(len);
     }
 }
 
@@ -73,34 +66,61 @@ fn repeated(numbers: &[f64], i: usize) -> Option<usize> {
     numbers[..i].iter().position(same).filter(|_| numbers[i] != 0.0)
 }
 
-/// Appends a part of the text once more.
-#[inline]
-fn push_again((begin, end): (usize, usize), out: &mut Vec<u8>) {
-    let at = out.len();
-    match out[begin..].first_chunk::<LONGEST>().copied() {
-        Some(chunk) => {
-            out.extend_from_slice(&chunk);
-            out.truncate(at + end - begin);
-        }
-        None => out.extend_from_within(begin..end),
-    }
+/// A text that is being written.
+struct Page<'a> {
+    text: &'a mut [u8],
+    end: usize,
 }
 
-/// Appends the shortest decimal number that is read as `x`, which is finite; zero has no sign.
-#[inline]
-fn push_shortest(x: f64, out: &mut Vec<u8>) {
-    if x == 0.0 {
-        return out.extend_from_slice(b"0.0");
+impl Page<'_> {
+    /// Copies a text of a size known beforehand, of which `len` is meant.
+    #[inline(always)]
+    fn push<const N: usize>(&mut self, text: &[u8; N], len: usize) {
+        self.text[self.end..self.end + N].copy_from_slice(text);
+        self.end += len;
     }
-    let mut buffer = zmij::Buffer::new();
-    let text = buffer.format_finite(x).as_bytes();
-    match (text.first_chunk::<16>(), text.last_chunk::<16>()) {
-        (Some(first), Some(last)) => {
-            let rest = out.len() + text.len() - 16;
-            out.extend_from_slice(first);
-            out.truncate(rest);
-            out.extend_from_slice(last);
+
+    /// The begin of a text.
+    #[inline(always)]
+    fn push_piece(&mut self, text: &[u8], len: usize) {
+        match (text.first_chunk::<SHORT>(), text.first_chunk::<LONG>()) {
+            (Some(piece), _) if len <= SHORT => self.push(piece, len),
+            (_, Some(piece)) if len <= LONG => self.push(piece, len),
+            _ => self.push_text(&text[..len]),
         }
-        _ => out.extend_from_slice(text),
+    }
+
+    fn push_text(&mut self, text: &[u8]) {
+        self.text[self.end..self.end + text.len()].copy_from_slice(text);
+        self.end += text.len();
+    }
+
+    /// A part of the text once more.
+    #[inline(always)]
+    fn push_again(&mut self, (begin, end): (usize, usize)) {
+        match self.text[begin..].first_chunk::<LONGEST>().copied() {
+            Some(part) => self.push(&part, end - begin),
+            None => {
+                self.text.copy_within(begin..end, self.end);
+                self.end += end - begin;
+            }
+        }
+    }
+
+    /// The shortest decimal number that is read as `x`, which is finite; zero has no sign.
+    #[inline(always)]
+    fn push_shortest(&mut self, x: f64) {
+        if x == 0.0 {
+            return self.push(b"0.0", 3);
+        }
+        let mut buffer = zmij::Buffer::new();
+        let text = buffer.format_finite(x).as_bytes();
+        match (text.first_chunk::<16>(), text.last_chunk::<16>()) {
+            (Some(first), Some(last)) => {
+                self.push(first, text.len() - 16);
+                self.push(last, 16);
+            }
+            _ => self.push_text(text),
+        }
     }
 }
