@@ -65,6 +65,16 @@ impl Together {
     }
 }
 
+/// Does something with positions side by side in AVX2, where the processor has it: as far as it is `inline(always)`.
+#[inline(always)]
+pub fn in_avx2<R>(work: impl FnOnce() -> R) -> R {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(avx2) = pulp::x86::V3::try_new() {
+        return avx2.vectorize(work);
+    }
+    work()
+}
+
 struct Work<'a> {
     plan: &'a Plan,
     states: &'a mut [State<Wide>],

@@ -7,7 +7,7 @@ use super::pose_answers::PoseAnswers;
 use super::wide_crossing::WideCrossing;
 use crate::math::{Scalar, V2, Vec2};
 use crate::model::{Axis, BinaryOp, Expr, FindKind, LinkId, PairId, PointRef, Query, Value};
-use crate::position::{BodyState, DriveValue, Model, State, WIDTH, Wide};
+use crate::position::{BodyState, DriveValue, Model, State, WIDTH, Wide, in_avx2};
 use crate::structure::EffortSource;
 use assur_text::units::Conversion;
 use std::ops::Range;
@@ -139,21 +139,32 @@ impl WideColumns {
             match shown {
                 WideShown::Found(expr) if expr.is_vector() => {
                     let Some(second) = out.next() else { return };
-                    expr.write_vectors(rows, first, second, *unit);
+                    in_avx2(
+                        #[inline(always)]
+                        || expr.write_vectors(rows, first, second, *unit),
+                    );
                 }
-                WideShown::Found(expr) => expr.write_numbers(rows, first, *unit),
+                WideShown::Found(expr) => in_avx2(
+                    #[inline(always)]
+                    || expr.write_numbers(rows, first, *unit),
+                ),
                 WideShown::Beside(_) => {}
                 WideShown::Drive(drive, vector) => {
-                    let mut second = if *vector { out.next() } else { None };
                     let values = values.iter().skip(*drive).step_by(drives.max(1));
-                    for (i, (value, first)) in values.zip(first).enumerate() {
-                        let [x, y] = match (value, *vector) {
-                            (DriveValue::Scalar(x), false) => [*x, f64::NAN],
-                            (DriveValue::Point(p), true) => [p.x, p.y],
-                            _ => [f64::NAN; 2],
-                        };
-                        *first = finite(unit.of(x));
-                        second.iter_mut().for_each(|second| second[i] = finite(unit.of(y)));
+                    if !vector {
+                        for (value, out) in values.zip(first) {
+                            let x = if let DriveValue::Scalar(x) = value { *x } else { f64::NAN };
+                            *out = finite(unit.of(x));
+                        }
+                    } else if let Some(second) = out.next() {
+                        for (value, (x, y)) in values.zip(first.iter_mut().zip(second)) {
+                            let p = if let DriveValue::Point(p) = value {
+                                *p
+                            } else {
+                                Vec2::new(f64::NAN, f64::NAN)
+                            };
+                            (*x, *y) = (finite(unit.of(p.x)), finite(unit.of(p.y)));
+                        }
                     }
                 }
             }
@@ -310,10 +321,18 @@ impl WideExpr {
         }
     }
 
+    // the usual ones without a look at the expression at every row
+    #[inline(always)]
     fn write_vectors(&self, rows: &[State<Wide>], x: &mut [f64], y: &mut [f64], unit: Conversion) {
         match self {
             Self::Position(link, at) => {
                 vectors(rows, (x, y), unit, |state| state.motion.bodies[link.index()].position(*at));
+            }
+            Self::Velocity(link, at) => {
+                vectors(rows, (x, y), unit, |state| state.motion.bodies[link.index()].velocity(*at));
+            }
+            Self::Acceleration(link, at) => {
+                vectors(rows, (x, y), unit, |state| state.motion.bodies[link.index()].acceleration(*at));
             }
             Self::Force(joints) => vectors(rows, (x, y), unit, |state| joints.force(state)),
             other => vectors(rows, (x, y), unit, |state| match other.value(state) {
@@ -323,6 +342,7 @@ impl WideExpr {
         }
     }
 
+    #[inline(always)]
     fn write_numbers(&self, rows: &[State<Wide>], out: &mut [f64], unit: Conversion) {
         match self {
             Self::Omega(link) => numbers(rows, out, unit, |state| state.motion.bodies[link.index()].omega),

@@ -19,6 +19,7 @@ use crate::model::PairKind;
 use crate::plan::Numbers;
 use crate::position::{
     Branch, Checked, DriveInput, DriveValue, Model, PoseOrigin, Residuals, State, Together, WIDTH, Wide,
+    in_avx2,
 };
 
 /// The most positions of a block.
@@ -105,8 +106,13 @@ impl Ahead<'_> {
         let Block { rows, turned, checked, .. } = block;
         block.together.run(self.model.plan, (rows, turned), checked, self.residuals);
         let regular = || block.rows.iter().zip(&block.checked).map(|(row, c)| regular(self.model, row, c));
-        let all =
-            regular().fold([u64::MAX; WIDTH], |all, row| std::array::from_fn(|lane| all[lane] & row[lane]));
+        let all = in_avx2(
+            #[inline(always)]
+            || {
+                regular()
+                    .fold([u64::MAX; WIDTH], |all, row| std::array::from_fn(|lane| all[lane] & row[lane]))
+            },
+        );
         block.free = block.solved;
         if all.contains(&0) {
             block.free = regular().flatten().take(block.solved).take_while(|regular| *regular != 0).count();

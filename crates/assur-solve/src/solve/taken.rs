@@ -4,7 +4,7 @@ use super::block::{Block, keeps_its_assembly};
 use super::track::{KEPT, Tracker, continued};
 use crate::answer::whole_turns;
 use crate::math::{V2, Vec2};
-use crate::position::{BodyState, Model, WIDTH, Wide};
+use crate::position::{BodyState, Model, WIDTH, Wide, in_avx2};
 
 /// Whole turns of the bodies over a block, rad: they change at few positions.
 #[derive(Debug, Default)]
@@ -131,7 +131,10 @@ impl Block {
         self.uneven.clear();
         let bodies = self.rows.first().map_or(0, |row| row.motion.bodies.len());
         for body in 0..bodies {
-            if self.is_even(body) {
+            if in_avx2(
+                #[inline(always)]
+                || self.is_even(body),
+            ) {
                 continue;
             }
             let directions = self.rows.iter().flat_map(|row| {
@@ -148,6 +151,7 @@ impl Block {
     }
 
     /// Whether a body turns by little from each position to the next, and not over the negative x axis.
+    #[inline(always)]
     fn is_even(&self, body: usize) -> bool {
         let (mut near, mut sides) = ([u64::MAX; WIDTH], [0; WIDTH]);
         let mut before = None;
