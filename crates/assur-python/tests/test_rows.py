@@ -68,6 +68,36 @@ def test_a_large_batch_keeps_its_order(problem: assur.Problem) -> None:
     assert (found["r"] == lengths).all()
 
 
+def test_small_batches_are_gathered(problem: assur.Problem) -> None:
+    """They are solved 8,192 rows at a time or more, 65,536 at the most, in their order."""
+    sizes = [1, 0, 7, 8_183, 1, 9_000, 100, 70_000, 3]
+    lengths = 80 + np.arange(sum(sizes)) % 40 + 0.25
+    whole = pa.record_batch({"r [mm]": lengths})
+    ends = np.cumsum(sizes)
+    batches = [whole.slice(end - size, size) for end, size in zip(ends, sizes)]
+    parts = list(problem.batch(pa.RecordBatchReader.from_batches(whole.schema, batches)))
+    assert [len(part) for part in parts] == [8_192, 9_000, 65_536, 4_567]
+    answers = pa.concat_tables(pa.table(part) for part in parts)
+    assert (answers["r"].to_numpy() == lengths).all()
+    assert answers.equals(pa.table(problem.batch(whole)).combine_chunks())
+
+
+def test_what_was_read_before_an_error_is_solved(problem: assur.Problem) -> None:
+    batch = pa.record_batch({"r [mm]": [100.0, 90.0]})
+
+    def broken():
+        yield batch
+        yield batch
+        raise OSError("the disk is gone")
+
+    parts = iter(problem.batch(pa.RecordBatchReader.from_batches(batch.schema, broken())))
+    assert [line["row"] for line in lines(next(parts))] == [1, 2, 3, 4]
+    with pytest.raises(ValueError, match="the disk is gone"):
+        next(parts)
+
+
+
+
 def test_a_row_is_the_file_with_its_values(problem: assur.Problem, engine: str, rows: dict) -> None:
     answers = problem.batch(rows).read()
     assert answers["row"] == list(range(1, COUNT + 1))
