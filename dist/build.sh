@@ -55,13 +55,15 @@ echo "Python package"
 maturin() { (cd crates/assur-python && "$tools/bin/maturin" "$@" --out "$out"); }
 # in the profile and with the features that its tests take: it stays below 8 MB
 maturin build --quiet --profile release --strip
-free=$(compgen -c python3 | grep -E '^python3\.[0-9]+t$' | sort -u || true)
+# of the versions that PyO3 supports
+free=$(compgen -c python3 | grep -E '^python3\.(1[4-9]|[2-9][0-9])t$' | sort -u || true)
 for python in $free; do
   # the stable ABI is not of free-threaded Python: it has a wheel of its own
   maturin build --quiet --profile release --strip --interpreter "$python"
 done
-[ -n "$free" ] || echo "  left out: the wheel of free-threaded Python, of which there is none (python3.13t)"
-maturin sdist --quiet
+[ -n "$free" ] || echo "  left out: the wheel of free-threaded Python, of which there is none (python3.14t)"
+# it has no --quiet
+maturin sdist 2>&1 | tail -1
 
 echo "extension of VS Code"
 if [ -f editors/vscode/mech.vsix ]; then

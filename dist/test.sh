@@ -88,6 +88,16 @@ PYTHON
 say "tables of Arrow and Parquet"
 say "wheel: $(stat -c %s "$wheel") bytes, the guide from top to bottom"
 
+for wheel in "$out"/assur-*t-*.whl; do
+  [ -e "$wheel" ] || continue
+  python=$(basename "$wheel" | sed 's/.*-cp3\([0-9]*\)t-.*/python3.\1t/')
+  "$python" -m venv "$work/free"
+  "$work/free/bin/pip" install --quiet "$wheel" pytest pyarrow
+  "$work/free/bin/python" -c 'import sys, assur; assert not sys._is_gil_enabled(), "the module takes the GIL"'
+  (cd crates/assur-python && "$work/free/bin/python" -m pytest -q -p no:cacheprovider tests/test_rows.py tests/test_columns.py)
+  say "wheel of $python, without a GIL"
+done
+
 tar -C "$work" -xzf "$out"/assur-*[0-9].tar.gz
 (cd "$work"/assur-*[0-9]/ && CARGO_TARGET_DIR=$work/target cargo check --quiet --locked --package assur-python)
 rm -rf "$work/target"
