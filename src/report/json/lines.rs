@@ -127,7 +127,7 @@ impl Filled {
         &self,
         answers: &Answers<'_>,
         pose: &Pose,
-        LineMemory { row, places, .. }: &mut LineMemory,
+        LineMemory { row, filled, .. }: &mut LineMemory,
         out: &mut Vec<u8>,
     ) -> bool {
         let Ok(solved) = &pose.outcome else { return false };
@@ -143,7 +143,7 @@ impl Filled {
         row.extend_from_slice(&self.known);
         out.extend_from_slice(self.before.as_bytes());
         out.extend_from_slice(pose.name.as_bytes());
-        self.behind.fill(row, places, out);
+        self.behind.fill(row, filled, out);
         true
     }
 
@@ -157,7 +157,7 @@ impl Filled {
             memory.row.extend_from_slice(&self.known);
             out.extend_from_slice(self.before.as_bytes());
             block.push_name(i, out);
-            self.behind.fill(&memory.row, &mut memory.places, out);
+            self.behind.fill(&memory.row, &mut memory.filled, out);
             out.push(b'\n');
         }
         true

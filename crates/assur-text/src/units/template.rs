@@ -16,8 +16,13 @@ pub struct Template {
     repeats: Vec<Option<usize>>,
 }
 
-/// Where the numbers of a filled template are: begin and end of each.
-pub type Places = Vec<(usize, usize)>;
+/// Memory for a template that is being filled.
+#[derive(Debug, Default)]
+pub struct Filled {
+    text: Vec<u8>,
+    /// Begin and end of each number.
+    places: Vec<(usize, usize)>,
+}
 
 impl Template {
     /// Of pieces, between each two of which there is a number. Numbers that are the same in `example` may be so each time: those are
@@ -34,13 +39,12 @@ impl Template {
     }
 
     /// Appends the pieces with the shortest decimal numbers that are read as the given ones, which are finite, between them, as
-    /// `serde_json` writes them. `places` is memory.
-    pub fn fill(&self, numbers: &[f64], places: &mut Places, out: &mut Vec<u8>) {
-        let before = out.len();
-        // room for what is copied beyond the end of a piece or a number, and written over by the next
-        out.resize(before + self.text.len() + numbers.len() * LONGEST, b' ');
-        let mut page = Page { text: &mut out[before..], end: 0 };
-        places.clear();
+    /// `serde_json` writes them.
+    pub fn fill(&self, numbers: &[f64], Filled { text, places }: &mut Filled, out: &mut Vec<u8>) {
+        // with room for what is copied beyond the end of a piece or a number, and written over by the next
+        text.resize(self.text.len() + numbers.len() * LONGEST, b' ');
+        places.resize(numbers.len(), (0, 0));
+        let mut page = Page { text, end: 0 };
         let mut begin = 0;
         for (i, &end) in self.ends.iter().enumerate() {
             page.push_piece(&self.text[begin..], end - begin);
@@ -53,10 +57,9 @@ impl Template {
                 }
                 _ => page.push_shortest(x),
             }
-            places.push((at, page.end));
+            places[i] = (at, page.end);
         }
-        let len = before + page.end;
-        out.truncate(len);
+        out.extend_from_slice(&page.text[..page.end]);
     }
 }
 
