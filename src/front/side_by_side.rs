@@ -105,7 +105,8 @@ impl SideBySide<'_> {
             block.write_quality(&self.answers.model, at, own.each_mut().map(|column| &mut **column));
         }
         if let Some(columns) = self.rows.wide() {
-            return block.write(columns, at, cells);
+            let places = at..at + block.len();
+            return block.write(columns, &mut cells.iter_mut().map(|column| &mut column[places.clone()]));
         }
         self.ahead.answer(block, self.angles);
         for (i, pose) in block.poses().iter().enumerate() {

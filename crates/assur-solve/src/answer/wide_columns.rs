@@ -10,7 +10,6 @@ use crate::model::{Axis, BinaryOp, Expr, FindKind, LinkId, PairId, PointRef, Que
 use crate::position::{BodyState, DriveValue, Model, State, WIDTH, Wide, in_avx2};
 use crate::structure::EffortSource;
 use assur_text::units::Conversion;
-use std::ops::Range;
 
 /// Columns of numbers.
 #[derive(Clone, Debug)]
@@ -111,29 +110,15 @@ impl WideColumns {
         self.0.iter().map(Column::count).sum()
     }
 
-    /// Those that show what is known of a position in addition to its state, with their numbers.
-    pub(crate) fn beside(&self) -> impl Iterator<Item = (usize, WideBeside)> {
-        let mut next = 0;
-        self.0.iter().filter_map(move |column| {
-            let number = next;
-            next += column.count();
-            match column.shown {
-                WideShown::Beside(beside) => Some((number, beside)),
-                WideShown::Drive(..) | WideShown::Found(_) => None,
-            }
-        })
-    }
-
-    /// Writes the numbers of the first positions to places; NaN where there is none. `values` are those of the drives. What is known
-    /// in addition to the states is left out.
-    pub(crate) fn write<O: AsMut<[f64]>>(
+    /// Writes the numbers of the first positions, as many as there are places, column by column; NaN where there is none. `values` are
+    /// those of the drives. What is known in addition to the states is left to `beside`.
+    pub(crate) fn write<'o>(
         &self,
         rows: &[State<Wide>],
         (values, drives): (&[DriveValue], usize),
-        places: Range<usize>,
-        out: &mut [O],
+        out: &mut dyn Iterator<Item = &'o mut [f64]>,
+        beside: impl Fn(WideBeside, &mut [f64]),
     ) {
-        let mut out = out.iter_mut().map(|column| &mut column.as_mut()[places.clone()]);
         for Column { shown, unit } in &self.0 {
             let Some(first) = out.next() else { return };
             match shown {
@@ -148,27 +133,33 @@ impl WideColumns {
                     #[inline(always)]
                     || expr.write_numbers(rows, first, *unit),
                 ),
-                WideShown::Beside(_) => {}
+                WideShown::Beside(what) => beside(*what, first),
                 WideShown::Drive(drive, vector) => {
-                    let values = values.iter().skip(*drive).step_by(drives.max(1));
-                    if !vector {
-                        for (value, out) in values.zip(first) {
-                            let x = if let DriveValue::Scalar(x) = value { *x } else { f64::NAN };
-                            *out = finite(unit.of(x));
-                        }
-                    } else if let Some(second) = out.next() {
-                        for (value, (x, y)) in values.zip(first.iter_mut().zip(second)) {
-                            let p = if let DriveValue::Point(p) = value {
-                                *p
-                            } else {
-                                Vec2::new(f64::NAN, f64::NAN)
-                            };
-                            (*x, *y) = (finite(unit.of(p.x)), finite(unit.of(p.y)));
-                        }
-                    }
+                    let second = if *vector { out.next() } else { None };
+                    write_drive(values.iter().skip(*drive).step_by(drives.max(1)), *unit, first, second);
                 }
             }
         }
+    }
+}
+
+/// Writes the values of a drive: numbers, or vectors in two columns.
+fn write_drive<'v>(
+    values: impl Iterator<Item = &'v DriveValue>,
+    unit: Conversion,
+    first: &mut [f64],
+    second: Option<&mut [f64]>,
+) {
+    let Some(second) = second else {
+        for (value, out) in values.zip(first) {
+            let x = if let DriveValue::Scalar(x) = value { *x } else { f64::NAN };
+            *out = finite(unit.of(x));
+        }
+        return;
+    };
+    for (value, (x, y)) in values.zip(first.iter_mut().zip(second)) {
+        let p = if let DriveValue::Point(p) = value { *p } else { Vec2::new(f64::NAN, f64::NAN) };
+        (*x, *y) = (finite(unit.of(p.x)), finite(unit.of(p.y)));
     }
 }
 

@@ -19,7 +19,7 @@ impl WideColumns {
     /// Whether one shows the angle of a link.
     #[must_use]
     pub fn shows_angles(&self) -> bool {
-        self.beside().any(|(_, beside)| matches!(beside, WideBeside::Angle(_)))
+        self.0.iter().any(|column| matches!(column.shown, WideShown::Beside(WideBeside::Angle(_))))
     }
 }
 

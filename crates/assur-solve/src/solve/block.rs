@@ -206,17 +206,13 @@ impl Block {
     pub fn read(&self, columns: &WideColumns, out: &mut [Vec<f64>]) {
         let at = out.first().map_or(0, Vec::len);
         out.iter_mut().for_each(|column| column.resize(at + self.free, f64::NAN));
-        self.write(columns, at, out);
+        self.write(columns, &mut out.iter_mut().map(|column| &mut column[at..]));
     }
 
-    /// Writes the numbers of the positions that are left from a place on, column by column.
-    pub fn write<O: AsMut<[f64]>>(&self, columns: &WideColumns, at: usize, out: &mut [O]) {
-        columns.write(&self.rows, (&self.values, self.drives), at..at + self.free, out);
-        for (number, beside) in columns.beside() {
-            if let Some(column) = out.get_mut(number) {
-                self.write_beside(beside, &mut column.as_mut()[at..at + self.free]);
-            }
-        }
+    /// Writes the numbers of the positions that are left, column by column, to places of as many.
+    pub fn write<'o>(&self, columns: &WideColumns, out: &mut dyn Iterator<Item = &'o mut [f64]>) {
+        let beside = |what, out: &mut [f64]| self.write_beside(what, out);
+        columns.write(&self.rows, (&self.values, self.drives), out, beside);
     }
 
     /// Writes what is known in addition to the states; angles of positions that were taken over.
