@@ -42,7 +42,8 @@ def newest_wheel():
 def bench():
     command = ["cargo", "bench", "--quiet", "--bench", "columns", "--no-run", "--message-format", "json"]
     out = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
-    return next(m["executable"] for m in map(json.loads, out.splitlines()) if m.get("executable"))
+    messages = map(json.loads, out.splitlines())
+    return next(m["executable"] for m in messages if m.get("executable") and m["target"]["name"] == "columns")
 
 
 def least(run, clock=time.process_time):

@@ -31,6 +31,7 @@ mod whole_cycle;
 mod wide_columns;
 mod wide_crossing;
 mod wide_numbers;
+mod wide_rows;
 
 pub(crate) use angles::{first_angles, first_angles_in, whole_turns};
 pub(crate) use constant::constant;
@@ -49,5 +50,7 @@ pub use switch::Switch;
 pub(crate) use switch::{Side, side_of, switches};
 pub use undefined::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
 pub use whole_cycle::{Extremes, WholeCycle};
-pub(crate) use wide_columns::{WideBeside, write_row};
-pub use wide_columns::{WideColumns, finite};
+pub(crate) use wide_columns::WideBeside;
+pub use wide_columns::WideColumns;
+pub use wide_rows::finite;
+pub(crate) use wide_rows::{of_drive, write_row};

@@ -5,9 +5,10 @@ use super::joint_reaction::JointReaction;
 use super::number_columns::{NumberColumns, Shown};
 use super::pose_answers::PoseAnswers;
 use super::wide_crossing::WideCrossing;
+use super::wide_rows::{numbers, of_drive, vectors, write_drive};
 use crate::math::{Scalar, V2, Vec2};
 use crate::model::{Axis, BinaryOp, Expr, FindKind, LinkId, PairId, PointRef, Query, Value};
-use crate::position::{BodyState, DriveValue, Model, State, WIDTH, Wide, in_avx2};
+use crate::position::{BodyState, DriveValue, Model, State, Wide, in_avx2};
 use crate::structure::EffortSource;
 use assur_text::units::Conversion;
 
@@ -136,30 +137,10 @@ impl WideColumns {
                 WideShown::Beside(what) => beside(*what, first),
                 WideShown::Drive(drive, vector) => {
                     let second = if *vector { out.next() } else { None };
-                    write_drive(values.iter().skip(*drive).step_by(drives.max(1)), *unit, first, second);
+                    write_drive(of_drive(values, drives, *drive), *unit, first, second);
                 }
             }
         }
-    }
-}
-
-/// Writes the values of a drive: numbers, or vectors in two columns.
-fn write_drive<'v>(
-    values: impl Iterator<Item = &'v DriveValue>,
-    unit: Conversion,
-    first: &mut [f64],
-    second: Option<&mut [f64]>,
-) {
-    let Some(second) = second else {
-        for (value, out) in values.zip(first) {
-            let x = if let DriveValue::Scalar(x) = value { *x } else { f64::NAN };
-            *out = finite(unit.of(x));
-        }
-        return;
-    };
-    for (value, (x, y)) in values.zip(first.iter_mut().zip(second)) {
-        let p = if let DriveValue::Point(p) = value { *p } else { Vec2::new(f64::NAN, f64::NAN) };
-        (*x, *y) = (finite(unit.of(p.x)), finite(unit.of(p.y)));
     }
 }
 
@@ -171,62 +152,6 @@ impl Column {
             WideShown::Beside(_) => false,
         })
     }
-}
-
-/// Writes rows of numbers.
-#[inline(always)]
-fn numbers(rows: &[State<Wide>], out: &mut [f64], unit: Conversion, of: impl Fn(&State<Wide>) -> Wide) {
-    for (state, out) in rows.iter().zip(out.chunks_mut(WIDTH)) {
-        let x = of(state);
-        put(out, &x, &x, unit);
-    }
-}
-
-/// Writes rows of vectors.
-#[inline(always)]
-fn vectors(
-    rows: &[State<Wide>],
-    (x, y): (&mut [f64], &mut [f64]),
-    unit: Conversion,
-    of: impl Fn(&State<Wide>) -> V2<Wide>,
-) {
-    for (state, (x, y)) in rows.iter().zip(x.chunks_mut(WIDTH).zip(y.chunks_mut(WIDTH))) {
-        let v = of(state);
-        put(x, &v.x, &v.y, unit);
-        put(y, &v.y, &v.x, unit);
-    }
-}
-
-/// Writes a row of numbers. Half a vector does not exist.
-#[inline(always)]
-fn put(out: &mut [f64], x: &Wide, beside: &Wide, unit: Conversion) {
-    let row = match unit {
-        Conversion::None => *x,
-        Conversion::Times(n) => *x * Wide::of(n),
-        Conversion::Over(factor) => *x / Wide::of(factor),
-    };
-    let mut row = row;
-    for (x, beside) in row.0.iter_mut().zip(beside.0) {
-        *x = if beside.abs() < f64::INFINITY { *x } else { f64::NAN };
-    }
-    write_row(out, &row);
-}
-
-/// Writes a row of numbers, as far as there are places.
-#[inline(always)]
-pub(crate) fn write_row(out: &mut [f64], row: &Wide) {
-    let cells = row.0.map(finite);
-    match <&mut [f64; WIDTH]>::try_from(&mut *out) {
-        Ok(out) => *out = cells,
-        Err(_) => out.copy_from_slice(&cells[..out.len()]),
-    }
-}
-
-/// An answer that is not a number does not exist.
-#[inline]
-#[must_use]
-pub const fn finite(x: f64) -> f64 {
-    if x.abs() < f64::INFINITY { x } else { f64::NAN }
 }
 
 impl WideExpr {

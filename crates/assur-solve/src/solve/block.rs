@@ -13,7 +13,7 @@ use super::solution::{Pose, Solved};
 use super::steps::Pace;
 use super::taken::{Turns, Uneven, vector};
 use super::track::CAREFUL;
-use crate::answer::{PoseAnswers, WholeCycle, WideBeside, WideColumns, finite, write_row};
+use crate::answer::{PoseAnswers, WholeCycle, WideBeside, WideColumns, finite, of_drive, write_row};
 use crate::math::Lanes;
 use crate::model::PairKind;
 use crate::plan::Numbers;
@@ -217,41 +217,43 @@ impl Block {
 
     /// Writes what is known in addition to the states; angles of positions that were taken over.
     fn write_beside(&self, beside: WideBeside, out: &mut [f64]) {
-        let part: fn(&Checked) -> Wide = match beside {
+        match beside {
             WideBeside::Angle(link) => {
                 let each = self.turns.of(link.index(), out.len());
                 for (i, (out, turns)) in out.iter_mut().zip(each).enumerate() {
                     let u = self.rows[i / WIDTH].motion.bodies[link.index()].u;
                     *out = finite(vector(u, i % WIDTH).angle() + turns);
                 }
-                return;
             }
-            WideBeside::Equilibrium | WideBeside::Power if !self.residuals => return out.fill(f64::NAN),
-            WideBeside::Equilibrium => |c| c.equilibrium,
-            WideBeside::Power => |c| c.power,
-            WideBeside::Condition => |c| c.condition,
-        };
-        for (out, checked) in out.chunks_mut(WIDTH).zip(&self.checked) {
-            write_row(out, &part(checked));
+            WideBeside::Equilibrium => self.write_part(out, self.residuals, |c| c.equilibrium),
+            WideBeside::Power => self.write_part(out, self.residuals, |c| c.power),
+            WideBeside::Condition => self.write_part(out, true, |c| c.condition),
         }
     }
 
     /// Writes residuals and condition of the positions that are left from a place on; NaN where there are none.
     pub fn write_quality(&self, model: &Model<'_>, at: usize, out: [&mut [f64]; 4]) {
         let known = Checked::default().residuals(model.plan, 0, self.residuals);
-        let known = [true, known.equilibrium.is_some(), known.power.is_some(), true];
-        let parts: [fn(&Checked) -> Wide; 4] =
-            [|c| c.closure, |c| c.equilibrium, |c| c.power, |c| c.condition];
-        for ((out, part), known) in out.into_iter().zip(parts).zip(known) {
-            let out = &mut out[at..at + self.free];
-            if !known {
-                out.fill(f64::NAN);
-                continue;
-            }
-            for (out, checked) in out.chunks_mut(WIDTH).zip(&self.checked) {
-                write_row(out, &part(checked));
-            }
+        let [closure, equilibrium, power, condition] = out.map(|column| &mut column[at..at + self.free]);
+        self.write_part(closure, true, |c| c.closure);
+        self.write_part(equilibrium, known.equilibrium.is_some(), |c| c.equilibrium);
+        self.write_part(power, known.power.is_some(), |c| c.power);
+        self.write_part(condition, true, |c| c.condition);
+    }
+
+    /// Writes what is known of the positions from the first on; NaN where it is not.
+    fn write_part(&self, out: &mut [f64], known: bool, part: impl Fn(&Checked) -> Wide) {
+        if !known {
+            return out.fill(f64::NAN);
         }
+        in_avx2(
+            #[inline(always)]
+            || {
+                for (out, checked) in out.chunks_mut(WIDTH).zip(&self.checked) {
+                    write_row(out, &part(checked));
+                }
+            },
+        );
     }
 
     /// Residuals and condition of the positions that are left.
@@ -282,7 +284,7 @@ impl Block {
 
     /// Puts a drive at its values.
     fn place(&mut self, drive: usize, rates: &Rates) {
-        let values = || self.values.iter().skip(drive).step_by(self.drives);
+        let values = || of_drive(&self.values, self.drives, drive);
         let Some(last) = values().next_back() else { return };
         let last_and_after = std::iter::repeat(last);
         let mut each = values().chain(last_and_after);
