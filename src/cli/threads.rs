@@ -56,10 +56,6 @@ impl Threads {
 }
 
 impl Workers for Threads {
-    fn pieces(&self) -> usize {
-        self.blocks()
-    }
-
     fn threads(&self) -> usize {
         self.count()
     }
@@ -72,9 +68,5 @@ impl Workers for Threads {
             }
             own();
         });
-    }
-
-    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
-        Self::each(self, &mut vec![(); count], |(i, ())| work(i));
     }
 }

@@ -30,10 +30,11 @@ impl Texts {
         self.text.truncate(self.ends.last().copied().unwrap_or(0));
     }
 
-    fn append(&mut self, other: &Self) {
+    fn append(&mut self, other: &mut Self) {
         let before = self.text.len();
         self.text.push_str(&other.text);
         self.ends.extend(other.ends.iter().map(|end| before + end));
+        other.truncate(0);
     }
 }
 
@@ -86,11 +87,12 @@ impl RowAnswers {
         self.values.iter_mut().for_each(|values| values.truncate(count));
     }
 
-    pub(crate) fn append(&mut self, mut other: Self) {
+    /// Takes lines over.
+    pub(crate) fn append(&mut self, other: &mut Self) {
         let before = self.len();
         self.errors.extend(other.errors.drain(..).map(|(line, why)| (before + line, why)));
         self.rows.append(&mut other.rows);
-        self.poses.append(&other.poses);
+        self.poses.append(&mut other.poses);
         self.events.append(&mut other.events);
         self.values.iter_mut().zip(&mut other.values).for_each(|(all, values)| all.append(values));
     }

@@ -4,7 +4,8 @@ use super::cells::{Cells, digits_count, header_line, read_row};
 use super::columns::WrittenUnit;
 use super::diagnostics::Diagnostics;
 use super::row_answers::{Line, RowAnswers};
-use super::workers::{Workers, each_of};
+use super::stages::{InOrder, Stages, work};
+use super::workers::Workers;
 use crate::exercise::table::Table;
 use crate::pipeline::{Compiled, VariantSolver};
 use crate::report::rows::AnswerColumns;
@@ -140,34 +141,9 @@ impl Rows {
         workers: &dyn Workers,
     ) -> Option<RowAnswers> {
         let watch = |_: f64, _: f64| !workers.is_stopped();
-        let idle: Mutex<Vec<Worker<'_>>> = Mutex::new(Vec::new());
-        let lock = || idle.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut all = RowAnswers::with_room(layout, count);
-        let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
-        for starts in starts.chunks(workers.pieces().max(1)) {
-            let mut pieces: Vec<RowAnswers> =
-                starts.iter().map(|_| RowAnswers::with_room(layout, PIECE)).collect();
-            each_of(workers, &mut pieces, |i, piece| {
-                let mut worker = lock().pop().unwrap_or_else(|| Worker::of(self.solver(&watch)));
-                let mut row = Row::default();
-                for index in starts[i]..(starts[i] + PIECE).min(count) {
-                    match read_row(&self.columns, cells, index, self.digits, &mut row) {
-                        Ok(()) => self.one(&row, (&mut worker, &watch), (layout, index, piece)),
-                        Err(missing) => {
-                            let numbers = &mut worker.numbers;
-                            let mut line = Line { layout, index, numbers, columns: None, out: piece };
-                            line.without_answers(&missing.to_string());
-                        }
-                    }
-                }
-                lock().push(worker);
-            });
-            if !workers.goes_on() {
-                return None;
-            }
-            pieces.into_iter().for_each(|piece| all.append(piece));
-        }
-        Some(all)
+        let solving = Solving { rows: self, layout, cells, count, watch: &watch, idle: Mutex::default() };
+        let mut all = Together { answers: RowAnswers::with_room(layout, count), workers };
+        work(workers, count.div_ceil(PIECE), &solving, &mut all).then_some(all.answers)
     }
 
     fn solver<'r>(&'r self, watch: &'r Watch<'r>) -> VariantSolver<'r> {
@@ -199,6 +175,66 @@ impl Rows {
             let mut line = Line { layout, index, numbers: &mut worker.numbers, columns: None, out };
             line.without_answers("internal error: please report this row with the file");
         }
+    }
+}
+
+/// Rows that are being solved.
+struct Solving<'s, 'r> {
+    rows: &'r Rows,
+    layout: &'s RowLayout,
+    cells: &'s [Cells<'s>],
+    count: usize,
+    watch: &'r Watch<'r>,
+    /// Solvers that wait for rows.
+    idle: Mutex<Vec<Worker<'r>>>,
+}
+
+impl Stages for Solving<'_, '_> {
+    type Piece = RowAnswers;
+
+    fn piece(&self) -> RowAnswers {
+        RowAnswers::with_room(self.layout, PIECE)
+    }
+
+    fn begin(&self, number: usize, piece: &mut RowAnswers) {
+        let &Self { rows, layout, watch, .. } = self;
+        let lock = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut worker = lock().pop().unwrap_or_else(|| Worker::of(rows.solver(watch)));
+        let mut row = Row::default();
+        for index in number * PIECE..((number + 1) * PIECE).min(self.count) {
+            match read_row(&rows.columns, self.cells, index, rows.digits, &mut row) {
+                Ok(()) => rows.one(&row, (&mut worker, watch), (layout, index, piece)),
+                Err(missing) => {
+                    let numbers = &mut worker.numbers;
+                    let mut line = Line { layout, index, numbers, columns: None, out: piece };
+                    line.without_answers(&missing.to_string());
+                }
+            }
+        }
+        lock().push(worker);
+    }
+
+    fn is_finished(&self, _: &RowAnswers) -> bool {
+        true
+    }
+
+    fn finish(&self, _: &mut RowAnswers) {}
+}
+
+/// The answers in the order of the rows.
+struct Together<'w> {
+    answers: RowAnswers,
+    workers: &'w dyn Workers,
+}
+
+impl InOrder<RowAnswers> for Together<'_> {
+    fn between(&mut self, _: &mut RowAnswers) -> bool {
+        true
+    }
+
+    fn end(&mut self, piece: &mut RowAnswers) -> bool {
+        self.answers.append(piece);
+        self.workers.goes_on()
     }
 }
 

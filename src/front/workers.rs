@@ -1,17 +1,10 @@
 //! Who does work that can be divided.
 
-use std::sync::{Mutex, PoisonError};
-
 /// Who solves positions and rows that do not depend on one another: the caller alone, or several threads of its own.
 ///
 /// The results are the same, bit by bit, whoever does the work.
 pub trait Workers: Sync {
-    /// How many pieces of work are wanted at a time.
-    fn pieces(&self) -> usize {
-        1
-    }
-
-    /// On how many threads positions are solved, with the caller's: see [`Workers::beside`].
+    /// On how many threads positions and rows are solved, with the caller's: see [`Workers::beside`].
     fn threads(&self) -> usize {
         1
     }
@@ -20,11 +13,6 @@ pub trait Workers: Sync {
     /// enough: what nobody helps with is done by `own`.
     fn beside(&self, _help: &(dyn Fn() + Sync), own: &mut dyn FnMut()) {
         own();
-    }
-
-    /// Calls `work` once with every number below `count`.
-    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
-        (0..count).for_each(work);
     }
 
     /// Whether to go on. It is asked now and then, on the caller's thread.
@@ -43,13 +31,3 @@ pub trait Workers: Sync {
 pub struct Alone;
 
 impl Workers for Alone {}
-
-/// Does the work on every item, with its number.
-pub(super) fn each_of<T: Send>(workers: &dyn Workers, items: &mut [T], work: impl Fn(usize, &mut T) + Sync) {
-    let items: Vec<Mutex<&mut T>> = items.iter_mut().map(Mutex::new).collect();
-    workers.each(items.len(), &|i| {
-        if let Some(item) = items.get(i) {
-            work(i, &mut item.lock().unwrap_or_else(PoisonError::into_inner));
-        }
-    });
-}

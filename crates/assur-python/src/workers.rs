@@ -53,20 +53,12 @@ impl Crew {
 }
 
 impl Workers for Crew {
-    fn pieces(&self) -> usize {
-        self.threads.pieces()
-    }
-
     fn threads(&self) -> usize {
         self.threads.count()
     }
 
     fn beside(&self, help: &(dyn Fn() + Sync), own: &mut dyn FnMut()) {
         self.threads.beside(help, own);
-    }
-
-    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
-        Workers::each(&*self.threads, count, work);
     }
 
     fn goes_on(&self) -> bool {

@@ -88,7 +88,7 @@ impl<'a> Filled<'a> {
 
     /// Adds what another one has.
     pub fn append(&mut self, mut other: Self) {
-        self.answers.append(other.answers);
+        self.answers.append(&mut other.answers);
         self.labels.append(&mut other.labels);
         self.givens.iter_mut().zip(&mut other.givens).for_each(|(all, cells)| all.append(cells));
     }
