@@ -40,6 +40,8 @@ pub struct Progress<S> {
     pub most_steps: usize,
     /// No step is longer.
     pub longest: Option<S>,
+    /// Errors of accepted steps as the method estimates them, over what is allowed: the greatest, and their sum.
+    pub errors: (S, S),
 }
 
 /// A trial step.
@@ -71,6 +73,7 @@ impl<S: Real> Progress<S> {
             before: 0,
             most_steps: 1_000_000,
             longest: None,
+            errors: (S::zero(), S::zero()),
         }
     }
 
@@ -188,6 +191,11 @@ impl<S: Real> Progress<S> {
         self.next = if cut { signed(next.abs().max(self.next.abs()), next) } else { next };
         self.again = false;
         if trial.last { Step::Last } else { Step::Within }
+    }
+
+    /// Notes the error of a step that is accepted.
+    pub(super) fn note_error(&mut self, error: S) {
+        self.errors = (self.errors.0.max(error), self.errors.1 + error);
     }
 
     /// The last step ends at t.

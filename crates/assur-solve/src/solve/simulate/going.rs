@@ -5,6 +5,7 @@ use super::coordinates::{CAREFUL, Change, Charts};
 use super::corners::Corners;
 use super::equations::Equations;
 use super::opening::Openings;
+use super::pass::Pass;
 use super::records::{Origin, Recorder};
 use super::rubbing::wakes;
 use super::setup::Outputs;
@@ -15,9 +16,6 @@ use crate::math::ode::{Integrator, Step, Stopped, System, Undefined};
 use crate::model::{DriveTarget, PairId};
 use crate::solve::failure::Halt;
 
-/// Where something else than the error bounds the steps, those of the finer run are shorter by this: equal ones would say
-/// nothing of their error.
-pub(super) const SHORTER: f64 = 0.7;
 /// Below this |σ| of a group the run ends before its dead position is in the way of the digits.
 const DEAD: f64 = 1e-4;
 /// Other coordinates are looked for again where the condition has fallen by this.
@@ -69,7 +67,7 @@ pub(super) struct Going<'m, 'o> {
     pub wakes: bool,
     /// The greatest magnitudes of each kind.
     pub kinds: Kinds,
-    pub measures: bool,
+    pub pass: Pass,
     /// No step is longer, whatever turns.
     pub longest: Option<f64>,
     /// The condition at which other coordinates were looked for in vain.
@@ -87,11 +85,11 @@ impl<'m, 'o> Going<'m, 'o> {
         (openings, stops): (Openings, Stops),
         outputs: &'o Outputs,
         (begin, last): (f64, f64),
-        (tolerance, measures): (f64, bool),
+        pass: Pass,
     ) -> Self {
         let mechanism = equations.model.mechanism;
         let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
-        let mut watch = Watch::new(mechanism, equations.start().len(), (begin, last), tolerance);
+        let mut watch = Watch::new(mechanism, equations.start().len(), (begin, last), pass.tolerance);
         watch.guard = outputs.guard;
         watch.same = outputs.conduct.same;
         Self {
@@ -111,7 +109,7 @@ impl<'m, 'o> Going<'m, 'o> {
             rubs: equations.mode.is_some(),
             wakes: wakes(mechanism),
             kinds: Kinds::default(),
-            measures,
+            pass,
             longest: None,
             looked_at: CAREFUL / AGAIN,
             changes: Vec::new(),
@@ -169,7 +167,7 @@ impl Going<'_, '_> {
             {
                 return Ended::Halted(equations.halt());
             }
-            if self.measures && equations.observe(method.t(), method.y(), true) {
+            if self.pass.measures && equations.observe(method.t(), method.y(), true) {
                 self.kinds.measure(equations);
             }
             self.recorder.look(method.y()[2 * equations.order()]);
@@ -319,7 +317,7 @@ impl Going<'_, '_> {
         let before = equations.fastest_accepted();
         let after = equations.fastest(to, method.y());
         let turned = (to - from) * before.max(after);
-        let most = if self.measures { TURN } else { SHORTER * TURN };
+        let most = self.pass.shorter * TURN;
         if turned > most {
             method.shorten(equations, from + (to - from) * (most / turned))?;
         }

@@ -6,8 +6,10 @@ use super::coordinates::{Change, Charts};
 use super::corners::Corners;
 use super::equations::Equations;
 use super::functions::OverRun;
-use super::going::{Ended, Going, SHORTER};
+use super::going::{Ended, Going};
+use super::left_off::LeftOff;
 use super::opening::Openings;
+use super::pass::{Pass, SHORTER};
 use super::records::Records;
 use super::report::{Energy, Method};
 use super::rubbing::rubs;
@@ -22,9 +24,6 @@ use crate::solve::failure::Halt;
 
 /// Steps of a run at least, where something may end a rest.
 const AT_REST: f64 = 200.0;
-
-/// What series of functions leave off counts so many times for the error.
-const OF_FUNCTIONS: f64 = 2.0;
 
 /// A run.
 pub(super) struct Run {
@@ -55,8 +54,8 @@ pub(super) struct Run {
     pub stopped: Option<(f64, Halt)>,
     /// The last instant that was reached, s.
     pub end: f64,
-    /// The error is not said to be less than a part of this.
-    pub floor: f64,
+    /// What its steps leave off.
+    pub left_off: LeftOff,
     /// Its tolerance.
     pub tolerance: f64,
 }
@@ -65,10 +64,9 @@ pub(super) struct Run {
 pub(super) fn run(
     begin: &Begin<'_>,
     charts: &mut Charts<'_>,
-    tolerance: f64,
+    pass: Pass,
     outputs: &Outputs<'_>,
     last: f64,
-    measures: bool,
 ) -> Run {
     let mut equations = begin.equations();
     let mut y = equations.start();
@@ -88,26 +86,25 @@ pub(super) fn run(
     if let Some(pair) = openings.at_once(&mut equations, begin.from, &y) {
         return Run::halted(begin.from, Halt::Opens { pair });
     }
-    let mut going =
-        Going::new(&equations, (openings, stops), outputs, (begin.from, last), (tolerance, measures));
+    let mut going = Going::new(&equations, (openings, stops), outputs, (begin.from, last), pass);
     equations.accepted(begin.from, &y);
     let mut part = match going.better(&mut equations, (begin.from, &y), charts) {
         Some(change) => Part::changed(change),
-        None => going.part(&mut equations, charts, tolerance, (begin.from, &y)),
+        None => going.part(&mut equations, charts, (begin.from, &y)),
     };
     drop(equations);
-    let (mut counts, mut method, mut floor) = (part.counts, part.method, part.floor);
+    let (mut counts, mut method, mut left_off) = (part.counts, part.method, part.left_off);
     while let Ended::Changed(to) = part.ended {
         going.changes.push((to.t, to.coordinates(begin.model)));
-        part = going.changed(begin, charts, tolerance, &to);
+        part = going.changed(begin, charts, &to);
         counts = sum(counts, part.counts);
-        floor = floor.max(part.floor);
+        left_off = left_off.with(part.left_off);
         if part.method == Method::Radau {
             method = Method::Radau;
         }
     }
-    part.floor = floor;
-    Run { tolerance, ..going.end(part, (counts, method)) }
+    part.left_off = left_off;
+    Run { tolerance: pass.tolerance, ..going.end(part, (counts, method)) }
 }
 
 /// What became of a part of a run in one choice of coordinates.
@@ -117,8 +114,7 @@ pub(super) struct Part {
     counts: Counts,
     /// Its last instant, s.
     end: f64,
-    /// The accuracy of its steps.
-    floor: f64,
+    left_off: LeftOff,
 }
 
 /// Where a method has come to.
@@ -129,19 +125,23 @@ struct Reached {
     end: f64,
     /// Its unknowns there.
     y: Vec<f64>,
+    left_off: LeftOff,
 }
 
 impl Part {
     /// None, up to where other coordinates are taken.
     fn changed(change: Change) -> Self {
-        let end = change.t;
-        Self {
-            ended: Ended::Changed(Box::new(change)),
-            method: Method::Dop853,
-            counts: Counts::default(),
-            end,
-            floor: 0.0,
-        }
+        Self::none(change.t, Ended::Changed(Box::new(change)))
+    }
+
+    /// None: it does not go on from an instant, s.
+    fn halted(t: f64, halt: Halt) -> Self {
+        Self::none(t, Ended::Halted(halt))
+    }
+
+    fn none(end: f64, ended: Ended) -> Self {
+        let (counts, left_off) = (Counts::default(), LeftOff::default());
+        Self { ended, method: Method::Dop853, counts, end, left_off }
     }
 }
 
@@ -151,9 +151,9 @@ impl Going<'_, '_> {
         &mut self,
         equations: &mut Equations<'_, '_>,
         charts: &mut Charts<'_>,
-        tolerance: f64,
         (t, y): (f64, &[f64]),
     ) -> Part {
+        let Pass { tolerance, measures, shorter } = self.pass;
         let length = self.last - self.begin;
         self.corners = Corners::new(equations, AT_ONCE * length);
         equations.take_sides(t, y);
@@ -163,15 +163,13 @@ impl Going<'_, '_> {
         let rests = self.wakes && (rubs || !equations.model.mechanism.stops.is_empty());
         let least = if rests { AT_REST.max(fewest) } else { fewest };
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
-        let steps = if self.measures { SHORTER * least } else { least };
-        self.longest = (least > 0.0).then_some(length / steps);
+        self.longest = (least > 0.0).then_some(shorter / SHORTER * length / least);
         let asked = self.outputs.conduct.method;
-        let mut floor = tolerance;
         let (mut found, mut name) = if asked.is_none_or(|m| m == Method::Energy) && equations.conserves() {
             let mut method = ByEnergy::new(y.len(), tolerance, scale(equations));
             equations.begin_walk(y[0]);
-            let found = self.begin_with(&mut method, equations, charts, (t, y));
-            floor = method.left_off().max(OF_FUNCTIONS * self.watch.left_off());
+            let mut found = self.begin_with(&mut method, equations, charts, (t, y));
+            found.left_off = LeftOff::of_series(method.left_off());
             (found, Method::Energy)
         } else {
             let mut method = Dop853::new(allowed.clone());
@@ -179,17 +177,17 @@ impl Going<'_, '_> {
         };
         if matches!(found.ended, Ended::Stuck(_)) && equations.walk.take().is_some() {
             // what is looked at far ahead may be out of reach, and the next short step not
-            let before = found.counts;
+            let before = (found.counts, found.left_off);
             let y = std::mem::take(&mut found.y);
             let mut method = Dop853::new(allowed.clone());
             found = self.begin_with(&mut method, equations, charts, (found.end, &y));
-            floor = tolerance;
-            (found.counts, name) = (sum(before, found.counts), Method::Dop853);
+            found.left_off = before.1.with(found.left_off);
+            (found.counts, name) = (sum(before.0, found.counts), Method::Dop853);
         }
         if matches!(found.ended, Ended::Stiff) {
             let mut implicit = Radau::new(&allowed);
-            if !self.measures {
-                let gap = SHORTER * self.outputs.longest_gap(length);
+            if !measures {
+                let gap = shorter * self.outputs.longest_gap(length);
                 self.longest = Some(if fewest > 0.0 { gap.min(length / fewest) } else { gap });
                 implicit.progress_mut().longest = self.longest;
             }
@@ -198,11 +196,13 @@ impl Going<'_, '_> {
                 Err(Undefined) => Ended::Halted(equations.halt()),
             };
             let counts = sum(found.counts, implicit.counts());
-            (found, name) = (Reached { ended, counts, end: implicit.t(), y: Vec::new() }, Method::Radau);
+            let left_off = found.left_off.with(LeftOff::of_steps(tolerance, implicit.progress().errors));
+            let y = Vec::new();
+            (found, name) = (Reached { ended, counts, end: implicit.t(), y, left_off }, Method::Radau);
         }
-        let Reached { ended, counts, end, .. } = found;
+        let Reached { ended, counts, end, left_off, .. } = found;
         self.crossed.append(&mut equations.crossed);
-        Part { ended, method: name, counts, end, floor }
+        Part { ended, method: name, counts, end, left_off }
     }
 
     /// Integrates by a method up to the end, or up to where an implicit one is asked for.
@@ -222,11 +222,12 @@ impl Going<'_, '_> {
                 Ended::Halted(equations.halt())
             }
         };
-        Reached { ended, counts: method.counts(), end: method.t(), y: method.y().to_vec() }
+        let left_off = LeftOff::of_steps(self.pass.tolerance, method.progress().errors);
+        Reached { ended, counts: method.counts(), end: method.t(), y: method.y().to_vec(), left_off }
     }
 
     /// Goes on in other coordinates.
-    fn changed(&mut self, begin: &Begin<'_>, charts: &mut Charts<'_>, tolerance: f64, to: &Change) -> Part {
+    fn changed(&mut self, begin: &Begin<'_>, charts: &mut Charts<'_>, to: &Change) -> Part {
         let own = to.chart.as_deref().map(Chart::model);
         let model = own.as_ref().unwrap_or(begin.model);
         let mut equations = Equations::new(model, begin, to.chart.as_deref(), (to.t, &to.state, &to.angles));
@@ -237,19 +238,17 @@ impl Going<'_, '_> {
         if self.rubs {
             equations.mode = Some(Mode::Resting);
             if let Err(halt) = equations.choose_mode(to.t, &to.y) {
-                let (ended, method) = (Ended::Halted(halt), Method::Dop853);
-                return Part { ended, method, counts: Counts::default(), end: to.t, floor: 0.0 };
+                return Part::halted(to.t, halt);
             }
         }
         let mut y = to.y.clone();
         if let Some(held) = &to.held
             && let Err(halt) = equations.begin_slipping(to.t, &mut y, Some(held))
         {
-            let (ended, method) = (Ended::Halted(halt), Method::Dop853);
-            return Part { ended, method, counts: Counts::default(), end: to.t, floor: 0.0 };
+            return Part::halted(to.t, halt);
         }
         self.note_stops(&equations, &to.closed, (to.t, &[], Some(to.t)));
-        self.part(&mut equations, charts, tolerance, (to.t, &y))
+        self.part(&mut equations, charts, (to.t, &y))
     }
 
     /// What a run has found.
@@ -259,7 +258,7 @@ impl Going<'_, '_> {
             Ended::Done | Ended::Stiff | Ended::Changed(_) => None,
         };
         let end = part.end;
-        let functions = self.watch.functions(end);
+        let (functions, left_off) = (self.watch.functions(end), self.watch.left_off());
         let Going {
             watch,
             recorder,
@@ -295,7 +294,7 @@ impl Going<'_, '_> {
             ended_by,
             stopped,
             end,
-            floor: part.floor,
+            left_off: part.left_off.with_functions(left_off),
             tolerance: 0.0,
         }
     }
@@ -363,7 +362,7 @@ impl Run {
             ended_by: None,
             stopped: Some((first, halt)),
             end: first,
-            floor: 0.0,
+            left_off: LeftOff::default(),
             tolerance: 0.0,
         }
     }

@@ -5,6 +5,7 @@
 //! link: a coordinate that is this angle is no unknown.
 
 use super::coordinates::Charts;
+use super::pass::Pass;
 use super::report::SteadyReport;
 use super::run::{Run, run};
 use super::setup::{Begin, Outputs};
@@ -178,7 +179,7 @@ impl Search<'_> {
         self.begin_with(z);
         let last = self.from + self.horizon;
         let Run { records, ended_by, stopped, end, .. } =
-            run(&self.begin, &mut self.charts, tolerance, &outputs, last, false);
+            run(&self.begin, &mut self.charts, Pass::alone(tolerance), &outputs, last);
         if let Some(stopped) = stopped {
             return Err(stopped);
         }

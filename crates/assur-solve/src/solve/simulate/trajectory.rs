@@ -3,8 +3,10 @@
 use super::compare::{Compared, Kinds, Outcome};
 use super::conduct::Conduct;
 use super::coordinates::Charts;
+use super::estimate::estimate;
 use super::functions::OverRun;
 use super::records::Records;
+use super::refining::{Found, until_kept};
 use super::report::SimulationReport;
 use super::run::{Run, run};
 use super::setup::{Begin, at_rest, begin, outputs, scales};
@@ -15,28 +17,6 @@ use crate::position::{Branch, DriveInput, DriveValue, Model, State};
 use crate::solve::failure::{Cause, Failure, Halt};
 use crate::solve::inputs::Rates;
 use crate::solve::note::Note;
-
-/// The tolerance of the finer run over that of the coarser one.
-const FINER: f64 = 0.1;
-/// The tolerance of the first run over the wanted accuracy: errors of smooth motions are far below their tolerance.
-const LOOSER: f64 = 10.0;
-/// What two runs differ by is an estimate: so much of the accuracy it may take.
-const SURE: f64 = 0.5;
-/// Two runs may agree by chance: the error is not said to be less than this part of the finer one's tolerance, or of what its series
-/// leave off.
-const LEAST: f64 = 0.2;
-/// A looser tolerance makes steps so long that what two runs differ by says nothing of their error.
-const LOOSEST: f64 = 1e-5;
-/// Below this relative tolerance the digits of the numbers end.
-const FINEST: f64 = 2e-15;
-/// Rounding is not said to grow more than by this condition.
-const LEAST_CONDITION: f64 = 1e-3;
-/// At this tolerance rounding may be greater than what the method leaves.
-const ROUNDING: f64 = 1e-11;
-/// Evaluations of all runs: no finer run is begun that would take more.
-const MOST: usize = 12_000_000;
-/// Where the coarser run misses the accuracy by more than this, the next pair starts anew.
-const FAR: f64 = 30.0;
 
 /// The free coordinates at every instant that is wanted.
 #[derive(Clone, Debug, Default)]
@@ -140,89 +120,28 @@ pub(crate) fn trajectory(
         outputs.guard = Some((event, f64::INFINITY));
     }
     let mut charts = Charts::new(model, statics);
-    let mut run =
-        |tolerance, measures| run(&begin, &mut charts, tolerance, &outputs, simulation.to, measures);
+    let run = |pass| run(&begin, &mut charts, pass, &outputs, simulation.to);
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
-    let mut tolerance = conduct.alone.unwrap_or((LOOSER * within).min(LOOSEST));
-    let mut best = Compared::UNKNOWN;
-    let mut coarse = run(tolerance, true);
-    let mut spent = coarse.counts.evaluations;
     let scales = scales(&begin.equations());
-    let (printed, kinds, compared) = loop {
-        let ended = matches!(coarse.stopped, Some((_, Halt::TooManySteps | Halt::Interrupted)));
-        if ended || conduct.alone.is_some() {
-            // a finer run takes more
-            break (coarse, Kinds::default(), Compared { error: 1.0, ..Compared::UNKNOWN });
-        }
-        if spent + coarse.counts.evaluations > MOST {
-            let compared = at_most_all(best);
-            let kinds = coarse.kinds.clone();
-            break (missed(coarse, within, &compared), kinds, compared);
-        }
-        let fine = run(tolerance * FINER, false);
-        spent += fine.counts.evaluations;
-        let mut compared =
-            Compared::of(&mut begin.equations(), coarse.outcome(), fine.outcome(), &coarse.kinds);
+    let conserved = is_conserved(model.mechanism);
+    let compare = |(coarse, fine): (&Run, &Run), kinds: &Kinds| {
+        let difference = Compared::of(&mut begin.equations(), coarse.outcome(), fine.outcome(), kinds);
+        let mut compared = estimate(difference, (coarse, fine), &scales, conserved);
         if let Some(found) = &steady {
             compared.steady(found.error);
         }
-        compared.error = compared.error.max(LEAST * fine.floor).max(rounding(&fine, &scales));
-        let interrupted = matches!(fine.stopped, Some((_, Halt::Interrupted)));
-        if compared.error <= SURE * within || interrupted {
-            break (fine, coarse.kinds, compared);
-        }
-        if tolerance <= ROUNDING && compared.error >= best.error {
-            // a finer tolerance does not help: rounding is what is left, and the run before has less of it
-            let kinds = coarse.kinds.clone();
-            break (missed(coarse, within, &best), kinds, best);
-        }
-        if tolerance * FINER <= FINEST {
-            break (missed(fine, within, &compared), coarse.kinds, compared);
-        }
-        if spent + fine.counts.evaluations > MOST {
-            let compared = at_most_all(compared);
-            break (missed(fine, within, &compared), coarse.kinds, compared);
-        }
-        let away = compared.error / within;
-        if away > FAR {
-            // of runs that do not agree at all nothing is known
-            let factor = if away.is_finite() { away } else { 1.0 / (FINER * FINER) };
-            tolerance = (tolerance / factor).max(FINEST / FINER);
-            best = Compared::UNKNOWN;
-            coarse = run(tolerance, true);
-            spent += coarse.counts.evaluations;
-        } else {
-            tolerance *= FINER;
-            best = compared;
-            let kinds = coarse.kinds;
-            coarse = Run { kinds, ..fine };
-        }
+        compared
     };
+    let (found, spent) = until_kept(run, compare, within, conduct.alone);
+    let Found { run: printed, kinds, compared } = found;
     let report = report(model.mechanism, within, spent, &compared, &printed);
     let report = SimulationReport { steady, ..report };
     Ok(ended(printed, kinds, report, begin))
 }
 
-/// Where two runs do not agree at all, or there is one alone: all of what there is.
-fn at_most_all(compared: Compared) -> Compared {
-    Compared { error: compared.error.min(1.0), ..compared }
-}
-
-/// What rounding makes of a run at least: that of the greatest coordinate adds up as a random walk, and grows near dead positions.
-/// `scales` are what is much for each coordinate.
-#[allow(clippy::cast_precision_loss)] // far below 2^52
-fn rounding(run: &Run, scales: &[f64]) -> f64 {
-    let kept = (0..run.records.count).flat_map(|index| run.records.state(index).iter().zip(scales));
-    let greatest = kept.map(|(q, scale)| q.abs() / scale).fold(1.0, f64::max);
-    let steps = (run.counts.steps as f64).sqrt();
-    f64::EPSILON * greatest * steps / run.worst_condition.0.max(LEAST_CONDITION)
-}
-
-/// A run that is not as accurate as is wanted, if it is not.
-fn missed(run: Run, within: f64, compared: &Compared) -> Run {
-    let halt = Halt::Accuracy { wanted: within, reached: compared.error };
-    let missed = (compared.error > within).then_some((run.end, halt));
-    Run { stopped: run.stopped.or(missed), ..run }
+/// Whether no drive that is prescribed moves: then all energy is that of loads.
+fn is_conserved(mechanism: &Mechanism) -> bool {
+    mechanism.drives.iter().all(|d| d.free || (d.speed.is_none() && d.acceleration.is_none()))
 }
 
 /// What a run has found, with what its drives say at the first instant, s, and its assembly there.
@@ -245,7 +164,6 @@ fn report(
     compared: &Compared,
     fine: &Run,
 ) -> SimulationReport {
-    let still = |d: &crate::model::Drive| d.free || (d.speed.is_none() && d.acceleration.is_none());
     let free = mechanism.drives.iter().enumerate().filter(|(_, d)| d.free);
     SimulationReport {
         method: fine.method,
@@ -257,7 +175,7 @@ fn report(
         within,
         error: compared.error,
         worst: compared.worst,
-        energy: mechanism.drives.iter().all(still).then_some(fine.energy),
+        energy: is_conserved(mechanism).then_some(fine.energy),
         worst_condition: fine.worst_condition,
         coordinates: free.map(|(i, _)| i).collect(),
         events: fine.events.clone(),

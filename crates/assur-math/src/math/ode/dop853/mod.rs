@@ -263,6 +263,7 @@ impl<S: Real> Dop853<S> {
         let wish = (eighth_root(error) / S::of(0.9)).max(S::of(1.0 / 6.0)).min(S::of(1.0 / 0.333));
         if accepted {
             self.rates_at_end(system, trial.t)?;
+            self.progress.note_error(error);
         }
         Ok((accepted, trial.h / wish))
     }

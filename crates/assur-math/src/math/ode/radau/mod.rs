@@ -182,6 +182,7 @@ impl<S: Real> Radau<S> {
         }
         self.progress.counts.evaluations += 1;
         system.rates(trial.t, &self.progress.y1, &mut self.progress.f1)?;
+        self.progress.note_error(error);
         if let Some((length, before)) = self.before {
             // Gustafsson: the trend of the error goes on
             let trend = (length / h).abs() * root(error * error / before) / S::of(SAFETY);
