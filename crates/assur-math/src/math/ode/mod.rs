@@ -27,7 +27,7 @@ mod tolerance;
 pub mod dop853;
 mod radau;
 
-pub use dop853::Dop853;
+pub use dop853::{Control, Dop853};
 pub use energy::Energy;
 pub use extrapolation::Extrapolation;
 pub use progress::{Counts, Progress};

@@ -16,6 +16,13 @@ use coefficients::{
     STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STAGE_14, STAGE_15, STAGE_16, THIRD,
 };
 
+/// The next step is so much shorter than its error would allow: by the error alone, and by its trend.
+const SAFE: (f64, f64) = (0.9, 0.8);
+/// A step is at most so much longer than the last, and a trial not shorter than this part of the one that is rejected.
+const GROWTH: f64 = 6.0;
+const LEAST: f64 = 0.333;
+/// Errors below these parts of what is allowed say nothing of the next: of a step, and of the one before.
+const SMALL: (f64, f64) = (1e-8, 1e-4);
 /// The rates at the end of the step among the stages.
 const LAST: usize = 12;
 /// Stages beside the first and the one at the end.
@@ -24,16 +31,26 @@ const ROWS: usize = 14;
 const STABLE: f64 = 6.1 * 6.1;
 /// So many steps at the edge make a problem stiff, and so many within in a row make it forget them.
 const STIFF: (u32, u32) = (15, 6);
-/// Where rounding hides that, the derivatives tell: they are looked at after so many steps with so many rejected, and h λ
-/// beyond this makes a problem stiff.
-const STRETCH: (usize, usize) = (1000, 125);
+/// Where rounding hides that, the derivatives tell: they are looked at after so many steps, and h λ beyond this makes a problem
+/// stiff.
+const STRETCH: usize = 1000;
 const BEYOND: f64 = 4.0;
 /// Times that a direction goes through the derivatives.
 const TIMES: usize = 4;
 
+/// How the length of the next step is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Control {
+    /// From the error of the last step alone, as in the program of the book.
+    Error,
+    /// From its trend too (volume II, section IV.2): a growing error is met before it rejects a step.
+    Trend,
+}
+
 /// The method for n unknowns.
 #[derive(Clone, Debug)]
 pub struct Dop853<S> {
+    control: Control,
     progress: Progress<S>,
     tolerance: Tolerance<S>,
     stages: Stages<S>,
@@ -46,8 +63,10 @@ pub struct Dop853<S> {
     prepared: bool,
     /// Steps at the edge of stability, and steps within since.
     edge: (u32, u32),
-    /// Steps and rejected ones when the derivatives were looked at.
-    looked: (usize, usize),
+    /// Steps when the derivatives were looked at.
+    looked: usize,
+    /// The error of the accepted step before.
+    before: Option<S>,
 }
 
 /// Rates of the stages 2 to 12 and 14 to 16.
@@ -94,9 +113,16 @@ impl<S: Real> Dop853<S> {
     /// Room for as many unknowns as have a tolerance.
     #[must_use]
     pub fn new(tolerance: Tolerance<S>) -> Self {
+        Self::controlled(tolerance, Control::Trend)
+    }
+
+    /// The same with another control of its steps.
+    #[must_use]
+    pub fn controlled(tolerance: Tolerance<S>, control: Control) -> Self {
         let n = tolerance.order();
         let zeros = || vec![S::zero(); n];
         Self {
+            control,
             progress: Progress::new(n),
             tolerance,
             stages: Stages { n, rates: vec![S::zero(); ROWS * n] },
@@ -105,7 +131,8 @@ impl<S: Real> Dop853<S> {
             dense: std::array::from_fn(|_| zeros()),
             prepared: false,
             edge: (0, 0),
-            looked: (0, 0),
+            looked: 0,
+            before: None,
         }
     }
 
@@ -202,18 +229,14 @@ impl<S: Real> Dop853<S> {
         stiff
     }
 
-    /// A long stretch of steps of which many are rejected, though the solution is smooth: the greatest eigenvalue, by powers of
+    /// A long stretch of short steps, though the solution is smooth: the greatest eigenvalue, by powers of
     /// the derivatives, is beyond what such steps are stable for.
     fn is_held_up<F: System<S> + ?Sized>(&mut self, system: &mut F, h: S) -> bool {
-        let counts = self.progress.counts;
-        let (steps, rejected) = (counts.steps - self.looked.0, counts.rejected - self.looked.1);
-        if steps < STRETCH.0 {
+        let steps = self.progress.counts.steps;
+        if steps < self.looked + STRETCH {
             return false;
         }
-        self.looked = (counts.steps, counts.rejected);
-        if rejected < STRETCH.1 {
-            return false;
-        }
+        self.looked = steps;
         let last = self.stages.place(11);
         // the memory of a polynomial that is not formed yet
         let [way, rates, ..] = &mut self.dense;
@@ -259,11 +282,20 @@ impl<S: Real> Dop853<S> {
             return Err(Undefined);
         }
         let accepted = !S::one().lt(error);
-        // h_new = h · min(6, max(1/3, 0.9 / error^(1/8))); a rejected step does not grow
-        let wish = (eighth_root(error) / S::of(0.9)).max(S::of(1.0 / 6.0)).min(S::of(1.0 / 0.333));
+        // one over what the next step is longer by; a rejected step does not grow
+        let (root, safe) = match (self.control, self.before) {
+            (Control::Error, _) => (eighth_root(error), SAFE.0),
+            (Control::Trend, Some(before)) if accepted => {
+                let error = error.max(S::of(SMALL.0));
+                (eighth_root(error * error * error / before).sqrt().sqrt(), SAFE.1)
+            }
+            (Control::Trend, _) => (eighth_root(error), SAFE.1),
+        };
+        let wish = (root / S::of(safe)).max(S::of(1.0 / GROWTH)).min(S::of(1.0 / LEAST));
         if accepted {
             self.rates_at_end(system, trial.t)?;
             self.progress.note_error(error);
+            self.before = Some(error.max(S::of(SMALL.1)));
         }
         Ok((accepted, trial.h / wish))
     }
@@ -286,7 +318,7 @@ impl<S: Real> Integrator<S> for Dop853<S> {
         end: S,
     ) -> Result<(), Undefined> {
         self.progress.place(system, Some(t), y, end)?;
-        (self.prepared, self.edge) = (false, (0, 0));
+        (self.prepared, self.edge, self.before) = (false, (0, 0), None);
         if nonzero(end - t) {
             let room = (&mut self.trial[..], &mut self.stages.rates[..y.len()]);
             self.progress.next = first_step(system, &mut self.progress, &self.tolerance, room, eighth_root)?;

@@ -1,7 +1,7 @@
 //! DOP853.
 
 use super::{Rates, distance, jacobi, kepler, orbit, perihelion, run};
-use assur_math::math::ode::{Dop853, Integrator, Real, Step, Stopped, System, Tolerance, Undefined};
+use assur_math::math::ode::{Control, Dop853, Integrator, Real, Step, Stopped, System, Tolerance, Undefined};
 use assur_math::math::{Double, Scalar};
 use std::f64::consts::TAU;
 
@@ -124,12 +124,22 @@ const PROBE: ([f64; 4], f64) = ([0.994, 0.0, 0.0, -2.001_585_106_379_082_5], 17.
 fn the_orbit_of_arenstorf_closes() {
     let (mut system, (start, period)) = (arenstorf(), PROBE);
     for (tolerance, allowed, evaluations) in [(1e-7, 0.2, 1400), (1e-13, 1e-7, 5500)] {
-        let mut method = Dop853::new(Tolerance::uniform(4, tolerance, tolerance));
-        run(&mut method, &mut system, 0.0, &start, period);
-        let error = distance(method.y(), &start);
-        let counts = method.counts();
+        let mut of = |control| {
+            let mut method = Dop853::controlled(Tolerance::uniform(4, tolerance, tolerance), control);
+            run(&mut method, &mut system, 0.0, &start, period);
+            let counts = method.counts();
+            assert!(counts.evaluations <= 12 * (counts.steps + counts.rejected) + 2, "{counts:?}");
+            (distance(method.y(), &start), counts)
+        };
+        let (error, counts) = of(Control::Error);
         assert!(error < allowed && counts.evaluations < evaluations, "{error:e} {counts:?}");
-        assert!(counts.rejected > 0 && counts.evaluations <= 12 * (counts.steps + counts.rejected) + 2);
+        assert!(counts.rejected > 0);
+        // the trend of the error saves most of the steps that are rejected, and more than its shorter steps take
+        let (with_trend, fewer) = of(Control::Trend);
+        let cost = |error: f64, evaluations: usize| evaluations as f64 * libm::pow(error, 0.125);
+        assert!(2 * fewer.rejected < counts.rejected, "{fewer:?} {counts:?}");
+        let costs = (cost(with_trend, fewer.evaluations), cost(error, counts.evaluations));
+        assert!(costs.0 < costs.1, "{costs:?} {fewer:?} {counts:?}");
     }
 }
 
@@ -142,7 +152,8 @@ fn steps_are_those_of_another_program() {
         (60, 14.900_404_795_822_519),
         (80, 17.060_197_912_724_817),
     ];
-    let (mut method, mut system) = (Dop853::new(Tolerance::uniform(4, 1e-7, 1e-7)), arenstorf());
+    let tolerance = Tolerance::uniform(4, 1e-7, 1e-7);
+    let (mut method, mut system) = (Dop853::controlled(tolerance, Control::Error), arenstorf());
     method.start(&mut system, 0.0, &PROBE.0, PROBE.1).expect("starts");
     let mut instants = vec![0.0];
     while method.step(&mut system).expect("goes on") == Step::Within {
