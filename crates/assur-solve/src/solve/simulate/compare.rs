@@ -52,11 +52,14 @@ pub(super) struct Compared {
     pub worst: &'static str,
     /// The differences of every kind.
     pub each: [f64; KINDS.len()],
+    /// It is rounding: no finer run has less.
+    pub is_rounding: bool,
 }
 
 impl Compared {
     /// Nothing is known.
-    pub const UNKNOWN: Self = Self { error: f64::INFINITY, worst: KINDS[0], each: [1.0; KINDS.len()] };
+    pub const UNKNOWN: Self =
+        Self { error: f64::INFINITY, worst: KINDS[0], each: [1.0; KINDS.len()], is_rounding: false };
 
     /// Compares two runs at the instants that both have reached, each kind over the greatest magnitudes that were measured.
     pub fn of(
@@ -194,7 +197,7 @@ impl Kinds {
 
     fn worst(&self, extent: f64, missing: bool) -> Compared {
         let error = if missing { f64::INFINITY } else { 0.0 };
-        let mut found = Compared { error, worst: KINDS[0], each: [0.0; KINDS.len()] };
+        let mut found = Compared { error, worst: KINDS[0], each: [0.0; KINDS.len()], is_rounding: false };
         for kind in 0..STATES {
             let scale = if kind == 0 { extent.max(self.magnitude[0]) } else { self.magnitude[kind] };
             let rounding = ROUNDING * self.beside(kind, extent);

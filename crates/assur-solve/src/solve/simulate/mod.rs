@@ -2,7 +2,7 @@
 //!
 //! The equations of the free coordinates are those of [`Reduced`](crate::position::Reduced); everything else follows from
 //! these coordinates in closed form, so that nothing drifts apart. Two runs of different tolerance go side by side: what they
-//! differ by is the error of the coarser one, and the finer one is what is reported.
+//! differ by, and how much finer the finer one is, tell its error; it is what comes out.
 
 mod bridge;
 mod change;

@@ -14,7 +14,7 @@ const SURE: f64 = 0.5;
 /// A finer run is to leave so much of it: errors do not fall quite as tolerances do.
 const AIM: f64 = 0.25;
 /// The tolerance of a finer run over that of the run before, at most and at least.
-const STEP: (f64, f64) = (0.01, 0.1);
+const STEP: (f64, f64) = (0.03, 0.1);
 /// A looser tolerance makes steps so long that what two runs differ by says nothing of their error.
 const LOOSEST: f64 = 1e-5;
 /// Below this relative tolerance the digits of the numbers end.
@@ -67,12 +67,13 @@ pub(super) fn until_kept(
         if error <= SURE * within || interrupted {
             return (Found { run: runs.swap_remove(coarse + 1), kinds, compared }, spent);
         }
+        let is_rounding = compared.is_rounding;
         if best.as_ref().is_none_or(|(_, best)| error < best.error) {
             best = Some((coarse + 1, compared));
         } else if pass.tolerance <= ROUNDING {
             in_vain += 1;
         }
-        if in_vain == IN_VAIN || pass.tolerance <= FINEST {
+        if is_rounding || in_vain == IN_VAIN || STEP.1 * pass.tolerance < 0.99 * FINEST {
             break;
         }
         let wanted = AIM * within / error;
