@@ -49,15 +49,23 @@ pub(super) fn until_kept(
     let mut finer = FINER * pass.tolerance;
     let mut best: Option<(usize, Compared)> = None;
     let mut in_vain = 0;
-    let ended = matches!(runs[0].stopped, Some((_, Halt::TooManySteps | Halt::Interrupted)));
-    if ended || alone.is_some() {
-        // a finer run takes more
-        let compared = Compared { error: 1.0, ..Compared::UNKNOWN };
-        return (Found { run: runs.swap_remove(0), kinds: Kinds::default(), compared }, spent);
-    }
-    while spent + runs[runs.len() - 1].counts.evaluations <= MOST {
-        pass = pass.finer(finer);
+    loop {
         let coarse = runs.len() - 1;
+        let ended = match runs[coarse].stopped {
+            Some((_, Halt::Interrupted)) => true,
+            // a finer run takes more
+            Some((_, Halt::TooManySteps)) => best.is_none(),
+            _ => alone.is_some(),
+        };
+        if ended {
+            let compared = Compared { error: 1.0, ..Compared::UNKNOWN };
+            return (Found { run: runs.swap_remove(coarse), kinds: Kinds::default(), compared }, spent);
+        }
+        let hopeless = matches!(runs[coarse].stopped, Some((_, Halt::TooManySteps)));
+        if hopeless || spent + runs[coarse].counts.evaluations > MOST {
+            break;
+        }
+        pass = pass.finer(finer);
         runs.push(run(pass));
         let fine = &runs[coarse + 1];
         spent += fine.counts.evaluations;
@@ -69,7 +77,7 @@ pub(super) fn until_kept(
         }
         let is_rounding = compared.is_rounding;
         if best.as_ref().is_none_or(|(_, best)| error < best.error) {
-            best = Some((coarse + 1, compared));
+            best = error.is_finite().then_some((coarse + 1, compared)).or(best);
         } else if pass.tolerance <= ROUNDING {
             in_vain += 1;
         }
