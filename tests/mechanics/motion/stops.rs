@@ -164,3 +164,45 @@ expect displacement(G) = 0.25*9.81 m/s^2*t1*(1 s - t2) - 0.5*9.81 m/s^2*(1 s - t
     let solved = solved.filter(|_| !problems.has_errors()).unwrap_or_else(|| panic!("{problems:?}"));
     assert!(solved.outcomes.iter().all(|outcome| outcome.passed), "{:?}", solved.outcomes);
 }
+
+/// Instants with heights and rates of both ends, and when the left stop opens, if it is there.
+fn ends(text: &str) -> (Vec<[f64; 5]>, Vec<f64>) {
+    let (solved, problems) = solve_source(&Source::new("bar", text), &Overrides::none());
+    let solved = solved.filter(|_| !problems.has_errors()).unwrap_or_else(|| panic!("{problems:?}"));
+    let states = solved.solution.poses.iter().map(|pose| &pose.outcome.as_ref().unwrap().state.motion);
+    let each = states.map(|motion| {
+        let (left, right) = (&motion.bodies[1], &motion.bodies[2]);
+        [motion.time, left.p.y, right.p.y, left.v.y, right.v.y]
+    });
+    let times = &solved.solution.simulation.as_ref().unwrap().events;
+    let events = solved.compiled.mechanism.events.iter().zip(times);
+    let leaves = events
+        .filter(|(event, _)| event.name.as_deref() == Some("leaves"))
+        .flat_map(|(_, times)| times.clone());
+    (each.collect(), leaves.collect())
+}
+
+/// The right end falls while the left one stands on its stop, until a force pulls it up: the stop would have to pull, and is gone
+/// at once. From there on the motion is that of the bar without the stop.
+#[test]
+fn a_stop_that_would_have_to_pull_opens_at_once() {
+    let pulled = |text: String, from: f64| {
+        text + &format!("force F on one at A = 300 N @ 90 deg when time >= {from} s\n")
+    };
+    let (all, lifted) = (0.25, 0.1);
+    for from in [0.0, lifted] {
+        let text = bar([0.0, 0.0], [[0.0, 0.5], [0.0; 2]], all).replace(" within", " in 5 steps within");
+        let (found, leaves) = ends(&pulled(text, from));
+        let begin = found.iter().rfind(|state| state[0] <= from).unwrap();
+        assert!(begin[0] == from && begin[1].abs() < 1e-12 && begin[3].abs() < 1e-12, "{found:?}");
+        assert!(from == 0.0 || (leaves.len() == 1 && (leaves[0] - from).abs() < 1e-12), "{leaves:?}");
+        // the same without the stop, from there
+        let rest = bar([0.0, 0.0], [[0.0, begin[2]], [0.0, begin[4]]], all - from);
+        let without = rest.lines().filter(|line| !line.contains("stop G") && !line.contains("rests(G)"));
+        let without: String = without.map(|line| format!("{line}\n")).collect();
+        let (alone, _) = ends(&pulled(without, 0.0));
+        let (last, free) = (found.last().unwrap(), alone.last().unwrap());
+        assert!(last[1] > 0.3, "{found:?}");
+        assert!((1..5).all(|i| (last[i] - free[i]).abs() < 1e-9), "{last:?} {free:?}");
+    }
+}
