@@ -4,7 +4,7 @@
 use super::page::{Page, chosen, given};
 use crate::cam_law::{derivatives, greatest_acceleration, is_of_half, shape};
 use crate::document::{Line, text};
-use crate::words::Message;
+use crate::words::DesignMessage as Message;
 use assur_formula::{Expr, Function, Name, Unit, with_digits};
 use assur_math::element::cam::{Cam, Follower, Law, Phase, Quantity, Shape};
 use assur_model::model::{Mechanism, PlateCam};

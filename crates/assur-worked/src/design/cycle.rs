@@ -3,7 +3,7 @@
 use super::page::Page;
 use crate::document::text;
 use crate::prune::queries;
-use crate::words::Message;
+use crate::words::DesignMessage as Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::{FindKind, PairId, PairKind, Query};
 use assur_solve::solve::{Model, Solution};

@@ -2,7 +2,7 @@
 
 use super::page::{Page, given};
 use crate::document::{Line, text};
-use crate::words::Message;
+use crate::words::DesignMessage as Message;
 use assur_formula::{Expr, Name, Unit, with_digits};
 use assur_model::model::{Flywheel, FlywheelPart, LinkId, Query, Value};
 use assur_solve::answer::FlywheelAnswer;

@@ -2,7 +2,7 @@
 
 use super::page::{Page, given};
 use crate::document::text;
-use crate::words::Message;
+use crate::words::DesignMessage as Message;
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_model::model::{FindKind, Mechanism, Table};
 

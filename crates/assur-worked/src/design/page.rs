@@ -2,7 +2,7 @@
 
 use crate::course::plain;
 use crate::document::{Block, Line, Table, text};
-use crate::words::{Language, Message, say};
+use crate::words::{DesignMessage as Message, Language, say};
 use assur_formula::{Equation, Expr, Lines, Name, Node, Quantity, Unit, name_node};
 use std::sync::Arc;
 

@@ -1,6 +1,7 @@
 //! All sentences of a worked solution: one list of messages, one file per language.
 
 mod chinese;
+mod design;
 mod english;
 mod message;
 mod phrase;
@@ -8,6 +9,7 @@ mod phrases;
 mod picture_phrases;
 mod russian;
 
+pub use design::DesignMessage;
 pub use message::Message;
 pub use phrase::{known, phrase, title};
 
@@ -69,12 +71,20 @@ impl Language {
             },
         }
     }
+}
 
-    const fn template(self, message: Message) -> &'static str {
-        match self {
-            Self::English => english::template(message),
-            Self::Chinese => chinese::template(message),
-            Self::Russian => russian::template(message),
+/// A sentence or a heading, with places for its parts.
+pub trait Sentence: Copy {
+    /// What it is in a language.
+    fn template(self, language: Language) -> &'static str;
+}
+
+impl Sentence for Message {
+    fn template(self, language: Language) -> &'static str {
+        match language {
+            Language::English => english::template(self),
+            Language::Chinese => chinese::template(self),
+            Language::Russian => russian::template(self),
         }
     }
 }
@@ -99,9 +109,9 @@ pub struct Letters {
 }
 
 /// A sentence with its parts in their places.
-pub fn say(language: Language, message: Message, parts: &[Line]) -> Line {
+pub fn say(language: Language, message: impl Sentence, parts: &[Line]) -> Line {
     let mut line = Vec::new();
-    let mut rest = language.template(message);
+    let mut rest = message.template(language);
     while let Some((before, after)) = rest.split_once('{') {
         let Some((index, behind)) = after.split_once('}') else { break };
         if !before.is_empty() {

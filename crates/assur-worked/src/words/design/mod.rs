@@ -1,0 +1,78 @@
+//! Sentences about what needs no position: cycles, flywheels, cams, gears.
+
+mod chinese;
+mod english;
+mod russian;
+
+use super::{Language, Sentence};
+
+/// A message; its parts are numbered in the sentences of the languages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DesignMessage {
+    /// Heading; 0: pair.
+    CycleOf,
+    /// Extreme positions of a pair; 0: it.
+    ExtremesOf,
+    /// Ratio of times.
+    TimesOf,
+    /// Heading; 0: flywheel, 1: link.
+    FlywheelOf,
+    /// The table of a flywheel; 0: mean torque.
+    FlywheelTable,
+    /// Extremes of the work; 0, 1: drive.
+    FlywheelExtremes,
+    /// The size of a flywheel.
+    FlywheelInertia,
+    /// The rim.
+    FlywheelRim,
+    /// Heading; 0: cam.
+    CamOf,
+    /// The law of a cam.
+    CamStages,
+    /// A stage; 0: angles.
+    CamDwell,
+    /// A stage; 0: angles.
+    CamOther,
+    /// A stage; 0: angles, 1: law.
+    CamRise,
+    /// A stage; 0: angles, 1: law.
+    CamFall,
+    /// A law.
+    LawUniform,
+    /// A law.
+    LawParabolic,
+    /// A law.
+    LawHarmonic,
+    /// A law.
+    LawCycloidal,
+    /// A law.
+    LawPoly345,
+    /// A law.
+    LawPoly4567,
+    /// A law.
+    LawModifiedTrapezoid,
+    /// A law.
+    LawModifiedSine,
+    /// A law.
+    LawSpline,
+    /// The follower at lift zero.
+    CamStart,
+    /// Pressure angle; 0: cam angle.
+    CamPressure,
+    /// Curvature; 0: cam angle.
+    CamCurvature,
+    /// Heading; 0: mesh.
+    GearsOf,
+    /// The inverse involute.
+    InvoluteSolved,
+}
+
+impl Sentence for DesignMessage {
+    fn template(self, language: Language) -> &'static str {
+        match language {
+            Language::English => english::template(self),
+            Language::Chinese => chinese::template(self),
+            Language::Russian => russian::template(self),
+        }
+    }
+}
