@@ -28,10 +28,7 @@ impl Expr {
             }),
             Self::Product(factors) => factors.iter().map(|x| x.value_of(of)).product(),
             Self::Ratio(a, b) => a.value_of(of) / b.value_of(of),
-            Self::Square(x) => {
-                let x = x.value_of(of);
-                x * x
-            }
+            Self::Power(x, n) => power(x.value_of(of), *n),
             Self::Root(x) => x.value_of(of).max(0.0).sqrt(),
             Self::Abs(x) => x.value_of(of).abs(),
             Self::Of(function, x) => function.of(x.value_of(of)),
@@ -52,10 +49,7 @@ impl Expr {
                 let size = b.value().abs();
                 if size > 0.0 { a.scale() / size } else { f64::INFINITY }
             }
-            Self::Square(x) => {
-                let x = x.scale();
-                x * x
-            }
+            Self::Power(x, n) => power(x.scale(), *n),
             Self::Root(x) => x.scale().sqrt(),
             Self::Of(function, _) if function.is_of_angle() => self.value().abs().max(1.0),
             Self::Of(..) => self.value().abs().max(1.0),
@@ -84,7 +78,7 @@ impl Expr {
                 let size = b.value().abs().max(f64::MIN_POSITIVE);
                 (a.rounding() + a.value().abs() / size * b.rounding()) / size
             }
-            Self::Square(x) => 2.0 * x.value().abs() * x.rounding(),
+            Self::Power(x, n) => f64::from(*n) * power(x.value().abs(), n - 1) * x.rounding(),
             Self::Root(x) => {
                 let (inner, moved) = (x.value().max(0.0), x.rounding());
                 (inner + moved).sqrt() - inner.sqrt()
@@ -106,6 +100,11 @@ impl Expr {
             other => other.value().abs(),
         }
     }
+}
+
+/// A power by products.
+fn power(x: f64, exponent: u8) -> f64 {
+    (1..exponent).fold(x, |product, _| product * x)
 }
 
 impl Function {

@@ -24,8 +24,8 @@ pub enum Expr {
     Product(Vec<Self>),
     /// A fraction.
     Ratio(Box<Self>, Box<Self>),
-    /// The square.
-    Square(Box<Self>),
+    /// A power from the second on.
+    Power(Box<Self>, u8),
     /// The root.
     Root(Box<Self>),
     /// The magnitude.
@@ -94,10 +94,22 @@ impl Expr {
     /// The square.
     #[must_use]
     pub fn squared(self) -> Self {
+        self.power(2)
+    }
+
+    /// The cube.
+    #[must_use]
+    pub fn cubed(self) -> Self {
+        self.power(3)
+    }
+
+    fn power(self, exponent: u8) -> Self {
         match self {
-            Self::Int(n) => Self::Int(n * n),
-            Self::Neg(x) => x.squared(),
-            other => Self::Square(Box::new(other)),
+            Self::Int(n) => Self::Int(n.pow(u32::from(exponent))),
+            Self::Neg(x) if exponent.is_multiple_of(2) => x.power(exponent),
+            Self::Neg(x) => -x.power(exponent),
+            Self::Power(x, n) => Self::Power(x, n * exponent),
+            other => Self::Power(Box::new(other), exponent),
         }
     }
 
@@ -105,7 +117,7 @@ impl Expr {
     #[must_use]
     pub fn root(self) -> Self {
         match self {
-            Self::Square(x) => Self::Abs(x),
+            Self::Power(x, 2) => Self::Abs(x),
             other => Self::Root(Box::new(other)),
         }
     }
@@ -172,7 +184,7 @@ impl Expr {
                 factors.iter().fold(Self::Int(1), |product, x| product * x.replaced(by))
             }
             Self::Ratio(a, b) => a.replaced(by) / b.replaced(by),
-            Self::Square(x) => x.replaced(by).squared(),
+            Self::Power(x, n) => x.replaced(by).power(*n),
             Self::Root(x) => x.replaced(by).root(),
             Self::Abs(x) => x.replaced(by).abs(),
             Self::Of(function, x) => x.replaced(by).of(*function),
@@ -185,7 +197,7 @@ impl Expr {
         match self {
             Self::Int(_) | Self::Degrees(_) | Self::Number(_) | Self::Pi => {}
             Self::Leaf(q) => see(q),
-            Self::Neg(x) | Self::Square(x) | Self::Root(x) | Self::Abs(x) | Self::Of(_, x) => x.visit(see),
+            Self::Neg(x) | Self::Power(x, _) | Self::Root(x) | Self::Abs(x) | Self::Of(_, x) => x.visit(see),
             Self::Sum(terms) => terms.iter().for_each(|(_, x)| x.visit(see)),
             Self::Product(factors) => factors.iter().for_each(|x| x.visit(see)),
             Self::Ratio(a, b) => {

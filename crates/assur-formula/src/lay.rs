@@ -15,7 +15,7 @@ pub fn name_node(name: &Name) -> Node {
         sub: name.sub.clone(),
         sup: name.sup.clone(),
         arrow: name.vector,
-        squared: false,
+        power: 1,
     }
 }
 
@@ -56,7 +56,7 @@ impl Layer {
             Expr::Sum(terms) => in_brackets_if(self.sum(terms), !first),
             Expr::Product(factors) => self.product(factors, first),
             Expr::Ratio(a, b) => Node::Fraction(Box::new(self.lay(a, true)), Box::new(self.lay(b, true))),
-            Expr::Square(x) => self.square(x),
+            Expr::Power(x, n) => self.power(x, *n),
             Expr::Root(x) => Node::Root(Box::new(self.lay(x, true))),
             Expr::Abs(x) => Node::Bars(Box::new(self.lay(x, true))),
             Expr::Of(function, x) => {
@@ -105,14 +105,16 @@ impl Layer {
         Node::Row(row)
     }
 
-    fn square(self, x: &Expr) -> Node {
+    fn power(self, x: &Expr, power: u8) -> Node {
         let inner = self.lay(x, false);
         match inner {
             Node::Letter { letter, sub, sup, arrow, .. } if sup.is_empty() => {
-                Node::Letter { letter, sub, sup, arrow, squared: true }
+                Node::Letter { letter, sub, sup, arrow, power }
             }
-            Node::Number(_) | Node::Pi | Node::Brackets(_) | Node::Bars(_) => Node::Square(Box::new(inner)),
-            inner => Node::Square(Box::new(brackets(inner))),
+            Node::Number(_) | Node::Pi | Node::Brackets(_) | Node::Bars(_) => {
+                Node::Power(Box::new(inner), power)
+            }
+            inner => Node::Power(Box::new(brackets(inner)), power),
         }
     }
 }

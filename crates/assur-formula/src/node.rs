@@ -17,8 +17,8 @@ pub enum Node {
         sup: String,
         /// With an arrow.
         arrow: bool,
-        /// Squared.
-        squared: bool,
+        /// The power; 1 is the quantity itself.
+        power: u8,
     },
     /// A number.
     Number(Figures),
@@ -36,8 +36,8 @@ pub enum Node {
     Dot,
     /// A fraction.
     Fraction(Box<Node>, Box<Node>),
-    /// The square of what is not a letter.
-    Square(Box<Node>),
+    /// A power of what is not a letter.
+    Power(Box<Node>, u8),
     /// A root.
     Root(Box<Node>),
     /// In bars.
@@ -69,7 +69,7 @@ impl Node {
             Self::Number(figures) => Self::Number(comma(figures)),
             Self::Degrees(figures) => Self::Degrees(comma(figures)),
             Self::Fraction(a, b) => Self::Fraction(inner(a), inner(b)),
-            Self::Square(x) => Self::Square(inner(x)),
+            Self::Power(x, n) => Self::Power(inner(x), n),
             Self::Root(x) => Self::Root(inner(x)),
             Self::Bars(x) => Self::Bars(inner(x)),
             Self::Brackets(x) => Self::Brackets(inner(x)),
@@ -95,7 +95,7 @@ impl Node {
             Self::Times => 0.3,
             Self::Dot => 1.0,
             Self::Fraction(a, b) => a.width().max(b.width()) + 0.6,
-            Self::Square(x) => x.width() + 0.8,
+            Self::Power(x, _) => x.width() + 0.8,
             Self::Root(x) => x.width() + 1.8,
             Self::Bars(x) | Self::Brackets(x) => x.width() + 1.6,
             Self::Function(name, x) => 0.9 * letters(name) + 0.4 + x.width(),

@@ -56,14 +56,14 @@ impl Figures {
 }
 
 /// A power as raised digits.
-fn raised(n: i32) -> String {
+pub(crate) fn raised(n: i32) -> String {
     let digit = |c: char| match c {
         '-' => '⁻',
         '1' => '¹',
         '2' => '²',
         '3' => '³',
         '0' => '⁰',
-        c => char::from_digit(0, 10).map_or(c, |_| char::from_u32(0x2070 + (c as u32 - 0x30)).unwrap_or(c)),
+        c => char::from_u32(0x2070 + (c as u32 - 0x30)).unwrap_or(c),
     };
     n.to_string().chars().map(digit).collect()
 }

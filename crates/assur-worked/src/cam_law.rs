@@ -1,6 +1,6 @@
 //! The formulas of the laws of cams.
 
-use assur_formula::Expr;
+use assur_formula::{Expr, Function};
 use assur_math::element::cam::Law;
 
 /// The greatest acceleration of a modified law.
@@ -49,16 +49,16 @@ pub fn shape(law: Law, h: &Expr, x: &Expr, place: f64, constants: &[Expr]) -> Op
         Law::Poly345 => {
             let sum = int(10) - int(15) * x() + int(6) * square();
             [
-                h() * square() * x() * sum,
+                h() * x().cubed() * sum,
                 int(30) * h() * square() * rest().squared(),
                 int(60) * h() * x() * rest() * (int(1) - int(2) * x()),
             ]
         }
         Law::Poly4567 => {
-            let sum = int(35) - int(84) * x() + int(70) * square() - int(20) * square() * x();
+            let sum = int(35) - int(84) * x() + int(70) * square() - int(20) * x().cubed();
             [
                 h() * square().squared() * sum,
-                int(140) * h() * square() * x() * rest().squared() * rest(),
+                int(140) * h() * x().cubed() * rest().cubed(),
                 int(420) * h() * square() * rest().squared() * (int(1) - int(2) * x()),
             ]
         }
@@ -69,13 +69,28 @@ pub fn shape(law: Law, h: &Expr, x: &Expr, place: f64, constants: &[Expr]) -> Op
         Law::Spline(_) => {
             let [a, b, c] = constants else { return None };
             [
-                a.clone() * x() + b.clone() * square() + c.clone() * square() * x(),
+                a.clone() * x() + b.clone() * square() + c.clone() * x().cubed(),
                 a.clone() + int(2) * b.clone() * x() + int(3) * c.clone() * square(),
                 int(2) * b.clone() + int(6) * c.clone() * x(),
             ]
         }
         Law::Dwell => return None,
     })
+}
+
+/// The part of its stage at which a law has a way; none where this is no formula.
+pub fn inverse(law: Law, h: &Expr, way: Expr, place: f64) -> Option<Expr> {
+    let int = Expr::Int;
+    match law {
+        Law::Uniform => Some(way / h.clone()),
+        Law::Parabolic if place < 0.5 => Some((way / (int(2) * h.clone())).root()),
+        Law::Parabolic => Some(int(1) - ((h.clone() - way) / (int(2) * h.clone())).root()),
+        Law::Harmonic => {
+            let cosine = int(1) - int(2) * way / h.clone();
+            Some(cosine.of(Function::Arccos) / Expr::Degrees(180))
+        }
+        _ => None,
+    }
 }
 
 /// f, f′ and f″ of a modified law over its greatest acceleration, in the first half: one sine that is four times as fast, then
@@ -111,10 +126,9 @@ pub fn derivatives(turns: bool, slope: Expr, bend: Expr, angle: Expr) -> [Expr; 
     if turns {
         return [over(slope, angle.clone()), over(Expr::Int(180) * bend, Expr::Pi * angle.squared())];
     }
-    let square = |x: Expr| Expr::Square(Box::new(x));
     [
         over(Expr::Int(180) * slope, Expr::Pi * angle.clone()),
-        over(square(Expr::Int(180)) * bend, square(Expr::Pi) * square(angle)),
+        over(Expr::Power(Box::new(Expr::Int(180)), 2) * bend, Expr::Pi.squared() * angle.squared()),
     ]
 }
 

@@ -2,8 +2,8 @@
 
 use crate::angle::Angle;
 use crate::document::{Block, Figure, Inline, Line, Reference, Table, Term, text};
-use crate::forces::Acting;
-use crate::words::{Language, Message, say};
+use crate::forces::{Acting, Hold};
+use crate::words::{Language, Message, Sentence, say};
 use assur_formula::{Equation, Expr, Lines, Name, Node, Quantity, Unit, name_node};
 use assur_math::math::Vec2;
 use assur_model::structure::Structure;
@@ -69,6 +69,8 @@ pub struct Course<'a> {
     pub shown: bool,
     /// Friction that is derived: its element, its value, the relative velocity.
     pub rubbing: Vec<(usize, Expr, Expr)>,
+    /// What holds free coordinates and is found by the balances of links.
+    pub holds: Vec<Hold>,
     /// Places of sentences that end before an equation: where it is nothing they say so.
     pub awaiting: Vec<usize>,
     /// Powers that transmissions lose.
@@ -122,6 +124,7 @@ impl<'a> Course<'a> {
             polygon: None,
             shown: true,
             rubbing: Vec::new(),
+            holds: Vec::new(),
             lost: Vec::new(),
             unplaced: assur_solve::solve::unplaced_reactions(&scene.model),
             awaiting: Vec::new(),
@@ -149,7 +152,7 @@ impl<'a> Course<'a> {
     }
 
     /// A sentence.
-    pub fn say(&mut self, message: Message, parts: &[Line]) {
+    pub fn say(&mut self, message: impl Sentence, parts: &[Line]) {
         if message.awaits_an_equation() {
             self.awaiting.push(self.blocks.len());
         }
@@ -179,7 +182,7 @@ impl<'a> Course<'a> {
     }
 
     /// A remark.
-    pub fn remark(&mut self, message: Message, parts: &[Line]) {
+    pub fn remark(&mut self, message: impl Sentence, parts: &[Line]) {
         let line = if self.shown { say(self.language, message, parts) } else { Line::new() };
         self.blocks.push(Block::Remark(line));
     }
@@ -196,7 +199,7 @@ impl<'a> Course<'a> {
     }
 
     /// Words of a message without parts.
-    pub fn words(&self, message: Message) -> String {
+    pub fn words(&self, message: impl Sentence) -> String {
         plain(&say(self.language, message, &[]))
     }
 

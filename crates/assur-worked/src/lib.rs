@@ -18,6 +18,7 @@ mod problem;
 mod prune;
 mod results;
 mod sheet;
+mod spline;
 mod structure;
 mod symbols;
 mod system;

@@ -73,6 +73,9 @@ impl Course<'_> {
             return known.clone();
         }
         let value = self.moved(body).velocity(at);
+        if self.carrier_of_planets(body).is_some() && value.norm() == 0.0 {
+            return [Expr::ZERO, Expr::ZERO];
+        }
         let found = match self.arm(body, at, true) {
             Some(arm) if !arm.rates[0].is_zero() => {
                 let from = self.velocity(arm.at.0, arm.at.1);
@@ -106,6 +109,9 @@ impl Course<'_> {
             return known.clone();
         }
         let value = self.moved(body).acceleration(at);
+        if self.carrier_of_planets(body).is_some() && value.norm() == 0.0 {
+            return [Expr::ZERO, Expr::ZERO];
+        }
         let found = match self.arm(body, at, true) {
             Some(arm) if !(arm.rates[0].is_zero() && arm.rates[1].is_zero()) => {
                 let from = self.acceleration(arm.at.0, arm.at.1);

@@ -254,8 +254,8 @@ impl Course<'_> {
             Part::Forces => self.remark(Message::NoForces, &[]),
             Part::Check => {
                 self.head(Message::Check);
-                self.check();
-                if forces && !shares && level >= Level::Velocities {
+                let checked = self.check();
+                if checked && forces && !shares && level >= Level::Velocities {
                     let lever = self.pictures(Kind::Lever, Message::Lever, "");
                     self.cite(Message::SeeLever, &lever);
                     self.figures(lever);

@@ -33,17 +33,17 @@ pub fn latex_lines(lines: &Lines) -> String {
 fn write(node: &Node, out: &mut String) {
     match node {
         Node::Row(parts) => parts.iter().for_each(|part| write(part, out)),
-        Node::Letter { letter, sub, sup, arrow, squared } => {
+        Node::Letter { letter, sub, sup, arrow, power } => {
             // a prime is a raised sign already
-            let braced = letter.contains(['′', '″']) && (*squared || !sup.is_empty());
+            let braced = letter.contains(['′', '″']) && (*power > 1 || !sup.is_empty());
             let base = if braced { format!("{{{}}}", letters(letter)) } else { letters(letter) };
             *out += &if *arrow { format!("\\vec{{{base}}}") } else { base };
             if !sub.is_empty() {
                 *out += &format!("_{{\\mathrm{{{}}}}}", plain(sub));
             }
-            match (sup.as_str(), squared) {
-                ("", false) => {}
-                ("", true) => *out += "^{2}",
+            match (sup.as_str(), power) {
+                ("", 1) => {}
+                ("", n) => *out += &format!("^{{{n}}}"),
                 (sup, _) => *out += &format!("^{{\\mathrm{{{}}}}}", plain(sup)),
             }
         }
@@ -65,7 +65,7 @@ fn write(node: &Node, out: &mut String) {
         Node::Times => *out += "\\,",
         Node::Dot => *out += " \\cdot ",
         Node::Fraction(a, b) => *out += &format!("\\frac{{{}}}{{{}}}", latex(a), latex(b)),
-        Node::Square(x) => *out += &format!("{{{}}}^{{2}}", latex(x)),
+        Node::Power(x, n) => *out += &format!("{{{}}}^{{{n}}}", latex(x)),
         Node::Root(x) => *out += &format!("\\sqrt{{{}}}", latex(x)),
         Node::Bars(x) => *out += &format!("\\left|{}\\right|", latex(x)),
         Node::Brackets(x) => *out += &format!("\\left({}\\right)", latex(x)),

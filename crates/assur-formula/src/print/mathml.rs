@@ -49,8 +49,9 @@ fn row(node: &Node, out: &mut String) {
 fn write(node: &Node, out: &mut String) {
     match node {
         Node::Row(parts) => parts.iter().for_each(|part| write(part, out)),
-        Node::Letter { letter, sub, sup, arrow, squared } => {
-            letters(letter, sub, if *squared { "2" } else { sup }, *arrow, out);
+        Node::Letter { letter, sub, sup, arrow, power } => {
+            let number = power.to_string();
+            letters(letter, sub, if *power > 1 { &number } else { sup }, *arrow, out);
         }
         Node::Number(figures) => number(figures, out),
         Node::Degrees(figures) => {
@@ -69,10 +70,10 @@ fn write(node: &Node, out: &mut String) {
             row(b, out);
             *out += "</mfrac>";
         }
-        Node::Square(x) => {
+        Node::Power(x, n) => {
             *out += "<msup>";
             row(x, out);
-            *out += "<mn>2</mn></msup>";
+            *out += &format!("<mn>{n}</mn></msup>");
         }
         Node::Root(x) => {
             *out += "<msqrt>";
@@ -130,8 +131,8 @@ fn letters(letter: &str, sub: &str, sup: &str, arrow: bool, out: &mut String) {
     if !sub.is_empty() {
         *out += &index(sub);
     }
-    if sup == "2" {
-        *out += "<mn>2</mn>";
+    if sup.parse::<u8>().is_ok() {
+        *out += &format!("<mn>{sup}</mn>");
     } else if !sup.is_empty() {
         *out += &index(sup);
     }

@@ -2,6 +2,7 @@
 
 use crate::lines::Lines;
 use crate::node::Node;
+use crate::number::raised;
 
 /// A part of a line.
 #[must_use]
@@ -47,7 +48,7 @@ fn row(parts: &[Node], out: &mut String) {
 fn write(node: &Node, out: &mut String) {
     match node {
         Node::Row(parts) => row(parts, out),
-        Node::Letter { letter, sub, sup, arrow, squared } => {
+        Node::Letter { letter, sub, sup, arrow, power } => {
             out.push_str(letter);
             if *arrow {
                 out.push('\u{20d7}');
@@ -60,8 +61,8 @@ fn write(node: &Node, out: &mut String) {
                 out.push('^');
                 out.push_str(sup);
             }
-            if *squared {
-                out.push('²');
+            if *power > 1 {
+                out.push_str(&raised(i32::from(*power)));
             }
         }
         Node::Number(figures) => out.push_str(&figures.text()),
@@ -83,9 +84,9 @@ fn write(node: &Node, out: &mut String) {
             out.push_str(" / ");
             side(b, out);
         }
-        Node::Square(x) => {
+        Node::Power(x, n) => {
             write(x, out);
-            out.push('²');
+            out.push_str(&raised(i32::from(*n)));
         }
         Node::Root(x) => {
             out.push_str("√(");

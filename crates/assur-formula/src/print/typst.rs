@@ -30,7 +30,7 @@ pub fn typst_lines(lines: &Lines) -> String {
 fn write(node: &Node, out: &mut String) {
     match node {
         Node::Row(parts) => parts.iter().for_each(|part| write(part, out)),
-        Node::Letter { letter, sub, sup, arrow, squared } => {
+        Node::Letter { letter, sub, sup, arrow, power } => {
             let base = if is_single(letter) {
                 format!("{letter} ")
             } else {
@@ -40,9 +40,9 @@ fn write(node: &Node, out: &mut String) {
             if !sub.is_empty() {
                 *out = out.trim_end().to_owned() + &format!("_\"{}\" ", plain(sub));
             }
-            match (sup.as_str(), squared) {
-                ("", false) => {}
-                ("", true) => *out = out.trim_end().to_owned() + "^2 ",
+            match (sup.as_str(), power) {
+                ("", 1) => {}
+                ("", n) => *out = out.trim_end().to_owned() + &format!("^{n} "),
                 (sup, _) => *out = out.trim_end().to_owned() + &format!("^\"{}\" ", plain(sup)),
             }
         }
@@ -64,7 +64,7 @@ fn write(node: &Node, out: &mut String) {
         Node::Times => *out += "thin ",
         Node::Dot => *out += "dot ",
         Node::Fraction(a, b) => *out += &format!("frac({}, {}) ", typst(a).trim_end(), typst(b).trim_end()),
-        Node::Square(x) => *out += &format!("{}^2 ", typst(x).trim_end()),
+        Node::Power(x, n) => *out += &format!("{}^{n} ", typst(x).trim_end()),
         Node::Root(x) => *out += &format!("sqrt({}) ", typst(x).trim_end()),
         Node::Bars(x) => *out += &format!("abs({}) ", typst(x).trim_end()),
         Node::Brackets(x) => *out += &format!("({}) ", typst(x).trim_end()),

@@ -35,6 +35,7 @@ impl Page {
         self.say(Message::CamStages, &[]);
         let phases = plate.cam.program.phases();
         let long = phases.iter().filter(|phase| matches!(phase.law, Law::Spline(_))).count() > PIECES;
+        self.slopes(phases, letters);
         for (i, phase) in phases.iter().enumerate() {
             let at = degrees;
             let (from, to) = (at(phase.start), at(phase.start + phase.angle));
@@ -47,18 +48,19 @@ impl Page {
             let message = if phase.change > 0.0 { Message::CamRise } else { Message::CamFall };
             let law = self.words(law);
             self.say(message, &[range, law]);
-            let index = (i + 1).to_string();
             for place in places(phase.law) {
-                self.lift_at(plate, letters, phase, &index, *place);
+                self.lift_at(plate, letters, i, *place);
             }
         }
     }
 
     /// The lift and its derivative at a part of a stage.
-    fn lift_at(&mut self, plate: &PlateCam, letters: &Letters, phase: &Phase, index: &str, place: f64) {
-        let mark = format!("{index},{}", with_digits(100.0 * place, 2).text());
+    fn lift_at(&mut self, plate: &PlateCam, letters: &Letters, at: usize, place: f64) {
+        let mark = format!("{},{}", at + 1, with_digits(100.0 * place, 2).text());
         let part = chosen(letters.of("u", &mark), place, Unit::One);
-        let Some([s, v, _]) = self.formulas(letters, phase, index, (place, part)) else { return };
+        let phases = plate.cam.program.phases();
+        let Some([s, v, _]) = self.formulas(letters, phases, at, (place, part)) else { return };
+        let phase = &phases[at];
         let [lift, first, ..] = plate.cam.program.at(phase.start + place * phase.angle);
         let (scale, slope) = if letters.turns { (DEGREES, Unit::One) } else { (1.0, Unit::Length) };
         self.equate(letters.of("s", &mark), scale * lift, letters.unit(), s);
@@ -69,15 +71,16 @@ impl Page {
     fn formulas(
         &mut self,
         letters: &Letters,
-        phase: &Phase,
-        index: &str,
+        phases: &[Phase],
+        at: usize,
         (place, part): (f64, Expr),
     ) -> Option<[Expr; 3]> {
+        let (phase, index) = (phases.get(at)?, &(at + 1).to_string());
         let scale = if letters.turns { DEGREES } else { 1.0 };
         let angle = given(letters.of("Φ", index), phase.angle.to_degrees(), Unit::Angle);
         let h = given(letters.of("h", index), scale * phase.change, letters.unit());
         let from = given(letters.of("s", &format!("0,{index}")), scale * phase.from, letters.unit());
-        let constant = self.constant(phase, letters, index, scale);
+        let constant = self.constant(phases, letters, at);
         let mirrored = is_of_half(phase.law) && place > 0.5;
         let (place, part) = if mirrored { (1.0 - place, Expr::Int(1) - part) } else { (place, part) };
         let [way, slope, bend] = shape(phase.law, &h, &part, place, &constant)?;
@@ -96,13 +99,13 @@ impl Page {
         let index = phases.partition_point(|phase| phase.start <= around + NEAR).saturating_sub(1);
         let mut right = None;
         if let Some(phase) = phases.get(index).filter(|phase| phase.law != Law::Dwell) {
-            let index = (index + 1).to_string();
+            let number = (index + 1).to_string();
             let theta = chosen(letters.of("θ", mark), around.to_degrees(), Unit::Angle);
-            let begin = given(letters.of("θ", &format!("0,{index}")), phase.start.to_degrees(), Unit::Angle);
-            let angle = given(letters.of("Φ", &index), phase.angle.to_degrees(), Unit::Angle);
+            let begin = given(letters.of("θ", &format!("0,{number}")), phase.start.to_degrees(), Unit::Angle);
+            let angle = given(letters.of("Φ", &number), phase.angle.to_degrees(), Unit::Angle);
             let place = ((around - phase.start) / phase.angle).clamp(0.0, 1.0);
             let part = self.equate_or_state(letters.of("u", mark), place, Unit::One, (theta - begin) / angle);
-            right = self.formulas(letters, phase, &index, (place, part));
+            right = self.formulas(letters, phases, index, (place, part));
         }
         let mut right = right.into_iter().flatten();
         values.map(|(letter, value, unit)| match right.next() {
@@ -113,27 +116,18 @@ impl Page {
     }
 
     /// What a law has besides the way: the greatest acceleration of modified ones, the terms of a piece of a spline.
-    fn constant(&mut self, phase: &Phase, letters: &Letters, index: &str, scale: f64) -> Vec<Expr> {
-        let right = match phase.law {
-            Law::ModifiedTrapezoid | Law::ModifiedSine => greatest_acceleration(phase.law),
-            Law::Spline(terms) => {
-                let term =
-                    |(letter, x)| self.constant_of(letters.of(letter, index), scale * x, letters.unit());
-                return ["a", "b", "c"].into_iter().zip(terms).map(term).collect();
-            }
+    fn constant(&mut self, phases: &[Phase], letters: &Letters, at: usize) -> Vec<Expr> {
+        let right = match phases[at].law {
+            Law::ModifiedTrapezoid | Law::ModifiedSine => greatest_acceleration(phases[at].law),
+            Law::Spline(_) => return self.terms_of_spline(phases, letters, at),
             _ => return Vec::new(),
         };
-        let name = letters.of("A", index);
-        if let Some((_, known)) = self.equations.iter().find(|(_, e)| e.left.name == name) {
-            return vec![known.found()];
+        let name = letters.of("A", &(at + 1).to_string());
+        if let Some(known) = self.written(&name) {
+            return vec![known];
         }
         let value = right.value();
         vec![self.equate(name, value, Unit::One, right)]
-    }
-
-    /// A number of the law that is stated; nothing where it is null.
-    fn constant_of(&mut self, name: Name, value: f64, unit: Unit) -> Expr {
-        if value == 0.0 { Expr::ZERO } else { self.stated(name, value, unit) }
     }
 
     /// Where the follower stands at lift zero.
@@ -222,7 +216,7 @@ impl Page {
                 let w = (reach.clone().squared() + slip.clone().squared()).root();
                 let w = self.path_per_angle(letters, w);
                 let bottom = reach.clone().squared() + slip.clone() * (slip + v) - reach * a;
-                Some(w.clone().squared() * w / bottom)
+                Some(w.cubed() / bottom)
             }
             Follower::Oscillating { .. } if is_flat => None,
             Follower::Oscillating { arm, pivot_distance, with_cam, .. } => {
@@ -242,7 +236,7 @@ impl Page {
                 let bottom = square + k.clone() * kl.clone().squared()
                     - distance.clone() * kl * (k + Expr::Int(1)) * cos
                     - distance * arm * a * psi.sin();
-                Some(w.clone().squared() * w / bottom)
+                Some(w.cubed() / bottom)
             }
         }
     }
@@ -277,13 +271,13 @@ impl Page {
 }
 
 /// Letters of a cam.
-struct Letters {
+pub(super) struct Letters {
     name: String,
-    turns: bool,
+    pub(super) turns: bool,
 }
 
 impl Letters {
-    fn of(&self, letter: &str, sub: &str) -> Name {
+    pub(super) fn of(&self, letter: &str, sub: &str) -> Name {
         let sub = if self.name.is_empty() { sub.to_owned() } else { format!("{sub},{}", self.name) };
         Name::new(letter, sub.trim_start_matches(','))
     }
@@ -320,7 +314,7 @@ const fn places(law: Law) -> &'static [f64] {
 }
 
 /// An angle with the digits that it needs, up to six.
-fn degrees(x: f64) -> String {
+pub(super) fn degrees(x: f64) -> String {
     let written = with_digits(x.to_degrees(), 6).text();
     if written.contains('.') {
         written.trim_end_matches('0').trim_end_matches('.').to_owned()

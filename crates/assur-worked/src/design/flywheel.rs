@@ -92,9 +92,7 @@ impl Page {
         let right = Expr::Int(4) * inertia.clone() / diameter.clone().squared();
         let mass = right.value();
         self.equate(name("m", ""), mass, Unit::Mass, right);
-        let right = (Expr::Int(4) * inertia
-            / (shape.clone() * Expr::Pi * density * diameter.clone().squared() * diameter))
-            .root();
+        let right = (Expr::Int(4) * inertia / (shape.clone() * Expr::Pi * density * diameter.cubed())).root();
         let value = right.value();
         let width = self.equate(name("b", ""), value, Unit::Length, right);
         let right = shape * width;

@@ -5,6 +5,7 @@ mod cycle;
 mod flywheel;
 mod gear;
 mod page;
+mod spline;
 
 pub use page::Page;
 

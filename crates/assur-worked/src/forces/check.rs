@@ -7,9 +7,10 @@ use assur_formula::{Expr, Name, Unit};
 use assur_model::structure::EffortKind;
 
 impl Course<'_> {
-    /// ΣP = 0: all loads, inertia forces and efforts with the velocities of their points.
-    pub fn check(&mut self) {
+    /// ΣP = 0: all loads, inertia forces and efforts with the velocities of their points. Whether there is such a sum.
+    pub fn check(&mut self) -> bool {
         let power = self.power();
+        let checked = power.is_some();
         if let Some(sum) = power {
             self.say(Message::VirtualPower, &[]);
             let scale = sum.scale();
@@ -34,6 +35,7 @@ impl Course<'_> {
             condition,
         ];
         self.say(Message::Residuals, &parts);
+        checked
     }
 
     /// The sum of the powers; none where a power is not derived here.

@@ -5,7 +5,7 @@ use crate::angle::Angle;
 use crate::course::Course;
 use crate::document::{Line, text};
 use crate::motion::{of, pin};
-use crate::words::Message;
+use crate::words::{FrictionMessage, Message};
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::BalanceKind;
@@ -82,11 +82,18 @@ impl Course<'_> {
         let label: Line = vec![text(self.label(body))];
         let is_force = matches!(effort, EffortLine::Force { .. });
         let name = self.effort_name(slot, is_force);
-        self.say(Message::BalanceTurn, &[label, vec![text(&*point)], of(&name)]);
-        let moment = self.moment_about(body, at);
+        let hold = self.hold_in(self.pair_of_reaction(hinge.slot));
+        match &hold {
+            Some(hold) => self.say(FrictionMessage::HoldTurn, &[label, vec![text(&*point)], of(hold.name())]),
+            None => self.say(Message::BalanceTurn, &[label, vec![text(&*point)], of(&name)]),
+        }
+        let moment = self.without_hold(body, hold.as_ref(), |course| course.moment_about(body, at));
         let value = self.state().forces.efforts[slot];
         let mut pushed = [Expr::ZERO, Expr::ZERO];
         match effort {
+            EffortLine::Torque { .. } if hold.is_some() => {
+                hold.iter().for_each(|hold| self.found_hold(body, hold, moment.clone()));
+            }
             EffortLine::Torque { base, .. } => {
                 let right = if sign < 0.0 { moment } else { -moment };
                 let found = self.equate_or_nothing(&name, value, Unit::Torque, right);
@@ -110,7 +117,9 @@ impl Course<'_> {
             }
             EffortLine::Along(_) => {}
         }
-        self.sense_of_effort(&name, slot, is_force);
+        if hold.is_none() {
+            self.sense_of_effort(&name, slot, is_force);
+        }
         if self.has_open_place(hinge.slot) {
             self.say(Message::PlaceOpen, &[vec![text(point)]]);
             return;
@@ -143,12 +152,19 @@ impl Course<'_> {
         let moved = self.moved(body);
         let at = (place - moved.p).turned_back(moved.u);
         let label: Line = vec![text(self.label(body))];
-        self.say(Message::BalanceShift, &[label, of(&name)]);
-        let sums = self.sum_of(&[body]);
+        let hold = self.hold_in(self.pair_of_reaction(guide.slot));
+        match &hold {
+            Some(hold) => self.say(FrictionMessage::HoldShift, &[label, of(hold.name())]),
+            None => self.say(Message::BalanceShift, &[label, of(&name)]),
+        }
+        let sums = self.without_hold(body, hold.as_ref(), |course| course.sum_of(&[body]));
         let value = self.state().forces.efforts[slot];
         let signed = |x: Expr| if sign < 0.0 { -x } else { x };
         let mut across = way.across(&sums);
         match effort {
+            EffortLine::Along(_) if hold.is_some() => {
+                hold.iter().for_each(|hold| self.found_hold(body, hold, way.along(&sums)));
+            }
             EffortLine::Along(_) => {
                 let right = signed(-way.along(&sums));
                 let found = self.equate_or_nothing(&name, value, Unit::Force, right);
@@ -178,7 +194,9 @@ impl Course<'_> {
             }
             EffortLine::Torque { .. } => {}
         }
-        self.sense_of_effort(&name, slot, true);
+        if hold.is_none() {
+            self.sense_of_effort(&name, slot, true);
+        }
         self.say(Message::SumAcrossGuide, &[]);
         let (normal, couple) = self.guide_reaction(guide, -across, d, at);
         self.carry_guide(guide, &way, &normal, &couple, at);

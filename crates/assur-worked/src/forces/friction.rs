@@ -4,7 +4,7 @@ use super::acting::{Couple, Force};
 use crate::course::Course;
 use crate::document::{Inline, Line, text};
 use crate::motion::of;
-use crate::words::Message;
+use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::LinkId;
 use assur_position::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw};
@@ -15,12 +15,21 @@ impl Course<'_> {
             group.elements.iter().map(|&e| (e, self.scene.model.plan.friction[e])).collect();
         let steps = self.state().friction_steps(self.scene.model.plan, index);
         let direct = steps.is_empty() && group.laws.is_empty();
-        self.say(if direct { Message::FrictionDirect } else { Message::FrictionSenses }, &[]);
+        let moves = elements.iter().any(|(slot, _)| self.state().forces.senses[*slot] != 0.0);
+        if moves {
+            self.say(
+                if direct { FrictionMessage::FrictionDirect } else { FrictionMessage::FrictionSenses },
+                &[],
+            );
+        }
         let rates: Vec<Option<Expr>> = elements.iter().map(|(slot, e)| self.sense_of(*slot, e)).collect();
         self.iteration(&elements, &steps);
-        let acts = |course: &Self, slot: usize| course.state().forces.frictions[slot] != 0.0;
-        if elements.iter().any(|(slot, _)| acts(self, *slot)) {
-            self.say(Message::FrictionFirst, &[]);
+        let acts = |course: &Self, slot: usize| course.friction_in(slot) != 0.0;
+        let is_known = |(slot, element): &(usize, FrictionElement)| {
+            acts(self, *slot) && !self.is_to_find(*slot, element)
+        };
+        if elements.iter().any(is_known) {
+            self.say(FrictionMessage::FrictionFirst, &[]);
         }
         let slides = rates.iter().any(Option::is_some);
         for ((slot, element), rate) in elements.iter().zip(rates) {
@@ -30,13 +39,22 @@ impl Course<'_> {
             }
         }
         let derived = self.force_step(index, plain);
-        if derived && (slides || self.state().motion.grips.is_empty()) {
-            self.say(Message::FrictionLaws, &[]);
+        if derived && (slides || moves && self.state().motion.grips.is_empty()) {
+            self.say(FrictionMessage::FrictionLaws, &[]);
             for (slot, element) in &elements {
                 self.law_of_friction(*slot, element);
             }
         }
         derived
+    }
+
+    /// The friction of an element; what holds nothing but rounding is nothing.
+    pub(super) fn friction_in(&self, slot: usize) -> f64 {
+        let forces = &self.state().forces;
+        let turns = matches!(self.scene.model.plan.friction[slot].kind, FrictionLaw::Circle { .. });
+        let size = if turns { self.tiny / super::TINY } else { 1.0 } * self.greatest_force();
+        let held = forces.senses[slot] == 0.0 && forces.frictions[slot].abs() <= super::NOTHING * size;
+        if held { 0.0 } else { forces.frictions[slot] }
     }
 
     /// The letters of the friction in a pair.
@@ -50,27 +68,46 @@ impl Course<'_> {
 
     /// The sense of a pair, by the relative velocity that decides it; none where nothing moves.
     fn sense_of(&mut self, slot: usize, element: &FrictionElement) -> Option<Expr> {
-        let (effort, sense) = (self.state().forces.frictions[slot], self.state().forces.senses[slot]);
+        let (effort, sense) = (self.friction_in(slot), self.state().forces.senses[slot]);
         let pair: Line = vec![text(self.scene.mechanism().pair(element.pair).name.clone())];
         if sense == 0.0 || effort == 0.0 {
             if effort == 0.0 {
-                self.say(Message::PairStill, &[pair]);
+                self.say(FrictionMessage::PairStill, &[pair]);
             } else {
-                self.say(Message::PairHeld, &[pair, of(&self.friction_name(element))]);
+                let found_here = self.is_to_find(slot, element);
+                let message =
+                    if found_here { FrictionMessage::PairHeldByBalance } else { FrictionMessage::PairHeld };
+                self.say(message, &[pair, of(&self.friction_name(element))]);
             }
             return None;
         }
         let rate = self.relative_rate(element);
         let value = vec![Inline::Math(assur_formula::letters(&rate))];
         let [on, from] = [element.body, element.base].map(|b| vec![text(self.label(b))]);
-        let (friction, positive) = (of(&self.friction_name(element)), rate.value() > 0.0);
+        let (friction, positive) = (of(&self.friction_name(element)), sense > 0.0);
+        if rate.value() == 0.0 {
+            let message = if positive {
+                FrictionMessage::PairBeginsPositive
+            } else {
+                FrictionMessage::PairBeginsNegative
+            };
+            self.say(message, &[pair, on, friction]);
+            return Some(rate);
+        }
         let nameless = element.base == 0 && self.scene.mechanism().link(LinkId::GROUND).number.is_none();
         if nameless {
-            let message =
-                if positive { Message::PairOnGroundPositive } else { Message::PairOnGroundNegative };
+            let message = if positive {
+                FrictionMessage::PairOnGroundPositive
+            } else {
+                FrictionMessage::PairOnGroundNegative
+            };
             self.say(message, &[pair, on, value, friction]);
         } else {
-            let message = if positive { Message::PairMovesPositive } else { Message::PairMovesNegative };
+            let message = if positive {
+                FrictionMessage::PairMovesPositive
+            } else {
+                FrictionMessage::PairMovesNegative
+            };
             self.say(message, &[pair, on, from, value, friction]);
         }
         Some(rate)
@@ -81,7 +118,16 @@ impl Course<'_> {
         let name = self.friction_name(element);
         let turns = matches!(element.kind, FrictionLaw::Circle { .. });
         let unit = if turns { Unit::Torque } else { Unit::Force };
-        let leaf = self.stated(name.clone(), self.state().forces.frictions[slot], unit);
+        let leaf = match self.friction_to_find(slot, element, unit) {
+            Some(sought) => sought,
+            None => {
+                if self.state().forces.senses[slot] == 0.0 {
+                    // the equation of motion of a coordinate has it
+                    self.solutions.insert(name.clone());
+                }
+                self.stated(name.clone(), self.state().forces.frictions[slot], unit)
+            }
+        };
         match self.state().friction_line(element) {
             None => {
                 for (body, value) in [(element.through, leaf.clone()), (element.base, -leaf.clone())] {

@@ -61,7 +61,10 @@ impl Course<'_> {
         let alpha = self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[1].clone());
         if mass.inertia > 0.0 && !alpha.is_zero() {
             let point = self.point_name(body, mass.centre);
-            let j = self.given(Name::new("J", &point), mass.inertia, Unit::Inertia);
+            let j = match self.with_planets(body, mass.inertia) {
+                Some(both) => both,
+                None => self.given(Name::new("J", &point), mass.inertia, Unit::Inertia),
+            };
             let value = -mass.inertia * self.moved(body).alpha;
             let name = Name::new("M", &format!("{}{label}", self.language.letters().inertia));
             let couple = self.equate(name.clone(), value, Unit::Torque, -(j * alpha));

@@ -1,6 +1,7 @@
 //! Springs and dampers, and loads between the two links of a pair.
 
 use super::acting::{Couple, Force};
+use super::holding::stop_of;
 use super::quantity_name;
 use crate::angle::Angle;
 use crate::course::{Course, cell};
@@ -76,8 +77,14 @@ impl Course<'_> {
         for joint in joints {
             match self.structure().replaced.joint(joint).kind.clone() {
                 JointKind::Prismatic { slider, point, direction, guide, .. } => {
-                    let size = self.size_of(load, name.clone(), effort.abs(), Unit::Force);
-                    let value = if effort < 0.0 { -size.clone() } else { size.clone() };
+                    let (size, value) = if stop_of(load).is_some() {
+                        let value = self.stop_effort(pair, slider.0, effort, Unit::Force);
+                        (value.clone(), value)
+                    } else {
+                        let size = self.size_of(load, name.clone(), effort.abs(), Unit::Force);
+                        (size.clone(), if effort < 0.0 { -size } else { size })
+                    };
+                    let name = if let Expr::Leaf(q) = &size { q.name.clone() } else { name };
                     self.along_guide((slider.0, point, direction), guide.0, &name, &size, &value);
                     self.counts.loads[0] += 1;
                     return;
@@ -86,6 +93,9 @@ impl Course<'_> {
                     let [first, second] = members.as_slice() else { return };
                     let value = match self.torsion(load, pair, effort) {
                         Some(value) => value,
+                        None if stop_of(load).is_some() => {
+                            self.stop_effort(pair, second.0.0, effort, Unit::Torque)
+                        }
                         None => {
                             let size = self.size_of(load, name.clone(), effort.abs(), Unit::Torque);
                             if effort < 0.0 { -size } else { size }

@@ -1,6 +1,7 @@
 //! The loads of the file on the links; what is left of the solver's sum is stated as a resultant.
 
 use super::acting::{Couple, Force};
+use super::holding::stop_of;
 use crate::course::{Course, cell};
 use crate::document::text;
 use crate::motion::of;
@@ -38,6 +39,8 @@ impl Course<'_> {
                     self.acting.couples[on.index()].push(Couple { value, load: true, rubs: false });
                     self.counts.loads[0] += 1;
                 }
+                // an open stop is nothing
+                (_, Value::Scalar(0.0)) if stop_of(load).is_some() => {}
                 (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) if effort != 0.0 => {
                     self.in_pair(load, *pair, name, effort);
                 }

@@ -2,7 +2,7 @@
 
 use crate::course::Course;
 use crate::document::{Inline, Line, Table, text};
-use crate::words::Message;
+use crate::words::{FrictionMessage, Message};
 use assur_formula::{Expr, Name, Unit, name_node, with_digits};
 use assur_model::model::{FindKind, Level, Query, Value};
 use assur_position::plan::{FrictionElement, FrictionLaw};
@@ -20,7 +20,7 @@ impl Course<'_> {
         }
         let senses = &self.state().forces.senses;
         let moving: Vec<usize> = (0..elements.len()).filter(|i| senses[elements[*i].0] != 0.0).collect();
-        self.say(Message::FrictionSteps, &[]);
+        self.say(FrictionMessage::FrictionSteps, &[]);
         self.table(self.table_of_steps(elements, &moving, steps));
         let last = |i: &usize| {
             let (slot, element) = &elements[*i];
@@ -29,7 +29,7 @@ impl Course<'_> {
             (own - found.abs()).abs() <= SAME * own.max(found.abs())
         };
         if !moving.iter().all(last) {
-            self.say(Message::FrictionSearched, &[]);
+            self.say(FrictionMessage::FrictionSearched, &[]);
         }
     }
 
@@ -51,7 +51,7 @@ impl Course<'_> {
                 headers.push(vec![Inline::Math(friction), text(format!(", {unit}"))]);
             }
         }
-        headers.push(vec![text(self.words(Message::Change))]);
+        headers.push(vec![text(self.words(FrictionMessage::Change))]);
         let figure = |x: f64| vec![text(with_digits(x, 6).text())];
         let mut rows = Vec::new();
         for (k, step) in steps.iter().enumerate() {
@@ -102,7 +102,8 @@ impl Course<'_> {
             }
             return;
         }
-        let heading = self.words(Message::Losses);
+        let before = self.blocks.len();
+        let heading = self.words(FrictionMessage::Losses);
         self.heading(3, heading);
         let mut sum = Vec::new();
         if lossy {
@@ -111,8 +112,9 @@ impl Course<'_> {
             self.lost.clone_from(&sum);
         }
         if self.scene.model.plan.effects.friction {
-            self.say(Message::PairsLose, &[]);
+            self.say(FrictionMessage::PairsLose, &[]);
         }
+        let said = self.blocks.len();
         for (slot, element) in self.scene.model.plan.friction.iter().enumerate() {
             let found = self.rubbing.iter().find(|r| r.0 == slot).cloned();
             let speed = self.state().sliding_speed(element);
@@ -133,6 +135,10 @@ impl Course<'_> {
         }
         self.efficiency();
         self.criticals();
+        if self.blocks.len() == said && !lossy {
+            // nothing moves
+            self.blocks.truncate(before);
+        }
     }
 
     /// η from the powers of the efforts with and without friction.
@@ -140,7 +146,7 @@ impl Course<'_> {
         let view = self.scene.view();
         let value = view.efficiency();
         if view.overcomes_friction_alone() {
-            self.say(Message::OnlyFriction, &[]);
+            self.say(FrictionMessage::OnlyFriction, &[]);
             return;
         }
         // without an effort there is nothing to compare
@@ -158,7 +164,7 @@ impl Course<'_> {
             let unit = if force { Unit::Force } else { Unit::Torque };
             let Some(now) = now else { return };
             if slot == 0 {
-                self.say(Message::WithoutFriction, &[]);
+                self.say(FrictionMessage::WithoutFriction, &[]);
             }
             let alone =
                 if self.structure().efforts.len() == 1 { self.ideal_effort(&first, unit) } else { None };
@@ -177,9 +183,9 @@ impl Course<'_> {
         let p = self.equate(Name::new("P", ""), view.power_of_efforts(), Unit::Power, with);
         let p_0 = self.equate(Name::new("P", "0"), ideal.power_of_efforts(), Unit::Power, without);
         let drives = p_0.value() > 0.0;
-        self.say(if drives { Message::EffortsDrive } else { Message::EffortsResist }, &[]);
+        self.say(if drives { FrictionMessage::EffortsDrive } else { FrictionMessage::EffortsResist }, &[]);
         self.equate(Name::new("η", ""), value, Unit::One, if drives { p_0 / p } else { p / p_0 });
-        self.say(if value > 0.0 { Message::NotLocked } else { Message::LocksItself }, &[]);
+        self.say(if value > 0.0 { FrictionMessage::NotLocked } else { FrictionMessage::LocksItself }, &[]);
     }
 
     /// The one effort without friction, by the power of the loads; none where this does not give it.
@@ -218,7 +224,7 @@ impl Course<'_> {
                 continue;
             };
             if x.is_finite() {
-                self.say(Message::LocksFrom, &[vec![text(name)], vec![text(display.text(value, 5))]]);
+                self.say(FrictionMessage::LocksFrom, &[vec![text(name)], vec![text(display.text(value, 5))]]);
             }
         }
     }
@@ -227,14 +233,14 @@ impl Course<'_> {
     pub fn held_by_many(&mut self) {
         let heading = self.words(Message::Reactions);
         self.heading(2, heading);
-        self.say(Message::FrictionShares, &[]);
+        self.say(FrictionMessage::FrictionShares, &[]);
     }
 
     /// What a locked position says.
     pub fn locked(&mut self) {
         let heading = self.words(Message::Reactions);
         self.heading(2, heading);
-        self.say(Message::Locked, &[]);
+        self.say(FrictionMessage::Locked, &[]);
         self.criticals();
     }
 }

@@ -4,10 +4,12 @@ mod acting;
 mod check;
 mod driven;
 mod friction;
+mod holding;
 mod inertia;
 mod inside;
 mod loads;
 mod lost;
+mod planets;
 mod prp;
 mod rpp;
 mod rpr;
@@ -26,16 +28,19 @@ mod train_supports;
 mod translation;
 
 pub use acting::{Acting, Couple, Force};
+pub use holding::Hold;
 pub use loads::quantity_name;
 
 use crate::course::Course;
 use crate::document::{Figure, Line, Term, text};
-use crate::words::Message;
+use crate::words::{FrictionMessage, Message};
 use assur_model::structure::Group;
 use assur_position::plan::ForceStep;
 
 /// A reaction below this part of the greatest is rounding.
 const NOTHING: f64 = 1e-10;
+/// What places are one to, over the extent of the mechanism.
+const TINY: f64 = 1e-9;
 
 /// Free body and polygon of a group, or of its links.
 fn of_group(labels: &[String], figures: &[Figure]) -> Vec<Figure> {
@@ -55,7 +60,7 @@ impl Course<'_> {
             let words = crate::course::plain(&crate::words::say(self.language, message, &[line]));
             self.heading(3, words);
             if self.shares(group) {
-                self.say(Message::FrictionSharesHere, &[]);
+                self.say(FrictionMessage::FrictionSharesHere, &[]);
                 self.counts.held += 1;
                 continue;
             }
@@ -87,8 +92,7 @@ impl Course<'_> {
     fn count_reactions(&mut self) {
         let plan = self.scene.model.plan;
         let found = &self.state().forces.reactions;
-        let loads = self.state().forces.applied.iter().map(|w| w.force.norm());
-        let large = found.iter().map(|r| r.force.norm()).chain(loads).fold(0.0, f64::max);
+        let large = self.greatest_force();
         for (slot, joint) in plan.reactions.iter().enumerate() {
             let pair = self.structure().replaced.joint(joint.joint).pair;
             let open = self.unplaced[pair.index()] || self.scene.view().shares_friction(pair);
@@ -98,6 +102,13 @@ impl Course<'_> {
             let derived = self.acting.reactions[slot].is_some();
             self.counts.reactions[usize::from(!derived)] += 1;
         }
+    }
+
+    /// The greatest of all reactions and loads.
+    fn greatest_force(&self) -> f64 {
+        let forces = &self.state().forces;
+        let loads = forces.applied.iter().map(|w| w.force.norm());
+        forces.reactions.iter().map(|r| r.force.norm()).chain(loads).fold(0.0, f64::max)
     }
 
     /// The sum of all forces on a group, as an equation and as a polygon.

@@ -3,7 +3,7 @@
 
 use crate::course::Course;
 use crate::document::{Table, text};
-use crate::words::Message;
+use crate::words::RunMessage;
 use assur_formula::{Expr, Name, Unit, with_digits};
 use assur_model::model::{DriveTarget, PairId};
 use assur_model::structure::{BodyId, EffortKind, JointKind};
@@ -16,7 +16,7 @@ impl Course<'_> {
     /// The section of a motion under loads.
     pub fn run(&mut self) {
         let Some(report) = self.scene.solution.simulation.as_ref() else { return };
-        let heading = self.words(Message::Run);
+        let heading = self.words(RunMessage::Run);
         self.heading(2, heading);
         let energy = self.kinetic_energy();
         if let Some(energy) = energy {
@@ -27,7 +27,7 @@ impl Course<'_> {
         self.events(report);
         let method = match report.method {
             Method::Dop853 => "DOP853".to_owned(),
-            Method::Energy => self.words(Message::ByEnergy),
+            Method::Energy => self.words(RunMessage::ByEnergy),
             Method::Radau => "Radau IIA".to_owned(),
         };
         let parts = [
@@ -36,13 +36,13 @@ impl Course<'_> {
             report.printed.to_string(),
             with_digits(report.error, 2).text(),
         ];
-        self.say(Message::RunMethod, &parts.map(|part| vec![text(part)]));
+        self.say(RunMessage::RunMethod, &parts.map(|part| vec![text(part)]));
     }
 
     /// T = Σ ½ m v² + ½ J ω²
     fn kinetic_energy(&mut self) -> Option<Expr> {
         let before = self.blocks.len();
-        self.say(Message::EnergyHere, &[]);
+        self.say(RunMessage::EnergyHere, &[]);
         let value = self.state().kinetic_energy(self.scene.mechanism());
         let right = self.energy_of_links();
         if right.is_zero() {
@@ -87,7 +87,7 @@ impl Course<'_> {
         if rate.value().abs() <= STILL * moved.fold(0.0, f64::max) {
             return;
         }
-        self.say(Message::Reduced, &[]);
+        self.say(RunMessage::Reduced, &[]);
         let (letter, unit, loads) = if turns {
             ("J", Unit::Inertia, ("M", Unit::Torque))
         } else {
@@ -106,7 +106,7 @@ impl Course<'_> {
         let input = self.state().motion.inputs[*drive];
         let (letter, unit) =
             if turns { ("α", Unit::AngularAcceleration) } else { ("a", Unit::Acceleration) };
-        self.say(Message::ReducedMotion, &[]);
+        self.say(RunMessage::ReducedMotion, &[]);
         let acceleration = self.stated(Name::new(letter, "r"), input.acceleration, unit);
         let right = load - mass * acceleration;
         let value = right.value();
@@ -170,7 +170,7 @@ impl Course<'_> {
     /// Kinetic energy at both ends, and the work between them.
     fn balance_of_energy(&mut self, report: &SimulationReport) {
         let Some(energy) = report.energy else { return };
-        self.say(Message::EnergyOfRun, &[]);
+        self.say(RunMessage::EnergyOfRun, &[]);
         let begin = self.stated(Name::new("T", "1"), energy.begin, Unit::Work);
         let end = self.stated(Name::new("T", "2"), energy.end, Unit::Work);
         let work = self.stated(Name::new("W", ""), energy.work, Unit::Work);
@@ -190,9 +190,9 @@ impl Course<'_> {
                 vec![text(written)],
             ]);
         }
-        let headers = [Message::Event, Message::Instants].map(|m| vec![text(self.words(m))]).to_vec();
+        let headers = [RunMessage::Event, RunMessage::Instants].map(|m| vec![text(self.words(m))]).to_vec();
         if !rows.is_empty() {
-            self.say(Message::EventsOfRun, &[]);
+            self.say(RunMessage::EventsOfRun, &[]);
             self.table(Table { headers, rows, numbers: Vec::new() });
         }
     }

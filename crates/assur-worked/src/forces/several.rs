@@ -1,7 +1,7 @@
 //! The reduced masses of several free coordinates, from how the links move per unit rate of each.
 
 use crate::course::Course;
-use crate::words::Message;
+use crate::words::RunMessage;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::{DriveTarget, LinkId, MassProperties};
 use assur_position::position::{Reduced, turns};
@@ -39,7 +39,7 @@ impl Course<'_> {
             let Some((rate, _)) = self.rate_of_drive(coordinate.target) else { return };
             rates.push(rate);
         }
-        self.say(Message::ReducedSeveral, &[]);
+        self.say(RunMessage::ReducedSeveral, &[]);
         let links: Vec<(usize, MassProperties)> = (self.scene.mechanism().links.iter().enumerate().skip(1))
             .filter_map(|(i, link)| Some((i, link.mass?)))
             .collect();
@@ -78,7 +78,7 @@ impl Course<'_> {
             }
         }
         if !sum.is_zero() {
-            self.say(Message::EnergyReduced, &[]);
+            self.say(RunMessage::EnergyReduced, &[]);
             self.confirm(Name::new("T", ""), energy.value(), Unit::Work, sum);
         }
     }

@@ -33,6 +33,9 @@ impl Course<'_> {
                 let cam = self.scene.mechanism().cams[contact.cam].name.clone();
                 self.say(Message::CamTurned, &[vec![text(cam)], of(&law.turned), of(&law.lift)]);
                 self.angle_of_cam(step, &law);
+                if self.dwells(step, &law) {
+                    self.say(Message::CamDwells, &[]);
+                }
                 match self.lift_by_stage(step, &law) {
                     Some([lift, ..]) => {
                         let (value, unit) = law.lifted();

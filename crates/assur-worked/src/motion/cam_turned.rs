@@ -47,7 +47,16 @@ impl Course<'_> {
             self.lift_of_way(step, law);
         }
         self.say(Message::CamTurnedBy, &[vec![text(cam)], of(&law.turned), of(&law.lift)]);
-        let turned = self.stated(law.turned.clone(), law.angle.to_degrees(), Unit::Angle);
+        let degrees = law.angle.to_degrees();
+        let turned = match self.angle_by_stage(step, law) {
+            Some(right) => self.equate(law.turned.clone(), degrees, Unit::Angle, right),
+            None => {
+                // the law with this angle in it follows
+                self.solutions.insert(law.turned.clone());
+                self.say(Message::RootOfLaw, &[of(&law.turned)]);
+                self.stated(law.turned.clone(), degrees, Unit::Angle)
+            }
+        };
         let looks = self.cam_looks(step, disk).whole();
         let sum = if step.cam.ccw { looks + turned } else { looks - turned };
         let phi = self.angle_sum(Name::new("φ", &self.label(disk)), sum);

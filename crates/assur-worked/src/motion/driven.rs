@@ -136,7 +136,8 @@ impl Course<'_> {
         let index =
             if slide.base == 0 { point.clone() } else { format!("{point},{}", self.label(slide.base)) };
         let name = Name::new(letter, &index);
-        let along = self.given(name.clone(), value * slide.sense, unit);
+        let rests = stage == Stage::Positions && value.abs() <= self.tiny;
+        let along = self.given(name.clone(), if rests { 0.0 } else { value * slide.sense }, unit);
         self.found.insert(name, along.clone());
         match stage {
             Stage::Positions => {

@@ -71,7 +71,8 @@ impl Course<'_> {
         let degrees = libm::atan2(u.y, u.x).to_degrees();
         let held = if frame == 0 { phi.clone() } else { phi.and(&format!(",{}", self.label(frame))) };
         self.say(Message::HeldByArc, &[vec![text(label)], of(&held)]);
-        let own = self.stated(held, degrees, Unit::Angle);
+        let right = self.between_slots(step, degrees);
+        let own = self.angle_sum(held, right);
         let angle = match self.bodies[frame].as_ref().filter(|_| frame != 0).map(|b| b.angle.whole()) {
             Some(base) => self.angle_sum(phi, base + own),
             None => own,
@@ -80,8 +81,24 @@ impl Course<'_> {
         self.bodies[wheel] = Some(Body { reference: step.pair.hub, angle: Angle::of(angle), rates });
     }
 
-    /// What stands for the arc: it points along the line of centres.
+    /// The angle of a wheel in its frame with the crank's centre in the middle between two slots: δ − λ and an odd multiple of 180°/z.
+    fn between_slots(&self, step: &GenevaStep, degrees: f64) -> Expr {
+        let pair = &step.pair;
+        let words = self.scene.mechanism().pair(pair.pair).name.clone();
+        let back = self.direction_given(-pair.towards, || Name::new("δ", &words));
+        let slot = self.direction_given(pair.slot, || Name::new("λ", &self.label(pair.wheel.index())));
+        let line = back.minus(&slot).whole();
+        let half = 180.0 / f64::from(pair.law.slots);
+        let count = ((degrees - line.value()) / half).round() as i64;
+        let slots = self.given(Name::new("z", &words), f64::from(pair.law.slots), Unit::One);
+        line + Expr::Degrees(180 * count) / slots
+    }
+
+    /// What stands for the arc: it is at the crank's centre and points along the line of centres.
     fn block_of_arc(&mut self, step: &GenevaStep) {
+        let centre = self.position(step.pair.crank.index(), step.pair.crank_centre);
+        let name = self.point_name(step.block, Vec2::zero());
+        self.keep(0, &name, centre);
         let u = self.moved(step.block).u;
         let degrees = libm::atan2(u.y, u.x).to_degrees();
         let name = Name::new("φ", &self.label(step.block));

@@ -88,6 +88,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         }
         Message::NewtonSearched => "迭代从搜索全部装配形式的一个初值开始，各步的最大值：",
         Message::NewtonFollowed => "迭代从运动中稍前的位置开始，{0}，各步的最大值：",
+        Message::Step => "步",
         Message::NewtonLeft => "方程余量，m 或 rad",
         Message::NewtonShift => "构件移动，m",
         Message::NewtonTurn => "构件转动，°",
@@ -115,10 +116,6 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::BalanceShift => "构件 {0}：沿导路的平衡求得 {1}。",
         Message::ForceAlongLine => "{0} 为正：沿规定的方向作用。",
         Message::ForceAgainstLine => "{0} 为负：与规定的方向相反。",
-        Message::ReducedSeveral => {
-            "只让一个自由坐标以单位速度运动而其余静止时，质心和构件的速度（k，逗号后为该坐标）给出等效质量："
-        }
-        Message::EnergyReduced => "由此得到同样的动能：",
         Message::NoEffort => "此自由坐标上没有驱动：由运动方程，{0} 为零。",
         Message::ActsCounterClockwise => "{0} 为正：逆时针作用。",
         Message::ActsClockwise => "{0} 为负：顺时针作用。",
@@ -127,10 +124,6 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::Residuals => {
             "求解器独立方程的残差（相对于最大项）：封闭 {0}，平衡 {1}，功率 {2}。杆组条件数的最小值为 {3}（1 最好）。"
         }
-        Message::FrictionFirst => "将这些摩擦值作为已知载荷，平衡方程为线性：",
-        Message::FrictionLaws => "把求得的反力代入摩擦定律，得到相同的摩擦：",
-        Message::PairStill => "运动副 {0} 中没有相对滑动，无摩擦。",
-        Message::PairHeld => "摩擦使运动副 {0} 保持静止：{1} 与各加速度一起求出，使其两构件没有相对运动。",
         Message::OpenSizes => "下列各轮的尺寸只给出比值；其中一个取为 1 m，结果与此无关：{0}。",
         Message::SweepStated => "这里详细求解一个位置；其余位置见文末的表格和曲线。",
         Message::TrainPlaces => "轮和轴按传动关系转动；需要时由这些关系求其转角。",
@@ -167,43 +160,6 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::SeeLever => "{0} 用转过的速度多边形对极点的力矩表示同一平衡。",
         Message::Rates => "驱动没有给出速度，不作速度分析。",
         // friction: iteration, losses
-        Message::FrictionDirect => "该运动副中的压力只取决于载荷，与其摩擦无关。摩擦的方向：",
-        Message::FrictionSenses => "本杆组各运动副中的摩擦与相对运动方向相反：",
-        Message::PairMovesPositive => {
-            "运动副 {0}：构件 {1} 相对构件 {2} 的 {3} > 0，因此作用在构件 {1} 上的 {4} 为负。"
-        }
-        Message::PairMovesNegative => {
-            "运动副 {0}：构件 {1} 相对构件 {2} 的 {3} < 0，因此作用在构件 {1} 上的 {4} 为正。"
-        }
-        Message::PairOnGroundPositive => {
-            "运动副 {0}：构件 {1} 相对机架的 {2} > 0，因此作用在构件 {1} 上的 {3} 为负。"
-        }
-        Message::PairOnGroundNegative => {
-            "运动副 {0}：构件 {1} 相对机架的 {2} < 0，因此作用在构件 {1} 上的 {3} 为正。"
-        }
-        Message::FrictionSteps => {
-            "第 0 步为无摩擦时的约束反力。以后每一步令各力的作用线平行于上一步的作用线并与摩擦圆相切（移动副取受压一侧），平衡方程成为线性，重新求出反力。最后一列为反力的最大变化与最大反力之比："
-        }
-        Message::FrictionSearched => {
-            "单个杆组的迭代得不到可能的运动；于是对所有运动副的受压侧组合联立求解，下面是所得的解。"
-        }
-        Message::Step => "步",
-        Message::Change => "变化",
-        Message::Losses => "损失与效率",
-        Message::PairsLose => "每个运动副损失其摩擦的功率：",
-        Message::WithoutFriction => "无摩擦时（下标 0），载荷与平衡力的功率之和为零：",
-        Message::EffortsDrive => "平衡力（矩）为驱动力：效率为无摩擦功率与有摩擦功率之比。",
-        Message::EffortsResist => "平衡力（矩）为阻力：效率为有摩擦功率与无摩擦功率之比。",
-        Message::NotLocked => "η > 0：机构能沿此方向运动，不自锁。",
-        Message::LocksItself => "η ≤ 0：仅靠载荷机构不能沿此方向运动（自锁），须由外力帮助。",
-        Message::OnlyFriction => "无摩擦时无需外力：外力只用来克服摩擦，效率为 0。",
-        Message::LocksFrom => "自锁的临界值：{0} = {1}。",
-        Message::Locked => {
-            "在此摩擦下任何有限的力都不能使机构运动：平衡与摩擦定律对此运动方向无解。机构自锁，效率为 0。"
-        }
-        Message::FrictionShares => {
-            "摩擦在多于必要数目的运动副中使机构保持静止：各运动副如何分担载荷不能确定，反力也不能确定。"
-        }
         // loads
         Message::LoadHere => "题目给出 {0} = {1}。在此位置：",
         // guides
@@ -241,32 +197,23 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CamTurnedBy => {
             "凸轮 {0} 处于运动规律给出从动件升程 {2} 的位置；{1} 为自其 x 轴指向从动件起转过的角："
         }
+        Message::SplineSlopes => {
+            "表中各行处升程对凸轮转角的斜率 σ 联立求解，使二阶导数处处连续：每个斜率由相邻斜率求得。升程 s = s₀ + a u + b u² + c u³："
+        }
+        Message::RootOfLaw => "{0} 是该段运动规律的根，用牛顿法求得；代入规律如下。",
+        Message::CamDwells => "凸轮处于休止段：从动件不动。",
+        Message::PlanetsEven => {
+            "行星轮 {0} 绕 {1} 的轴线均匀分布：其质心始终在该轴上；{1} 除自身转动惯量外，还有位于行星轴处的行星质量："
+        }
         Message::LiftBegins => "升程起点处从动件到凸轮中心的距离为 {0}。",
         Message::HeldByArc => "拨销不在任何槽内，锁止弧将槽轮 {0} 固定在 {1}：",
         Message::TurnsWith => "构件 {0} 相对构件 {1} 不转动。",
         Message::Rests => "构件 {0} 静止。",
         // motions under loads
-        Message::Run => "载荷作用下的运动",
-        Message::EnergyHere => "此刻的动能 Σ ½ m v² + ½ J ω²：",
-        Message::Reduced => {
-            "等效到自由坐标（下标 r）：等效质量（惯量）具有全部动能，等效力（矩）具有全部载荷的功率："
-        }
-        Message::ReducedMotion => {
-            "等效力（矩）使等效质量（惯量）加速；余下部分（下标 Δ）为等效质量（惯量）沿坐标变化率之半乘以速度平方："
-        }
-        Message::EnergyOfRun => "整个过程动能的变化等于全部载荷、重力和弹簧所作的功 W（Δ 为余量）：",
-        Message::EventsOfRun => "过程中的事件：",
-        Message::Event => "事件",
-        Message::Instants => "时刻，s",
-        Message::ByEnergy => "能量积分法",
-        Message::RunMethod => "运动方程用 {0} 积分，共 {1} 步（求值 {2} 次）；估计误差为同类最大值的 {3}。",
         // powers
         Message::Powers => "功率",
         // cylinders
         Message::CommonNormal => "{0} 为凸轮与从动件的相对瞬心，公法线通过它和 {1}：",
-        Message::FrictionSharesHere => {
-            "摩擦在多于所需的运动副中保持这些构件静止。各副如何分担载荷不确定，此处的反力也不确定。"
-        }
         Message::StaticMasses => {
             "构件 {0} 用位于 {1} 和 {2} 的两个质量静代换，总质量和质心不变；ΔJ 为转动惯量之差："
         }

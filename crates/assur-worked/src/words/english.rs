@@ -102,6 +102,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::NewtonFollowed => {
             "It begins where the group is a little earlier in the motion, at {0}; greatest amounts in every step:"
         }
+        Message::Step => "Step",
         Message::NewtonLeft => "left of the equations, m or rad",
         Message::NewtonShift => "shift of a link, m",
         Message::NewtonTurn => "turn of a link, °",
@@ -141,10 +142,6 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::BalanceShift => "Link {0}: forces along the guide give {1}.",
         Message::ForceAlongLine => "{0} is positive: it acts in its declared direction.",
         Message::ForceAgainstLine => "{0} is negative: it acts against its declared direction.",
-        Message::ReducedSeveral => {
-            "What mass centres and links move per unit rate of one free coordinate, the others at rest (k, the coordinate behind the comma), gives the reduced masses:"
-        }
-        Message::EnergyReduced => "By these the kinetic energy is the same:",
         Message::NoEffort => {
             "No effort acts on this free coordinate: {0} is zero, as the equation of motion demands."
         }
@@ -158,12 +155,6 @@ pub(super) const fn template(message: Message) -> &'static str {
         }
         Message::Residuals => {
             "Residuals of the solver’s own independent equations, relative to the largest terms: closure {0}, equilibrium {1}, power {2}. The least condition of a group is {3} (1 is best)."
-        }
-        Message::FrictionFirst => "With these values friction is a known load, and equilibrium is linear:",
-        Message::FrictionLaws => "The law of friction with the reactions found gives the same friction:",
-        Message::PairStill => "Nothing slides in pair {0}: no friction.",
-        Message::PairHeld => {
-            "Friction holds pair {0}: {1} is found with the accelerations, so that its links do not move against each other."
         }
         Message::OpenSizes => {
             "The file gives the sizes of these wheels as ratios only; one of them is taken as 1 m, and no result depends on it: {0}."
@@ -213,55 +204,6 @@ pub(super) const fn template(message: Message) -> &'static str {
         }
         Message::Rates => "No drive has a speed: velocities are not worked out.",
         // friction: iteration, losses
-        Message::FrictionDirect => {
-            "The normal force in this pair depends on the loads alone, not on friction. The sense of the friction:"
-        }
-        Message::FrictionSenses => "Friction in the pairs of this group opposes the relative motion:",
-        Message::PairMovesPositive => {
-            "Pair {0}: link {1} moves relative to link {2} with {3} > 0, so {4} on link {1} is negative."
-        }
-        Message::PairMovesNegative => {
-            "Pair {0}: link {1} moves relative to link {2} with {3} < 0, so {4} on link {1} is positive."
-        }
-        Message::PairOnGroundPositive => {
-            "Pair {0}: link {1} moves relative to the ground with {2} > 0, so {3} on link {1} is negative."
-        }
-        Message::PairOnGroundNegative => {
-            "Pair {0}: link {1} moves relative to the ground with {2} < 0, so {3} on link {1} is positive."
-        }
-        Message::FrictionSteps => {
-            "Step 0 has the reactions without friction. Every other step takes the lines of action parallel to the last ones and tangent to the friction circles (in guides: on the side that presses). Equilibrium is then linear and gives new reactions. The last column is the greatest change of a reaction over the greatest reaction:"
-        }
-        Message::FrictionSearched => {
-            "This iteration of one group leads to no motion. The laws of all pairs were then solved together for every combination of pressing sides; the values below are those of the solution found."
-        }
-        Message::Step => "Step",
-        Message::Change => "Change",
-        Message::Losses => "Losses and efficiency",
-        Message::PairsLose => "Every pair loses the power of its friction:",
-        Message::WithoutFriction => {
-            "Without friction (index 0) the powers of the loads and the efforts add up to zero:"
-        }
-        Message::EffortsDrive => {
-            "The efforts drive: the efficiency is their power without friction over that with it."
-        }
-        Message::EffortsResist => {
-            "The efforts resist: the efficiency is their power with friction over that without it."
-        }
-        Message::NotLocked => "η > 0: the mechanism moves in this sense and does not lock.",
-        Message::LocksItself => {
-            "η ≤ 0: the loads alone cannot move the mechanism in this sense (self-locking); the efforts must help."
-        }
-        Message::OnlyFriction => {
-            "Without friction the efforts would have nothing to do: they overcome friction alone, and the efficiency is 0."
-        }
-        Message::LocksFrom => "Locking begins, or ends, at {0} = {1}.",
-        Message::Locked => {
-            "With this friction no finite effort moves the mechanism: the laws of friction and equilibrium have no solution with the senses of this motion. It is locked, and its efficiency is 0."
-        }
-        Message::FrictionShares => {
-            "Friction holds the mechanism at rest in more pairs than it takes. How they share the loads is not determined, and neither are the reactions."
-        }
         // loads
         Message::LoadHere => "The file gives {0} = {1}. At this position:",
         // guides
@@ -275,7 +217,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::SolutionIs => "Their solution:",
         // rates of groups as a whole
         Message::RatesTogether => {
-            "The hinges of this group close together: {0} linear equations. Each row is one equation: the coefficients of the unknowns, and on the right side what is known:"
+            "The hinges of this group close together (linear equations: {0}). Each row is one equation: the coefficients of the unknowns, and on the right side what is known:"
         }
         // trains
         Message::PowerFlows => {
@@ -303,6 +245,16 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CamTurnedBy => {
             "Cam {0} is where its law has the lift {2} of the follower; {1} is the angle by which the cam has turned from where its x axis points to the follower:"
         }
+        Message::SplineSlopes => {
+            "The slopes σ of the lift by the cam angle at the rows of its table are found together, so that the second derivative does not jump at any row: each follows from its neighbours. The lift is s = s₀ + a u + b u² + c u³:"
+        }
+        Message::RootOfLaw => {
+            "{0} is the root of the law on this flank, found by Newton’s method; the law with it follows."
+        }
+        Message::CamDwells => "The cam is in a dwell: its follower does not move.",
+        Message::PlanetsEven => {
+            "The planets {0} are evenly spaced about the axis of {1}: their mass centre stays on it, and {1} has their mass at the distance of their axes besides its own moment of inertia:"
+        }
         Message::LiftBegins => {
             "The lift begins where the follower is at the distance {0} from the cam’s centre."
         }
@@ -310,32 +262,11 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::TurnsWith => "Link {0} does not turn against link {1}.",
         Message::Rests => "Link {0} rests.",
         // motions under loads
-        Message::Run => "Motion under the loads",
-        Message::EnergyHere => "The kinetic energy at this instant, Σ ½ m v² + ½ J ω²:",
-        Message::Reduced => {
-            "Reduced to the free coordinate (index r): all masses have the kinetic energy of the reduced one, all loads the power of the reduced one:"
-        }
-        Message::ReducedMotion => {
-            "The reduced load accelerates the reduced mass; what is left of it (index Δ) is half the change of the reduced mass along the coordinate times the square of its rate:"
-        }
-        Message::EnergyOfRun => {
-            "Over the whole run the kinetic energy changes by the work W of all loads, weights and springs (Δ is what is left):"
-        }
-        Message::EventsOfRun => "Events of the run:",
-        Message::Event => "Event",
-        Message::Instants => "Instants, s",
-        Message::ByEnergy => "energy and quadrature",
-        Message::RunMethod => {
-            "The equations of motion were integrated by {0} in {1} steps ({2} evaluations); the estimated error is {3} of the greatest value of its kind."
-        }
         // powers
         Message::Powers => "Powers",
         // cylinders
         Message::CommonNormal => {
             "{0} is the relative instant centre of cam and follower. The common normal passes through it and {1}:"
-        }
-        Message::FrictionSharesHere => {
-            "Friction holds these links in more pairs than it takes. How the pairs share the loads is not determined, and neither are the reactions here."
         }
         Message::StaticMasses => {
             "Link {0} as two masses in {1} and {2}, with the same mass and mass centre; ΔJ is what the moments of inertia differ by:"

@@ -153,6 +153,8 @@ pub enum Message {
     NewtonSearched,
     /// An iteration that begins at the place before; 0: the drives there.
     NewtonFollowed,
+    /// Header: step of an iteration.
+    Step,
     /// Header: what is left of the equations.
     NewtonLeft,
     /// Header: how far a step goes.
@@ -203,10 +205,6 @@ pub enum Message {
     ForceAlongLine,
     /// Sense.
     ForceAgainstLine,
-    /// Reduced masses of several free coordinates.
-    ReducedSeveral,
-    /// The kinetic energy by these.
-    EnergyReduced,
     /// A free coordinate has no effort.
     NoEffort,
     /// Sense.
@@ -219,14 +217,6 @@ pub enum Message {
     PowerOpen,
     /// Residuals; 0: closure, 1: equilibrium, 2: power, 3: condition.
     Residuals,
-    /// Friction is a known load first.
-    FrictionFirst,
-    /// The law of friction with the reactions found.
-    FrictionLaws,
-    /// Nothing slides; 0: pair.
-    PairStill,
-    /// Friction holds a pair; 0: pair, 1: what holds.
-    PairHeld,
     /// Sizes that the file leaves open; 0: they.
     OpenSizes,
     /// Quantities over a sweep.
@@ -289,48 +279,6 @@ pub enum Message {
     SeeLever,
     /// Velocities are ratios.
     Rates,
-    /// Friction of one pair that follows from the loads.
-    FrictionDirect,
-    /// Senses of friction in a group.
-    FrictionSenses,
-    /// A pair moves; 0: pair, 1: link, 2: other link, 3: relative rate, 4: friction.
-    PairMovesPositive,
-    /// The same, backwards.
-    PairMovesNegative,
-    /// A pair of the ground moves; 0: pair, 1: link, 2: rate, 3: friction.
-    PairOnGroundPositive,
-    /// The same, backwards.
-    PairOnGroundNegative,
-    /// The iteration of friction.
-    FrictionSteps,
-    /// The whole mechanism was searched.
-    FrictionSearched,
-    /// Header: step of an iteration.
-    Step,
-    /// Header: change in a step.
-    Change,
-    /// Heading: what friction takes.
-    Losses,
-    /// Powers lost.
-    PairsLose,
-    /// Efforts without friction.
-    WithoutFriction,
-    /// Efficiency of driving efforts.
-    EffortsDrive,
-    /// Efficiency of resisting efforts.
-    EffortsResist,
-    /// Verdict.
-    NotLocked,
-    /// Verdict.
-    LocksItself,
-    /// Verdict.
-    OnlyFriction,
-    /// A critical value; 0: given, 1: it.
-    LocksFrom,
-    /// A locked position.
-    Locked,
-    /// Pairs share by friction what they hold.
-    FrictionShares,
     /// A load by an expression; 0: its letters, 1: the expression.
     LoadHere,
     /// The couple of two guides; 0: the point.
@@ -369,38 +317,24 @@ pub enum Message {
     CamTurnedBy,
     /// Where the lift of a follower on a guide begins; 0: that distance.
     LiftBegins,
+    /// Planets that are one shaft without a place; 0: they, 1: their carrier.
+    PlanetsEven,
+    /// The slopes of a spline through a table of lifts.
+    SplineSlopes,
+    /// The angle of a cam at which its law has a lift; 0: it.
+    RootOfLaw,
+    /// A cam that does not move its follower.
+    CamDwells,
     /// A Geneva wheel between two engagements; 0: wheel, 1: angle.
     HeldByArc,
     /// A link that turns with another; 0: it, 1: the other.
     TurnsWith,
     /// A link that rests; 0: it.
     Rests,
-    /// Heading: a motion under loads.
-    Run,
-    /// Kinetic energy.
-    EnergyHere,
-    /// Reduced mass and load.
-    Reduced,
-    /// The equation of motion.
-    ReducedMotion,
-    /// Balance of energy.
-    EnergyOfRun,
-    /// Events.
-    EventsOfRun,
-    /// Header.
-    Event,
-    /// Header.
-    Instants,
-    /// How a run was integrated; 0: method, 1: steps, 2: evaluations, 3: error.
-    RunMethod,
-    /// The method of energy, as a name.
-    ByEnergy,
     /// Heading: powers of transmissions.
     Powers,
     /// The normal of a cam and its follower; 0: the instant centre, 1: the tip.
     CommonNormal,
-    /// A group in which pairs share by friction what one of them could hold.
-    FrictionSharesHere,
     /// Static substitution; 0: link, 1, 2: points.
     StaticMasses,
     /// Dynamic substitution; the same.

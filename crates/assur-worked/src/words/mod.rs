@@ -3,15 +3,19 @@
 mod chinese;
 mod design;
 mod english;
+mod friction;
 mod message;
 mod phrase;
 mod phrases;
 mod picture_phrases;
+mod run;
 mod russian;
 
 pub use design::DesignMessage;
+pub use friction::FrictionMessage;
 pub use message::Message;
 pub use phrase::{known, phrase, title};
+pub use run::RunMessage;
 
 use crate::document::{Inline, Labels, Line};
 
@@ -77,6 +81,11 @@ impl Language {
 pub trait Sentence: Copy {
     /// What it is in a language.
     fn template(self, language: Language) -> &'static str;
+
+    /// Whether an equation follows, unless it is nothing for all values.
+    fn awaits_an_equation(self) -> bool {
+        false
+    }
 }
 
 impl Sentence for Message {
@@ -86,6 +95,10 @@ impl Sentence for Message {
             Language::Chinese => chinese::template(self),
             Language::Russian => russian::template(self),
         }
+    }
+
+    fn awaits_an_equation(self) -> bool {
+        Self::awaits_an_equation(self)
     }
 }
 

@@ -31,6 +31,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LawModifiedTrapezoid => "修正梯形（前半段；后半段与之对称）",
         Message::LawModifiedSine => "修正正弦（前半段；后半段与之对称）",
         Message::LawSpline => "样条的一段",
+        Message::CamSlopes => {
+            "三次样条通过表中各行 i。对凸轮转角的斜率 σ 联立求解，使二阶导数处处连续；每个斜率由相邻斜率求得，各段的系数由两端斜率求得："
+        }
         Message::CamStart => "从动件在基圆上的位置：",
         Message::CamPressure => "压力角在凸轮转角 {0}° 处最大；该处（下标 α）：",
         Message::CamCurvature => {

@@ -39,6 +39,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         }
         Message::LawModifiedSine => "modified sine, in the first half; in the second half symmetric",
         Message::LawSpline => "a piece of a spline",
+        Message::CamSlopes => {
+            "A cubic spline runs through the rows i of the table. Its slopes σ by the cam angle are found together, so that the second derivative does not jump at any row; a slope follows from its neighbours, the terms of a piece from the slopes at its ends:"
+        }
         Message::CamStart => "On the base circle the follower is at:",
         Message::CamPressure => "The pressure angle is greatest at {0}° of the cam; there (index α):",
         Message::CamCurvature => {

@@ -55,6 +55,8 @@ pub enum DesignMessage {
     LawModifiedSine,
     /// A law.
     LawSpline,
+    /// The slopes of splines through tables of lifts.
+    CamSlopes,
     /// The follower at lift zero.
     CamStart,
     /// Pressure angle; 0: cam angle.
