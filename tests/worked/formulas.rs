@@ -3,6 +3,7 @@
 use crate::examples::{Example, examples};
 use crate::reader::{Read, mathml};
 use assur::internals::cli::report::document;
+use assur::internals::model::FindKind;
 use assur::internals::picture::Scene;
 use assur::internals::syntax::parse;
 use assur::internals::worked::{Block, Inline, Language, Table, html, markdown, worked};
@@ -81,19 +82,8 @@ fn what_a_file_asks_for_by_formulas_is_derived_and_balances() {
     assert!(wrong.is_empty() && derived > 0, "{derived} {wrong:#?}");
 }
 
-/// Questions that a step of the position answers.
-const OF_STEPS: [&str; 10] = [
-    "omega",
-    "alpha",
-    "inertia_force",
-    "inertia_torque",
-    "inertia_arm",
-    "relative_velocity",
-    "relative_acceleration",
-    "normal",
-    "effort",
-    "contact_force",
-];
+/// Questions of a whole run or a whole cycle, whatever the position that is shown.
+const OF_RUNS: [&str; 4] = ["time", "count", "work", "friction_work"];
 
 #[test]
 fn answers_have_the_letters_of_their_steps() {
@@ -115,8 +105,13 @@ fn answers_have_the_letters_of_their_steps() {
             let asked = words(&row[0]);
             let has = lettered && !row[1].is_empty();
             with += usize::from(has);
-            let of_step = OF_STEPS.iter().any(|word| asked.starts_with(&format!("{word}(")));
-            if of_step && !has && words(&row[row.len() - 2]) != "0" {
+            let finds = &solved.compiled.mechanism.finds;
+            let find = finds.iter().find(|find| find.name == asked).map(|find| &find.kind);
+            let of_position = matches!(find, Some(FindKind::Value { poseless: false, .. }));
+            let of_run = OF_RUNS.iter().any(|word| asked.starts_with(&format!("{word}(")));
+            let value = words(&row[row.len() - 2]);
+            let is_truth = ["true", "false"].contains(&&*value);
+            if of_position && !of_run && !has && !is_truth && value != "0" && !value.starts_with("(0, 0)") {
                 without.push(format!("{name}: {asked}"));
             }
         }

@@ -116,6 +116,7 @@ impl Function {
             Self::Arcsin => libm::asin(x.clamp(-1.0, 1.0)) / RADIAN,
             Self::Arccos => libm::acos(x.clamp(-1.0, 1.0)) / RADIAN,
             Self::Arctan => libm::atan(x) / RADIAN,
+            Self::Exp => libm::exp(x),
         }
     }
 }

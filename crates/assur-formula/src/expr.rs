@@ -30,7 +30,7 @@ pub enum Expr {
     Root(Box<Self>),
     /// The magnitude.
     Abs(Box<Self>),
-    /// A function of an angle, or an angle.
+    /// A function of an angle, an angle, or a power of e.
     Of(Function, Box<Self>),
 }
 
@@ -58,6 +58,8 @@ pub enum Function {
     Arccos,
     /// arctan
     Arctan,
+    /// The power of e.
+    Exp,
 }
 
 impl Function {
@@ -71,6 +73,7 @@ impl Function {
             Self::Arcsin => "arcsin",
             Self::Arccos => "arccos",
             Self::Arctan => "arctan",
+            Self::Exp => "exp",
         }
     }
 
@@ -89,6 +92,14 @@ impl Expr {
     #[must_use]
     pub fn is_zero(&self) -> bool {
         matches!(self, Self::Int(0) | Self::Degrees(0))
+    }
+
+    /// Whether it has no letters.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        let mut count = 0;
+        self.visit(&mut |_| count += 1);
+        count == 0
     }
 
     /// The square.

@@ -6,7 +6,7 @@ use crate::document::Block;
 use crate::motion::Stage;
 use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Unit};
-use assur_model::model::{FindKind, Guide, PairId, PairKind, Query, Value};
+use assur_model::model::{self, FindKind, Guide, PairId, PairKind, Query, Value};
 use assur_model::structure::EffortSource;
 
 /// What differs by less than this part of its terms is the same.
@@ -57,7 +57,7 @@ impl Course<'_> {
             Stage::Accelerations => (&["a"], Unit::Acceleration),
         };
         let own = self.scene.mechanism().pair(pair);
-        let PairKind::Prismatic(g) = &own.kind else { return None };
+        let (PairKind::Prismatic(g) | PairKind::Slot(g)) = &own.kind else { return None };
         if own.bearing.is_some() || value == 0.0 || self.on_guide_with(letters, pair, value).is_some() {
             return None;
         }
@@ -115,7 +115,8 @@ impl Course<'_> {
                 continue;
             };
             let found = self.travel_asked_for(*pair, value);
-            self.answered(found, value);
+            let turns = matches!(found, Some((_, Unit::Angle, _)));
+            self.answered(found, if turns { value.to_degrees() } else { value });
         }
         self.introduce(before, Message::AskedOfGuides);
     }
@@ -129,22 +130,30 @@ impl Course<'_> {
     }
 
     fn travel_asked_for(&mut self, pair: PairId, value: f64) -> Option<(Name, Unit, Expr)> {
-        let Value::Scalar(here) = self.scene.view().query(&Query::Displacement(pair)) else { return None };
-        let here = self.on_guide_with(&["s", "x", "y"], pair, here)?;
+        let question = model::Expr::Query(Query::Displacement(pair));
+        let turns = matches!(self.scene.mechanism().pair(pair).kind, PairKind::Revolute(_));
+        let (here, letter, unit) = if turns {
+            (self.degrees_in_letters(&question)?, "φ", Unit::Angle)
+        } else {
+            (self.in_letters(&question)?, "s", Unit::Length)
+        };
+        let value = if turns { value.to_degrees() } else { value };
         let pair = &self.scene.mechanism().pair(pair).name;
-        let ends = ["min", "max"].map(|end| Name::new("s", &format!("{end},{pair}")));
+        let ends = ["min", "max"].map(|end| Name::new(letter, &format!("{end},{pair}")));
         let mut right = None;
         for (_, equation) in &self.equations {
             equation.right.visit(&mut |q| {
                 if ends.contains(&q.name) {
                     let end = Expr::Leaf(std::sync::Arc::clone(q));
-                    let both = [here.clone() - end.clone(), end - here.clone()];
+                    let turn = || Expr::Degrees(360);
+                    let (on, back) = (here.clone() - end.clone(), end - here.clone());
+                    let both = [on.clone(), back, on.clone() + turn(), on - turn()];
                     let near = |x: &Expr| (x.value() - value).abs() <= SAME * x.scale();
                     right = right.take().or_else(|| both.into_iter().find(near));
                 }
             });
         }
-        Some((Name::new("S", pair), Unit::Length, right?))
+        Some((Name::new(if turns { "Δφ" } else { "S" }, pair), unit, right?))
     }
 
     /// The force at one of two points where a slider touches its guide, from the normal force and the couple about the slider's point.

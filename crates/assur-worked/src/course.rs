@@ -73,6 +73,8 @@ pub struct Course<'a> {
     pub holds: Vec<Hold>,
     /// Places of sentences that end before an equation: where it is nothing they say so.
     pub awaiting: Vec<usize>,
+    /// Letters of answers, by the number of the question.
+    pub answers: Vec<(usize, Node)>,
     /// Powers that transmissions lose.
     pub lost: Vec<Expr>,
     /// Pairs whose reaction has no place that is known.
@@ -126,6 +128,7 @@ impl<'a> Course<'a> {
             rubbing: Vec::new(),
             holds: Vec::new(),
             lost: Vec::new(),
+            answers: Vec::new(),
             unplaced: assur_solve::solve::unplaced_reactions(&scene.model),
             awaiting: Vec::new(),
         }

@@ -2,14 +2,17 @@
 
 use crate::course::Course;
 use crate::document::{Inline, Line, Table, text};
+use crate::unit::unit_of;
 use crate::words::{Message, phrase};
-use assur_formula::{name_node, unit_words};
+use assur_formula::{Node, Quantity, Unit, name_node, unit_words};
 use assur_math::math::Vec2;
 use assur_model::model::{Display, FindKind, PairId, PairKind, Value};
 use assur_text::units::{Dimension, significant};
 
 /// Digits of results.
 const DIGITS: usize = 5;
+/// What differs by less than this part of it is the same.
+const SAME: f64 = 1e-9;
 
 impl Course<'_> {
     /// The table of results.
@@ -22,9 +25,12 @@ impl Course<'_> {
         let mut reactions = false;
         for (i, find) in mechanism.finds.iter().enumerate() {
             match &find.kind {
-                FindKind::Value { display, expr, .. } => {
+                FindKind::Value { display, expr, poseless } => {
                     if let Some(value) = view.found(i) {
-                        let letters = self.symbol(&find.name, expr, value).map(Inline::Math);
+                        let answered = self.answers.iter().find(|(own, _)| *own == i).map(|(_, n)| n.clone());
+                        let own = self.symbol(&find.name, expr, value).or(answered);
+                        let letters = own.or_else(|| self.of_design(value, display).filter(|_| *poseless));
+                        let letters = letters.map(Inline::Math);
                         self.row(&mut table, &find.name, letters.into_iter().collect(), value, display);
                     }
                 }
@@ -57,6 +63,16 @@ impl Course<'_> {
             table.numbers = vec![1];
         }
         self.table(table);
+    }
+
+    /// The letters of a number that needs no position, as the sections on cycles, cams, flywheels and gears have it.
+    fn of_design(&self, value: Value, display: &Display) -> Option<Node> {
+        let (Value::Scalar(x), Some(unit)) = (value, unit_of(display.dimension)) else { return None };
+        let x = if unit == Unit::Angle { x.to_degrees() } else { x };
+        let alike = |own: Unit| own == unit || own == Unit::Work && unit == Unit::Torque;
+        let is_it = |q: &Quantity| alike(q.unit) && (q.value - x).abs() <= SAME * x.abs();
+        let found = self.equations.iter().find(|(_, e)| is_it(&e.left))?;
+        Some(name_node(&found.1.left.name))
     }
 
     fn row(&self, table: &mut Table, name: &str, letters: Line, value: Value, display: &Display) {

@@ -47,6 +47,13 @@ impl Course<'_> {
                 _ => None,
             },
             E::Query(query) => self.scalar_symbol(query),
+            E::Frictionless(inner) => {
+                let Value::Scalar(x) = self.scene.view().value(of) else { return None };
+                let own = self.symbol_of(inner)?;
+                let Expr::Leaf(q) = own else { return None };
+                let index = if q.name.sub.is_empty() { "0".to_owned() } else { format!("{},0", q.name.sub) };
+                self.with_value([Name::new(&q.name.letter, &index)].into_iter(), x)
+            }
             _ => self.result(of),
         }
     }
@@ -60,7 +67,10 @@ impl Course<'_> {
             Query::InertiaTorque(link) => indexed("M", format!("{inertia}{}", self.label(link.index()))),
             Query::InertiaArm(link) => indexed("h", format!("{inertia}{}", self.label(link.index()))),
             Query::Normal(pair, _) => self.reactions_of(*pair),
-            Query::Moment(pair, _) => self.couples_of(*pair),
+            Query::Moment(pair, _) => {
+                let friction = Name::new("M", &format!("f{}", self.scene.mechanism().pair(*pair).name));
+                self.couples_of(*pair).into_iter().chain([friction]).collect()
+            }
             Query::LineOffset(pair) => self.lettered("h", *pair),
             Query::Efficiency => vec![Name::new("η", "")],
             Query::DynamicSubstitution(.., part) | Query::StaticSubstitution(.., part) => {
@@ -75,8 +85,22 @@ impl Course<'_> {
             Query::ContactForce(pair, which) => {
                 indexed("N", format!("{},{which}", self.scene.mechanism().pair(*pair).name))
             }
-            Query::Travel(pair) => indexed("S", self.scene.mechanism().pair(*pair).name.clone()),
-            Query::Displacement(pair) => return self.on_guide_with(&["s", "x", "y"], *pair, value),
+            Query::Travel(pair) => {
+                let words = self.scene.mechanism().pair(*pair).name.clone();
+                let turned = self.found.get(&Name::new("Δφ", &words)).cloned();
+                return turned.or_else(|| self.with_value([Name::new("S", &words)].into_iter(), value));
+            }
+            Query::Displacement(pair) => {
+                let pair = *pair;
+                let words = self.scene.mechanism().pair(pair).name.clone();
+                let own = |name: &Name| name.letter == "s" && name.sub.starts_with(&words);
+                let cylinder = matches!(self.scene.mechanism().pair(pair).kind, PairKind::Cylinder { .. });
+                return if cylinder {
+                    self.found_with(own, value)
+                } else {
+                    self.on_guide_with(&["s", "x", "y"], pair, value)
+                };
+            }
             Query::RelativeVelocity(pair) => return self.on_guide_with(&["v"], *pair, value),
             Query::RelativeAcceleration(pair) => return self.on_guide_with(&["a"], *pair, value),
             Query::TangentialForce(pair, _) => {
@@ -140,8 +164,15 @@ impl Course<'_> {
                 Name::new("a", &self.point_name(link.index(), *at))
             }
             Query::InertiaForce(link) => Name::new("F", &format!("{inertia}{}", self.label(link.index()))),
+            Query::Coriolis(_) => {
+                let is_own = |(name, x): &(&Name, &Expr)| {
+                    name.letter == "a" && name.sup == "k" && near(x.value().abs(), v.norm())
+                };
+                return self.found.iter().find(is_own).map(|(name, _)| name.clone());
+            }
             Query::Reaction(pair, _) => {
-                let names = self.reactions_of(*pair).into_iter();
+                let mesh = Name::new("F", &self.scene.mechanism().pair(*pair).name);
+                let names = self.reactions_of(*pair).into_iter().chain([mesh]);
                 return names.into_iter().find(|name| self.has_parts(name, v));
             }
             Query::DynamicSubstitution(.., part) | Query::StaticSubstitution(.., part) => {

@@ -112,6 +112,7 @@ pub fn worked_from(
             course.head(Message::Results);
             course.asked_of_strokes();
             course.formulas(formulas);
+            course.asked_besides();
         }
         course.part(part);
     }

@@ -5,7 +5,7 @@ use assur_formula::{Expr, Function as Maths, Name, Quantity, Unit, quantity};
 use assur_model::model::{Expr as Model, FindKind, Function, Mechanism, NamedValue, QuantityId, Value};
 use assur_syntax::document::{Arg, BinaryOp, Document, Expr as Written, ExprKind, Statement, UnaryOp};
 use assur_text::source::Spanned;
-use assur_worked::{Formula, Size, quantity_name};
+use assur_worked::{Formula, Size, quantity_name, unit_of as unit};
 use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -289,25 +289,4 @@ impl Known<'_> {
 /// The argument of a name.
 fn named<'a>(args: &'a [Arg], name: &str) -> Option<&'a Written> {
     args.iter().find(|arg| arg.name.as_ref().is_some_and(|own| own.node == name)).map(|arg| &arg.value)
-}
-
-/// The unit of equations of a dimension.
-const fn unit(dimension: [i8; 4]) -> Option<Unit> {
-    Some(match dimension {
-        [0, 0, 0, 0] => Unit::One,
-        [0, 0, 0, _] => Unit::Angle,
-        [1, 0, 0, _] => Unit::Length,
-        [2, 0, 0, _] => Unit::Area,
-        [1, 0, -1, _] => Unit::Velocity,
-        [1, 0, -2, _] => Unit::Acceleration,
-        [0, 0, -1, 1] => Unit::AngularVelocity,
-        [0, 0, -2, 1] => Unit::AngularAcceleration,
-        [0, 1, 0, _] => Unit::Mass,
-        [2, 1, 0, _] => Unit::Inertia,
-        [1, 1, -2, _] => Unit::Force,
-        [2, 1, -2, _] => Unit::Torque,
-        [2, 1, -3, _] => Unit::Power,
-        [0, 1, -2, _] => Unit::Stiffness,
-        _ => return None,
-    })
 }

@@ -2,7 +2,7 @@
 
 /// Whether a side has no letters but those of functions and π.
 pub fn is_numbers(side: &str) -> bool {
-    let known = ["sin", "cos", "tan", "arcsin", "arccos", "arctan", "sqrt", "abs", "pi"];
+    let known = ["sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp", "sqrt", "abs", "pi"];
     let words = side.split(|c: char| !c.is_alphabetic()).filter(|w| !w.is_empty());
     words.clone().all(|word| known.contains(&word)) && !side.is_empty()
 }
@@ -110,6 +110,7 @@ impl Reader<'_> {
             "arcsin" => libm::asin(x.clamp(-1.0, 1.0)).to_degrees(),
             "arccos" => libm::acos(x.clamp(-1.0, 1.0)).to_degrees(),
             "arctan" => libm::atan(x).to_degrees(),
+            "exp" => libm::exp(x),
             "sqrt" => x.max(0.0).sqrt(),
             "abs" => x.abs(),
             _ => return Err(format!("`{word}` at `{}`", self.rest)),

@@ -97,7 +97,9 @@ impl Reader<'_> {
                 out.push_str(" x ");
             }
             "qquad" | "quad" => out.push(' '),
-            "sin" | "cos" | "tan" | "arcsin" | "arccos" | "arctan" | "pi" => *out += &format!(" {word} "),
+            "sin" | "cos" | "tan" | "arcsin" | "arccos" | "arctan" | "exp" | "pi" => {
+                *out += &format!(" {word} ")
+            }
             _ => out.push_str(" x "),
         }
     }

@@ -46,6 +46,7 @@ pub(crate) use locking::Locked;
 pub use number_columns::{NumberColumns, Shown};
 pub use pose_answers::PoseAnswers;
 pub use pose_numbers::{Beside, Source, read_numbers};
+pub use pressure_angle::FollowerWay;
 pub use switch::Switch;
 pub(crate) use switch::{Side, side_of, switches};
 pub use undefined::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};

@@ -8,7 +8,53 @@ use crate::structure::BodyId;
 /// A point slower than this part of the speed of what it touches stands still: its velocity is rounding.
 const STILL: f64 = 1e-12;
 
+/// How the point of a follower that receives the force of a contact may move, in the frame of the follower.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FollowerWay {
+    /// Along this direction, whichever the point.
+    Along(Vec2),
+    /// Across the arm from a hinge to the point.
+    About {
+        /// The hinge, m.
+        hinge: Vec2,
+        /// The point, m.
+        point: Vec2,
+    },
+}
+
 impl PoseAnswers<'_> {
+    /// The follower of a contact and the way of its point, as far as the frame and the follower alone give it.
+    #[must_use]
+    pub fn way_of_follower(&self, pair: PairId) -> Option<(LinkId, FollowerWay)> {
+        let follower = self.follower(pair)?;
+        let body = self.body(follower);
+        let point = self.received_at(pair, follower).or_else(|| self.pin_of_slot(pair, follower));
+        let designed = self.mechanism.cam_contacts.iter().find(|c| c.pair == pair);
+        let frame = designed.map_or(LinkId::GROUND, |c| c.frame);
+        let way = self.mechanism.pairs.iter().find_map(|other| match &other.kind {
+            PairKind::Revolute(pins) => {
+                let own = pins.iter().find(|pin| pin.link == follower)?;
+                pins.iter().find(|pin| pin.link == frame)?;
+                let point = (point? - body.p).turned_back(body.u);
+                Some(FollowerWay::About { hinge: own.at, point })
+            }
+            PairKind::Prismatic(g) => {
+                let joins = [(g.slider, g.guide), (g.guide, g.slider)].contains(&(follower, frame));
+                joins.then(|| FollowerWay::Along(self.along(g).turned_back(body.u)))
+            }
+            _ => None,
+        })?;
+        Some((follower, way))
+    }
+
+    /// The pin of a slot, where its link is the follower.
+    fn pin_of_slot(&self, pair: PairId, follower: LinkId) -> Option<Vec2> {
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Slot(g) if g.slider == follower => Some(self.body(follower).position(g.point)),
+            _ => None,
+        }
+    }
+
     /// Between the common normal of a contact (or the normal of a slot) and the way of the follower's point, 0 to 90°. That
     /// point is the follower's own point or the centre of its circle, of a straight face the place of the contact. Its way is
     /// perpendicular to the arm from the hinge, or along the guide, by which the follower stands on the frame; so it is

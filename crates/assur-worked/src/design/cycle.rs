@@ -16,7 +16,10 @@ impl Page {
         for find in &mechanism.finds {
             let FindKind::Value { expr, .. } = &find.kind else { continue };
             queries(mechanism, expr, &mut |query| {
-                if let Query::Stroke(pair) | Query::TimeRatio(pair) | Query::Dead(pair, _) = query
+                if let Query::Stroke(pair)
+                | Query::TimeRatio(pair)
+                | Query::Dead(pair, _)
+                | Query::Travel(pair) = query
                     && !pairs.contains(pair)
                 {
                     pairs.push(*pair);

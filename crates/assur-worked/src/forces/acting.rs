@@ -35,6 +35,17 @@ pub struct Couple {
     pub rubs: bool,
 }
 
+impl Couple {
+    /// Whether it is the quantity with these letters, or its opposite.
+    pub fn has_letters(&self, name: &Name) -> bool {
+        match &self.value {
+            Expr::Leaf(q) => q.name == *name,
+            Expr::Neg(x) => matches!(&**x, Expr::Leaf(q) if q.name == *name),
+            _ => false,
+        }
+    }
+}
+
 /// All that is known to act on the bodies.
 #[derive(Clone, Debug, Default)]
 pub struct Acting {

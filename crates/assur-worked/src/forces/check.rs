@@ -59,8 +59,14 @@ impl Course<'_> {
 
     /// The powers of loads and inertia forces, with friction or without.
     pub(super) fn powers_of_loads(&mut self, with_friction: bool) -> Vec<Expr> {
+        let all: Vec<usize> = (1..self.bodies.len()).collect();
+        self.powers_of_loads_on(&all, with_friction)
+    }
+
+    /// The same on some bodies.
+    pub(super) fn powers_of_loads_on(&mut self, bodies: &[usize], with_friction: bool) -> Vec<Expr> {
         let mut terms = Vec::new();
-        for body in 1..self.bodies.len() {
+        for &body in bodies {
             let acts = |load: bool, rubs: bool| load && (with_friction || !rubs);
             for force in self.acting.forces[body].clone().into_iter().filter(|f| acts(f.load, f.rubs)) {
                 let [vx, vy] = self.velocity(body, force.at);

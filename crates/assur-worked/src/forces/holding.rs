@@ -119,7 +119,7 @@ impl Course<'_> {
         let Some(hold) = hold else { return work(self) };
         let (forces, couples) = (self.acting.forces[body].clone(), self.acting.couples[body].clone());
         self.acting.forces[body].retain(|force| force.name != hold.name);
-        self.acting.couples[body].retain(|couple| !is_of(&couple.value, &hold.name));
+        self.acting.couples[body].retain(|couple| !couple.has_letters(&hold.name));
         let found = work(self);
         self.acting.forces[body] = forces;
         self.acting.couples[body] = couples;
@@ -145,13 +145,5 @@ pub(super) const fn stop_of(load: &Load) -> Option<PairId> {
     match load.kind {
         LoadKind::InPair { pair, value: assur_model::model::Expr::Query(Query::StopEffort(_)) } => Some(pair),
         _ => None,
-    }
-}
-
-fn is_of(value: &Expr, name: &Name) -> bool {
-    match value {
-        Expr::Leaf(q) => q.name == *name,
-        Expr::Neg(x) => is_of(x, name),
-        _ => false,
     }
 }

@@ -4,6 +4,7 @@ use super::acting::{Couple, Force};
 use super::holding::stop_of;
 use crate::course::{Course, cell};
 use crate::document::text;
+use crate::expressions::length;
 use crate::motion::of;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -20,10 +21,7 @@ impl Course<'_> {
         let mechanism = self.scene.mechanism();
         for (i, load) in mechanism.loads.iter().enumerate() {
             let value = self.scene.view().query(&Query::Load(LoadId::at(i)));
-            let name = self.scene.load_words(load).map_or_else(
-                || Name::new(if load.is_vector() { "F" } else { "M" }, &(i + 1).to_string()),
-                |words| quantity_name(&words),
-            );
+            let name = self.load_letters(i, load);
             match (&load.kind, value) {
                 (
                     LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
@@ -62,6 +60,14 @@ impl Course<'_> {
         }
     }
 
+    /// The letters of a load, by its number.
+    pub(crate) fn load_letters(&self, i: usize, load: &Load) -> Name {
+        self.scene.load_words(load).map_or_else(
+            || Name::new(if load.is_vector() { "F" } else { "M" }, &(i + 1).to_string()),
+            |words| quantity_name(&words),
+        )
+    }
+
     /// The magnitude of a load: a value of the file, or what an expression of the file comes to at this position.
     pub(super) fn size_of(&mut self, load: &Load, name: Name, size: f64, unit: Unit) -> Expr {
         if matches!(load.value(), model::Expr::Constant(_)) {
@@ -71,7 +77,23 @@ impl Course<'_> {
         let written = statement.split_once('=').map_or(statement, |(_, value)| value);
         let words = written.split_whitespace().collect::<Vec<_>>().join(" ");
         self.say(Message::LoadHere, &[of(&name), vec![text(words)]]);
-        self.stated(name, size, unit)
+        match self.size_in_letters(load.value(), size) {
+            // what varies is nothing here
+            Some(right) if right.is_constant() => self.given(name, size, unit),
+            Some(right) => self.equate(name, size, unit, right),
+            None => self.stated(name, size, unit),
+        }
+    }
+
+    /// What the file has for a load, in the letters of the steps before.
+    fn size_in_letters(&mut self, value: &model::Expr, size: f64) -> Option<Expr> {
+        let right = match value {
+            model::Expr::Polar(size, _) => self.in_letters(size),
+            other => self.in_letters(other).or_else(|| self.vector_in_letters(other).map(length)),
+        }?;
+        let all = [right.clone(), -right];
+        let near = |right: &Expr| (right.value() - size).abs() <= LEFT * right.scale().max(size);
+        all.into_iter().find(near)
     }
 
     fn load(&mut self, body: usize, place: Vec2, force: Vec2, size: &Expr, against: bool) {

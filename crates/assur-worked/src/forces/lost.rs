@@ -5,6 +5,7 @@ use crate::document::{Inline, Line, Table, text};
 use crate::words::{FrictionMessage, Message};
 use assur_formula::{Expr, Name, Unit, name_node, with_digits};
 use assur_model::model::{FindKind, Level, Query, Value};
+use assur_model::structure::{BodyId, BodyRate};
 use assur_position::plan::{FrictionElement, FrictionLaw};
 
 /// The most pairs of which a table has what presses and the friction.
@@ -166,8 +167,7 @@ impl Course<'_> {
             if slot == 0 {
                 self.say(FrictionMessage::WithoutFriction, &[]);
             }
-            let alone =
-                if self.structure().efforts.len() == 1 { self.ideal_effort(&first, unit) } else { None };
+            let alone = self.ideal_effort(slot, &first, unit);
             let ideal = ideal.state.forces.efforts[slot];
             let first = alone.unwrap_or_else(|| self.stated(first, ideal, unit));
             let (Some(now), Some(first)) = (self.power_of(slot, now), self.power_of(slot, first)) else {
@@ -188,25 +188,58 @@ impl Course<'_> {
         self.say(if value > 0.0 { FrictionMessage::NotLocked } else { FrictionMessage::LocksItself }, &[]);
     }
 
-    /// The one effort without friction, by the power of the loads; none where this does not give it.
-    fn ideal_effort(&mut self, name: &Name, unit: Unit) -> Option<Expr> {
-        let ideal = self.scene.view().without_friction();
-        let (effort, power) = (ideal.state.forces.efforts[0], ideal.power_of_efforts());
+    /// An effort without friction, by the power of the loads on the links that hang together with it; none where another effort acts
+    /// on them.
+    fn ideal_effort(&mut self, slot: usize, name: &Name, unit: Unit) -> Option<Expr> {
+        let effort = self.scene.view().without_friction().state.forces.efforts[slot];
         if self.counts.forces[1] + self.counts.held + self.counts.loads[1] > 0 {
             return None;
         }
-        let rate = self.power_of(0, Expr::Int(1))?;
-        let right = -Expr::sum(self.powers_of_loads(false));
+        let several = self.structure().efforts.len() > 1;
+        let chain = self.chain_of_effort(slot)?;
+        let rate = self.power_of(slot, Expr::Int(1))?;
+        let right = -Expr::sum(self.powers_of_loads_on(&chain, false));
+        let power = effort * rate.value();
         let near = |x: f64, y: f64| (x - y).abs() <= SAME * right.scale().max(y.abs());
-        if rate.is_zero()
-            || right.is_zero()
-            || !near(right.value(), power)
-            || !near(effort * rate.value(), power)
-        {
+        if rate.is_zero() || right.is_zero() || !near(right.value(), power) {
             return None;
         }
-        let power = self.equate(Name::new("P", "0"), power, Unit::Power, right);
+        let index = if several { format!("{},0", name.sub.trim_end_matches(",0")) } else { "0".to_owned() };
+        let power = self.equate(Name::new("P", &index), power, Unit::Power, right);
         Some(self.equate(name.clone(), effort, unit, power / rate))
+    }
+
+    /// The bodies that hang together with an effort; none where another effort acts on them too.
+    fn chain_of_effort(&self, slot: usize) -> Option<Vec<usize>> {
+        let efforts = &self.structure().efforts;
+        let replaced = &self.structure().replaced;
+        let moving =
+            |bodies: Vec<BodyId>| bodies.into_iter().map(|b| b.0).filter(|b| *b != 0).collect::<Vec<_>>();
+        let of = |slot: usize| moving(efforts[slot].bodies(replaced));
+        let mut chain = of(slot);
+        loop {
+            let before = chain.len();
+            for joint in &replaced.joints {
+                let mut bodies = moving(joint.bodies());
+                for (rate, _) in joint.kind.law().into_iter().flatten() {
+                    if let BodyRate::Slide(slide) = rate {
+                        bodies.extend(moving(replaced.joint(*slide).bodies()));
+                    }
+                }
+                if bodies.iter().any(|body| chain.contains(body)) {
+                    chain.extend(bodies);
+                }
+            }
+            chain.sort_unstable();
+            chain.dedup();
+            if chain.len() == before {
+                break;
+            }
+        }
+        let alone = (0..efforts.len())
+            .filter(|other| *other != slot)
+            .all(|other| of(other).iter().all(|body| !chain.contains(body)));
+        alone.then_some(chain)
     }
 
     /// The values of the file at which locking begins.

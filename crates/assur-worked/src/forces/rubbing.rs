@@ -61,7 +61,7 @@ impl Course<'_> {
     }
 
     /// The velocity along the tangent where a round profile touches.
-    fn sliding_in_contact(&mut self, element: &FrictionElement) -> Option<Expr> {
+    pub(crate) fn sliding_in_contact(&mut self, element: &FrictionElement) -> Option<Expr> {
         let (place, along) = self.state().friction_line(element)?;
         let FrictionLaw::Contact { first, second, .. } = element.kind else { return None };
         let round =

@@ -53,7 +53,7 @@ impl Course<'_> {
     }
 
     /// Σ ½ m v² + ½ J ω², each term by itself: a line breaks between them.
-    fn energy_of_links(&mut self) -> Expr {
+    pub(crate) fn energy_of_links(&mut self) -> Expr {
         let mut sum = Expr::ZERO;
         for (i, link) in self.scene.mechanism().links.iter().enumerate().skip(1) {
             let Some(mass) = link.mass else { continue };

@@ -94,7 +94,7 @@ impl Course<'_> {
     }
 
     /// The letters of the force of a law; of a worm and of a clutch it is a torque.
-    pub(super) fn law_name(&self, slot: usize) -> (Name, Unit) {
+    pub(crate) fn law_name(&self, slot: usize) -> (Name, Unit) {
         let plan = self.scene.model.plan;
         let law = &plan.laws[slot];
         let pair = &self.scene.mechanism().pair(law.pair).name;

@@ -10,7 +10,7 @@ use assur_position::plan::{LawSite, PlannedLaw, TrainSupport};
 
 impl Course<'_> {
     /// What is left of the force of a transmission on one of its sides.
-    pub(super) fn side(&self, slot: usize, term: usize) -> Expr {
+    pub(crate) fn side(&self, slot: usize, term: usize) -> Expr {
         let sides = self.state().forces.law_forces[slot].sides;
         let part = sides.get(term).copied().unwrap_or(1.0);
         if part == 1.0 {

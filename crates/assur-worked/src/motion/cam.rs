@@ -67,7 +67,7 @@ impl Course<'_> {
     }
 
     /// The angular velocity (0) or acceleration (1) of a body.
-    pub(super) fn rate_of_body(&self, body: usize, order: usize) -> Expr {
+    pub(crate) fn rate_of_body(&self, body: usize, order: usize) -> Expr {
         self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[order].clone())
     }
 

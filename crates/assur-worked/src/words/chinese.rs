@@ -226,6 +226,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CylinderLength => "主动件给出液压缸两铰链间的长度 {0}。",
         Message::PlaceOpen => "轴的位置没有给出，故不能确定 {0} 处的反力。",
         Message::CoupleAtSlider => "对滑块上的点 {0}，导路的反力偶为：",
+        Message::AskedBesides => "题目还要求的量，由上述结果求得：",
         Message::ByFormulas => "将上述结果代入题目自身的公式：",
         Message::LoadRests => "{0} 在此位置不起作用。",
     }

@@ -280,6 +280,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CylinderLength => "The drive gives the length of the cylinder between its hinges, {0}.",
         Message::PlaceOpen => "The place of a shaft is not given, so the reaction in {0} is not determined.",
         Message::CoupleAtSlider => "About {0}, the point of the slider, the couple of the guide is:",
+        Message::AskedBesides => "What the file asks for besides, from these results:",
         Message::ByFormulas => "The file’s own formulas with these results:",
         Message::LoadRests => "{0} does not act at this position.",
     }

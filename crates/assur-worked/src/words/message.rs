@@ -351,6 +351,8 @@ pub enum Message {
     CoupleAtSlider,
     /// What the file asks for by formulas of its own.
     ByFormulas,
+    /// What the file asks for besides.
+    AskedBesides,
 }
 
 impl Message {

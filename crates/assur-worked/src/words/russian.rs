@@ -280,6 +280,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CylinderLength => "Привод задаёт длину цилиндра между шарнирами, {0}.",
         Message::PlaceOpen => "Положение вала не задано, поэтому реакция в паре {0} не определена.",
         Message::CoupleAtSlider => "Относительно точки {0} ползуна пара направляющей равна:",
+        Message::AskedBesides => "Что ещё требуется найти, из этих результатов:",
         Message::ByFormulas => "Формулы условия с этими результатами:",
         Message::LoadRests => "{0} в этом положении не действует.",
     }
