@@ -128,25 +128,64 @@ pub fn derivatives(turns: bool, slope: Expr, bend: Expr, angle: Expr) -> [Expr; 
     }
     [
         over(Expr::Int(180) * slope, Expr::Pi * angle.clone()),
-        over(Expr::Power(Box::new(Expr::Int(180)), 2) * bend, Expr::Pi.squared() * angle.squared()),
+        over(Expr::Int(180) * Expr::Int(180) * bend, Expr::Pi.squared() * angle.squared()),
     ]
 }
 
-/// A quotient without a fraction in its numerator.
+/// A quotient without a fraction in its numerator and without what cancels: powers of π, whole numbers.
 fn over(x: Expr, by: Expr) -> Expr {
-    match x {
-        Expr::Neg(x) => -over(*x, by),
-        Expr::Ratio(a, b) => *a / (*b * by),
-        Expr::Product(factors) if factors.iter().any(|f| matches!(f, Expr::Ratio(..))) => {
-            let (mut top, mut bottom) = (Expr::Int(1), by);
-            for factor in factors {
-                match factor {
-                    Expr::Ratio(a, b) => (top, bottom) = (top * *a, bottom * *b),
-                    other => top = top * other,
-                }
-            }
-            top / bottom
-        }
-        x => x / by,
+    if let Expr::Neg(x) = x {
+        return -over(*x, by);
     }
+    let (mut top, mut bottom) = (Factors::default(), Factors::default());
+    top.take(x, &mut bottom);
+    bottom.take(by, &mut top);
+    let common = gcd(top.whole, bottom.whole);
+    let pi = top.pi.min(bottom.pi);
+    top.product(common, pi) / bottom.product(common, pi)
+}
+
+/// A product: its whole number, the power of π, and the rest.
+struct Factors {
+    whole: i64,
+    pi: u8,
+    others: Vec<Expr>,
+}
+
+impl Default for Factors {
+    fn default() -> Self {
+        Self { whole: 1, pi: 0, others: Vec::new() }
+    }
+}
+
+impl Factors {
+    fn take(&mut self, x: Expr, below: &mut Self) {
+        match x {
+            Expr::Int(n) => self.whole *= n,
+            Expr::Pi => self.pi += 1,
+            Expr::Power(base, n) if *base == Expr::Pi => self.pi += n,
+            Expr::Power(base, n) if matches!(*base, Expr::Int(_)) => {
+                (0..n).for_each(|_| self.take((*base).clone(), below));
+            }
+            Expr::Product(factors) => factors.into_iter().for_each(|factor| self.take(factor, below)),
+            Expr::Ratio(a, b) => {
+                self.take(*a, below);
+                below.take(*b, self);
+            }
+            other => self.others.push(other),
+        }
+    }
+
+    fn product(self, common: i64, pi: u8) -> Expr {
+        let powers = (0..self.pi - pi).fold(Expr::Int(1), |power, _| match power {
+            Expr::Int(1) => Expr::Pi,
+            Expr::Pi => Expr::Pi.squared(),
+            other => other * Expr::Pi,
+        });
+        self.others.into_iter().fold(Expr::Int(self.whole / common) * powers, |product, x| product * x)
+    }
+}
+
+fn gcd(a: i64, b: i64) -> i64 {
+    if b == 0 { a.abs().max(1) } else { gcd(b, a % b) }
 }

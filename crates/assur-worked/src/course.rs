@@ -354,7 +354,11 @@ impl<'a> Course<'a> {
         if value <= self.tiny {
             return Expr::ZERO;
         }
-        self.given(Name::new("l", &joined(from, to)), value, Unit::Length)
+        let name = |from, to| Name::new("l", &joined(from, to));
+        let other = name(to, from);
+        let is_known =
+            self.given.borrow().get(&other).is_some_and(|known| (known - value).abs() <= 1e-12 * value);
+        self.given(if is_known { other } else { name(from, to) }, value, Unit::Length)
     }
 }
 

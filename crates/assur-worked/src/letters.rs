@@ -130,3 +130,9 @@ impl Course<'_> {
         found
     }
 }
+
+/// The letters of a number of teeth: of a wheel `z2` its number alone.
+pub fn teeth_name(wheel: &str) -> Name {
+    let is_number = |rest: &&str| !rest.is_empty() && rest.chars().all(|c| c.is_ascii_digit());
+    Name::new("z", wheel.strip_prefix('z').filter(is_number).unwrap_or(wheel))
+}

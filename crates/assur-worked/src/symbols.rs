@@ -18,7 +18,7 @@ impl Course<'_> {
                 let found = own.filter(|own| is_same(own, x)).or_else(|| self.symbol_of(of))?;
                 [found.clone(), -found.clone(), found.abs()]
                     .into_iter()
-                    .find(|found| is_same(found, x))
+                    .find(|found| is_same(found, x) && !found.is_constant())
                     .map(|found| letters(&found))
             }
             Value::Vector(v) => match of {

@@ -240,6 +240,11 @@ impl Course<'_> {
                 self.loads();
                 self.substitutions();
             }
+            Part::Forces if forces && self.nothing_acts() => {
+                self.head(Message::Reactions);
+                self.say(Message::NothingActs, &[]);
+                self.counts.forces[0] += self.scene.model.plan.forces.len();
+            }
             Part::Forces if forces => {
                 self.head(Message::Reactions);
                 let figures = self.force_pictures();

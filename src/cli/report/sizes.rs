@@ -197,6 +197,7 @@ impl Known<'_> {
                 [one] if one.name.is_none() && MATHS.contains(&&*function.node) => {
                     self.call(&function.node, &one.value)
                 }
+                [one] if function.node == "radius" => self.radius(&one.value),
                 _ if function.node == "journal_torque" => self.journal(args),
                 _ if function.node == "thrust_torque" => self.thrust(args),
                 _ if function.node == "mag" => {
@@ -234,6 +235,15 @@ impl Known<'_> {
             }
             ExprKind::Vector(..) | ExprKind::Polar(..) | ExprKind::Compare(..) => None,
         }
+    }
+
+    /// The radius of a wheel.
+    fn radius(&self, wheel: &Written) -> Option<Expr> {
+        let ExprKind::Name(name) = &wheel.kind else { return None };
+        let wheel = self.results.as_ref()?.mechanism.wheels.iter().find(|own| own.name == *name)?;
+        let (name, value) = (Name::new("r", name), wheel.radius);
+        let radius = Quantity { name, value, unit: Unit::Length, scale: value, given: true, rounding: 0.0 };
+        Some(Expr::Leaf(Arc::new(radius)))
     }
 
     /// k f F r of a journal.

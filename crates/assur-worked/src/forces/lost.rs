@@ -180,12 +180,23 @@ impl Course<'_> {
         if with.is_zero() || without.is_zero() || !value.is_finite() {
             return;
         }
-        let p = self.equate(Name::new("P", ""), view.power_of_efforts(), Unit::Power, with);
-        let p_0 = self.equate(Name::new("P", "0"), ideal.power_of_efforts(), Unit::Power, without);
+        let p = self.equate(self.power_letters(""), view.power_of_efforts(), Unit::Power, with);
+        let p_0 = self.equate(self.power_letters("0"), ideal.power_of_efforts(), Unit::Power, without);
         let drives = p_0.value() > 0.0;
         self.say(if drives { FrictionMessage::EffortsDrive } else { FrictionMessage::EffortsResist }, &[]);
         self.equate(Name::new("η", ""), value, Unit::One, if drives { p_0 / p } else { p / p_0 });
         self.say(if value > 0.0 { FrictionMessage::NotLocked } else { FrictionMessage::LocksItself }, &[]);
+    }
+
+    /// The letters of the power of the efforts; an effort may be called P.
+    fn power_letters(&self, index: &str) -> Name {
+        let efforts = 0..self.structure().efforts.len();
+        let mut names = efforts.map(|slot| self.effort_name(slot, self.is_force(slot)));
+        if names.any(|name| name == Name::new("P", "")) {
+            Name::new("P", format!("Σ,{index}").trim_end_matches(','))
+        } else {
+            Name::new("P", index)
+        }
     }
 
     /// An effort without friction, by the power of the loads on the links that hang together with it; none where another effort acts
@@ -205,7 +216,7 @@ impl Course<'_> {
             return None;
         }
         let index = if several { format!("{},0", name.sub.trim_end_matches(",0")) } else { "0".to_owned() };
-        let power = self.equate(Name::new("P", &index), power, Unit::Power, right);
+        let power = self.equate(self.power_letters(&index), power, Unit::Power, right);
         Some(self.equate(name.clone(), effort, unit, power / rate))
     }
 

@@ -104,6 +104,19 @@ impl Course<'_> {
         }
     }
 
+    /// Whether there are no loads, and all reactions and efforts are nothing.
+    pub fn nothing_acts(&self) -> bool {
+        let forces = &self.state().forces;
+        let acting = &self.acting;
+        if !(acting.forces.iter().all(Vec::is_empty) && acting.couples.iter().all(Vec::is_empty)) {
+            return false;
+        }
+        let couples = forces.reactions.iter().map(|r| r.couple.abs());
+        let laws = forces.law_forces.iter().map(|law| law.multiplier.abs());
+        let all = couples.chain(laws).chain(forces.efforts.iter().map(|x| x.abs()));
+        self.greatest_force() == 0.0 && all.fold(0.0, f64::max) == 0.0
+    }
+
     /// The greatest of all reactions and loads.
     fn greatest_force(&self) -> f64 {
         let forces = &self.state().forces;

@@ -4,6 +4,7 @@
 use super::acting::{Couple, Force};
 use crate::course::Course;
 use crate::document::{Line, text};
+use crate::letters::teeth_name;
 use crate::motion::{of, pin};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -176,7 +177,7 @@ impl Course<'_> {
                     && self.label(w.link.index()) == label
             };
             let name = wheels.iter().find(own).map_or(pair, |w| &w.name);
-            self.given(Name::new("z", name), 2.0 * size, Unit::One) / Expr::Int(2)
+            self.given(teeth_name(name), 2.0 * size, Unit::One) / Expr::Int(2)
         } else if (size - 1.0).abs() < 1e-12 && (!turns || kind == Some(TransmissionKind::Clutch)) {
             Expr::Int(1)
         } else {

@@ -3,6 +3,7 @@
 use super::{Stage, of};
 use crate::course::Course;
 use crate::document::text;
+use crate::letters::teeth_name;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::{PairKind, Query, TransmissionKind, Value, Wheel};
@@ -281,7 +282,7 @@ impl Course<'_> {
         if let ([a, b], true) = (wheels.as_slice(), terms.len() >= 2)
             && let (Some(z_a), Some(z_b), true) = (a.teeth, b.teeth, toothed)
         {
-            let z = |name: &str, teeth: f64| self.given(Name::new("z", name), teeth, Unit::One);
+            let z = |name: &str, teeth: f64| self.given(teeth_name(name), teeth, Unit::One);
             let ratio = (terms[0].1 / terms[1].1).abs() * z_b / z_a;
             if (ratio - 1.0).abs() < 1e-9 {
                 return self.shared(&terms, z(&a.name, z_a), z(&b.name, z_b));
@@ -296,7 +297,7 @@ impl Course<'_> {
             let factor = match radius {
                 _ if worm => {
                     let name = toothed.map_or(&mechanism.pair(pair).name, |w| &w.name);
-                    self.given(Name::new("z", name), size, Unit::One)
+                    self.given(teeth_name(name), size, Unit::One)
                 }
                 _ if (size - 1.0).abs() < 1e-12 && !radius.is_some_and(|w| turned(w)) => Expr::Int(1),
                 Some(wheel) => self.given(Name::new("r", &wheel.name), size, Unit::Length),

@@ -152,6 +152,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::AskedFor => "题目所求的点：",
         Message::AskedOfGuides => "题目所求的沿导路的量：",
         Message::AskedOfForces => "题目所求的力、力矩和功率：",
+        Message::NothingActs => "此位置构件上没有任何载荷：所有反力和平衡力均为零。",
         Message::NoForces => "题目没有要求力，或力不能确定。",
         Message::SeeScheme => "点和方向见 {0}。",
         Message::SeePlan => "{0} 按比例画出本节的矢量。",

@@ -194,6 +194,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::AskedFor => "Points that the file asks for:",
         Message::AskedOfGuides => "Along guides, as the file asks:",
         Message::AskedOfForces => "Forces, torques and powers that the file asks for:",
+        Message::NothingActs => {
+            "Nothing acts on the links at this position: all reactions and efforts are zero."
+        }
         Message::NoForces => "The file asks for no forces, or none are determined.",
         Message::SeeScheme => "Points and directions are those of {0}.",
         Message::SeePlan => "{0} shows the vectors of this section to scale.",

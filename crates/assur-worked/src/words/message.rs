@@ -267,6 +267,8 @@ pub enum Message {
     AskedOfForces,
     /// Nothing loads the mechanism.
     NoForces,
+    /// No load, no reaction, no effort.
+    NothingActs,
     /// The scheme has the points; 0: the figure.
     SeeScheme,
     /// The plan of a section; 0: the figure.

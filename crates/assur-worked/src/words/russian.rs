@@ -192,6 +192,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::AskedFor => "Точки, заданные в вопросе:",
         Message::AskedOfGuides => "Перемещения и скорости вдоль направляющих по условию:",
         Message::AskedOfForces => "Силы, моменты и мощности по условию:",
+        Message::NothingActs => {
+            "В этом положении на звенья ничто не действует: все реакции и усилия равны нулю."
+        }
         Message::NoForces => "Силы не требуются или не определены.",
         Message::SeeScheme => "Точки и направления показаны здесь: {0}.",
         Message::SeePlan => "Векторы этого раздела построены в масштабе: {0}.",
