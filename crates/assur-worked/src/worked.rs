@@ -156,7 +156,9 @@ pub fn given_rows(
 ) -> Vec<[Line; 2]> {
     let mut course = Course::new(scene, language);
     course.shown = false;
-    PARTS.into_iter().for_each(|part| course.part(part));
+    let with_values = |part: &Part| !matches!(part, Part::Structure | Part::Results);
+    PARTS.into_iter().filter(with_values).for_each(|part| course.part(part));
+    course.asked_besides();
     course.prune();
     course.equations.retain(|(_, equation)| equation.right.value().is_finite());
     let rows = course.given_rows(is_answer).into_iter();

@@ -50,6 +50,15 @@ impl Sink {
 
     /// A file, which is created by [`Sink::finish`] only.
     pub fn file(path: &Path) -> Result<Self, CliError> {
+        Self::buffered(path, BUFFER)
+    }
+
+    /// The same for a text that is written as a whole.
+    pub fn page(path: &Path) -> Result<Self, CliError> {
+        Self::buffered(path, 0)
+    }
+
+    fn buffered(path: &Path, buffer: usize) -> Result<Self, CliError> {
         let fail = |error: io::Error| unwritable(path, &error);
         // a link stays one: what it leads to is replaced
         let real = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
@@ -58,7 +67,7 @@ impl Sink {
         }
         let target = if real.exists() && !real.is_file() {
             let file = File::options().write(true).open(&real).map_err(fail)?;
-            Target::Special(BufWriter::with_capacity(BUFFER, file))
+            Target::Special(BufWriter::with_capacity(buffer, file))
         } else {
             let folder = real.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
             let mut builder = Builder::new();
@@ -67,7 +76,7 @@ impl Sink {
             let mut unfinished = unfinished();
             let file = builder.tempfile_in(folder).map_err(fail)?;
             unfinished.push(file.path().to_owned());
-            Target::File(BufWriter::with_capacity(BUFFER, file))
+            Target::File(BufWriter::with_capacity(buffer, file))
         };
         Ok(Self { target, path: real, closed: false })
     }
@@ -104,11 +113,21 @@ impl Sink {
     }
 
     /// Puts what was written in its place; says whether all of it was read.
-    pub fn finish(mut self) -> Result<bool, CliError> {
+    pub fn finish(self) -> Result<bool, CliError> {
+        self.put(true)
+    }
+
+    /// The same of a page that is soon made again: nobody waits until the disk has it.
+    pub fn finish_page(self) -> Result<bool, CliError> {
+        self.put(false)
+    }
+
+    fn put(mut self, lasts: bool) -> Result<bool, CliError> {
         let flushed = match &mut self.target {
             Target::Stdout(out) => out.flush(),
             Target::Special(file) => file.flush(),
-            Target::File(file) => file.flush().and_then(|()| file.get_ref().as_file().sync_all()),
+            Target::File(file) if lasts => file.flush().and_then(|()| file.get_ref().as_file().sync_all()),
+            Target::File(file) => file.flush(),
         };
         self.told(flushed)?;
         let (path, read) = (self.path, !self.closed);

@@ -186,9 +186,9 @@ fn written(path: &Path, text: &[u8], inputs: &[String]) -> Result<(), CliError> 
     if inputs.iter().any(|input| Path::new(input) == path) {
         return Err(CliError::Overwrites { name: path.display().to_string() });
     }
-    let mut sink = Sink::file(path)?;
+    let mut sink = Sink::page(path)?;
     sink.write(text)?;
-    sink.finish().map(|_| ())
+    sink.finish_page().map(|_| ())
 }
 
 /// A name without signs that file systems refuse.

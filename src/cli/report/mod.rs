@@ -190,7 +190,7 @@ fn file(path: &Path, text: &str, inputs: &[String]) -> Result<(), CliError> {
     if inputs.iter().any(|input| Path::new(input) == path) {
         return Err(CliError::Overwrites { name: path.display().to_string() });
     }
-    let mut sink = Sink::file(path)?;
+    let mut sink = Sink::page(path)?;
     sink.write(text.as_bytes())?;
-    sink.finish().map(|_| ())
+    sink.finish_page().map(|_| ())
 }

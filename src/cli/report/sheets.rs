@@ -32,6 +32,8 @@ pub struct Sheets<'a> {
     pub document: Arc<Document>,
     /// Names that are used outside of the table and of expectations.
     used: BTreeSet<String>,
+    /// Numbers that the file gives outside of expectations and remarks, where it expects something.
+    written: Vec<f64>,
 }
 
 /// A row of variants: its name and its values.
@@ -43,7 +45,8 @@ struct Row {
 impl<'a> Sheets<'a> {
     /// Of a file.
     pub fn new(args: &'a Report, format: ReportFormat, source: &'a Source, document: Arc<Document>) -> Self {
-        Self { args, format, source, document, used: used(&source.text) }
+        let text = &source.text;
+        Self { args, format, source, document, used: used(text), written: numbers(text) }
     }
 }
 
@@ -182,10 +185,6 @@ impl Sheets<'_> {
 
     /// Expected numbers that the file does not give elsewhere.
     fn hidden(&self, solved: &Solved) -> Vec<f64> {
-        let lines = self.source.text.lines().map(str::trim_start);
-        let lines = lines.filter(|line| !line.starts_with("expect") && !line.starts_with("//"));
-        let words = lines.flat_map(|line| line.split(|c: char| !(c.is_ascii_digit() || c == '.')));
-        let written: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
         let numbers = solved.outcomes.iter().flat_map(|outcome| match outcome.expected {
             Value::Scalar(x) => vec![outcome.display.of_si(x)],
             Value::Vector(v) => {
@@ -194,7 +193,7 @@ impl Sheets<'_> {
             }
             Value::Bool(_) => Vec::new(),
         });
-        numbers.filter(|x| !written.iter().any(|w| (w - x.abs()).abs() <= 1e-9 * w)).collect()
+        numbers.filter(|x| !self.written.iter().any(|w| (w - x.abs()).abs() <= 1e-9 * w)).collect()
     }
 
     fn is_wanted(&self, pose: &Pose) -> bool {
@@ -305,6 +304,17 @@ impl Sheets<'_> {
     fn is_used(&self, name: &str) -> bool {
         name == "variant" || self.used.contains(name)
     }
+}
+
+/// The numbers of a text without expectations and remarks; none where it expects nothing.
+fn numbers(text: &str) -> Vec<f64> {
+    let lines = || text.lines().map(str::trim_start);
+    if !lines().any(|line| line.starts_with("expect")) {
+        return Vec::new();
+    }
+    let lines = lines().filter(|line| !line.starts_with("expect") && !line.starts_with("//"));
+    let words = lines.flat_map(|line| line.split(|c: char| !(c.is_ascii_digit() || c == '.')));
+    words.filter_map(|word| word.parse().ok()).collect()
 }
 
 /// The names that a text uses before its table and outside of expectations; that which a line gives is not used by it.
