@@ -166,6 +166,16 @@ impl Course<'_> {
         let letter = match function {
             "distance" => "d",
             "instant_centre" => return Some(Name::new("P", &format!("P{}", self.labels(&index)?))),
+            "dir" => {
+                let (of, what) = arguments.trim_end_matches(')').split_once('(')?;
+                let letter = match of {
+                    "velocity" => "v",
+                    "acceleration" => "a",
+                    "reaction" => "R",
+                    _ => return None,
+                };
+                return Some(Name::new("δ", &format!("{letter}{}", what.split(',').next()?)));
+            }
             "mag" => match arguments.split_once('(')? {
                 ("reaction", pair) => {
                     let pair = pair.trim_end_matches(')').split(',').next()?;

@@ -1,14 +1,15 @@
 //! Expressions of the file in the letters of the steps: loads that depend on the position, and what the file asks for by functions of
 //! results. A part that no step has leaves the whole without letters.
 
+use crate::angle::Angle;
 use crate::course::Course;
 use crate::forces::quantity_name;
 use assur_formula::{Expr, Function as Of, Name, Unit};
 use assur_math::math::{Between, Vec2};
 use assur_model::model::{
-    Axis, BinaryOp, Curve, CurvePart, Expr as E, Function, Guide, LinkId, PairId, PairKind, PointRef, Query,
-    Value,
+    Axis, BinaryOp, Curve, CurvePart, Expr as E, Function, LinkId, PairId, PairKind, PointRef, Query, Value,
 };
+use assur_model::structure::BodyOrigin;
 
 /// What differs by less than this part of it is the same.
 const SAME: f64 = 1e-9;
@@ -132,14 +133,23 @@ impl Course<'_> {
         Some(length([normal, friction]))
     }
 
-    /// The components of the force of a guide with friction.
-    fn pressed_and_rubbed_on(&mut self, pair: PairId, g: &Guide, v: Vec2) -> Option<[Expr; 2]> {
+    /// The direction in which a pair slides: of a guide its line, else that of the block which stands for the pair.
+    fn way_of_friction(&self, pair: PairId) -> Option<Angle> {
+        if let PairKind::Prismatic(g) = &self.scene.mechanism().pair(pair).kind {
+            let carrier = g.guide.index();
+            let own = self.direction_given(g.along, || Name::new("λ", &self.label(carrier)));
+            return Some(self.bodies[carrier].as_ref()?.angle.plus(&own));
+        }
+        let bodies = &self.structure().replaced.bodies;
+        let block = (0..bodies.len()).find(|i| bodies[*i].origin == BodyOrigin::Imaginary(pair))?;
+        Some(self.bodies[block].as_ref()?.angle.clone())
+    }
+
+    /// The components of the force of a pair with friction.
+    fn pressed_and_rubbed_on(&self, pair: PairId, way: &Angle, v: Vec2) -> Option<[Expr; 2]> {
         let index = format!("f{}", self.scene.mechanism().pair(pair).name);
         let friction = self.found.get(&Name::new("F", &index)).cloned()?;
         let normal = self.reactions_of(pair).iter().find_map(|name| self.found.get(name).cloned())?;
-        let carrier = g.guide.index();
-        let own = self.direction_given(g.along, || Name::new("λ", &self.label(carrier)));
-        let way = self.bodies[carrier].as_ref()?.angle.plus(&own);
         let signs = [(1, 1), (1, -1), (-1, 1), (-1, -1)];
         let signed = |x: &Expr, sign: i32| if sign < 0 { -x.clone() } else { x.clone() };
         let sums = signs.into_iter().map(|(f, n)| {
@@ -282,8 +292,10 @@ impl Course<'_> {
             return Some(force.parts.clone());
         }
         let Value::Vector(v) = self.scene.view().query(&Query::Reaction(pair, link)) else { return None };
-        if let PairKind::Prismatic(g) = &self.scene.mechanism().pair(pair).kind {
-            return self.pressed_and_rubbed_on(pair, g, v);
+        if let Some(sum) =
+            self.way_of_friction(pair).and_then(|way| self.pressed_and_rubbed_on(pair, &way, v))
+        {
+            return Some(sum);
         }
         let contacts = &self.scene.mechanism().cam_contacts;
         let contact =

@@ -199,7 +199,9 @@ impl Course<'_> {
         let found = |name: &Name, value: f64| {
             self.found.get(name).is_some_and(|x| near(x.value().abs(), value.abs()))
         };
-        found(name, v.norm()) || found(&name.and("x"), v.x) || found(&name.and("y"), v.y)
+        let part = |axis: &str, x: f64| x.abs() <= SAME * v.norm() || found(&name.and(axis), x);
+        let any = found(&name.and("x"), v.x) || found(&name.and("y"), v.y);
+        found(name, v.norm()) || any && part("x", v.x) && part("y", v.y)
     }
 
     /// The letters of the couples in a pair: of guides, and of transmissions on their shafts.

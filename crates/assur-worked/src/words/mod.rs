@@ -1,4 +1,4 @@
-//! All sentences of a worked solution: one list of messages, one file per language.
+//! All sentences of a worked solution: a list of messages per topic, each with a file per language.
 
 mod chinese;
 mod design;
