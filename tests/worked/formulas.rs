@@ -1,6 +1,7 @@
 //! Every formula in LaTeX parses, read by a parser that is not of this repository.
 
 use crate::examples::{Example, examples};
+use crate::made::solved;
 use crate::reader::{Read, mathml};
 use assur::internals::cli::report::document;
 use assur::internals::model::FindKind;
@@ -119,4 +120,67 @@ fn answers_have_the_letters_of_their_steps() {
     println!("{with} answers with letters");
     assert!(with > 700, "{with}");
     assert_eq!(without, Vec::<String>::new());
+}
+
+/// A slotted bar with loads by expressions, and a cam with friction, asked for by functions of all kinds.
+const ASKED: [&str; 2] = [
+    r#"mech 1
+mechanism "Requests"
+gravity 9.81 m/s^2
+ground { A (0, 0); C (0, 300 mm) }
+link crank A-B 100 mm { S (30 mm, 0); mass 1 kg at S; inertia 0.01 kg*m^2 }
+link bar { C (0, 0); line slot through C along 0 deg; T (400 mm, 0); mass 2 kg at T; inertia 0.02 kg*m^2 }
+link block { B (0, 0) }
+revolute A: ground - crank
+revolute C: ground - bar
+revolute B: crank - block
+prismatic s: block.B - bar.slot
+assemble s > 0 mm
+drive crank = 40 deg at 60 rpm
+torque L on bar = 2 N*m*sin(angle(bar)) + 0.5 N*m*s*omega(bar)
+force F on bar at T = (10 N, -5 N*cos(angle(crank)))
+balance torque M on crank
+find coriolis(s), distance(B, C), instant_centre(bar, crank), energy(), power(L), power(F), power(M), omega(bar), mag(reaction(C)), dir(reaction(A, crank)), relative_velocity(s)
+find kinetic_energy(), potential_energy(), mag(velocity(T)), dir(velocity(T)), mag(acceleration(T))
+"#,
+    r#"mech 1
+mechanism "Slip"
+ground { A (0, 0); line way through A along 90 deg; G (0, 100 mm) }
+link cam { A (0, 0); K (15 mm, 0); circle rim centre K radius 40 mm }
+link tappet { P (0, 0); line face through P along 90 deg; mass 1 kg at P }
+revolute A: ground - cam
+prismatic G: tappet.P - ground.way
+contact K: cam.rim - tappet.face { friction 0.1 }
+gravity 9.81 m/s^2
+assemble tappet.P near (0 mm, 100 mm)
+drive cam = 40 deg at 120 rpm
+balance torque M on cam
+find slip_speed(K), pressure_angle(K), mag(reaction(K)), reaction(K, tappet), normal(K, tappet), friction(K, tappet), power(M), displacement(G), relative_acceleration(G)
+"#,
+];
+
+#[test]
+fn questions_by_functions_are_derived() {
+    for text in ASKED {
+        let (source, solved) = solved("asked", text).expect("solved");
+        let (read, _) = parse(&source);
+        let page = document(&source, &read, &solved, Language::English, (None, &[])).expect("a page");
+        let written = html(&page);
+        for infix in mathml::equations(&written) {
+            if let Ok(equation) = Read::of(&infix) {
+                assert!(equation.approximate || equation.judge().is_ok(), "{infix}");
+            }
+        }
+        let words = |line: &[Inline]| match line.first() {
+            Some(Inline::Text(words)) => words.clone(),
+            _ => String::new(),
+        };
+        let is_results = |table: &&Table| table.headers.first().is_some_and(|h| words(h) == "Quantity");
+        let mut tables =
+            page.blocks.iter().filter_map(|b| if let Block::Table(t) = b { Some(t) } else { None });
+        let table = tables.find(is_results).expect("results");
+        let bare = table.rows.iter().filter(|row| row[1].is_empty() && words(&row[2]) != "0");
+        let bare: Vec<String> = bare.map(|row| words(&row[0])).collect();
+        assert_eq!(bare, Vec::<String>::new());
+    }
 }

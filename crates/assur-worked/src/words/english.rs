@@ -256,7 +256,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         }
         Message::CamDwells => "The cam is in a dwell: its follower does not move.",
         Message::PlanetsEven => {
-            "The planets {0} are evenly spaced about the axis of {1}: their mass centre stays on it, and {1} has their mass at the distance of their axes besides its own moment of inertia:"
+            "The planets {0} are evenly spaced about the axis of {1}: their mass centre stays on it, and {1} has their mass at the distance of their axes in addition to its own moment of inertia:"
         }
         Message::LiftBegins => {
             "The lift begins where the follower is at the distance {0} from the cam’s centre."
@@ -283,7 +283,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CylinderLength => "The drive gives the length of the cylinder between its hinges, {0}.",
         Message::PlaceOpen => "The place of a shaft is not given, so the reaction in {0} is not determined.",
         Message::CoupleAtSlider => "About {0}, the point of the slider, the couple of the guide is:",
-        Message::AskedBesides => "What the file asks for besides, from these results:",
+        Message::AskedBesides => "What else the file asks for, from these results:",
         Message::ByFormulas => "The file’s own formulas with these results:",
         Message::LoadRests => "{0} does not act at this position.",
     }
