@@ -10,7 +10,7 @@ use assur_picture::{Kind, Options, draw};
 /// What A4 has between the margins, mm.
 const PAPER: f64 = 182.0;
 /// How often a picture is drawn with less space, and how much less than what it seems to need.
-const TRIES: u8 = 8;
+const TRIES: u8 = 4;
 const LESS: f64 = 0.96;
 
 impl Course<'_> {
