@@ -113,11 +113,11 @@ impl WideColumns {
 
     /// Writes the numbers of the first positions, as many as there are places, column by column; NaN where there is none. `values` are
     /// those of the drives. What is known in addition to the states is left to `beside`.
-    pub(crate) fn write<'o>(
+    pub(crate) fn write(
         &self,
         rows: &[State<Wide>],
         (values, drives): (&[DriveValue], usize),
-        out: &mut dyn Iterator<Item = &'o mut [f64]>,
+        out: &mut dyn Iterator<Item = &mut [f64]>,
         beside: impl Fn(WideBeside, &mut [f64]),
     ) {
         for Column { shown, unit } in &self.0 {

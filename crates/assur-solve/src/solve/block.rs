@@ -210,7 +210,7 @@ impl Block {
     }
 
     /// Writes the numbers of the positions that are left, column by column, to places of as many.
-    pub fn write<'o>(&self, columns: &WideColumns, out: &mut dyn Iterator<Item = &'o mut [f64]>) {
+    pub fn write(&self, columns: &WideColumns, out: &mut dyn Iterator<Item = &mut [f64]>) {
         let beside = |what, out: &mut [f64]| self.write_beside(what, out);
         columns.write(&self.rows, (&self.values, self.drives), out, beside);
     }
