@@ -30,7 +30,7 @@ impl Course<'_> {
         }
         let size = options.scheme.size;
         let mut made = |smaller: f64| {
-            options.scheme.size = size * smaller;
+            (options.scheme.size, options.scheme.grows) = (size * smaller, smaller >= 1.0);
             let mut drawing = draw(Kind::Scheme, &self.scene, &options).ok()?.into_iter().next()?;
             // titles and descriptions tell of the position
             drawing.title = self.caption(Message::SchemeAt, "");
@@ -65,6 +65,7 @@ impl Course<'_> {
     fn drawings(&self, kind: Kind, smaller: f64) -> Vec<Drawing> {
         let mut options = Options::default();
         options.scheme.size = options.scheme.size * smaller;
+        options.scheme.grows = smaller >= 1.0;
         if self.shown { draw(kind, &self.scene, &options).unwrap_or_default() } else { Vec::new() }
     }
 

@@ -45,6 +45,8 @@ pub struct Scheme {
     pub loads: Loads,
     /// The most that the mechanism takes, mm.
     pub size: Vec2,
+    /// It may take more where many pairs need the room.
+    pub grows: bool,
     /// Scale factors, where they are wanted.
     pub scales: Scales,
     /// How many other poses are shown.
@@ -61,7 +63,7 @@ impl Default for Scheme {
     fn default() -> Self {
         let (ghosts, paths, numbers, dimensions) = (0, Vec::new(), false, Vec::new());
         let (size, scales) = (Vec2::new(180.0, 120.0), Scales::default());
-        Self { loads: Loads::All, size, scales, ghosts, paths, numbers, dimensions }
+        Self { loads: Loads::All, size, grows: true, scales, ghosts, paths, numbers, dimensions }
     }
 }
 
@@ -89,8 +91,8 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
     let traced = ways::traced(scene, wanted)?;
     let mut bounds = extent(scene, &shapes);
     ways::extent(scene, wanted, &traced, &mut bounds);
-    let sheet =
-        Paper { size: paper(&bounds, room::for_pairs(scene, &bounds, wanted.size)), ..wanted.paper() };
+    let size = if wanted.grows { room::for_pairs(scene, &bounds, wanted.size) } else { wanted.size };
+    let sheet = Paper { size: paper(&bounds, size), ..wanted.paper() };
     let frame = sheet.frame(Scaled::Length, &bounds, AROUND)?;
     let forces = if wanted.numbers { numbers::scale(scene, wanted)? } else { None };
     let mut drawing = drawn(scene, wanted, &shapes, &frame, &traced, forces);

@@ -7,7 +7,7 @@ use crate::answer::{PoseAnswers, first_angles};
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
-use crate::position::{BodyState, Branch, Model, SAME, STARTS, State, Workspace, extent};
+use crate::position::{BodyState, Branch, DEAD, Model, SAME, STARTS, State, Workspace, extent};
 
 /// More assemblies than this are not followed: without a word on the first groups their number doubles with each.
 const MOST: usize = 256;
@@ -183,6 +183,10 @@ fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize)
                 }
             }
         }
+    }
+    if !step.has_two_roots() && out.iter().all(|assembly| assembly.conditioning.abs() <= DEAD) {
+        // parallel guides: the sides of circles in contact are nothing to choose from, and the position is told to be dead
+        out.truncate(1);
     }
     out
 }
