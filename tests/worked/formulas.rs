@@ -86,6 +86,17 @@ fn what_a_file_asks_for_by_formulas_is_derived_and_balances() {
 /// Questions of a whole run or a whole cycle, whatever the position that is shown.
 const OF_RUNS: [&str; 4] = ["time", "count", "work", "friction_work"];
 
+/// The table of results.
+fn results(blocks: &[Block]) -> Option<&Table> {
+    let mut tables = blocks.iter().filter_map(|b| if let Block::Table(t) = b { Some(t) } else { None });
+    tables.find(|table| table.headers.first().is_some_and(|h| words(h) == "Quantity"))
+}
+
+/// The words with which a cell begins.
+fn words(line: &[Inline]) -> &str {
+    if let Some(Inline::Text(words)) = line.first() { words } else { "" }
+}
+
 #[test]
 fn answers_have_the_letters_of_their_steps() {
     let (mut without, mut with) = (Vec::new(), 0);
@@ -93,14 +104,7 @@ fn answers_have_the_letters_of_their_steps() {
         let Some((source, solved)) = solved else { continue };
         let (read, _) = parse(source);
         let Ok(page) = document(source, &read, solved, Language::English, (None, &[])) else { continue };
-        let words = |line: &[Inline]| match line.first() {
-            Some(Inline::Text(words)) => words.clone(),
-            _ => String::new(),
-        };
-        let is_results = |table: &&Table| table.headers.first().is_some_and(|h| words(h) == "Quantity");
-        let mut tables =
-            page.blocks.iter().filter_map(|b| if let Block::Table(t) = b { Some(t) } else { None });
-        let Some(table) = tables.find(is_results) else { continue };
+        let Some(table) = results(&page.blocks) else { continue };
         let lettered = table.headers.len() == 4;
         for row in &table.rows {
             let asked = words(&row[0]);
@@ -111,7 +115,7 @@ fn answers_have_the_letters_of_their_steps() {
             let of_position = matches!(find, Some(FindKind::Value { poseless: false, .. }));
             let of_run = OF_RUNS.iter().any(|word| asked.starts_with(&format!("{word}(")));
             let value = words(&row[row.len() - 2]);
-            let is_truth = ["true", "false"].contains(&&*value);
+            let is_truth = ["true", "false"].contains(&value);
             if of_position && !of_run && !has && !is_truth && value != "0" && !value.starts_with("(0, 0)") {
                 without.push(format!("{name}: {asked}"));
             }
@@ -171,16 +175,9 @@ fn questions_by_functions_are_derived() {
                 assert!(equation.approximate || equation.judge().is_ok(), "{infix}");
             }
         }
-        let words = |line: &[Inline]| match line.first() {
-            Some(Inline::Text(words)) => words.clone(),
-            _ => String::new(),
-        };
-        let is_results = |table: &&Table| table.headers.first().is_some_and(|h| words(h) == "Quantity");
-        let mut tables =
-            page.blocks.iter().filter_map(|b| if let Block::Table(t) = b { Some(t) } else { None });
-        let table = tables.find(is_results).expect("results");
+        let table = results(&page.blocks).expect("results");
         let bare = table.rows.iter().filter(|row| row[1].is_empty() && words(&row[2]) != "0");
-        let bare: Vec<String> = bare.map(|row| words(&row[0])).collect();
-        assert_eq!(bare, Vec::<String>::new());
+        let bare: Vec<&str> = bare.map(|row| words(&row[0])).collect();
+        assert_eq!(bare, Vec::<&str>::new());
     }
 }
