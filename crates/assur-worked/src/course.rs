@@ -39,6 +39,8 @@ pub struct Course<'a> {
     pub equations: Vec<(usize, Equation)>,
     /// What trees do not agree with the state: nothing of these is printed.
     pub disagreements: Vec<String>,
+    /// Values without a formula in the sections on what needs no position.
+    pub design_values: Vec<Quantity>,
     /// The bodies.
     pub bodies: Vec<Option<Body>>,
     /// All that has been found, by its letters.
@@ -56,7 +58,7 @@ pub struct Course<'a> {
     /// What the file asks for.
     pub asked: BTreeSet<Name>,
     /// The values of the file that have been used.
-    given: RefCell<BTreeMap<Name, f64>>,
+    pub(crate) given: RefCell<BTreeMap<Name, f64>>,
     /// Places without a name in the file.
     pub unnamed: RefCell<Vec<(usize, Vec2)>>,
     /// What is known to act on the bodies.
@@ -112,6 +114,7 @@ impl<'a> Course<'a> {
             blocks: Vec::new(),
             equations: Vec::new(),
             disagreements: Vec::new(),
+            design_values: Vec::new(),
             bodies,
             found: BTreeMap::new(),
             points: Default::default(),
@@ -316,49 +319,6 @@ impl<'a> Course<'a> {
         let leaf = Expr::Leaf(Arc::new(q));
         self.found.insert(name, leaf.clone());
         leaf
-    }
-
-    /// A direction of the file; `name` where it is no whole number of degrees.
-    pub fn direction_given(&self, direction: Vec2, name: impl FnOnce() -> Name) -> Angle {
-        Angle::whole_degrees(direction)
-            .unwrap_or_else(|degrees| Angle::of(self.given(name(), degrees, Unit::Angle)))
-    }
-
-    /// A value of the file. Letters that another value has get a prime.
-    pub fn given(&self, mut name: Name, value: f64, unit: Unit) -> Expr {
-        if value.abs() == 0.0 {
-            return Expr::ZERO;
-        }
-        let found = self.found.get(&name).filter(|own| (own.value() - value).abs() <= 1e-12 * value.abs());
-        if let Some(found) = found {
-            return found.clone();
-        }
-        let mut known = self.given.borrow_mut();
-        while let Some(other) = known.get(&name) {
-            if (*other - value).abs() <= 1e-12 * value.abs() {
-                break;
-            }
-            name.letter.push('′');
-        }
-        known.insert(name.clone(), value);
-        Expr::Leaf(Arc::new(Quantity { name, value, unit, scale: value.abs(), given: true, rounding: 0.0 }))
-    }
-
-    /// Whether letters are a value of the file.
-    pub fn is_given(&self, name: &Name) -> bool {
-        self.given.borrow().contains_key(name)
-    }
-
-    /// A length of the file between two named points of a body.
-    pub fn length(&self, from: &str, to: &str, value: f64) -> Expr {
-        if value <= self.tiny {
-            return Expr::ZERO;
-        }
-        let name = |from, to| Name::new("l", &joined(from, to));
-        let other = name(to, from);
-        let is_known =
-            self.given.borrow().get(&other).is_some_and(|known| (known - value).abs() <= 1e-12 * value);
-        self.given(if is_known { other } else { name(from, to) }, value, Unit::Length)
     }
 }
 

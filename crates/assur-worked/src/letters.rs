@@ -33,19 +33,23 @@ impl Course<'_> {
 
     /// The name of a point of a body: that of the hinge there, else its own, else a new one.
     pub fn point_name(&self, body: usize, at: Vec2) -> String {
+        self.known_name(body, at).unwrap_or_else(|| self.unnamed(body, at))
+    }
+
+    /// The name that a point has in the file, by its hinge or its own, or as a centre of mass.
+    pub(crate) fn known_name(&self, body: usize, at: Vec2) -> Option<String> {
         if let Some(name) = self.hinge_name(body, at) {
-            return name;
+            return Some(name);
         }
         let mechanism = self.scene.mechanism();
         let near = |p: Vec2| (p - at).norm() <= self.tiny;
         let Some(link) = self.link(body) else {
             let pair = self.label(body);
-            return if near(Vec2::zero()) { pair } else { format!("{pair}′") };
+            return Some(if near(Vec2::zero()) { pair } else { format!("{pair}′") });
         };
         let own = mechanism.link(link);
         let Some(point) = own.points.iter().find(|p| near(p.at)) else {
-            let centre = own.mass.is_some_and(|m| near(m.centre));
-            return if centre { format!("S{}", self.label(body)) } else { self.unnamed(body, at) };
+            return own.mass.is_some_and(|m| near(m.centre)).then(|| format!("S{}", self.label(body)));
         };
         let is_taken = |name: &str| {
             let pairs = mechanism.pairs.iter().any(|p| p.name == name);
@@ -54,12 +58,9 @@ impl Course<'_> {
                 points.filter(|(i, l)| *i != link.index() && l.points.iter().any(|p| p.name == name));
             pairs || others.count() > 0
         };
-        if is_taken(&point.name) {
-            let label = self.label(body);
-            if point.name.ends_with(&label) { point.name.clone() } else { format!("{}{label}", point.name) }
-        } else {
-            point.name.clone()
-        }
+        let label = self.label(body);
+        let own_already = !is_taken(&point.name) || point.name.ends_with(&label);
+        Some(if own_already { point.name.clone() } else { format!("{}{label}", point.name) })
     }
 
     /// A name for a place on a body that has none in the file.

@@ -12,6 +12,7 @@ mod document;
 mod expressions;
 mod forces;
 mod formulas;
+mod given;
 mod letters;
 mod localised;
 mod motion;

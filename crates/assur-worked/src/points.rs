@@ -21,6 +21,9 @@ struct Arm {
 impl Course<'_> {
     /// Where a point of a body is, m.
     pub fn position(&mut self, body: usize, at: Vec2) -> [Expr; 2] {
+        if let Some((_, place)) = self.touched(body, at) {
+            return place;
+        }
         let name = self.point_name(body, at);
         if let Some(at) = self.on_base(body, at) {
             return self.on_ground(&name, at);
@@ -67,6 +70,9 @@ impl Course<'_> {
     pub fn velocity(&mut self, body: usize, at: Vec2) -> [Expr; 2] {
         if self.on_base(body, at).is_some() {
             return [Expr::ZERO, Expr::ZERO];
+        }
+        if let Some((name, place)) = self.touched(body, at) {
+            return self.under(1, body, &name, &place);
         }
         let name = self.point_name(body, at);
         if let Some(known) = self.points[1].get(&name) {

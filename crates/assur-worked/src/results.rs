@@ -71,8 +71,8 @@ impl Course<'_> {
         let x = if unit == Unit::Angle { x.to_degrees() } else { x };
         let alike = |own: Unit| own == unit || own == Unit::Work && unit == Unit::Torque;
         let is_it = |q: &Quantity| alike(q.unit) && (q.value - x).abs() <= SAME * x.abs();
-        let found = self.equations.iter().find(|(_, e)| is_it(&e.left))?;
-        Some(name_node(&found.1.left.name))
+        let derived = self.equations.iter().map(|(_, e)| &*e.left);
+        derived.chain(&self.design_values).find(|q| is_it(q)).map(|found| name_node(&found.name))
     }
 
     fn row(&self, table: &mut Table, name: &str, letters: Line, value: Value, display: &Display) {

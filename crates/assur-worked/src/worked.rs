@@ -291,10 +291,19 @@ impl Course<'_> {
     /// What needs no position: cycle, flywheels, cams, gears.
     fn designs(&mut self) {
         let page = crate::design::design(self.scene.model, self.scene.solution, self.language);
-        let before = self.blocks.len();
-        self.blocks.extend(page.blocks);
-        self.equations.extend(page.equations.into_iter().map(|(place, e)| (place + before, e)));
+        let mut equations = page.equations.into_iter().peekable();
+        let mut wheels = page.reduced.into_iter().peekable();
+        for (i, block) in page.blocks.into_iter().enumerate() {
+            if let Some((_, wheel)) = wheels.next_if(|(place, _)| *place == i) {
+                self.reduced_torque(wheel);
+            }
+            if let Some((_, equation)) = equations.next_if(|(place, _)| *place == i) {
+                self.equations.push((self.blocks.len(), equation));
+            }
+            self.blocks.push(block);
+        }
         self.disagreements.extend(page.disagreements);
+        self.design_values = page.values;
     }
 
     fn head(&mut self, heading: Message) {

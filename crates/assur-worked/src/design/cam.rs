@@ -1,19 +1,15 @@
-//! Plate cams: the law by stages, a check of it inside every stage, the base triangle, pressure angle and curvature where they
-//! are extreme.
+//! Plate cams: the law by stages, a check of it inside every stage, and the base triangle.
 
 use super::page::{Page, chosen, given};
 use crate::cam_law::{derivatives, greatest_acceleration, is_of_half, shape};
 use crate::document::{Line, text};
 use crate::words::DesignMessage as Message;
 use assur_formula::{Expr, Function, Name, Unit, with_digits};
-use assur_math::element::cam::{Cam, Follower, Law, Phase, Quantity, Shape};
+use assur_math::element::cam::{Cam, Follower, Law, Phase, Shape};
 use assur_model::model::{Mechanism, PlateCam};
-use std::f64::consts::TAU;
 
 /// Degrees per rad.
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
-/// Angles nearer than this are one, rad.
-const NEAR: f64 = 1e-12;
 
 /// The most pieces of a spline that are written one by one.
 const PIECES: usize = 12;
@@ -68,7 +64,7 @@ impl Page {
     }
 
     /// The formulas of the lift and its derivatives at a part of a stage; a law of halves has those of the first, mirrored.
-    fn formulas(
+    pub(super) fn formulas(
         &mut self,
         letters: &Letters,
         phases: &[Phase],
@@ -87,32 +83,6 @@ impl Page {
         let [way, bend] = if mirrored { [h - way, -bend] } else { [way, bend] };
         let [first, second] = derivatives(letters.turns, slope, bend, angle);
         Some([from + way, first, second])
-    }
-
-    /// The lift and its derivatives at an angle of the cam, with a mark as their index.
-    fn lift_marked(&mut self, cam: &Cam, letters: &Letters, phi: f64, mark: &str) -> [Expr; 3] {
-        let [s, v, a, ..] = cam.program.at(phi);
-        let (scale, slope) = if letters.turns { (DEGREES, Unit::One) } else { (1.0, Unit::Length) };
-        let values = [("s", scale * s, letters.unit()), ("s′", v, slope), ("s″", a, slope)];
-        let phases = cam.program.phases();
-        let around = phi.rem_euclid(TAU);
-        let index = phases.partition_point(|phase| phase.start <= around + NEAR).saturating_sub(1);
-        let mut right = None;
-        if let Some(phase) = phases.get(index).filter(|phase| phase.law != Law::Dwell) {
-            let number = (index + 1).to_string();
-            let theta = chosen(letters.of("θ", mark), around.to_degrees(), Unit::Angle);
-            let begin = given(letters.of("θ", &format!("0,{number}")), phase.start.to_degrees(), Unit::Angle);
-            let angle = given(letters.of("Φ", &number), phase.angle.to_degrees(), Unit::Angle);
-            let place = ((around - phase.start) / phase.angle).clamp(0.0, 1.0);
-            let part = self.equate_or_state(letters.of("u", mark), place, Unit::One, (theta - begin) / angle);
-            right = self.formulas(letters, phases, index, (place, part));
-        }
-        let mut right = right.into_iter().flatten();
-        values.map(|(letter, value, unit)| match right.next() {
-            Some(right) => self.equate_or_state(letters.of(letter, mark), value, unit, right),
-            None if value == 0.0 => Expr::ZERO,
-            None => self.stated(letters.of(letter, mark), value, unit),
-        })
     }
 
     /// What a law has besides the way: the greatest acceleration of modified ones, the terms of a piece of a spline.
@@ -151,120 +121,19 @@ impl Page {
                 let right = (top / (Expr::Int(2) * arm * distance)).of(Function::Arccos);
                 self.equate(letters.of("ψ", "0"), cam.start().to_degrees(), Unit::Angle, right);
             }
-            _ => {}
-        }
-    }
-
-    /// The greatest pressure angle and the least radius of curvature with their formulas.
-    fn extremes(&mut self, cam: &Cam, letters: &Letters) {
-        let (phi, alpha) = cam.extreme(Quantity::PressureAngle, true);
-        if cam.follower.shape() != Shape::Flat && alpha > 0.0 {
-            let place: Line = vec![text(degrees(phi))];
-            self.say(Message::CamPressure, &[place]);
-            let lift = self.lift_marked(cam, letters, phi, "α");
-            let right = self.pressure(cam, letters, lift);
-            self.equate_or_state(letters.of("α", "max"), alpha.to_degrees(), Unit::Angle, right);
-        }
-        let (phi, radius) = cam.extreme(Quantity::CurvatureRadius, false);
-        if radius.is_finite() {
-            let place: Line = vec![text(degrees(phi))];
-            self.say(Message::CamCurvature, &[place]);
-            let pitch = match self.curvature(cam, letters, phi) {
-                Some(right) => self.equate_or_state(letters.of("ρ", "min"), radius, Unit::Length, right),
-                None => self.stated(letters.of("ρ", "min"), radius, Unit::Length),
-            };
-            if let Shape::Roller(roller) = cam.follower.shape() {
-                let roller = given(letters.of("r", "r"), roller, Unit::Length);
-                let right = pitch - roller;
-                let value = right.value();
-                self.equate(letters.of("ρ", "p"), value, Unit::Length, right);
-            }
-        }
-    }
-
-    fn pressure(&mut self, cam: &Cam, letters: &Letters, [s, v, _]: [Expr; 3]) -> Expr {
-        match cam.follower {
-            Follower::Translating { offset, .. } => {
-                let offset = given(letters.of("e", ""), offset, Unit::Length);
-                ((v - offset).abs() / (self.lift_zero(cam, letters) + s)).of(Function::Arctan)
-            }
-            Follower::Oscillating { arm, pivot_distance, with_cam, .. } => {
-                let psi = self.swing(cam, letters, s, "α");
-                let [arm, distance] = [("l", arm), ("a", pivot_distance)]
+            Follower::Oscillating { pivot_distance, offset, .. } => {
+                self.say(Message::CamStart, &[]);
+                let [distance, offset] = [("a", pivot_distance), ("e", offset)]
                     .map(|(letter, x)| given(letters.of(letter, ""), x, Unit::Length));
-                let turn = if with_cam { Expr::Int(1) - v } else { Expr::Int(1) + v };
-                let top = (arm * turn - distance.clone() * psi.clone().cos()).abs();
-                (top / (distance * psi.sin())).of(Function::Arctan)
+                let right = ((base + offset) / distance).of(Function::Arcsin);
+                self.equate(letters.of("ψ", "0"), cam.start().to_degrees(), Unit::Angle, right);
             }
+            Follower::Translating { .. } => {}
         }
-    }
-
-    /// The radius of curvature of the path of the follower's point in the cam: w³ over a determinant, where w is the path per rad.
-    fn curvature(&mut self, cam: &Cam, letters: &Letters, phi: f64) -> Option<Expr> {
-        let is_flat = cam.follower.shape() == Shape::Flat;
-        match cam.follower {
-            Follower::Translating { offset, .. } => {
-                let [s, v, a] = self.lift_marked(cam, letters, phi, "ρ");
-                let reach = self.lift_zero(cam, letters) + s;
-                if is_flat {
-                    return Some(reach + a);
-                }
-                let offset = given(letters.of("e", ""), offset, Unit::Length);
-                let value = reach.value();
-                let reach = self.equate(letters.of("d", "ρ"), value, Unit::Length, reach);
-                let slip = v.clone() - offset;
-                let w = (reach.clone().squared() + slip.clone().squared()).root();
-                let w = self.path_per_angle(letters, w);
-                let bottom = reach.clone().squared() + slip.clone() * (slip + v) - reach * a;
-                Some(w.cubed() / bottom)
-            }
-            Follower::Oscillating { .. } if is_flat => None,
-            Follower::Oscillating { arm, pivot_distance, with_cam, .. } => {
-                let [s, v, a] = self.lift_marked(cam, letters, phi, "ρ");
-                let psi = self.swing(cam, letters, s, "ρ");
-                let [arm, distance] = [("l", arm), ("a", pivot_distance)]
-                    .map(|(letter, x)| given(letters.of(letter, ""), x, Unit::Length));
-                let right = if with_cam { Expr::Int(1) - v } else { Expr::Int(1) + v };
-                let value = right.value();
-                let k = self.equate(letters.of("k", "ρ"), value, Unit::One, right);
-                let (kl, cos) = (k.clone() * arm.clone(), psi.clone().cos());
-                let square = distance.clone().squared();
-                let w = (square.clone() + kl.clone().squared()
-                    - Expr::Int(2) * distance.clone() * kl.clone() * cos.clone())
-                .root();
-                let w = self.path_per_angle(letters, w);
-                let bottom = square + k.clone() * kl.clone().squared()
-                    - distance.clone() * kl * (k + Expr::Int(1)) * cos
-                    - distance * arm * a * psi.sin();
-                Some(w.cubed() / bottom)
-            }
-        }
-    }
-
-    fn path_per_angle(&mut self, letters: &Letters, right: Expr) -> Expr {
-        let value = right.value();
-        self.equate(letters.of("w", "ρ"), value, Unit::Length, right)
-    }
-
-    /// How far the follower is from the cam's centre at lift zero, along its guide.
-    fn lift_zero(&self, cam: &Cam, letters: &Letters) -> Expr {
-        match cam.follower {
-            Follower::Translating { shape, offset } if shape != Shape::Flat && offset != 0.0 => {
-                self.again(letters.of("d", "0"), cam.start(), Unit::Length)
-            }
-            _ => given(letters.of("r", "0"), cam.base_radius, Unit::Length),
-        }
-    }
-
-    /// The angle of an arm from the line of centres.
-    fn swing(&mut self, cam: &Cam, letters: &Letters, s: Expr, mark: &str) -> Expr {
-        let right = self.again(letters.of("ψ", "0"), cam.start().to_degrees(), Unit::Angle) + s;
-        let value = right.value();
-        self.equate(letters.of("ψ", mark), value, Unit::Angle, right)
     }
 
     /// A quantity that has been found above.
-    fn again(&self, name: Name, value: f64, unit: Unit) -> Expr {
+    pub(super) fn again(&self, name: Name, value: f64, unit: Unit) -> Expr {
         let found = self.equations.iter().rev().find(|(_, e)| e.left.name == name);
         found.map_or_else(|| given(name, value, unit), |(_, e)| e.found())
     }
@@ -282,7 +151,7 @@ impl Letters {
         Name::new(letter, sub.trim_start_matches(','))
     }
 
-    const fn unit(&self) -> Unit {
+    pub(super) const fn unit(&self) -> Unit {
         if self.turns { Unit::Angle } else { Unit::Length }
     }
 }

@@ -28,12 +28,13 @@ impl Page {
 
     /// Every position: torque on the shaft, its difference to the mean, the work; then the extremes.
     fn work_table(&mut self, model: &Model<'_>, solution: &Solution, which: usize, found: &FlywheelAnswer) {
+        self.reduced.push((self.blocks.len(), which));
         self.say(Message::FlywheelTable, &[figure(found.mean_torque, "N·m")]);
         let drive = model.mechanism.drives.first().map_or("φ", |d| &d.name);
         let headers = vec![
             vec![text(format!("{drive}, °"))],
-            vec![text("M, N·m")],
-            vec![text("M − M_m, N·m")],
+            vec![text("M_r, N·m")],
+            vec![text("M_r − M_m, N·m")],
             vec![text("W, J")],
         ];
         let solved: Vec<_> = solution

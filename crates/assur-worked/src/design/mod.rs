@@ -1,6 +1,7 @@
 //! What needs no position of its own: gears, cams, flywheels, quantities of the cycle.
 
 mod cam;
+mod cam_extreme;
 mod cycle;
 mod flywheel;
 mod gear;

@@ -15,13 +15,24 @@ pub struct Page {
     pub blocks: Vec<Block>,
     /// The equations, each with its place among the blocks.
     pub equations: Vec<(usize, Equation)>,
+    /// Before which blocks the reduced torques of flywheels at one position go, by the number of the flywheel.
+    pub reduced: Vec<(usize, usize)>,
+    /// Values of the solver without a formula.
+    pub values: Vec<Quantity>,
     /// Formulas that do not agree with the solver: they are not written.
     pub disagreements: Vec<String>,
 }
 
 impl Page {
     pub(super) const fn new(language: Language) -> Self {
-        Self { language, blocks: Vec::new(), equations: Vec::new(), disagreements: Vec::new() }
+        Self {
+            language,
+            blocks: Vec::new(),
+            equations: Vec::new(),
+            reduced: Vec::new(),
+            values: Vec::new(),
+            disagreements: Vec::new(),
+        }
     }
 
     pub(super) fn heading(&mut self, message: Message, parts: &[Line]) {
@@ -60,18 +71,16 @@ impl Page {
         equation.found()
     }
 
-    /// The same; where the formula is of another side of a corner the value alone.
-    pub(super) fn equate_or_state(&mut self, name: Name, value: f64, unit: Unit, right: Expr) -> Expr {
-        let equation = Equation::new(name.clone(), value, unit, right.clone());
-        if equation.disagrees().is_some() || !right.value().is_finite() {
-            return self.stated(name, value, unit);
-        }
+    /// An intermediate quantity: its value is that of its formula.
+    pub(super) fn named(&mut self, name: Name, unit: Unit, right: Expr) -> Expr {
+        let value = right.value();
         self.equate(name, value, unit, right)
     }
 
     /// A value of the solver without a formula.
     pub(super) fn stated(&mut self, name: Name, value: f64, unit: Unit) -> Expr {
         let q = Quantity { name, value, unit, scale: value.abs(), given: false, rounding: 0.0 };
+        self.values.push(q.clone());
         let figures = q.figures(5);
         let mut row = vec![Node::Operator("=")];
         match unit {

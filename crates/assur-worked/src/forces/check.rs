@@ -80,7 +80,7 @@ impl Course<'_> {
         terms
     }
 
-    fn power_of_effort(&mut self, slot: usize) -> Option<Expr> {
+    pub(super) fn power_of_effort(&mut self, slot: usize) -> Option<Expr> {
         let is_force = self.is_force(slot);
         let value = self.found.get(&self.effort_name(slot, is_force)).cloned().unwrap_or(Expr::ZERO);
         self.power_of(slot, value)

@@ -11,6 +11,7 @@ mod loads;
 mod lost;
 mod planets;
 mod prp;
+mod reduced;
 mod rpp;
 mod rpr;
 mod rrp;

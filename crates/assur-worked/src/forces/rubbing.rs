@@ -2,6 +2,8 @@
 
 use crate::angle::Angle;
 use crate::course::Course;
+use crate::document::text;
+use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::ProfileShape;
@@ -62,47 +64,59 @@ impl Course<'_> {
 
     /// The velocity along the tangent where a round profile touches.
     pub(crate) fn sliding_in_contact(&mut self, element: &FrictionElement) -> Option<Expr> {
-        let (place, along) = self.state().friction_line(element)?;
-        let FrictionLaw::Contact { first, second, .. } = element.kind else { return None };
-        let round =
-            [(element.body, first), (element.base, second)].into_iter().find_map(
-                |(body, shape)| match shape {
-                    ProfileShape::Point(at) => Some((body, at, 0.0)),
-                    ProfileShape::Circle(at, radius) => Some((body, at, radius)),
-                    ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
-                },
-            );
-        let (body, at, radius) = round?;
+        let (_, along) = self.state().friction_line(element)?;
         let tangent = self.tangent(element, along);
-        let here = self.touching(element, (body, at, radius), place, &tangent);
-        let name = format!("T{}", self.scene.mechanism().pair(element.pair).name);
+        let (name, here) = self.touching(element)?;
         let [x, y] = self.under(1, element.body, &name, &here);
         let [u, w] = self.under(1, element.base, &name, &here);
         Some(tangent.along(&[x - u, y - w]))
     }
 
+    /// The letters and the place of a point of a body that has no name in the file, where a contact with friction touches.
+    pub(crate) fn touched(&mut self, body: usize, at: Vec2) -> Option<(String, [Expr; 2])> {
+        let plan = self.scene.model.plan;
+        let place = self.moved(body).position(at);
+        let touches = |element: &&FrictionElement| {
+            matches!(element.kind, FrictionLaw::Contact { .. })
+                && [element.through, element.base].contains(&body)
+                && self
+                    .state()
+                    .friction_line(element)
+                    .is_some_and(|(touched, _)| (touched - place).norm() <= self.tiny)
+        };
+        let element = *plan.friction.iter().find(touches)?;
+        if self.known_name(body, at).is_some() {
+            return None;
+        }
+        self.touching(&element)
+    }
+
     /// Where a round profile touches: its radius from its centre, across the tangent.
-    fn touching(
-        &mut self,
-        element: &FrictionElement,
-        (body, at, radius): (usize, Vec2, f64),
-        place: Vec2,
-        tangent: &Angle,
-    ) -> [Expr; 2] {
-        let centre = self.position(body, at);
+    fn touching(&mut self, element: &FrictionElement) -> Option<(String, [Expr; 2])> {
+        let (place, along) = self.state().friction_line(element)?;
+        let FrictionLaw::Contact { first, second, .. } = element.kind else { return None };
+        let (body, at, radius) = [(element.body, first), (element.base, second)].into_iter().find_map(
+            |(body, shape)| match shape {
+                ProfileShape::Point(at) => Some((body, at, 0.0)),
+                ProfileShape::Circle(at, radius) => Some((body, at, radius)),
+                ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
+            },
+        )?;
         let pair = self.scene.mechanism().pair(element.pair).name.clone();
-        let left = self
-            .state()
-            .friction_line(element)
-            .map_or(0.0, |(_, along)| along.cross(place - self.moved(body).position(at)));
-        let normal = Angle { quarters: tangent.quarters + if left > 0.0 { 1 } else { 3 }, ..tangent.clone() };
+        let tangent = self.tangent(element, along);
+        let left = along.cross(place - self.moved(body).position(at));
+        let normal = Angle { quarters: tangent.quarters + if left > 0.0 { 1 } else { 3 }, ..tangent };
         let r = self.given(Name::new("r", &pair), radius, Unit::Length);
-        let [x, y] = centre;
+        let [x, y] = self.position(body, at);
         let name = format!("T{pair}");
-        [
+        if radius > 0.0 && !self.found.contains_key(&Name::new("x", &name)) {
+            self.say(FrictionMessage::ContactPoint, &[vec![text(name.clone())], vec![text(pair)]]);
+        }
+        let here = [
             self.component(Name::new("x", &name), place.x, Unit::Length, x + r.clone() * normal.cos()),
             self.component(Name::new("y", &name), place.y, Unit::Length, y + r * normal.sin()),
-        ]
+        ];
+        Some((name, here))
     }
 
     /// The direction of the tangent of a contact: that of the block which stands for it, or across it.

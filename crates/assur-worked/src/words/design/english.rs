@@ -12,11 +12,14 @@ pub(super) const fn template(message: Message) -> &'static str {
             "The larger drive angle over the smaller is the ratio of the times; θ is the angle between the crank’s two extreme positions:"
         }
         Message::FlywheelOf => "Flywheel {0} on {1}",
+        Message::ReducedTorque => {
+            "The torque that the flywheel evens out, reduced to its shaft, has the same power there. At the position worked out:"
+        }
         Message::FlywheelTable => {
-            "M is the torque of the links on the shaft, M_m = {0} the mean torque of the other side; M − M_m does the work W, counted from the first position:"
+            "M_r is the reduced torque, M_m = {0} the mean torque of the other side; M_r − M_m does the work W, counted from the first position:"
         }
         Message::FlywheelExtremes => {
-            "Between the positions, where M passes through its mean, the work is least at {0}° and greatest at {1}°:"
+            "Between the positions, where M_r passes through its mean, the work is least at {0}° and greatest at {1}°:"
         }
         Message::FlywheelInertia => "The moment of inertia that keeps the fluctuation of speed δ:",
         Message::FlywheelRim => "The rim, its mass on the diameter D, its height c times its width:",
@@ -46,6 +49,10 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::CamPressure => "The pressure angle is greatest at {0}° of the cam; there (index α):",
         Message::CamCurvature => {
             "The pitch curve is sharpest at {0}° of the cam; there (index ρ), with w the path of the follower’s point in the cam per rad:"
+        }
+        Message::FaceCurvature => "The profile is sharpest at {0}° of the cam; there (index ρ):",
+        Message::FaceLetters => {
+            "With h the distance of the face from the cam’s centre, h′ its derivative by the cam angle, and k the turn of the face in the cam per rad:"
         }
         Message::GearsOf => "Gears of {0}",
         Message::InvoluteSolved => "The angle with this involute (inv α = tan α − α):",

@@ -17,6 +17,8 @@ pub enum DesignMessage {
     TimesOf,
     /// Heading; 0: flywheel, 1: link.
     FlywheelOf,
+    /// The torque reduced to the shaft of a flywheel.
+    ReducedTorque,
     /// The table of a flywheel; 0: mean torque.
     FlywheelTable,
     /// Extremes of the work; 0, 1: drive.
@@ -63,6 +65,10 @@ pub enum DesignMessage {
     CamPressure,
     /// Curvature; 0: cam angle.
     CamCurvature,
+    /// Curvature of the profile of a swinging or sliding face; 0: cam angle.
+    FaceCurvature,
+    /// The letters of a swinging face.
+    FaceLetters,
     /// Heading; 0: mesh.
     GearsOf,
     /// The inverse involute.

@@ -9,6 +9,7 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::PairStill => "运动副 {0} 中没有相对滑动，无摩擦。",
         Message::PairHeld => "摩擦使运动副 {0} 保持静止：{1} 与各加速度一起求出，使其两构件没有相对运动。",
         Message::PairHeldByBalance => "摩擦使运动副 {0} 保持静止；{1} 由平衡求得。",
+        Message::ContactPoint => "{0} 为运动副 {1} 两构件的接触点。",
         Message::RestsOnStop => "运动副 {0} 靠在挡块上，挡块沿其坐标以 {1} 作用。",
         Message::HoldTurn => "构件 {0}：此自由坐标上没有驱动，故对 {1} 取矩求得 {2}：",
         Message::HoldShift => "构件 {0}：此自由坐标上没有驱动，故沿导路的平衡求得 {1}：",

@@ -11,6 +11,7 @@ pub(super) const fn template(message: Message) -> &'static str {
             "Friction holds pair {0}: {1} is found with the accelerations, so that its links do not move against each other."
         }
         Message::PairHeldByBalance => "Friction holds pair {0}; {1} follows from the balance.",
+        Message::ContactPoint => "{0} is the point where the links of {1} touch.",
         Message::RestsOnStop => "Pair {0} rests on its stop, which pushes with {1} along its coordinate.",
         Message::HoldTurn => {
             "Link {0}: no effort acts on this free coordinate, so that moments about {1} give {2}:"

@@ -19,6 +19,8 @@ pub enum FrictionMessage {
     PairHeld,
     /// A pair that friction holds, which a balance gives; the same.
     PairHeldByBalance,
+    /// Where a contact touches; 0: the letters of the point, 1: pair.
+    ContactPoint,
     /// A pair that rests on a stop; 0: pair, 1: the force of the stop.
     RestsOnStop,
     /// What holds a link on a hinge; 0: link, 1: hinge, 2: it.
