@@ -18,7 +18,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 PLACE = ROOT / "target" / "peers-package"
 COUNT = 36_000
-TURNS = 5
+TURNS = 20
 PEERS = ("kinepy", "pylinkage")
 
 

@@ -6,7 +6,7 @@ use crate::math::{Scalar, V2, Vec2};
 use crate::plan::Plan;
 
 /// What a drive says at one position.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DriveInput<S = f64> {
     /// Direction of a driven angle; place of a driven point, m.
     pub place: V2<S>,

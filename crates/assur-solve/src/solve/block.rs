@@ -65,6 +65,8 @@ pub struct Block {
     /// The values of the drives, position by position.
     values: Vec<DriveValue>,
     drives: usize,
+    /// What the rows have of the drives besides their values.
+    rates: Rates,
     /// The drives that an angle or a coordinate places.
     turned: Vec<usize>,
     /// The residuals of the forces are known.
@@ -75,6 +77,8 @@ pub struct Block {
     free: usize,
     /// How many positions from the first on are one step from the one before, the first apart.
     pub(super) in_single_steps: usize,
+    /// A bound for the steps between these, in largest ones; not a number where there is none.
+    pub(super) longest_step: f64,
     /// Where bodies turn by more than their directions tell.
     pub(super) uneven: Vec<Uneven>,
     pub(super) turns: Turns,
@@ -117,7 +121,8 @@ impl Ahead<'_> {
         if all.contains(&0) {
             block.free = regular().flatten().take(block.solved).take_while(|regular| *regular != 0).count();
         }
-        block.in_single_steps = self.pace.single_steps(&block.values, block.drives).min(block.free);
+        let (single, longest) = self.pace.single_steps(&block.values, block.drives);
+        (block.in_single_steps, block.longest_step) = (single.min(block.free), longest);
         block.look_at_turns();
     }
 
@@ -272,25 +277,31 @@ impl Block {
         (self.first, self.residuals, self.drives) = (ahead.first + from, ahead.residuals, plan.drives);
         ahead.sweep.write_values(self.first, &mut self.values, self.solved);
         let count = self.solved.div_ceil(WIDTH);
+        let kept = if self.rates == *ahead.rates { self.rows.len() } else { 0 };
+        if kept == 0 {
+            self.rates.clone_from(ahead.rates);
+        }
         self.rows.truncate(count);
         self.rows.resize_with(count, || State::closed(plan));
         self.checked.resize(count, Checked::default());
         self.rows.iter_mut().for_each(|row| row.branches.copy_from_slice(ahead.branches));
         self.turned.clear();
         for drive in 0..self.drives {
-            self.place(drive, ahead.rates);
+            self.place(drive, ahead.rates, kept);
         }
     }
 
-    /// Puts a drive at its values.
-    fn place(&mut self, drive: usize, rates: &Rates) {
+    /// Puts a drive at its values; the first rows have its rates already.
+    fn place(&mut self, drive: usize, rates: &Rates, kept: usize) {
         let values = || of_drive(&self.values, self.drives, drive);
         let Some(last) = values().next_back() else { return };
         let last_and_after = std::iter::repeat(last);
         let mut each = values().chain(last_and_after);
         if values().all(|value| matches!(value, DriveValue::Scalar(_))) {
             self.turned.push(drive);
-            let same = rates.wide(drive);
+            for row in self.rows.iter_mut().skip(kept) {
+                row.motion.inputs[drive] = rates.wide(drive);
+            }
             for row in &mut self.rows {
                 let mut value = [0.0; WIDTH];
                 value.iter_mut().zip(&mut each).for_each(|(x, value)| {
@@ -298,7 +309,7 @@ impl Block {
                         *x = *value;
                     }
                 });
-                row.motion.inputs[drive] = DriveInput { value: Lanes(value), ..same };
+                row.motion.inputs[drive].value = Lanes(value);
             }
         } else {
             for row in &mut self.rows {

@@ -6,7 +6,7 @@ use crate::model::{Drive, Expr, Value};
 use crate::position::{DriveInput, DriveValue, Model};
 
 /// Rates of the drives: the same at every position.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Rates(Vec<DriveInput>);
 
 impl Rates {

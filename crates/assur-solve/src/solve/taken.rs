@@ -82,18 +82,19 @@ impl Tracker {
     fn remember_block(&mut self, block: &Block) {
         self.remember();
         let (mut kept, mut count) = ([0; KEPT], 0_usize);
-        for position in 0..block.len() - 1 {
+        let mut position = 0;
+        while position + 1 < block.len() {
             let values = block.values(position);
             let last = match count.checked_sub(1) {
                 Some(last) => Some(block.values(kept[last % KEPT])),
                 None => self.history.first().map(|place| place.values.as_slice()),
             };
-            if last.is_some_and(|last| self.pace.are_near(last, values) || !self.pace.is_apart(last, values))
-            {
-                continue;
+            let near = last.map_or(0, |last| self.pace.surely_near(last, values, block.longest_step));
+            if near == 0 && last.is_none_or(|last| self.pace.is_apart(last, values)) {
+                kept[count % KEPT] = position;
+                count += 1;
             }
-            kept[count % KEPT] = position;
-            count += 1;
+            position = position.saturating_add(near.max(1));
         }
         // those before would be forgotten again
         for i in count.saturating_sub(KEPT)..count {
