@@ -8,21 +8,28 @@ use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Problems, Style, render};
 use assur::internals::drawing::Theme;
 use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw, moving};
-use assur::internals::pipeline::{dimensions, solve_document_drawn, turn, turn_in};
+use assur::internals::pipeline::{dimensions, solve_drawn_conducted, turn, turn_in};
+use assur::internals::solve::Conduct;
 use assur::internals::source::Source;
 use assur::internals::worked::Language;
 use libfuzzer_sys::fuzz_target;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Frames of an animation: more only repeat what these show.
 const FRAMES: usize = 12;
+/// Steps of all runs of a motion under loads: with more it takes its time in `runs`.
+const MOST: usize = 2_000;
 
 fuzz_target!(|text: &str| {
     let source = Source::new("fuzz.mech", text);
     let (document, found) = assur::internals::syntax::parse(&source);
     let document = Arc::new(document);
-    let solved = solve_document_drawn(&source, &document, found, &Overrides::none(), &KINDS).0;
-    let Some(solved) = solved else { return };
+    let steps = AtomicUsize::new(0);
+    let watch = |_: f64, _: f64| steps.fetch_add(1, Ordering::Relaxed) < MOST;
+    let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+    let solved = solve_drawn_conducted(&source, &document, found, &Overrides::none(), &KINDS, &conduct).0;
+    let Some(solved) = solved.filter(|_| steps.load(Ordering::Relaxed) <= MOST) else { return };
     // positions alone take their time in `solve`
     if solved.solution.poses.len() > 400 || solved.compiled.mechanism.links.len() > 60 {
         return;
