@@ -113,8 +113,9 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Mis
 
 /// The curves of items; over a motion under loads with the instants of every event.
 fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>>), Missing> {
-    let exprs: Vec<Expr> = items.iter().map(|item| item.expr.clone()).collect();
-    match over_time(&scene.model, scene.solution.simulation.as_ref(), &exprs) {
+    let small = |item: &Item| rounding(scene.greatest.in_si(item.display.dimension));
+    let exprs: Vec<(Expr, f64)> = items.iter().map(|item| (item.expr.clone(), small(item))).collect();
+    match over_time(&scene.model, scene.solution, &exprs) {
         Ok(None) => {}
         Ok(Some(OverTime { courses, events })) => {
             let large = |item: &Item| scene.greatest.in_si(item.display.dimension);
@@ -124,11 +125,8 @@ fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>
         // as the file itself does not
         Err(_) => return Err(NoDiagram::no_quantity(scene, "the motion does not begin").into()),
     }
-    let set = |(item, expr): (&Item, Expr)| {
-        let rounding = rounding(scene.greatest.in_si(item.display.dimension));
-        CourseSet { exprs: vec![expr], rounding }
-    };
-    let sets: Vec<CourseSet> = items.iter().zip(exprs).map(set).collect();
+    let set = |(expr, rounding)| CourseSet { exprs: vec![expr], rounding };
+    let sets: Vec<CourseSet> = exprs.into_iter().map(set).collect();
     let found = courses(&scene.model, &scene.solution.statics, &sets)
         .map_err(|cause| NoDiagram::no_sweep(scene, "plot", &cause))?;
     let curves = items.iter().zip(found).map(|(item, found)| match found.as_deref() {

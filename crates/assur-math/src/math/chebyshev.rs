@@ -14,6 +14,8 @@ pub const NODES: usize = 16;
 #[derive(Clone, Debug)]
 pub struct Nodes {
     cosines: [f64; 4 * NODES],
+    /// Of each node the factors of its value in all coefficients.
+    factors: [[f64; NODES]; NODES],
 }
 
 /// A series on an interval.
@@ -37,7 +39,10 @@ impl Nodes {
     #[must_use]
     #[allow(clippy::cast_precision_loss)] // far below 2^52
     pub fn new() -> Self {
-        Self { cosines: std::array::from_fn(|i| libm::cos(PI * i as f64 / (2 * NODES) as f64)) }
+        let cosines: [f64; 4 * NODES] =
+            std::array::from_fn(|i| libm::cos(PI * i as f64 / (2 * NODES) as f64));
+        let factor = |j: usize, k: usize| cosines[k * (2 * j + 1) % (4 * NODES)];
+        Self { factors: std::array::from_fn(|j| std::array::from_fn(|k| factor(j, k))), cosines }
     }
 
     /// A node of an interval; they run from its end to its beginning.
@@ -58,7 +63,7 @@ impl Nodes {
     #[allow(clippy::cast_precision_loss)] // far below 2^52
     pub fn coefficients_of_all(&self, values: &[Vec<f64>; NODES]) -> [Vec<f64>; NODES] {
         std::array::from_fn(|k| {
-            let factors = std::array::from_fn(|j| self.cosines[k * (2 * j + 1) % (4 * NODES)]);
+            let factors = std::array::from_fn(|j| self.factors[j][k]);
             let mut sums = vec![0.0; values[0].len()];
             add_rows(&mut sums, values, &factors);
             let times = if k == 0 { 1.0 } else { 2.0 };
@@ -71,10 +76,32 @@ impl Nodes {
     #[must_use]
     #[allow(clippy::cast_precision_loss)] // far below 2^52
     pub fn coefficients(&self, values: &[f64; NODES]) -> [f64; NODES] {
-        std::array::from_fn(|k| {
-            let terms = values.iter().enumerate();
-            let sum: f64 = terms.map(|(j, f)| f * self.cosines[k * (2 * j + 1) % (4 * NODES)]).sum();
-            sum * if k == 0 { 1.0 } else { 2.0 } / NODES as f64
+        // node by node: all sums grow side by side
+        let mut sums = [0.0; NODES];
+        for (f, factors) in values.iter().zip(&self.factors) {
+            sums.iter_mut().zip(factors).for_each(|(sum, factor)| *sum += f * factor);
+        }
+        std::array::from_fn(|k| sums[k] * if k == 0 { 1.0 } else { 2.0 } / NODES as f64)
+    }
+}
+
+impl Nodes {
+    /// One of the coefficients of a function, from its values at the nodes.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)] // far below 2^52
+    pub fn coefficient(&self, k: usize, value: impl Fn(usize) -> f64) -> f64 {
+        let sum: f64 = self.factors.iter().enumerate().map(|(j, factors)| value(j) * factors[k]).sum();
+        sum * if k == 0 { 1.0 } else { 2.0 } / NODES as f64
+    }
+
+    /// The factors of the values at the nodes in the value at a place where T_0 … T_(n−1) are these.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)] // far below 2^52
+    pub fn weights(&self, polynomials: &[f64; NODES]) -> [f64; NODES] {
+        self.factors.map(|factors| {
+            let sum: f64 = factors.iter().zip(polynomials).map(|(factor, t)| factor * t).sum();
+            // the first counts half
+            (2.0 * sum - factors[0] * polynomials[0]) / NODES as f64
         })
     }
 }

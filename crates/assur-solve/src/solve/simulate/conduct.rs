@@ -1,6 +1,7 @@
 //! How a motion is integrated, beside what its file says.
 
 use super::report::Method;
+use crate::position::State;
 
 /// Told each instant that is reached, s, and the last one: `false` ends the motion there.
 pub type Watch<'w> = dyn Fn(f64, f64) -> bool + Sync + 'w;
@@ -15,10 +16,23 @@ pub struct Conduct<'c> {
     pub steps: f64,
     /// One run alone, at this tolerance: of a motion whose accuracy is known.
     pub alone: Option<f64>,
-    /// Of extremes that differ by no more than this part of the greatest value the first counts.
-    pub same: f64,
+    /// Functions over the run are drawn.
+    pub drawn: Option<Drawn<'c>>,
     /// Told how far it is, in each of the runs that it takes.
     pub watch: Option<&'c Watch<'c>>,
+}
+
+/// How functions are found that are drawn. Events that change nothing are known then, and not looked for.
+#[derive(Clone, Copy)]
+pub struct Drawn<'c> {
+    /// Of extremes that differ by no more than this part of the greatest value the first counts.
+    pub same: f64,
+    /// What series may leave off, of the greatest value.
+    pub smooth: f64,
+    /// What they may leave off of each function, however small it is.
+    pub roundings: &'c [f64],
+    /// The position at the first instant, where it is known.
+    pub start: Option<&'c State>,
 }
 
 impl Conduct<'_> {

@@ -43,6 +43,10 @@ pub(super) struct Function<'m> {
     left_off: f64,
     /// Extremes that were as good as the greatest, in order, where the first of them counts: when, s, and how great.
     near: Vec<(f64, f64)>,
+    /// What its series may leave off, however small it is.
+    pub(super) rounding: f64,
+    /// All its series, where it is drawn.
+    course: Vec<Short>,
 }
 
 impl<'m> Function<'m> {
@@ -66,6 +70,8 @@ impl<'m> Function<'m> {
             lasted: 0.0,
             left_off: 0.0,
             near: Vec::new(),
+            rounding: 0.0,
+            course: Vec::new(),
         }
     }
 }
@@ -84,7 +90,7 @@ impl Function<'_> {
     fn is_known(&self, series: &Short, values: &[f64; PLACES], smooth: f64) -> bool {
         let smooth = if self.cycle.how == CycleFunction::Argmax { SMOOTH } else { smooth };
         let greatest = greatest(values).max(self.greatest);
-        if series.tail() <= smooth * greatest {
+        if series.tail() <= (smooth * greatest).max(self.rounding) {
             return true;
         }
         // an extreme that is known already is not surpassed
@@ -242,7 +248,11 @@ impl Watch<'_> {
             let known = each().all(|(f, series, values)| self.functions[f].is_known(series, values, smooth));
             if known || (anyway && step == 1) {
                 for (f, series, values) in each() {
-                    self.functions[f].take(series, values, self.same);
+                    let function = &mut self.functions[f];
+                    function.take(series, values, self.same);
+                    if self.drawn && function.source == f {
+                        function.course.push(*series);
+                    }
                 }
                 return true;
             }
@@ -264,6 +274,11 @@ impl Watch<'_> {
             Bound::Event(..) => None,
         });
         instants.filter(|t| from + near < *t && *t < to - near).min_by(f64::total_cmp)
+    }
+
+    /// The series of each function that is drawn, in order of time.
+    pub fn courses(&self) -> Vec<Vec<Short>> {
+        self.functions.iter().map(|function| self.functions[function.source].course.clone()).collect()
     }
 
     /// The functions over the run up to its end.

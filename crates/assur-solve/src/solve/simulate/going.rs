@@ -24,6 +24,8 @@ const AGAIN: f64 = 0.5;
 const LOOKED_AT: usize = 20_000;
 /// What is looked at within a step turns with the bodies: none turns by more than this, rad, or what comes again would be lost.
 const TURN: f64 = std::f64::consts::PI;
+/// The same where what is looked at is drawn, and events are known.
+const DRAWN: f64 = 2.0 * TURN;
 /// So many are never done.
 const ENDLESS: f64 = 2e7;
 /// Nor are so many, where a tenth of them are done.
@@ -91,7 +93,7 @@ impl<'m, 'o> Going<'m, 'o> {
         let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
         let mut watch = Watch::new(mechanism, equations.start().len(), (begin, last), pass.tolerance);
         watch.guard = outputs.guard;
-        watch.same = outputs.conduct.same;
+        outputs.conduct.drawn.iter().for_each(|drawn| watch.draw(drawn));
         Self {
             recorder: Recorder::new(equations),
             watch,
@@ -317,7 +319,7 @@ impl Going<'_, '_> {
         let before = equations.fastest_accepted();
         let after = equations.fastest(to, method.y());
         let turned = (to - from) * before.max(after);
-        let most = self.pass.shorter * TURN;
+        let most = self.pass.shorter * if self.watch.drawn { DRAWN } else { TURN };
         if turned > most {
             method.shorten(equations, from + (to - from) * (most / turned))?;
         }

@@ -1,22 +1,26 @@
 //! Numbers over a motion under loads as they run, for pictures.
 
-use super::conduct::Conduct;
-use super::report::SimulationReport;
-use crate::model::{Cycle, CycleFunction, Expr, Part, Value};
-use crate::position::{Model, PoseOrigin};
+use super::conduct::{Conduct, Drawn};
+use super::trajectory::trajectory;
+use crate::math::lobatto::Short;
+use crate::model::{Cycle, CycleFunction, Expr, Part, Simulation};
+use crate::position::{Model, PoseOrigin, State};
 use crate::solve::failure::Failure;
+use crate::solve::inputs::Rates;
+use crate::solve::positions::Sweep;
 use crate::solve::solution::Solution;
-use crate::solve::sweep::Following;
 use crate::source::Span;
 
-/// Instants of a course at least, with the first.
-const STEPS: usize = 480;
+/// Points of a course over the whole motion at least, apart from those where its series meet.
+const PARTS: f64 = 960.0;
 /// What a picture shows.
-const WITHIN: f64 = 1e-7;
+const WITHIN: f64 = 1e-6;
+/// What series leave off of that.
+const SMOOTH: f64 = 0.1 * WITHIN;
 
 /// Numbers that differ by less, relative to the greatest, are the same; extremes of one run.
 const ROUNDING: f64 = 1e-12;
-const SAME: f64 = 1e-6;
+const SAME: f64 = 1e-5;
 
 /// A number over a motion.
 #[derive(Clone, Debug, Default)]
@@ -39,68 +43,101 @@ pub struct OverTime {
 }
 
 impl TimeCourse {
+    /// Through the series of a number over a motion of this length, s.
+    fn through(series: &[Short], length: f64) -> Self {
+        let mut lines: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
+        for part in series {
+            let count = (PARTS * (part.to - part.from) / length).ceil().clamp(1.0, PARTS);
+            let mut line = lines.pop().unwrap_or_default();
+            let mut place = 0.0;
+            while place <= count {
+                let t = part.from + (part.to - part.from) * (place / count);
+                let value = part.value(t);
+                if value.is_finite() {
+                    line.push((t, value));
+                }
+                place += 1.0;
+            }
+            let ends = !part.tail().is_finite();
+            lines.push(line);
+            if ends {
+                lines.push(Vec::new());
+            }
+        }
+        lines.retain(|line| line.len() > 1);
+        Self { lines, ..Self::default() }
+    }
+
+    /// The greatest magnitude.
+    fn most(&self) -> f64 {
+        self.lines.iter().flatten().fold(0.0_f64, |most, point| most.max(point.1.abs()))
+    }
+
+    /// With 0 for what series leave off.
+    fn cleared(mut self) -> Self {
+        let small = SMOOTH * self.most();
+        self.lines
+            .iter_mut()
+            .flatten()
+            .filter(|point| point.1.abs() <= small)
+            .for_each(|point| point.1 = 0.0);
+        self
+    }
+
     /// An extreme where it stands, or at the first instant that has it but for rounding.
     fn at_once(&self, time: f64, value: f64) -> (f64, f64) {
         let points = || self.lines.iter().flatten();
-        let most = points().fold(0.0_f64, |most, point| most.max(point.1.abs()));
+        let most = self.most();
+        let value = if value.abs() <= SMOOTH * most { 0.0 } else { value };
         let first = points().find(|point| (point.1 - value).abs() <= ROUNDING * most);
         first.filter(|point| point.0 < time).copied().unwrap_or((time, value))
     }
 }
 
-/// Numbers over the motion of a solved file, one after another, from what it says of itself: one run more, as accurate as is seen.
-/// Of a file without a motion nothing.
+/// Numbers over the motion of a solved file, each with what is rounding of it: one run more, as accurate as is seen. Of a file without
+/// a motion nothing.
 ///
 /// # Errors
 /// The motion does not begin.
 pub fn over_time(
     model: &Model<'_>,
-    solved: Option<&SimulationReport>,
-    exprs: &[Expr],
-) -> Result<Option<OverTime>, Vec<Failure>> {
-    let Some(solved) = solved else { return Ok(None) };
+    solution: &Solution,
+    exprs: &[(Expr, f64)],
+) -> Result<Option<OverTime>, Failure> {
+    let Some(solved) = &solution.simulation else { return Ok(None) };
     let mut mechanism = model.mechanism.clone();
-    let Some(simulation) = &mut mechanism.simulation else { return Ok(None) };
-    let own = simulation.steps.unwrap_or(1).max(1);
-    simulation.steps = Some(own * STEPS.div_ceil(own));
-    simulation.within = Some(simulation.within.unwrap_or(WITHIN).max(WITHIN));
+    let Some(simulation) = mechanism.simulation.clone() else { return Ok(None) };
+    let within = simulation.within.unwrap_or(WITHIN).max(WITHIN);
+    let simulation = Simulation { within: Some(within), ..simulation };
     mechanism.expects.clear();
-    let known = mechanism.cycles.len();
-    for expr in exprs {
-        for how in [CycleFunction::Min, CycleFunction::Max] {
-            let (span, part) = (Span::default(), Part::default());
-            mechanism.cycles.push(Cycle { span, how, expr: expr.clone(), part });
-        }
-    }
+    let cycle =
+        |expr: &Expr, how| Cycle { span: Span::default(), how, expr: expr.clone(), part: Part::default() };
+    let extremes =
+        |(expr, _): &(Expr, f64)| [CycleFunction::Min, CycleFunction::Max].map(|how| cycle(expr, how));
+    mechanism.cycles = exprs.iter().flat_map(extremes).collect();
     let model = Model { mechanism: &mechanism, ..*model };
+    let roundings: Vec<f64> = exprs.iter().flat_map(|(_, rounding)| [*rounding; 2]).collect();
+    let start = first_state(solution).filter(|_| simulation.steady.is_none());
     let looser = (WITHIN / solved.within).max(1.0);
     let alone = Some(solved.tolerance * looser);
-    let conduct = Conduct { alone, same: SAME, ..Conduct::default() };
-    let Some(mut following) = Following::conducted(&model, Vec::new(), &conduct)? else { return Ok(None) };
-    let mut poses = Vec::with_capacity(following.positions());
-    while let Some(pose) = following.next() {
-        poses.push(pose.map_err(|e| vec![e])?);
-    }
-    let solution = Solution { poses, ..following.end() };
-    let mut courses = vec![TimeCourse { lines: vec![Vec::new()], ..TimeCourse::default() }; exprs.len()];
-    for pose in solution.poses.iter().filter(|pose| matches!(pose.origin, PoseOrigin::Sweep(_))) {
-        let Ok(solved) = &pose.outcome else { continue };
-        let (view, time) = (solution.view(&model, solved), solved.state.motion.time);
-        for (course, expr) in courses.iter_mut().zip(exprs) {
-            match view.value(expr) {
-                Value::Scalar(y) if y.is_finite() => {
-                    course.lines.last_mut().into_iter().for_each(|line| line.push((time, y)));
-                }
-                _ => course.lines.push(Vec::new()),
-            }
-        }
-    }
-    let found = solution.statics.cycles.get(known..).unwrap_or_default();
-    for (course, extremes) in courses.iter_mut().zip(found.chunks_exact(2)) {
-        course.lines.retain(|line| line.len() > 1);
-        course.least = course.at_once(extremes[0].at, extremes[0].value);
-        course.greatest = course.at_once(extremes[1].at, extremes[1].value);
-    }
-    let events = solution.simulation.map(|report| report.events).unwrap_or_default();
-    Ok(Some(OverTime { courses, events }))
+    let drawn = Some(Drawn { same: SAME, smooth: SMOOTH, roundings: &roundings, start });
+    let conduct = Conduct { alone, drawn, ..Conduct::default() };
+    let statics = &solution.statics;
+    let first = Sweep::of(&model, statics).at(0).drives;
+    let found = trajectory(&model, statics, &Rates::of(&model, statics), &first, &simulation, &conduct)?;
+    let length = found.report.end - found.from;
+    let pairs = found.courses.chunks_exact(2).zip(found.functions.chunks_exact(2));
+    let courses = pairs.map(|(series, extremes)| {
+        let course = TimeCourse::through(&series[0], length).cleared();
+        let [least, greatest] =
+            [&extremes[0], &extremes[1]].map(|found| course.at_once(found.at, found.value));
+        TimeCourse { least, greatest, ..course }
+    });
+    Ok(Some(OverTime { courses: courses.collect(), events: solved.events.clone() }))
+}
+
+/// The state at the first instant.
+fn first_state(solution: &Solution) -> Option<&State> {
+    let first = solution.poses.first().filter(|pose| pose.origin == PoseOrigin::Sweep(0))?;
+    first.outcome.as_ref().ok().map(|solved| &solved.state)
 }

@@ -6,7 +6,7 @@
 
 use super::change::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point, put_numbers};
 use crate::math::Vec2;
-use crate::math::chebyshev::{NODES, Nodes, polynomials, tail};
+use crate::math::chebyshev::{NODES, Nodes, add_rows, polynomials};
 use crate::plan::Plan;
 use crate::position::{BodyState, Branch, Reduced, State};
 
@@ -42,8 +42,9 @@ pub(super) struct Passage {
     conditions: Vec<f64>,
     extent: f64,
     nodes: Nodes,
-    /// All numbers at the nodes.
-    values: Vec<[f64; NODES]>,
+    /// All numbers at the nodes, and at the place itself.
+    values: [Vec<f64>; NODES],
+    numbers: Vec<f64>,
 }
 
 impl Passage {
@@ -83,7 +84,8 @@ impl Passage {
                     conditions: here.motion.conditions.clone(),
                     extent,
                     nodes: Nodes::new(),
-                    values: Vec::new(),
+                    values: std::array::from_fn(|_| Vec::new()),
+                    numbers: Vec::new(),
                 };
                 // the one that comes to it first: of the others it moves away
                 let rate = here.motion.inputs[drive].rate.abs();
@@ -121,7 +123,6 @@ impl Passage {
         }
         let (low, high) = (self.change - self.reach, self.change + self.reach);
         let columns = reduced.free().len();
-        self.values.resize(state.motion.bodies.len() * (WIDTH + UNIT * columns), [0.0; NODES]);
         for node in 0..NODES {
             let q = self.nodes.at(low, high, node);
             set(state, self.drive, q);
@@ -144,32 +145,40 @@ impl Passage {
     /// Takes all numbers at a node.
     fn take(&mut self, node: usize, reduced: &Reduced, state: &State) {
         let columns = reduced.free().len();
-        let each = self.values.chunks_exact_mut(WIDTH + UNIT * columns);
-        for (index, (body, values)) in state.motion.bodies.iter().zip(each).enumerate() {
+        let values = &mut self.values[node];
+        values.clear();
+        for (index, body) in state.motion.bodies.iter().enumerate() {
             let BodyState { p, u, v, omega, a, alpha, .. } = body;
-            let own = [p.x, p.y, u.x, u.y, v.x, v.y, *omega, a.x, a.y, *alpha];
-            let units = (0..columns).flat_map(|i| {
+            values.extend([p.x, p.y, u.x, u.y, v.x, v.y, *omega, a.x, a.y, *alpha]);
+            for i in 0..columns {
                 let (v, omega) = reduced.unit_motion(i, index);
-                [v.x, v.y, omega]
-            });
-            values.iter_mut().zip(own.into_iter().chain(units)).for_each(|(row, x)| row[node] = x);
+                values.extend([v.x, v.y, omega]);
+            }
         }
     }
 
     /// Puts all numbers at a place where Chebyshev's polynomials have these values; `false` where they are not smooth.
-    fn put(&self, factors: [f64; NODES], columns: usize, reduced: &mut Reduced, state: &mut State) -> bool {
+    fn put(
+        &mut self,
+        factors: [f64; NODES],
+        columns: usize,
+        reduced: &mut Reduced,
+        state: &mut State,
+    ) -> bool {
+        let each = WIDTH + UNIT * columns;
+        self.numbers.clear();
+        self.numbers.resize(self.values[0].len(), 0.0);
+        add_rows(&mut self.numbers, &self.values, &self.nodes.weights(&factors));
         let mut smooth = true;
-        let each = self.values.chunks_exact(WIDTH + UNIT * columns);
-        for (index, (body, values)) in state.motion.bodies.iter_mut().zip(each).enumerate() {
-            let numbers = values.iter().enumerate().map(|(number, values)| {
-                let series = self.nodes.coefficients(values);
-                // positions tell whether it is smooth
+        let bodies = state.motion.bodies.iter_mut().zip(self.numbers.chunks_exact(each));
+        for (index, (body, n)) in bodies.enumerate() {
+            // positions tell whether it is smooth
+            smooth &= (0..4).all(|number| {
                 let unit = if number < 2 { self.extent } else { 1.0 };
-                smooth &= number >= 4 || tail(&series) <= SMOOTH * unit;
-                series.iter().zip(&factors).map(|(c, factor)| c * factor).sum::<f64>()
+                let value = |node: usize| self.values[node][each * index + number];
+                (NODES - 3..NODES).all(|k| self.nodes.coefficient(k, value).abs() <= SMOOTH * unit)
             });
-            let n: Vec<f64> = numbers.collect();
-            put_numbers(body, &n);
+            put_numbers(body, n);
             for (i, unit) in n[WIDTH..].chunks_exact(UNIT).enumerate() {
                 reduced.set_unit_motion(i, index, (Vec2::new(unit[0], unit[1]), unit[2]));
             }

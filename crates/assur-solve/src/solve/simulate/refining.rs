@@ -42,7 +42,7 @@ pub(super) fn until_kept(
     within: f64,
     alone: Option<f64>,
 ) -> (Found, usize) {
-    let mut pass = Pass::coarse(alone.unwrap_or((LOOSER * within).min(LOOSEST)));
+    let mut pass = alone.map_or(Pass::coarse((LOOSER * within).min(LOOSEST)), Pass::only);
     let mut runs = vec![run(pass)];
     let mut spent = runs[0].counts.evaluations;
     let mut kinds = runs[0].kinds.clone();

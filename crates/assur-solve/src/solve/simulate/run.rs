@@ -17,6 +17,7 @@ use super::setup::{Begin, Outputs, allowed, at_rest, scale};
 use super::slipping::Mode;
 use super::stop::Stops;
 use super::watch::AT_ONCE;
+use crate::math::lobatto::Short;
 use crate::math::ode::{Counts, Dop853, Energy as ByEnergy, Integrator, Radau, System, Undefined};
 use crate::model::{DriveTarget, PairId};
 use crate::position::Model;
@@ -38,6 +39,8 @@ pub(super) struct Run {
     pub kinds: Kinds,
     /// Functions over the run, each with the greatest magnitude in play.
     pub functions: Vec<OverRun>,
+    /// Their series, where they are drawn.
+    pub courses: Vec<Vec<Short>>,
     /// When the coordinate comes to rest by friction, and when it leaves again, s.
     pub rests: Vec<(f64, Option<f64>)>,
     /// From when to when a pair is held by friction, where every pair moves in a way of its own, s.
@@ -259,6 +262,7 @@ impl Going<'_, '_> {
         };
         let end = part.end;
         let (functions, left_off) = (self.watch.functions(end), self.watch.left_off());
+        let courses = self.watch.courses();
         let Going {
             watch,
             recorder,
@@ -286,6 +290,7 @@ impl Going<'_, '_> {
             events,
             kinds,
             functions,
+            courses,
             rests,
             held,
             changes,
@@ -354,6 +359,7 @@ impl Run {
             events: Vec::new(),
             kinds: Kinds::default(),
             functions: Vec::new(),
+            courses: Vec::new(),
             rests: Vec::new(),
             held: Vec::new(),
             changes: Vec::new(),

@@ -96,12 +96,12 @@ impl<'s> Begin<'s> {
     }
 }
 
-/// Assembles the mechanism at the first instant.
+/// Assembles the mechanism at the first instant, if its position there is not known.
 pub(super) fn begin<'s>(
     model: &'s Model<'s>,
     statics: &'s WholeCycle,
     rates: &Rates,
-    values: &[DriveValue],
+    (values, known): (&[DriveValue], Option<&State>),
     from: f64,
 ) -> Result<Begin<'s>, Failure> {
     let mut state = State::new(model.plan);
@@ -112,9 +112,20 @@ pub(super) fn begin<'s>(
         *input = prescribed(drive, input, (from, 0.0), &[]);
     }
     let first = state.motion.inputs.clone();
-    let state = assemble(model, state)?;
+    let state = match known {
+        Some(known) => placed(state, known),
+        None => assemble(model, state)?,
+    };
     let angles = first_angles(model, &state);
     Ok(Begin { model, statics, first, from, state, angles, still: None })
+}
+
+/// With the bodies where they stand in a known state.
+fn placed(state: State, known: &State) -> State {
+    let mut motion = known.motion.clone();
+    motion.inputs = state.motion.inputs;
+    (motion.works, motion.stops, motion.grips) = (Vec::new(), Vec::new(), Vec::new());
+    State { branches: known.branches.clone(), motion, ..state }
 }
 
 /// The errors allowed: of coordinates absolute, since angles and places are read off them whatever their turns; of rates

@@ -12,6 +12,7 @@ use super::run::{Run, run};
 use super::setup::{Begin, at_rest, begin, outputs, scales};
 use super::steady::steady;
 use crate::answer::{CycleAnswer, WholeCycle};
+use crate::math::lobatto::Short;
 use crate::model::{Mechanism, Simulation, Steady};
 use crate::position::{Branch, DriveInput, DriveValue, Model, State};
 use crate::solve::failure::{Cause, Failure, Halt};
@@ -27,6 +28,8 @@ pub(crate) struct Trajectory {
     pub handed_out: usize,
     /// Functions over the run.
     pub functions: Vec<OverRun>,
+    /// Their series, where they are drawn.
+    pub courses: Vec<Vec<Short>>,
     /// The greatest magnitudes of each kind.
     pub kinds: Kinds,
     /// What the run says of itself.
@@ -98,7 +101,8 @@ pub(crate) fn trajectory(
     simulation: &Simulation,
     conduct: &Conduct<'_>,
 ) -> Result<Trajectory, Failure> {
-    let mut begin = begin(model, statics, rates, first, simulation.from)?;
+    let known = conduct.drawn.and_then(|drawn| drawn.start);
+    let mut begin = begin(model, statics, rates, (first, known), simulation.from)?;
     let at_rest = at_rest(model);
     let still = at_rest.as_ref().map(|(mechanism, plan)| Model { mechanism, plan, ..*model });
     begin.still = still.as_ref();
@@ -152,9 +156,21 @@ fn ended(
     Begin { first, from, state: start, .. }: Begin<'_>,
 ) -> Trajectory {
     let ended = run.stopped.map(|(time, halt)| Cause::Halted { time, halt }.into());
-    let (records, functions) = (run.records, run.functions);
+    let (records, functions, courses) = (run.records, run.functions, run.courses);
     let assemblies = start.branches.clone();
-    Trajectory { records, handed_out: 0, functions, kinds, report, first, from, start, assemblies, ended }
+    Trajectory {
+        records,
+        handed_out: 0,
+        functions,
+        courses,
+        kinds,
+        report,
+        first,
+        from,
+        start,
+        assemblies,
+        ended,
+    }
 }
 
 fn report(

@@ -73,7 +73,7 @@ impl<'a, 's> Trials<'a, 's> {
         let Some(simulation) = &model.mechanism.simulation else { return Ok(None) };
         let rates = Rates::of(model, statics);
         let first = Sweep::of(model, statics).at(0).drives;
-        let begin = begin(model, statics, &rates, &first, simulation.from)?;
+        let begin = begin(model, statics, &rates, (&first, None), simulation.from)?;
         Ok(Some(Self { model, statics, simulation, rates, first, begin }))
     }
 

@@ -1,5 +1,6 @@
 //! Events of a run.
 
+use super::conduct::Drawn;
 use super::equations::Equations;
 use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
 use super::records::within_step;
@@ -39,6 +40,8 @@ pub(super) struct Watch<'m> {
     pub(super) smooth: f64,
     /// Of extremes that differ by no more than this part of the greatest value the first counts.
     pub same: f64,
+    /// Functions are drawn: their series are kept, and events that change nothing are not looked for.
+    pub drawn: bool,
     /// Instants of every event, s.
     pub times: Vec<Vec<f64>>,
     /// The way in which an event was passed where the present step begins.
@@ -90,6 +93,7 @@ impl<'m> Watch<'m> {
             places: Extremes::new(),
             smooth: SMOOTH.max(OF_TOLERANCE * tolerance),
             same: 0.0,
+            drawn: false,
             times: vec![Vec::new(); count],
             passed: vec![None; count],
             left: vec![false; count],
@@ -105,6 +109,21 @@ impl<'m> Watch<'m> {
         }
     }
 
+    /// Functions are found as it takes to draw them.
+    pub fn draw(&mut self, drawn: &Drawn<'_>) {
+        self.drawn = true;
+        self.same = drawn.same;
+        self.smooth = self.smooth.max(drawn.smooth);
+        for (function, rounding) in self.functions.iter_mut().zip(drawn.roundings) {
+            function.rounding = *rounding;
+        }
+    }
+
+    /// Whether an event is known, and changes nothing.
+    fn is_left_out(&self, event: usize) -> bool {
+        self.drawn && !self.events[event].ends
+    }
+
     /// The first events within the last step.
     pub fn first<M: Integrator<f64>>(
         &mut self,
@@ -118,7 +137,8 @@ impl<'m> Watch<'m> {
             let step = (method.previous_t(), method.t());
             let passed = self.sense_at_begin(equations, method, index);
             // what it is in is told, not looked for
-            if self.events[index].situation.is_some() || self.too_early(index, step.1) {
+            let told = self.events[index].situation.is_some();
+            if told || self.is_left_out(index) || self.too_early(index, step.1) {
                 continue;
             }
             let stands = is_kept(equations.model.mechanism, &kept, &self.events[index].value);
@@ -263,6 +283,9 @@ impl<'m> Watch<'m> {
         let after = self.values(equations, t, y);
         let mut ends = None;
         for (index, (before, after)) in before.iter().zip(&after).enumerate() {
+            if self.is_left_out(index) {
+                continue;
+            }
             if let Some(passed) = self.passed[index] {
                 // it was reached with the stop, and is left as the stop is
                 self.passed[index] = if equations.stands() { None } else { Some(!passed) };
