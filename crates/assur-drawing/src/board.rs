@@ -15,6 +15,9 @@ const OUTSIDE: f64 = 60.0;
 /// What places may cost beyond what is asked for and are looked at with the others, mm.
 const BEYOND: f64 = 2.0;
 
+/// By how much a place is cheaper than another at least, mm.
+const CHEAPER: f64 = 1e-9;
+
 /// Who sits where.
 pub(crate) struct Board<'a> {
     places: Vec<Places>,
@@ -200,9 +203,14 @@ impl<'a> Board<'a> {
         self.views[label] = View { below, at: Moment { changes: self.changes.len(), region }, places };
     }
 
+    /// Whether no place of a label is cheaper than the one it has, taken or not.
+    fn has_best(&self, label: usize) -> bool {
+        self.places[label].known.first().is_some_and(|best| best.cost >= self.cost(label) - CHEAPER)
+    }
+
     /// Moves a label to a cheaper place, where needed by moving one neighbour; whether anything changed.
     pub fn improve(&mut self, label: usize) -> bool {
-        if self.looked[label].is_some_and(|at| self.is_as(&at)) {
+        if self.has_best(label) || self.looked[label].is_some_and(|at| self.is_as(&at)) {
             return false;
         }
         let before = self.seat(label);
@@ -218,22 +226,23 @@ impl<'a> Board<'a> {
     /// The same, with where it looked.
     fn search(&mut self, label: usize, seen: &mut Rect) -> bool {
         let own = self.cost(label);
-        self.look(label, own - 1e-9);
+        self.look(label, own - CHEAPER);
         seen.join(&self.views[label].at.region);
         let places = std::mem::take(&mut self.views[label].places);
         let cost = |board: &Self, number: usize| board.place(label, number).cost;
-        let free = places.iter().find(|(number, other)| other.is_none() && cost(self, *number) < own - 1e-9);
+        let free =
+            places.iter().find(|(number, other)| other.is_none() && cost(self, *number) < own - CHEAPER);
         let free = free.map(|(number, _)| *number);
         let reached = free.map_or(own, |number| cost(self, number));
         let mut swap = None;
         for &(number, other) in &places {
             let Place { bounds, cost } = self.place(label, number);
-            if cost >= own - 1e-9 || cost >= reached - 1e-9 {
+            if cost >= own - CHEAPER || cost >= reached - CHEAPER {
                 break;
             }
             let Some(neighbour) = other else { continue };
             let most = reached - cost + self.cost(neighbour);
-            if let Some(moved) = self.gives_way(neighbour, (label, &bounds), most - 1e-9, seen) {
+            if let Some(moved) = self.gives_way(neighbour, (label, &bounds), most - CHEAPER, seen) {
                 swap = Some((number, neighbour, moved));
                 break;
             }

@@ -6,7 +6,7 @@ use crate::mark::Obstacle;
 use assur_math::math::Vec2;
 
 /// Side of a cell, mm.
-const CELL: f64 = 1.0;
+const CELL: f64 = 0.5;
 /// The most cells along a side.
 const MOST: f64 = 2000.0;
 /// What is nearer than this to the edge of a cell, in sides, may be on either side of it.
