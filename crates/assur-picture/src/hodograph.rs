@@ -85,11 +85,11 @@ pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawin
     if name.is_empty() {
         asked(mechanism, &mut |query, _| {
             if let Query::Reaction(pair, link) = query {
-                all.push(reaction(mechanism, *pair, *link));
+                all.push(reaction(scene, *pair, *link));
             }
         });
         if mechanism.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions)) {
-            all.extend(reacting(mechanism).map(|id| reaction(mechanism, id, on(mechanism, id))));
+            all.extend(reacting(mechanism).map(|id| reaction(scene, id, on(mechanism, id))));
         }
         if all.is_empty() {
             let why = "the file asks for no reaction".to_owned();
@@ -100,7 +100,7 @@ pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawin
             let why = format!("no pair is named `{name}`");
             return Err(NoDiagram::no_reaction(why, (None, ""), &known).into());
         };
-        all.push(reaction(mechanism, id, on(mechanism, id)));
+        all.push(reaction(scene, id, on(mechanism, id)));
     }
     drawn(scene, Of::Reaction, &all, paper)
 }
@@ -155,10 +155,11 @@ fn velocity(mechanism: &Mechanism, point: PointRef, written: &str) -> Swept {
     Swept { query: Query::Velocity(point), plain, letter }
 }
 
-fn reaction(mechanism: &Mechanism, pair: PairId, link: LinkId) -> Swept {
-    let name = &mechanism.pair(pair).name;
-    let plain = format!("{name} on {}", mechanism.link(link).name);
-    Swept { query: Query::Reaction(pair, link), plain, letter: Text::italic("R").lowered(name) }
+fn reaction(scene: &Scene<'_>, pair: PairId, link: LinkId) -> Swept {
+    let mechanism = scene.mechanism();
+    let plain = format!("{} on {}", mechanism.pair(pair).name, mechanism.link(link).name);
+    let from = mechanism.pair(pair).kind.links().into_iter().find(|l| *l != link).unwrap_or(link);
+    Swept { query: Query::Reaction(pair, link), plain, letter: scene.reaction_name(pair, from, link) }
 }
 
 /// Pairs with a force.

@@ -5,14 +5,12 @@ use assur_formula::Name;
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairId};
 use assur_model::structure::{BodyOrigin, JointKind};
+use assur_picture::reaction_index;
 
 impl Course<'_> {
     /// The number of a body as written, or its name; of a body that stands for a pair the pair's.
     pub fn label(&self, body: usize) -> String {
-        match self.structure().replaced.bodies[body].origin {
-            BodyOrigin::Link(link) => self.scene.link_label(link).to_owned(),
-            BodyOrigin::Imaginary(pair) => self.scene.mechanism().pair(pair).name.clone(),
-        }
+        self.scene.body_label(body).to_owned()
     }
 
     /// The link of a body.
@@ -25,10 +23,9 @@ impl Course<'_> {
 
     /// The force of one body on another.
     pub fn reaction_name(&self, from: usize, on: usize) -> Name {
-        let (a, b) = (self.label(from), self.label(on));
-        let apart = if a.chars().count() > 1 || b.chars().count() > 1 { "," } else { "" };
+        let index = reaction_index(self.scene.body_label(from), self.scene.body_label(on));
         let (letter, begin) = self.language.letters().reaction;
-        Name::new(letter, &format!("{begin}{a}{apart}{b}"))
+        Name::new(letter, &format!("{begin}{index}"))
     }
 
     /// The name of a point of a body: that of the hinge there, else its own, else a new one.

@@ -133,15 +133,15 @@ fn is_link(mechanism: &Mechanism, label: &str) -> bool {
     mechanism.links.iter().any(|link| link.number.as_deref().unwrap_or(&link.name) == label)
 }
 
-/// Whether an index is of a reaction: of two links by their numbers, or of a pair.
+/// Whether an index is of a reaction: of two links, or of a link and a pair that stands for one.
 fn is_reaction(mechanism: &Mechanism, index: &str) -> bool {
-    let number = |label: &str| mechanism.links.iter().any(|link| link.number.as_deref() == Some(label));
-    let two = match index.split_once(',') {
-        Some((from, on)) => number(from) && number(on),
+    let is_body =
+        |label: &str| is_link(mechanism, label) || mechanism.pairs.iter().any(|pair| pair.name == label);
+    match index.split_once(',') {
+        Some((from, on)) => is_body(from) && is_body(on),
         None => {
             let cuts = index.char_indices().skip(1).map(|(at, _)| index.split_at(at));
-            cuts.into_iter().any(|(from, on)| number(from) && number(on))
+            cuts.into_iter().any(|(from, on)| is_body(from) && is_body(on))
         }
-    };
-    two || mechanism.pairs.iter().any(|pair| pair.name == index)
+    }
 }

@@ -2,10 +2,10 @@
 
 use super::Part;
 use crate::scene::Scene;
-use assur_drawing::Text;
+use assur_drawing::{Level, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{
-    BalanceKind, DriveTarget, LinkId, LoadId, LoadKind, PairId, PairKind, Query, Value,
+    BalanceKind, DriveTarget, LinkId, LoadId, LoadKind, Pair, PairId, PairKind, Query, Value,
 };
 
 /// What a force comes from.
@@ -39,13 +39,35 @@ pub struct Force {
     pub acts: Acts,
 }
 
+/// A couple on a part.
+#[derive(Clone, Debug)]
+pub struct Couple {
+    /// Its name.
+    pub name: Text,
+    /// The link on which it acts.
+    pub on: LinkId,
+    /// Where it is drawn, m.
+    pub at: Vec2,
+    /// The couple, N m.
+    pub moment: f64,
+    /// Where it comes from.
+    pub acts: Acts,
+}
+
+impl Acts {
+    /// Whether it is looked for.
+    pub const fn is_unknown(&self) -> bool {
+        matches!(self, Self::Reaction { known: false, .. } | Self::Effort)
+    }
+}
+
 /// All that acts on a part.
 #[derive(Clone, Debug, Default)]
 pub struct Acting {
     /// Forces, link by link.
     pub forces: Vec<Force>,
-    /// Couples: name, link, place, N m, whether it is unknown.
-    pub couples: Vec<(Text, LinkId, Vec2, f64, bool)>,
+    /// Couples.
+    pub couples: Vec<Couple>,
 }
 
 /// Forces less than this part of the largest are rounding.
@@ -65,18 +87,24 @@ impl Acting {
         acting.efforts(scene, part);
         acting.reactions(scene, part)?;
         acting.hidden_effort(scene, part);
+        acting.hidden_couple(scene, part);
         if acting.forces.iter().any(|f| !(f.force.norm().is_finite() && f.at.norm().is_finite())) {
             return None;
         }
         let largest = acting.forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
         let only_rounding = largest <= ROUNDING * greatest(scene);
         acting.forces.retain(|f| !only_rounding && f.force.norm() > NOTHING * largest);
-        acting.couples.retain(|c| c.3.is_finite() && c.3 != 0.0);
+        let small = NOTHING * largest * assur_solve::solve::extent(&scene.model);
+        acting.couples.retain(|c| c.moment.is_finite() && c.moment.abs() > small);
         Some(acting)
     }
 
     fn push(&mut self, name: Text, on: LinkId, at: Vec2, force: Vec2, acts: Acts) {
         self.forces.push(Force { name, on, at, force, acts });
+    }
+
+    fn turn(&mut self, name: Text, on: LinkId, at: Vec2, moment: f64, acts: Acts) {
+        self.couples.push(Couple { name, on, at, moment, acts });
     }
 
     fn loads(&mut self, scene: &Scene<'_>, link: LinkId) {
@@ -99,7 +127,7 @@ impl Acting {
                 }
                 (LoadKind::Torque { on, .. }, Value::Scalar(m)) if *on == link => {
                     let name = name.unwrap_or_else(|| Text::italic("M"));
-                    self.couples.push((name, link, centre(scene, link), m, false));
+                    self.turn(name, link, centre(scene, link), m, Acts::Load);
                 }
                 _ => {}
             }
@@ -120,7 +148,7 @@ impl Acting {
             }
             if let Value::Scalar(m) = scene.view().query(&Query::InertiaTorque(link)) {
                 let name = Text::italic("M").lowered(&format!("I{}", scene.link_label(link)));
-                self.couples.push((name, link, at, m, false));
+                self.turn(name, link, at, m, Acts::Load);
             }
         }
     }
@@ -156,13 +184,8 @@ impl Acting {
             for place in balance.kind.places() {
                 match place {
                     BalanceKind::Torque(link) if part.links.contains(link) => {
-                        self.couples.push((
-                            Text::name(&balance.name),
-                            *link,
-                            centre(scene, *link),
-                            value,
-                            true,
-                        ));
+                        let name = Text::name(&balance.name);
+                        self.turn(name, *link, centre(scene, *link), value, Acts::Effort);
                     }
                     BalanceKind::Force { on, .. } if part.links.contains(on) => {
                         if let Some((at, along)) = view.balance_line(place) {
@@ -190,8 +213,11 @@ impl Acting {
             let force = inside.iter().fold(Vec2::zero(), |sum, l| sum + scene.view().reaction(id, *l));
             let at = place(scene, id, on)?;
             let known = links.iter().any(|l| found_before(scene, *l, on));
-            let name = reaction_name(scene, id, from, on);
-            found.push(Force { name, on, at, force, acts: Acts::Reaction { pair: id, known } });
+            let name = scene.reaction_name(id, from, on);
+            let couple = inside.iter().fold(0.0, |sum, l| sum + scene.view().moment(id, *l));
+            let acts = Acts::Reaction { pair: id, known };
+            self.turn(couple_name(pair, &name), on, at, couple, acts);
+            found.push(Force { name, on, at, force, acts });
         }
         found.sort_by_key(|f| !matches!(f.acts, Acts::Reaction { known: true, .. }));
         self.forces.extend(found);
@@ -230,6 +256,43 @@ impl Acting {
     }
 }
 
+impl Acting {
+    /// A couple inside a pair, or that of a drive without a balance: what all else leaves of the moments, so that a reader finds them
+    /// add up to nothing.
+    fn hidden_couple(&mut self, scene: &Scene<'_>, part: &Part) {
+        let about = centre(scene, part.links[0]);
+        let of_forces = self.forces.iter().map(|f| (f.at - about).cross(f.force));
+        let moments: Vec<f64> = of_forces.chain(self.couples.iter().map(|c| c.moment)).collect();
+        let largest = moments.iter().fold(0.0_f64, |most, m| most.max(m.abs()));
+        let sum: f64 = moments.iter().sum();
+        let mechanism = scene.mechanism();
+        let touches = |pair: PairId| mechanism.pair(pair).kind.links().iter().any(|l| part.links.contains(l));
+        let loads = mechanism
+            .loads
+            .iter()
+            .filter(|l| matches!(l.kind, LoadKind::InPair { pair, .. } if touches(pair)));
+        let balances = mechanism.balances.iter().filter(|b| {
+            b.kind.places().iter().any(|p| matches!(p, BalanceKind::InPair(pair) if touches(*pair)))
+        });
+        let own = mechanism.balances.is_empty();
+        let drives = mechanism.drives.iter().filter(|d| match d.target {
+            DriveTarget::Link(link) => own && part.links.contains(&link),
+            DriveTarget::Pair(pair) => own && touches(pair),
+            DriveTarget::Point(..) => false,
+        });
+        let mut known = loads
+            .map(|l| (scene.load_name(l).unwrap_or_else(|| Text::italic("M")), Acts::Load))
+            .chain(balances.map(|b| (Text::name(&b.name), Acts::Effort)))
+            .chain(drives.map(|d| (Text::italic("M").lowered(&d.name), Acts::Effort)));
+        // what is not determined is no number
+        if sum.abs() > 1e-7 * largest
+            && let Some((name, acts)) = known.next()
+        {
+            self.turn(name, part.links[0], about, -sum, acts);
+        }
+    }
+}
+
 /// The greatest force that is applied anywhere, with that of the greatest moment over the size of the mechanism.
 fn greatest(scene: &Scene<'_>) -> f64 {
     let applied = &scene.solved.state.forces.applied;
@@ -246,7 +309,7 @@ fn held(scene: &Scene<'_>, id: PairId, own: [LinkId; 2], links: &[LinkId]) -> Ve
     }
     let on = |link: &LinkId| {
         let (at, force) = (place(scene, id, *link)?, scene.view().reaction(id, *link));
-        let name = reaction_name(scene, id, *link, *link);
+        let name = scene.reaction_name(id, *link, *link);
         Some(Force { name, on: *link, at, force, acts: Acts::Reaction { pair: id, known: true } })
     };
     links.iter().filter_map(on).collect()
@@ -273,17 +336,13 @@ fn place(scene: &Scene<'_>, id: PairId, on: LinkId) -> Option<Vec2> {
     }
 }
 
-/// `R₁₂`, the force of 1 on 2; with long names that of the pair.
-fn reaction_name(scene: &Scene<'_>, pair: PairId, from: LinkId, on: LinkId) -> Text {
-    let number = |link: LinkId| scene.mechanism().link(link).number.as_deref();
-    let cylinder = matches!(scene.mechanism().pair(pair).kind, PairKind::Cylinder { .. });
-    match (number(from), number(on)) {
-        (Some(from), Some(on)) if !cylinder => {
-            let comma = if from.chars().count() > 1 || on.chars().count() > 1 { "," } else { "" };
-            Text::italic("R").lowered(&format!("{from}{comma}{on}"))
-        }
-        _ => Text::italic("R").lowered(&scene.mechanism().pair(pair).name),
+/// The letter of the couple of a reaction: `M_fA` of friction in a hinge, `M₁₂` where a guide holds a link against turning.
+fn couple_name(pair: &Pair, reaction: &Text) -> Text {
+    if matches!(pair.kind, PairKind::Revolute(_)) {
+        return Text::italic("M").lowered(&format!("f{}", pair.name));
     }
+    let index = reaction.runs.iter().filter(|run| run.level == Level::Sub).map(|run| run.letters.as_str());
+    Text::italic("M").lowered(&index.collect::<String>())
 }
 
 /// Where a couple of a link is drawn: its mass centre, else a joint.

@@ -1,6 +1,6 @@
 //! A part of the mechanism freed from the rest, with all that acts on it, and the arms of forces about the inner hinge.
 
-use super::acting::{Acting, Acts, Force};
+use super::acting::{Acting, Acts, Couple, Force};
 use super::polygon::split;
 use super::{Part, names};
 use crate::angles::{flipped, freest};
@@ -49,8 +49,8 @@ pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, paper: &Paper) -> R
         .iter()
         .map(|f| format!("{} {} N", f.name.plain(), scene.figure(f.force.norm(), FORCE)))
         .collect();
-    let couples: Vec<String> =
-        acting.couples.iter().map(|c| format!("{} {} N·m", c.0.plain(), scene.figure(c.3, MOMENT))).collect();
+    let couple = |c: &Couple| format!("{} {} N·m", c.name.plain(), scene.figure(c.moment, MOMENT));
+    let couples: Vec<String> = acting.couples.iter().map(couple).collect();
     let couples =
         if couples.is_empty() { String::new() } else { format!(" Couples: {}.", couples.join(", ")) };
     let title =
@@ -153,8 +153,7 @@ fn blocks(scene: &Scene<'_>, drawing: &mut Drawing, frame: &Frame, part: &Part) 
 fn arrows(scene: &Scene<'_>, part: &Part, acting: &Acting) -> Vec<(Text, Vec2, Vec2, Style)> {
     let mut all = Vec::new();
     for force in &acting.forces {
-        let unknown = matches!(force.acts, Acts::Reaction { known: false, .. } | Acts::Effort);
-        let style = if unknown { Style::Unknown } else { Style::Force };
+        let style = if force.acts.is_unknown() { Style::Unknown } else { Style::Force };
         match split(scene, part, force) {
             Some(parts) => {
                 for (kind, value) in ["n", "t"].into_iter().zip(parts) {
@@ -193,13 +192,13 @@ fn vectors(drawing: &mut Drawing, frame: &Frame, arrows: &[(Text, Vec2, Vec2, St
 }
 
 fn turning(drawing: &mut Drawing, frame: &Frame, acting: &Acting) {
-    for (i, (name, _, at, m, unknown)) in acting.couples.iter().enumerate() {
-        let style = if *unknown { Style::Unknown } else { Style::Force };
+    for (i, Couple { name, at, moment, acts, .. }) in acting.couples.iter().enumerate() {
+        let style = if acts.is_unknown() { Style::Unknown } else { Style::Force };
         let at = frame.point(*at);
         let middle = -1.9 + 2.1 * i as f64;
         let radius = COUPLE.0 + 1.2 * (i / 3) as f64;
         drawing.begin("couple", &name.plain());
-        arrow::turn(drawing, style, at, radius, (middle, COUPLE.1), *m > 0.0);
+        arrow::turn(drawing, style, at, radius, (middle, COUPLE.1), *moment > 0.0);
         let tip = arrow::middle(at, radius, middle);
         let label = Label::at(name.clone(), LETTERS, tip, 0.4).towards(tip - at).ranked(2);
         drawing.label(label.coloured(style.text_role()));

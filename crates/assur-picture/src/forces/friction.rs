@@ -191,8 +191,12 @@ impl Picture<'_, '_> {
         self.drawing.line(Style::Dashed, touch - along * LINE, touch + along * LINE);
         self.drawing.mark(Style::Unknown, Shape::Arrow(touch, touch + along * ARROW));
         self.taken.push((touch, along));
-        let label =
-            Label::along(self.reaction_name(f), LETTERS, touch + along * 9.0, touch + along * (ARROW + 2.0));
+        let label = Label::along(
+            self.scene.reaction_name(f.pair, f.from, f.on),
+            LETTERS,
+            touch + along * 9.0,
+            touch + along * (ARROW + 2.0),
+        );
         self.drawing.label(label.coloured(Role::Green).ranked(2));
         self.without(f, at);
         if f.speed != 0.0 {
@@ -227,15 +231,6 @@ impl Picture<'_, '_> {
         }
     }
 
-    fn reaction_name(&self, f: &PairFriction) -> Text {
-        let mechanism = self.scene.mechanism();
-        let number = |link: LinkId| mechanism.link(link).number.as_deref();
-        match (number(f.from), number(f.on)) {
-            (Some(from), Some(on)) => Text::italic("R").lowered(&format!("{from}{on}")),
-            _ => Text::italic("R").lowered(&mechanism.pair(f.pair).name),
-        }
-    }
-
     /// Normal, reaction and the angle of friction between them.
     fn guide(&mut self, f: &PairFriction) {
         let Some((at, normal)) = self.guide_of(f.pair) else { return };
@@ -248,8 +243,12 @@ impl Picture<'_, '_> {
         self.drawing.line(Style::Axis, at - normal * LINE, at + normal * (ARROW + 3.0));
         self.drawing.line(Style::Dashed, at - along * LINE, at);
         self.drawing.mark(Style::Unknown, Shape::Arrow(at, at + along * ARROW));
-        let label =
-            Label::along(self.reaction_name(f), LETTERS, at + along * 9.0, at + along * (ARROW + 2.0));
+        let label = Label::along(
+            self.scene.reaction_name(f.pair, f.from, f.on),
+            LETTERS,
+            at + along * 9.0,
+            at + along * (ARROW + 2.0),
+        );
         self.drawing.label(label.coloured(Role::Green).ranked(2));
         let (from, sweep) = (normal.angle(), wrapped(along.angle() - normal.angle()));
         if sweep.abs() > 0.01 {

@@ -1,7 +1,7 @@
 //! Zhukovsky's lever: the plan of velocities turned by 90°, with the forces at the images of their points. The moments of
 //! all forces about the pole add up to nothing, which is the balance of powers.
 
-use super::acting::{Acting, Acts, Force};
+use super::acting::{Acting, Acts, Couple, Force};
 use super::{Part, is_loaded};
 use crate::angles::{flipped, freest};
 use crate::error::Missing;
@@ -11,7 +11,7 @@ use crate::motion::{Nodes, velocity_at};
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::{hinge, mass};
-use assur_drawing::{Drawing, Label, Level, Rect, Shape, Style, Text};
+use assur_drawing::{Drawing, Label, Level, Rect, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{BalanceId, DriveId, DriveTarget, LinkId, LoadId, LoadKind, PairKind, Query, Value};
 
@@ -22,6 +22,8 @@ const AROUND: Vec2 = Vec2::new(60.0, 50.0);
 /// Sizes of letters.
 const POINT: f64 = 4.2;
 const LETTERS: f64 = 4.0;
+/// What is nearer to a bar lies on it, mm.
+const ON_BAR: f64 = 0.3;
 /// Terms less than this part of the largest are rounding.
 const NOTHING: f64 = 1e-12;
 /// Powers less than this part of the greatest there could be are none.
@@ -107,6 +109,7 @@ fn image(scene: &Scene<'_>, link: LinkId, at: Vec2) -> Vec2 {
 /// The turned plan: the pole on its support, images of the links as bars.
 fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) {
     let paper = |v: Vec2| frame.point(turned(scene, v));
+    let mut bars: Vec<Segment> = Vec::new();
     for i in 1..scene.mechanism().links.len() {
         let link = LinkId::at(i);
         let ends: Vec<Vec2> = nodes.on(link).iter().map(|n| paper(n.velocity(scene))).collect();
@@ -115,6 +118,7 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
         for other in others {
             if (*other - *first).norm() > 0.1 {
                 drawing.line(Style::Medium, *first, *other);
+                bars.push(Segment { a: *first, b: *other });
             }
         }
         drawing.end();
@@ -127,6 +131,7 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
         // what slides on the ground is carried by the pole
         if node.links.iter().any(|l| slides(scene, *l)) && at.norm() > 0.1 {
             drawing.line(Style::Medium, Vec2::zero(), at);
+            bars.push(Segment { a: Vec2::zero(), b: at });
         }
         match names.iter_mut().find(|(p, _)| (*p - at).norm() < 0.06) {
             Some((_, text)) => {
@@ -140,6 +145,10 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
         let at = frame.point(image(scene, link, at));
         if names.iter().all(|(p, _)| (*p - at).norm() >= 0.06) {
             names.push((at, Text::name(&name.to_lowercase())));
+            // its velocity, where no bar shows it
+            if bars.iter().all(|bar| bar.distance(at * 0.5) > ON_BAR) {
+                drawing.line(Style::Thin, Vec2::zero(), at);
+            }
         }
     }
     for (at, name) in names {
@@ -173,12 +182,14 @@ fn forces(scene: &Scene<'_>) -> Vec<Force> {
         }
         let Some(acting) = Acting::on(scene, &Part { links: vec![link], inner: None }) else { continue };
         all.extend(acting.forces.into_iter().filter(|f| !matches!(f.acts, Acts::Reaction { .. })));
-        for (name, on, _, moment, unknown) in acting.couples {
+        for Couple { name, on, moment, acts, .. } in acting.couples {
+            if matches!(acts, Acts::Reaction { .. }) {
+                continue;
+            }
             let joints: Vec<Vec2> = nodes.on(on).iter().map(|n| n.at).collect();
             let [first, second, ..] = joints.as_slice() else { continue };
             let arm = *second - *first;
             let force = arm.perp() * (moment / arm.dot(arm));
-            let acts = if unknown { Acts::Effort } else { Acts::Load };
             let pair = Text::italic("F").lowered(&name.plain().replace('_', ""));
             let back = pair.clone().and("′", false, Level::Base);
             all.push(Force { name: pair, on, at: *second, force, acts });

@@ -7,7 +7,7 @@ use crate::scene::Scene;
 use crate::symbol::hinge;
 use assur_drawing::{Drawing, Rect, Shape, Style, on_circle};
 use assur_math::math::Vec2;
-use assur_model::model::{GenevaPair, PairKind};
+use assur_model::model::{GenevaPair, LinkId, PairKind};
 use std::f64::consts::TAU;
 
 /// Half the width of a slot, mm, and the most of it that the pitch of small wheels leaves.
@@ -27,11 +27,14 @@ fn sizes(scene: &Scene<'_>, wheel: &GenevaPair) -> Option<(f64, f64, f64)> {
     Some((a, r, (Vec2::new(a, 0.0) - entry).norm()))
 }
 
-/// The box of all wheels, m.
-pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
+/// The box of the wheels and locking discs among some links, m.
+pub fn extent(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mut Rect) {
     for wheel in &scene.mechanism().genevas {
-        if let Some((_, _, rim)) = sizes(scene, wheel) {
-            bounds.join(&Rect::around(scene.at(wheel.wheel, wheel.hub), Vec2::new(rim, rim)));
+        let Some((_, r, rim)) = sizes(scene, wheel) else { continue };
+        let disc = DISC * r;
+        let round = [(wheel.wheel, wheel.hub, rim), (wheel.crank, wheel.crank_centre, disc)];
+        for (link, centre, radius) in round.into_iter().filter(|(link, ..)| wanted(*link)) {
+            bounds.join(&Rect::around(scene.at(link, centre), Vec2::new(radius, radius)));
         }
     }
 }
@@ -75,26 +78,37 @@ fn outline(frame: &Frame, wheel: &GenevaPair, (a, r, rim): (f64, f64, f64), firs
 }
 
 impl Sketch<'_, '_> {
-    pub(super) fn genevas(&self, drawing: &mut Drawing) {
+    /// Wheels and locking discs among some links.
+    pub(super) fn genevas(&self, wanted: impl Fn(LinkId) -> bool, drawing: &mut Drawing) {
         for wheel in &self.scene.mechanism().genevas {
             let Some(sizes) = sizes(self.scene, wheel) else { continue };
-            drawing.begin("link", self.link_name(wheel.wheel));
-            let hub = self.on_paper(wheel.wheel, wheel.hub);
-            let first = flipped(wheel.slot.turned(self.scene.body(wheel.wheel).u)).angle();
-            let around = outline(self.frame, wheel, sizes, first);
-            drawing.mark(Style::Plate, Shape::polygon(around.into_iter().map(|p| hub + p).collect()));
-            drawing.begin("link", self.link_name(wheel.crank));
-            let centre = self.on_paper(wheel.crank, wheel.crank_centre);
-            let arm = flipped(wheel.arm.turned(self.scene.body(wheel.crank).u)).angle();
-            let radius = DISC * self.frame.length(sizes.1);
-            let (from, sweep) = (arm + wheel.law.half(), TAU - 2.0 * wheel.law.half());
-            drawing.mark(Style::Medium, Shape::Arc { centre, radius, from, sweep });
-            let ends = (on_circle(centre, radius, from), on_circle(centre, radius, from + sweep));
-            // what the wheel turns through is cut out
-            let cut = Shape::Lines { points: vec![ends.0, centre, ends.1], closed: false };
-            drawing.mark(Style::Thin, cut);
-            drawing.end();
+            if wanted(wheel.wheel) {
+                drawing.begin("link", self.link_name(wheel.wheel));
+                let hub = self.on_paper(wheel.wheel, wheel.hub);
+                let first = flipped(wheel.slot.turned(self.scene.body(wheel.wheel).u)).angle();
+                let around = outline(self.frame, wheel, sizes, first);
+                drawing.mark(Style::Plate, Shape::polygon(around.into_iter().map(|p| hub + p).collect()));
+                drawing.end();
+            }
+            if wanted(wheel.crank) {
+                self.locking_disc(wheel, sizes.1, drawing);
+            }
         }
+    }
+
+    /// The disc of a crank whose pin turns on a circle of a radius, m.
+    fn locking_disc(&self, wheel: &GenevaPair, r: f64, drawing: &mut Drawing) {
+        drawing.begin("link", self.link_name(wheel.crank));
+        let centre = self.on_paper(wheel.crank, wheel.crank_centre);
+        let arm = flipped(wheel.arm.turned(self.scene.body(wheel.crank).u)).angle();
+        let radius = DISC * self.frame.length(r);
+        let (from, sweep) = (arm + wheel.law.half(), TAU - 2.0 * wheel.law.half());
+        drawing.mark(Style::Medium, Shape::Arc { centre, radius, from, sweep });
+        let ends = (on_circle(centre, radius, from), on_circle(centre, radius, from + sweep));
+        // what the wheel turns through is cut out
+        let cut = Shape::Lines { points: vec![ends.0, centre, ends.1], closed: false };
+        drawing.mark(Style::Thin, cut);
+        drawing.end();
     }
 
     /// Pins over bars and wheels.

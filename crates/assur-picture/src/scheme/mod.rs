@@ -269,7 +269,7 @@ impl<'a, 's> Sketch<'a, 's> {
         self.wheels(drawing);
         self.meshes(drawing);
         self.profiles(drawing);
-        self.genevas(drawing);
+        self.genevas(|_| true, drawing);
         self.plates(drawing);
         self.draw_blocks(drawing);
         self.bars(drawing);

@@ -19,7 +19,7 @@ const END: f64 = 1.0;
 
 /// The places of pins in slots of the ground, and ways on its rails, m.
 pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
-    super::geneva::extent(scene, bounds);
+    super::geneva::extent(scene, |_| true, bounds);
     for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
         if let PairKind::Prismatic(g) | PairKind::Slot(g) = &pair.kind
             && g.guide == LinkId::GROUND

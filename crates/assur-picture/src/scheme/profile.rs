@@ -1,6 +1,6 @@
 //! Profiles that touch: circles, lines, points, designed cams; wheels seen from the front.
 
-use super::Sketch;
+use super::{Sketch, geneva};
 use crate::frame::Frame;
 use crate::scene::Scene;
 use crate::shape::LinkShape;
@@ -60,11 +60,13 @@ impl Freed<'_> {
     /// What they take, m.
     pub fn extent(&self, scene: &Scene<'_>, bounds: &mut Rect) {
         extent_of(scene, |link| self.0.contains(&link), bounds);
+        geneva::extent(scene, |link| self.0.contains(&link), bounds);
     }
 
     /// Draws them.
     pub fn draw(&self, scene: &Scene<'_>, shapes: &[LinkShape], frame: &Frame, drawing: &mut Drawing) {
         let sketch = Sketch::new(scene, shapes, frame);
+        sketch.genevas(|link| self.0.contains(&link), drawing);
         for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
             let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
             for profile in [first, second].into_iter().filter(|profile| self.0.contains(&profile.link)) {

@@ -2,6 +2,7 @@
 
 mod front;
 mod layout;
+mod rope;
 mod wheels;
 
 use crate::error::Missing;

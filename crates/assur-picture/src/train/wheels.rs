@@ -1,7 +1,7 @@
 //! Wheels in section, and what runs between them.
 
-use super::NAME;
 use super::layout::{Drawn, Layout, wheel_named};
+use super::{NAME, rope};
 use crate::scene::Scene;
 use crate::symbol::hinge;
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
@@ -14,8 +14,6 @@ const FACE: f64 = 3.5;
 const GAP: f64 = 0.55;
 /// How far a ring goes beyond its teeth, and beside them.
 const RING: Vec2 = Vec2::new(8.0, 4.5);
-/// Radius of the pulley of a rope that has no wheel.
-const PULLEY: f64 = 4.0;
 
 /// All wheels.
 pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
@@ -75,7 +73,9 @@ pub fn transmissions(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) 
         let middle = match t.kind {
             TransmissionKind::Mesh => None,
             TransmissionKind::Belt | TransmissionKind::Chain => belt(mechanism, layout, t, drawing),
-            TransmissionKind::Rope | TransmissionKind::Rack => rope(mechanism, layout, t, drawing),
+            TransmissionKind::Rope | TransmissionKind::Rack => {
+                rope::draw(mechanism, layout, t, (FACE, GAP), drawing)
+            }
             TransmissionKind::Worm => worm(mechanism, layout, t, drawing),
             TransmissionKind::Screw => screw(layout, t, drawing),
             TransmissionKind::Clutch => clutch(layout, t, drawing),
@@ -102,43 +102,6 @@ fn belt(mechanism: &Mechanism, layout: &Layout, t: &Transmission, drawing: &mut 
         drawing.line(Style::Medium, from, to);
     }
     Some(Vec2::new(low.x + 2.0, -(low.level + low.radius + high.level - high.radius) / 2.0))
-}
-
-/// A rope from end to end over what it runs.
-fn rope(mechanism: &Mechanism, layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
-    let mut points: Vec<Vec2> = Vec::new();
-    let count = t.ends.len();
-    for (i, end) in t.ends.iter().enumerate() {
-        let bare = end.trim_start_matches("over(").trim_start_matches("under(").trim_end_matches(')');
-        let slider = layout.sliders.iter().find(|(link, _)| mechanism.link(*link).name == bare);
-        if let Some(drawn) = of_end(mechanism, layout, bare) {
-            points.push(Vec2::new(drawn.x + FACE, -(drawn.level - drawn.radius + GAP)));
-        } else if let Some((_, at)) = slider {
-            if end.starts_with("under(") {
-                let pulley = *at - Vec2::new(0.0, 12.0);
-                drawing.mark(Style::Hinge, Shape::Circle { centre: pulley, radius: PULLEY });
-                drawing.line(Style::Link, pulley + Vec2::new(0.0, PULLEY), *at - Vec2::new(0.0, 3.4));
-                points.push(pulley);
-            } else {
-                points.push(*at - Vec2::new(0.0, 3.4));
-            }
-        } else {
-            // the ground, or an idler: above the others
-            let x = layout.sliders.first().map_or(0.0, |s| s.1.x) + 11.0 * (i as f64 - count as f64 / 2.0);
-            let at = Vec2::new(x, layout.sliders.first().map_or(0.0, |s| s.1.y) - 30.0);
-            if bare == "ground" || bare.starts_with("ground.") {
-                let line = Vec2::new(4.0, 0.0);
-                drawing.line(Style::Medium, at - line, at + line);
-                hinge::hatch(drawing, at - line, at + line, Vec2::new(0.0, -1.0));
-            } else {
-                drawing.mark(Style::Hinge, Shape::Circle { centre: at, radius: PULLEY });
-            }
-            points.push(at);
-        }
-    }
-    points.windows(2).for_each(|w| drawing.line(Style::Medium, w[0], w[1]));
-    let [a, b, ..] = points.as_slice() else { return None };
-    Some((*a + *b) * 0.5)
 }
 
 /// The screw of a worm across its wheel.
