@@ -102,7 +102,7 @@ fn ratios(name: &str) -> Vec<(f64, f64)> {
     let exact = trials.refined(&best).unwrap_or(best);
     let mut last = 0;
     let mut found = Vec::new();
-    for digits in 3..=12 {
+    for digits in 3..=13 {
         let within = libm::pow(10.0, -f64::from(digits));
         let trial = trials.run(within, &Conduct::default()).unwrap();
         let report = trial.report();
@@ -116,25 +116,35 @@ fn ratios(name: &str) -> Vec<(f64, f64)> {
     found
 }
 
-/// Over all examples 93 % lie between 1 and 30, and three of 189 runs below a third; these take a few seconds.
+/// Over all examples 95 of 100 lie between 1 and 30, and none below a third; these take a few seconds.
 #[test]
 fn reported_errors_are_near_the_true_ones() {
     let names = [
         "andrews",
+        "block-on-a-spring",
         "brake",
+        "brake-to-a-stop",
+        "door-closer",
         "double-pendulum",
         "energy-of-a-block",
         "engine-with-friction",
         "fan",
         "five-bar",
+        "flap-in-oil",
         "gas-engine",
-        "pendulum",
+        "landing-on-a-foot",
+        "load-on-a-crane",
+        "planetary-run-up",
+        "press-in-its-steady-turn",
+        "pump-in-its-steady-turn",
         "released-piston",
         "rough-double-pendulum",
-        "stick-slip",
+        "shaken-pendulum",
+        "stirred-pendulum",
         "trebuchet",
         "triad",
         "two-rough-blocks",
+        "upright-pendulum",
         "van-der-pol",
     ];
     let mut all = Vec::new();
@@ -147,7 +157,7 @@ fn reported_errors_are_near_the_true_ones() {
     let near = all.iter().filter(|ratio| (1.0..=30.0).contains(*ratio)).count();
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);
     println!("{near} of {}, least {least:.2}", all.len());
-    assert!(all.len() > 70 && 100 * near >= 90 * all.len() && least > 0.25);
+    assert!(all.len() > 100 && 100 * near >= 95 * all.len() && least > 1.0 / 3.0);
 }
 
 #[test]

@@ -120,7 +120,7 @@ fn finest(source: &Source) -> Solved {
     found.find(whole).unwrap_or_else(|| panic!("{} keeps what it says", source.name))
 }
 
-/// Reported over true errors for tolerances from 1e-3 to 1e-11: never below a third. Coordinates that nothing shows count
+/// Reported over true errors for tolerances from 1e-3 to 1e-11: never below a half. Coordinates that nothing shows count
 /// in what is reported, so that above there is no bound.
 #[test]
 fn the_reported_error_is_that_of_the_run() {
@@ -156,7 +156,7 @@ fn the_reported_error_is_that_of_the_run() {
     let least = ratios[0];
     let at = |share: usize| ratios[ratios.len() * share / 100];
     println!("{} runs: least {least:.2}, {:?}", ratios.len(), [5, 25, 50, 75, 95].map(at));
-    assert!(ratios.len() > 50 && least > 1.0 / 3.0 && at(50) > 1.0 && at(75) < 30.0);
+    assert!(ratios.len() > 100 && least > 0.5 && at(5) > 1.0 && at(75) < 30.0);
 }
 
 fn solved(text: &str, overrides: &Overrides) -> Solved {

@@ -63,7 +63,8 @@ fn accuracy(wanted: f64, reached: f64, span: Span) -> SimulateError {
     } else {
         (
             format!("runs of different tolerance do not agree, so that the motion is not known to {wanted}"),
-            "let `simulate` end earlier, or look for an instant from which the motion may go on in two ways"
+            "let `simulate` end earlier, or look for an instant from which the motion may go on in two ways, or for a coordinate whose last \
+             digit is greater than that"
                 .to_owned(),
         )
     };

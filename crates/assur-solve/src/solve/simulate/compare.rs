@@ -114,6 +114,19 @@ impl Compared {
         }
     }
 
+    /// With parts of the differences: of all but works, and of works.
+    pub fn reduced(&self, most: f64, works: f64) -> Self {
+        let mut reduced = Self {
+            error: if self.error.is_finite() { 0.0 } else { self.error },
+            each: [0.0; KINDS.len()],
+            ..*self
+        };
+        for (kind, error) in self.each.iter().enumerate() {
+            reduced.look(if kind == STATES + 2 { works } else { most } * error, kind);
+        }
+        reduced
+    }
+
     /// The error of a steady motion itself.
     pub fn steady(&mut self, error: f64) {
         self.look(error, STATES + 3);

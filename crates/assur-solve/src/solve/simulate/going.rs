@@ -11,6 +11,7 @@ use super::rubbing::wakes;
 use super::setup::Outputs;
 use super::slipping::Mode;
 use super::stop::Stops;
+use super::trace::Trace;
 use super::watch::{AT_ONCE, Watch};
 use crate::math::ode::{Integrator, Step, Stopped, System, Undefined};
 use crate::model::{DriveTarget, PairId};
@@ -69,9 +70,15 @@ pub(super) struct Going<'m, 'o> {
     pub wakes: bool,
     /// The greatest magnitudes of each kind.
     pub kinds: Kinds,
-    pub pass: Pass,
+    pub pass: Pass<'o>,
     /// No step is longer, whatever turns.
     pub longest: Option<f64>,
+    /// Nor than this, so that no body turns too far.
+    pub turning: Option<f64>,
+    /// Where its own steps end.
+    pub trace: Trace,
+    /// Steps are halves of those of the run before, the next of which is this one.
+    pub half: Option<usize>,
     /// The condition at which other coordinates were looked for in vain.
     pub looked_at: f64,
     /// When other coordinates were taken, s, and which.
@@ -87,7 +94,7 @@ impl<'m, 'o> Going<'m, 'o> {
         (openings, stops): (Openings, Stops),
         outputs: &'o Outputs,
         (begin, last): (f64, f64),
-        pass: Pass,
+        pass: Pass<'o>,
     ) -> Self {
         let mechanism = equations.model.mechanism;
         let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
@@ -113,6 +120,9 @@ impl<'m, 'o> Going<'m, 'o> {
             kinds: Kinds::default(),
             pass,
             longest: None,
+            turning: None,
+            trace: Trace::new(),
+            half: None,
             looked_at: CAREFUL / AGAIN,
             changes: Vec::new(),
             crossed: Vec::new(),
@@ -131,13 +141,8 @@ impl Going<'_, '_> {
     ) -> Ended {
         let last = self.last;
         loop {
-            match method.step(equations) {
-                Ok(Step::Within | Step::Last) => {}
-                Err(Stopped::Stiff) if !exactly => return Ended::Stiff,
-                Err(Stopped::Stiff) => {}
-                Err(Stopped::TooManySteps) => return Ended::Halted(Halt::TooManySteps),
-                Err(Stopped::Undefined) => return Ended::Stuck(equations.halt()),
-                Err(Stopped::StepTooSmall) => return Ended::Stuck(too_small(equations)),
+            if let Err(ended) = self.step(equations, method, exactly) {
+                return ended;
             }
             if is_endless(method, self.begin, last) {
                 return Ended::Halted(Halt::TooManySteps);
@@ -172,6 +177,7 @@ impl Going<'_, '_> {
             if self.pass.measures && equations.observe(method.t(), method.y(), true) {
                 self.kinds.measure(equations);
             }
+            self.trace.note(method.t(), method.counts().shortened);
             self.recorder.look(method.y()[2 * equations.order()]);
             let here = method.t() + self.at_once();
             let happened = happened.filter(|h| h.time <= here);
@@ -227,6 +233,27 @@ impl Going<'_, '_> {
             if condition < DEAD {
                 return Ended::Halted(equations.halt());
             }
+        }
+    }
+
+    /// One step within its bounds; an implicit method takes over where it did in the run before.
+    fn step<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        exactly: bool,
+    ) -> Result<(), Ended> {
+        if !exactly && self.half.is_some() && self.pass.is_stiff(method.t()) {
+            return Err(Ended::Stiff);
+        }
+        self.bound(method);
+        match method.step(equations) {
+            Ok(Step::Within | Step::Last) => Ok(()),
+            Err(Stopped::Stiff) if exactly => Ok(()),
+            Err(Stopped::Stiff) => Err(Ended::Stiff),
+            Err(Stopped::TooManySteps) => Err(Ended::Halted(Halt::TooManySteps)),
+            Err(Stopped::Undefined) => Err(Ended::Stuck(equations.halt())),
+            Err(Stopped::StepTooSmall) => Err(Ended::Stuck(too_small(equations))),
         }
     }
 
@@ -308,7 +335,7 @@ impl Going<'_, '_> {
 impl Going<'_, '_> {
     /// Ends a step where a body has turned too far for what is looked at within it, and bounds the next one.
     fn keep_short<M: Integrator<f64>>(
-        &self,
+        &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) -> Result<(), Undefined> {
@@ -324,10 +351,16 @@ impl Going<'_, '_> {
             method.shorten(equations, from + (to - from) * (most / turned))?;
         }
         let fastest = if turned > most { equations.fastest(method.t(), method.y()) } else { after };
-        let turning = if fastest > 0.0 { most / fastest } else { f64::INFINITY };
-        let longest = self.longest.unwrap_or(f64::INFINITY).min(turning);
-        method.progress_mut().longest = (longest < f64::INFINITY).then_some(longest);
+        self.turning = (fastest > 0.0).then(|| most / fastest);
         Ok(())
+    }
+
+    /// Bounds the next step.
+    pub fn bound<M: Integrator<f64>>(&mut self, method: &mut M) {
+        let halved = self.pass.halved.zip(self.half.as_mut());
+        let half = halved.and_then(|(trace, next)| trace.half(next, method.t()));
+        let bounds = [self.longest, self.turning, half];
+        method.progress_mut().longest = bounds.into_iter().flatten().reduce(f64::min);
     }
 }
 

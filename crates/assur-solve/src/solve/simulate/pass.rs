@@ -1,4 +1,6 @@
-//! Runs of different tolerance go over the same motion.
+//! Runs of different tolerance or steps go over the same motion.
+
+use super::trace::Trace;
 
 /// Where something else than the error bounds the steps, those of a finer run are shorter by this: equal ones would say nothing
 /// of their error.
@@ -8,33 +10,42 @@ const NEXT: f64 = 0.8;
 
 /// One of the runs over a motion.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pass {
+pub(super) struct Pass<'r> {
     pub tolerance: f64,
     /// It measures the greatest magnitudes of each kind.
     pub measures: bool,
     /// Where something else than the error bounds its steps, they are shorter by this.
     pub shorter: f64,
+    /// The run before, of whose steps an explicit method takes halves.
+    pub halved: Option<&'r Trace>,
+    /// What is much for each work, where a run before has shown it, J.
+    pub works: &'r [f64],
 }
 
-impl Pass {
+impl<'r> Pass<'r> {
     /// The first of several runs.
     pub const fn coarse(tolerance: f64) -> Self {
-        Self { tolerance, measures: true, shorter: 1.0 }
+        Self { tolerance, measures: true, shorter: 1.0, halved: None, works: &[] }
     }
 
     /// A run that nothing else is asked of.
     pub const fn only(tolerance: f64) -> Self {
-        Self { tolerance, measures: false, shorter: 1.0 }
+        Self { tolerance, measures: false, shorter: 1.0, halved: None, works: &[] }
     }
 
     /// A run with which no other is compared.
     pub const fn alone(tolerance: f64) -> Self {
-        Self { tolerance, measures: false, shorter: SHORTER }
+        Self { tolerance, measures: false, shorter: SHORTER, halved: None, works: &[] }
     }
 
-    /// A run after this one, at a finer tolerance.
-    pub fn finer(self, tolerance: f64) -> Self {
+    /// Whether an implicit method had taken over at an instant, s, in the run before.
+    pub fn is_stiff(self, t: f64) -> bool {
+        self.halved.and_then(|trace| trace.stiff).is_some_and(|stiff| stiff <= t)
+    }
+
+    /// A run after this one, which has left a trace, at a finer tolerance; in halves of its steps or not.
+    pub fn finer(self, tolerance: f64, trace: &'r Trace, halves: bool) -> Self {
         let shorter = if self.shorter == SHORTER { NEXT } else { SHORTER };
-        Self { tolerance, measures: false, shorter }
+        Self { tolerance, measures: false, shorter, halved: halves.then_some(trace), works: &trace.works }
     }
 }

@@ -57,6 +57,7 @@ impl Stops {
         let mut stand = equations.closed.clone();
         stand.extend(self.touching(equations, y, hit));
         let before = hit.iter().map(|stop| equations.rate(*stop, y).0).fold(0.0, f64::min);
+        hit.iter().for_each(|stop| self.note_rate(equations, *stop, before));
         let restitution = match hit {
             [only] => equations.stop(*only).restitution,
             _ => 0.0,

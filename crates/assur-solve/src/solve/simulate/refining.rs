@@ -2,6 +2,7 @@
 
 use super::compare::{Compared, Kinds};
 use super::pass::Pass;
+use super::report::Method;
 use super::run::Run;
 use crate::solve::failure::Halt;
 
@@ -9,8 +10,6 @@ use crate::solve::failure::Halt;
 const FINER: f64 = 0.1;
 /// The tolerance of the first run over the wanted accuracy: errors of smooth motions are far below their tolerance.
 const LOOSER: f64 = 10.0;
-/// What two runs differ by is an estimate: so much of the accuracy it may take.
-const SURE: f64 = 0.5;
 /// A finer run is to leave so much of it: errors do not fall quite as tolerances do.
 const AIM: f64 = 0.25;
 /// The tolerance of a finer run over that of the run before, at most and at least.
@@ -26,6 +25,25 @@ const IN_VAIN: usize = 2;
 /// Evaluations of all runs: no finer run is begun that would take more.
 const MOST: usize = 12_000_000;
 
+/// Runs in halves of the steps of the run before.
+#[derive(Clone, Copy)]
+struct Halved {
+    /// The tolerance over that of the run before: smooth steps keep a finer one, and where they are not smooth they are to be shorter.
+    tolerance: f64,
+    /// Such a run is begun where the error is to be less by a factor between these.
+    least: f64,
+    worth: f64,
+}
+
+/// Of methods whose error falls by their order.
+const fn halved(method: Method) -> Option<Halved> {
+    match method {
+        Method::Dop853 => Some(Halved { tolerance: 1.0 / 64.0, least: 1.0 / 64.0, worth: 0.1 }),
+        Method::Radau => Some(Halved { tolerance: 0.1, least: 1.0 / 16.0, worth: 0.3 }),
+        Method::Energy => None,
+    }
+}
+
 /// A run with what is known of its error.
 pub(super) struct Found {
     pub run: Run,
@@ -37,7 +55,7 @@ pub(super) struct Found {
 /// Runs until the accuracy wanted is kept, or until no finer run helps; `compare` says what is known of the error of the second of
 /// two runs. Returns what is printed, and the evaluations of all runs.
 pub(super) fn until_kept(
-    mut run: impl FnMut(Pass) -> Run,
+    mut run: impl FnMut(Pass<'_>) -> Run,
     mut compare: impl FnMut((&Run, &Run), &Kinds) -> Compared,
     within: f64,
     alone: Option<f64>,
@@ -45,8 +63,14 @@ pub(super) fn until_kept(
     let mut pass = alone.map_or(Pass::coarse((LOOSER * within).min(LOOSEST)), Pass::only);
     let mut runs = vec![run(pass)];
     let mut spent = runs[0].counts.evaluations;
+    let works = std::mem::take(&mut runs[0].trace.works);
+    if alone.is_none() && runs[0].method != Method::Energy && works.iter().any(|much| *much > 0.0) {
+        // only now it is known what is much for them
+        runs[0] = run(Pass { works: &works, ..pass });
+        spent += runs[0].counts.evaluations;
+    }
     let mut kinds = runs[0].kinds.clone();
-    let mut finer = FINER * pass.tolerance;
+    let mut wanted = FINER;
     let mut best: Option<(usize, Compared)> = None;
     let mut in_vain = 0;
     loop {
@@ -65,14 +89,19 @@ pub(super) fn until_kept(
         if hopeless || spent + runs[coarse].counts.evaluations > MOST {
             break;
         }
-        pass = pass.finer(finer);
-        runs.push(run(pass));
+        let halved = halved(runs[coarse].method);
+        let factor = halved.map_or(wanted.clamp(STEP.0, STEP.1), |halved| halved.tolerance);
+        let finer = (pass.tolerance * factor).max(FINEST);
+        let next = pass.finer(finer, &runs[coarse].trace, halved.is_some());
+        let found = run(next);
+        pass = Pass { halved: None, works: &[], ..next };
+        runs.push(found);
         let fine = &runs[coarse + 1];
         spent += fine.counts.evaluations;
         let compared = compare((&runs[coarse], fine), &kinds);
         let error = compared.error;
         let interrupted = matches!(fine.stopped, Some((_, Halt::Interrupted)));
-        if error <= SURE * within || interrupted {
+        if error <= within || interrupted {
             return (Found { run: runs.swap_remove(coarse + 1), kinds, compared }, spent);
         }
         let is_rounding = compared.is_rounding;
@@ -81,22 +110,24 @@ pub(super) fn until_kept(
         } else if pass.tolerance <= ROUNDING {
             in_vain += 1;
         }
-        if is_rounding || in_vain == IN_VAIN || STEP.1 * pass.tolerance < 0.99 * FINEST {
+        if is_rounding || in_vain == IN_VAIN || STEP.1 * FINER * runs[coarse].tolerance < 0.99 * FINEST {
             break;
         }
-        let wanted = AIM * within / error;
-        if wanted >= STEP.0 {
-            finer = (pass.tolerance * wanted.min(STEP.1)).max(FINEST);
+        wanted = AIM * within / error;
+        let goes_on =
+            halved.map_or(wanted >= STEP.0, |halved| (halved.least..=halved.worth).contains(&wanted));
+        if goes_on {
             continue;
         }
         // of runs that do not agree at all nothing is known
-        let factor = if error.is_finite() { wanted } else { FINER };
-        pass = Pass::coarse((pass.tolerance * factor / FINER).max(FINEST / FINER));
-        finer = FINER * pass.tolerance;
+        let less = if error.is_finite() { wanted } else { FINER };
+        pass = Pass::coarse((pass.tolerance * less / factor).max(FINEST / FINER));
+        wanted = FINER;
         if spent + fine.counts.evaluations > MOST {
             break;
         }
-        runs.push(run(pass));
+        let found = run(Pass { works: &fine.trace.works, ..pass });
+        runs.push(found);
         spent += runs[coarse + 2].counts.evaluations;
         kinds.clone_from(&runs[coarse + 2].kinds);
     }

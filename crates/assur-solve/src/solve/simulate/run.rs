@@ -16,6 +16,7 @@ use super::rubbing::rubs;
 use super::setup::{Begin, Outputs, allowed, at_rest, scale};
 use super::slipping::Mode;
 use super::stop::Stops;
+use super::trace::Trace;
 use super::watch::AT_ONCE;
 use crate::math::lobatto::Short;
 use crate::math::ode::{Counts, Dop853, Energy as ByEnergy, Integrator, Radau, System, Undefined};
@@ -59,15 +60,19 @@ pub(super) struct Run {
     pub end: f64,
     /// What its steps leave off.
     pub left_off: LeftOff,
+    /// By how much rounding may shift an impact, of the length of the run.
+    pub shift: f64,
     /// Its tolerance.
     pub tolerance: f64,
+    /// What it leaves to a finer run.
+    pub trace: Trace,
 }
 
 /// Integrates from the first of the instants, s, to the last.
 pub(super) fn run(
     begin: &Begin<'_>,
     charts: &mut Charts<'_>,
-    pass: Pass,
+    pass: Pass<'_>,
     outputs: &Outputs<'_>,
     last: f64,
 ) -> Run {
@@ -156,17 +161,18 @@ impl Going<'_, '_> {
         charts: &mut Charts<'_>,
         (t, y): (f64, &[f64]),
     ) -> Part {
-        let Pass { tolerance, measures, shorter } = self.pass;
+        let Pass { tolerance, measures, shorter, halved, works } = self.pass;
         let length = self.last - self.begin;
         self.corners = Corners::new(equations, AT_ONCE * length);
         equations.take_sides(t, y);
-        let allowed = allowed(equations, tolerance, length);
+        let allowed = allowed(equations, (tolerance, works), length);
         let fewest = self.outputs.conduct.steps;
         let rubs = equations.mode.is_some() || equations.slipping.is_some();
         let rests = self.wakes && (rubs || !equations.model.mechanism.stops.is_empty());
         let least = if rests { AT_REST.max(fewest) } else { fewest };
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
         self.longest = (least > 0.0).then_some(shorter / SHORTER * length / least);
+        (self.turning, self.half) = (None, None);
         let asked = self.outputs.conduct.method;
         let (mut found, mut name) = if asked.is_none_or(|m| m == Method::Energy) && equations.conserves() {
             let mut method = ByEnergy::new(y.len(), tolerance, scale(equations));
@@ -176,6 +182,7 @@ impl Going<'_, '_> {
             (found, Method::Energy)
         } else {
             let mut method = Dop853::new(allowed.clone());
+            self.half = Some(0);
             (self.begin_with(&mut method, equations, charts, (t, y)), Method::Dop853)
         };
         if matches!(found.ended, Ended::Stuck(_)) && equations.walk.take().is_some() {
@@ -183,17 +190,19 @@ impl Going<'_, '_> {
             let before = (found.counts, found.left_off);
             let y = std::mem::take(&mut found.y);
             let mut method = Dop853::new(allowed.clone());
+            self.half = Some(0);
             found = self.begin_with(&mut method, equations, charts, (found.end, &y));
             found.left_off = before.1.with(found.left_off);
             (found.counts, name) = (sum(before.0, found.counts), Method::Dop853);
         }
         if matches!(found.ended, Ended::Stiff) {
+            self.trace.stiff.get_or_insert(found.end);
             let mut implicit = Radau::new(&allowed);
-            if !measures {
+            if !measures && halved.is_none() {
                 let gap = shorter * self.outputs.longest_gap(length);
                 self.longest = Some(if fewest > 0.0 { gap.min(length / fewest) } else { gap });
-                implicit.progress_mut().longest = self.longest;
             }
+            self.bound(&mut implicit);
             let ended = match implicit.start(equations, found.end, &found.y, self.last) {
                 Ok(()) => self.integrate(equations, &mut implicit, (charts, true)),
                 Err(Undefined) => Ended::Halted(equations.halt()),
@@ -216,7 +225,8 @@ impl Going<'_, '_> {
         charts: &mut Charts<'_>,
         (t, y): (f64, &[f64]),
     ) -> Reached {
-        method.progress_mut().longest = self.longest;
+        self.trace.note(t, 0);
+        self.bound(method);
         let ended = match method.start(equations, t, y, self.last) {
             Ok(()) if self.outputs.conduct.method == Some(Method::Radau) => Ended::Stiff,
             Ok(()) => self.integrate(equations, method, (charts, false)),
@@ -261,6 +271,7 @@ impl Going<'_, '_> {
             Ended::Done | Ended::Stiff | Ended::Changed(_) => None,
         };
         let end = part.end;
+        let shift = self.stops.shift / (self.last - self.begin);
         let (functions, left_off) = (self.watch.functions(end), self.watch.left_off());
         let courses = self.watch.courses();
         let Going {
@@ -274,6 +285,7 @@ impl Going<'_, '_> {
             stops,
             changes,
             crossed,
+            trace,
             ..
         } = self;
         let mut events = watch.times;
@@ -283,7 +295,6 @@ impl Going<'_, '_> {
         let (records, energy) = recorder.end();
         Run {
             method,
-            records,
             counts,
             energy,
             worst_condition,
@@ -300,7 +311,10 @@ impl Going<'_, '_> {
             stopped,
             end,
             left_off: part.left_off.with_functions(left_off),
+            shift,
             tolerance: 0.0,
+            trace: trace.with_works(&records),
+            records,
         }
     }
 }
@@ -369,7 +383,9 @@ impl Run {
             stopped: Some((first, halt)),
             end: first,
             left_off: LeftOff::default(),
+            shift: 0.0,
             tolerance: 0.0,
+            trace: Trace::default(),
         }
     }
 }

@@ -13,6 +13,9 @@ use crate::solve::assemble::assemble;
 use crate::solve::failure::Failure;
 use crate::solve::inputs::Rates;
 
+/// A coordinate is not known to more than a few roundings.
+const DIGITS: f64 = 4.0 * f64::EPSILON;
+
 /// The instants that are wanted, and how the run between them is done.
 #[derive(Clone, Default)]
 pub(super) struct Outputs<'c> {
@@ -129,15 +132,20 @@ fn placed(state: State, known: &State) -> State {
 }
 
 /// The errors allowed: of coordinates absolute, since angles and places are read off them whatever their turns; of rates
-/// relative, and where they pass zero by what would move a coordinate in the time of the run. The work is not judged.
-pub(super) fn allowed(equations: &Equations<'_, '_>, tolerance: f64, length: f64) -> Tolerance<f64> {
+/// relative, and where they pass zero by what would move a coordinate in the time of the run; of works of what the run before says
+/// is much for them. The work of all loads is not judged.
+pub(super) fn allowed(
+    equations: &Equations<'_, '_>,
+    (tolerance, works): (f64, &[f64]),
+    length: f64,
+) -> Tolerance<f64> {
     let scales = scales(equations);
-    let coordinates = scales.iter().map(|scale| (0.0, tolerance * scale));
+    let coordinates = scales.iter().map(|scale| (DIGITS, tolerance * scale));
     let rates = scales.iter().map(|scale| (tolerance, tolerance * scale / length));
-    let each: Vec<(f64, f64)> = coordinates
-        .chain(rates)
-        .chain(std::iter::repeat_n((0.0, f64::MAX), 1 + equations.model.mechanism.works.len()))
-        .collect();
+    let work =
+        |id: usize| works.get(id).filter(|much| **much > 0.0).map_or(f64::MAX, |much| tolerance * much);
+    let works = (0..equations.model.mechanism.works.len()).map(|id| (0.0, work(id)));
+    let each: Vec<(f64, f64)> = coordinates.chain(rates).chain([(0.0, f64::MAX)]).chain(works).collect();
     Tolerance::each(&each)
 }
 

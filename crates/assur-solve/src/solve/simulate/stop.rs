@@ -35,6 +35,8 @@ pub(super) struct Stops {
     pub(super) hits: Vec<[f64; 4]>,
     /// When each is closed, and when it opens again, s.
     pub rests: Vec<Vec<(f64, Option<f64>)>>,
+    /// By how much rounding of a coordinate may shift the instant of a hit, s: the slower it comes, the more.
+    pub shift: f64,
 }
 
 /// What an impact leads to.
@@ -55,6 +57,14 @@ impl Stops {
             left: vec![false; count],
             hits: vec![[f64::NAN; 4]; count],
             rests: vec![Vec::new(); count],
+            shift: 0.0,
+        }
+    }
+
+    /// Notes that a coordinate comes to a stop at this rate.
+    pub(super) fn note_rate(&mut self, equations: &Equations<'_, '_>, stop: usize, rate: f64) {
+        if rate < 0.0 {
+            self.shift = self.shift.max(f64::EPSILON * equations.size(stop) / -rate);
         }
     }
 
@@ -232,6 +242,7 @@ impl Stops {
         let mut after = y.to_vec();
         equations.settle(t, y)?;
         let before = equations.rate(index, y).0;
+        self.note_rate(equations, index, before);
         let touching = self.touching(equations, y, &[index]);
         let closed = std::mem::take(&mut equations.closed);
         let standing = closed.iter().map(|other| (*other, equations.rate(*other, y).0)).collect::<Vec<_>>();

@@ -5,6 +5,7 @@ use super::conduct::Conduct;
 use super::coordinates::Charts;
 use super::estimate::estimate;
 use super::functions::OverRun;
+use super::pass::Pass;
 use super::records::Records;
 use super::refining::{Found, until_kept};
 use super::report::SimulationReport;
@@ -124,7 +125,7 @@ pub(crate) fn trajectory(
         outputs.guard = Some((event, f64::INFINITY));
     }
     let mut charts = Charts::new(model, statics);
-    let run = |pass| run(&begin, &mut charts, pass, &outputs, simulation.to);
+    let run = |pass: Pass<'_>| run(&begin, &mut charts, pass, &outputs, simulation.to);
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
     let scales = scales(&begin.equations());
     let conserved = is_conserved(model.mechanism);
