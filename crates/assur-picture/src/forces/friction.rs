@@ -9,7 +9,7 @@ use crate::frame::Frame;
 use crate::inset::Inset;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
-use crate::scheme::{efforts, length_scale};
+use crate::scheme::{Freed, efforts, length_scale};
 use crate::shape::{Outline, shapes};
 use crate::symbol::{arrow, guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text, on_circle};
@@ -57,23 +57,23 @@ pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
         return Err(Missing::nothing_placed(scene, "friction is drawn at its pairs"));
     }
     let all = shapes(scene);
+    let links: Vec<LinkId> = (1..all.len())
+        .map(LinkId::at)
+        .filter(|link| scene.is_placed(*link) && !scene.is_in_cylinder(*link))
+        .collect();
+    let profiles = Freed(&links);
     let mut bounds = Rect::NOTHING;
-    for (i, shape) in all.iter().enumerate().skip(1) {
-        let link = LinkId::at(i);
-        if scene.is_placed(link) && !scene.is_in_cylinder(link) {
-            shape.extent(scene, link, &mut bounds);
-        }
-    }
+    links.iter().for_each(|link| all[link.index()].extent(scene, *link, &mut bounds));
+    profiles.extent(scene, &mut bounds);
     let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let mut picture =
         Picture { scene, frame, drawing: empty(scene, &frictions), outlines: Vec::new(), taken: Vec::new() };
-    for (i, shape) in all.iter().enumerate().skip(1) {
-        let link = LinkId::at(i);
-        if scene.is_placed(link) && !scene.is_in_cylinder(link) {
-            let body = scene.body(link);
-            picture.outlines.push((link, shape.outline(&picture.frame, &|at| body.position(at))));
-        }
+    for &link in &links {
+        let body = scene.body(link);
+        let outline = all[link.index()].outline(&picture.frame, &|at| body.position(at));
+        picture.outlines.push((link, outline));
     }
+    profiles.draw(scene, &all, &picture.frame, &mut picture.drawing);
     picture.links();
     for friction in &frictions {
         if friction.turns { picture.journal(friction) } else { picture.guide(friction) }
@@ -134,6 +134,7 @@ impl Picture<'_, '_> {
             for plate in &outline.plates {
                 self.drawing.mark(Style::Plate, Shape::polygon(plate.clone()));
             }
+            outline.arms.iter().for_each(|(a, b)| self.drawing.line(Style::Medium, *a, *b));
             outline.bars.iter().for_each(|(a, b)| self.drawing.line(Style::Link, *a, *b));
             let longest =
                 outline.bars.iter().max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
