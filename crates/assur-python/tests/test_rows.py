@@ -268,7 +268,9 @@ def test_an_interrupt_ends_it(engine: str) -> None:
     import time
 
     code = (
-        "import assur, numpy, sys\n"
+        "import assur, numpy, signal, sys\n"
+        # where a shell has started this in the background the signal is ignored
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "problem = assur.compile(sys.stdin.read())\n"
         "print('begun', flush=True)\n"
         "try:\n"
