@@ -280,13 +280,19 @@ impl Acting {
             DriveTarget::Pair(pair) => own && touches(pair),
             DriveTarget::Point(..) => false,
         });
-        let mut known = loads
-            .map(|l| (scene.load_name(l).unwrap_or_else(|| Text::italic("M")), Acts::Load))
-            .chain(balances.map(|b| (Text::name(&b.name), Acts::Effort)))
-            .chain(drives.map(|d| (Text::italic("M").lowered(&d.name), Acts::Effort)));
+        let loads = loads.map(|l| scene.load_name(l).unwrap_or_else(|| Text::italic("M")));
+        let efforts = balances.map(|b| Text::name(&b.name));
+        let mut efforts = efforts.chain(drives.map(|d| Text::italic("M").lowered(&d.name)));
+        // those of several hinges of a link together
+        let together = loads.reduce(|mut sum, load| {
+            sum = sum.and(" + ", false, Level::Base);
+            sum.runs.extend(load.runs);
+            sum
+        });
+        let known = together.map(|name| (name, Acts::Load));
         // what is not determined is no number
         if sum.abs() > 1e-7 * largest
-            && let Some((name, acts)) = known.next()
+            && let Some((name, acts)) = known.or_else(|| Some((efforts.next()?, Acts::Effort)))
         {
             self.turn(name, part.links[0], about, -sum, acts);
         }
