@@ -11,6 +11,7 @@ mod compare;
 mod conduct;
 mod coordinates;
 mod corners;
+mod depends;
 mod derivatives;
 mod drives;
 mod energy;
