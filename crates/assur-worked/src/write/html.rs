@@ -62,7 +62,8 @@ fn write_block(document: &Document, block: &Block, count: &mut Counted, out: &mu
         Block::Remark(line) => writeln!(out, "<p class=\"soft\">{}</p>", inline(line)),
         Block::Equation(lines) => {
             let [begin, end] = fitted("", lines.fit());
-            writeln!(out, "{begin}<div class=\"eq\">{}</div>{end}", mathml_lines(lines))
+            let class = if lines.rows.len() > LONG { "eq long" } else { "eq" };
+            writeln!(out, "{begin}<div class=\"{class}\">{}</div>{end}", mathml_lines(lines))
         }
         Block::Table(table) => {
             for part in parts_of(table) {

@@ -26,7 +26,7 @@ nav ol{columns:2;padding-left:1.2em}a{color:var(--acc);text-decoration:none}
 @media(max-width:34rem){.eq{padding-left:.4em}nav ol{columns:1}}
 @media print{:root{--ink:#000;--soft:#444;--pap:#fff;--line:#aaa;--acc:#000}
 h2,h3{break-after:avoid}figure,table,.eq{break-inside:avoid}.eq,.tab,figure{overflow:visible}
-table.long{break-inside:auto}tr{break-inside:avoid}
-table.vec{white-space:nowrap;font-size:.88em}h2{margin-top:1.2em}td,th{padding:.12em .6em}nav{display:none}.two{display:block;orphans:1;widows:1}.two figure{display:inline-block;vertical-align:bottom;margin-right:2.5rem}
+.long{break-inside:auto}.eq.long{margin:0;padding:0 0 0 2em}tr{break-inside:avoid}
+table.vec{white-space:nowrap;font-size:.88em}h2{margin-top:1.2em}td,th{padding:.12em .6em}nav{display:none}.two{display:block;orphans:1;widows:1;word-spacing:2.5rem}.two figure{display:inline-block;vertical-align:bottom;word-spacing:normal}
 .fit{font-size:calc(1em*var(--fit))}.free svg{max-height:118mm}@page{size:A4;margin:16mm 14mm}body{font-size:10.5pt;max-width:none;padding:0}}
 ";
