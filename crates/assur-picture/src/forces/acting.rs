@@ -280,20 +280,20 @@ impl Acting {
             DriveTarget::Pair(pair) => own && touches(pair),
             DriveTarget::Point(..) => false,
         });
-        let loads = loads.map(|l| scene.load_name(l).unwrap_or_else(|| Text::italic("M")));
-        let efforts = balances.map(|b| Text::name(&b.name));
-        let mut efforts = efforts.chain(drives.map(|d| Text::italic("M").lowered(&d.name)));
-        // those of several hinges of a link together
-        let together = loads.reduce(|mut sum, load| {
-            sum = sum.and(" + ", false, Level::Base);
-            sum.runs.extend(load.runs);
-            sum
+        let loads = loads.map(|l| (scene.load_name(l).unwrap_or_else(|| Text::italic("M")), false));
+        let efforts = balances.map(|b| (Text::name(&b.name), true));
+        let drives = drives.map(|d| (Text::italic("M").lowered(&d.name), true));
+        // those of several pairs of a link together
+        let together = loads.chain(efforts).chain(drives).reduce(|(sum, unknown), (name, more)| {
+            let mut sum = sum.and(" + ", false, Level::Base);
+            sum.runs.extend(name.runs);
+            (sum, unknown || more)
         });
-        let known = together.map(|name| (name, Acts::Load));
         // what is not determined is no number
         if sum.abs() > 1e-7 * largest
-            && let Some((name, acts)) = known.or_else(|| Some((efforts.next()?, Acts::Effort)))
+            && let Some((name, unknown)) = together
         {
+            let acts = if unknown { Acts::Effort } else { Acts::Load };
             self.turn(name, part.links[0], about, -sum, acts);
         }
     }
