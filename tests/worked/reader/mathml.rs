@@ -8,8 +8,11 @@ enum Element {
 
 /// All block equations of a page, as infix.
 pub fn equations(page: &str) -> Vec<String> {
-    let begin = "<div class=\"eq\"><math";
-    let bodies = page.split(begin).skip(1).filter_map(|rest| rest.split_once("</math>"));
+    // those that may break on paper too
+    let bodies = page.split("<div class=\"eq").skip(1).filter_map(|rest| {
+        let body = rest.strip_prefix("\"><math").or_else(|| rest.strip_prefix(" long\"><math"))?;
+        body.split_once("</math>")
+    });
     bodies.map(|(body, _)| infix(&format!("<math{body}</math>"))).collect()
 }
 
