@@ -220,11 +220,13 @@ impl Kinds {
         found
     }
 
-    /// What a kind could be where it is nothing but for rounding: turns beside shifts of the extent, moments beside forces.
+    /// What a kind could be where it is nothing but for rounding: turns beside shifts of the extent, angular accelerations beside
+    /// squares of angular velocities too, moments beside forces.
     fn beside(&self, kind: usize, extent: f64) -> f64 {
         match kind {
             2 | 4 => self.magnitude[kind + 1] * extent,
-            3 | 5 => self.magnitude[kind - 1] / extent,
+            3 => self.magnitude[2] / extent,
+            5 => (self.magnitude[4] / extent).max(self.magnitude[3] * self.magnitude[3]),
             6 => self.magnitude[7] / extent,
             7 => self.magnitude[6] * extent,
             _ => 0.0,
