@@ -16,7 +16,7 @@ use crate::position::extent;
 use crate::solve::failure::Halt;
 
 /// A closed stop pulls that does so by more than this part of the greatest effort of a stop.
-const PULLS: f64 = 1e-9;
+pub(super) const PULLS: f64 = 1e-9;
 
 /// Rebounds from a stop.
 pub(super) struct Rebounds {

@@ -1,7 +1,7 @@
 //! Stops: impacts, and what rests on them.
 
 use super::equations::Equations;
-use super::impact::Rebounds;
+use super::impact::{PULLS, Rebounds};
 use super::records::within_step;
 use super::slipping::Mode;
 use crate::math::ode::Integrator;
@@ -37,6 +37,8 @@ pub(super) struct Stops {
     pub rests: Vec<Vec<(f64, Option<f64>)>>,
     /// By how much rounding of a coordinate may shift the instant of a hit, s: the slower it comes, the more.
     pub shift: f64,
+    /// The greatest effort of each since it was closed.
+    pressed: Vec<f64>,
 }
 
 /// What an impact leads to.
@@ -58,6 +60,7 @@ impl Stops {
             hits: vec![[f64::NAN; 4]; count],
             rests: vec![Vec::new(); count],
             shift: 0.0,
+            pressed: vec![0.0; count],
         }
     }
 
@@ -113,7 +116,7 @@ impl Stops {
                 continue;
             }
             let found = if equations.closed.contains(&index) {
-                opening(equations, method, index).map(|t| (t, Touch::Opens(index)))
+                opening(equations, method, index, self.pressed[index]).map(|t| (t, Touch::Opens(index)))
             } else {
                 hit(equations, method, index, (self.left[index], self.at_once))
                     .map(|t| (t, Touch::Hits(vec![index])))
@@ -141,7 +144,13 @@ impl Stops {
         method: &M,
         (touched, here): (Option<(f64, Touch)>, f64),
     ) -> Option<Touch> {
-        let known = self.left.contains(&true) && equations.observe(method.t(), method.y(), false);
+        let closed = !equations.closed.is_empty();
+        let known = (closed || self.left.contains(&true)) && equations.observe(method.t(), method.y(), false);
+        for (index, pressed) in self.pressed.iter_mut().enumerate() {
+            let effort = equations.trial.motion.stops[index].abs();
+            let is_closed = known && equations.closed.contains(&index);
+            *pressed = if is_closed { pressed.max(effort) } else { 0.0 };
+        }
         for index in 0..self.left.len() {
             self.left[index] &= known && equations.distance(index) <= ROUNDING * equations.size(index);
         }
@@ -371,6 +380,7 @@ fn opening<M: Integrator<f64>>(
     equations: &mut Equations<'_, '_>,
     method: &mut M,
     index: usize,
+    pressed: f64,
 ) -> Option<f64> {
     // it is left as any rest
     let undetermined = equations.slipping.as_ref().is_some_and(|slipping| slipping.undetermined);
@@ -384,5 +394,9 @@ fn opening<M: Integrator<f64>>(
         let known = within_step(equations, method, t, &mut y) && equations.observe(t, &y, false);
         if known { side * equations.trial.motion.stops[index] } else { f64::NAN }
     });
-    crossing.filter(|c| !c.rising).map(|c| c.t)
+    let opens = crossing.filter(|c| !c.rising)?;
+    // what presses no more by anything but rounding stays
+    let known = equations.observe(step.1, method.y(), false);
+    let effort = side * equations.trial.motion.stops[index];
+    (!known || effort < -PULLS * pressed).then_some(opens.t)
 }
