@@ -96,8 +96,7 @@ impl Page {
         if let Some(known) = self.written(&name) {
             return vec![known];
         }
-        let value = right.value();
-        vec![self.equate(name, value, Unit::One, right)]
+        vec![self.named(name, Unit::One, right)]
     }
 
     /// Where the follower stands at lift zero.

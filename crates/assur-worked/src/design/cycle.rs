@@ -50,18 +50,15 @@ impl Page {
             self.equate(stroke, scale * statics.stroke(pair), unit, most - least);
             // the way from the least to the greatest, and what is left of the turn
             let right = if angle(2) >= angle(1) { two - one } else { one - two };
-            let value = right.value();
-            let way = self.equate(letter("Δφ", "1"), value, Unit::Angle, right);
+            let way = self.named(letter("Δφ", "1"), Unit::Angle, right);
             let right = Expr::Degrees(360) - way.clone();
-            let value = right.value();
-            let other = self.equate(letter("Δφ", "2"), value, Unit::Angle, right);
+            let other = self.named(letter("Δφ", "2"), Unit::Angle, right);
             self.say(Message::TimesOf, &[]);
             let (long, short) = if way.value() >= other.value() { (way, other) } else { (other, way) };
             let ratio = Name::new("K", &named.name);
             let k = self.equate(ratio, statics.time_ratio(pair), Unit::One, long / short);
             let right = Expr::Degrees(180) * (k.clone() - Expr::Int(1)) / (k + Expr::Int(1));
-            let value = right.value();
-            self.equate(Name::new("θ", &named.name), value, Unit::Angle, right);
+            self.named(Name::new("θ", &named.name), Unit::Angle, right);
         }
     }
 }

@@ -4,7 +4,7 @@ use super::page::{Page, given};
 use crate::document::{Line, text};
 use crate::words::DesignMessage as Message;
 use assur_formula::{Expr, Name, Unit, with_digits};
-use assur_model::model::{Flywheel, FlywheelPart, LinkId, Query, Value};
+use assur_model::model::{Flywheel, FlywheelPart, Query, Value};
 use assur_solve::answer::FlywheelAnswer;
 use assur_solve::solve::{DriveValue, Model, Solution};
 
@@ -22,7 +22,7 @@ impl Page {
             self.heading(Message::FlywheelOf, &[vec![text(wheel.name.clone())], vec![text(on.name.clone())]]);
             let several = if mechanism.flywheels.len() > 1 { wheel.name.clone() } else { String::new() };
             self.work_table(model, solution, i, found);
-            self.size(wheel, found, &several, wheel.on);
+            self.size(wheel, found, &several);
         }
     }
 
@@ -59,7 +59,7 @@ impl Page {
     }
 
     /// [W], J, and the rim.
-    fn size(&mut self, wheel: &Flywheel, found: &FlywheelAnswer, several: &str, _on: LinkId) {
+    fn size(&mut self, wheel: &Flywheel, found: &FlywheelAnswer, several: &str) {
         let name = |letter: &str, sub: &str| {
             let sub = if several.is_empty() { sub.to_owned() } else { format!("{sub},{several}") };
             Name::new(letter, sub.trim_start_matches(','))
@@ -94,11 +94,9 @@ impl Page {
         let mass = right.value();
         self.equate(name("m", ""), mass, Unit::Mass, right);
         let right = (Expr::Int(4) * inertia / (shape.clone() * Expr::Pi * density * diameter.cubed())).root();
-        let value = right.value();
-        let width = self.equate(name("b", ""), value, Unit::Length, right);
+        let width = self.named(name("b", ""), Unit::Length, right);
         let right = shape * width;
-        let value = right.value();
-        self.equate(name("h", ""), value, Unit::Length, right);
+        self.named(name("h", ""), Unit::Length, right);
     }
 }
 

@@ -136,8 +136,7 @@ impl Page {
         }
         let involute = tan(&teeth.alpha) - radians(&teeth.alpha);
         let right = involute + Expr::Int(2) * x * tan(&teeth.alpha) / z.clone();
-        let value = right.value();
-        self.equate(gears.letters("inv α", "w"), value, Unit::One, right);
+        self.named(gears.letters("inv α", "w"), Unit::One, right);
         self.say(Message::InvoluteSolved, &[]);
         let angle = self.stated(gears.letters("α", "w"), gears.value("alpha_w", 0).to_degrees(), Unit::Angle);
         let a = plain(teeth.alpha.clone().cos(), angle.clone().cos());
@@ -153,8 +152,7 @@ impl Page {
         }
         let plain = (teeth.z[0].clone() + teeth.z[1].clone()) / Expr::Int(2);
         let right = sum - distance.clone() / teeth.module.clone() + plain;
-        let value = right.value();
-        self.equate(gears.letters("k", ""), value, Unit::One, right)
+        self.named(gears.letters("k", ""), Unit::One, right)
     }
 
     /// The diameters and the tooth of a wheel; its pressure angle at the tip.
@@ -183,7 +181,6 @@ impl Page {
         let s = length(self, "s", "", "s", thick);
         length(self, "e", "", "e", pitch.clone() - s);
         let right = (db / da).of(Function::Arccos);
-        let value = right.value();
-        self.equate(gears.letters("α", &format!("a{own}")), value, Unit::Angle, right)
+        self.named(gears.letters("α", &format!("a{own}")), Unit::Angle, right)
     }
 }
