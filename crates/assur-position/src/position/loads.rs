@@ -97,6 +97,14 @@ impl State {
         }
     }
 
+    /// The values of loads that are evaluated at every position in `wrenches`, and no other load.
+    pub(super) fn run_evaluated_loads(&mut self, model: &Model<'_>, evaluated: &[(LoadId, Value)]) {
+        self.forces.wrenches.fill(Wrench { force: V2::zero(), moment: 0.0 });
+        for (load, value) in evaluated {
+            self.apply_evaluated(model, *load, *value);
+        }
+    }
+
     fn apply_evaluated(&mut self, model: &Model<'_>, id: LoadId, value: Value) {
         match (&model.mechanism.loads[id.index()].kind, value) {
             (

@@ -49,6 +49,7 @@ mod train_forces;
 mod train_losses;
 mod train_work;
 mod triad;
+mod virtual_power;
 mod wanted;
 mod wrench;
 

@@ -9,20 +9,23 @@
 //! chapter 14, with columns K in place of the matrix B).
 
 use super::kinematics::DriveInput;
+use super::model::Model;
 use super::state::State;
+use super::virtual_power::{Along, Loads};
 use crate::math::{Lu, Vec2};
-use crate::plan::{LoadStep, Plan};
+use crate::model::{LoadId, Value};
+use crate::plan::Plan;
 
 /// What positions of bodies that are found twice may differ by.
 const SAME_PLACE: f64 = 1e-9;
 
 /// Velocity of a body for a unit rate of a coordinate.
 #[derive(Clone, Copy, Debug)]
-struct Column {
+pub(super) struct Column {
     /// Of the body's origin.
-    v: Vec2,
+    pub v: Vec2,
     /// Of its rotation.
-    omega: f64,
+    pub omega: f64,
 }
 
 /// The equations of the free coordinates at one instant. All memory is taken once.
@@ -40,6 +43,12 @@ pub struct Reduced {
     mass: Vec<f64>,
     /// Its factors.
     factors: Lu,
+    known: Loads,
+    /// Of a coordinate that is alone: the sums of the masses at the unit rate.
+    unit: Along,
+    /// Q, and what of it is of loads.
+    forces: Vec<f64>,
+    loads: Vec<f64>,
 }
 
 impl Reduced {
@@ -54,6 +63,10 @@ impl Reduced {
             inputs: Vec::with_capacity(plan.drives),
             mass: vec![0.0; n * n],
             factors: Lu::new(n),
+            known: Loads::of(plan),
+            unit: Along::default(),
+            forces: vec![0.0; n],
+            loads: vec![0.0; n],
             free,
         }
     }
@@ -69,7 +82,7 @@ impl Reduced {
         if state.motion.open.is_some() || !state.stands_as(there) {
             return None;
         }
-        reduced.sum_up(plan, &state);
+        reduced.sum_up(&state);
         Some(reduced)
     }
 
@@ -91,48 +104,69 @@ impl Reduced {
 
     /// One pass at unit rate has both: velocities go with the rate, accelerations with its square.
     fn one_coordinate(&mut self, plan: &Plan, state: &mut State) {
-        let drive = self.free[0];
-        let rate = std::mem::replace(&mut state.motion.inputs[drive].rate, 1.0);
-        state.motion.inputs[drive].acceleration = 0.0;
-        state.run_motion::<2>(plan);
-        state.motion.inputs[drive].rate = rate;
-        self.take_unit(state);
+        state.motion.inputs[self.free[0]].acceleration = 0.0;
+        self.move_at_unit_rate::<2>(plan, state);
+        self.scale_unit(state);
     }
 
-    /// Mass and force along the one free coordinate where it is alone, at the inputs of a state: the bodies are moved at a unit
-    /// rate, and left at rest. A group that does not close is left in `open`. Allocates nothing.
-    pub fn run_at_rest(&mut self, plan: &Plan, state: &mut State) {
-        let drive = self.free[0];
-        let rate = std::mem::replace(&mut state.motion.inputs[drive].rate, 1.0);
-        state.run_motion::<1>(plan);
-        state.motion.inputs[drive].rate = rate;
-        self.take_at_rest(state);
+    /// Moves the bodies at a unit rate of the one free coordinate where it is alone, at the inputs of a state, without accelerations.
+    /// A group that does not close is left in `open`. Allocates nothing.
+    pub fn run_at_unit_rate(&mut self, plan: &Plan, state: &mut State) {
+        self.move_at_unit_rate::<1>(plan, state);
+        self.take_velocities(state);
     }
 
-    /// Takes over how the bodies move for a unit rate of the one free coordinate, and leaves them at rest.
-    pub fn take_at_rest(&mut self, state: &mut State) {
-        for (column, body) in self.columns[0].iter_mut().zip(&mut state.motion.bodies) {
+    /// The masses are summed up as soon as they are placed: that goes on beside the roots of the next group.
+    fn move_at_unit_rate<const LEVEL: u8>(&mut self, plan: &Plan, state: &mut State) {
+        let drive = self.free[0];
+        let rate = std::mem::replace(&mut state.motion.inputs[drive].rate, 1.0);
+        state.start(plan);
+        let mut sum = Along::default();
+        for (index, step) in plan.motion.iter().enumerate() {
+            state.step::<LEVEL>(plan, step);
+            if LEVEL > 1 {
+                self.known.add_placed::<true>(index, &state.motion.bodies, &mut sum);
+            } else {
+                self.known.add_placed::<false>(index, &state.motion.bodies, &mut sum);
+            }
+        }
+        self.unit = sum;
+        state.motion.inputs[drive].rate = rate;
+    }
+
+    /// Takes over how the bodies move for a unit rate of the one free coordinate, without accelerations.
+    pub fn take_unit_velocities(&mut self, state: &State) {
+        self.take_velocities(state);
+        self.unit = self.known.of_masses::<false>(&state.motion.bodies, &self.columns[0]);
+    }
+
+    fn take_velocities(&mut self, state: &State) {
+        for (column, body) in self.columns[0].iter_mut().zip(&state.motion.bodies) {
             *column = Column { v: body.v, omega: body.omega };
-            (body.v, body.omega) = (Vec2::zero(), 0.0);
-            (body.a, body.alpha) = (Vec2::zero(), 0.0);
         }
     }
 
-    /// Moves the bodies as they do for a unit rate of the one free coordinate.
-    pub fn put_unit(&self, state: &mut State) {
-        for (column, body) in self.columns[0].iter().zip(&mut state.motion.bodies) {
-            (body.v, body.omega) = (column.v, column.omega);
-        }
-    }
-
-    /// Mass and force along the one free coordinate, of bodies at rest under the loads in `wrenches`.
-    pub fn mass_and_force(&mut self, plan: &Plan, state: &State) -> (f64, f64) {
-        self.sum_up(plan, state);
-        (self.mass[0], power(&self.columns[0], state))
+    /// Mass and force along the one free coordinate, of bodies that move at its unit rate, under the loads that are numbers and the
+    /// values of the others.
+    pub fn mass_and_force(
+        &mut self,
+        model: &Model<'_>,
+        state: &mut State,
+        evaluated: &[(LoadId, Value)],
+    ) -> (f64, f64) {
+        self.sum_unit(state, 0.0);
+        self.add_evaluated(model, state, evaluated);
+        (self.mass[0], self.forces[0])
     }
 
     /// Takes over how the bodies move for a unit rate of the one free coordinate, and moves them at the rate there is.
     pub fn take_unit(&mut self, state: &mut State) {
+        self.take_velocities(state);
+        self.unit = self.known.of_masses::<true>(&state.motion.bodies, &self.columns[0]);
+        self.scale_unit(state);
+    }
+
+    fn scale_unit(&mut self, state: &mut State) {
         let rate = state.motion.inputs[self.free[0]].rate;
         let square = rate * rate;
         for (column, body) in self.columns[0].iter_mut().zip(&mut state.motion.bodies) {
@@ -164,13 +198,43 @@ impl Reduced {
         state.run_motion::<2>(plan);
     }
 
-    /// The accelerations of the free coordinates under the loads in `wrenches`, inertia forces at a₀ among them. Returns the
-    /// condition of M, in (0, 1], and nothing where M has no inverse. Allocates nothing.
-    pub fn accelerations(&mut self, plan: &Plan, state: &State, out: &mut [f64]) -> Option<f64> {
-        self.sum_up(plan, state);
-        for (q, column) in out.iter_mut().zip(&self.columns) {
-            *q = power(column, state);
+    /// Finds M and Q in the state that was moved last, under the loads that are numbers and the values of the others. Returns the power
+    /// of the loads, W. Allocates nothing.
+    pub fn load(&mut self, model: &Model<'_>, state: &mut State, evaluated: &[(LoadId, Value)]) -> f64 {
+        if self.alone {
+            let rate = state.motion.inputs[self.free[0]].rate;
+            self.sum_unit(state, rate * rate);
+            self.add_evaluated(model, state, evaluated);
+            return self.loads[0] * rate;
         }
+        self.sum_up(state);
+        self.add_evaluated(model, state, evaluated);
+        state.power_of_loads(model, evaluated)
+    }
+
+    fn add_evaluated(&mut self, model: &Model<'_>, state: &mut State, evaluated: &[(LoadId, Value)]) {
+        if evaluated.is_empty() {
+            return;
+        }
+        state.run_evaluated_loads(model, evaluated);
+        for ((q, loads), column) in self.forces.iter_mut().zip(&mut self.loads).zip(&self.columns) {
+            let bodies = column.iter().zip(&state.forces.wrenches).skip(1);
+            let power: f64 = bodies.map(|(k, w)| w.force.dot(k.v) + w.moment * k.omega).sum();
+            *q += power;
+            *loads += power;
+        }
+    }
+
+    /// Whether Q is finite.
+    #[must_use]
+    pub fn is_loaded(&self) -> bool {
+        self.forces.iter().all(|q| q.is_finite())
+    }
+
+    /// The accelerations of the free coordinates from M and Q. Returns the condition of M, in (0, 1], and nothing where M has no
+    /// inverse. Allocates nothing.
+    pub fn accelerations(&mut self, out: &mut [f64]) -> Option<f64> {
+        out.copy_from_slice(&self.forces);
         let n = self.free.len();
         if n == 1 {
             let m = self.mass[0];
@@ -240,39 +304,27 @@ impl Reduced {
         1.0 / self.mass[i * self.free.len() + i].sqrt()
     }
 
-    /// M = Σ Kᵀ m K.
-    fn sum_up(&mut self, plan: &Plan, state: &State) {
-        let n = self.free.len();
-        if let ([mass], [column]) = (&mut self.mass[..], &self.columns[..]) {
-            *mass = mass_along(plan, state, column);
-            return;
-        }
-        self.mass.fill(0.0);
-        for load in &plan.loads {
-            let LoadStep::Mass { body, centre, mass, moment_of_inertia, .. } = load else { continue };
-            let arm = centre.map_or(Vec2::zero(), |at| at.turned(state.motion.bodies[*body].u).perp());
-            let at = |column: &[Column]| {
-                let Column { v, omega } = column[*body];
-                (v + arm * omega, omega)
-            };
-            for i in 0..n {
-                let (v_i, omega_i) = at(&self.columns[i]);
-                for j in 0..=i {
-                    let (v_j, omega_j) = at(&self.columns[j]);
-                    self.mass[i * n + j] += mass * v_i.dot(v_j) + moment_of_inertia * omega_i * omega_j;
-                }
-            }
-        }
+    /// M, and Q of inertia forces and of the loads that are numbers.
+    fn sum_up(&mut self, state: &State) {
+        let (n, bodies) = (self.free.len(), &state.motion.bodies);
         for i in 0..n {
+            let Along { mass, inertia, loads } = self.known.of_masses::<true>(bodies, &self.columns[i]);
+            let loads = loads + self.known.of_others(bodies, &self.columns[i]);
+            self.mass[i * n + i] = mass;
+            (self.forces[i], self.loads[i]) = (loads - inertia, loads);
             for j in 0..i {
-                self.mass[j * n + i] = self.mass[i * n + j];
+                let mass = self.known.mass_between(bodies, [&self.columns[i], &self.columns[j]]);
+                (self.mass[i * n + j], self.mass[j * n + i]) = (mass, mass);
             }
         }
     }
 
-    /// Power of the loads in `wrenches` for a unit rate of each free coordinate.
-    pub fn powers<'a>(&'a self, state: &'a State) -> impl Iterator<Item = f64> + 'a {
-        self.columns.iter().map(|column| power(column, state))
+    /// The same of a coordinate that is alone, from the sums at the unit rate, at a rate with this square.
+    fn sum_unit(&mut self, state: &State, square: f64) {
+        let Along { mass, inertia, loads } = self.unit;
+        let loads = loads + self.known.of_others(&state.motion.bodies, &self.columns[0]);
+        self.mass[0] = mass;
+        (self.forces[0], self.loads[0]) = (loads - inertia * square, loads);
     }
 
     /// The sum of magnitudes whose sum is the power of the loads for a unit rate of a free coordinate: what rounding leaves of
@@ -316,23 +368,6 @@ impl Reduced {
     pub fn mass(&self) -> &[f64] {
         &self.mass
     }
-}
-
-/// The mass along one coordinate.
-fn mass_along(plan: &Plan, state: &State, column: &[Column]) -> f64 {
-    let mut sum = 0.0;
-    for load in &plan.loads {
-        let LoadStep::Mass { body, centre, mass, moment_of_inertia, .. } = load else { continue };
-        let Column { v, omega } = column[*body];
-        let v = centre.map_or(v, |at| v + at.turned(state.motion.bodies[*body].u).perp() * omega);
-        sum += mass * v.dot(v) + moment_of_inertia * omega * omega;
-    }
-    sum
-}
-
-fn power(column: &[Column], state: &State) -> f64 {
-    let bodies = column.iter().zip(&state.forces.wrenches).skip(1);
-    bodies.map(|(k, w)| w.force.dot(k.v) + w.moment * k.omega).sum()
 }
 
 impl State {

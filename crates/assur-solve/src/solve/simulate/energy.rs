@@ -29,23 +29,19 @@ impl Equations<'_, '_> {
             return Err(Undefined);
         }
         self.start_trial();
-        self.reduce_at_rest(q);
+        self.reduce_at_unit_rate(q);
         if let Some(group) = self.trial.motion.open {
             self.why = Some(Halt::Open { group });
             return Err(Undefined);
         }
         self.evaluate_loads(self.here().0);
-        self.trial.run_loads(self.model, &self.evaluated);
-        let (mass, force) = self.reduced.mass_and_force(self.model.plan, &self.trial);
+        let (mass, force) = self.reduced.mass_and_force(self.model, &mut self.trial, &self.evaluated);
         if mass.is_nan() || mass <= 0.0 {
             self.why = Some(self.without_acceleration());
             return Err(Undefined);
         }
         (out[0], out[1]) = (mass, force);
-        if out.len() > 2 {
-            self.reduced.put_unit(&mut self.trial);
-            self.powers(&mut out[2..], 1.0);
-        }
+        self.powers(&mut out[2..], 1.0);
         Ok(true)
     }
 }

@@ -13,6 +13,7 @@ use crate::answer::{Switch, WholeCycle, switches};
 use crate::math::Vec2;
 use crate::math::ode::{System, Undefined};
 use crate::model::{DriveTarget, LoadId, Value};
+use crate::plan::LoadStep;
 use crate::position::{Branch, DriveInput, Model, Motion, Reduced, State, extent};
 use crate::solve::cycle::loads_name_quantities;
 use crate::solve::failure::Halt;
@@ -49,6 +50,10 @@ pub(super) struct Equations<'a, 's> {
     /// Angles of the bodies in the last evaluation, where loads depend on them.
     pub angles: Vec<f64>,
     pub loads_need_angles: bool,
+    /// Some loads are evaluated at every position.
+    pub evaluates: bool,
+    /// Some steps of motion start from where the step began.
+    pub goes_on: bool,
     /// The way to what is looked at far ahead.
     pub walk: Option<Box<Walk>>,
     /// Memory for the values of the file's quantities, where loads name them.
@@ -111,6 +116,8 @@ impl<'a, 's> Equations<'a, 's> {
             accepted: (t, state.clone(), angles.clone()),
             angles,
             loads_need_angles: loads_need_angles(model),
+            evaluates: model.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))),
+            goes_on: model.plan.goes_on(),
             walk: None,
             quantities: loads_name_quantities(model.mechanism).then(Vec::new),
             named: Vec::new(),
@@ -248,7 +255,7 @@ impl<'a, 's> Equations<'a, 's> {
         if self.evaluated.iter().any(|(_, value)| !value.is_defined()) {
             return Halt::NotANumber;
         }
-        if self.trial.forces.wrenches.iter().all(|w| w.moment.is_finite()) {
+        if self.reduced.is_loaded() {
             return Halt::NoInertia;
         }
         let conditions = self.trial.motion.conditions.iter().enumerate();
@@ -265,8 +272,8 @@ impl<'a, 's> Equations<'a, 's> {
         }
         let time = self.trial.motion.time;
         self.evaluate_loads(time);
-        self.trial.run_loads(self.model, &self.evaluated);
-        match self.reduced.accelerations(self.model.plan, &self.trial, out) {
+        self.reduced.load(self.model, &mut self.trial, &self.evaluated);
+        match self.reduced.accelerations(out) {
             Some(_) => Ok(()),
             None => Err(self.without_acceleration()),
         }
@@ -308,12 +315,12 @@ impl System<f64> for Equations<'_, '_> {
             return Err(Undefined);
         }
         self.evaluate_loads(t);
-        self.trial.run_loads(self.model, &self.evaluated);
+        let power = self.reduced.load(self.model, &mut self.trial, &self.evaluated);
         let (rates, rest) = dy.split_at_mut(n);
         let (accelerations, work) = rest.split_at_mut(n);
         rates.copy_from_slice(&y[n..2 * n]);
-        work[0] = self.trial.power_of_loads(self.model, &self.evaluated);
-        if self.reduced.accelerations(self.model.plan, &self.trial, accelerations).is_none() {
+        work[0] = power;
+        if self.reduced.accelerations(accelerations).is_none() {
             self.why = Some(self.without_acceleration());
             return Err(Undefined);
         }

@@ -47,8 +47,8 @@ impl Equations<'_, '_> {
         }
     }
 
-    /// The bodies at rest at a value of the one coordinate, and their velocities for a unit rate.
-    pub fn reduce_at_rest(&mut self, q: f64) {
+    /// The bodies at a value of the one coordinate, and their velocities for a unit rate.
+    pub fn reduce_at_unit_rate(&mut self, q: f64) {
         let drive = self.reduced.free()[0];
         let input = &mut self.trial.motion.inputs[drive];
         (input.value, input.place) = (q, Vec2::direction(q));
@@ -56,11 +56,11 @@ impl Equations<'_, '_> {
         if let Some(bridge) = &mut self.bridge {
             if bridge.covers(q) {
                 bridge.put(q, &mut self.trial.motion);
-                return self.reduced.take_at_rest(&mut self.trial);
+                return self.reduced.take_unit_velocities(&self.trial);
             }
             self.trial.branches.copy_from_slice(bridge.branches(q));
         }
-        self.reduced.run_at_rest(self.model.plan, &mut self.trial);
+        self.reduced.run_at_unit_rate(self.model.plan, &mut self.trial);
     }
 
     /// Motion at the inputs that are set, the first coordinate at `q`.

@@ -4,7 +4,6 @@ use super::equations::Equations;
 use super::loads::sides;
 use crate::answer::PoseAnswers;
 use crate::model::{DriveTarget, Expr};
-use crate::plan::LoadStep;
 use crate::position::Model;
 use std::f64::consts::TAU;
 
@@ -35,7 +34,7 @@ impl Equations<'_, '_> {
     /// The values of the loads that depend on the state, on the sides of their corners where the step begins.
     pub fn evaluate_loads(&mut self, t: f64) {
         self.evaluated.clear();
-        if !self.model.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
+        if !self.evaluates {
             return;
         }
         if self.loads_need_angles {

@@ -128,7 +128,7 @@ impl Equations<'_, '_> {
 
     /// Starts the trial from where the way has come to, or from where the present step begins.
     pub fn start_trial(&mut self) {
-        if self.model.plan.goes_on() {
+        if self.goes_on {
             self.trial.start_from(self.walk.as_ref().map_or(&self.accepted.1, |walk| &walk.state));
         }
     }
