@@ -142,6 +142,32 @@ pub fn sum(coefficients: &[f64], t: f64) -> f64 {
     t * b_1 - b_2 + first
 }
 
+/// The same at several t side by side.
+#[must_use]
+pub fn sums<const N: usize>(coefficients: &[f64], t: &[f64; N]) -> [f64; N] {
+    let [first, rest @ ..] = coefficients else { return [0.0; N] };
+    let (mut b_1, mut b_2) = ([0.0; N], [0.0; N]);
+    for c in rest.iter().rev() {
+        for i in 0..N {
+            (b_1[i], b_2[i]) = (2.0 * t[i] * b_1[i] - b_2[i] + c, b_1[i]);
+        }
+    }
+    std::array::from_fn(|i| t[i] * b_1[i] - b_2[i] + first)
+}
+
+/// Below this the sum of a series is nowhere in [−t, t], t ≥ 1.
+#[must_use]
+pub fn least(coefficients: &[f64], t: f64) -> f64 {
+    let [first, rest @ ..] = coefficients else { return 0.0 };
+    // |T_k| is greatest at the ends
+    let (mut away, mut before, mut polynomial) = (0.0, 1.0, t);
+    for c in rest {
+        away += c.abs() * polynomial;
+        (before, polynomial) = (polynomial, 2.0 * t * polynomial - before);
+    }
+    first - away
+}
+
 /// The greatest of the last coefficients: what the series leaves off is about as large.
 #[must_use]
 pub fn tail(coefficients: &[f64]) -> f64 {

@@ -1,7 +1,7 @@
 //! Mass and force over an interval of the coordinate, by their Chebyshev series; the kinetic energy from the force.
 
 use super::super::Undefined;
-use crate::math::chebyshev::{NODES, Nodes, derive, integrate, sum, tail};
+use crate::math::chebyshev::{NODES, Nodes, derive, integrate, least, sum, sums, tail};
 use crate::math::root::root;
 use std::ops::Range;
 
@@ -22,6 +22,10 @@ const OUTSIDE: f64 = 0.1;
 const SCAN: f64 = 1.0 / 24.0;
 const GROWTH: f64 = 1.4;
 const LEAST: f64 = 1e-7;
+/// So many of them side by side.
+const SIDE_BY_SIDE: usize = 4;
+/// Rounding of sums, parts of the greatest coefficient.
+const ROUNDING: f64 = 1e-12;
 
 /// An interval of the coordinate.
 #[derive(Clone, Debug)]
@@ -93,6 +97,11 @@ impl Way {
         sum(&self.mass, self.x(q))
     }
 
+    /// Masses at several places.
+    pub fn masses<const N: usize>(&self, q: &[f64; N]) -> [f64; N] {
+        sums(&self.mass, &q.map(|q| self.x(q)))
+    }
+
     pub fn force(&self, q: f64) -> f64 {
         sum(&self.force, self.x(q))
     }
@@ -105,6 +114,11 @@ impl Way {
         sum(&self.energy, self.x(q))
     }
 
+    /// Energies at several places.
+    pub fn energies<const N: usize>(&self, q: &[f64; N]) -> [f64; N] {
+        sums(&self.energy, &q.map(|q| self.x(q)))
+    }
+
     /// What adds up between two places, of each further quantity.
     pub fn works(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + '_ {
         let (from, to) = (self.x(from), self.x(to));
@@ -113,7 +127,8 @@ impl Way {
 
     /// The mean force between two places.
     pub fn mean_force(&self, from: f64, to: f64) -> f64 {
-        GAUSS.iter().map(|(at, weight)| weight * self.force(from + at * (to - from))).sum()
+        let forces = sums(&self.force, &GAUSS.map(|(at, _)| self.x(from + at * (to - from))));
+        GAUSS.iter().zip(forces).map(|((_, weight), force)| weight * force).sum()
     }
 
     /// Whether a motion from a place goes on within.
@@ -129,8 +144,36 @@ impl Way {
 
     /// The nearest place of rest in one sense.
     fn rest(&self, q: f64, sense: f64, kinetic: f64) -> Option<f64> {
+        if least(&self.energy, 1.0 + 2.0 * OUTSIDE) > ROUNDING * self.energy[0] {
+            return None;
+        }
         let length = self.length();
         let last = if sense > 0.0 { self.high + OUTSIDE * length } else { self.low - OUTSIDE * length };
+        let (mut step, most) = self.scan(q, kinetic);
+        let mut before = q;
+        while (last - before) * sense > 0.0 {
+            let mut places = [last; SIDE_BY_SIDE];
+            let mut from = before;
+            for place in &mut places {
+                *place = from + sense * step.min((last - from).abs());
+                from = *place;
+                step = (GROWTH * step).min(most);
+            }
+            for (next, energy) in places.into_iter().zip(self.energies(&places)) {
+                if energy <= 0.0 {
+                    // of the motion from rest only the far end is one
+                    let start = if before == q && kinetic == 0.0 { None } else { Some(before) };
+                    return start.map(|start| self.root(start, next));
+                }
+                before = next;
+            }
+        }
+        None
+    }
+
+    /// The first step in which a place of rest is looked for from a place, and the longest.
+    fn scan(&self, q: f64, kinetic: f64) -> (f64, f64) {
+        let length = self.length();
         let (force, slope) = (self.force(q), self.force_slope(q));
         let of_motion = if kinetic > 0.0 { kinetic / force } else { f64::INFINITY };
         let near = of_motion.abs().min((force / slope).abs());
@@ -139,19 +182,7 @@ impl Way {
         let most = SCAN * length;
         // a shorter one would end where it begins
         let least = (LEAST * length).max(2.0 * f64::EPSILON * self.low.abs().max(self.high.abs())).min(most);
-        let mut step = (0.25 * near).clamp(least, most);
-        let mut before = q;
-        while (last - before) * sense > 0.0 {
-            let next = before + sense * step.min((last - before).abs());
-            if self.energy(next) <= 0.0 {
-                // of the motion from rest only the far end is one
-                let start = if before == q && kinetic == 0.0 { None } else { Some(before) };
-                return start.map(|start| self.root(start, next));
-            }
-            before = next;
-            step = (GROWTH * step).min(most);
-        }
-        None
+        ((0.25 * near).clamp(least, most), most)
     }
 
     fn root(&self, from: f64, to: f64) -> f64 {
