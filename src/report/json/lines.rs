@@ -25,6 +25,8 @@ pub struct JsonLines {
     filled: Option<Filled>,
     /// Positions that were looked at.
     seen: usize,
+    /// Numbers of the last of them.
+    before: Vec<f64>,
 }
 
 /// What is around the name of a position, and where the numbers behind come from.
@@ -43,15 +45,15 @@ impl JsonLines {
     /// For the positions of a file.
     #[must_use]
     pub const fn of(file: String) -> Self {
-        Self { file, filled: None, seen: 0 }
+        Self { file, filled: None, seen: 0, before: Vec::new() }
     }
 
-    /// Looks for the pieces at a position.
+    /// Looks for the pieces at a position, after one that had as many numbers.
     pub fn begin(&mut self, answers: &Answers<'_>, pose: &Pose) {
         self.seen += 1;
         // one position alone is not worth it
         if self.filled.is_none() && (2..TRIES).contains(&self.seen) {
-            self.filled = Filled::of(&self.file, answers, pose);
+            self.filled = Filled::of(&self.file, answers, pose, &mut self.before);
         }
     }
 
@@ -90,8 +92,8 @@ impl JsonLines {
 }
 
 impl Filled {
-    /// From a position, if its numbers are those of the sources.
-    fn of(file: &str, answers: &Answers<'_>, pose: &Pose) -> Option<Self> {
+    /// From a position, if its numbers are those of the sources, and those of the position before it; they are left in `before`.
+    fn of(file: &str, answers: &Answers<'_>, pose: &Pose, before: &mut Vec<f64>) -> Option<Self> {
         let solved = pose.outcome.as_ref().ok()?;
         let (mut text, mut written) = (Vec::new(), Vec::new());
         let marks = Marks(&mut written);
@@ -111,12 +113,16 @@ impl Filled {
         if !complete || numbers.len() > written.len() || !numbers.iter().zip(&written).all(same) {
             return None;
         }
+        let earlier = std::mem::replace(before, written.clone());
+        if earlier.len() != written.len() {
+            return None;
+        }
         let name = format!("\"pose\":{{\"name\":\"{}\"", pose.name);
-        let (before, behind) = text.split_once(&name).filter(|(before, _)| !before.contains(MARK))?;
-        let before = escaped(format!("{before}\"pose\":{{\"name\":\""));
+        let (head, behind) = text.split_once(&name).filter(|(head, _)| !head.contains(MARK))?;
+        let before = escaped(format!("{head}\"pose\":{{\"name\":\""));
         let pieces: Vec<String> =
             format!("\"{behind}").split(MARK).map(|piece| escaped(piece.to_owned())).collect();
-        let behind = Template::of(pieces.iter().map(String::as_str), &written);
+        let behind = Template::of(pieces.iter().map(String::as_str), [&written, &earlier]);
         let known = written.split_off(numbers.len());
         let wide = WideColumns::of_sources(&answers.model, &sources);
         Some(Self { before, behind, sources, wide, known })

@@ -9,11 +9,11 @@ const LONGEST: usize = 32;
 /// The pieces.
 #[derive(Clone, Debug, Default)]
 pub struct Template {
-    /// One after another, with as much behind the last as is copied at a time.
-    text: Vec<u8>,
-    ends: Vec<usize>,
-    /// For every number an earlier one that it may repeat.
-    repeats: Vec<Option<usize>>,
+    all: Pieces,
+    /// With the numbers written in that did not change.
+    varying: Pieces,
+    /// Which did not, and their bits.
+    constants: Vec<(usize, u64)>,
 }
 
 /// Memory for a template that is being filled.
@@ -24,49 +24,106 @@ pub struct Filled {
     places: Vec<(usize, usize)>,
 }
 
+/// Pieces with numbers between them.
+#[derive(Clone, Debug, Default)]
+struct Pieces {
+    /// One after another, with as much behind the last as is copied at a time.
+    text: Vec<u8>,
+    holes: Vec<Hole>,
+    /// The end of the last piece.
+    end: usize,
+}
+
+/// Where a number goes.
+#[derive(Clone, Copy, Debug)]
+struct Hole {
+    /// The end of the piece before it.
+    end: usize,
+    number: usize,
+    /// An earlier one that it may repeat.
+    repeats: Option<usize>,
+}
+
 impl Template {
-    /// Of pieces, between each two of which there is a number. Numbers that are the same in `example` may be so each time: those are
-    /// written once and copied.
-    pub fn of<'a>(pieces: impl Iterator<Item = &'a str>, example: &[f64]) -> Self {
-        let mut template = Self::default();
-        for piece in pieces {
-            template.text.extend_from_slice(piece.as_bytes());
-            template.ends.push(template.text.len());
-        }
-        template.text.extend_from_slice(&[b' '; LONG]);
-        template.repeats = (0..example.len()).map(|i| repeated(example, i)).collect();
-        template
+    /// Of pieces, between each two of which there is a number. Numbers that are the same in both `examples` may be so each time:
+    /// while they are, they are part of the pieces. Those that are the same in one may be so too: they are written once and copied.
+    pub fn of<'a>(pieces: impl Iterator<Item = &'a str> + Clone, examples: [&[f64]; 2]) -> Self {
+        let [one, two] = examples;
+        let same = |&i: &usize| bits(one[i]) == two.get(i).copied().map_or(!bits(one[i]), bits);
+        let constants: Vec<(usize, u64)> = (0..one.len()).filter(same).map(|i| (i, bits(one[i]))).collect();
+        let is_constant = |i| constants.binary_search_by_key(&i, |(i, _)| *i).is_ok();
+        let all = Pieces::of(pieces.clone(), one, |_| false);
+        let varying = Pieces::of(pieces, one, is_constant);
+        Self { all, varying, constants }
     }
 
     /// Appends the pieces with the shortest decimal numbers that are read as the given ones, which are finite, between them, as
     /// `serde_json` writes them.
-    pub fn fill(&self, numbers: &[f64], Filled { text, places }: &mut Filled, out: &mut Vec<u8>) {
+    pub fn fill(&self, numbers: &[f64], filled: &mut Filled, out: &mut Vec<u8>) {
+        let still = |&(i, constant): &(usize, u64)| numbers.get(i).is_some_and(|&x| bits(x) == constant);
+        let pieces = if self.constants.iter().all(still) { &self.varying } else { &self.all };
+        pieces.fill(numbers, filled, out);
+    }
+}
+
+/// The bits of a number; zero has no sign.
+fn bits(x: f64) -> u64 {
+    (x + 0.0).to_bits()
+}
+
+impl Pieces {
+    fn of<'a>(
+        pieces: impl Iterator<Item = &'a str>,
+        example: &[f64],
+        is_constant: impl Fn(usize) -> bool,
+    ) -> Self {
+        let mut made = Self::default();
+        for (number, piece) in pieces.enumerate() {
+            made.text.extend_from_slice(piece.as_bytes());
+            match example.get(number) {
+                Some(&x) if is_constant(number) => made.text.extend_from_slice(shortest(x).as_bytes()),
+                Some(&x) => {
+                    // zeros are written as fast as they are copied
+                    let same = |hole: &Hole| bits(example[hole.number]) == bits(x) && x != 0.0;
+                    let repeats = made.holes.iter().position(same);
+                    made.holes.push(Hole { end: made.text.len(), number, repeats });
+                }
+                None => {}
+            }
+        }
+        made.end = made.text.len();
+        made.text.extend_from_slice(&[b' '; LONG]);
+        made
+    }
+
+    fn fill(&self, numbers: &[f64], Filled { text, places }: &mut Filled, out: &mut Vec<u8>) {
         // with room for what is copied beyond the end of a piece or a number, and written over by the next
-        text.resize(self.text.len() + numbers.len() * LONGEST, b' ');
-        places.resize(numbers.len(), (0, 0));
+        let room = self.text.len() + self.holes.len() * LONGEST;
+        if text.len() < room {
+            text.resize(room, b' ');
+        }
+        places.clear();
         let mut page = Page { text, end: 0 };
         let mut begin = 0;
-        for (i, &end) in self.ends.iter().enumerate() {
+        for &Hole { end, number, repeats } in &self.holes {
             page.push_piece(&self.text[begin..], end - begin);
             begin = end;
-            let Some(&x) = numbers.get(i) else { continue };
+            let Some(&x) = numbers.get(number) else { continue };
             let at = page.end;
-            match self.repeats.get(i) {
-                Some(&Some(earlier)) if numbers[earlier].to_bits() == x.to_bits() => {
-                    page.push_again(places[earlier]);
-                }
+            match repeats.and_then(|earlier| Some((self.holes[earlier].number, *places.get(earlier)?))) {
+                Some((earlier, place)) if numbers[earlier].to_bits() == x.to_bits() => page.push_again(place),
                 _ => page.push_shortest(x),
             }
-            places[i] = (at, page.end);
+            places.push((at, page.end));
         }
+        page.push_piece(&self.text[begin..], self.end - begin);
         out.extend_from_slice(&page.text[..page.end]);
     }
 }
 
-/// An earlier number with the same bits as this one; zeros are written as fast as they are copied.
-fn repeated(numbers: &[f64], i: usize) -> Option<usize> {
-    let same = |x: &f64| x.to_bits() == numbers[i].to_bits();
-    numbers[..i].iter().position(same).filter(|_| numbers[i] != 0.0)
+/// The shortest decimal number that is read as `x`, which is finite; zero has no sign.
+fn shortest(x: f64) -> String {
+    zmij::Buffer::new().format_finite(x + 0.0).to_owned()
 }
 
 /// A text that is being written.
