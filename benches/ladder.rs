@@ -1,11 +1,14 @@
 //! What every effect costs that is asked for: Andrews' mechanism, three dyads on a crank, from its text, over a revolution
 //! of 360 positions. Items are positions. `cargo bench --features lanes --bench ladder`; the figures stand in `docs/effects.md`.
 
+#[path = "by_hand/andrews.rs"]
+mod by_hand;
 mod run;
 
 use assur::internals::math::Vec2;
 use assur::internals::model::Mechanism;
 use assur::internals::solve::State;
+use by_hand::{Reduced, reduced};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 #[cfg(feature = "lanes")]
@@ -49,53 +52,66 @@ fn side_by_side_in_lanes(bencher: Bencher<'_, '_>, what: &str) {
         .bench_local(|| black_box(side_by_side(&mut lanes, &inputs, forces)));
 }
 
-/// Of one position: the reduced moment of inertia I, half its derivative, and −V′, for the crank's angle as the coordinate.
-#[derive(Clone, Copy, Default)]
-struct Reduced {
-    inertia: f64,
-    half_rise: f64,
-    drop: f64,
+/// The mechanism from rest, 360 instants.
+fn motion() -> String {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/simulation/andrews.mech");
+    let example = std::fs::read_to_string(path).expect("the example").replace("in 30 steps", "in 360 steps");
+    asking(&example, "angle(OF)")
 }
 
-impl Reduced {
-    /// From motion at a steady speed ω: Σ m v² + J ω² over ω², Σ m v·a + J ω α over ω³, and the power of the spring over ω.
-    fn of(mechanism: &Mechanism, state: &State) -> Self {
-        let omega = state.motion.bodies[1].omega;
-        let mut sum = Self::default();
-        for (link, body) in mechanism.links.iter().zip(&state.motion.bodies) {
-            let Some(mass) = &link.mass else { continue };
-            let r = mass.centre.turned(body.u);
-            let v = body.v + r.perp() * body.omega;
-            let a = body.a + r.perp() * body.alpha - r * (body.omega * body.omega);
-            sum.inertia += mass.mass * v.dot(v) + mass.inertia * body.omega * body.omega;
-            sum.half_rise += mass.mass * v.dot(a) + mass.inertia * body.omega * body.alpha;
-        }
-        for spring in &mechanism.springs {
-            let (one, two) =
-                (&state.motion.bodies[spring.from.0.index()], &state.motion.bodies[spring.to.0.index()]);
-            let d: Vec2 = two.position(spring.to.1) - one.position(spring.from.1);
-            let rate = d.dot(two.velocity(spring.to.1) - one.velocity(spring.from.1));
-            sum.drop -= spring.stiffness * (1.0 - spring.free_length / d.norm()) * rate;
-        }
-        Self {
-            inertia: sum.inertia / (omega * omega),
-            half_rise: sum.half_rise / (omega * omega * omega),
-            drop: sum.drop / omega,
-        }
+/// From motion at a steady speed ω: Σ m v² + J ω² over ω², Σ m v·a + J ω α over ω³, and the power of the spring over ω.
+fn from_motion(mechanism: &Mechanism, state: &State) -> Reduced {
+    let omega = state.motion.bodies[1].omega;
+    let mut sum = Reduced::default();
+    for (link, body) in mechanism.links.iter().zip(&state.motion.bodies) {
+        let Some(mass) = &link.mass else { continue };
+        let r = mass.centre.turned(body.u);
+        let v = body.v + r.perp() * body.omega;
+        let a = body.a + r.perp() * body.alpha - r * (body.omega * body.omega);
+        sum.inertia += mass.mass * v.dot(v) + mass.inertia * body.omega * body.omega;
+        sum.half_rise += mass.mass * v.dot(a) + mass.inertia * body.omega * body.alpha;
+    }
+    for spring in &mechanism.springs {
+        let (one, two) =
+            (&state.motion.bodies[spring.from.0.index()], &state.motion.bodies[spring.to.0.index()]);
+        let d: Vec2 = two.position(spring.to.1) - one.position(spring.from.1);
+        let rate = d.dot(two.velocity(spring.to.1) - one.velocity(spring.from.1));
+        sum.drop -= spring.stiffness * (1.0 - spring.free_length / d.norm()) * rate;
+    }
+    Reduced {
+        inertia: sum.inertia / (omega * omega),
+        half_rise: sum.half_rise / (omega * omega * omega),
+        drop: sum.drop / omega,
     }
 }
 
-/// Accelerations and from them the reduced dynamics: what a motion under loads needs at every position. No reactions.
+/// Accelerations and from them the equation of motion, as a motion under loads needs it at every position. No reactions.
 #[divan::bench]
 fn one_by_one_d_reduced(bencher: Bencher<'_, '_>) {
-    let mut run = Run::of(&text("c accelerations"));
-    let positions = run.positions();
+    let mut run = Run::of(&motion());
+    let (model, positions) = (run.compiled.model(), run.positions());
+    let mut reduced = assur::internals::position::Reduced::new(&run.compiled.plan, vec![0], false);
     bencher.counter(ItemsCount::new(positions)).bench_local(|| {
-        let mut sum = 0.0;
+        let (mut sum, mut acceleration) = (0.0, [0.0]);
         for input in &run.inputs {
             run.state.motion.inputs[0] = *input;
-            run.state.run_motion::<2>(&run.compiled.plan);
-            let reduced = Reduced::of(&run.compiled.mechanism, &run.state);
+            reduced.run_motion(&run.compiled.plan, &mut run.state);
+            sum += reduced.load(&model, &mut run.state, &[]);
+            reduced.accelerations(&mut acceleration);
+            sum += acceleration[0];
+        }
+        black_box(sum)
+    });
+}
+
+/// The same written out by hand.
+#[divan::bench]
+fn by_hand_d_reduced(bencher: Bencher<'_, '_>) {
+    let run = Run::of(&text("c accelerations"));
+    bencher.counter(ItemsCount::new(run.positions())).bench_local(|| {
+        let mut sum = 0.0;
+        for input in &run.inputs {
+            let reduced = reduced(input.place);
             sum += reduced.inertia + reduced.half_rise + reduced.drop;
         }
         black_box(sum)
@@ -109,7 +125,10 @@ fn powers_balance() {
     for input in inputs {
         run.inputs = vec![input];
         run.one_by_one();
-        let Reduced { half_rise, drop, .. } = Reduced::of(&run.compiled.mechanism, &run.state);
+        let Reduced { inertia, half_rise, drop } = from_motion(&run.compiled.mechanism, &run.state);
+        let by_hand = reduced(input.place);
+        let pairs = [(inertia, by_hand.inertia), (half_rise, by_hand.half_rise), (drop, by_hand.drop)];
+        assert!(pairs.iter().all(|(a, b)| (a - b).abs() < 1e-11 * (1e-6 + b.abs())), "{pairs:?}");
         let omega = run.state.motion.bodies[1].omega;
         let torque = half_rise * omega * omega - drop - 0.033;
         let got = run.state.forces.efforts[0];

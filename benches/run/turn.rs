@@ -34,9 +34,10 @@ impl Turn {
 
     /// One position after the other.
     pub fn one_by_one(&mut self, run: &mut Run) -> f64 {
+        run.state.motion.inputs[0] = self.rates;
         for (angle, out) in self.angles.iter().zip(self.answers.chunks_exact_mut(self.width)) {
-            let place = Vec2::direction(*angle);
-            run.state.motion.inputs[0] = DriveInput { value: *angle, place, ..self.rates };
+            let input = &mut run.state.motion.inputs[0];
+            (input.value, input.place) = (*angle, Vec2::direction(*angle));
             run.state.run(&run.compiled.plan);
             store(&run.compiled.plan, &run.state, out);
         }
