@@ -25,8 +25,8 @@ pub struct JsonLines {
     filled: Option<Filled>,
     /// Positions that were looked at.
     seen: usize,
-    /// Numbers of the last of them.
-    before: Vec<f64>,
+    /// Their numbers as far as they were the same at all of them.
+    steady: Vec<Option<f64>>,
 }
 
 /// What is around the name of a position, and where the numbers behind come from.
@@ -45,22 +45,23 @@ impl JsonLines {
     /// For the positions of a file.
     #[must_use]
     pub const fn of(file: String) -> Self {
-        Self { file, filled: None, seen: 0, before: Vec::new() }
+        Self { file, filled: None, seen: 0, steady: Vec::new() }
     }
 
-    /// Looks for the pieces at a position, after one that had as many numbers.
+    /// Looks for the pieces at a position, and for numbers that stay the same.
     pub fn begin(&mut self, answers: &Answers<'_>, pose: &Pose) {
         self.seen += 1;
         // one position alone is not worth it
-        if self.filled.is_none() && (2..TRIES).contains(&self.seen) {
-            self.filled = Filled::of(&self.file, answers, pose, &mut self.before);
+        if (2..TRIES).contains(&self.seen) {
+            let found = Filled::of(&self.file, answers, pose, &mut self.steady);
+            self.filled = found.or(self.filled.take());
         }
     }
 
     /// Whether they are found, or not looked for any more.
     #[must_use]
     pub const fn has_begun(&self) -> bool {
-        self.filled.is_some() || self.seen >= TRIES
+        self.seen >= TRIES
     }
 
     /// Whether a line shows the angle of a link, as far as is known.
@@ -92,8 +93,8 @@ impl JsonLines {
 }
 
 impl Filled {
-    /// From a position, if its numbers are those of the sources, and those of the position before it; they are left in `before`.
-    fn of(file: &str, answers: &Answers<'_>, pose: &Pose, before: &mut Vec<f64>) -> Option<Self> {
+    /// From a position, if its numbers are those of the sources. Those that differ from the positions before are no longer `steady`.
+    fn of(file: &str, answers: &Answers<'_>, pose: &Pose, steady: &mut Vec<Option<f64>>) -> Option<Self> {
         let solved = pose.outcome.as_ref().ok()?;
         let (mut text, mut written) = (Vec::new(), Vec::new());
         let marks = Marks(&mut written);
@@ -113,16 +114,19 @@ impl Filled {
         if !complete || numbers.len() > written.len() || !numbers.iter().zip(&written).all(same) {
             return None;
         }
-        let earlier = std::mem::replace(before, written.clone());
-        if earlier.len() != written.len() {
-            return None;
+        if steady.is_empty() {
+            steady.extend(written.iter().copied().map(Some));
+        }
+        steady.resize(written.len(), None);
+        for (steady, x) in steady.iter_mut().zip(&written) {
+            *steady = steady.filter(|steady| same((steady, x)));
         }
         let name = format!("\"pose\":{{\"name\":\"{}\"", pose.name);
         let (head, behind) = text.split_once(&name).filter(|(head, _)| !head.contains(MARK))?;
         let before = escaped(format!("{head}\"pose\":{{\"name\":\""));
         let pieces: Vec<String> =
             format!("\"{behind}").split(MARK).map(|piece| escaped(piece.to_owned())).collect();
-        let behind = Template::of(pieces.iter().map(String::as_str), [&written, &earlier]);
+        let behind = Template::of(pieces.iter().map(String::as_str), &written, |i| steady[i].is_some());
         let known = written.split_off(numbers.len());
         let wide = WideColumns::of_sources(&answers.model, &sources);
         Some(Self { before, behind, sources, wide, known })

@@ -10,9 +10,9 @@ const LONGEST: usize = 32;
 #[derive(Clone, Debug, Default)]
 pub struct Template {
     all: Pieces,
-    /// With the numbers written in that did not change.
+    /// With the steady numbers written in.
     varying: Pieces,
-    /// Which did not, and their bits.
+    /// The steady numbers, and their bits.
     constants: Vec<(usize, u64)>,
 }
 
@@ -45,15 +45,16 @@ struct Hole {
 }
 
 impl Template {
-    /// Of pieces, between each two of which there is a number. Numbers that are the same in both `examples` may be so each time:
-    /// while they are, they are part of the pieces. Those that are the same in one may be so too: they are written once and copied.
-    pub fn of<'a>(pieces: impl Iterator<Item = &'a str> + Clone, examples: [&[f64]; 2]) -> Self {
-        let [one, two] = examples;
-        let same = |&i: &usize| bits(one[i]) == two.get(i).copied().map_or(!bits(one[i]), bits);
-        let constants: Vec<(usize, u64)> = (0..one.len()).filter(same).map(|i| (i, bits(one[i]))).collect();
-        let is_constant = |i| constants.binary_search_by_key(&i, |(i, _)| *i).is_ok();
-        let all = Pieces::of(pieces.clone(), one, |_| false);
-        let varying = Pieces::of(pieces, one, is_constant);
+    /// Of pieces, between each two of which there is a number. Those that are `steady` are part of the pieces while they are as in the
+    /// example. Numbers that are the same in it may be so each time: those are written once and copied.
+    pub fn of<'a>(
+        pieces: impl Iterator<Item = &'a str> + Clone,
+        example: &[f64],
+        steady: impl Fn(usize) -> bool,
+    ) -> Self {
+        let all = Pieces::of(pieces.clone(), example, |_| false);
+        let varying = Pieces::of(pieces, example, &steady);
+        let constants = (0..example.len()).filter(|&i| steady(i)).map(|i| (i, bits(example[i]))).collect();
         Self { all, varying, constants }
     }
 
@@ -75,13 +76,13 @@ impl Pieces {
     fn of<'a>(
         pieces: impl Iterator<Item = &'a str>,
         example: &[f64],
-        is_constant: impl Fn(usize) -> bool,
+        steady: impl Fn(usize) -> bool,
     ) -> Self {
         let mut made = Self::default();
         for (number, piece) in pieces.enumerate() {
             made.text.extend_from_slice(piece.as_bytes());
             match example.get(number) {
-                Some(&x) if is_constant(number) => made.text.extend_from_slice(shortest(x).as_bytes()),
+                Some(&x) if steady(number) => made.text.extend_from_slice(shortest(x).as_bytes()),
                 Some(&x) => {
                     // zeros are written as fast as they are copied
                     let same = |hole: &Hole| bits(example[hole.number]) == bits(x) && x != 0.0;
