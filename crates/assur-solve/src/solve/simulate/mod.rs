@@ -23,6 +23,7 @@ mod holding;
 mod impact;
 mod left_off;
 mod loads;
+mod meeting;
 mod opening;
 mod over_time;
 mod part;

@@ -28,13 +28,13 @@ impl<'r> Pass<'r> {
         Self { tolerance, measures: true, shorter: 1.0, halved: None, works: &[] }
     }
 
-    /// A run that nothing else is asked of.
-    pub const fn only(tolerance: f64) -> Self {
+    /// One run alone, in steps as long as those of the first of several.
+    pub const fn in_long_steps(tolerance: f64) -> Self {
         Self { tolerance, measures: false, shorter: 1.0, halved: None, works: &[] }
     }
 
-    /// A run with which no other is compared.
-    pub const fn alone(tolerance: f64) -> Self {
+    /// One run alone, in steps as short as those of the second of several.
+    pub const fn in_short_steps(tolerance: f64) -> Self {
         Self { tolerance, measures: false, shorter: SHORTER, halved: None, works: &[] }
     }
 

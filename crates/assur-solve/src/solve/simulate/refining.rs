@@ -60,7 +60,7 @@ pub(super) fn until_kept(
     within: f64,
     alone: Option<f64>,
 ) -> (Found, usize) {
-    let mut pass = alone.map_or(Pass::coarse((LOOSER * within).min(LOOSEST)), Pass::only);
+    let mut pass = alone.map_or(Pass::coarse((LOOSER * within).min(LOOSEST)), Pass::in_long_steps);
     let mut runs = vec![run(pass)];
     let mut spent = runs[0].counts.evaluations;
     let works = std::mem::take(&mut runs[0].trace.works);

@@ -179,7 +179,7 @@ impl Search<'_> {
         self.begin_with(z);
         let last = self.from + self.horizon;
         let Run { records, ended_by, stopped, end, .. } =
-            run(&self.begin, &mut self.charts, Pass::alone(tolerance), &outputs, last);
+            run(&self.begin, &mut self.charts, Pass::in_short_steps(tolerance), &outputs, last);
         if let Some(stopped) = stopped {
             return Err(stopped);
         }
