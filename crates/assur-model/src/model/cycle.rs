@@ -12,6 +12,8 @@ pub struct Cycle {
     pub how: CycleFunction,
     /// Of what: a number.
     pub expr: Expr,
+    /// Its exponents of length, mass and time.
+    pub dimension: [i8; 3],
     /// The part of a motion under loads over which it is taken.
     pub part: Part,
 }

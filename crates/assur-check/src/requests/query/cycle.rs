@@ -17,6 +17,10 @@ impl Context<'_> {
             self.shape(&what, "a number", t.ty, value.span, help);
             return None;
         };
+        let dimension = match dim {
+            Dim::Of(Dimension { length, mass, time, .. }) => [length, mass, time],
+            Dim::Any => [0; 3],
+        };
         let dim = match how {
             CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => dim,
             CycleFunction::Integral => dim.times(Dim::Of(self.over(call)?)),
@@ -26,7 +30,7 @@ impl Context<'_> {
         if t.pending {
             return Some(Typed::pending(ty));
         }
-        let expr = self.cycle(how, t.expr, (call, part));
+        let expr = self.cycle((how, dimension), t.expr, (call, part));
         Some(Typed::new(expr, ty))
     }
 
@@ -36,11 +40,16 @@ impl Context<'_> {
     }
 
     /// A function over the sweep; the same one is kept once.
-    fn cycle(&mut self, how: CycleFunction, expr: Expr, (call, part): (Call<'_>, Part)) -> Expr {
+    fn cycle(
+        &mut self,
+        (how, dimension): (CycleFunction, [i8; 3]),
+        expr: Expr,
+        (call, part): (Call<'_>, Part),
+    ) -> Expr {
         let known =
             self.builder.mech.cycles.iter().position(|c| c.how == how && c.expr == expr && c.part == part);
         Expr::Query(Query::Cycle(known.unwrap_or_else(|| {
-            self.builder.mech.cycles.push(Cycle { span: call.span, how, expr, part });
+            self.builder.mech.cycles.push(Cycle { span: call.span, how, expr, dimension, part });
             self.builder.mech.cycles.len() - 1
         })))
     }
@@ -57,7 +66,7 @@ impl Context<'_> {
         for index in found {
             let Some(cycle) = self.builder.mech.cycles.get(index).cloned() else { continue };
             let ideal = Expr::Frictionless(Box::new(cycle.expr));
-            inside.push((index, self.cycle(cycle.how, ideal, (call, cycle.part))));
+            inside.push((index, self.cycle((cycle.how, cycle.dimension), ideal, (call, cycle.part))));
         }
         expr.map_leaves(&mut |leaf| match leaf {
             Expr::Query(Query::Cycle(index)) => {

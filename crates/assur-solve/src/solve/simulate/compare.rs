@@ -98,7 +98,7 @@ impl Compared {
         found.works(coarse, fine, both);
         for (a, b) in coarse_run.functions.iter().zip(fine_run.functions) {
             let difference = (a.value - b.value).abs();
-            found.look(if difference == 0.0 { 0.0 } else { difference / b.scale }, STATES + 1);
+            found.look(if difference <= b.rounding { 0.0 } else { difference / b.scale }, STATES + 1);
         }
         found
     }

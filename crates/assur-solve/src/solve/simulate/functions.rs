@@ -13,8 +13,10 @@ use crate::model::{Bound, Cycle, CycleFunction, Part};
 pub(super) const SMOOTH: f64 = 1e-11;
 pub(super) const OF_TOLERANCE: f64 = 0.02;
 const HALVED: u32 = 2;
+/// What changes by no more than this part of its greatest value stays but for rounding.
+const DIGITS: f64 = 16.0 * f64::EPSILON;
 /// What the series leaves off does not make an extreme greater than by so many times its last terms.
-const SURPASSED: f64 = 10.0;
+pub(super) const SURPASSED: f64 = 10.0;
 
 /// A function over the run.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +27,8 @@ pub(crate) struct OverRun {
     pub scale: f64,
     /// Where its extreme is, s; NaN where it is none.
     pub at: f64,
+    /// Values that differ by no more are the same but for rounding.
+    pub rounding: f64,
 }
 
 /// A function over the run as far as it is known.
@@ -33,7 +37,7 @@ pub(super) struct Function<'m> {
     /// The first function of the same expression.
     source: usize,
     /// Integral, or the extreme.
-    value: f64,
+    pub(super) value: f64,
     /// Where the extreme is, s.
     at: f64,
     greatest: f64,
@@ -41,6 +45,8 @@ pub(super) struct Function<'m> {
     lasted: f64,
     /// What the series leave off that its value is of, of the greatest.
     left_off: f64,
+    /// The extreme is one of a part that does not change.
+    stays: bool,
     /// Extremes that were as good as the greatest, in order, where the first of them counts: when, s, and how great.
     near: Vec<(f64, f64)>,
     /// What its series may leave off, however small it is.
@@ -69,6 +75,7 @@ impl<'m> Function<'m> {
             greatest: 0.0,
             lasted: 0.0,
             left_off: 0.0,
+            stays: false,
             near: Vec::new(),
             rounding: 0.0,
             course: Vec::new(),
@@ -78,7 +85,7 @@ impl<'m> Function<'m> {
 
 impl Function<'_> {
     /// The sign with which the extreme that is looked for is the greatest, or nothing.
-    const fn sign(&self) -> Option<f64> {
+    pub(super) const fn sign(&self) -> Option<f64> {
         match self.cycle.how {
             CycleFunction::Max | CycleFunction::Argmax => Some(1.0),
             CycleFunction::Min => Some(-1.0),
@@ -87,10 +94,10 @@ impl Function<'_> {
     }
 
     /// Whether the series over a part of a step, through these values, says all there is to say of it.
-    fn is_known(&self, series: &Short, values: &[f64; PLACES], smooth: f64) -> bool {
+    fn is_known(&self, series: &Short, values: &[f64; PLACES], (smooth, rounding): (f64, f64)) -> bool {
         let smooth = if self.cycle.how == CycleFunction::Argmax { SMOOTH } else { smooth };
         let greatest = greatest(values).max(self.greatest);
-        if series.tail() <= (smooth * greatest).max(self.rounding) {
+        if series.tail() <= (smooth * greatest).max(self.rounding).max(rounding) {
             return true;
         }
         // an extreme that is known already is not surpassed
@@ -105,11 +112,18 @@ impl Function<'_> {
         })
     }
 
+    /// Passes a step in which its extreme is not, with these values.
+    pub(super) fn pass(&mut self, (from, to): (f64, f64), values: &[f64]) {
+        self.lasted += to - from;
+        self.greatest = values.iter().fold(self.greatest, |most, x| most.max(x.abs()));
+    }
+
     /// Takes a part of a step; of extremes that differ by no more than this part of the greatest value the first counts.
-    fn take(&mut self, series: &Short, values: &[f64; PLACES], same: f64) {
+    fn take(&mut self, series: &Short, values: &[f64; PLACES], (same, rounding): (f64, f64)) {
         self.lasted += series.to - series.from;
         self.greatest = self.greatest.max(greatest(values));
-        let left_off = if self.greatest > 0.0 { series.tail() / self.greatest } else { 0.0 };
+        let rounding = rounding.max(DIGITS * self.greatest);
+        let left_off = if series.tail() > rounding { series.tail() / self.greatest } else { 0.0 };
         let Some(sign) = self.sign() else {
             self.value += series.integral();
             self.left_off = self.left_off.max(left_off);
@@ -119,12 +133,15 @@ impl Function<'_> {
         if most_possible(sign, series) < sign * self.value - apart {
             return;
         }
+        let stays = varies(series) <= rounding;
         extremes(series, values, |t, x| {
             if apart > 0.0 && sign * x > sign * self.value - apart {
                 self.near.push((t, x));
             }
-            if sign * x > sign * self.value {
-                (self.value, self.at, self.left_off) = (x, t, left_off);
+            // of what does not change the first instant counts
+            let by = if stays || self.stays { rounding } else { 0.0 };
+            if sign * x > sign * self.value + by {
+                (self.value, self.at, self.left_off, self.stays) = (x, t, left_off, stays);
             }
         });
     }
@@ -141,7 +158,7 @@ impl Function<'_> {
 }
 
 /// What a series, or its opposite, is at most.
-fn most_possible(sign: f64, series: &Short) -> f64 {
+pub(super) fn most_possible(sign: f64, series: &Short) -> f64 {
     let (least, greatest) = series.bounds();
     if sign > 0.0 { greatest } else { -least }
 }
@@ -151,10 +168,15 @@ fn greatest(values: &[f64; PLACES]) -> f64 {
     values.iter().fold(0.0_f64, |most, x| most.max(x.abs()))
 }
 
-/// Tells where a series turns, with the value there, and both ends.
+/// How much a series changes at most, up or down from its middle.
+fn varies(series: &Short) -> f64 {
+    series.coefficients()[1..].iter().map(|c| c.abs()).sum()
+}
+
+/// Tells of both ends and where a series turns, with the value there.
 fn extremes(series: &Short, values: &[f64; PLACES], mut found: impl FnMut(f64, f64)) {
-    series.turns(&mut found);
     found(series.from, values[0]);
+    series.turns(&mut found);
     found(series.to, values[PLACES - 1]);
 }
 
@@ -164,14 +186,14 @@ pub(super) struct Memory {
     /// Parts of the step that are to be looked at, each with how often it may be halved.
     parts: Vec<(f64, f64, u32)>,
     /// Functions that count there.
-    asked: Vec<usize>,
+    pub(super) asked: Vec<usize>,
     /// The first functions of their expressions.
     sets: Vec<usize>,
     /// Of each function that counts, which of those.
-    set_of: Vec<usize>,
+    pub(super) set_of: Vec<usize>,
     /// Values of each expression.
-    values: Vec<[f64; PLACES]>,
-    series: Vec<Short>,
+    pub(super) values: Vec<[f64; PLACES]>,
+    pub(super) series: Vec<Short>,
 }
 
 impl Watch<'_> {
@@ -186,6 +208,9 @@ impl Watch<'_> {
         }
         let mut memory = std::mem::take(&mut self.memory);
         memory.parts.push((method.previous_t(), method.t(), HALVED));
+        if self.only_ends(equations, method, &mut memory) {
+            memory.parts.clear();
+        }
         while let Some((from, to, left)) = memory.parts.pop() {
             let known = self.functions_between(equations, method, ((from, to), left == 0), &mut memory);
             if !known {
@@ -205,17 +230,51 @@ impl Watch<'_> {
         ((from, to), anyway): ((f64, f64), bool),
         memory: &mut Memory,
     ) -> bool {
+        self.ask((from, to), memory);
+        if memory.asked.is_empty() {
+            return true;
+        }
+        // first few places: most parts are far from an extreme
+        for (first, apart, step) in [(0, 4, 4), (2, 4, 2), (1, 2, 1)] {
+            for place in (first..PLACES).step_by(apart) {
+                let t = self.places.at(from, to, place);
+                if within_step(equations, method, t, &mut self.y) {
+                    self.note(equations, (t, place), memory);
+                }
+            }
+            let Memory { asked, set_of, values, series, .. } = memory;
+            series.clear();
+            series.extend(values.iter().map(|values| self.places.series(from, to, values, step)));
+            let each = || asked.iter().zip(&*set_of).map(|(&f, &set)| (f, &series[set], &values[set]));
+            let known = each().all(|(f, series, values)| {
+                let function = &self.functions[f];
+                function.is_known(series, values, (self.smooth, self.rounding(function)))
+            });
+            if known || (anyway && step == 1) {
+                for (f, series, values) in each() {
+                    let rounding = self.rounding(&self.functions[f]);
+                    let function = &mut self.functions[f];
+                    function.take(series, values, (self.same, rounding));
+                    if self.drawn && function.source == f {
+                        function.course.push(*series);
+                    }
+                }
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Which functions count over a part of the last step, without values yet.
+    pub(super) fn ask(&self, (from, to): (f64, f64), memory: &mut Memory) {
         let near = AT_ONCE * self.length;
         let counts = |function: &Function<'_>| {
             let (after, before) = part(function.cycle, &self.times);
             from >= after - near && to <= before + near
         };
-        let Memory { asked, sets, set_of, values, series, .. } = memory;
+        let Memory { asked, sets, set_of, values, .. } = memory;
         asked.clear();
         asked.extend((0..self.functions.len()).filter(|&f| counts(&self.functions[f])));
-        if asked.is_empty() {
-            return true;
-        }
         // several functions may be of one expression
         sets.clear();
         set_of.clear();
@@ -228,36 +287,28 @@ impl Watch<'_> {
         }
         values.clear();
         values.resize(sets.len(), [f64::NAN; PLACES]);
-        // first few places: most parts are far from an extreme
-        for (first, apart, step) in [(0, 4, 4), (2, 4, 2), (1, 2, 1)] {
-            for place in (first..PLACES).step_by(apart) {
-                let t = self.places.at(from, to, place);
-                if !within_step(equations, method, t, &mut self.y)
-                    || !equations.observe(t, &self.y, self.deep_functions)
-                {
-                    continue;
-                }
-                for (values, &source) in values.iter_mut().zip(&*sets) {
-                    values[place] = equations.value(&self.functions[source].cycle.expr);
-                }
+    }
+
+    /// Notes the values of what counts at a place of the step, where they have any with the unknowns there.
+    pub(super) fn note(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        (t, place): (f64, usize),
+        memory: &mut Memory,
+    ) {
+        if equations.observe(t, &self.y, self.deep_functions) {
+            if place == 0 {
+                self.sizes.look(equations);
             }
-            series.clear();
-            series.extend(values.iter().map(|values| self.places.series(from, to, values, step)));
-            let each = || asked.iter().zip(&*set_of).map(|(&f, &set)| (f, &series[set], &values[set]));
-            let smooth = self.smooth;
-            let known = each().all(|(f, series, values)| self.functions[f].is_known(series, values, smooth));
-            if known || (anyway && step == 1) {
-                for (f, series, values) in each() {
-                    let function = &mut self.functions[f];
-                    function.take(series, values, self.same);
-                    if self.drawn && function.source == f {
-                        function.course.push(*series);
-                    }
-                }
-                return true;
+            for (values, &source) in memory.values.iter_mut().zip(&memory.sets) {
+                values[place] = equations.value(&self.functions[source].cycle.expr);
             }
         }
-        false
+    }
+
+    /// What is rounding of a function so far.
+    fn rounding(&self, function: &Function<'_>) -> f64 {
+        if self.drawn { 0.0 } else { self.sizes.rounding(function.cycle.dimension) }
     }
 
     /// What the series of all functions leave off that their values are of, of the greatest.
@@ -298,7 +349,14 @@ impl Watch<'_> {
         };
         self.functions
             .iter()
-            .map(|f| OverRun { value: value(f), scale: scale(f), at: f.first(self.same) })
+            .map(|f| {
+                let rounding = match f.cycle.how {
+                    CycleFunction::Argmax => 0.0,
+                    CycleFunction::Integral => self.rounding(f) * length(f),
+                    CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => self.rounding(f),
+                };
+                OverRun { value: value(f), scale: scale(f), at: f.first(self.same), rounding }
+            })
             .collect()
     }
 }

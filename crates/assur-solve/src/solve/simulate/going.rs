@@ -98,7 +98,7 @@ impl<'m, 'o> Going<'m, 'o> {
     ) -> Self {
         let mechanism = equations.model.mechanism;
         let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
-        let mut watch = Watch::new(mechanism, equations.start().len(), (begin, last), pass.tolerance);
+        let mut watch = Watch::new(equations, (begin, last), pass.tolerance);
         watch.guard = outputs.guard;
         outputs.conduct.drawn.iter().for_each(|drawn| watch.draw(drawn));
         Self {

@@ -110,8 +110,13 @@ pub fn over_time(
     let within = simulation.within.unwrap_or(WITHIN).max(WITHIN);
     let simulation = Simulation { within: Some(within), ..simulation };
     mechanism.expects.clear();
-    let cycle =
-        |expr: &Expr, how| Cycle { span: Span::default(), how, expr: expr.clone(), part: Part::default() };
+    let cycle = |expr: &Expr, how| Cycle {
+        span: Span::default(),
+        how,
+        expr: expr.clone(),
+        dimension: [0; 3],
+        part: Part::default(),
+    };
     let extremes =
         |(expr, _): &(Expr, f64)| [CycleFunction::Min, CycleFunction::Max].map(|how| cycle(expr, how));
     mechanism.cycles = exprs.iter().flat_map(extremes).collect();

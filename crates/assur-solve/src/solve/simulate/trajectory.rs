@@ -78,7 +78,7 @@ impl Trajectory {
         statics.events.clone_from(&self.report.events);
         statics.period = self.report.steady.map(|steady| steady.period);
         statics.situations = self.report.situations(mechanism);
-        let answer = |&OverRun { value, scale, at }: &OverRun| CycleAnswer {
+        let answer = |&OverRun { value, scale, at, .. }: &OverRun| CycleAnswer {
             value,
             scale,
             at,

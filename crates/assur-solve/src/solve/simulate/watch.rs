@@ -5,6 +5,7 @@ use super::depends::{comes_again, is_deep, is_kept, is_linkage};
 use super::equations::Equations;
 use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
 use super::records::within_step;
+use super::sizes::Sizes;
 use crate::math::lobatto::Extremes;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
@@ -37,6 +38,8 @@ pub(super) struct Watch<'m> {
     /// Something looked at may come again with the turns of a body, however smooth its speed is.
     pub comes_again: bool,
     pub(super) places: Extremes,
+    /// What is large so far.
+    pub(super) sizes: Sizes,
     /// What series of functions may leave off, of the greatest value.
     pub(super) smooth: f64,
     /// Of extremes that differ by no more than this part of the greatest value the first counts.
@@ -75,7 +78,8 @@ pub(super) struct Happened {
 }
 
 impl<'m> Watch<'m> {
-    pub fn new(mechanism: &'m Mechanism, unknowns: usize, (begin, end): (f64, f64), tolerance: f64) -> Self {
+    pub fn new(equations: &Equations<'m, '_>, (begin, end): (f64, f64), tolerance: f64) -> Self {
+        let mechanism = equations.model.mechanism;
         let functions = Function::all(&mechanism.cycles);
         let events = mechanism.events.iter().map(|event| &event.value);
         let all = events.chain(functions.iter().map(|f| &f.cycle.expr));
@@ -92,6 +96,7 @@ impl<'m> Watch<'m> {
             deep_functions,
             comes_again,
             places: Extremes::new(),
+            sizes: Sizes::new(equations),
             smooth: SMOOTH.max(OF_TOLERANCE * tolerance),
             same: 0.0,
             drawn: false,
@@ -102,7 +107,7 @@ impl<'m> Watch<'m> {
             greatest: vec![0.0; count],
             crossed: vec![f64::NEG_INFINITY; count],
             again: AT_ONCE.max(AGAIN * tolerance),
-            y: vec![0.0; unknowns],
+            y: equations.start(),
             memory: Memory::default(),
             begun: vec![0; count],
             length: end - begin,

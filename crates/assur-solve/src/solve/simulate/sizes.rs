@@ -1,0 +1,48 @@
+//! How large numbers are in a run: what is zero differs from it by rounding of that.
+
+use super::equations::Equations;
+use crate::plan::LoadStep;
+
+/// Rounding of a number, of its size.
+const ROUNDING: f64 = 1e-14;
+
+/// What is large in a run so far.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sizes {
+    /// The extent, m.
+    length: f64,
+    /// All masses, kg.
+    mass: f64,
+    /// The greatest angular velocity, or what would make the greatest velocity or acceleration over the extent, rad/s.
+    fastest: f64,
+}
+
+impl Sizes {
+    pub fn new(equations: &Equations<'_, '_>) -> Self {
+        let masses = equations.model.plan.loads.iter().map(|load| match load {
+            LoadStep::Mass { mass, .. } => *mass,
+            _ => 0.0,
+        });
+        Self { length: equations.extent(), mass: masses.sum(), fastest: 0.0 }
+    }
+
+    /// Looks at the state that was evaluated last.
+    pub fn look(&mut self, equations: &Equations<'_, '_>) {
+        for body in &equations.trial.motion.bodies {
+            let turning = body.omega.abs().max(body.v.norm() / self.length);
+            let speeding = body.alpha.abs().max(body.a.norm() / self.length);
+            self.fastest = self.fastest.max(turning).max(speeding.sqrt());
+        }
+    }
+
+    /// Rounding of a number with these exponents of length, mass and time; nothing where its size is not known.
+    pub fn rounding(&self, [length, mass, time]: [i8; 3]) -> f64 {
+        let size = power(self.length, length) * power(self.mass, mass) * power(self.fastest, -time);
+        if size.is_finite() { ROUNDING * size } else { 0.0 }
+    }
+}
+
+fn power(base: f64, exponent: i8) -> f64 {
+    let all = (0..exponent.unsigned_abs()).fold(1.0, |product, _| product * base);
+    if exponent < 0 { 1.0 / all } else { all }
+}
