@@ -357,6 +357,21 @@ fn of_a_value_that_does_not_change_the_first_instant_is_the_greatest() {
     assert!(report.error < 1e-12, "{report:?}");
 }
 
+/// A worm that locks stands by its losses: its screw bears what its motor gives, and the wheel the load.
+#[test]
+fn a_worm_at_rest_holds_by_itself() {
+    let text = "mech 1\nmechanism \"worm\"\nshaft screw { wheel a radius 20 mm; inertia 0.002 kg*m^2 }\n\
+        shaft drum { wheel w teeth 40 module 4 mm; inertia 0.5 kg*m^2 }\n\
+        worm k: a - w { starts 1; efficiency 0.4 }\ntorque M on screw = 0.1 N*m*sin(3 rad/s*time)\n\
+        torque L on drum = -14 N*m\nstart screw = 0 deg\nsimulate 2 s in 4 steps within 1e-9\n\
+        expect moment(k, screw) = -0.1 N*m*sin(3 rad) within 1e-12 N*m at time = 1 s\n\
+        expect moment(k, drum) = 14 N*m within 1e-12 at time = 1 s\n\
+        expect omega(drum) = 0 rad/s within 1e-12 rad/s at event end";
+    let solved = solved(text, &Overrides::none());
+    assert_eq!(solved.outcomes.len(), 3);
+    assert!(solved.outcomes.iter().all(|outcome| outcome.passed), "{:?}", solved.outcomes);
+}
+
 #[test]
 fn several_coordinates_are_braked_each_by_its_own() {
     let shaft = |name: &str| {

@@ -4,6 +4,7 @@ mod change_points;
 mod coordinates;
 mod follow;
 mod impacts;
+mod losing;
 mod newton_euler;
 mod rough_stops;
 mod rubbing;

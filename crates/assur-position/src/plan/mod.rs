@@ -92,6 +92,9 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
         if plan.effects.friction {
             friction::plan(mechanism, structure, &mut plan);
         }
+        if plan.effects.losses {
+            train::number_losses(&mut plan);
+        }
         let pair_of = |joint: &GroupJoint| structure.replaced.joint(joint.joint).pair;
         plan.reactions_of = ByPair::of(&plan.reactions.iter().map(pair_of).collect::<Vec<_>>());
         plan.friction_of = ByPair::of(&plan.friction.iter().map(|e| e.pair).collect::<Vec<_>>());

@@ -40,6 +40,8 @@ pub struct Plan {
     pub turning: Vec<usize>,
     /// All laws of transmissions.
     pub laws: Vec<PlannedLaw>,
+    /// Slots of those that lose power, where that counts.
+    pub losing: Vec<usize>,
     /// Train groups of forces.
     pub train_forces: Vec<TrainForces>,
     /// Bodies without mass that something may act on: they start without load.

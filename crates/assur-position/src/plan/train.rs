@@ -46,11 +46,21 @@ pub(super) fn laws(mechanism: &Mechanism, structure: &Structure) -> Vec<PlannedL
             terms: terms.iter().filter_map(|(rate, c)| Some((site(rate)?, *c))).collect(),
             constant: t.laws[index].constant,
             efficiency: t.laws[index].efficiency,
+            grip: None,
             force: t.laws[index].force,
             meeting: t.meeting,
         });
     }
     laws
+}
+
+/// Gives the laws that lose power their places among the grips.
+pub(super) fn number_losses(plan: &mut Plan) {
+    let losing = plan.laws.iter().enumerate().filter(|(_, law)| law.efficiency.is_some());
+    plan.losing = losing.map(|(slot, _)| slot).collect();
+    for (rank, slot) in plan.losing.iter().enumerate() {
+        plan.laws[*slot].grip = Some(plan.friction.len() + rank);
+    }
 }
 
 /// The place of a law's joint among all laws.

@@ -64,6 +64,8 @@ pub struct PlannedLaw {
     pub constant: f64,
     /// Part of the power that gets through, from the first side to the second and back.
     pub efficiency: Option<[f64; 2]>,
+    /// Its place among the grips, where it loses power: after the elements of friction.
+    pub grip: Option<usize>,
     /// Tangential force per unit of the multiplier.
     pub force: f64,
     /// The wheels whose teeth meet at a known place.

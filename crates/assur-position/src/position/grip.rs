@@ -71,6 +71,7 @@ impl State {
                 self.apply_rub(element, effort);
             }
         }
+        self.apply_law_grips(plan);
     }
 
     /// Leaves what holds with the other efforts of friction.

@@ -29,6 +29,7 @@ mod grip;
 mod kinematics;
 #[cfg(feature = "lanes")]
 mod lanes;
+mod law_grip;
 mod loads;
 mod losses;
 mod model;

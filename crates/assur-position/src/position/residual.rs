@@ -97,6 +97,12 @@ fn equilibrium(model: &Model<'_>, state: &State, totals: &mut Vec<Wrench>) -> f6
             sums.add_couple(body, couple);
         });
     }
+    for law in &model.plan.laws {
+        state.grip_of_law(law, &mut |body, p, force, couple| {
+            sums.add_force(state, body, p, force);
+            sums.add_couple(body, couple);
+        });
+    }
     for (element, &value) in model.plan.friction.iter().zip(&state.forces.frictions) {
         match state.friction_line(element) {
             None => {

@@ -47,8 +47,8 @@ impl State {
         self.set_lines(plan);
         if plan.effects.friction {
             self.set_senses(plan);
-            self.apply_grips(plan);
         }
+        self.apply_grips(plan);
         self.run_forces(plan);
         self.keep_grips();
     }

@@ -104,6 +104,20 @@ impl State {
         }
     }
 
+    /// Its derivative.
+    pub(super) fn site_acceleration(&self, site: &LawSite) -> f64 {
+        match site {
+            LawSite::Turn(body) => self.motion.bodies[*body].alpha,
+            LawSite::Slide(guide) => {
+                let base = if guide.slider == guide.body { guide.base } else { guide.body };
+                let body = &self.motion.bodies[guide.slider];
+                let beneath: Point<f64> =
+                    under::<f64, 2>(&self.motion.bodies, base, body.position(guide.point));
+                (body.acceleration(guide.point) - beneath.a).dot(self.direction(guide))
+            }
+        }
+    }
+
     /// The generalized force of a law at one of its sites.
     pub fn law_force(&self, law: &PlannedLaw, slot: usize, term: usize) -> f64 {
         let force = &self.forces.law_forces[slot];

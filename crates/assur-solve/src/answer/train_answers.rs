@@ -20,8 +20,9 @@ impl PoseAnswers<'_> {
 
     /// Force of a law along the pitch circles or the rope, N; what the driven side gets.
     fn pull(&self, slot: usize, law: &PlannedLaw) -> f64 {
-        let force = &self.state.forces.law_forces[slot];
-        force.multiplier * law.force * force.sides[0].abs().min(force.sides[1].abs())
+        let [one, other] = self.state.on_sides(law, slot);
+        // as the second side drives the first gets less
+        law.force * if other.abs() < one.abs() || one.is_nan() { other } else { one }
     }
 
     /// Tangential force of a transmission, N, ≥ 0; NaN where there is none.
@@ -37,10 +38,10 @@ impl PoseAnswers<'_> {
         let of_side = |(slot, law): (usize, &PlannedLaw)| {
             let t = self.transmission(pair)?;
             let side = t.links.iter().position(|l| *l == link)?;
-            let force = &self.state.forces.law_forces[slot];
+            let on_sides = self.state.on_sides(law, slot);
             // the law of a belt that slips has the first wheel's coefficient less the slip
             let kept = if side == 0 { 1.0 - t.slip } else { 1.0 };
-            Some((force.multiplier * law.force * force.sides.get(side)? * kept).abs())
+            Some((law.force * on_sides.get(side)? * kept).abs())
         };
         self.laws(pair).next().and_then(of_side).unwrap_or(f64::NAN)
     }
@@ -93,7 +94,13 @@ impl PoseAnswers<'_> {
         for (slot, law) in self.laws(pair) {
             for (term, (site, _)) in law.terms.iter().enumerate() {
                 if *site == LawSite::Turn(link.index()) {
-                    sum += self.state.law_force(law, slot, term);
+                    let [one, other] = self.state.on_sides(law, slot);
+                    sum += match (law.efficiency, term) {
+                        (None, _) => self.state.law_force(law, slot, term),
+                        (Some(_), 0) => one * law.terms[0].1,
+                        (Some(_), 1) => other * law.terms[1].1,
+                        (Some(_), _) => -(one * law.terms[0].1 + other * law.terms[1].1),
+                    };
                 }
             }
         }

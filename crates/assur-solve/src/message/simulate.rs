@@ -196,7 +196,7 @@ fn shaken(model: &Model<'_>, stop: usize, time: String) -> SimulateError {
 
 fn rubs_on_driven(model: &Model<'_>) -> SolveError {
     let what =
-        "friction between links that a drive moves against each other, next to a loss or a load `against motion` in a motion under loads,".to_owned();
+        "friction between links that a drive moves against each other, next to a load `against motion` in a motion under loads,".to_owned();
     SolveError::NotSupportedYet { what, labels: rubbing(model, "rubs") }
 }
 

@@ -24,7 +24,8 @@ impl FrictionNotes {
         if matches!(pose.origin, PoseOrigin::Expected(_)) {
             return;
         }
-        if model.plan.effects.losses && !view.state.forces.locked {
+        let simulated = model.mechanism.simulation.is_some();
+        if model.plan.effects.losses && !simulated && !view.state.forces.locked {
             for (law, force) in model.plan.laws.iter().zip(&view.state.forces.law_forces) {
                 if law.efficiency.is_some() && force.multiplier != 0.0 && view.state.stands(law) {
                     self.stands(law.pair, pose);
@@ -32,7 +33,7 @@ impl FrictionNotes {
             }
         }
         // no effort moves a motion that follows from the loads
-        if !model.plan.effects.friction || model.mechanism.simulation.is_some() {
+        if !model.plan.effects.friction || simulated {
             return;
         }
         for (i, pair) in model.mechanism.pairs.iter().enumerate() {

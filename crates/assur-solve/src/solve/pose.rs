@@ -192,7 +192,9 @@ impl Run<'_, '_> {
             }
         }
         let ideal = view.without_friction().power_of_efforts();
-        let locking = self.model.plan.effects.losses && ideal < 0.0 && view.power_of_efforts() > 0.0;
+        let simulated = self.model.mechanism.simulation.is_some();
+        let locking =
+            self.model.plan.effects.losses && !simulated && ideal < 0.0 && view.power_of_efforts() > 0.0;
         for law in &self.model.plan.laws {
             if view.slips(law.pair) {
                 self.notes.slips(law.pair, view.tangential_force(law.pair), pose);

@@ -24,6 +24,7 @@ mod substitution;
 mod sums;
 mod together;
 mod train;
+mod train_held;
 mod train_losses;
 mod train_supports;
 mod translation;

@@ -34,6 +34,7 @@ impl Course<'_> {
         members.iter().for_each(|member| self.complete(body_of(member)));
         self.say_once(Message::TrainForces);
         self.directions(&laws);
+        self.hold_laws(&laws);
         let before = self.acting.forces.clone();
         let unknowns = self.unknowns_of(train);
         let mut rows = self.rows_of(train);

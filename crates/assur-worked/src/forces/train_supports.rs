@@ -71,7 +71,7 @@ impl Course<'_> {
     }
 
     /// A force along a guide, on its slider and back on its base.
-    fn along_slide(&mut self, name: &Name, guide: &Guide, size: &Expr) {
+    pub(super) fn along_slide(&mut self, name: &Name, guide: &Guide, size: &Expr) {
         let (way, _) = self.way(guide);
         let place = self.moved(guide.slider).position(guide.point);
         let other = if guide.slider == guide.body { guide.base } else { guide.body };

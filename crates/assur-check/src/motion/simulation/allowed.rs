@@ -79,18 +79,14 @@ fn no_meaning(cx: &mut Context<'_>) {
     }
 }
 
-/// Notes losses, which are not solved yet where the motion follows from the loads.
+/// Notes belts that slip, which are not solved yet where several coordinates are free: which side drives is not known beforehand.
 fn not_solved_yet(cx: &mut Context<'_>) {
-    let loses = |pair: &&Pair| match &pair.kind {
-        PairKind::Transmission(t) => t.slip > 0.0 || t.laws.iter().any(|law| law.efficiency.is_some()),
-        _ => false,
-    };
-    // with one free coordinate all of it is solved
+    let slips = |pair: &&Pair| matches!(&pair.kind, PairKind::Transmission(t) if t.slip > 0.0);
     let free = cx.builder.mech.drives.iter().filter(|d| d.free).count();
     let pairs = cx.builder.mech.pairs.iter().filter(|_| free > 1);
-    let losing: Vec<Span> = pairs.filter(loses).map(|pair| pair.span).collect();
-    for span in losing {
-        cx.builder.unsupported("losses in a motion of several free coordinates", span);
+    let slipping: Vec<Span> = pairs.filter(slips).map(|pair| pair.span).collect();
+    for span in slipping {
+        cx.builder.unsupported("a belt that slips in a motion of several free coordinates", span);
     }
 }
 

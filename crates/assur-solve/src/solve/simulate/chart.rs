@@ -77,7 +77,8 @@ impl Chart {
                 Grip { sense: sign * sense, effort: sign * effort, open }
             })
         });
-        each.collect()
+        // losses have the same order in both
+        each.chain(here[self.plan.friction.len().min(here.len())..].iter().copied()).collect()
     }
 
     /// Whether every group has a closed form.

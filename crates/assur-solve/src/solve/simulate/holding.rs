@@ -9,16 +9,20 @@
 use super::drives::moves;
 use super::equations::Equations;
 use super::rubbing::wakes;
-use super::slipping::{Held, Slipping, can_hold};
+use super::rubs::Rubs;
+use super::slipping::{Held, Slipping};
 use super::ways::Way;
 use crate::math::Lu;
-use crate::plan::FrictionLaw;
 use crate::solve::failure::Halt;
 
 /// A sliding speed below this part of the greatest so far is none.
 const NONE: f64 = 1e-11;
+/// The same of the greatest speed of a body: this part of it counts as the sliding speed that is compared with.
+const AS_ONE: f64 = 1e-3;
 /// Friction at rest holds this much more: rounding.
 const ROUNDING: f64 = 1e-10;
+/// An effort below this part of the greatest term of the equations is rounding.
+const NOTHING: f64 = 1e-12;
 /// What is not held yet is not held at the limit.
 const SURE: f64 = 1e-9;
 /// What is at its limit begins to slide without acceleration: of the greatest term.
@@ -96,12 +100,13 @@ impl Equations<'_, '_> {
     /// Sliding speeds of all elements in the state that was moved last; the greatest is kept, lengths over the extent.
     pub fn sliding_speeds(&self, slipping: &mut Slipping) -> Vec<f64> {
         let extent = self.extent();
-        let speed = |element: &crate::plan::FrictionElement| {
-            let turns = matches!(element.kind, FrictionLaw::Circle { .. });
-            self.trial.sliding_speed(element) / if turns { 1.0 } else { extent }
-        };
-        let speeds: Vec<f64> = self.model.plan.friction.iter().map(speed).collect();
-        slipping.fastest = speeds.iter().fold(slipping.fastest, |most, speed| most.max(speed.abs()));
+        let speed = |rubs: Rubs<'_>| rubs.speed(&self.trial) / if rubs.turns() { 1.0 } else { extent };
+        let speeds: Vec<f64> = Rubs::all(self.model.plan).map(speed).collect();
+        // what turns as one body slides by rounding of its speed
+        let bodies = self.trial.motion.bodies.iter();
+        let rates = bodies.map(|body| AS_ONE * body.omega.abs().max(body.v.norm() / extent));
+        let all = speeds.iter().map(|speed| speed.abs()).chain(rates);
+        slipping.fastest = all.fold(slipping.fastest, f64::max);
         speeds
     }
 
@@ -159,9 +164,9 @@ impl Equations<'_, '_> {
         self.take_independent(slipping, at, 0);
         let depends = slipping.held.len() < open.len();
         let all = slipping.held.len() + self.closed.len() == self.order() && !self.drives_move();
-        let friction = &self.model.plan.friction;
-        if let Some(element) = open.iter().find(|&&element| !can_hold(&friction[element])) {
-            return Err(Halt::Rolls { pair: friction[*element].pair });
+        let rubs = |element: &usize| Rubs::of(self.model.plan, *element);
+        if let Some(rolls) = open.iter().map(rubs).find(|rubs| !rubs.can_hold()) {
+            return Err(Halt::Rolls { pair: rolls.pair() });
         }
         if !depends || !all || wakes(self.model.mechanism) {
             return Err(Halt::Jam);
@@ -218,7 +223,7 @@ impl Equations<'_, '_> {
         }
         let mut most = (0.0, None);
         for &element in &slipping.held {
-            if !can_hold(&plan.friction[element]) {
+            if !Rubs::of(plan, element).can_hold() {
                 return Ok(Judged::Jams);
             }
             let limit = if slipping.before[element] { 1.0 + ROUNDING } else { 1.0 - SURE };
@@ -231,7 +236,7 @@ impl Equations<'_, '_> {
             return Ok(Judged::LetGo(element, -slipping.efforts[element].signum()));
         }
         for (&element, &sense) in open.iter().zip(senses).filter(|(_, sense)| **sense != 0.0) {
-            let acceleration = self.trial.sliding_acceleration(&plan.friction[element]);
+            let acceleration = Rubs::of(plan, element).acceleration(&self.trial);
             let mut slopes = Vec::with_capacity(self.order());
             self.slopes_of_element(element, &mut slopes);
             let unit: f64 =
@@ -254,12 +259,19 @@ impl Equations<'_, '_> {
         }
     }
 
-    /// What holds an element over what friction at rest can, where everything was evaluated.
-    pub fn part_held(&self, slipping: &Slipping, element: usize) -> f64 {
-        let own = &self.model.plan.friction[element];
-        let most = own.kind.factor() * slipping.at_rest[element] * self.trial.pressing(self.model.plan, own);
-        let effort = slipping.efforts[element].abs();
-        if effort == 0.0 { 0.0 } else { effort / most }
+    /// What holds an element over what friction at rest, or the losses, can, where everything was evaluated.
+    pub fn part_held(&self, slipping: &Slipping, index: usize) -> f64 {
+        let effort = slipping.efforts[index];
+        match Rubs::of(self.model.plan, index) {
+            _ if effort == 0.0 => 0.0,
+            Rubs::Pair(element) => {
+                let pressing = self.trial.pressing(self.model.plan, element);
+                effort.abs() / (element.kind.factor() * slipping.at_rest[index] * pressing)
+            }
+            // where no power flows what holds is rounding
+            Rubs::Law(..) if slipping.share(index, self.order()) <= NOTHING => 0.0,
+            Rubs::Law(law, slot) => self.trial.part_of_losses(law, slot, effort),
+        }
     }
 
     /// Of all elements that are held, those whose speeds do not depend on closed stops and those before them, from one of them on.
@@ -312,7 +324,7 @@ impl Equations<'_, '_> {
         let mut impulses = Vec::with_capacity(count);
         for k in 0..count {
             impulses.push(match k.checked_sub(held) {
-                None => self.trial.sliding_speed(&self.model.plan.friction[slipping.held[k]]),
+                None => Rubs::of(self.model.plan, slipping.held[k]).speed(&self.trial),
                 Some(place) => self.rate(self.closed[place], y).0,
             });
             for (j, each) in each.iter().enumerate() {

@@ -39,6 +39,7 @@ mod refining;
 mod report;
 mod resting;
 mod rubbing;
+mod rubs;
 mod run;
 mod secants;
 mod seen;

@@ -7,6 +7,7 @@
 use super::equations::Equations;
 use super::holding::joins;
 use super::impact::Rebounds;
+use super::rubs::Rubs;
 use super::slipping::Slipping;
 use super::stop::{FLIGHT, LOWEST, ROUNDING, Stops, Struck};
 use crate::solve::failure::Halt;
@@ -164,8 +165,7 @@ impl Equations<'_, '_> {
         self.choose_slips(t, &mut after)?;
         self.settle(t, &after)?;
         let acceleration = self.stop_acceleration(stop);
-        let friction = self.model.plan.friction.iter();
-        let sliding = friction.map(|element| self.trial.sliding_acceleration(element)).collect();
+        let sliding = Rubs::all(self.model.plan).map(|rubs| rubs.acceleration(&self.trial)).collect();
         let mut slipping = self.slipping.clone();
         slipping.iter_mut().for_each(|slipping| slipping.off = None);
         Ok(After { y: after, slipping, closed: self.closed.clone(), acceleration, sliding })
@@ -186,8 +186,7 @@ impl Equations<'_, '_> {
         let mut speeds = [&up.y, rest].map(|y| {
             self.set_position(t, y);
             self.trial.run_motion::<1>(self.model.plan);
-            let friction = self.model.plan.friction.iter();
-            friction.map(|element| self.trial.sliding_speed(element)).collect::<Vec<_>>()
+            Rubs::all(self.model.plan).map(|rubs| rubs.speed(&self.trial)).collect::<Vec<_>>()
         });
         let [with, without] = &mut speeds;
         self.find_masses(t, rest)?;

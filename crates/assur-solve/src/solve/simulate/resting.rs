@@ -1,7 +1,8 @@
-//! What friction bears where it holds. A pair that holds alone bears what is left of the loads; how several share it that depend on each
-//! other, or a pair beside a brake, a loss or a stop, is not determined.
+//! What friction and losses bear where they hold. What holds alone bears what is left of the loads; how several share it that depend on
+//! each other, or a pair beside a brake or a stop, is not determined.
 
 use super::equations::Equations;
+use super::rubs::Rubs;
 use super::slipping::{Mode, Slipping};
 use crate::model::Load;
 use crate::position::Grip;
@@ -16,7 +17,8 @@ impl Equations<'_, '_> {
             self.hold_at_rest();
         } else if self.leaves_rest() {
             // the speed does not tell the senses in which it begins to slide
-            let senses = self.trial.forces.senses.iter();
+            let losing = self.senses_of_losses();
+            let senses = self.trial.forces.senses.iter().chain(&losing);
             self.trial.motion.grips.clear();
             self.trial.motion.grips.extend(senses.map(|&sense| Grip { sense, ..Grip::default() }));
         }
@@ -28,14 +30,25 @@ impl Equations<'_, '_> {
         matches!(self.mode, Some(Mode::Moving(_))) && rate() == 0.0
     }
 
-    /// The one coordinate rests by friction.
+    /// The senses in which the sides of transmissions with losses begin to move with the one coordinate.
+    fn senses_of_losses(&mut self) -> Vec<f64> {
+        let Some(Mode::Moving(sense)) = self.mode else { return Vec::new() };
+        let plan = self.model.plan;
+        let laws = plan.losing.iter().map(|slot| &plan.laws[*slot]);
+        laws.map(|law| {
+            sense * self.reduced.at_unit_rate(0, &mut self.trial, |state| state.law_speed(law)).signum()
+        })
+        .collect()
+    }
+
+    /// The one coordinate rests by friction or losses.
     fn hold_at_rest(&mut self) {
-        let count = self.model.plan.friction.len();
+        let count = Rubs::count(self.model.plan);
         let grips = &mut self.trial.motion.grips;
         grips.clear();
         grips.resize(count, Grip { open: true, ..Grip::default() });
         let against = self.model.mechanism.loads.iter().any(Load::is_against_motion);
-        if count != 1 || against || self.model.plan.effects.losses || !self.closed.is_empty() {
+        if count != 1 || against || !self.closed.is_empty() {
             return;
         }
         self.evaluate_loads(self.trial.motion.time);

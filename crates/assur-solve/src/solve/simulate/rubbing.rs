@@ -5,6 +5,7 @@
 //! no acceleration is the answer, or several are (Painlevé), and the run ends.
 
 use super::equations::Equations;
+use super::rubs::Rubs;
 use super::slipping::Mode;
 use crate::math::Vec2;
 use crate::model::{Load, Mechanism, Query};
@@ -77,7 +78,9 @@ impl Equations<'_, '_> {
         let acceleration = self.rubbing_acceleration(sense)?;
         // stages beyond a rest go on smoothly
         let rate = self.trial.motion.inputs[self.reduced.free()[0]].rate;
-        let power = self.trial.power_of_loads(self.model, &self.evaluated) + self.power_of_friction();
+        let power = self.trial.power_of_loads(self.model, &self.evaluated)
+            + self.power_of_friction()
+            + self.trial.power_of_losses(self.model.plan);
         let work = power / rate * y[1];
         dy[..3].copy_from_slice(&[y[1], acceleration, work]);
         self.powers(&mut dy[3..], y[1] / rate);
@@ -246,17 +249,16 @@ impl Equations<'_, '_> {
         sense * self.senses[element] * self.reduced.at_unit_rate(0, &mut self.trial, |s| s.sliding_speed(own))
     }
 
-    /// Whether friction alone depends on the sense of the motion.
-    pub fn is_friction_alone(&self) -> bool {
-        let against = self.model.mechanism.loads.iter().any(Load::is_against_motion);
-        !against && !self.model.plan.effects.losses
+    /// Whether a load acts against the motion.
+    pub fn is_braked(&self) -> bool {
+        self.model.mechanism.loads.iter().any(Load::is_against_motion)
     }
 
     /// Whether drives alone move nothing against each other that rubs: then all of it rests with the free coordinate.
     pub fn rests_together(&mut self, t: f64, y: &[f64]) -> bool {
         let speeds = |equations: &Self| {
-            let elements = equations.model.plan.friction.iter();
-            elements.map(|e| equations.trial.sliding_speed(e).abs()).fold(0.0, f64::max)
+            let all = Rubs::all(equations.model.plan);
+            all.map(|rubs| rubs.speed(&equations.trial).abs()).fold(0.0, f64::max)
         };
         self.set_position(t, &[y[0], 1.0]);
         self.trial.run_motion::<1>(self.model.plan);

@@ -334,12 +334,12 @@ fn start(equations: &mut Equations<'_, '_>, first: f64, y: &mut [f64]) -> Result
         if equations.rests_together(first, y) {
             return equations.choose_mode(first, y);
         }
-        if !equations.is_friction_alone() {
+        if equations.is_braked() {
             return Err(Halt::RubsOnDriven);
         }
         equations.mode = None;
     }
-    if equations.model.plan.effects.friction {
+    if equations.model.plan.effects.loses() {
         return equations.begin_slipping(first, y, None);
     }
     Ok(())

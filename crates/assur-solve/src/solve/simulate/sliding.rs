@@ -9,6 +9,7 @@
 //! were held. Which pairs are held and which stops are closed changes at events alone (`holding`).
 
 use super::equations::Equations;
+use super::rubs::Rubs;
 use super::slipping::Slipping;
 use crate::math::Lu;
 use crate::position::Grip;
@@ -32,7 +33,8 @@ impl Equations<'_, '_> {
         let elements = self.model.plan.friction.iter().zip(&self.trial.forces.frictions);
         // stages beyond a rest go on smoothly
         let friction: f64 = elements.map(|(e, effort)| effort * self.trial.sliding_speed(e)).sum();
-        dy[2 * n] = self.trial.power_of_loads(self.model, &self.evaluated) + friction;
+        let losses = self.trial.power_of_losses(self.model.plan);
+        dy[2 * n] = self.trial.power_of_loads(self.model, &self.evaluated) + friction + losses;
         self.powers(&mut dy[2 * n + 1..], 1.0);
         Ok(())
     }
@@ -102,7 +104,7 @@ impl Equations<'_, '_> {
             greatest = greatest.max(units[i] * self.reduced.greatest_power(i, &self.trial));
         }
         for (k, &element) in held.iter().enumerate() {
-            left[n + k] = self.trial.sliding_acceleration(&plan.friction[element]) * units[n + k];
+            left[n + k] = Rubs::of(plan, element).acceleration(&self.trial) * units[n + k];
         }
         for k in stopped..left.len() {
             left[k] = self.stop_acceleration(self.closed[k - stopped]) * units[k];
@@ -134,9 +136,9 @@ impl Equations<'_, '_> {
 
     /// The speeds of an element for a unit rate of each free coordinate.
     pub fn slopes_of_element(&mut self, element: usize, out: &mut Vec<f64>) {
-        let element = &self.model.plan.friction[element];
+        let rubs = Rubs::of(self.model.plan, element);
         for i in 0..self.order() {
-            out.push(self.reduced.at_unit_rate(i, &mut self.trial, |state| state.sliding_speed(element)));
+            out.push(self.reduced.at_unit_rate(i, &mut self.trial, |state| rubs.speed(state)));
         }
     }
 

@@ -1,9 +1,10 @@
 //! How what rubs moves: one free coordinate in a sense, or every pair in its own.
 
+use super::rubs::Rubs;
 use super::secants::Secants;
 use crate::math::Lu;
-use crate::model::{PairId, ProfileShape};
-use crate::plan::{FrictionElement, FrictionLaw, Plan};
+use crate::model::PairId;
+use crate::plan::{FrictionElement, Plan};
 use crate::position::Model;
 use crate::structure::EffortSource;
 
@@ -19,7 +20,7 @@ pub(super) enum Mode {
 /// How every pair that rubs moves.
 #[derive(Clone, Debug)]
 pub(super) struct Slipping {
-    /// By element of friction: ±1, or 0 where it is held.
+    /// By element, of friction and then of losses: ±1, or 0 where it is held.
     pub senses: Vec<f64>,
     /// Elements that are held, independent of each other: others that are held follow from them.
     pub held: Vec<usize>,
@@ -64,7 +65,7 @@ pub(super) struct Slipping {
 impl Slipping {
     /// For the free drives of a model; `still` is it with the friction at rest, where that is another one.
     pub fn new(model: &Model<'_>, still: Option<&Model<'_>>, free: &[usize]) -> Self {
-        let count = model.plan.friction.len();
+        let count = Rubs::count(model.plan);
         let own = |&drive: &usize| {
             let is_own = |source| matches!(source, EffortSource::Drive(id) if id.index() == drive);
             model.structure.efforts.iter().position(|effort| is_own(effort.source))
@@ -75,7 +76,7 @@ impl Slipping {
             still: vec![false; count],
             before: vec![true; count],
             efforts: vec![0.0; count],
-            at_rest: model.plan.friction.iter().map(|e| greater_at_rest(still, e)).collect(),
+            at_rest: Rubs::all(model.plan).map(|rubs| greater_at_rest(still, rubs)).collect(),
             struck: vec![false; count],
             kept: vec![false; model.mechanism.stops.len()],
             off: None,
@@ -96,16 +97,22 @@ impl Slipping {
 
     /// What is held, whatever the coordinates.
     pub fn held_in(&self, plan: &Plan) -> Held {
-        let friction = plan.friction.iter().zip(&self.senses).filter(|(_, sense)| **sense == 0.0);
-        Held { elements: friction.map(|(element, _)| bodies(element)).collect(), fastest: self.fastest }
+        let held = Rubs::all(plan).zip(&self.senses).filter(|(_, sense)| **sense == 0.0);
+        Held { elements: held.map(|(rubs, _)| place(rubs)).collect(), fastest: self.fastest }
     }
 
     /// Takes over what was held in other coordinates.
     pub fn take(&mut self, held: &Held, plan: &Plan) {
-        for (element, sense) in plan.friction.iter().zip(&mut self.senses) {
-            *sense = if held.elements.contains(&bodies(element)) { 0.0 } else { 1.0 };
+        for (rubs, sense) in Rubs::all(plan).zip(&mut self.senses) {
+            *sense = if held.elements.contains(&place(rubs)) { 0.0 } else { 1.0 };
         }
         (self.begun, self.fastest) = (true, held.fastest);
+    }
+
+    /// The effort of a held element, of so many free coordinates, over the greatest term of the equations.
+    pub fn share(&self, element: usize, n: usize) -> f64 {
+        let place = self.held.iter().position(|held| *held == element);
+        place.map_or(0.0, |place| self.secants.x[n + place].abs() / self.greatest)
     }
 
     /// The slopes of a held element or a closed stop, by its place among them.
@@ -127,18 +134,18 @@ fn bodies(element: &FrictionElement) -> (PairId, [usize; 2]) {
     (element.pair, [one.min(other), one.max(other)])
 }
 
+/// An element by its pair and its bodies, a transmission by its law.
+fn place(rubs: Rubs<'_>) -> (PairId, [usize; 2]) {
+    match rubs {
+        Rubs::Pair(element) => bodies(element),
+        Rubs::Law(law, _) => (law.pair, [law.index; 2]),
+    }
+}
+
 /// The friction of an element at rest over that of its sliding.
-fn greater_at_rest(still: Option<&Model<'_>>, element: &FrictionElement) -> f64 {
+fn greater_at_rest(still: Option<&Model<'_>>, rubs: Rubs<'_>) -> f64 {
+    let Rubs::Pair(element) = rubs else { return 1.0 };
     let same = |other: &&FrictionElement| bodies(other) == bodies(element);
     let found = still.and_then(|model| model.plan.friction.iter().find(same));
     found.map_or(1.0, |other| other.kind.factor() / element.kind.factor())
-}
-
-/// Whether an element may be held: how the contact of a cam that rolls accelerates is not followed.
-pub(super) fn can_hold(element: &FrictionElement) -> bool {
-    let is_cam = |shape| matches!(shape, ProfileShape::Rim(_));
-    match element.kind {
-        FrictionLaw::Contact { first, second, .. } => !is_cam(first) && !is_cam(second),
-        _ => true,
-    }
 }

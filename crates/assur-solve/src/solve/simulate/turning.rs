@@ -3,6 +3,7 @@
 use super::equations::Equations;
 use super::going::Going;
 use super::records::within_step;
+use super::rubs::Rubs;
 use super::slipping::Mode;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::first_crossing;
@@ -176,9 +177,9 @@ impl Equations<'_, '_> {
     pub fn held_pairs(&self) -> Vec<PairId> {
         let Some(slipping) = &self.slipping else { return Vec::new() };
         let holds = |element: usize| slipping.senses[element] == 0.0 || slipping.still[element];
-        let friction = self.model.plan.friction.iter().enumerate();
+        let rubs = Rubs::all(self.model.plan).enumerate();
         let mut pairs: Vec<PairId> =
-            friction.filter(|(index, _)| holds(*index)).map(|(_, element)| element.pair).collect();
+            rubs.filter(|(index, _)| holds(*index)).map(|(_, rubs)| rubs.pair()).collect();
         pairs.sort_unstable();
         pairs.dedup();
         pairs

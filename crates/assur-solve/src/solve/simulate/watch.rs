@@ -148,7 +148,7 @@ impl<'m> Watch<'m> {
                 continue;
             }
             let stands = is_kept(equations.model.mechanism, &kept, &self.events[index].value);
-            if stands || (!equations.closed.is_empty() && self.stays(equations, method, index)) {
+            if stands || (!kept.is_empty() && self.stays(equations, method, index)) {
                 continue;
             }
             let crossing = self.crossing(equations, method, index, step, passed);
@@ -179,7 +179,7 @@ impl<'m> Watch<'m> {
         time.is_finite().then_some(Happened { time, events })
     }
 
-    /// Whether a value stays zero in the last step but for rounding: it is one of what rests on a stop.
+    /// Whether a value stays zero in the last step but for rounding: it is one of what rests.
     fn stays<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,

@@ -1,0 +1,100 @@
+//! Losses of transmissions in a motion under loads, where the run and not the velocity says how their sides move: as friction in
+//! pairs does, they hold a transmission at rest by an effort that no direction of the power gives.
+
+use super::grip::Grip;
+use super::state::State;
+use super::train_losses::sides;
+use crate::math::Vec2;
+use crate::plan::{LawSite, Plan, PlannedLaw};
+
+impl State {
+    /// How the sides of a law with losses move, where the run says it.
+    pub(super) fn law_grip(&self, law: &PlannedLaw) -> Option<Grip> {
+        self.motion.grips.get(law.grip?).copied()
+    }
+
+    /// The rate of the first side from the carrier.
+    #[must_use]
+    pub fn law_speed(&self, law: &PlannedLaw) -> f64 {
+        let carrier = law.terms.get(2).map_or(0.0, |term| self.site_rate(&term.0));
+        self.site_rate(&law.terms[0].0) - carrier
+    }
+
+    /// Its acceleration.
+    #[must_use]
+    pub fn law_acceleration(&self, law: &PlannedLaw) -> f64 {
+        let carrier = law.terms.get(2).map_or(0.0, |term| self.site_acceleration(&term.0));
+        self.site_acceleration(&law.terms[0].0) - carrier
+    }
+
+    /// Calls `act` with what holds a law at rest: on its first side, and back on the carrier.
+    pub(super) fn grip_of_law(&self, law: &PlannedLaw, act: &mut dyn FnMut(usize, Vec2, Vec2, f64)) {
+        let held = self.law_grip(law).filter(|grip| grip.sense == 0.0 && grip.effort != 0.0);
+        let Some(Grip { effort, .. }) = held else { return };
+        for (term, value) in [(0, effort), (2, -effort)] {
+            match law.terms.get(term) {
+                Some((LawSite::Turn(body), _)) => {
+                    act(*body, self.motion.bodies[*body].p, Vec2::zero(), value)
+                }
+                Some((LawSite::Slide(guide), _)) => {
+                    let p = self.motion.bodies[guide.slider].position(guide.point);
+                    let force = self.direction(guide) * value;
+                    let other = if guide.slider == guide.body { guide.base } else { guide.body };
+                    act(guide.slider, p, force, 0.0);
+                    act(other, p, -force, 0.0);
+                }
+                None => {}
+            }
+        }
+    }
+
+    /// Adds what holds laws to the loads: they pass on all of their power.
+    pub(super) fn apply_law_grips(&mut self, plan: &Plan) {
+        for (slot, law) in plan.laws.iter().enumerate() {
+            if self.law_grip(law).is_none_or(|grip| grip.sense != 0.0) {
+                continue;
+            }
+            self.forces.law_forces[slot].sides = [1.0, 1.0];
+            let mut wrenches = std::mem::take(&mut self.forces.wrenches);
+            self.grip_of_law(law, &mut |body, p, force, couple| {
+                wrenches[body].force += force;
+                wrenches[body].moment += (p - self.motion.bodies[body].p).cross(force) + couple;
+            });
+            self.forces.wrenches = wrenches;
+        }
+    }
+
+    /// What holds a law over what its losses can hold: the forces on its two sides lie between those with which either drives.
+    #[must_use]
+    pub fn part_of_losses(&self, law: &PlannedLaw, slot: usize, effort: f64) -> f64 {
+        let multiplier = self.forces.law_forces[slot].multiplier;
+        let held = [multiplier + effort / law.terms[0].1, multiplier];
+        let [there, back] = [false, true].map(|backwards| sides(law, backwards, 1.0));
+        let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
+        let whole = cross(there, back);
+        let (of_there, of_back) = (cross(held, back) / whole, cross(there, held) / whole);
+        let sum = of_there.abs() + of_back.abs();
+        let sign = (of_there + of_back).signum();
+        if sum == 0.0 { 0.0 } else { 1.0 - 2.0 * (sign * of_there).min(sign * of_back) / sum }
+    }
+
+    /// The forces on both sides of a law with losses, per unit of their coefficients, with what holds it; NaN where that is shared
+    /// with others.
+    #[must_use]
+    pub fn on_sides(&self, law: &PlannedLaw, slot: usize) -> [f64; 2] {
+        let force = &self.forces.law_forces[slot];
+        let [one, other] = force.sides.map(|side| force.multiplier * side);
+        match self.law_grip(law) {
+            Some(Grip { open: true, .. }) => [f64::NAN; 2],
+            Some(Grip { sense: 0.0, effort, .. }) => [one + effort / law.terms[0].1, other],
+            _ => [one, other],
+        }
+    }
+
+    /// The power that transmissions take from what they act on, W.
+    #[must_use]
+    pub fn power_of_losses(&self, plan: &Plan) -> f64 {
+        let losing = plan.laws.iter().enumerate().filter(|(_, law)| law.efficiency.is_some());
+        losing.map(|(slot, law)| self.law_power(law, slot)).sum()
+    }
+}
