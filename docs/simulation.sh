@@ -51,7 +51,7 @@ Common results:
 - As `solve` does it, the reported error lies above the true one by a factor of 1 to 30 in 95 of 100 runs over all examples, and never below a third of it. By DOP853 and
   Radau IIA the run that is printed goes in halves of the steps of the run before, so that it is often far better than is wanted.
 - Where the one coordinate decides on all forces, as in Andrews' mechanism, the motion follows from the energy: evaluations are spent where mass and force
-  along the coordinate are new, not where time passes. For the same error it takes a sixth to a twelfth of the evaluations of DOP853, which is shown below it.
+  along the coordinate are new, not where time passes. For the same error it takes a sixth to a twentieth of the evaluations of DOP853, which is shown below it.
 - Ten times the accuracy takes DOP853, a method of order 8, about a third more steps. From 1e-6 to 1e-12 the time grows about fivefold; a third of it or
   more is for runs that only serve the estimate of the error, or are found to be too coarse on the way.
 - Radau IIA is of order 5: it takes more steps from the first digits on, and stops near 1e-10, where the differences that its matrix is made of have no
