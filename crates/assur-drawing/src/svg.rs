@@ -1,19 +1,14 @@
-//! Sheets as SVG: concrete colours in plain rules, media rules behind them that only replace colours.
+//! Sheets as SVG.
 
 use crate::drawing::{CAPTION, Placed, Sheet};
 use crate::mark::{Mark, Shape, on_circle};
 use crate::number::number;
-use crate::palette::{Palette, Role, Theme};
-use crate::style::{STYLES, Style};
+use crate::palette::{Role, Theme};
+use crate::rules::{Used, text_class};
+use crate::style::Style;
 use crate::text::Text;
 use assur_math::math::Vec2;
 use std::fmt::Write;
-
-/// Families with the same widths.
-pub const FAMILIES: [&str; 5] =
-    ["Times New Roman", "Tinos", "Liberation Serif", "Nimbus Roman", "TeX Gyre Termes"];
-/// The same as a rule.
-const FAMILY: &str = r#""Times New Roman",Tinos,"Liberation Serif","Nimbus Roman","TeX Gyre Termes",serif"#;
 
 /// A text in which no sign is one of the document's.
 #[must_use]
@@ -37,41 +32,27 @@ fn escape(out: &mut String, text: &str) {
     }
 }
 
-/// The kinds of stroke of a sheet, those that have arrows' heads, and the colours of its texts.
-struct Used {
-    styles: [bool; STYLES.len()],
-    headed: [bool; STYLES.len()],
-    colours: Vec<Role>,
-}
-
-impl Used {
-    fn of(sheet: &Sheet) -> Self {
-        let none = [false; STYLES.len()];
-        let mut used = Self { styles: none, headed: none, colours: Vec::new() };
-        for mark in &sheet.drawing.marks {
-            used.styles[mark.style as usize] = true;
-            used.headed[mark.style as usize] |=
-                matches!(mark.shape, Shape::Arrow(..) | Shape::ArcArrow { .. });
-        }
-        for placed in &sheet.placed {
-            used.styles[Style::Number as usize] |= placed.label.ring.is_some();
-            used.styles[Style::Thin as usize] |= placed.leader.is_some();
-            if !used.colours.contains(&placed.label.role) {
-                used.colours.push(placed.label.role);
-            }
-        }
-        used.styles[Style::Medium as usize] |= sheet.drawing.captions.iter().any(|c| c.bar.is_some());
-        used
-    }
-}
-
 impl Sheet {
     /// The sheet as SVG.
     #[must_use]
     pub fn svg(&self, theme: Theme) -> String {
+        self.with_rules(Some(theme))
+    }
+
+    /// The same without rules of its own, for a page that has those of [`page_rules`](crate::page_rules).
+    #[must_use]
+    pub fn svg_in_page(&self) -> String {
+        self.with_rules(None)
+    }
+
+    fn with_rules(&self, theme: Option<Theme>) -> String {
         let mut out = String::new();
         self.head(&mut out);
-        self.style(&mut out, theme);
+        if let Some(theme) = theme {
+            out.push_str("<style>");
+            Used::of(self).rules(&mut out, theme);
+            out.push_str("</style>\n");
+        }
         let (at, size) = (self.bounds.min, self.bounds.size());
         let _ = writeln!(
             out,
@@ -105,25 +86,6 @@ impl Sheet {
             title = escaped(&self.drawing.title),
             description = escaped(&self.drawing.description)
         );
-    }
-
-    fn style(&self, out: &mut String, theme: Theme) {
-        let first = match theme {
-            Theme::Auto | Theme::Light => Palette::LIGHT,
-            Theme::Dark => Palette::DARK,
-            Theme::Mono => Palette::MONO,
-        };
-        let used = Used::of(self);
-        out.push_str("<style>");
-        rules(out, &used, &first, true);
-        if theme == Theme::Auto {
-            out.push_str("@media (prefers-color-scheme:dark){");
-            rules(out, &used, &Palette::DARK, false);
-            out.push_str("}\n@media print{");
-            rules(out, &used, &Palette::PRINT, false);
-            out.push('}');
-        }
-        out.push_str("</style>\n");
     }
 
     fn marks(&self, out: &mut String) {
@@ -208,62 +170,6 @@ impl Sheet {
     }
 }
 
-/// Rules for what the sheet has; all that they say, or colours alone.
-fn rules(out: &mut String, used: &Used, palette: &Palette, whole: bool) {
-    let _ = write!(out, ".fig .bg{{fill:{}}}", palette.of(Role::Paper));
-    for style in STYLES.into_iter().filter(|s| used.styles[*s as usize]) {
-        let paint = style.paint();
-        let _ = write!(out, ".fig .{}{{", paint.class);
-        let mut parts = Vec::new();
-        match paint.stroke {
-            Some((role, width)) => {
-                parts.push(format!("stroke:{}", palette.of(role)));
-                if whole {
-                    parts.push(format!("stroke-width:{}", number(width)));
-                }
-            }
-            None if whole => parts.push("stroke:none".to_owned()),
-            None => {}
-        }
-        match paint.fill {
-            Some(role) => parts.push(format!("fill:{}", palette.of(role))),
-            None if whole => parts.push("fill:none".to_owned()),
-            None => {}
-        }
-        if whole {
-            if !paint.dashes.is_empty() {
-                parts.push(format!("stroke-dasharray:{}", paint.dashes));
-            }
-            if paint.opacity < 1.0 {
-                parts.push(format!("opacity:{}", number(paint.opacity)));
-            }
-            if matches!(style, Style::Link | Style::Plate | Style::Block | Style::Medium) {
-                parts.push("stroke-linejoin:round".to_owned());
-            }
-            if style == Style::Link {
-                parts.push("stroke-linecap:round".to_owned());
-            }
-        }
-        let _ = write!(out, "{}}}", parts.join(";"));
-        if let (Some((role, _)), true) = (paint.stroke, used.headed[style as usize]) {
-            let line = if whole { "stroke:none;" } else { "" };
-            let _ = write!(out, ".fig .{}.head{{{line}fill:{}}}", paint.class, palette.of(role));
-        }
-    }
-    if whole {
-        let _ = write!(out, ".fig text{{font-family:{FAMILY};fill:{}}}", palette.of(Role::Ink));
-        out.push_str(".fig .i{font-style:italic}");
-    } else {
-        let _ = write!(out, ".fig text{{fill:{}}}", palette.of(Role::Ink));
-    }
-    for role in [Role::Grey, Role::Blue, Role::Vermilion, Role::Green] {
-        if used.colours.contains(&role) {
-            let _ = write!(out, ".fig .{} text{{fill:{}}}", text_class(role), palette.of(role));
-        }
-    }
-    out.push('\n');
-}
-
 /// Writes something, in a group of its own where it has a class.
 fn within(out: &mut String, class: Option<&Option<String>>, write: impl FnOnce(&mut String)) {
     let Some(class) = class.and_then(Option::as_ref) else { return write(out) };
@@ -278,16 +184,6 @@ pub fn mark_svg(mark: &Mark) -> String {
     let mut out = String::new();
     shape(&mut out, mark);
     out.trim_end().to_owned()
-}
-
-/// The class of texts in a colour.
-const fn text_class(role: Role) -> &'static str {
-    match role {
-        Role::Blue => "cv",
-        Role::Vermilion => "ca",
-        Role::Green => "cr",
-        _ => "cs",
-    }
 }
 
 fn text(out: &mut String, text: &Text, at: Vec2, size: f64) {

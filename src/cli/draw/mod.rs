@@ -48,7 +48,7 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
     let overrides = args.overrides();
     let drawing = Drawing { args, screen, pictures, overrides, output, names, several: inputs.len() > 1 };
     let status = for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source));
-    match drawing.output.finish(&drawing.names, args.language.into()) {
+    match drawing.output.finish(&drawing.names, args.language.into(), args.theme.into()) {
         Ok(()) => status,
         Err(error) => {
             screen.complain(&complaint(error, screen));

@@ -5,11 +5,10 @@ use super::pages::Page;
 use crate::cli::args::DrawFormat;
 use crate::cli::batch::Sink;
 use crate::cli::error::CliError;
-use assur_drawing::escaped;
+use assur_drawing::{Sheet, Theme, escaped, page_rules};
 use assur_worked::{Language, phrase};
 use std::borrow::Cow;
 use std::cell::RefCell;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Where pictures go.
@@ -99,12 +98,7 @@ impl Output {
                 _ => Err(one_only(&path.display().to_string())),
             },
             Self::Page(_, body) => {
-                let mut body = body.borrow_mut();
-                for page in pages {
-                    let title = escaped(&page.title);
-                    let _ =
-                        write!(body, "<figure>\n<figcaption>{title}</figcaption>\n{}</figure>\n", page.text);
-                }
+                body.borrow_mut().extend(pages.iter().map(|page| page.text.as_str()));
                 Ok(String::new())
             }
             Self::Folder(folder, _) => {
@@ -142,8 +136,13 @@ impl Output {
         Ok(Cow::Borrowed(page.text.as_bytes()))
     }
 
+    /// Whether it is one page with all pictures.
+    pub const fn is_page(&self) -> bool {
+        matches!(self, Self::Page(..))
+    }
+
     /// Writes the page in a language, where there is one with pictures.
-    pub fn finish(&self, inputs: &[String], language: Language) -> Result<(), CliError> {
+    pub fn finish(&self, inputs: &[String], language: Language, theme: Theme) -> Result<(), CliError> {
         let Self::Page(path, body) = self else { return Ok(()) };
         let body = body.borrow();
         if body.is_empty() {
@@ -151,7 +150,9 @@ impl Output {
         }
         let (code, title) = (language.code(), phrase(language, "Pictures"));
         let page = format!(
-            "<!doctype html>\n<html lang=\"{code}\">\n{HEAD}<title>{title}</title>\n{STYLE}{body}{FOOT}"
+            "<!doctype html>\n<html lang=\"{code}\">\n{HEAD}<title>{title}</title>\n<style>\n{}{STYLE}{}</style>\n</head>\n<body>\n{body}{FOOT}",
+            paper(theme),
+            page_rules(theme)
         );
         match path {
             Some(path) => written(path, page.as_bytes(), inputs),
@@ -164,22 +165,42 @@ impl Output {
     }
 }
 
-/// Begin and end of a page: figures that shrink to the screen, with their own colours.
+/// A picture of a page, which has the rules for all: a browser lays out only those that are seen, and leaves room for the others.
+pub fn figure(sheet: &Sheet) -> String {
+    let title = escaped(&sheet.drawing.title);
+    let room = (sheet.bounds.size().y + CAPTION).ceil();
+    format!(
+        "<figure style=\"contain-intrinsic-height:auto {room}mm\">\n<figcaption>{title}</figcaption>\n{}</figure>\n",
+        sheet.svg_in_page()
+    )
+}
+
+/// Height of the line with the title of a picture, mm.
+const CAPTION: f64 = 7.0;
+
+/// Begin and end of a page: figures that shrink to the screen.
 const HEAD: &str = "<head>
 <meta charset=\"utf-8\">
 <meta name=\"viewport\" content=\"width=device-width\">
 ";
-const STYLE: &str = "<style>
-body{margin:1rem;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",serif;background:#fff;color:#111}
+const STYLE: &str = "body{margin:1rem;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",serif}
 figure{margin:0 0 2rem;break-inside:avoid}figcaption{margin-bottom:.5rem}
 figure svg{max-width:100%;height:auto}
-@media (prefers-color-scheme:dark){body{background:#16181c;color:#ececec}}
-@media print{body{background:#fff;color:#000}}
-</style>
-</head>
-<body>
+@media screen{figure{content-visibility:auto}}
 ";
 const FOOT: &str = "</body>\n</html>\n";
+
+/// The colours of the page around the pictures.
+const fn paper(theme: Theme) -> &'static str {
+    match theme {
+        Theme::Auto => {
+            "body{background:#fff;color:#111}\n@media (prefers-color-scheme:dark){body{background:#16181c;color:#ececec}}\n\
+             @media print{body{background:#fff;color:#000}}\n"
+        }
+        Theme::Dark => "body{background:#16181c;color:#ececec}\n",
+        Theme::Light | Theme::Mono => "body{background:#fff;color:#111}\n",
+    }
+}
 
 /// Writes a file, which appears only when complete.
 fn written(path: &Path, text: &[u8], inputs: &[String]) -> Result<(), CliError> {

@@ -15,12 +15,10 @@ use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use assur_worked::{Language, drawing_in, phrase};
 
-/// A picture as text, with its title and the name of its file.
+/// A picture as text, with the name of its file.
 pub struct Page {
     /// Of its file, without its ending.
     pub name: String,
-    /// What it shows.
-    pub title: String,
     /// It.
     pub text: String,
     /// Of its file.
@@ -144,7 +142,7 @@ impl Pages<'_, '_> {
             } else {
                 (assur_picture::animation(scene, options, theme, &language)?, "html")
             };
-            return Ok(vec![Page { name: name.to_owned(), title: String::new(), text, ending }]);
+            return Ok(vec![Page { name: name.to_owned(), text, ending }]);
         }
         Ok(self.numbered(name, assur_picture::draw(kind, scene, options)?))
     }
@@ -188,7 +186,9 @@ impl Pages<'_, '_> {
             if !words.is_empty() {
                 drawing.title += &format!(", {}", phrase(language, words));
             }
-            Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme), ending: "svg" }
+            let sheet = drawing.placed();
+            let text = if self.drawing.output.is_page() { output::figure(&sheet) } else { sheet.svg(theme) };
+            Page { name, text, ending: "svg" }
         });
         pages.collect()
     }
