@@ -11,6 +11,7 @@ mod dimensioned;
 mod drawn;
 mod every_example;
 mod extreme;
+mod frames;
 mod freed;
 mod mutated;
 mod numbers;

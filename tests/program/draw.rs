@@ -196,11 +196,25 @@ fn an_animation_follows_a_motion_under_loads() {
     let folder = Folder::new("draw-motion").with("a.mech", text);
     let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", "4"]);
     assert_eq!(out.status, 0, "{}", out.stderr);
-    // the last frame is at 3 s, where the first rod is at 0.44533 rad: the page has steps of a tenth of a degree
-    let steps = out.stdout.split_once(r#"["one","°",1,["#).and_then(|(_, rest)| rest.split_once(']'));
-    let steps: Vec<i64> =
-        steps.map(|s| s.0.split(',').filter_map(|x| x.parse().ok()).collect()).unwrap_or_default();
-    assert_eq!((steps.len(), steps.iter().sum::<i64>()), (4, 255));
+    // the last frame is at 3 s, where the first rod is at 0.44533 rad, 25.5°: the page has steps of a tenth of a degree in
+    // base 64, five bits a digit, the least first, of which the first is the sign
+    let steps = out.stdout.split_once(r#"["one","°",1,""#).and_then(|(_, rest)| rest.split_once('"'));
+    let digit = |c: char| match c {
+        'A'..='Z' => c as i64 - 'A' as i64,
+        'a'..='z' => c as i64 - 'a' as i64 + 26,
+        '0'..='9' => c as i64 - '0' as i64 + 52,
+        _ => 62 + i64::from(c == '/'),
+    };
+    let (mut sums, mut step, mut place) = (vec![0], 0, 1);
+    for digit in steps.map_or("", |s| s.0).chars().map(digit) {
+        step += digit % 32 * place;
+        place *= 32;
+        if digit < 32 {
+            sums.push(sums[sums.len() - 1] + if step % 2 == 1 { -(step / 2) } else { step / 2 });
+            (step, place) = (0, 1);
+        }
+    }
+    assert_eq!((sums.len() - 1, sums.last()), (4, Some(&255)));
     assert!(out.stdout.contains(r#"["t"," s""#) && out.stdout.contains("t = 0.000 s"));
 }
 

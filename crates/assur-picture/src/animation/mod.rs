@@ -1,7 +1,9 @@
 //! The mechanism in motion: the scheme of the first frame with how its parts move, as a page or as one picture.
 
+mod between;
 mod moved;
 mod page;
+mod series;
 mod smil;
 mod values;
 
@@ -9,11 +11,12 @@ pub use page::animation;
 pub use smil::moving;
 
 use crate::error::Missing;
+use crate::frame::Frame;
 use crate::kind::Options;
 use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use crate::scheme::{Loads, Scheme, captioned, described, frame_of_all, scheme_in};
-use crate::shape::shapes;
+use crate::shape::{LinkShape, shapes};
 use crate::wording::Wording;
 use crate::words;
 use assur_drawing::{Drawing, Later, Rect, Sheet};
@@ -43,28 +46,42 @@ fn frames<'a>(scene: &Scene<'a>, options: &Options) -> Result<Vec<Scene<'a>>, Mi
     Ok(frames)
 }
 
-/// The schemes of all frames, in one place.
-fn schemes<'f>(
-    scene: &Scene<'_>,
-    frames: &'f [Scene<'_>],
-    options: &Options,
-) -> Result<impl Iterator<Item = Drawing> + use<'f>, Missing> {
-    let wanted = Scheme { loads: Loads::None, ..Scheme::default() };
-    // what a link looks like is the same at every position
-    let shapes = frames.first().map(shapes).unwrap_or_default();
-    let frame = frame_of_all(frames, &shapes, &options.scheme.paper())?;
-    if frame.scale.is_none() {
-        return Err(Missing::nothing_placed(scene, "an animation shows links that move"));
-    }
-    let scheme = move |(i, scene): (usize, &Scene<'_>)| {
-        let mut scheme = scheme_in(scene, &wanted, &shapes, &frame);
-        // those of the first frame are shown
-        if i == 0 {
-            captioned(&mut scheme, &frame, None);
+/// How the schemes of all frames are drawn: in one place, the first with what stands below.
+struct Drawn {
+    wanted: Scheme,
+    shapes: Vec<LinkShape>,
+    frame: Frame,
+}
+
+impl Drawn {
+    fn of(scene: &Scene<'_>, frames: &[Scene<'_>], options: &Options) -> Result<Self, Missing> {
+        let wanted = Scheme { loads: Loads::None, ..Scheme::default() };
+        // what a link looks like is the same at every position
+        let shapes = frames.first().map(shapes).unwrap_or_default();
+        let frame = frame_of_all(frames, &shapes, &options.scheme.paper())?;
+        if frame.scale.is_none() {
+            return Err(Missing::nothing_placed(scene, "an animation shows links that move"));
         }
+        Ok(Self { wanted, shapes, frame })
+    }
+
+    fn first(&self, scene: &Scene<'_>) -> Drawing {
+        let mut scheme = self.other(scene);
+        captioned(&mut scheme, &self.frame, None);
         scheme
-    };
-    Ok(frames.iter().enumerate().map(scheme))
+    }
+
+    fn other(&self, scene: &Scene<'_>) -> Drawing {
+        scheme_in(scene, &self.wanted, &self.shapes, &self.frame)
+    }
+
+    /// Frames, of which the first is the first.
+    fn schemes<'s>(&self, frames: impl Iterator<Item = &'s Scene<'s>>) -> Vec<Drawing> {
+        frames
+            .enumerate()
+            .map(|(i, scene)| if i == 0 { self.first(scene) } else { self.other(scene) })
+            .collect()
+    }
 }
 
 /// The first frame.
@@ -74,8 +91,7 @@ fn schemes<'f>(
 pub fn still(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Missing> {
     let ways = scene.all_ways();
     let frames = frames(&Scene { ways: &ways, ..*scene }, options)?;
-    let first = schemes(scene, &frames, options)?.next().unwrap_or_default();
-    let mut first = described(&frames[0], first);
+    let mut first = described(&frames[0], Drawn::of(scene, &frames, options)?.first(&frames[0]));
     first.id = words::id(scene, "animation");
     Ok(first)
 }
@@ -91,8 +107,8 @@ struct Animated<'a> {
 impl<'a> Animated<'a> {
     fn of(scene: &Scene<'a>, options: &Options, wording: &dyn Wording) -> Result<Self, Missing> {
         let frames = frames(scene, options)?;
-        let schemes: Vec<Drawing> = schemes(scene, &frames, options)?.collect();
-        let moved = Moved::of(&schemes);
+        let drawn = Drawn::of(scene, &frames, options)?;
+        let (schemes, moved) = motion(&frames, &drawn);
         let mut room = Rect::NOTHING;
         schemes.iter().for_each(|scheme| room.join(&scheme.extent()));
         let others = schemes.iter().step_by(schemes.len().div_ceil(LOOKED_AT));
@@ -111,4 +127,20 @@ impl<'a> Animated<'a> {
         sheet.moved[1].resize(count, None);
         Ok(Self { title, frames, sheet, moved })
     }
+}
+
+/// The frames that are drawn, and how what is in them moves through all: of many frames some are drawn where all that moves goes
+/// with links.
+fn motion(frames: &[Scene<'_>], drawn: &Drawn) -> (Vec<Drawing>, Moved) {
+    let step = frames.len().div_ceil(MOST);
+    if step > 1 {
+        let some: Vec<usize> = (0..frames.len()).step_by(step).collect();
+        let schemes = drawn.schemes(some.iter().map(|i| &frames[*i]));
+        if let Some(moved) = between::filled(Moved::of(&schemes), frames, &some, &drawn.frame) {
+            return (schemes, moved);
+        }
+    }
+    let schemes = drawn.schemes(frames.iter());
+    let moved = Moved::of(&schemes);
+    (schemes, moved)
 }

@@ -6,8 +6,12 @@ use assur_drawing::{Anchor, Drawing, Label, Later, Mark, Shape, mark_svg, on_cir
 use assur_math::math::Vec2;
 use std::collections::HashMap;
 
-/// What two places may differ by and are still one, mm.
-const SAME: f64 = 0.02;
+/// What two places may differ by and are still one, mm; and two angles, rad.
+pub const SAME: f64 = 0.02;
+pub const SAME_ANGLE: f64 = 2e-4;
+
+/// What turns less does not turn, rad.
+const STILL: f64 = 1e-5;
 
 /// Marks that move together.
 #[derive(Clone, Debug)]
@@ -18,6 +22,15 @@ pub struct Body {
     pub turns: bool,
     /// Where that place is in each frame, mm, and how far they have turned, rad.
     pub poses: Vec<(Vec2, f64)>,
+}
+
+/// What goes with a place of a body without turning: a label.
+#[derive(Clone, Copy, Debug)]
+pub struct Follower {
+    /// The place in the first frame.
+    pub at: Vec2,
+    /// The body.
+    pub body: usize,
 }
 
 /// A mark that changes its shape, as text in each frame.
@@ -43,6 +56,8 @@ impl Redrawn {
 pub struct Moved {
     /// What moves together.
     pub bodies: Vec<Body>,
+    /// What goes with them.
+    pub followers: Vec<Follower>,
     /// What is drawn anew.
     pub redrawn: Vec<Redrawn>,
     /// Classes of marks and of labels.
@@ -51,12 +66,12 @@ pub struct Moved {
 
 impl Body {
     fn moves(&self) -> bool {
-        let still = |(at, angle): &(Vec2, f64)| (*at - self.centre).norm() <= SAME && angle.abs() < 1e-5;
+        let still = |(at, angle): &(Vec2, f64)| (*at - self.centre).norm() <= SAME && angle.abs() <= STILL;
         !self.poses.iter().all(still)
     }
 
     /// Where a place of the first frame is in another.
-    fn carried(&self, frame: usize, at: Vec2) -> Vec2 {
+    pub fn carried(&self, frame: usize, at: Vec2) -> Vec2 {
         let (to, angle) = self.poses[frame];
         to + (at - self.centre).turned(Vec2::direction(angle))
     }
@@ -66,7 +81,7 @@ impl Body {
         (!other.turns || self.turns)
             && other.poses.iter().enumerate().all(|(k, (at, angle))| {
                 (self.carried(k, other.centre) - *at).norm() <= SAME
-                    && (!other.turns || wrapped(self.poses[k].1 - angle).abs() < 2e-4)
+                    && (!other.turns || wrapped(self.poses[k].1 - angle).abs() < SAME_ANGLE)
             })
     }
 }
@@ -109,7 +124,7 @@ impl Moved {
                 (last, 0.0)
             });
             let body = Body { centre: anchor(label), turns: false, poses: poses.collect() };
-            body.moves().then(|| moved.shift_of(&body))
+            body.moves().then(|| moved.shift_of(body))
         });
         let labels = labels.collect();
         moved.classes = [classes, labels];
@@ -125,14 +140,14 @@ impl Moved {
         format!("m{index}")
     }
 
-    /// Labels are shifted and never turned.
-    fn shift_of(&mut self, body: &Body) -> String {
-        let known = self.bodies.iter().position(|b| !b.turns && b.takes(body));
-        let index = known.unwrap_or_else(|| {
-            self.bodies.push(body.clone());
-            self.bodies.len() - 1
-        });
-        format!("m{index}")
+    /// Labels are shifted and never turned: they go with a place of a body, else on their own.
+    fn shift_of(&mut self, label: Body) -> String {
+        if let Some(body) = self.bodies.iter().position(|b| b.takes(&label)) {
+            self.followers.push(Follower { at: label.centre, body });
+            return format!("f{}", self.followers.len() - 1);
+        }
+        self.bodies.push(label);
+        format!("m{}", self.bodies.len() - 1)
     }
 }
 
@@ -201,7 +216,7 @@ fn rigid(frames: &[Vec<Option<&Mark>>], index: usize) -> Option<Body> {
     let count = first.len() as f64;
     let middle = |points: &[Vec2]| points.iter().fold(Vec2::zero(), |sum, p| sum + *p) / count;
     let centre = middle(&first);
-    let turns = first.len() > 1;
+    let has_turn = first.len() > 1;
     let mut before = 0.0;
     let mut poses = Vec::with_capacity(frames.len());
     for marks in frames {
@@ -216,7 +231,7 @@ fn rigid(frames: &[Vec<Option<&Mark>>], index: usize) -> Option<Body> {
             cross += a.cross(b);
             dot += a.dot(b);
         }
-        let angle = if turns { libm::atan2(cross, dot) } else { 0.0 };
+        let angle = if has_turn { libm::atan2(cross, dot) } else { 0.0 };
         let u = Vec2::direction(angle);
         let keeps = |(a, b): (&Vec2, &Vec2)| (to + (*a - centre).turned(u) - *b).norm() <= SAME;
         if !first.iter().zip(&here).all(keeps) {
@@ -226,6 +241,7 @@ fn rigid(frames: &[Vec<Option<&Mark>>], index: usize) -> Option<Body> {
         before += wrapped(angle - before);
         poses.push((to, before));
     }
+    let turns = poses.iter().any(|(_, angle)| angle.abs() > STILL);
     Some(Body { centre, turns, poses })
 }
 

@@ -2,7 +2,8 @@
 //! few lines. Without the script the first frame stands there.
 
 use super::Animated;
-use super::moved::{Body, Redrawn};
+use super::moved::{Body, Follower, Redrawn};
+use super::series::{DIGITS, Distinct, series};
 use super::values::{Column, columns, said};
 use crate::error::Missing;
 use crate::kind::Options;
@@ -10,6 +11,7 @@ use crate::plot::{Curves, plot};
 use crate::scene::Scene;
 use crate::wording::Wording;
 use assur_drawing::{Theme, escaped, number};
+use assur_math::math::Vec2;
 use std::fmt::Write;
 
 /// Steps of a millimetre and of a radian.
@@ -59,13 +61,17 @@ pub fn animation(
         places = along(&animated.frames, &curves);
     }
     let moved = &animated.moved;
+    let mut all = Distinct::default();
+    let bodies = list(moved.bodies.iter().map(|b| body(b, &mut all)));
+    let follower = |f: &Follower| format!("[{},{},{}]", number(f.at.x), number(f.at.y), f.body);
     let _ = write!(
         out,
-        "<script>\nconst N={},B=[{}],R=[{}],V=[{}],X={places},P='{}';\n{SCRIPT}</script>\n</body>\n</html>\n",
+        "<script>\nconst N={},Z=\"{DIGITS}\",S={},B={bodies},F={},R={},V={},X={places},P='{}';\n{SCRIPT}</script>\n</body>\n</html>\n",
         animated.frames.len(),
-        moved.bodies.iter().map(body).collect::<Vec<_>>().join(",\n"),
-        moved.redrawn.iter().map(redrawn).collect::<Vec<_>>().join(",\n"),
-        columns.iter().map(column).collect::<Vec<_>>().join(",\n"),
+        list(all.texts.into_iter()),
+        list(moved.followers.iter().map(follower)),
+        list(moved.redrawn.iter().map(redrawn)),
+        list(columns.iter().map(column)),
         wording.decimal(),
     );
     Ok(out)
@@ -73,8 +79,7 @@ pub fn animation(
 
 /// Where the drive, or the instant, is in the plot, in steps of a hundredth of a millimetre.
 fn along(frames: &[Scene<'_>], curves: &Curves) -> String {
-    let places = frames.iter().map(|frame| whole(curves.place(frame.along()?) * STEPS.0));
-    steps(&places.collect::<Vec<_>>())
+    series(frames.iter().map(|frame| whole(curves.place(frame.along()?) * STEPS.0)))
 }
 
 /// The nearest whole number.
@@ -83,42 +88,21 @@ fn whole(x: f64) -> Option<i64> {
     (x.abs() < 1e15).then(|| x.round() as i64)
 }
 
-/// Steps from each number to the next; `null` where there is none.
-fn steps(numbers: &[Option<i64>]) -> String {
-    let mut before = 0;
-    list(numbers.iter().map(|number| match number {
-        Some(number) => {
-            let step = number - before;
-            before = *number;
-            step.to_string()
-        }
-        None => "null".to_owned(),
-    }))
-}
-
 fn list(parts: impl Iterator<Item = String>) -> String {
-    let mut out = String::from("[");
-    for (i, part) in parts.enumerate() {
-        if i > 0 {
-            out.push(',');
-        }
-        out.push_str(&part);
-    }
-    out.push(']');
-    out
+    format!("[{}]", parts.collect::<Vec<_>>().join(",\n"))
 }
 
-/// A number of all frames: name, unit, decimals, steps.
+/// A number of all frames: name, unit, decimals, series.
 fn column(column: &Column) -> String {
     let Column { name, unit, decimals, numbers } = column;
-    format!("[{},{},{decimals},{}]", quoted(name), quoted(unit), steps(numbers))
+    format!("[{},{},{decimals},{}]", quoted(name), quoted(unit), series(numbers.iter().copied()))
 }
 
 /// The texts of a mark, each once, and which one each frame shows.
 fn redrawn(texts: &Redrawn) -> String {
     let (known, which) = texts.distinct(1);
-    let which = which.into_iter().map(|i| i.to_string());
-    format!("[{},{}]", list(known.into_iter().map(quoted)), list(which))
+    let which = which.into_iter().map(|i| i64::try_from(i).ok());
+    format!("[{},{}]", list(known.into_iter().map(quoted)), series(which))
 }
 
 /// A text in a script.
@@ -127,20 +111,17 @@ fn quoted(text: &str) -> String {
     format!("\"{inner}\"")
 }
 
-/// Centre, whether it turns, and steps from frame to frame: right, down, turn.
-fn body(body: &Body) -> String {
-    let mut done = [0_i64; 3];
-    let count = if body.turns { 3 } else { 2 };
-    let mut out = String::with_capacity(8 * body.poses.len());
-    for (at, angle) in &body.poses {
-        let here = [at.x * STEPS.0, at.y * STEPS.0, angle * STEPS.1].map(|x| whole(x).unwrap_or(0));
-        for i in 0..count {
-            let _ = write!(out, "{},", here[i] - done[i]);
-        }
-        done = here;
-    }
-    out.pop();
-    format!("[{},{},{},[{out}]]", number(body.centre.x), number(body.centre.y), u8::from(body.turns))
+/// Centre, and the places of the series by which it moves: right, down, turn.
+fn body(body: &Body, all: &mut Distinct) -> String {
+    let Body { centre, turns, poses } = body;
+    let mut column = |part: &dyn Fn(&(Vec2, f64)) -> f64| {
+        all.place(series(poses.iter().map(|pose| Some(whole(part(pose)).unwrap_or(0)))))
+    };
+    let right = column(&|(at, _)| (at.x - centre.x) * STEPS.0);
+    let down = column(&|(at, _)| (at.y - centre.y) * STEPS.0);
+    let turn = turns.then(|| column(&|(_, angle)| angle * STEPS.1));
+    let turn = turn.map_or(String::new(), |turn| format!(",{turn}"));
+    format!("[{},{},{right},{down}{turn}]", number(centre.x), number(centre.y))
 }
 
 const HEAD: &str = "<head>
@@ -160,13 +141,16 @@ output{display:block;min-height:2.6em;font-variant-numeric:tabular-nums;white-sp
 </style>
 ";
 
-/// Sums up the steps, shows a frame, plays: whole seconds between twelfths of the way where less motion is wanted.
+/// Reads the series, shows a frame, plays: whole seconds between twelfths of the way where less motion is wanted.
 const SCRIPT: &str = "const $=i=>document.getElementById(i),all=c=>[...document.querySelectorAll('.'+c)],few=matchMedia('(prefers-reduced-motion: reduce)');
-const sum=t=>{let q=0;return t.map(x=>x===null?null:(q+=x))};
-const M=B.map((b,j)=>{const w=b[2]?3:2,q=[0,0,0];return[all('m'+j),b[3].map((x,i)=>q[i%w]+=x),w,b]});
-const D=R.map((r,j)=>[all('r'+j),r[1].map(i=>r[0][i])]),Q=V.map(v=>[v[0],v[1],v[2],sum(v[3])]),C=X&&sum(X);let k=0,on=false,t0=0;
-function show(i){k=i;for(const[g,q,w,b]of M){const t=`translate(${q[i*w]/100} ${q[i*w+1]/100})`+(w>2?` rotate(${q[i*w+2]/100})`:'')+` translate(${-b[0]} ${-b[1]})`;
-for(const e of g)e.setAttribute('transform',t)}for(const[g,r]of D)for(const e of g)e.innerHTML=r[i];
+const read=t=>{const o=[];let v=0,h=1,q=0;for(const c of t){const d=Z.indexOf(c);if(d<0){o.push(null);continue}v+=d%32*h;h*=32;if(d<32){q+=v%2?(1-v)/2:v/2;o.push(q);v=0;h=1}}return o};
+const T=S.map(read),M=B.map((b,j)=>[all('m'+j),...b]),E=F.map((f,j)=>[all('f'+j),...f]);
+const D=R.map((r,j)=>[all('r'+j),r[0],read(r[1])]),Q=V.map(v=>[v[0],v[1],v[2],read(v[3])]),C=X&&read(X);let k=0,on=false,t0=0;
+const move=(g,t)=>{for(const e of g)e.setAttribute('transform',t)};
+function show(i){k=i;for(const[g,x,y,a,b,c]of M)move(g,`translate(${T[a][i]/100+x} ${T[b][i]/100+y})`+(c>=0?` rotate(${T[c][i]/100})`:'')+` translate(${-x} ${-y})`);
+for(const[g,x,y,j]of E){const[,X,Y,a,b,c]=M[j],w=c>=0?T[c][i]*Math.PI/18000:0,u=x-X,v=y-Y;
+move(g,`translate(${T[a][i]/100+u*Math.cos(w)-v*Math.sin(w)-u} ${T[b][i]/100+u*Math.sin(w)+v*Math.cos(w)-v})`)}
+for(const[g,r,q]of D)for(const e of g)e.innerHTML=r[q[i]];
 $('o').textContent=Q.map(([n,u,d,s])=>n+' = '+(s[i]===null?'—':(s[i]/10**d).toFixed(d).replace('-','−').replace('.',P)+u)).join('   ');
 $('s').value=i;const c=$('c');if(c){const x=C[i];c.setAttribute('visibility',x!==null&&x>=-1&&x<=15001?'visible':'hidden');c.setAttribute('transform',`translate(${x/100} 0)`)}}
 function step(t){if(!on)return;const w=few.matches?1000:6000/N;if(t-t0>=w){const d=few.matches?Math.ceil(N/12):Math.max(1,Math.min(Math.ceil(N/45),Math.floor((t-t0)/w)));t0=t;show((k+d)%N)}requestAnimationFrame(step)}

@@ -35,6 +35,11 @@ pub fn moving(
         let open = format!("<g class=\"m{i}\">");
         out = out.replace(&open, &(open.clone() + &transforms(body, every)));
     }
+    for (i, follower) in animated.moved.followers.iter().enumerate() {
+        let (open, body) = (format!("<g class=\"f{i}\">"), &animated.moved.bodies[follower.body]);
+        let shifts = (0..body.poses.len()).step_by(every).map(|k| body.carried(k, follower.at) - follower.at);
+        out = out.replace(&open, &(open.clone() + &shifted(shifts)));
+    }
     for (i, texts) in animated.moved.redrawn.iter().enumerate() {
         out = shown_in_turn(&out, &format!("<g class=\"r{i}\">"), texts, every);
     }
@@ -43,17 +48,13 @@ pub fn moving(
 
 /// A turn about the origin of the paper, and then a shift.
 fn transforms(body: &Body, every: usize) -> String {
-    let (mut shifts, mut turns) = (String::new(), String::new());
-    for (at, angle) in body.poses.iter().step_by(every) {
-        let shift = *at - body.centre.turned(Vec2::direction(*angle));
-        let _ = write!(shifts, "{} {};", number(shift.x), number(shift.y));
-        let _ = write!(turns, "{};", number(angle.to_degrees()));
-    }
-    let mut out = format!(
-        "<animateTransform attributeName=\"transform\" type=\"translate\" {TIME} values=\"{}\"/>",
-        shifts.trim_end_matches(';')
-    );
+    let poses = || body.poses.iter().step_by(every);
+    let mut out = shifted(poses().map(|(at, angle)| *at - body.centre.turned(Vec2::direction(*angle))));
     if body.turns {
+        let mut turns = String::new();
+        for (_, angle) in poses() {
+            let _ = write!(turns, "{};", number(angle.to_degrees()));
+        }
         let _ = write!(
             out,
             "<animateTransform attributeName=\"transform\" type=\"rotate\" additive=\"sum\" {TIME} values=\"{}\"/>",
@@ -61,6 +62,16 @@ fn transforms(body: &Body, every: usize) -> String {
         );
     }
     out
+}
+
+/// A shift.
+fn shifted(shifts: impl Iterator<Item = Vec2>) -> String {
+    let mut values = String::new();
+    for shift in shifts {
+        let _ = write!(values, "{} {};", number(shift.x), number(shift.y));
+    }
+    let values = values.trim_end_matches(';');
+    format!("<animateTransform attributeName=\"transform\" type=\"translate\" {TIME} values=\"{values}\"/>")
 }
 
 /// What changes its shape is there once per shape, and each is visible in its frames.
