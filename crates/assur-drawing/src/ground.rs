@@ -1,12 +1,13 @@
 //! What labels meet on the paper: what they may not touch, and what they cross at a price.
 
+use crate::clearance::{Boxes, Clearance};
 use crate::geometry::{Rect, Segment};
 use crate::grid::{Grid, bounds, pieces, touches};
 use crate::label::{Anchor, Label};
 use crate::mark::{Mark, Obstacle, Shape};
 use crate::placement::{APART, Later};
-use crate::raster::Raster;
 use crate::style::Style;
+use assur_math::math::Vec2;
 
 /// Price of a millimetre of thin line inside, in millimetres of distance.
 const PER_LINE: f64 = 0.9;
@@ -15,7 +16,6 @@ const LATER: f64 = 20.0;
 
 /// What is drawn.
 struct Ground {
-    raster: Raster,
     solid: Grid<Obstacle>,
     thin: Grid<Segment>,
     /// Circles that only labels of what is in them may enter.
@@ -36,9 +36,16 @@ impl<'a> Grounds<'a> {
         Self { now, later: later.iter().map(|l| (Ground::of(&l.marks, around, 0.0), l)).collect() }
     }
 
-    /// Whether a label may take a place.
-    pub fn is_free(&self, label: &Label, place: &Rect, round: bool) -> bool {
-        !self.now.is_taken(place, round) && !self.now.is_closed(label, place, round)
+    /// What is solid in a box, for boxes of a size in it.
+    pub fn clearance(&self, around: &Rect, half: Vec2, round: bool) -> Clearance {
+        let mut near = Vec::new();
+        self.now.solid.each(around, |obstacle| near.push(*obstacle));
+        Clearance::of(&near, Boxes { half, round, apart: self.now.apart })
+    }
+
+    /// Whether a place is in a circle in which other things are magnified.
+    pub fn is_closed(&self, label: &Label, place: &Rect, round: bool) -> bool {
+        self.now.is_closed(label, place, round)
     }
 
     /// What a place costs a label with what it crosses.
@@ -56,8 +63,8 @@ impl<'a> Grounds<'a> {
 
 impl Ground {
     fn of(marks: &[Mark], around: &Rect, apart: f64) -> Self {
-        let (raster, solid, thin) = (Raster::over(around), Grid::over(around), Grid::over(around));
-        let mut ground = Self { raster, solid, thin, insets: Vec::new(), apart };
+        let (solid, thin) = (Grid::over(around), Grid::over(around));
+        let mut ground = Self { solid, thin, insets: Vec::new(), apart };
         for mark in marks {
             if let (Style::Inset, Shape::Circle { centre, radius }) = (mark.style, &mark.shape) {
                 ground.insets.push(Obstacle::Disc(*centre, *radius));
@@ -75,7 +82,6 @@ impl Ground {
 
     /// Adds what no label may touch.
     fn add(&mut self, obstacle: Obstacle) {
-        self.raster.add(&obstacle, self.apart);
         match obstacle {
             Obstacle::Stroke(segment, half) => {
                 for piece in pieces(&segment) {
@@ -89,13 +95,7 @@ impl Ground {
 
     /// Whether something that no label may touch is in a box, or in the disc in it.
     fn is_taken(&self, place: &Rect, round: bool) -> bool {
-        let cells = self.raster.cells(place);
-        if self.raster.are_clear(&cells) {
-            return false;
-        }
-        // what covers a box may leave the disc in it free
-        let taken = !round && self.raster.are_taken(&cells);
-        taken || self.solid.any(place, |o| touches(place, round, o, self.apart))
+        self.solid.any(place, |o| touches(place, round, o, self.apart))
     }
 
     /// Whether a place is in an inset of something else.

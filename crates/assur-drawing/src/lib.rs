@@ -1,6 +1,8 @@
 //! Pictures without mechanics: marks in millimetres of paper, x to the right and y down, labels that never overlap, SVG.
 
+mod blockers;
 mod board;
+mod clearance;
 mod drawing;
 mod geometry;
 mod glyph;
@@ -13,10 +15,8 @@ mod outside;
 mod palette;
 mod placement;
 mod places;
-mod raster;
 mod rules;
 mod scale;
-mod seats;
 mod style;
 mod svg;
 mod text;

@@ -47,7 +47,7 @@ pub fn place(marks: &[Mark], labels: &[Label], later: &[Later]) -> Vec<Option<Re
     let places: Vec<Places> = places.collect();
     let mut order: Vec<usize> = (0..labels.len()).collect();
     order.sort_by_key(|i| (labels[*i].rank, places[*i].count, *i));
-    let mut board = Board::new(labels, places, (&grounds, later), &around);
+    let mut board = Board::new(labels, places, (&grounds, later));
     for &label in &order {
         board.take_cheapest(label);
     }

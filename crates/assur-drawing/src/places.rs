@@ -1,5 +1,6 @@
 //! The places of a label, the cheapest first, looked for as far as they are asked for.
 
+use crate::blockers::Blockers;
 use crate::geometry::Rect;
 use crate::ground::Grounds;
 use crate::label::{Anchor, Label};
@@ -25,18 +26,28 @@ const ROUNDING: f64 = 1e-9;
 pub(crate) struct Place {
     pub bounds: Rect,
     pub cost: f64,
+    pub blockers: Blockers,
 }
 
 /// Where labels may go from an anchor: a point and a direction, with its prices.
 struct Ray {
     from: Vec2,
     direction: Vec2,
+    /// From the point at a distance to the middle of the box, whose side or corner is there.
+    to_middle: Vec2,
     turned: f64,
     extra: f64,
     /// At which distances it is free.
     free: [bool; DISTANCES.len()],
     /// The order among rays, and that among distances: of equal places the first is taken.
     order: (usize, bool),
+}
+
+impl Ray {
+    /// The middle of the box at a distance.
+    fn middle(&self, distance: f64) -> Vec2 {
+        self.from + self.direction * distance + self.to_middle
+    }
 }
 
 /// The directions around a point.
@@ -59,6 +70,8 @@ pub(crate) struct Places {
     prices: Vec<(f64, usize)>,
     /// How many places are free.
     pub count: usize,
+    /// What they all lie in.
+    pub reach: Rect,
     /// For every distance the next ray, and the least that the place there costs.
     next: [usize; DISTANCES.len()],
     least: [f64; DISTANCES.len()],
@@ -72,56 +85,33 @@ impl Places {
     pub fn of(index: usize, label: &Label, directions: &Directions, grounds: &Grounds<'_>) -> Self {
         let half = label.half();
         let round = label.ring.is_some_and(|r| half.x <= r);
-        let best = label.towards.and_then(Vec2::unit);
-        let away = best.unwrap_or(Vec2::new(0.707, -0.707));
-        let turned = |weight: f64, direction: Vec2| {
-            weight * libm::atan2(away.cross(direction).abs(), away.dot(direction))
-        };
-        let free = |from: Vec2, direction: Vec2| {
-            DISTANCES.map(|far| grounds.is_free(label, &beyond(from, direction, far, half), round))
-        };
-        let free = &free;
-        let rays: Vec<Ray> = match label.anchor {
-            Anchor::Point(p, radius) => {
-                let ray = |(i, direction): (usize, &Vec2)| {
-                    let (from, turned) = (p + *direction * radius, turned(PER_RADIAN, *direction));
-                    let free = free(from, *direction);
-                    Ray { from, direction: *direction, turned, extra: 0.0, free, order: (i, true) }
-                };
-                directions.0.iter().enumerate().map(ray).collect()
-            }
-            Anchor::Line(a, b) => {
-                let along = (b - a).unit().unwrap_or(Vec2::new(1.0, 0.0));
-                let weight = if best.is_some() { PER_RADIAN } else { BESIDE };
-                let normals = [along.perp(), -along.perp()].map(|normal| (normal, turned(weight, normal)));
-                let ray = |(i, part): (usize, f64)| {
-                    let (from, extra) = (a + (b - a) * part, PER_PART * (part - 0.5).abs());
-                    let ray = move |(j, (direction, turned)): (usize, (Vec2, f64))| Ray {
-                        from,
-                        direction,
-                        turned,
-                        extra,
-                        free: free(from, direction),
-                        order: (2 * i + j, false),
-                    };
-                    normals.into_iter().enumerate().map(ray)
-                };
-                ALONG.into_iter().enumerate().flat_map(ray).collect()
-            }
-        };
+        let mut rays = rays(label, half, directions);
+        let mut reach = Rect::NOTHING;
+        for ray in &rays {
+            reach.add(ray.middle(DISTANCES[0]));
+            reach.add(ray.middle(DISTANCES[DISTANCES.len() - 1]));
+        }
+        reach = Rect { min: reach.min - half, max: reach.max + half };
+        let (clearance, mut count) = (grounds.clearance(&reach, half, round), 0);
+        for ray in &mut rays {
+            let middles = DISTANCES.map(|far| ray.middle(far));
+            let is_open = |at: Vec2| !grounds.is_closed(label, &Rect::around(at, half), round);
+            ray.free = middles.map(is_open);
+            clearance.thin(&middles, &mut ray.free);
+            count += ray.free.into_iter().filter(|free| *free).count();
+        }
         let mut prices: Vec<(f64, usize)> =
             rays.iter().enumerate().map(|(i, ray)| (ray.turned + ray.extra, i)).collect();
         prices.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let count = rays.iter().flat_map(|ray| ray.free).filter(|free| *free).count();
         let best = prices.first().map_or(f64::INFINITY, |(price, _)| *price);
         let (next, least) = (Default::default(), DISTANCES.map(|distance| distance + best - ROUNDING));
         let (known, waiting) = (Vec::with_capacity(16), Vec::with_capacity(16));
-        Self { index, half, round, rays, prices, count, next, least, known, waiting }
+        Self { index, half, round, rays, prices, count, reach, next, least, known, waiting }
     }
 
-    /// The place of a number, where there are so many.
-    pub fn get(&mut self, number: usize, grounds: &Grounds<'_>) -> Option<Place> {
-        while self.known.len() <= number {
+    /// The cheapest place that is not known yet, if there is one.
+    pub fn find(&mut self, grounds: &Grounds<'_>) -> Option<Place> {
+        loop {
             let (mut distance, mut least) = (0, f64::INFINITY);
             for (i, price) in self.least.iter().enumerate() {
                 if *price < least {
@@ -129,14 +119,12 @@ impl Places {
                 }
             }
             if self.waiting.last().is_some_and(|(place, _)| place.cost < least) {
-                self.known.extend(self.waiting.pop().map(|(place, _)| place));
-            } else if least < f64::INFINITY {
-                self.look(distance, grounds);
-            } else {
+                return self.waiting.pop().map(|(place, _)| place);
+            } else if least == f64::INFINITY {
                 return None;
             }
+            self.look(distance, grounds);
         }
-        self.known.get(number).copied()
     }
 
     /// Looks at the next place at a distance.
@@ -148,7 +136,7 @@ impl Places {
         if !ray.free[distance] {
             return;
         }
-        let bounds = beyond(ray.from, ray.direction, DISTANCES[distance], self.half);
+        let bounds = Rect::around(ray.middle(DISTANCES[distance]), self.half);
         let cost = DISTANCES[distance] + ray.turned + ray.extra;
         let cost = grounds.priced(self.index, &bounds, self.round, cost);
         let order = match ray.order {
@@ -158,14 +146,43 @@ impl Places {
         let before =
             |(other, its): &(Place, usize)| other.cost.total_cmp(&cost).then(its.cmp(&order)).is_gt();
         let at = self.waiting.partition_point(before);
-        self.waiting.insert(at, (Place { bounds, cost }, order));
+        self.waiting.insert(at, (Place { bounds, cost, blockers: Blockers::default() }, order));
     }
 }
 
-/// The box that lies beyond a point in a direction: its side or its corner has the distance.
-fn beyond(from: Vec2, direction: Vec2, distance: f64, half: Vec2) -> Rect {
-    let largest = direction.x.abs().max(direction.y.abs());
-    let near = from + direction * distance;
-    let centre = near + Vec2::new(half.x * direction.x / largest, half.y * direction.y / largest);
-    Rect::around(centre, half)
+/// The rays of a label: around its point, or to both sides of its line.
+fn rays(label: &Label, half: Vec2, directions: &Directions) -> Vec<Ray> {
+    let best = label.towards.and_then(Vec2::unit);
+    let away = best.unwrap_or(Vec2::new(0.707, -0.707));
+    let turned =
+        |weight: f64, direction: Vec2| weight * libm::atan2(away.cross(direction).abs(), away.dot(direction));
+    let to_middle = |direction: Vec2| {
+        let largest = direction.x.abs().max(direction.y.abs());
+        Vec2::new(half.x * direction.x / largest, half.y * direction.y / largest)
+    };
+    let free = [false; DISTANCES.len()];
+    let mut rays = Vec::with_capacity(DIRECTIONS);
+    match label.anchor {
+        Anchor::Point(p, radius) => {
+            for (i, direction) in directions.0.into_iter().enumerate() {
+                let (from, turned) = (p + direction * radius, turned(PER_RADIAN, direction));
+                let (to_middle, order) = (to_middle(direction), (i, true));
+                rays.push(Ray { from, direction, to_middle, turned, extra: 0.0, free, order });
+            }
+        }
+        Anchor::Line(a, b) => {
+            let along = (b - a).unit().unwrap_or(Vec2::new(1.0, 0.0));
+            let weight = if best.is_some() { PER_RADIAN } else { BESIDE };
+            let sides =
+                [along.perp(), -along.perp()].map(|side| (side, turned(weight, side), to_middle(side)));
+            for (i, part) in ALONG.into_iter().enumerate() {
+                let (from, extra) = (a + (b - a) * part, PER_PART * (part - 0.5).abs());
+                for (j, (direction, turned, to_middle)) in sides.into_iter().enumerate() {
+                    let order = (2 * i + j, false);
+                    rays.push(Ray { from, direction, to_middle, turned, extra, free, order });
+                }
+            }
+        }
+    }
+    rays
 }
