@@ -19,6 +19,10 @@ pub fn escaped(text: &str) -> String {
 }
 
 fn escape(out: &mut String, text: &str) {
+    let is_plain = |b: u8| b.is_ascii_graphic() && !b"&<>\"".contains(&b) || b == b' ';
+    if text.bytes().all(is_plain) {
+        return out.push_str(text);
+    }
     for c in text.chars() {
         match c {
             '&' => out.push_str("&amp;"),
@@ -98,8 +102,9 @@ impl Sheet {
                 open = mark.group;
                 if open != 0 {
                     let group = &self.drawing.groups[open];
-                    let name = escaped(&group.name);
-                    let _ = writeln!(out, r#"<g class="{}" data-name="{name}">"#, group.class);
+                    begin(out, "<g", group.class);
+                    named(out, " data-name=\"", &group.name);
+                    out.push_str(">\n");
                 }
             }
             within(out, self.moved[0].get(i), |out| shape(out, mark));
@@ -132,20 +137,20 @@ impl Sheet {
                 circle(out, class, at, radius);
             }
         }
-        let colour = match label.role {
-            Role::Ink => String::new(),
-            role => format!(" {}", text_class(role)),
-        };
-        let plain = escaped(&label.text.plain());
-        let spoken = if label.text.runs.len() > 1 || label.text.full.is_some() {
-            format!(r#" aria-label="{plain}""#)
-        } else {
-            String::new()
-        };
+        out.push_str("<g class=\"lab");
+        if label.role != Role::Ink {
+            out.push(' ');
+            out.push_str(text_class(label.role));
+        }
+        out.push('"');
         let name = &self.drawing.groups[label.group].name;
-        let owner =
-            if name.is_empty() { String::new() } else { format!(r#" data-name="{}""#, escaped(name)) };
-        let _ = write!(out, r#"<g class="lab{colour}"{owner}{spoken}>"#);
+        if !name.is_empty() {
+            named(out, " data-name=\"", name);
+        }
+        if label.text.runs.len() > 1 || label.text.full.is_some() {
+            named(out, " aria-label=\"", &label.text.plain());
+        }
+        out.push('>');
         text(out, &label.text, label.baseline(&placed.bounds), label.size);
         out.push_str("</g>\n");
     }
@@ -189,40 +194,61 @@ pub fn mark_svg(mark: &Mark) -> String {
 fn text(out: &mut String, text: &Text, at: Vec2, size: f64) {
     for set in text.set(size) {
         let place = at + set.at;
-        let class = if set.run.italic { "i" } else { "u" };
         let blanks = set.run.letters.starts_with(' ') || set.run.letters.ends_with(' ');
-        let space = if blanks { r#" xml:space="preserve""# } else { "" };
-        let _ = write!(
-            out,
-            r#"<text class="{class}" x="{}" y="{}" font-size="{}"{space} textLength="{}" lengthAdjust="spacingAndGlyphs">"#,
-            number(place.x),
-            number(place.y),
-            number(set.size),
-            number(set.width.max(0.01))
-        );
+        out.push_str(if set.run.italic { "<text class=\"i\"" } else { "<text class=\"u\"" });
+        attribute(out, " x=\"", place.x);
+        attribute(out, " y=\"", place.y);
+        attribute(out, " font-size=\"", set.size);
+        out.push_str(if blanks { " xml:space=\"preserve\"" } else { "" });
+        attribute(out, " textLength=\"", set.width.max(0.01));
+        out.push_str(" lengthAdjust=\"spacingAndGlyphs\">");
         escape(out, &set.run.letters);
         out.push_str("</text>");
     }
 }
 
+/// An attribute with words, from its begin.
+fn named(out: &mut String, begin: &str, words: &str) {
+    out.push_str(begin);
+    escape(out, words);
+    out.push('"');
+}
+
+/// An attribute with a number, from its begin.
+fn attribute(out: &mut String, begin: &str, x: f64) {
+    out.push_str(begin);
+    out.push_str(number(x).as_str());
+    out.push('"');
+}
+
+/// The begin of an element with a class.
+fn begin(out: &mut String, element: &str, class: &str) {
+    out.push_str(element);
+    out.push_str(" class=\"");
+    out.push_str(class);
+    out.push('"');
+}
+
 fn line(out: &mut String, class: &str, a: Vec2, b: Vec2) {
-    let (x, y) = (number(a.x), number(a.y));
-    let _ = writeln!(
-        out,
-        r#"<line class="{class}" x1="{x}" y1="{y}" x2="{}" y2="{}"/>"#,
-        number(b.x),
-        number(b.y)
-    );
+    begin(out, "<line", class);
+    for (name, x) in [(" x1=\"", a.x), (" y1=\"", a.y), (" x2=\"", b.x), (" y2=\"", b.y)] {
+        attribute(out, name, x);
+    }
+    out.push_str("/>\n");
 }
 
 fn circle(out: &mut String, class: &str, centre: Vec2, radius: f64) {
-    let (x, y) = (number(centre.x), number(centre.y));
-    let _ = writeln!(out, r#"<circle class="{class}" cx="{x}" cy="{y}" r="{}"/>"#, number(radius));
+    begin(out, "<circle", class);
+    for (name, x) in [(" cx=\"", centre.x), (" cy=\"", centre.y), (" r=\"", radius)] {
+        attribute(out, name, x);
+    }
+    out.push_str("/>\n");
 }
 
 /// A path along which `draw` goes.
 fn path(out: &mut String, class: &str, draw: impl FnOnce(&mut String)) {
-    let _ = write!(out, r#"<path class="{class}" d=""#);
+    begin(out, "<path", class);
+    out.push_str(" d=\"");
     draw(out);
     out.push_str("\"/>\n");
 }
