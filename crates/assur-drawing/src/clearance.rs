@@ -8,6 +8,8 @@ use assur_math::math::Vec2;
 
 /// What is nearer than this to touching is decided by the box and the obstacle themselves, mm.
 const CLOSE: f64 = 1e-7;
+/// What moves less along an axis moves across it, mm per mm.
+const ACROSS: f64 = 1e-12;
 
 /// The boxes of a label, or the discs in them, and what is kept free around them.
 #[derive(Clone, Copy)]
@@ -29,6 +31,35 @@ struct Kept {
     across: Option<f64>,
 }
 
+/// Where on a line something is so near: for sure, and perhaps.
+#[derive(Clone, Copy)]
+struct Span {
+    sure: (f64, f64),
+    perhaps: (f64, f64),
+}
+
+impl Span {
+    const ALL: Self =
+        Self { sure: (f64::NEG_INFINITY, f64::INFINITY), perhaps: (f64::NEG_INFINITY, f64::INFINITY) };
+
+    /// Where also a number, that begins somewhere and changes along the line by what has this inverse, is below another but for its sign.
+    fn and(self, begin: f64, inverse: f64, below: f64) -> Self {
+        let (at, per) = (-begin * inverse, inverse.abs());
+        let (sure, perhaps) = ((below - CLOSE) * per, (below + CLOSE) * per);
+        let later = |a: f64, b: f64| if a > b { a } else { b };
+        let sooner = |a: f64, b: f64| if a < b { a } else { b };
+        Self {
+            sure: (later(self.sure.0, at - sure), sooner(self.sure.1, at + sure)),
+            perhaps: (later(self.perhaps.0, at - perhaps), sooner(self.perhaps.1, at + perhaps)),
+        }
+    }
+}
+
+/// Of a change along a line, which may be none.
+fn inverse(change: f64) -> f64 {
+    1.0 / if change.abs() < ACROSS { ACROSS } else { change }
+}
+
 impl Kept {
     fn of(obstacle: &Obstacle, boxes: &Boxes) -> Self {
         let (Segment { a, b }, wide) = match *obstacle {
@@ -42,22 +73,6 @@ impl Kept {
         let across = is_straight.then_some(reach.x * end.y.abs() + reach.y * end.x.abs());
         Self { obstacle: *obstacle, middle, end, within, across }
     }
-
-    /// Whether a box with its middle at a place touches it.
-    fn meets(&self, at: Vec2, boxes: &Boxes) -> bool {
-        let d = at - self.middle;
-        let mut left = (self.within.x - d.x.abs()).min(self.within.y - d.y.abs());
-        if left < -CLOSE {
-            return false;
-        }
-        if let Some(across) = self.across {
-            left = left.min(across - d.cross(self.end).abs());
-            if left.abs() > CLOSE {
-                return left > 0.0;
-            }
-        }
-        touches(&Rect::around(at, boxes.half), boxes.round, &self.obstacle, boxes.apart)
-    }
 }
 
 /// What the boxes of a label keep away from.
@@ -67,22 +82,52 @@ pub(crate) struct Clearance {
 }
 
 impl Clearance {
-    pub fn of(obstacles: &[Obstacle], boxes: Boxes) -> Self {
-        Self { boxes, kept: obstacles.iter().map(|obstacle| Kept::of(obstacle, &boxes)).collect() }
+    pub fn of(obstacles: impl Iterator<Item = Obstacle>, boxes: Boxes) -> Self {
+        Self { boxes, kept: obstacles.map(|obstacle| Kept::of(&obstacle, &boxes)).collect() }
     }
 
-    /// Takes those places from middles along a line, from the first to the last, at which boxes touch something.
-    pub fn thin<const N: usize>(&self, middles: &[Vec2; N], free: &mut [bool; N]) {
-        let mut way = Rect::NOTHING;
-        way.add(middles[0]);
-        way.add(middles[N - 1]);
-        let (at, half) = (way.centre(), way.size() * 0.5 + Vec2::new(CLOSE, CLOSE));
+    /// Takes those of the middles at distances along a line, which rise, whose boxes touch something.
+    pub fn thin<const N: usize>(
+        &self,
+        (start, along): (Vec2, Vec2),
+        distances: &[f64; N],
+        middles: &[Vec2; N],
+        free: &mut [bool; N],
+    ) {
+        let (first, last) = (middles[0] - start, middles[N - 1] - start);
+        let (centre, half) = (start + (first + last) * 0.5, (last - first) * 0.5);
+        let half = Vec2::new(half.x.abs() + CLOSE, half.y.abs() + CLOSE);
+        let per = Vec2::new(inverse(along.x), inverse(along.y));
         for kept in &self.kept {
-            let (d, within) = (kept.middle - at, kept.within + half);
-            if d.x.abs() < within.x && d.y.abs() < within.y {
-                let free = middles.iter().zip(free.iter_mut()).filter(|(_, free)| **free);
-                free.for_each(|(at, free)| *free = !kept.meets(*at, &self.boxes));
+            if *free == [false; N] {
+                return;
+            }
+            let (d, within) = (kept.middle - centre, kept.within);
+            if d.x.abs() > within.x + half.x || d.y.abs() > within.y + half.y {
+                continue;
+            }
+            let d = start - kept.middle;
+            let mut span = Span::ALL.and(d.x, per.x, within.x).and(d.y, per.y, within.y);
+            match kept.across {
+                Some(across) => {
+                    span = span.and(d.cross(kept.end), inverse(along.cross(kept.end)), across);
+                }
+                None => span.sure = (f64::INFINITY, f64::NEG_INFINITY),
+            }
+            if span.perhaps.0 >= distances[N - 1] || span.perhaps.1 <= distances[0] {
+                continue;
+            }
+            for ((far, middle), free) in distances.iter().zip(middles).zip(free.iter_mut()) {
+                if *free && span.perhaps.0 < *far && *far < span.perhaps.1 {
+                    let is_sure = span.sure.0 < *far && *far < span.sure.1;
+                    *free = !is_sure && !self.touches(kept, *middle);
+                }
             }
         }
+    }
+
+    fn touches(&self, kept: &Kept, middle: Vec2) -> bool {
+        let Boxes { half, round, apart } = self.boxes;
+        touches(&Rect::around(middle, half), round, &kept.obstacle, apart)
     }
 }

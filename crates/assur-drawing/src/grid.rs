@@ -25,8 +25,8 @@ pub struct Grid<T> {
     cells: Vec<[u32; 2]>,
     /// Items, each with the next entry of its cell.
     entries: Vec<[u32; 2]>,
-    /// With the boxes that they lie in, and the first of their columns and rows.
-    items: Vec<(Rect, [usize; 2], T)>,
+    /// With the boxes that they lie in.
+    items: Vec<(Rect, T)>,
 }
 
 impl<T> Grid<T> {
@@ -52,8 +52,8 @@ impl<T> Grid<T> {
     /// Adds an item that lies in a box.
     pub fn add(&mut self, item: T, bounds: &Rect) {
         let Ok(id) = u32::try_from(self.items.len()) else { return };
+        self.items.push((bounds.grown(ROUNDING), item));
         let [left, right, top, bottom] = self.span(bounds);
-        self.items.push((bounds.grown(ROUNDING), [left, top], item));
         for row in top..=bottom {
             for column in left..=right {
                 let Ok(entry) = u32::try_from(self.entries.len()) else { return };
@@ -69,17 +69,16 @@ impl<T> Grid<T> {
         }
     }
 
-    /// Tells each item whose box overlaps a box, in every cell that both have.
-    fn each_in(&self, bounds: &Rect, mut tell: impl FnMut(bool, &T) -> bool) -> bool {
+    /// Whether any item whose box overlaps a box answers yes; each is asked once or more.
+    pub fn any(&self, bounds: &Rect, mut asked: impl FnMut(&T) -> bool) -> bool {
         let [left, right, top, bottom] = self.span(bounds);
         for row in top..=bottom {
-            for column in left..=right {
-                let [mut entry, _] = self.cells[row * self.columns + column];
+            for [first, _] in &self.cells[row * self.columns + left..=row * self.columns + right] {
+                let mut entry = *first;
                 while entry != END {
                     let [id, next] = self.entries[entry as usize];
-                    let (around, [first, upper], item) = &self.items[id as usize];
-                    let is_first = column == left.max(*first) && row == top.max(*upper);
-                    if around.overlaps(bounds) && tell(is_first, item) {
+                    let (around, item) = &self.items[id as usize];
+                    if around.overlaps(bounds) && asked(item) {
                         return true;
                     }
                     entry = next;
@@ -87,21 +86,6 @@ impl<T> Grid<T> {
             }
         }
         false
-    }
-
-    /// Whether any item whose box overlaps a box answers yes; each is asked once or more.
-    pub fn any(&self, bounds: &Rect, mut asked: impl FnMut(&T) -> bool) -> bool {
-        self.each_in(bounds, |_, item| asked(item))
-    }
-
-    /// Tells each item whose box overlaps a box, once.
-    pub fn each(&self, bounds: &Rect, mut tell: impl FnMut(&T)) {
-        self.each_in(bounds, |is_first, item| {
-            if is_first {
-                tell(item);
-            }
-            false
-        });
     }
 }
 

@@ -16,7 +16,9 @@ const LATER: f64 = 20.0;
 
 /// What is drawn.
 struct Ground {
-    solid: Grid<Obstacle>,
+    /// What no label may touch, and which of it is where.
+    obstacles: Vec<Obstacle>,
+    solid: Grid<usize>,
     thin: Grid<Segment>,
     /// Circles that only labels of what is in them may enter.
     insets: Vec<Obstacle>,
@@ -38,9 +40,14 @@ impl<'a> Grounds<'a> {
 
     /// What is solid in a box, for boxes of a size in it.
     pub fn clearance(&self, around: &Rect, half: Vec2, round: bool) -> Clearance {
-        let mut near = Vec::new();
-        self.now.solid.each(around, |obstacle| near.push(*obstacle));
-        Clearance::of(&near, Boxes { half, round, apart: self.now.apart })
+        let mut is_near = vec![false; self.now.obstacles.len()];
+        self.now.solid.any(around, |number| {
+            is_near[*number] = true;
+            false
+        });
+        let obstacles = self.now.obstacles.iter().zip(is_near).filter(|(_, near)| *near);
+        let obstacles = obstacles.map(|(obstacle, _)| *obstacle);
+        Clearance::of(obstacles, Boxes { half, round, apart: self.now.apart })
     }
 
     /// Whether a place is in a circle in which other things are magnified.
@@ -48,9 +55,14 @@ impl<'a> Grounds<'a> {
         self.now.is_closed(label, place, round)
     }
 
-    /// What a place costs a label with what it crosses.
-    pub fn priced(&self, index: usize, place: &Rect, round: bool, cost: f64) -> f64 {
-        let cost = cost + PER_LINE * self.now.crossed(place);
+    /// Whether a line may be crossed in a box.
+    pub fn has_thin(&self, around: &Rect) -> bool {
+        self.now.thin.any(around, |_| true)
+    }
+
+    /// What a place costs a label with the lines that it crosses, if there are any.
+    pub fn priced(&self, index: usize, (place, crosses): (&Rect, bool), round: bool, cost: f64) -> f64 {
+        let cost = if crosses { cost + PER_LINE * self.now.crossed(place) } else { cost };
         if self.later.is_empty() {
             return cost;
         }
@@ -64,7 +76,7 @@ impl<'a> Grounds<'a> {
 impl Ground {
     fn of(marks: &[Mark], around: &Rect, apart: f64) -> Self {
         let (solid, thin) = (Grid::over(around), Grid::over(around));
-        let mut ground = Self { solid, thin, insets: Vec::new(), apart };
+        let mut ground = Self { obstacles: Vec::new(), solid, thin, insets: Vec::new(), apart };
         for mark in marks {
             if let (Style::Inset, Shape::Circle { centre, radius }) = (mark.style, &mark.shape) {
                 ground.insets.push(Obstacle::Disc(*centre, *radius));
@@ -82,20 +94,25 @@ impl Ground {
 
     /// Adds what no label may touch.
     fn add(&mut self, obstacle: Obstacle) {
+        // the sectors of a mass centre
+        if self.obstacles.last().is_some_and(|last| covers(last, &obstacle)) {
+            return;
+        }
+        let number = self.obstacles.len();
+        self.obstacles.push(obstacle);
         match obstacle {
             Obstacle::Stroke(segment, half) => {
                 for piece in pieces(&segment) {
-                    let piece = Obstacle::Stroke(piece, half);
-                    self.solid.add(piece, &bounds(&piece).grown(APART));
+                    self.solid.add(number, &bounds(&Obstacle::Stroke(piece, half)).grown(APART));
                 }
             }
-            disc @ Obstacle::Disc(..) => self.solid.add(disc, &bounds(&disc).grown(APART)),
+            Obstacle::Disc(..) => self.solid.add(number, &bounds(&obstacle).grown(APART)),
         }
     }
 
     /// Whether something that no label may touch is in a box, or in the disc in it.
     fn is_taken(&self, place: &Rect, round: bool) -> bool {
-        self.solid.any(place, |o| touches(place, round, o, self.apart))
+        self.solid.any(place, |number| touches(place, round, &self.obstacles[*number], self.apart))
     }
 
     /// Whether a place is in an inset of something else.
@@ -112,6 +129,15 @@ impl Ground {
         });
         inside
     }
+}
+
+/// Whether a stroke lies in a disc.
+fn covers(disc: &Obstacle, stroke: &Obstacle) -> bool {
+    let (Obstacle::Disc(centre, radius), Obstacle::Stroke(Segment { a, b }, half)) = (disc, stroke) else {
+        return false;
+    };
+    // square ends
+    [a, b].into_iter().all(|end| (*end - *centre).norm() + half * std::f64::consts::SQRT_2 <= *radius)
 }
 
 /// Whether what a label is about lies in a disc.

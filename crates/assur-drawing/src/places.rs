@@ -72,6 +72,8 @@ pub(crate) struct Places {
     pub count: usize,
     /// What they all lie in.
     pub reach: Rect,
+    /// Whether some may cross a line.
+    crosses: bool,
     /// For every distance the next ray, and the least that the place there costs.
     next: [usize; DISTANCES.len()],
     least: [f64; DISTANCES.len()],
@@ -92,12 +94,13 @@ impl Places {
             reach.add(ray.middle(DISTANCES[DISTANCES.len() - 1]));
         }
         reach = Rect { min: reach.min - half, max: reach.max + half };
+        let crosses = grounds.has_thin(&reach);
         let (clearance, mut count) = (grounds.clearance(&reach, half, round), 0);
         for ray in &mut rays {
             let middles = DISTANCES.map(|far| ray.middle(far));
             let is_open = |at: Vec2| !grounds.is_closed(label, &Rect::around(at, half), round);
             ray.free = middles.map(is_open);
-            clearance.thin(&middles, &mut ray.free);
+            clearance.thin((ray.middle(0.0), ray.direction), &DISTANCES, &middles, &mut ray.free);
             count += ray.free.into_iter().filter(|free| *free).count();
         }
         let mut prices: Vec<(f64, usize)> =
@@ -106,7 +109,7 @@ impl Places {
         let best = prices.first().map_or(f64::INFINITY, |(price, _)| *price);
         let (next, least) = (Default::default(), DISTANCES.map(|distance| distance + best - ROUNDING));
         let (known, waiting) = (Vec::with_capacity(16), Vec::with_capacity(16));
-        Self { index, half, round, rays, prices, count, reach, next, least, known, waiting }
+        Self { index, half, round, rays, prices, count, reach, crosses, next, least, known, waiting }
     }
 
     /// The cheapest place that is not known yet, if there is one.
@@ -138,7 +141,7 @@ impl Places {
         }
         let bounds = Rect::around(ray.middle(DISTANCES[distance]), self.half);
         let cost = DISTANCES[distance] + ray.turned + ray.extra;
-        let cost = grounds.priced(self.index, &bounds, self.round, cost);
+        let cost = grounds.priced(self.index, (&bounds, self.crosses), self.round, cost);
         let order = match ray.order {
             (i, true) => distance * DIRECTIONS + i,
             (i, false) => i * DISTANCES.len() + distance,
