@@ -101,6 +101,8 @@ impl Scales {
 pub struct Paper {
     /// The most that the mechanism or the plan takes, mm.
     pub size: Vec2,
+    /// It may take more where much is close together.
+    pub grows: bool,
     /// Scale factors that are wanted.
     pub scales: Scales,
 }

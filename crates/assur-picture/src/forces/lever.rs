@@ -7,7 +7,7 @@ use crate::angles::{flipped, freest};
 use crate::error::Missing;
 use crate::figures::{cleared, plain};
 use crate::frame::Frame;
-use crate::motion::{Nodes, velocity_at};
+use crate::motion::{Nodes, joined, other_image, velocity_at};
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::{hinge, mass};
@@ -22,6 +22,13 @@ const AROUND: Vec2 = Vec2::new(60.0, 50.0);
 /// Sizes of letters.
 const POINT: f64 = 4.2;
 const LETTERS: f64 = 4.0;
+/// Images that are one, mm.
+const SAME: f64 = 0.06;
+/// Forces that have room on a usual sheet, and from one image to the nearest for half of them where there are more, mm.
+const USUAL: usize = 10;
+const BETWEEN: f64 = 12.0;
+/// How many times as large as usual the plan is, at most.
+const MOST: f64 = 3.0;
 /// What is nearer to a bar lies on it, mm.
 const ON_BAR: f64 = 0.3;
 /// Terms less than this part of the largest are rounding.
@@ -59,7 +66,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     bounds.add(Vec2::zero());
     nodes.nodes.iter().for_each(|n| bounds.add(turned(scene, n.velocity(scene))));
     forces.iter().for_each(|f| bounds.add(image(scene, f.on, f.at)));
-    let frame = paper.plan(Scaled::Velocity, &bounds, AROUND)?;
+    let frame = roomy(scene, &forces, &bounds, paper)?;
     let terms = terms(scene);
     let largest = terms.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
     let sum: f64 = terms.iter().map(|t| t.1).sum();
@@ -79,6 +86,31 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     arrows(scene, &frame, &forces, &mut drawing);
     captions(&mut drawing, &frame, &terms);
     Ok(drawing)
+}
+
+/// The frame of the plan, larger where many forces act at images that are close together.
+fn roomy(scene: &Scene<'_>, forces: &[Force], bounds: &Rect, paper: &Paper) -> Result<Frame, Missing> {
+    let frame = paper.plan(Scaled::Velocity, bounds, AROUND)?;
+    let mut images: Vec<Vec2> = Vec::new();
+    for force in forces {
+        let at = frame.point(image(scene, force.on, force.at));
+        if images.iter().all(|other| (*other - at).norm() > SAME) {
+            images.push(at);
+        }
+    }
+    let nearest = |at: &Vec2| {
+        let apart = images.iter().map(|other| (*other - *at).norm()).filter(|apart| *apart > 0.0);
+        apart.fold(f64::INFINITY, f64::min)
+    };
+    let mut apart: Vec<f64> = images.iter().map(nearest).collect();
+    apart.sort_by(f64::total_cmp);
+    let half = apart.get(apart.len() / 2).copied().unwrap_or(BETWEEN);
+    if !paper.grows || forces.len() <= USUAL || half >= BETWEEN {
+        return Ok(frame);
+    }
+    let plan = paper.size - AROUND;
+    let size = plan * (BETWEEN / half).min(MOST) + AROUND;
+    Paper { size, ..*paper }.plan(Scaled::Velocity, bounds, AROUND)
 }
 
 /// The power of the greatest force and the greatest moment at the greatest speeds.
@@ -125,7 +157,7 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
     }
     hinge::support(drawing, Vec2::zero());
     let mut done: Vec<Vec2> = Vec::new();
-    let mut names: Vec<(Vec2, Text)> = Vec::new();
+    let mut names: Vec<(Vec2, Vec<Text>)> = Vec::new();
     for node in nodes.nodes.iter().filter(|n| !n.fixed) {
         let at = paper(node.velocity(scene));
         // what slides on the ground is carried by the pole
@@ -133,27 +165,25 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
             drawing.line(Style::Medium, Vec2::zero(), at);
             bars.push(Segment { a: Vec2::zero(), b: at });
         }
-        match names.iter_mut().find(|(p, _)| (*p - at).norm() < 0.06) {
-            Some((_, text)) => {
-                *text = text.clone().and(" = ", false, Level::Base);
-                text.runs.extend(node.image().runs);
-            }
-            None => names.push((at, node.image())),
+        match names.iter_mut().find(|(p, _)| (*p - at).norm() < SAME) {
+            Some((_, images)) => images.push(node.image()),
+            None => names.push((at, vec![node.image()])),
         }
     }
     for (link, name, at) in nodes.others(scene) {
         let at = frame.point(image(scene, link, at));
-        if names.iter().all(|(p, _)| (*p - at).norm() >= 0.06) {
-            names.push((at, Text::name(&name.to_lowercase())));
+        if names.iter().all(|(p, _)| (*p - at).norm() > SAME) {
+            names.push((at, vec![other_image(scene, link, name)]));
             // its velocity, where no bar shows it
             if bars.iter().all(|bar| bar.distance(at * 0.5) > ON_BAR) {
                 drawing.line(Style::Thin, Vec2::zero(), at);
             }
         }
     }
-    for (at, name) in names {
-        drawing.begin("point", &name.plain());
-        if at.norm() > hinge::RADIUS && done.iter().all(|d| (*d - at).norm() > 0.06) {
+    for (at, images) in names {
+        drawing.begin("point", &images.iter().map(Text::plain).collect::<Vec<_>>().join(" = "));
+        let name = joined(images);
+        if at.norm() > hinge::RADIUS && done.iter().all(|d| (*d - at).norm() > SAME) {
             mass::point(drawing, at);
         }
         done.push(at);

@@ -47,11 +47,21 @@ struct PlanOf {
     ends: Vec<Vec2>,
     /// Absolute vectors that are drawn.
     absolute: Vec<Vec2>,
+    /// Other vectors that are drawn.
+    parts: Vec<Part>,
     /// The largest vector.
     largest: f64,
     /// Vectors too short to be drawn, with their values.
     short: Vec<Text>,
     unit: &'static str,
+}
+
+/// A vector between the ends of two others: its ends on paper, the number of its label, all names that it has.
+struct Part {
+    style: Style,
+    ends: (Vec2, Vec2),
+    label: usize,
+    names: Vec<Text>,
 }
 
 impl PlanOf {
@@ -77,6 +87,7 @@ impl PlanOf {
             dots: Vec::new(),
             ends,
             absolute: Vec::new(),
+            parts: Vec::new(),
             largest,
             short: Vec::new(),
             unit: of.unit(),
@@ -102,7 +113,7 @@ impl PlanOf {
         }
     }
 
-    /// A vector between the ends of two others, with its name.
+    /// A vector between the ends of two others, with its name; vectors that coincide share one.
     fn vector(&mut self, style: Style, (from, to): (Vec2, Vec2), name: Text, value: f64) {
         let (a, b) = (self.end(from), self.end(to));
         if (b - a).norm() < SHORT {
@@ -113,6 +124,16 @@ impl PlanOf {
             }
             return;
         }
+        let same = |part: &&mut Part| {
+            part.style == style && (part.ends.0 - a).norm() <= SAME && (part.ends.1 - b).norm() <= SAME
+        };
+        if let Some(part) = self.parts.iter_mut().find(same) {
+            part.names.push(name);
+            self.drawing.labels[part.label].text = joined(part.names.clone());
+            return;
+        }
+        let label = self.drawing.labels.len();
+        self.parts.push(Part { style, ends: (a, b), label, names: vec![name.clone()] });
         self.drawing.begin("vector", &name.plain());
         self.drawing.mark(style, assur_drawing::Shape::Arrow(a, b));
         self.drawing.label(Label::along(name, VECTOR, a, b).coloured(style.text_role()).ranked(2));
@@ -247,8 +268,14 @@ fn natural(scene: &Scene<'_>) -> (f64, f64) {
     (omega * extent, (omega * omega + alpha) * extent)
 }
 
-/// `a₂ = a₃`
-fn joined(names: Vec<Text>) -> Text {
+/// `a₂ = a₃`; of many points the first and the last.
+pub fn joined(mut names: Vec<Text>) -> Text {
+    let mut full = None;
+    if names.len() > MOST_NAMES {
+        let said: Vec<String> = names.iter().map(Text::plain).collect();
+        full = Some(said.join(" = "));
+        names.splice(SHOWN_NAMES..names.len() - 1, [Text::upright("…")]);
+    }
     let mut all = Text::default();
     for (i, name) in names.into_iter().enumerate() {
         if i > 0 {
@@ -257,8 +284,13 @@ fn joined(names: Vec<Text>) -> Text {
         all.runs.extend(name.runs);
         all.full = all.full.or(name.full);
     }
+    all.full = full.or(all.full);
     all
 }
+
+/// The most names of points that coincide in one label, and how many of more are before the last.
+const MOST_NAMES: usize = 8;
+const SHOWN_NAMES: usize = 3;
 
 /// The name of a point in small letters.
 fn small(name: &str, sub: Option<&str>) -> Text {
@@ -267,6 +299,15 @@ fn small(name: &str, sub: Option<&str>) -> Text {
         Some(sub) => Text::name(&lower).lowered(sub),
         None => Text::name(&lower),
     }
+}
+
+/// The image of a point of a link which is no joint, with the number of the link where several links have a point of the name.
+pub fn other_image(scene: &Scene<'_>, link: LinkId, name: &str) -> Text {
+    let links = &scene.mechanism().links;
+    let others = links.iter().filter(|other| other.points.iter().any(|point| point.name == name));
+    let label = scene.link_label(link);
+    let is_clear = others.count() < 2 || name.ends_with(label);
+    small(name, (!is_clear).then_some(label))
 }
 
 /// The title of a plan.

@@ -111,7 +111,7 @@ pub fn images(
                     plan.drawing.line(Style::Ghost, a, b);
                 }
             }
-            plan.dot(v, super::small(&point.name, None));
+            plan.dot(v, super::other_image(scene, id, &point.name));
         }
     }
 }

@@ -71,7 +71,7 @@ impl Scheme {
     /// The space that pictures have.
     #[must_use]
     pub const fn paper(&self) -> Paper {
-        Paper { size: self.size, scales: self.scales }
+        Paper { size: self.size, grows: self.grows, scales: self.scales }
     }
 }
 
