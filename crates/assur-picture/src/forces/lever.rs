@@ -84,7 +84,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     let mut drawing = Drawing::new(&crate::words::id(scene, "lever"), title, description);
     plan(scene, &nodes, &frame, &mut drawing);
     arrows(scene, &frame, &forces, &mut drawing);
-    captions(&mut drawing, &frame, &terms);
+    captions(&mut drawing, &frame, nodes.pole(scene), &terms);
     Ok(drawing)
 }
 
@@ -192,7 +192,11 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
     }
     hinge::moving(drawing, Vec2::zero());
     let away = freest(&done).map_or(Vec2::new(-1.0, 0.0), |d| d);
-    drawing.label(Label::at(Text::italic("p"), POINT, Vec2::zero(), hinge::RADIUS).towards(away).ranked(1));
+    drawing.label(
+        Label::at(Text::italic(nodes.pole(scene)), POINT, Vec2::zero(), hinge::RADIUS)
+            .towards(away)
+            .ranked(1),
+    );
 }
 
 /// Whether a link has a guide on the ground.
@@ -307,14 +311,14 @@ fn terms(scene: &Scene<'_>) -> Vec<(Text, f64)> {
     terms
 }
 
-fn captions(drawing: &mut Drawing, frame: &Frame, terms: &[(Text, f64)]) {
+fn captions(drawing: &mut Drawing, frame: &Frame, pole: &str, terms: &[(Text, f64)]) {
     if let Some(scale) = frame.scale {
         let text = Text::italic("μ").and("v", true, Level::Sub);
         drawing.caption(text.and(&format!(" = {} (m/s)/mm", scale.text()), false, Level::Base));
     }
     for (row, line) in terms.chunks(4).enumerate() {
         let mut text = if row == 0 {
-            let sum = Text::upright("Σ").and("M", true, Level::Base).and("p", true, Level::Sub);
+            let sum = Text::upright("Σ").and("M", true, Level::Base).and(pole, true, Level::Sub);
             sum.and(" = 0, in N·m/s:  ", false, Level::Base)
         } else {
             Text::default()

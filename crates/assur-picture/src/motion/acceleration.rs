@@ -27,8 +27,9 @@ pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missin
     let parts = parts(scene, &nodes);
     let mut ends = all.clone();
     ends.extend(parts.iter().flat_map(|p| [p.from, p.to]));
+    let pole = nodes.pole(scene);
     let description = match magnitudes(scene, &nodes, ("a", "m/s²", ACCELERATION), acceleration) {
-        Some(said) => format!("Accelerations from the pole p′: {said}."),
+        Some(said) => format!("Accelerations from the pole {pole}′: {said}."),
         None => NOTHING_MOVES.to_owned(),
     };
     let id = crate::words::id(scene, "accelerations");
@@ -36,7 +37,7 @@ pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missin
     ends.extend(Nodes::extent(scene, acceleration));
     let natural = natural(scene).1;
     let mut plan = PlanOf::new(drawing, (Scaled::Acceleration, natural), &ends, &all, paper)?;
-    plan.pole(Text::italic("p").and("′", false, assur_drawing::Level::Base));
+    plan.pole(Text::italic(pole).and("′", false, assur_drawing::Level::Base));
     for (node, a) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
         plan.absolute(Style::Acceleration, *a, Text::italic("a").lowered(&node.index()));
     }

@@ -63,6 +63,15 @@ impl Nodes {
         points.filter(move |(_, _, at)| self.nodes.iter().all(|n| (n.at - *at).norm() > near))
     }
 
+    /// The letter of the pole, which is that of no image.
+    pub fn pole(&self, scene: &Scene<'_>) -> &'static str {
+        let joints = self.nodes.iter().filter(|node| !node.fixed).map(Node::image);
+        let others = self.others(scene).map(|(link, name, _)| super::other_image(scene, link, name));
+        let images: Vec<String> = joints.chain(others).map(|image| image.plain()).collect();
+        let is_free = |letter: &&str| images.iter().all(|image| image != letter);
+        ["p", "o", "π"].into_iter().find(is_free).unwrap_or("p")
+    }
+
     /// The joints of a mechanism at a position.
     pub fn of(scene: &Scene<'_>, contacts: bool) -> Self {
         let mut nodes = Self::default();

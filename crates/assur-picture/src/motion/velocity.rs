@@ -24,8 +24,9 @@ pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> 
     }
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.velocity(scene)).collect();
     let ratios = if scene.model.plan.effects.timed { "" } else { " for a unit speed of the drive" };
+    let pole = nodes.pole(scene);
     let description = match magnitudes(scene, &nodes, ("v", "m/s", VELOCITY), velocity) {
-        Some(said) => format!("Velocities from the pole p{ratios}: {said}."),
+        Some(said) => format!("Velocities from the pole {pole}{ratios}: {said}."),
         None => NOTHING_MOVES.to_owned(),
     };
     let id = crate::words::id(scene, "velocities");
@@ -34,7 +35,7 @@ pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> 
     room.extend(&all);
     let natural = natural(scene).0;
     let mut plan = PlanOf::new(drawing, (Scaled::Velocity, natural), &room, &all, paper)?;
-    plan.pole(Text::italic("p"));
+    plan.pole(Text::italic(pole));
     let is_of = |n: &Node| !n.fixed;
     for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| is_of(n)) {
         plan.absolute(Style::Velocity, *v, Text::italic("v").lowered(&node.index()));
