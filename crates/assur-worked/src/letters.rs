@@ -3,8 +3,8 @@
 use crate::course::Course;
 use assur_formula::Name;
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, PairId};
-use assur_model::structure::{BodyOrigin, JointKind};
+use assur_model::model::{LinkId, PairId, PairKind};
+use assur_model::structure::{BodyOrigin, Joint, JointKind};
 use assur_picture::reaction_index;
 
 impl Course<'_> {
@@ -45,9 +45,16 @@ impl Course<'_> {
             return Some(if near(Vec2::zero()) { pair } else { format!("{pair}′") });
         };
         let own = mechanism.link(link);
-        let Some(point) = own.points.iter().find(|p| near(p.at)) else {
-            return own.mass.is_some_and(|m| near(m.centre)).then(|| format!("S{}", self.label(body)));
-        };
+        self.author_name(body, at)
+            .or_else(|| own.mass.is_some_and(|m| near(m.centre)).then(|| format!("S{}", self.label(body))))
+    }
+
+    /// The name that the file gives a point of a link, with the number of the link where others have it too.
+    fn author_name(&self, body: usize, at: Vec2) -> Option<String> {
+        let mechanism = self.scene.mechanism();
+        let link = self.link(body)?;
+        let points = &mechanism.link(link).points;
+        let point = points.iter().find(|p| (p.at - at).norm() <= self.tiny)?;
         let is_taken = |name: &str| {
             let pairs = mechanism.pairs.iter().any(|p| p.name == name);
             let points = mechanism.links.iter().enumerate();
@@ -81,14 +88,40 @@ impl Course<'_> {
     }
 
     fn hinge_name(&self, body: usize, at: Vec2) -> Option<String> {
-        let joints = &self.structure().replaced.joints;
-        let found = joints.iter().find(|joint| match &joint.kind {
+        let found = self.hinge(body, at)?;
+        Some(self.centre_name(found).unwrap_or_else(|| self.joint_name(found.pair, body, at)))
+    }
+
+    /// The name of the pair at a point of a body, else that of the point.
+    pub(crate) fn hinge_pair_name(&self, body: usize, at: Vec2) -> String {
+        let pair = self.hinge(body, at).map(|hinge| self.joint_name(hinge.pair, body, at));
+        pair.unwrap_or_else(|| self.point_name(body, at))
+    }
+
+    fn hinge(&self, body: usize, at: Vec2) -> Option<&Joint> {
+        self.structure().replaced.joints.iter().find(|joint| match &joint.kind {
             JointKind::Revolute(members) => {
                 members.iter().any(|(b, p)| b.0 == body && (*p - at).norm() <= self.tiny)
             }
             _ => false,
-        })?;
-        Some(self.joint_name(found.pair, body, at))
+        })
+    }
+
+    /// The author's name for the centre of a profile in contact, at which the link that stands for the contact is joined.
+    fn centre_name(&self, joint: &Joint) -> Option<String> {
+        let JointKind::Revolute(members) = &joint.kind else { return None };
+        let is_contact = matches!(self.scene.mechanism().pair(joint.pair).kind, PairKind::Contact { .. });
+        members.iter().filter(|_| is_contact).find_map(|(body, at)| self.author_name(body.0, *at))
+    }
+
+    /// The point at which two profiles touch: the pair's name, unless the centre of one of them has it.
+    pub(crate) fn touching_name(&self, pair: PairId) -> String {
+        let replaced = &self.structure().replaced;
+        let mut joints = replaced.joints_of(pair).map(|joint| replaced.joint(joint));
+        let is_hinge = |joint: &&Joint| matches!(joint.kind, JointKind::Revolute(_));
+        let has_name = joints.any(|joint| is_hinge(&joint) && self.centre_name(joint).is_none());
+        let name = &self.scene.mechanism().pair(pair).name;
+        if has_name { format!("T{name}") } else { name.clone() }
     }
 
     /// The name of the pair; of a pair of two hinges with what tells them apart.

@@ -78,9 +78,9 @@ impl Course<'_> {
 
     /// The reaction between the links of a dyad, from the first alone.
     pub(super) fn inner_pair(&mut self, inner: &Inner, bodies: [usize; 2], outer: &[Expr; 2]) {
-        let point = self.point_name(bodies[0], inner.pin);
+        let pair = self.hinge_pair_name(bodies[0], inner.pin);
         let label: Line = vec![text(self.label(bodies[0]))];
-        self.say(Message::InnerPair, &[vec![text(point)], label]);
+        self.say(Message::InnerPair, &[vec![text(pair)], label]);
         let value = self.state().forces.reactions[inner.slot].force * inner.sign;
         let of = |i: usize| {
             let loads = self.acting.forces[bodies[0]].iter().map(|f| f.parts[i].clone());

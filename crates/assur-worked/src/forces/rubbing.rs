@@ -108,7 +108,7 @@ impl Course<'_> {
         let normal = Angle { quarters: tangent.quarters + if left > 0.0 { 1 } else { 3 }, ..tangent };
         let r = self.given(Name::new("r", &pair), radius, Unit::Length);
         let [x, y] = self.position(body, at);
-        let name = format!("T{pair}");
+        let name = self.touching_name(element.pair);
         if radius > 0.0 && !self.found.contains_key(&Name::new("x", &name)) {
             self.say(FrictionMessage::ContactPoint, &[vec![text(name.clone())], vec![text(pair)]]);
         }
