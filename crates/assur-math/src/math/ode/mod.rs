@@ -148,12 +148,6 @@ pub trait Integrator<S: Real> {
     /// ends, of order 3.
     fn dense(&self, t: S, y: &mut [S]);
 
-    /// y at t within the last step as its own stages have it, less accurate than what [`Integrator::prepare_dense`] would take
-    /// evaluations for; `false` where it would take none.
-    fn sketch(&self, _t: S, _y: &mut [S]) -> bool {
-        false
-    }
-
     /// Where the last step ended.
     fn t(&self) -> S {
         self.progress().t1

@@ -16,7 +16,7 @@ const HALVED: u32 = 2;
 /// What changes by no more than this part of its greatest value stays but for rounding.
 const DIGITS: f64 = 16.0 * f64::EPSILON;
 /// What the series leaves off does not make an extreme greater than by so many times its last terms.
-pub(super) const SURPASSED: f64 = 10.0;
+const SURPASSED: f64 = 10.0;
 
 /// A function over the run.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +37,7 @@ pub(super) struct Function<'m> {
     /// The first function of the same expression.
     source: usize,
     /// Integral, or the extreme.
-    pub(super) value: f64,
+    value: f64,
     /// Where the extreme is, s.
     at: f64,
     greatest: f64,
@@ -85,7 +85,7 @@ impl<'m> Function<'m> {
 
 impl Function<'_> {
     /// The sign with which the extreme that is looked for is the greatest, or nothing.
-    pub(super) const fn sign(&self) -> Option<f64> {
+    const fn sign(&self) -> Option<f64> {
         match self.cycle.how {
             CycleFunction::Max | CycleFunction::Argmax => Some(1.0),
             CycleFunction::Min => Some(-1.0),
@@ -110,12 +110,6 @@ impl Function<'_> {
             };
             surpasses(most_possible(sign, series)) || surpasses(most())
         })
-    }
-
-    /// Passes a step in which its extreme is not, with these values.
-    pub(super) fn pass(&mut self, (from, to): (f64, f64), values: &[f64]) {
-        self.lasted += to - from;
-        self.greatest = values.iter().fold(self.greatest, |most, x| most.max(x.abs()));
     }
 
     /// Takes a part of a step; of extremes that differ by no more than this part of the greatest value the first counts.
@@ -158,7 +152,7 @@ impl Function<'_> {
 }
 
 /// What a series, or its opposite, is at most.
-pub(super) fn most_possible(sign: f64, series: &Short) -> f64 {
+fn most_possible(sign: f64, series: &Short) -> f64 {
     let (least, greatest) = series.bounds();
     if sign > 0.0 { greatest } else { -least }
 }
@@ -186,14 +180,14 @@ pub(super) struct Memory {
     /// Parts of the step that are to be looked at, each with how often it may be halved.
     parts: Vec<(f64, f64, u32)>,
     /// Functions that count there.
-    pub(super) asked: Vec<usize>,
+    asked: Vec<usize>,
     /// The first functions of their expressions.
     sets: Vec<usize>,
     /// Of each function that counts, which of those.
-    pub(super) set_of: Vec<usize>,
+    set_of: Vec<usize>,
     /// Values of each expression.
-    pub(super) values: Vec<[f64; PLACES]>,
-    pub(super) series: Vec<Short>,
+    values: Vec<[f64; PLACES]>,
+    series: Vec<Short>,
 }
 
 impl Watch<'_> {
@@ -208,9 +202,6 @@ impl Watch<'_> {
         }
         let mut memory = std::mem::take(&mut self.memory);
         memory.parts.push((method.previous_t(), method.t(), HALVED));
-        if self.only_ends(equations, method, &mut memory) {
-            memory.parts.clear();
-        }
         while let Some((from, to, left)) = memory.parts.pop() {
             let known = self.functions_between(equations, method, ((from, to), left == 0), &mut memory);
             if !known {
@@ -266,7 +257,7 @@ impl Watch<'_> {
     }
 
     /// Which functions count over a part of the last step, without values yet.
-    pub(super) fn ask(&self, (from, to): (f64, f64), memory: &mut Memory) {
+    fn ask(&self, (from, to): (f64, f64), memory: &mut Memory) {
         let near = AT_ONCE * self.length;
         let counts = |function: &Function<'_>| {
             let (after, before) = part(function.cycle, &self.times);
@@ -290,7 +281,7 @@ impl Watch<'_> {
     }
 
     /// Notes the values of what counts at a place of the step, where they have any with the unknowns there.
-    pub(super) fn note(
+    fn note(
         &mut self,
         equations: &mut Equations<'_, '_>,
         (t, place): (f64, usize),

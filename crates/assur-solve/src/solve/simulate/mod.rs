@@ -18,7 +18,6 @@ mod energy;
 mod equations;
 mod estimate;
 mod functions;
-mod glance;
 mod going;
 mod holding;
 mod impact;

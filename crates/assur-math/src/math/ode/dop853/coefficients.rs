@@ -2,9 +2,7 @@
 //! (1993), section II.5, and the authors' program of the same name, which prints them to 30 digits. The places of stages
 //! 2 to 5 are multiples of 6 ± √6; these and the rational ones are exact here.
 //!
-//! The output of order 6 is found from the conditions of order by least squares: the weights of least sum of squares.
-//!
-//! Each number is an unevaluated sum of two `f64`. Their sums over all trees up to order 8 miss by less than 1e-27, those of the
+//! Each is an unevaluated sum of two `f64`. Their sums over all trees up to order 8 miss by less than 1e-27, those of the
 //! dense output by less than 1e-26 (a test forms them): in double-double the method keeps its order down to there.
 
 /// Where a combination of rates stands, and what is added for it.
@@ -322,56 +320,5 @@ pub const DENSE_7: Row<12> = Row {
         [96.324_553_959_188_28, 4.052_941_400_678_487e-15],
         [-39.177_261_675_615_44, 1.429_579_448_099_663_4e-15],
         [-149.726_836_257_985_64, 1.285_315_697_260_379_1e-14],
-    ],
-};
-
-/// Output of order 6 from the stages of the step alone: factor 4 of the polynomial, to the digits of `f64`.
-pub const SKETCH_4: Row<9> = Row {
-    at: [1.0, 0.0],
-    from: [0, 5, 6, 7, 8, 9, 10, 11, 12],
-    of: [
-        [-3.971_436_899_444_171_3, 0.0],
-        [-22.454_532_214_482_207, 0.0],
-        [34.327_232_615_123_31, 0.0],
-        [-15.114_566_902_009_85, 0.0],
-        [-25.303_438_006_073_534, 0.0],
-        [30.917_473_458_142_57, 0.0],
-        [0.814_835_888_882_374_1, 0.0],
-        [1.117_765_393_190_558_5, 0.0],
-        [-0.333_333_333_329_043_36, 0.0],
-    ],
-};
-
-/// Output of order 6 from the stages of the step alone: factor 5 of the polynomial, to the digits of `f64`.
-pub const SKETCH_5: Row<9> = Row {
-    at: [1.0, 0.0],
-    from: [0, 5, 6, 7, 8, 9, 10, 11, 12],
-    of: [
-        [7.705_902_368_176_125, 0.0],
-        [74.219_841_780_180_18, 0.0],
-        [-105.140_567_869_909_06, 0.0],
-        [56.162_918_087_313_344, 0.0],
-        [98.474_012_460_984_78, 0.0],
-        [-127.162_069_288_012_75, 0.0],
-        [-4.810_533_786_614_179_5, 0.0],
-        [-3.338_392_641_004_243_7, 0.0],
-        [3.888_888_888_885_795_3, 0.0],
-    ],
-};
-
-/// Output of order 6 from the stages of the step alone: factor 6 of the polynomial, to the digits of `f64`.
-pub const SKETCH_6: Row<9> = Row {
-    at: [1.0, 0.0],
-    from: [0, 5, 6, 7, 8, 9, 10, 11, 12],
-    of: [
-        [-5.159_112_722_075_045, 0.0],
-        [-61.860_350_005_952_036, 0.0],
-        [86.205_096_325_380_68, 0.0],
-        [-51.136_425_079_160_37, 0.0],
-        [-97.992_606_077_299_21, 0.0],
-        [128.881_404_622_671_14, 0.0],
-        [-1.631_819_094_550_207_3, 0.0],
-        [-0.417_299_080_124_265_64, 0.0],
-        [3.111_111_111_109_349, 0.0],
     ],
 };

@@ -1,6 +1,6 @@
 //! DOP853: the explicit Runge–Kutta method of order 8 by Dormand and Prince with error estimates of orders 5 and 3, twelve
 //! evaluations for a step, and a continuous output of order 7 for three more (Hairer, Nørsett, Wanner, volume I, sections
-//! II.5 and II.6); one of order 6 for none.
+//! II.5 and II.6).
 
 #[doc(hidden)]
 pub mod coefficients;
@@ -12,9 +12,8 @@ use super::{
     nonzero, wide,
 };
 use coefficients::{
-    DENSE_4, DENSE_5, DENSE_6, DENSE_7, END, FIFTH, Row, SKETCH_4, SKETCH_5, SKETCH_6, STAGE_2, STAGE_3,
-    STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STAGE_14, STAGE_15,
-    STAGE_16, THIRD,
+    DENSE_4, DENSE_5, DENSE_6, DENSE_7, END, FIFTH, Row, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6,
+    STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STAGE_14, STAGE_15, STAGE_16, THIRD,
 };
 
 /// The next step is so much shorter than its error would allow: by the error alone, and by its trend.
@@ -376,23 +375,6 @@ impl<S: Real> Integrator<S> for Dop853<S> {
         }
         self.prepared = true;
         Ok(())
-    }
-
-    fn sketch(&self, t: S, y: &mut [S]) -> bool {
-        let h = self.progress.length();
-        if self.prepared || !nonzero(h) {
-            return false;
-        }
-        let s = (t - self.progress.t0) / h;
-        let r = S::one() - s;
-        let rows = [&SKETCH_4, &SKETCH_5, &SKETCH_6].map(|row| self.stages.rows(&self.progress, row));
-        for (i, y) in y.iter_mut().enumerate() {
-            let [a, b, c, d] = self.progress.cubic(i);
-            let [d4, d5, d6] = [sum(&rows[0], i), sum(&rows[1], i), sum(&rows[2], i)];
-            let rest = h * r * (d4 + s * (d5 + s * d6));
-            *y = a + s * (b + r * (c + s * (d + rest)));
-        }
-        true
     }
 
     fn dense(&self, t: S, y: &mut [S]) {

@@ -145,27 +145,3 @@ fn the_dense_output_has_order_seven_to_26_digits() {
         assert!(worst(&stages, &weights, 8, part) > 1e-9);
     }
 }
-
-#[test]
-fn the_output_of_the_stages_alone_has_order_six() {
-    let (stages, end) = (stages(), spread(&c::END));
-    let unit =
-        |at: usize| (0..16).map(|i| if i == at { Double::one() } else { Double::zero() }).collect::<Vec<_>>();
-    let factors = [&c::SKETCH_4, &c::SKETCH_5, &c::SKETCH_6].map(spread);
-    for part in [0.125, 0.5, 0.8125] {
-        let (s, r) = (Double::of(part), Double::of(1.0 - part));
-        let weights: Vec<Double> = (0..16)
-            .map(|i| {
-                let bend = unit(0)[i] - end[i];
-                let d = end[i] - unit(12)[i] - bend;
-                let rest = r * (factors[0][i] + s * (factors[1][i] + s * factors[2][i]));
-                s * (end[i] + r * (bend + s * (d + rest)))
-            })
-            .collect();
-        for order in 1..=6 {
-            let left = worst(&stages, &weights, order, part);
-            assert!(left < 1e-13, "order {order} at {part}: {left:e}");
-        }
-        assert!(worst(&stages, &weights, 7, part) > 1e-7);
-    }
-}
