@@ -281,12 +281,7 @@ impl Watch<'_> {
     }
 
     /// Notes the values of what counts at a place of the step, where they have any with the unknowns there.
-    fn note(
-        &mut self,
-        equations: &mut Equations<'_, '_>,
-        (t, place): (f64, usize),
-        memory: &mut Memory,
-    ) {
+    fn note(&mut self, equations: &mut Equations<'_, '_>, (t, place): (f64, usize), memory: &mut Memory) {
         if equations.observe(t, &self.y, self.deep_functions) {
             if place == 0 {
                 self.sizes.look(equations);
