@@ -112,7 +112,8 @@ fn places(trial: Trial<'_>, among: &[BodyId]) -> Vec<(EffortKind, String)> {
     found.sort_by_key(|f| f.0);
     let mut places: Vec<(EffortKind, String)> = Vec::new();
     for (_, kind, name) in found {
-        if !places.iter().any(|p| p.0 == kind) {
+        // a shaft and its bearing have one name
+        if !places.iter().any(|p| p.0 == kind || p.1 == name) {
             places.push((kind, name));
         }
     }

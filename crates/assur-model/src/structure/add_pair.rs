@@ -298,31 +298,55 @@ impl<'a> Uses<'a> {
     }
 }
 
-/// Gear pairs between wheels that nothing runs on yet: a wheel of what is loose and one of another link.
+/// Gear pairs of wheels that nothing runs on yet: each with such a wheel of what is loose, else with any wheel of that.
 pub(super) fn missing_meshes(trial: Trial<'_>, defect: &Defect) -> Vec<String> {
-    let mechanism = trial.mechanism;
-    let runs = |wheel: &Wheel| {
-        mechanism.pairs.iter().any(|p| match &p.kind {
-            PairKind::Transmission(t) => {
-                t.ends.iter().any(|end| end.split(['(', ')']).any(|word| word == wheel.name))
-            }
-            _ => false,
-        })
-    };
+    let wheels = &trial.mechanism.wheels;
+    let idle: Vec<&Wheel> =
+        wheels.iter().filter(|w| running(trial.mechanism, w).next().is_none()).take(MOST_TRIED).collect();
+    let loose: Vec<LinkId> = links(trial.replaced, &defect.loose).collect();
+    let of_loose = |wheels: &[&Wheel]| meshes(trial.mechanism, &loose, wheels, &idle);
+    let both_idle = of_loose(&idle);
+    if both_idle.is_empty() { of_loose(&wheels.iter().collect::<Vec<_>>()) } else { both_idle }
+}
+
+fn meshes(mechanism: &Mechanism, loose: &[LinkId], wheels: &[&Wheel], idle: &[&Wheel]) -> Vec<String> {
     let taken = |name: &str| {
         mechanism.links.iter().any(|l| l.name == name) || mechanism.pairs.iter().any(|p| p.name == name)
     };
-    let idle: Vec<&Wheel> = mechanism.wheels.iter().filter(|w| !runs(w)).take(MOST_TRIED).collect();
     let mut lines = Vec::new();
-    for wheel in links(trial.replaced, &defect.loose).flat_map(|l| idle.iter().filter(move |w| w.link == l)) {
+    for wheel in loose.iter().flat_map(|l| wheels.iter().filter(move |w| w.link == *l)) {
         for other in idle.iter().filter(|other| other.link != wheel.link) {
             let (a, b) = if other.span.start < wheel.span.start { (other, wheel) } else { (wheel, other) };
-            let line = format!("mesh {}: {} - {}", free_name("k", taken), a.name, b.name);
+            let around = if is_around(mechanism, other, wheel) { " { internal }" } else { "" };
+            let line = format!("mesh {}: {} - {}{around}", free_name("k", taken), a.name, b.name);
             if !lines.contains(&line) {
                 lines.push(line);
             }
+            if lines.len() == MOST_SHOWN - 1 {
+                return lines;
+            }
         }
     }
-    lines.truncate(MOST_SHOWN - 1);
     lines
+}
+
+/// The transmissions in which a wheel runs.
+fn running<'m>(mechanism: &'m Mechanism, wheel: &'m Wheel) -> impl Iterator<Item = &'m [String]> {
+    mechanism.pairs.iter().filter_map(move |pair| match &pair.kind {
+        PairKind::Transmission(t) => {
+            let is_end = |end: &String| end.split(['(', ')']).any(|word| word == wheel.name);
+            t.ends.iter().any(is_end).then_some(t.ends.as_slice())
+        }
+        _ => None,
+    })
+}
+
+/// Whether a wheel has the teeth of a ring around another one and a wheel with which that runs already.
+fn is_around(mechanism: &Mechanism, ring: &Wheel, planet: &Wheel) -> bool {
+    let beside = running(mechanism, planet).flat_map(|ends| {
+        let others = mechanism.wheels.iter().filter(|w| w.name != planet.name);
+        others.filter(|w| ends.contains(&w.name))
+    });
+    let sums = |sun: &Wheel| sun.teeth.zip(planet.teeth).map(|(sun, planet)| sun + 2.0 * planet);
+    ring.teeth.is_some_and(|teeth| beside.into_iter().any(|sun| sums(sun) == Some(teeth)))
 }
