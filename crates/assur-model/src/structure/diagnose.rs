@@ -249,7 +249,8 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     };
     let meshes = missing_meshes(trial, defect);
     if !meshes.is_empty() {
-        text += &with_lines(&format!("a wheel meshes with nothing; add {}", add_words(&meshes, true)), &meshes);
+        text +=
+            &with_lines(&format!("a wheel meshes with nothing; add {}", add_words(&meshes, true)), &meshes);
         text += "\nor ";
     }
     let drive = if trial.mechanism.simulation.is_some() { "start" } else { "drive" };

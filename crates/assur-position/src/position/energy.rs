@@ -2,11 +2,12 @@
 
 use super::body::BodyState;
 use super::model::Model;
+use super::reduced::Column;
 use super::state::State;
+use super::virtual_power::power;
 use crate::force::spring::spring;
 use crate::math::Vec2;
 use crate::model::{Link, LoadId, LoadKind, Mechanism, Place, Spring, Value};
-use crate::plan::LoadStep;
 use crate::structure::JointKind;
 
 impl State {
@@ -52,30 +53,10 @@ impl State {
     /// Power of all weights, loads, springs and dampers, W, with the values of the loads that are evaluated at every position.
     #[must_use]
     pub fn power_of_loads(&self, model: &Model<'_>, evaluated: &[(LoadId, Value)]) -> f64 {
-        let known: f64 = model.plan.loads.iter().map(|load| self.known_power(load)).sum();
+        let bodies = &self.motion.bodies;
+        let moves = |body: usize| Column { v: bodies[body].v, omega: bodies[body].omega };
+        let known: f64 = model.plan.loads.iter().map(|load| power(load, bodies, moves)).sum();
         known + evaluated.iter().map(|(id, value)| self.evaluated_power(model, *id, *value)).sum::<f64>()
-    }
-
-    fn known_power(&self, load: &LoadStep) -> f64 {
-        match load {
-            LoadStep::Mass { weight, .. } if *weight == Vec2::zero() => 0.0,
-            LoadStep::Mass { body, centre, weight, .. } => {
-                weight.dot(self.motion.bodies[*body].velocity(centre.unwrap_or_default()))
-            }
-            LoadStep::Force { body, at, force, frame, .. } => {
-                let force = frame.map_or(*force, |f| force.turned(self.motion.bodies[f].u));
-                force.dot(self.motion.bodies[*body].velocity(*at))
-            }
-            LoadStep::Torque { body, torque, .. } => torque * self.motion.bodies[*body].omega,
-            LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
-                let (b_1, b_2) = (&self.motion.bodies[one.body], &self.motion.bodies[two.body]);
-                let r = b_2.position(two.at) - b_1.position(one.at);
-                let v = b_2.velocity(two.at) - b_1.velocity(one.at);
-                let got = spring(r, v, *stiffness, *free_length, damping.unwrap_or(0.0));
-                -got.f_1.dot(v)
-            }
-            LoadStep::Evaluated(_) => 0.0,
-        }
     }
 
     fn evaluated_power(&self, model: &Model<'_>, id: LoadId, value: Value) -> f64 {

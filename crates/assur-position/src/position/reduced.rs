@@ -19,7 +19,7 @@ use crate::plan::Plan;
 /// What positions of bodies that are found twice may differ by.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Velocity of a body for a unit rate of a coordinate.
+/// Velocity of a body, as for a unit rate of a coordinate.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Column {
     /// Of the body's origin.
@@ -43,6 +43,7 @@ pub struct Reduced {
     mass: Vec<f64>,
     /// Its factors.
     factors: Lu,
+    /// The masses and the loads that are numbers.
     known: Loads,
     /// Of a coordinate that is alone: the sums of the masses at the unit rate.
     unit: Along,
@@ -124,11 +125,7 @@ impl Reduced {
         let mut sum = Along::default();
         for (index, step) in plan.motion.iter().enumerate() {
             state.step::<LEVEL>(plan, step);
-            if LEVEL > 1 {
-                self.known.add_placed::<true>(index, &state.motion.bodies, &mut sum);
-            } else {
-                self.known.add_placed::<false>(index, &state.motion.bodies, &mut sum);
-            }
+            self.known.add_placed::<LEVEL>(index, &state.motion.bodies, &mut sum);
         }
         self.unit = sum;
         state.motion.inputs[drive].rate = rate;
@@ -137,7 +134,7 @@ impl Reduced {
     /// Takes over how the bodies move for a unit rate of the one free coordinate, without accelerations.
     pub fn take_unit_velocities(&mut self, state: &State) {
         self.take_velocities(state);
-        self.unit = self.known.of_masses::<false>(&state.motion.bodies, &self.columns[0]);
+        self.unit = self.known.at_unit_rate::<1>(&state.motion.bodies);
     }
 
     fn take_velocities(&mut self, state: &State) {
@@ -161,8 +158,7 @@ impl Reduced {
 
     /// Takes over how the bodies move for a unit rate of the one free coordinate, and moves them at the rate there is.
     pub fn take_unit(&mut self, state: &mut State) {
-        self.take_velocities(state);
-        self.unit = self.known.of_masses::<true>(&state.motion.bodies, &self.columns[0]);
+        self.unit = self.known.at_unit_rate::<2>(&state.motion.bodies);
         self.scale_unit(state);
     }
 
@@ -308,7 +304,7 @@ impl Reduced {
     fn sum_up(&mut self, state: &State) {
         let (n, bodies) = (self.free.len(), &state.motion.bodies);
         for i in 0..n {
-            let Along { mass, inertia, loads } = self.known.of_masses::<true>(bodies, &self.columns[i]);
+            let Along { mass, inertia, loads } = self.known.of_masses(bodies, &self.columns[i]);
             let loads = loads + self.known.of_others(bodies, &self.columns[i]);
             self.mass[i * n + i] = mass;
             (self.forces[i], self.loads[i]) = (loads - inertia, loads);

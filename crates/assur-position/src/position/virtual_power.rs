@@ -38,9 +38,9 @@ struct Heavy {
 impl Heavy {
     /// Adds what it does at the velocity of the body's origin and the angular velocity of a unit rate.
     #[inline(always)]
-    fn add<const MOVING: bool>(&self, body: &BodyState, v: Vec2, omega: f64, sum: &mut Along) {
+    fn add<const LEVEL: u8>(&self, body: &BodyState, v: Vec2, omega: f64, sum: &mut Along) {
         sum.mass += self.moment_of_inertia * omega * omega;
-        if MOVING && self.moves {
+        if LEVEL > 1 && self.moves {
             sum.inertia += self.moment_of_inertia * body.alpha * omega;
         }
         if self.turns {
@@ -49,7 +49,7 @@ impl Heavy {
         let r = self.centre.turned(body.u);
         let v = v + r.perp() * omega;
         sum.mass += self.mass * v.dot(v);
-        if MOVING && self.moves {
+        if LEVEL > 1 && self.moves {
             let a = body.a + r.perp() * body.alpha - r * (body.omega * body.omega);
             sum.inertia += self.mass * a.dot(v);
         }
@@ -92,29 +92,37 @@ impl Loads {
         Self { masses: masses.into_iter().map(|(_, heavy)| heavy).collect(), placed, others }
     }
 
-    /// The sums of all masses for the velocities of a unit rate; without `MOVING` accelerations are not known.
-    pub fn of_masses<const MOVING: bool>(&self, bodies: &[BodyState], column: &[Column]) -> Along {
+    /// The sums of all masses for the velocities of a unit rate.
+    pub fn of_masses(&self, bodies: &[BodyState], column: &[Column]) -> Along {
         let mut sum = Along::default();
         for heavy in &self.masses {
             let Column { v, omega } = column[heavy.body];
-            heavy.add::<MOVING>(&bodies[heavy.body], v, omega, &mut sum);
+            heavy.add::<2>(&bodies[heavy.body], v, omega, &mut sum);
         }
         sum
     }
 
-    /// Adds the masses that a step of motion has placed, of bodies that move at the unit rate.
+    /// Adds the masses that a step of motion has placed, of bodies that move at the unit rate; for a `LEVEL` of 1
+    /// without accelerations.
     #[inline]
-    pub fn add_placed<const MOVING: bool>(&self, step: usize, bodies: &[BodyState], sum: &mut Along) {
+    pub fn add_placed<const LEVEL: u8>(&self, step: usize, bodies: &[BodyState], sum: &mut Along) {
         let begin = step.checked_sub(1).map_or(0, |before| self.placed[before]);
         for heavy in &self.masses[begin..self.placed[step]] {
             let body = &bodies[heavy.body];
-            heavy.add::<MOVING>(body, body.v, body.omega, sum);
+            heavy.add::<LEVEL>(body, body.v, body.omega, sum);
         }
+    }
+
+    /// The sums of all masses, of bodies that move at the unit rate.
+    pub fn at_unit_rate<const LEVEL: u8>(&self, bodies: &[BodyState]) -> Along {
+        let mut sum = Along::default();
+        (0..self.placed.len()).for_each(|step| self.add_placed::<LEVEL>(step, bodies, &mut sum));
+        sum
     }
 
     /// The power of the loads that are no masses for the velocities of a unit rate.
     pub fn of_others(&self, bodies: &[BodyState], column: &[Column]) -> f64 {
-        self.others.iter().map(|load| power(load, bodies, column)).sum()
+        self.others.iter().map(|load| power(load, bodies, |body| column[body])).sum()
     }
 
     /// The mass that goes with the velocities of unit rates of two coordinates.
@@ -125,7 +133,8 @@ impl Loads {
             if heavy.turns {
                 return turned;
             }
-            let [v, w] = columns.map(|column| velocity(bodies, column, heavy.body, heavy.centre));
+            let body = &bodies[heavy.body];
+            let [v, w] = columns.map(|column| velocity(column[heavy.body], body, heavy.centre));
             heavy.mass * v.dot(w) + turned
         };
         self.masses.iter().map(of).sum()
@@ -152,14 +161,20 @@ fn placing(plan: &Plan, body: usize) -> (usize, bool) {
     found.unwrap_or((plan.motion.len().saturating_sub(1), false))
 }
 
-/// The power of a load that is no mass.
-fn power(load: &LoadStep, bodies: &[BodyState], column: &[Column]) -> f64 {
+/// The power of a load that is a number, inertia forces left out, of bodies with these velocities. Dampers act by the velocities that
+/// the bodies have.
+pub(super) fn power(load: &LoadStep, bodies: &[BodyState], moves: impl Fn(usize) -> Column) -> f64 {
+    let velocity = |body: usize, at: Vec2| velocity(moves(body), &bodies[body], at);
     match load {
+        LoadStep::Mass { weight, .. } if *weight == Vec2::zero() => 0.0,
+        LoadStep::Mass { body, centre, weight, .. } => {
+            weight.dot(velocity(*body, centre.unwrap_or_default()))
+        }
         LoadStep::Force { body, at, force, frame, .. } => {
             let force = frame.map_or(*force, |f| force.turned(bodies[f].u));
-            force.dot(velocity(bodies, column, *body, *at))
+            force.dot(velocity(*body, *at))
         }
-        LoadStep::Torque { body, torque, .. } => torque * column[*body].omega,
+        LoadStep::Torque { body, torque, .. } => torque * moves(*body).omega,
         LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
             let [b_1, b_2] = [one, two].map(|end| &bodies[end.body]);
             let r = b_2.position(two.at) - b_1.position(one.at);
@@ -167,15 +182,13 @@ fn power(load: &LoadStep, bodies: &[BodyState], column: &[Column]) -> f64 {
                 (b_2.velocity(two.at) - b_1.velocity(one.at), damping)
             });
             let got = spring(r, v, *stiffness, *free_length, damping);
-            let [v_1, v_2] = [one, two].map(|Anchor { body, at }| velocity(bodies, column, *body, *at));
-            got.f_1.dot(v_1 - v_2)
+            got.f_1.dot(velocity(one.body, one.at) - velocity(two.body, two.at))
         }
-        LoadStep::Mass { .. } | LoadStep::Evaluated(_) => 0.0,
+        LoadStep::Evaluated(_) => 0.0,
     }
 }
 
-/// Velocity of a point of a body for a unit rate.
-fn velocity(bodies: &[BodyState], column: &[Column], body: usize, at: Vec2) -> Vec2 {
-    let Column { v, omega } = column[body];
-    v + at.turned(bodies[body].u).perp() * omega
+/// Velocity of a point of a body that moves so.
+fn velocity(Column { v, omega }: Column, body: &BodyState, at: Vec2) -> Vec2 {
+    v + at.turned(body.u).perp() * omega
 }
