@@ -240,6 +240,18 @@ async function offer(page) {
   await page.locator(".action-widget").getByText("write `rod`").waitFor();
 }
 
+/** What VS Code shows over a word of a line of the same name: it shows nothing where the line is drawn anew meanwhile. */
+async function hoverOver(page, word) {
+  const shown = page.locator(".monaco-hover:visible", { hasText: word }).first();
+  for (let tries = 0; tries < 3; tries += 1) {
+    await page.locator(".view-line", { hasText: word }).locator("span span", { hasText: word }).last().hover();
+    if (await shown.waitFor({ timeout: 4000 }).then(() => true, () => false)) return shown;
+    await page.mouse.move(0, 0);
+  }
+  await shown.waitFor();
+  return shown;
+}
+
 /** What is done with a mistake, with one of the servers. */
 async function correct(page, server) {
   await show(page, "engine.mech");
@@ -253,9 +265,7 @@ async function correct(page, server) {
   await page.locator(".squiggly-error").first().waitFor();
   assert.equal(await page.locator(".squiggly-error").count(), 1, "one mistake");
 
-  await page.locator(".view-line", { hasText: "rodd" }).locator("span span", { hasText: "rodd" }).last().hover();
-  const hover = page.locator(".monaco-hover:visible", { hasText: "rodd" }).first();
-  await hover.waitFor();
+  const hover = await hoverOver(page, "rodd");
   assert.match(await hover.innerText(), /did you mean `rod`/);
   if (process.env.PICTURES && server.name === "program") await keep(page, "vscode-hover");
 
