@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// How often each picture is drawn.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 20;
 /// Lines of the table.
 const SHOWN: usize = 12;
 /// What a scheme, and what all pictures, may take, ms.

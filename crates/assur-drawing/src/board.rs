@@ -71,14 +71,20 @@ impl<'a> Board<'a> {
         self.places[label].known[number]
     }
 
-    /// The place of a number, the cheapest first, where there are so many.
+    /// The place of a number, the cheapest first, where there are so many; none is asked for before those with lower numbers.
+    #[inline]
     fn place(&mut self, label: usize, number: usize) -> Option<Place> {
-        while self.places[label].known.len() <= number {
-            let mut place = self.places[label].find(self.grounds)?;
-            place.blockers = self.blockers(label, &place.bounds);
-            self.places[label].known.push(place);
+        match self.places[label].known.get(number) {
+            Some(place) => Some(*place),
+            None => self.find(label),
         }
-        Some(self.known(label, number))
+    }
+
+    fn find(&mut self, label: usize) -> Option<Place> {
+        let mut place = self.places[label].find(self.grounds)?;
+        place.blockers = self.blockers(label, &place.bounds);
+        self.places[label].known.push(place);
+        Some(place)
     }
 
     /// Who is in the way of a place.
@@ -99,8 +105,13 @@ impl<'a> Board<'a> {
     }
 
     /// Whether two labels at places overlap in too many of the later frames.
-    fn meets_later(&self, (one, own): (usize, &Rect), (other, its): (usize, &Rect)) -> bool {
-        if self.later.is_empty() || !swept(&self.ways[one], own).overlaps(&swept(&self.ways[other], its)) {
+    #[inline]
+    fn meets_later(&self, one: (usize, &Rect), other: (usize, &Rect)) -> bool {
+        !self.later.is_empty() && self.meets_often(one, other)
+    }
+
+    fn meets_often(&self, (one, own): (usize, &Rect), (other, its): (usize, &Rect)) -> bool {
+        if !swept(&self.ways[one], own).overlaps(&swept(&self.ways[other], its)) {
             return false;
         }
         let on = |l: &&Later| its.shifted(l.shifts[other]).overlaps(&own.shifted(l.shifts[one]));
@@ -196,14 +207,20 @@ impl<'a> Board<'a> {
     /// The cheapest place of a label that costs less and would be free if another one moved to a place.
     fn gives_way(&mut self, label: usize, (to, place): (usize, &Rect), below: f64) -> Option<usize> {
         let mut number = 0;
-        while let Some(own) = self.place(label, number).filter(|own| own.cost < below) {
-            let by = own.blockers;
-            if (by.are_none() || by.only() == Some(to)) && !self.meets((label, &own.bounds), (to, place)) {
-                return Some(number);
+        loop {
+            while let Some(own) = self.places[label].known.get(number) {
+                let by = own.blockers;
+                if own.cost >= below {
+                    return None;
+                } else if (by.are_none() || by.only() == Some(to))
+                    && !self.meets((label, &own.bounds), (to, place))
+                {
+                    return Some(number);
+                }
+                number += 1;
             }
-            number += 1;
+            self.find(label)?;
         }
-        None
     }
 
     /// The places of all labels; better in the way later than outside.

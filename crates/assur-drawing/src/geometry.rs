@@ -42,8 +42,10 @@ impl Rect {
     /// Takes a point in; one that is not finite has no place.
     pub fn add(&mut self, p: Vec2) {
         if p.x.is_finite() && p.y.is_finite() {
-            self.min = Vec2::new(self.min.x.min(p.x), self.min.y.min(p.y));
-            self.max = Vec2::new(self.max.x.max(p.x), self.max.y.max(p.y));
+            let sooner = |a: f64, b: f64| if b < a { b } else { a };
+            let later = |a: f64, b: f64| if b > a { b } else { a };
+            self.min = Vec2::new(sooner(self.min.x, p.x), sooner(self.min.y, p.y));
+            self.max = Vec2::new(later(self.max.x, p.x), later(self.max.y, p.y));
         }
     }
 
@@ -142,9 +144,15 @@ impl Segment {
     /// Its box.
     #[must_use]
     pub fn bounds(&self) -> Rect {
-        let mut rect = Rect::NOTHING;
-        rect.add(self.a);
-        rect.add(self.b);
-        rect
+        let Self { a, b } = *self;
+        if !(a.x + a.y + b.x + b.y).is_finite() {
+            let mut rect = Rect::NOTHING;
+            rect.add(a);
+            rect.add(b);
+            return rect;
+        }
+        let sorted = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
+        let (x, y) = (sorted(a.x, b.x), sorted(a.y, b.y));
+        Rect { min: Vec2::new(x.0, y.0), max: Vec2::new(x.1, y.1) }
     }
 }

@@ -32,6 +32,14 @@ pub(crate) struct Grounds<'a> {
     later: Vec<(Ground, &'a Later)>,
 }
 
+/// The obstacles that a search meets, none between searches, and what came of the last one.
+#[derive(Default)]
+pub(crate) struct Met {
+    numbers: Vec<usize>,
+    is_met: Vec<bool>,
+    clearance: Clearance,
+}
+
 impl<'a> Grounds<'a> {
     pub fn of(marks: &[Mark], later: &'a [Later], around: &Rect) -> Self {
         let now = Ground::of(marks, around, APART);
@@ -39,15 +47,24 @@ impl<'a> Grounds<'a> {
     }
 
     /// What is solid in a box, for boxes of a size in it.
-    pub fn clearance(&self, around: &Rect, half: Vec2, round: bool) -> Clearance {
-        let mut is_near = vec![false; self.now.obstacles.len()];
+    pub fn clearance<'m>(&self, around: &Rect, half: Vec2, round: bool, met: &'m mut Met) -> &'m Clearance {
+        // several pieces of one, and pieces in several cells
+        met.is_met.resize(self.now.obstacles.len(), false);
         self.now.solid.any(around, |number| {
-            is_near[*number] = true;
+            if !std::mem::replace(&mut met.is_met[*number], true) {
+                met.numbers.push(*number);
+            }
             false
         });
-        let obstacles = self.now.obstacles.iter().zip(is_near).filter(|(_, near)| *near);
-        let obstacles = obstacles.map(|(obstacle, _)| *obstacle);
-        Clearance::of(obstacles, Boxes { half, round, apart: self.now.apart })
+        let obstacles = met.numbers.iter().map(|number| self.now.obstacles[*number]);
+        met.clearance.fill(obstacles, Boxes { half, round, apart: self.now.apart }, around.centre());
+        met.numbers.drain(..).for_each(|number| met.is_met[number] = false);
+        &met.clearance
+    }
+
+    /// Whether there are circles in which things are magnified.
+    pub const fn closes(&self) -> bool {
+        !self.now.insets.is_empty()
     }
 
     /// Whether a place is in a circle in which other things are magnified.

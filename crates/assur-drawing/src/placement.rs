@@ -7,7 +7,7 @@ use crate::geometry::Rect;
 use crate::ground::Grounds;
 use crate::label::{Anchor, Label};
 use crate::mark::Mark;
-use crate::places::{Directions, Places};
+use crate::places::{Again, Directions, Places};
 use assur_math::math::Vec2;
 
 /// What is kept free around a label, mm.
@@ -42,9 +42,9 @@ pub fn place(marks: &[Mark], labels: &[Label], later: &[Later]) -> Vec<Option<Re
     }
     let around = all.grown(MARGIN);
     let grounds = Grounds::of(marks, later, &around);
-    let directions = Directions::new();
-    let places = labels.iter().enumerate().map(|(i, label)| Places::of(i, label, &directions, &grounds));
-    let places: Vec<Places> = places.collect();
+    let (directions, mut again) = (Directions::new(), Again::default());
+    let places_of = |label| Places::of(label, &directions, &grounds, &mut again);
+    let places: Vec<Places> = labels.iter().enumerate().map(places_of).collect();
     let mut order: Vec<usize> = (0..labels.len()).collect();
     order.sort_by_key(|i| (labels[*i].rank, places[*i].count, *i));
     let mut board = Board::new(labels, places, (&grounds, later));

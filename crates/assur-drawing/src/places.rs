@@ -1,8 +1,9 @@
 //! The places of a label, the cheapest first, looked for as far as they are asked for.
 
 use crate::blockers::Blockers;
+use crate::clearance::SIDE;
 use crate::geometry::Rect;
-use crate::ground::Grounds;
+use crate::ground::{Grounds, Met};
 use crate::label::{Anchor, Label};
 use assur_math::math::Vec2;
 use std::f64::consts::TAU;
@@ -18,6 +19,8 @@ const PER_RADIAN: f64 = 1.1;
 const BESIDE: f64 = 0.3;
 /// Price of the ends of a line against its middle.
 const PER_PART: f64 = 4.0;
+/// The first bit of four for each distance.
+const EACH: u32 = 0x0111_1111;
 /// What prices may be off by rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -30,6 +33,7 @@ pub(crate) struct Place {
 }
 
 /// Where labels may go from an anchor: a point and a direction, with its prices.
+#[derive(Clone, Copy)]
 struct Ray {
     from: Vec2,
     direction: Vec2,
@@ -37,8 +41,8 @@ struct Ray {
     to_middle: Vec2,
     turned: f64,
     extra: f64,
-    /// At which distances it is free.
-    free: [bool; DISTANCES.len()],
+    /// At which distances it is free: a bit of four for each.
+    free: u32,
     /// The order among rays, and that among distances: of equal places the first is taken.
     order: (usize, bool),
 }
@@ -59,23 +63,31 @@ impl Directions {
     }
 }
 
+/// What is filled for each label again.
+#[derive(Default)]
+pub(crate) struct Again {
+    rays: Vec<Ray>,
+    /// The prices of rays with their numbers.
+    prices: Vec<(f64, usize)>,
+    met: Met,
+}
+
 /// The places of a label.
 pub(crate) struct Places {
     /// The number of the label.
     index: usize,
     half: Vec2,
     round: bool,
+    /// Those on which there is a free place, the cheapest first.
     rays: Vec<Ray>,
-    /// Their prices with their numbers, the best first.
-    prices: Vec<(f64, usize)>,
     /// How many places are free.
-    pub count: usize,
+    pub count: u32,
     /// What they all lie in.
     pub reach: Rect,
     /// Whether some may cross a line.
     crosses: bool,
-    /// For every distance the next ray, and the least that the place there costs.
-    next: [usize; DISTANCES.len()],
+    /// For every distance the rays on which a place was not looked at, a bit each, and the least that the next one costs.
+    open: [u32; DISTANCES.len()],
     least: [f64; DISTANCES.len()],
     /// Free places, the cheapest first.
     pub known: Vec<Place>,
@@ -84,32 +96,58 @@ pub(crate) struct Places {
 }
 
 impl Places {
-    pub fn of(index: usize, label: &Label, directions: &Directions, grounds: &Grounds<'_>) -> Self {
+    pub fn of(
+        (index, label): (usize, &Label),
+        directions: &Directions,
+        grounds: &Grounds<'_>,
+        again: &mut Again,
+    ) -> Self {
         let half = label.half();
         let round = label.ring.is_some_and(|r| half.x <= r);
-        let mut rays = rays(label, half, directions);
-        let mut reach = Rect::NOTHING;
-        for ray in &rays {
-            reach.add(ray.middle(DISTANCES[0]));
-            reach.add(ray.middle(DISTANCES[DISTANCES.len() - 1]));
-        }
-        reach = Rect { min: reach.min - half, max: reach.max + half };
+        let Again { rays: all, prices, met } = again;
+        all.clear();
+        find_rays(label, half, directions, all);
+        let reach = reach(label, half, all);
         let crosses = grounds.has_thin(&reach);
-        let (clearance, mut count) = (grounds.clearance(&reach, half, round), 0);
-        for ray in &mut rays {
-            let middles = DISTANCES.map(|far| ray.middle(far));
-            let is_open = |at: Vec2| !grounds.is_closed(label, &Rect::around(at, half), round);
-            ray.free = middles.map(is_open);
-            clearance.thin((ray.middle(0.0), ray.direction), &DISTANCES, &middles, &mut ray.free);
-            count += ray.free.into_iter().filter(|free| *free).count();
+        let clearance = grounds.clearance(&reach, half, round, met);
+        for rays in all.chunks_mut(SIDE) {
+            // what is behind the last is the last again
+            let ray = |i: usize| &rays[i.min(rays.len() - 1)];
+            let lines = std::array::from_fn(|i| (ray(i).middle(0.0), ray(i).direction));
+            let middle = |i: usize, distance: usize| ray(i).middle(DISTANCES[distance]);
+            let free = clearance.free(&lines, &DISTANCES, middle);
+            for (i, ray) in rays.iter_mut().enumerate() {
+                ray.free = free >> i & EACH;
+                for distance in (0..DISTANCES.len()).filter(|_| grounds.closes()) {
+                    let at = Rect::around(ray.middle(DISTANCES[distance]), half);
+                    ray.free &= !(u32::from(grounds.is_closed(label, &at, round)) << (SIDE * distance));
+                }
+            }
         }
-        let mut prices: Vec<(f64, usize)> =
-            rays.iter().enumerate().map(|(i, ray)| (ray.turned + ray.extra, i)).collect();
+        let count = all.iter().map(|ray| ray.free.count_ones()).sum();
+        prices.clear();
+        let free = all.iter().enumerate().filter(|(_, ray)| ray.free != 0);
+        prices.extend(free.map(|(i, ray)| (ray.turned + ray.extra, i)));
         prices.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let best = prices.first().map_or(f64::INFINITY, |(price, _)| *price);
-        let (next, least) = (Default::default(), DISTANCES.map(|distance| distance + best - ROUNDING));
-        let (known, waiting) = (Vec::with_capacity(16), Vec::with_capacity(16));
-        Self { index, half, round, rays, prices, count, reach, crosses, next, least, known, waiting }
+        let rays: Vec<Ray> = prices.iter().map(|(_, i)| all[*i]).collect();
+        let mut open = [0; DISTANCES.len()];
+        for (i, ray) in rays.iter().enumerate() {
+            let is_free = |distance: usize| ray.free >> (SIDE * distance) & 1;
+            open.iter_mut().enumerate().for_each(|(distance, open)| *open |= is_free(distance) << i);
+        }
+        let (known, waiting) = (Vec::with_capacity(8), Vec::with_capacity(8));
+        let least = [0.0; DISTANCES.len()];
+        let mut places =
+            Self { index, half, round, rays, count, reach, crosses, open, least, known, waiting };
+        (0..DISTANCES.len()).for_each(|distance| places.expect(distance));
+        places
+    }
+
+    /// The least that the next place at a distance costs.
+    fn expect(&mut self, distance: usize) {
+        let ray = self.rays.get(self.open[distance].trailing_zeros() as usize);
+        let price = ray.map_or(f64::INFINITY, |ray| ray.turned + ray.extra);
+        self.least[distance] = DISTANCES[distance] + price - ROUNDING;
     }
 
     /// The cheapest place that is not known yet, if there is one.
@@ -132,13 +170,9 @@ impl Places {
 
     /// Looks at the next place at a distance.
     fn look(&mut self, distance: usize, grounds: &Grounds<'_>) {
-        let ray = &self.rays[self.prices[self.next[distance]].1];
-        self.next[distance] += 1;
-        let price = self.prices.get(self.next[distance]).map_or(f64::INFINITY, |(price, _)| *price);
-        self.least[distance] = DISTANCES[distance] + price - ROUNDING;
-        if !ray.free[distance] {
-            return;
-        }
+        let ray = self.rays[self.open[distance].trailing_zeros() as usize];
+        self.open[distance] &= self.open[distance] - 1;
+        self.expect(distance);
         let bounds = Rect::around(ray.middle(DISTANCES[distance]), self.half);
         let cost = DISTANCES[distance] + ray.turned + ray.extra;
         let cost = grounds.priced(self.index, (&bounds, self.crosses), self.round, cost);
@@ -153,8 +187,25 @@ impl Places {
     }
 }
 
+/// What all places of a label lie in.
+fn reach(label: &Label, half: Vec2, rays: &[Ray]) -> Rect {
+    let farthest = DISTANCES[DISTANCES.len() - 1];
+    match label.anchor {
+        Anchor::Point(p, radius) => {
+            let beside = half * 2.0 + Vec2::new(radius + farthest, radius + farthest);
+            Rect { min: p - beside, max: p + beside }
+        }
+        Anchor::Line(..) => {
+            let mut reach = Rect::NOTHING;
+            // the parts near to the ends are behind the others
+            rays.iter().rev().take(4).for_each(|ray| reach.add(ray.middle(farthest)));
+            Rect { min: reach.min - half, max: reach.max + half }
+        }
+    }
+}
+
 /// The rays of a label: around its point, or to both sides of its line.
-fn rays(label: &Label, half: Vec2, directions: &Directions) -> Vec<Ray> {
+fn find_rays(label: &Label, half: Vec2, directions: &Directions, rays: &mut Vec<Ray>) {
     let best = label.towards.and_then(Vec2::unit);
     let away = best.unwrap_or(Vec2::new(0.707, -0.707));
     let turned =
@@ -163,8 +214,7 @@ fn rays(label: &Label, half: Vec2, directions: &Directions) -> Vec<Ray> {
         let largest = direction.x.abs().max(direction.y.abs());
         Vec2::new(half.x * direction.x / largest, half.y * direction.y / largest)
     };
-    let free = [false; DISTANCES.len()];
-    let mut rays = Vec::with_capacity(DIRECTIONS);
+    let free = 0;
     match label.anchor {
         Anchor::Point(p, radius) => {
             for (i, direction) in directions.0.into_iter().enumerate() {
@@ -187,5 +237,4 @@ fn rays(label: &Label, half: Vec2, directions: &Directions) -> Vec<Ray> {
             }
         }
     }
-    rays
 }

@@ -10,6 +10,10 @@ use crate::text::Text;
 use assur_math::math::Vec2;
 use std::fmt::Write;
 
+/// What a mark or a label takes, and rules and description, bytes.
+const ABOUT: usize = 150;
+const RULES: usize = 4000;
+
 /// A text in which no sign is one of the document's.
 #[must_use]
 pub fn escaped(text: &str) -> String {
@@ -50,7 +54,8 @@ impl Sheet {
     }
 
     fn with_rules(&self, theme: Option<Theme>) -> String {
-        let mut out = String::new();
+        let size = ABOUT * (self.drawing.marks.len() + self.placed.len()) + RULES;
+        let mut out = String::with_capacity(size);
         self.head(&mut out);
         if let Some(theme) = theme {
             out.push_str("<style>");

@@ -154,7 +154,11 @@ impl Text {
             }
             let is_exponent = run.level == Level::Sup && run.letters.chars().all(|c| DIGITS.contains(c));
             let raised = |c: char| RAISED_DIGITS.chars().nth(DIGITS.chars().position(|d| d == c)?);
-            plain.extend(run.letters.chars().map(|c| raised(c).filter(|_| is_exponent).unwrap_or(c)));
+            if is_exponent {
+                plain.extend(run.letters.chars().map(|c| raised(c).unwrap_or(c)));
+            } else {
+                plain.push_str(&run.letters);
+            }
         }
         plain
     }

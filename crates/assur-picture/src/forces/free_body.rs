@@ -10,7 +10,7 @@ use crate::frame::Frame;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::scheme::{Freed, length_scale};
-use crate::shape::{Outline, shapes};
+use crate::shape::{LinkShape, Outline};
 use crate::symbol::{arrow, guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;
@@ -33,8 +33,12 @@ const ARMS: usize = 4;
 ///
 /// # Errors
 /// A scale is wanted that does not fit.
-pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, paper: &Paper) -> Result<Drawing, Missing> {
-    let all = shapes(scene);
+pub fn draw(
+    (scene, all): (&Scene<'_>, &[LinkShape]),
+    part: &Part,
+    acting: &Acting,
+    paper: &Paper,
+) -> Result<Drawing, Missing> {
     let mut bounds = Rect::NOTHING;
     for link in &part.links {
         all[link.index()].extent(scene, *link, &mut bounds);
@@ -63,7 +67,7 @@ pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, paper: &Paper) -> R
         let body = scene.body(*link);
         outlines.push((*link, all[link.index()].outline(&frame, &|at| body.position(at))));
     }
-    profiles.draw(scene, &all, &frame, &mut drawing);
+    profiles.draw(scene, all, &frame, &mut drawing);
     bodies(scene, &mut drawing, &frame, &outlines, part);
     let arrows = arrows(scene, part, acting);
     vectors(&mut drawing, &frame, &arrows);

@@ -12,6 +12,7 @@ pub use lever::lever;
 use crate::error::Missing;
 use crate::paper::Paper;
 use crate::scene::Scene;
+use crate::shape::shapes;
 use acting::{Acting, Acts};
 use assur_drawing::Drawing;
 use assur_model::model::{LinkId, PairId};
@@ -36,13 +37,13 @@ pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing>
     if !is_loaded(&scene.model) {
         return Err(nothing_loads());
     }
-    let mut drawings = Vec::new();
+    let (mut drawings, shapes) = (Vec::new(), shapes(scene));
     for part in parts(scene) {
         let Some(acting) = Acting::on(scene, &part) else { continue };
         if acting.forces.is_empty() {
             continue;
         }
-        drawings.push(free_body::draw(scene, &part, &acting, paper)?);
+        drawings.push(free_body::draw((scene, &shapes), &part, &acting, paper)?);
         drawings.extend(polygon::draw(scene, &part, &acting, paper)?);
     }
     if drawings.is_empty() {

@@ -55,7 +55,7 @@ impl Sketch<'_, '_> {
     fn magnified(&self, drawing: &mut Drawing, joints: &[(&str, Vec2, bool)], at: Vec2, apart: f64) {
         drawing.begin("inset", "");
         let Some(inset) = Inset::of(drawing, at, (apart, SEEN)) else { return drawing.end() };
-        for outline in &self.outlines {
+        for outline in self.outlines() {
             let sides =
                 outline.plates.iter().flat_map(|p| (0..p.len()).map(|i| (p[i], p[(i + 1) % p.len()])));
             for (a, b) in outline.bars.iter().copied().chain(sides) {

@@ -3,7 +3,7 @@
 use super::Sketch;
 use crate::angles::freest;
 use crate::symbol::{guide, hinge, mass};
-use assur_drawing::{Drawing, Label, Shape, Style, Text};
+use assur_drawing::{Drawing, Label, Rect, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairKind};
 
@@ -19,7 +19,7 @@ const SAME: f64 = 0.4;
 
 impl Sketch<'_, '_> {
     pub(super) fn plates(&self, drawing: &mut Drawing) {
-        for (i, outline) in self.outlines.iter().enumerate() {
+        for (i, outline) in self.outlines().iter().enumerate() {
             drawing.begin("link", self.link_name(LinkId::at(i)));
             for plate in &outline.plates {
                 drawing.mark(Style::Plate, Shape::polygon(plate.clone()));
@@ -29,7 +29,7 @@ impl Sketch<'_, '_> {
     }
 
     pub(super) fn bars(&self, drawing: &mut Drawing) {
-        for (i, outline) in self.outlines.iter().enumerate() {
+        for (i, outline) in self.outlines().iter().enumerate() {
             drawing.begin("link", self.link_name(LinkId::at(i)));
             for (a, b) in &outline.arms {
                 drawing.line(Style::Medium, *a, *b);
@@ -44,19 +44,28 @@ impl Sketch<'_, '_> {
     /// The directions in which lines leave a point, on paper.
     pub(super) fn lines_at(&self, at: Vec2) -> Vec<Vec2> {
         let mut directions = Vec::new();
-        for outline in &self.outlines {
-            let sides =
-                outline.plates.iter().flat_map(|p| (0..p.len()).map(|i| (p[i], p[(i + 1) % p.len()])));
-            for (a, b) in outline.bars.iter().chain(&outline.arms).copied().chain(sides) {
-                let line = assur_drawing::Segment { a, b };
-                if !line.bounds().grown(2.0 * SAME).has(at) || line.distance(at) > SAME {
-                    continue;
-                }
-                let ends = [a - at, b - at].into_iter().filter(|d| d.norm() > 2.0 * SAME);
+        for (_, line) in self.lines().iter().filter(|(around, _)| around.has(at)) {
+            if line.distance(at) <= SAME {
+                let ends = [line.a - at, line.b - at].into_iter().filter(|d| d.norm() > 2.0 * SAME);
                 directions.extend(ends.filter_map(Vec2::unit));
             }
         }
         directions
+    }
+
+    /// The lines of all links on paper, each with the box of what is at it.
+    fn lines(&self) -> &[(Rect, Segment)] {
+        self.lines.get_or_init(|| {
+            let mut lines = Vec::new();
+            for outline in self.outlines() {
+                let sides =
+                    outline.plates.iter().flat_map(|p| (0..p.len()).map(|i| (p[i], p[(i + 1) % p.len()])));
+                let all = outline.bars.iter().chain(&outline.arms).copied().chain(sides);
+                let all = all.map(|(a, b)| Segment { a, b });
+                lines.extend(all.map(|line| (line.bounds().grown(2.0 * SAME), line)));
+            }
+            lines
+        })
     }
 
     /// Mass centres, and points that the author named.
@@ -138,7 +147,7 @@ impl Sketch<'_, '_> {
 
     /// The number of a link at its longest line, or at its block.
     fn number(&self, link: LinkId) -> Option<Label> {
-        let outline = &self.outlines[link.index()];
+        let outline = &self.outlines()[link.index()];
         let longest = outline
             .bars
             .iter()

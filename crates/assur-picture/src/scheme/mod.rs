@@ -22,9 +22,10 @@ use crate::paper::{Paper, Scaled, Scales};
 use crate::scene::Scene;
 use crate::shape::{LinkShape, Outline, shapes};
 use crate::words;
-use assur_drawing::{Caption, Drawing, Rect, Scale, Text, plain, round_length};
+use assur_drawing::{Caption, Drawing, Rect, Scale, Segment, Text, plain, round_length};
 use assur_math::math::Vec2;
 use assur_model::model::LinkId;
+use std::cell::OnceCell;
 
 /// Which loads a scheme shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -213,8 +214,10 @@ struct Sketch<'a, 's> {
     scene: &'s Scene<'a>,
     shapes: &'s [LinkShape],
     frame: &'s Frame,
-    /// Lines of the links on paper; none for those that have their own symbol.
-    outlines: Vec<Outline>,
+    /// Lines of the links on paper, when they are asked for; none for those that have their own symbol.
+    outlines: OnceCell<Vec<Outline>>,
+    /// All of them, each with the box of what is at it.
+    lines: OnceCell<Vec<(Rect, Segment)>>,
     /// Sentences on loads and drives.
     said: String,
     /// Where arrows of loads begin, so that none lies on another.
@@ -235,15 +238,6 @@ struct Sketch<'a, 's> {
 
 impl<'a, 's> Sketch<'a, 's> {
     fn new(scene: &'s Scene<'a>, shapes: &'s [LinkShape], frame: &'s Frame) -> Self {
-        let outline = |(i, shape): (usize, &LinkShape)| {
-            let link = LinkId::at(i);
-            if link == LinkId::GROUND || !scene.is_placed(link) || scene.is_in_cylinder(link) {
-                return Outline::default();
-            }
-            let body = scene.body(link);
-            shape.outline(frame, &|at| body.position(at))
-        };
-        let outlines = shapes.iter().enumerate().map(outline).collect();
         let (said, taken, blocks) = (String::new(), Vec::new(), Vec::new());
         let (labelled, supports, rods) = (Vec::new(), Vec::new(), Vec::new());
         let (numbers, forces) = (false, None);
@@ -251,7 +245,8 @@ impl<'a, 's> Sketch<'a, 's> {
             scene,
             shapes,
             frame,
-            outlines,
+            outlines: OnceCell::new(),
+            lines: OnceCell::new(),
             said,
             taken,
             blocks,
@@ -289,6 +284,20 @@ impl<'a, 's> Sketch<'a, 's> {
             self.balances(drawing);
         }
         self.dimensions(drawing, &wanted.dimensions);
+    }
+
+    fn outlines(&self) -> &[Outline] {
+        self.outlines.get_or_init(|| {
+            let outline = |(i, shape): (usize, &LinkShape)| {
+                let link = LinkId::at(i);
+                if link == LinkId::GROUND || !self.scene.is_placed(link) || self.scene.is_in_cylinder(link) {
+                    return Outline::default();
+                }
+                let body = self.scene.body(link);
+                shape.outline(self.frame, &|at| body.position(at))
+            };
+            self.shapes.iter().enumerate().map(outline).collect()
+        })
     }
 
     /// A point of a link on paper.

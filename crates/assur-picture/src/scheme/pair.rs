@@ -254,7 +254,7 @@ impl<'a> Sketch<'a, '_> {
 
     /// The bar of a link over a hinge in its middle.
     fn over(&self, drawing: &mut Drawing, link: LinkId, at: Vec2) {
-        for (a, b) in &self.outlines[link.index()].bars {
+        for (a, b) in &self.outlines()[link.index()].bars {
             let segment = Segment { a: *a, b: *b };
             let inside = (at - *a).norm() > END + hinge::RADIUS && (at - *b).norm() > END + hinge::RADIUS;
             if let (true, Some(along)) = (inside && segment.distance(at) < 0.1, (*b - *a).unit()) {
