@@ -128,6 +128,10 @@ impl<'a> Board<'a> {
         let near = std::mem::take(&mut self.near[label]);
         for &other in &near {
             self.stirred[other] = self.moves;
+            let reach = self.places[other].reach.grown(APART);
+            if self.later.is_empty() && !reach.overlaps(&left) && !reach.overlaps(&taken) {
+                continue;
+            }
             let mut known = std::mem::take(&mut self.places[other].known);
             for place in &mut known {
                 if self.meets((other, &place.bounds), (label, &left)) {
@@ -242,11 +246,15 @@ impl<'a> Board<'a> {
 /// The labels whose boxes may meet.
 fn near(reach: &[Rect]) -> Vec<Vec<usize>> {
     let mut near: Vec<Vec<usize>> = vec![Vec::new(); reach.len()];
-    for (i, own) in reach.iter().enumerate() {
+    let mut sorted: Vec<(&Rect, usize)> = reach.iter().zip(0..).collect();
+    sorted.sort_unstable_by(|a, b| a.0.min.x.total_cmp(&b.0.min.x));
+    for (place, (own, i)) in sorted.iter().enumerate() {
         let own = own.grown(APART);
-        for j in (i + 1..reach.len()).filter(|j| own.overlaps(&reach[*j])) {
-            near[i].push(j);
-            near[j].push(i);
+        for (its, j) in sorted[place + 1..].iter().take_while(|(its, _)| its.min.x < own.max.x) {
+            if own.overlaps(its) {
+                near[*i].push(*j);
+                near[*j].push(*i);
+            }
         }
     }
     near

@@ -28,6 +28,11 @@ pub(crate) struct Boxes {
 /// A line of middles: where it begins, and its direction.
 pub(crate) type Line = (Vec2, Vec2);
 
+/// What is nearer along both axes than this part of a radius is in the disc.
+const IN_DISC: f64 = 0.7;
+/// Nothing is so near.
+const NEVER: [f32; 2] = [f32::NEG_INFINITY; 2];
+
 /// An obstacle, and what the middle of a box keeps away from.
 struct Kept {
     obstacle: Obstacle,
@@ -35,15 +40,17 @@ struct Kept {
     middle: [f32; 2],
     /// How near to it a middle may be along the axes.
     within: [f32; 2],
+    /// How near it is for sure if it is so near across the stroke too; never where that is not known.
+    sure: [f32; 2],
     /// The direction of a stroke, and how near across it; none where corners are round.
     across: Option<[f32; 3]>,
 }
 
 impl Kept {
     fn of(obstacle: &Obstacle, boxes: &Boxes, origin: Vec2) -> Self {
-        let (Segment { a, b }, wide) = match *obstacle {
-            Obstacle::Stroke(stroke, half) => (stroke, half + boxes.apart),
-            Obstacle::Disc(centre, radius) => (Segment { a: centre, b: centre }, radius + boxes.apart),
+        let (Segment { a, b }, wide, is_disc) = match *obstacle {
+            Obstacle::Stroke(stroke, half) => (stroke, half + boxes.apart, false),
+            Obstacle::Disc(centre, radius) => (Segment { a: centre, b: centre }, radius + boxes.apart, true),
         };
         let (middle, end) = ((a + b) * 0.5 - origin, (b - a) * 0.5);
         let reach = boxes.half + Vec2::new(wide, wide);
@@ -51,13 +58,22 @@ impl Kept {
         let size = middle.x.abs() + middle.y.abs() + within.x + within.y;
         if !(size < FAR) {
             let (middle, within) = ([0.0; 2], [f32::INFINITY; 2]);
-            return Self { obstacle: *obstacle, middle, within, across: None };
+            return Self { obstacle: *obstacle, middle, within, sure: NEVER, across: None };
         }
-        let is_straight = matches!(obstacle, Obstacle::Stroke(..)) && !boxes.round;
-        let direction = end.unit().filter(|_| is_straight);
-        let across = direction.map(|u| rounded([u.x, u.y, reach.x * u.y.abs() + reach.y * u.x.abs()]));
+        let is_straight = !is_disc && !boxes.round;
+        let length = end.dot(end).sqrt();
+        let across = (is_straight && length > 0.0).then(|| {
+            let u = end * length.recip();
+            rounded([u.x, u.y, reach.x * u.y.abs() + reach.y * u.x.abs()])
+        });
         let (middle, within) = (rounded([middle.x, middle.y]), rounded([within.x, within.y]));
-        Self { obstacle: *obstacle, middle, within, across }
+        let sure = match (is_disc, boxes.round) {
+            (true, true) => rounded([IN_DISC * reach.x; 2]),
+            (true, false) => rounded([boxes.half.x + IN_DISC * wide, boxes.half.y + IN_DISC * wide]),
+            (false, true) => NEVER,
+            (false, false) => within,
+        };
+        Self { obstacle: *obstacle, middle, within, sure, across }
     }
 }
 
@@ -75,7 +91,6 @@ struct Span {
 
 impl Span {
     const ALL: Self = Self { from: f32x4::splat(f32::NEG_INFINITY), to: f32x4::splat(f32::INFINITY) };
-    const NONE: Self = Self { from: Self::ALL.to, to: Self::ALL.from };
 
     /// Where also a number, that is zero at a distance, is below another but for its sign.
     fn and(self, at: f32x4, below: f32x4) -> Self {
@@ -125,17 +140,18 @@ impl Lines {
     /// Where on them something is so near: for sure, and perhaps.
     fn spans(&self, kept: &Kept) -> [Span; 2] {
         let (mut sure, mut perhaps) = (Span::ALL, Span::ALL);
-        let mut and = |zero: f32x4, inverse: f32x4, below: f32| {
+        let mut and = |zero: f32x4, inverse: f32x4, below: [f32; 2]| {
             let (at, per) = (-zero * inverse, inverse.abs());
-            sure = sure.and(at, per * f32x4::splat(below - CLOSE));
-            perhaps = perhaps.and(at, per * f32x4::splat(below + CLOSE));
+            sure = sure.and(at, per * f32x4::splat(below[0] - CLOSE));
+            perhaps = perhaps.and(at, per * f32x4::splat(below[1] + CLOSE));
         };
         let d = [0, 1].map(|i| self.start[i] - f32x4::splat(kept.middle[i]));
-        and(d[0], self.per[0], kept.within[0]);
-        and(d[1], self.per[1], kept.within[1]);
-        let Some([x, y, below]) = kept.across else { return [Span::NONE, perhaps] };
-        let cross = |v: [f32x4; 2]| v[0] * f32x4::splat(y) - v[1] * f32x4::splat(x);
-        and(cross(d), inverse(cross(self.along)), below);
+        and(d[0], self.per[0], [kept.sure[0], kept.within[0]]);
+        and(d[1], self.per[1], [kept.sure[1], kept.within[1]]);
+        if let Some([x, y, below]) = kept.across {
+            let cross = |v: [f32x4; 2]| v[0] * f32x4::splat(y) - v[1] * f32x4::splat(x);
+            and(cross(d), inverse(cross(self.along)), [below; 2]);
+        }
         [sure, perhaps]
     }
 }

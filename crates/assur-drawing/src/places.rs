@@ -125,6 +125,7 @@ impl Places {
             }
         }
         let count = all.iter().map(|ray| ray.free.count_ones()).sum();
+        let reach = open_reach(all, half);
         prices.clear();
         let free = all.iter().enumerate().filter(|(_, ray)| ray.free != 0);
         prices.extend(free.map(|(i, ray)| (ray.turned + ray.extra, i)));
@@ -185,6 +186,18 @@ impl Places {
         let at = self.waiting.partition_point(before);
         self.waiting.insert(at, (Place { bounds, cost, blockers: Blockers::default() }, order));
     }
+}
+
+/// What the free places lie in.
+fn open_reach(rays: &[Ray], half: Vec2) -> Rect {
+    let mut reach = Rect::NOTHING;
+    for ray in rays.iter().filter(|ray| ray.free != 0) {
+        let (first, last) = (ray.free.trailing_zeros(), ray.free.ilog2());
+        for distance in [first, last] {
+            reach.add(ray.middle(DISTANCES[distance as usize / SIDE]));
+        }
+    }
+    Rect { min: reach.min - half, max: reach.max + half }
 }
 
 /// What all places of a label lie in.

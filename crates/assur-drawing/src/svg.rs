@@ -222,7 +222,7 @@ fn named(out: &mut String, begin: &str, words: &str) {
 /// An attribute with a number, from its begin.
 fn attribute(out: &mut String, begin: &str, x: f64) {
     out.push_str(begin);
-    out.push_str(number(x).as_str());
+    number(x).push_to(out);
     out.push('"');
 }
 
@@ -261,9 +261,9 @@ fn path(out: &mut String, class: &str, draw: impl FnOnce(&mut String)) {
 /// A step of a path to a point.
 fn to(out: &mut String, step: &str, p: Vec2) {
     out.push_str(step);
-    out.push_str(number(p.x).as_str());
+    number(p.x).push_to(out);
     out.push(' ');
-    out.push_str(number(p.y).as_str());
+    number(p.y).push_to(out);
 }
 
 /// An arc of a path, with the step to its begin.
