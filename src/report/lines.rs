@@ -6,7 +6,7 @@ use super::rows::{AnswerColumns, FULL, write_text};
 use super::simulation;
 use assur_model::model::Value;
 use assur_solve::solve::{Block, BlockNumbers, Model, NumberColumns, Pose, WideColumns};
-use assur_text::units::{Filled, push_row};
+use assur_text::units::push_row;
 
 /// Memory for the numbers of lines.
 #[derive(Debug, Default)]
@@ -15,8 +15,6 @@ pub struct LineMemory {
     pub(super) numbers: BlockNumbers,
     /// Of one.
     pub(super) row: Vec<f64>,
-    /// What they stand in.
-    pub(super) filled: Filled,
 }
 
 /// Writes lines.

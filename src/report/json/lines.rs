@@ -13,7 +13,7 @@ use assur_solve::solve::{
     Beside, Block, JointReaction, Pose, PoseAnswers, Solved, Source, State, WideColumns, read_numbers,
     unplaced_reactions,
 };
-use assur_text::units::Template;
+use assur_text::units::{Columns, Template};
 
 /// Positions at which the pieces are looked for.
 const TRIES: usize = 8;
@@ -37,8 +37,6 @@ struct Filled {
     sources: Vec<Source>,
     /// The same for positions side by side.
     wide: Option<WideColumns>,
-    /// Numbers that are the same at all positions.
-    known: Vec<f64>,
 }
 
 impl JsonLines {
@@ -126,10 +124,11 @@ impl Filled {
         let before = escaped(format!("{head}\"pose\":{{\"name\":\""));
         let pieces: Vec<String> =
             format!("\"{behind}").split(MARK).map(|piece| escaped(piece.to_owned())).collect();
-        let behind = Template::of(pieces.iter().map(String::as_str), &written, |i| steady[i].is_some());
-        let known = written.split_off(numbers.len());
+        let pieces = pieces.iter().map(String::as_str);
+        // those behind the sources need no position
+        let behind = Template::of(pieces, &written, numbers.len(), |i| steady[i].is_some());
         let wide = WideColumns::of_sources(&answers.model, &sources);
-        Some(Self { before, behind, sources, wide, known })
+        Some(Self { before, behind, sources, wide })
     }
 
     /// Writes the line of a position without its end; `false` where its entries differ.
@@ -137,7 +136,7 @@ impl Filled {
         &self,
         answers: &Answers<'_>,
         pose: &Pose,
-        LineMemory { row, filled, .. }: &mut LineMemory,
+        LineMemory { row, .. }: &mut LineMemory,
         out: &mut Vec<u8>,
     ) -> bool {
         let Ok(solved) = &pose.outcome else { return false };
@@ -150,10 +149,10 @@ impl Filled {
         {
             return false;
         }
-        row.extend_from_slice(&self.known);
         out.extend_from_slice(self.before.as_bytes());
         out.extend_from_slice(pose.name.as_bytes());
-        self.behind.fill(row, filled, out);
+        let columns = Columns { numbers: row, lines: 1 };
+        self.behind.pieces(columns).fill(columns, 0, out);
         true
     }
 
@@ -162,12 +161,12 @@ impl Filled {
         if !self.wide.as_ref().is_some_and(|columns| memory.numbers.read(block, columns)) {
             return false;
         }
+        let columns = memory.numbers.columns();
+        let pieces = self.behind.pieces(columns);
         for i in 0..block.len() {
-            memory.numbers.line(i, &mut memory.row);
-            memory.row.extend_from_slice(&self.known);
             out.extend_from_slice(self.before.as_bytes());
             block.push_name(i, out);
-            self.behind.fill(&memory.row, &mut memory.filled, out);
+            pieces.fill(columns, i, out);
             out.push(b'\n');
         }
         true

@@ -2,23 +2,36 @@
 
 use super::block::Block;
 use crate::answer::WideColumns;
+use assur_text::units::Columns;
 
 /// Numbers of the positions of a block.
 #[derive(Debug, Default)]
-pub struct BlockNumbers(Vec<Vec<f64>>);
+pub struct BlockNumbers {
+    /// One column after the other.
+    all: Vec<f64>,
+    /// How many numbers a column has.
+    positions: usize,
+}
 
 impl BlockNumbers {
     /// Reads them; `false` where one does not exist.
     pub fn read(&mut self, block: &Block, columns: &WideColumns) -> bool {
-        self.0.resize_with(columns.count(), Vec::new);
-        self.0.iter_mut().for_each(Vec::clear);
-        block.read(columns, &mut self.0);
-        self.0.iter().all(|column| column.iter().fold(true, |all, x| all & !x.is_nan()))
+        self.positions = block.len();
+        self.all.clear();
+        self.all.resize(columns.count() * self.positions, f64::NAN);
+        block.write(columns, &mut self.all.chunks_exact_mut(self.positions.max(1)));
+        self.all.iter().fold(true, |all, x| all & !x.is_nan())
+    }
+
+    /// All of them.
+    #[must_use]
+    pub fn columns(&self) -> Columns<'_> {
+        Columns { numbers: &self.all, lines: self.positions }
     }
 
     /// Writes the numbers of one of the positions.
     pub fn line(&self, position: usize, out: &mut Vec<f64>) {
         out.clear();
-        out.extend(self.0.iter().map(|column| column[position]));
+        out.extend(self.all.iter().skip(position).step_by(self.positions.max(1)));
     }
 }

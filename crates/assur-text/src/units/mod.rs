@@ -16,5 +16,5 @@ pub use factors::{Factor, factors};
 pub use lookup::{is_unit, lookup};
 pub use number::{push_row, push_significant, significant, write_significant};
 pub use spelling::meant;
-pub use template::{Filled, Template};
+pub use template::{Columns, Pieces, Template};
 pub use unit::{Conversion, Unit};

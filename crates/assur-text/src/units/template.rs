@@ -1,10 +1,14 @@
 //! A text with numbers between its pieces, which stay the same.
 
-/// Pieces are copied as so much text, if they are not longer: most are short, and a size known beforehand takes no loop.
-const SHORT: usize = 16;
-const LONG: usize = 64;
-/// No number is longer.
-const LONGEST: usize = 32;
+/// The most of a piece in a part of the text. Most pieces are shorter, and a size known beforehand takes no loop.
+const PIECE: usize = 32;
+/// No number is longer than `-2.2250738585072014e-308`.
+const LONGEST: usize = 24;
+/// What a number is copied by: nearly all have so many characters, and none twice as many.
+const HALF: usize = 16;
+
+/// So many numbers are written before the first of them is copied: what was only just written is slow to read.
+const GROUP: usize = 128;
 
 /// The pieces.
 #[derive(Clone, Debug, Default)]
@@ -12,119 +16,166 @@ pub struct Template {
     all: Pieces,
     /// With the steady numbers written in.
     varying: Pieces,
-    /// The steady numbers, and their bits.
-    constants: Vec<(usize, u64)>,
-}
-
-/// Memory for a template that is being filled.
-#[derive(Debug, Default)]
-pub struct Filled {
-    text: Vec<u8>,
-    /// Begin and end of each number.
-    places: Vec<(usize, usize)>,
+    /// The steady numbers.
+    constants: Vec<(usize, f64)>,
 }
 
 /// Pieces with numbers between them.
 #[derive(Clone, Debug, Default)]
-struct Pieces {
-    /// One after another, with as much behind the last as is copied at a time.
-    text: Vec<u8>,
-    holes: Vec<Hole>,
-    /// The end of the last piece.
-    end: usize,
+pub struct Pieces {
+    parts: Vec<Part>,
+    /// How many bytes are written at most.
+    room: usize,
 }
 
-/// Where a number goes.
+/// Numbers of lines, column by column.
 #[derive(Clone, Copy, Debug)]
-struct Hole {
-    /// The end of the piece before it.
-    end: usize,
-    number: usize,
-    /// An earlier one that it may repeat.
-    repeats: Option<usize>,
+pub struct Columns<'a> {
+    /// One column after the other.
+    pub numbers: &'a [f64],
+    /// How many numbers a column has.
+    pub lines: usize,
+}
+
+/// A piece, or some of one, and what is behind it.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    text: [u8; PIECE],
+    len: usize,
+    behind: Behind,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Behind {
+    Nothing,
+    /// The number of a column.
+    Number(usize),
+    /// The same, which may be that of an earlier part.
+    Repeated {
+        number: usize,
+        earlier: usize,
+        place: usize,
+    },
 }
 
 impl Template {
-    /// Of pieces, between each two of which there is a number. Those that are `steady` are part of the pieces while they are as in the
-    /// example. Numbers that are the same in it may be so each time: those are written once and copied.
+    /// Of pieces, between each two of which there is a number. The first `count` of them have a column, the others are always as in the
+    /// example. Those that are `steady` are part of the pieces while they are as in the example. Numbers that are the same in it may be
+    /// so each time: those are written once and copied.
     pub fn of<'a>(
         pieces: impl Iterator<Item = &'a str> + Clone,
         example: &[f64],
+        count: usize,
         steady: impl Fn(usize) -> bool,
     ) -> Self {
-        let all = Pieces::of(pieces.clone(), example, |_| false);
-        let varying = Pieces::of(pieces, example, &steady);
-        let constants = (0..example.len()).filter(|&i| steady(i)).map(|i| (i, bits(example[i]))).collect();
+        let all = Pieces::of(pieces.clone(), example, |i| i >= count);
+        let varying = Pieces::of(pieces, example, |i| i >= count || steady(i));
+        let constants = example.iter().copied().enumerate().take(count).filter(|&(i, _)| steady(i)).collect();
         Self { all, varying, constants }
     }
 
-    /// Appends the pieces with the shortest decimal numbers that are read as the given ones, which are finite, between them, as
-    /// `serde_json` writes them.
-    pub fn fill(&self, numbers: &[f64], filled: &mut Filled, out: &mut Vec<u8>) {
-        let still = |&(i, constant): &(usize, u64)| numbers.get(i).is_some_and(|&x| bits(x) == constant);
-        let pieces = if self.constants.iter().all(still) { &self.varying } else { &self.all };
-        pieces.fill(numbers, filled, out);
+    /// The pieces for some lines.
+    #[must_use]
+    pub fn pieces(&self, columns: Columns<'_>) -> &Pieces {
+        let is_still = |&(number, x): &(usize, f64)| columns.of(number).iter().all(|&y| y == x);
+        if self.constants.iter().all(is_still) { &self.varying } else { &self.all }
     }
 }
 
-/// The bits of a number; zero has no sign.
-fn bits(x: f64) -> u64 {
-    (x + 0.0).to_bits()
+impl<'a> Columns<'a> {
+    fn of(&self, number: usize) -> &'a [f64] {
+        &self.numbers[number * self.lines..][..self.lines]
+    }
+}
+
+impl Behind {
+    /// The number of a line, where it is not that of the earlier part.
+    #[inline(always)]
+    fn fresh(self, columns: Columns<'_>, line: usize) -> Option<f64> {
+        let of = |number: usize| columns.numbers[number * columns.lines + line];
+        match self {
+            Self::Nothing => None,
+            Self::Number(number) => Some(of(number)),
+            Self::Repeated { number, earlier, .. } => Some(of(number)).filter(|&x| x != of(earlier)),
+        }
+    }
 }
 
 impl Pieces {
     fn of<'a>(
         pieces: impl Iterator<Item = &'a str>,
         example: &[f64],
-        steady: impl Fn(usize) -> bool,
+        written: impl Fn(usize) -> bool,
     ) -> Self {
         let mut made = Self::default();
+        let mut text = String::new();
         for (number, piece) in pieces.enumerate() {
-            made.text.extend_from_slice(piece.as_bytes());
+            text.push_str(piece);
             match example.get(number) {
-                Some(&x) if steady(number) => made.text.extend_from_slice(shortest(x).as_bytes()),
-                Some(&x) => {
-                    // zeros are written as fast as they are copied
-                    let same = |hole: &Hole| bits(example[hole.number]) == bits(x) && x != 0.0;
-                    let repeats = made.holes.iter().position(same);
-                    made.holes.push(Hole { end: made.text.len(), number, repeats });
+                Some(&x) if written(number) => text.push_str(zmij::Buffer::new().format_finite(x + 0.0)),
+                Some(_) => {
+                    let behind = made.behind(number, example);
+                    made.push(&std::mem::take(&mut text), behind);
                 }
                 None => {}
             }
         }
-        made.end = made.text.len();
-        made.text.extend_from_slice(&[b' '; LONG]);
+        made.push(&text, Behind::Nothing);
+        let numbers = made.parts.iter().filter(|part| !matches!(part.behind, Behind::Nothing)).count();
+        made.room = made.parts.iter().map(|part| part.len).sum::<usize>() + numbers * LONGEST + PIECE;
         made
     }
 
-    fn fill(&self, numbers: &[f64], Filled { text, places }: &mut Filled, out: &mut Vec<u8>) {
-        // with room for what is copied beyond the end of a piece or a number, and written over by the next
-        let room = self.text.len() + self.holes.len() * LONGEST;
-        if text.len() < room {
-            text.resize(room, b' ');
-        }
-        places.clear();
-        let mut page = Page { text, end: 0 };
-        let mut begin = 0;
-        for &Hole { end, number, repeats } in &self.holes {
-            page.push_piece(&self.text[begin..], end - begin);
-            begin = end;
-            let Some(&x) = numbers.get(number) else { continue };
-            let at = page.end;
-            match repeats.and_then(|earlier| Some((self.holes[earlier].number, *places.get(earlier)?))) {
-                Some((earlier, place)) if numbers[earlier].to_bits() == x.to_bits() => page.push_again(place),
-                _ => page.push_shortest(x),
+    /// How a number is found.
+    fn behind(&self, number: usize, example: &[f64]) -> Behind {
+        // of those that are written together
+        let together =
+            self.parts.chunks(GROUP).next_back().filter(|parts| parts.len() < GROUP).unwrap_or_default();
+        let same = |(place, part): (usize, &Part)| match part.behind {
+            Behind::Number(earlier) if example[earlier] == example[number] => {
+                Some(Behind::Repeated { number, earlier, place })
             }
-            places.push((at, page.end));
-        }
-        page.push_piece(&self.text[begin..], self.end - begin);
-        out.extend_from_slice(&page.text[..page.end]);
+            _ => None,
+        };
+        together.iter().enumerate().find_map(same).unwrap_or(Behind::Number(number))
     }
-}
 
-/// The shortest decimal number that is read as `x`, which is finite; zero has no sign.
-fn shortest(x: f64) -> String {
-    zmij::Buffer::new().format_finite(x + 0.0).to_owned()
+    fn push(&mut self, text: &str, behind: Behind) {
+        let part = |some: &[u8], behind| {
+            let mut text = [b' '; PIECE];
+            text[..some.len()].copy_from_slice(some);
+            Part { text, len: some.len(), behind }
+        };
+        let (first, last) = text.as_bytes().split_at(text.len().saturating_sub(1) / PIECE * PIECE);
+        self.parts.extend(first.chunks(PIECE).map(|some| part(some, Behind::Nothing)));
+        self.parts.push(part(last, behind));
+    }
+
+    /// Appends the pieces with the shortest decimal numbers that are read as those of a line, which are finite, between them, as
+    /// `serde_json` writes them: zero has no sign.
+    pub fn fill(&self, columns: Columns<'_>, line: usize, out: &mut Vec<u8>) {
+        let end = out.len();
+        // with room for what is copied beyond the end of a piece or a number, and written over by the next
+        out.resize(end + self.room, 0);
+        let mut page = Page { text: out, end };
+        for parts in self.parts.chunks(GROUP) {
+            let mut buffers: [_; GROUP] = std::array::from_fn(|_| zmij::Buffer::new());
+            let mut each = parts.iter().zip(&mut buffers);
+            let numbers: [&[u8]; GROUP] = std::array::from_fn(|_| {
+                let Some((part, buffer)) = each.next() else { return &[][..] };
+                part.behind.fresh(columns, line).map_or(&[], |x| buffer.format_finite(x + 0.0).as_bytes())
+            });
+            for (part, number) in parts.iter().zip(&numbers) {
+                page.push(&part.text, part.len);
+                match part.behind {
+                    Behind::Repeated { place, .. } if number.is_empty() => page.push_number(numbers[place]),
+                    _ => page.push_number(number),
+                }
+            }
+        }
+        let end = page.end;
+        out.truncate(end);
+    }
 }
 
 /// A text that is being written.
@@ -137,51 +188,18 @@ impl Page<'_> {
     /// Copies a text of a size known beforehand, of which `len` is meant.
     #[inline(always)]
     fn push<const N: usize>(&mut self, text: &[u8; N], len: usize) {
-        self.text[self.end..self.end + N].copy_from_slice(text);
+        self.text[self.end..][..N].copy_from_slice(text);
         self.end += len;
     }
 
-    /// The begin of a text.
     #[inline(always)]
-    fn push_piece(&mut self, text: &[u8], len: usize) {
-        match (text.first_chunk::<SHORT>(), text.first_chunk::<LONG>()) {
-            (Some(piece), _) if len <= SHORT => self.push(piece, len),
-            (_, Some(piece)) if len <= LONG => self.push(piece, len),
-            _ => self.push_text(&text[..len]),
-        }
-    }
-
-    fn push_text(&mut self, text: &[u8]) {
-        self.text[self.end..self.end + text.len()].copy_from_slice(text);
-        self.end += text.len();
-    }
-
-    /// A part of the text once more.
-    #[inline(always)]
-    fn push_again(&mut self, (begin, end): (usize, usize)) {
-        match self.text[begin..].first_chunk::<LONGEST>().copied() {
-            Some(part) => self.push(&part, end - begin),
-            None => {
-                self.text.copy_within(begin..end, self.end);
-                self.end += end - begin;
-            }
-        }
-    }
-
-    /// The shortest decimal number that is read as `x`, which is finite; zero has no sign.
-    #[inline(always)]
-    fn push_shortest(&mut self, x: f64) {
-        if x == 0.0 {
-            return self.push(b"0.0", 3);
-        }
-        let mut buffer = zmij::Buffer::new();
-        let text = buffer.format_finite(x).as_bytes();
-        match (text.first_chunk::<16>(), text.last_chunk::<16>()) {
-            (Some(first), Some(last)) => {
-                self.push(first, text.len() - 16);
-                self.push(last, 16);
-            }
-            _ => self.push_text(text),
+    fn push_number(&mut self, number: &[u8]) {
+        if let (Some(first), Some(last)) = (number.first_chunk::<HALF>(), number.last_chunk::<HALF>()) {
+            self.push(first, number.len() - HALF);
+            self.push(last, HALF);
+        } else {
+            self.text[self.end..][..number.len()].copy_from_slice(number);
+            self.end += number.len();
         }
     }
 }

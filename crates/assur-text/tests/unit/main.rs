@@ -4,4 +4,5 @@ mod diagnostic;
 mod lines;
 mod number;
 mod shown;
+mod template;
 mod units;
