@@ -61,17 +61,18 @@ fn driven(structure: &Structure, group: &Group, branch: usize) -> Option<MotionS
     let effort = &structure.drives[group.efforts[0]];
     let EffortSource::Drive(drive) = effort.source else { return None };
     let replaced = &structure.replaced;
-    let turn = |relative| MotionStep::Turn {
+    let turn = |relative, sign| MotionStep::Turn {
         branch,
         body: body.0,
         base: anchor(replaced, joint),
         pin: pin_arm(replaced, joint, body),
         drive: drive.index(),
         relative,
+        sign,
     };
     match effort.kind {
-        EffortKind::Angle(_) => Some(turn(None)),
-        EffortKind::RelativeAngle { second, .. } => Some(turn(Some(if second == body { 1.0 } else { -1.0 }))),
+        EffortKind::Angle(_) => Some(turn(false, 1.0)),
+        EffortKind::RelativeAngle { second, .. } => Some(turn(true, if second == body { 1.0 } else { -1.0 })),
         EffortKind::Coordinate(_) => Some(MotionStep::Shift {
             branch,
             slide: slide(replaced, joint, joint.base),

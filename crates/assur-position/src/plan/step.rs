@@ -147,8 +147,10 @@ pub enum MotionStep {
         pin: Arm,
         /// Slot of the drive.
         drive: usize,
-        /// The angle is measured from the base instead of the ground, with this sign.
-        relative: Option<f64>,
+        /// The angle is measured from the base instead of the ground.
+        relative: bool,
+        /// With this sign, ±1.
+        sign: f64,
     },
     /// A body on a guide at a driven coordinate.
     Shift {

@@ -138,8 +138,8 @@ impl<S: Scalar> State<S> {
     #[cfg_attr(in_one, inline(always))]
     pub(super) fn closed_form<const LEVEL: u8>(&mut self, step: &MotionStep) {
         match step {
-            MotionStep::Turn { body, base, pin, drive, relative, .. } => {
-                self.turn::<LEVEL>(*body, base, pin, *drive, *relative);
+            MotionStep::Turn { body, base, pin, drive, relative, sign, .. } => {
+                self.turn::<LEVEL>(*body, base, pin, *drive, (*relative, *sign));
             }
             MotionStep::Shift { slide, drive, .. } => self.shift::<LEVEL>(slide, *drive),
             MotionStep::Rrr { branch, legs, sides } => self.rrr::<LEVEL>(*branch, legs, sides),
@@ -184,23 +184,23 @@ impl<S: Scalar> State<S> {
         base: &Anchor,
         pin: &Arm,
         drive: usize,
-        relative: Option<f64>,
+        (relative, sign): (bool, f64),
     ) {
         let input = &self.motion.inputs[drive];
         let hinge = point::<S, LEVEL>(&self.motion.bodies, base);
-        let (u, omega, alpha, turned) = match relative {
-            None => (input.place, input.rate, input.acceleration, input.value),
-            Some(sign) => {
-                let carrier = &self.motion.bodies[base.body];
-                let sign = S::of(sign);
-                let direction = V2::new(input.place.x, sign * input.place.y);
-                (
-                    direction.turned(carrier.u),
-                    carrier.omega + sign * input.rate,
-                    carrier.alpha + sign * input.acceleration,
-                    carrier.turned + sign * input.value,
-                )
-            }
+        let sign = S::of(sign);
+        // cosine and sine are read one by one, as they were written: as a pair they would not be there yet
+        let direction = V2::new(input.place.x, sign * input.place.y);
+        let (u, omega, alpha, turned) = if relative {
+            let carrier = &self.motion.bodies[base.body];
+            (
+                direction.turned(carrier.u),
+                carrier.omega + sign * input.rate,
+                carrier.alpha + sign * input.acceleration,
+                carrier.turned + sign * input.value,
+            )
+        } else {
+            (direction, input.rate, input.acceleration, input.value)
         };
         let body = &mut self.motion.bodies[body];
         body.turned = turned;

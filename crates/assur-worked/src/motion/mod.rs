@@ -87,8 +87,8 @@ impl Course<'_> {
 
     fn step(&mut self, stage: Stage, index: usize, step: &MotionStep) -> bool {
         match step {
-            MotionStep::Turn { body, base, pin, drive, relative, .. } => {
-                self.turn(stage, *body, base, *pin, *drive, *relative);
+            MotionStep::Turn { body, base, pin, drive, relative, sign, .. } => {
+                self.turn(stage, *body, base, *pin, *drive, relative.then_some(*sign));
             }
             MotionStep::Shift { slide, drive, .. } => self.shift(stage, slide, *drive),
             MotionStep::Rrr { legs, .. } => self.rrr(stage, legs),
