@@ -8,7 +8,7 @@ fn filled(template: &Template, numbers: &[f64], lines: usize) -> Vec<String> {
     let line = |i| {
         let mut out = b"> ".to_vec();
         template.pieces(columns).fill(columns, i, &mut out);
-        String::from_utf8(out).unwrap()
+        String::from_utf8(out).expect("text")
     };
     (0..lines).map(line).collect()
 }
