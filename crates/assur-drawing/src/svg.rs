@@ -268,11 +268,15 @@ fn to(out: &mut String, step: &str, p: Vec2) {
 
 /// An arc of a path, with the step to its begin.
 fn arc(out: &mut String, step: &str, (centre, radius): (Vec2, f64), (from, sweep): (f64, f64)) {
-    let large = u8::from(sweep.abs() > std::f64::consts::PI);
-    let onwards = u8::from(sweep > 0.0);
-    let r = number(radius);
+    let (large, onwards) = (sweep.abs() > std::f64::consts::PI, sweep > 0.0);
     to(out, step, on_circle(centre, radius, from));
-    let _ = write!(out, "A{r} {r} 0 {large} {onwards} ");
+    to(out, "A", Vec2::new(radius, radius));
+    out.push_str(match (large, onwards) {
+        (true, true) => " 0 1 1 ",
+        (true, false) => " 0 1 0 ",
+        (false, true) => " 0 0 1 ",
+        (false, false) => " 0 0 0 ",
+    });
     to(out, "", on_circle(centre, radius, from + sweep));
 }
 

@@ -11,12 +11,13 @@ impl Numbers {
     }
 }
 
-fn crowd(seed: u64, labels: usize) -> Sheet {
+/// Labels at hinges, and lines that end so far away at most.
+fn crowd(seed: u64, labels: usize, far: f64) -> Sheet {
     let mut numbers = Numbers(seed);
     let mut drawing = Drawing::new("crowd", "A crowd".to_owned(), "Many labels.".to_owned());
     for i in 0..labels {
         let at = Vec2::new(numbers.next(120.0), numbers.next(80.0));
-        let to = Vec2::new(numbers.next(120.0), numbers.next(80.0));
+        let to = Vec2::new(numbers.next(far), numbers.next(far));
         if i % 3 == 0 {
             drawing.line(Style::Link, at, to);
         }
@@ -33,8 +34,8 @@ fn crowd(seed: u64, labels: usize) -> Sheet {
 
 #[test]
 fn no_label_touches_another_or_what_is_thick() {
-    for seed in 0..20 {
-        let sheet = crowd(seed, 60);
+    for (seed, far) in (0..20).flat_map(|seed| [100.0, 700.0, 1e4].map(|far| (seed, far))) {
+        let sheet = crowd(seed, 60, far);
         assert_eq!(sheet.placed.len(), 60);
         for (i, a) in sheet.placed.iter().enumerate() {
             assert!(sheet.placed[i + 1..].iter().all(|b| !a.bounds.overlaps(&b.bounds)), "{seed}");
@@ -54,7 +55,7 @@ fn no_label_touches_another_or_what_is_thick() {
 
 #[test]
 fn the_same_labels_come_to_the_same_places() {
-    let (first, second) = (crowd(7, 40), crowd(7, 40));
+    let (first, second) = (crowd(7, 40, 100.0), crowd(7, 40, 100.0));
     assert_eq!(first.placed, second.placed);
 }
 
