@@ -1,7 +1,7 @@
 //! The places of a label, the cheapest first, looked for as far as they are asked for.
 
 use crate::blockers::Blockers;
-use crate::clearance::SIDE;
+use crate::clearance::{Clearance, SIDE};
 use crate::geometry::Rect;
 use crate::ground::{Grounds, Met};
 use crate::label::{Anchor, Label};
@@ -52,6 +52,24 @@ impl Ray {
     fn middle(&self, distance: f64) -> Vec2 {
         self.from + self.direction * distance + self.to_middle
     }
+
+    /// Takes the places that are in a circle in which other things are magnified.
+    fn close(&mut self, label: &Label, half: Vec2, round: bool, grounds: &Grounds<'_>) {
+        for (i, distance) in DISTANCES.into_iter().enumerate() {
+            let place = Rect::around(self.middle(distance), half);
+            self.free &= !(u32::from(grounds.is_closed(label, &place, round)) << (SIDE * i));
+        }
+    }
+}
+
+/// Finds at which distances a few rays are free.
+fn find_free(rays: &mut [Ray], clearance: &Clearance) {
+    // what is behind the last is the last again
+    let ray = |i: usize| &rays[i.min(rays.len() - 1)];
+    let lines = std::array::from_fn(|i| (ray(i).middle(0.0), ray(i).direction));
+    let middle = |i: usize, distance: usize| ray(i).middle(DISTANCES[distance]);
+    let free = clearance.free(&lines, &DISTANCES, middle);
+    rays.iter_mut().enumerate().for_each(|(i, ray)| ray.free = free >> i & EACH);
 }
 
 /// The directions around a point.
@@ -111,17 +129,9 @@ impl Places {
         let crosses = grounds.has_thin(&reach);
         let clearance = grounds.clearance(&reach, half, round, met);
         for rays in all.chunks_mut(SIDE) {
-            // what is behind the last is the last again
-            let ray = |i: usize| &rays[i.min(rays.len() - 1)];
-            let lines = std::array::from_fn(|i| (ray(i).middle(0.0), ray(i).direction));
-            let middle = |i: usize, distance: usize| ray(i).middle(DISTANCES[distance]);
-            let free = clearance.free(&lines, &DISTANCES, middle);
-            for (i, ray) in rays.iter_mut().enumerate() {
-                ray.free = free >> i & EACH;
-                for distance in (0..DISTANCES.len()).filter(|_| grounds.closes()) {
-                    let at = Rect::around(ray.middle(DISTANCES[distance]), half);
-                    ray.free &= !(u32::from(grounds.is_closed(label, &at, round)) << (SIDE * distance));
-                }
+            find_free(rays, clearance);
+            if grounds.closes() {
+                rays.iter_mut().for_each(|ray| ray.close(label, half, round, grounds));
             }
         }
         let count = all.iter().map(|ray| ray.free.count_ones()).sum();
