@@ -13,6 +13,8 @@ use assur_math::math::Vec2;
 const PASSING: f64 = 0.1;
 /// What it costs to have no place inside, mm.
 const OUTSIDE: f64 = 60.0;
+/// Room for so many labels that may come in the way of one.
+const NEAR: usize = 16;
 /// By how much a place is cheaper than another at least, mm.
 const CHEAPER: f64 = 1e-9;
 
@@ -245,7 +247,7 @@ impl<'a> Board<'a> {
 
 /// The labels whose boxes may meet.
 fn near(reach: &[Rect]) -> Vec<Vec<usize>> {
-    let mut near: Vec<Vec<usize>> = vec![Vec::new(); reach.len()];
+    let mut near: Vec<Vec<usize>> = reach.iter().map(|_| Vec::with_capacity(NEAR)).collect();
     let mut sorted: Vec<(&Rect, usize)> = reach.iter().zip(0..).collect();
     sorted.sort_unstable_by(|a, b| a.0.min.x.total_cmp(&b.0.min.x));
     for (place, (own, i)) in sorted.iter().enumerate() {

@@ -56,7 +56,7 @@ impl Kept {
         let reach = boxes.half + Vec2::new(wide, wide);
         let within = reach + Vec2::new(end.x.abs(), end.y.abs());
         let size = middle.x.abs() + middle.y.abs() + within.x + within.y;
-        if !(size < FAR) {
+        if size.is_nan() || size >= FAR {
             let (middle, within) = ([0.0; 2], [f32::INFINITY; 2]);
             return Self { obstacle: *obstacle, middle, within, sure: NEVER, across: None };
         }

@@ -129,8 +129,13 @@ impl Drawing {
     /// The box of all marks.
     #[must_use]
     pub fn extent(&self) -> Rect {
+        self.extent_of(self.marks.iter().map(|mark| mark.shape.bounds()))
+    }
+
+    /// The same from the boxes of all marks without the widths of their strokes.
+    fn extent_of(&self, boxes: impl Iterator<Item = Rect>) -> Rect {
         let mut all = self.room.unwrap_or(Rect::NOTHING);
-        self.marks.iter().for_each(|mark| all.join(&mark.shape.bounds().grown(mark.style.half_width())));
+        self.marks.iter().zip(boxes).for_each(|(mark, own)| all.join(&own.grown(mark.style.half_width())));
         all
     }
 
@@ -144,8 +149,9 @@ impl Drawing {
     /// frames.
     #[must_use]
     pub fn placed_through(mut self, later: &[Later]) -> Sheet {
-        let found = placement::place(&self.marks, &self.labels, later);
-        let mut bounds = self.extent();
+        let boxes: Vec<Rect> = self.marks.iter().map(|mark| mark.shape.bounds()).collect();
+        let found = placement::place((&self.marks, &boxes), &self.labels, later);
+        let mut bounds = self.extent_of(boxes.into_iter());
         for frame in later {
             let boxes = found.iter().zip(&frame.shifts).filter_map(|(b, by)| Some(b.as_ref()?.shifted(*by)));
             boxes.for_each(|b| bounds.join(&b));

@@ -40,14 +40,11 @@ impl Number {
     /// Its magnitude in hundredths, where it is clear how they are rounded.
     fn hundredths(self) -> Option<u64> {
         let hundredths = self.0.abs() * 100.0;
-        if !(self.0.abs() < SHORT) {
-            return None;
-        }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below 1e11, not negative
         let below = hundredths as u64;
         #[allow(clippy::cast_precision_loss)] // far below 2^53
         let rest = hundredths - below as f64;
-        ((rest - 0.5).abs() > HALF).then(|| below + u64::from(rest > 0.5))
+        (self.0.abs() < SHORT && (rest - 0.5).abs() > HALF).then(|| below + u64::from(rest > 0.5))
     }
 
     fn push_long(self, out: &mut String) {

@@ -26,10 +26,11 @@ pub struct Later {
     pub shifts: Vec<Vec2>,
 }
 
-/// The boxes of all labels, in their order; none for those that found no place.
-pub fn place(marks: &[Mark], labels: &[Label], later: &[Later]) -> Vec<Option<Rect>> {
+/// The boxes of all labels, in their order; none for those that found no place. `boxes` are those of the marks.
+pub fn place((marks, boxes): (&[Mark], &[Rect]), labels: &[Label], later: &[Later]) -> Vec<Option<Rect>> {
     let mut all = Rect::NOTHING;
-    marks.iter().chain(later.iter().flat_map(|l| &l.marks)).for_each(|mark| all.join(&mark.shape.bounds()));
+    boxes.iter().for_each(|own| all.join(own));
+    later.iter().flat_map(|l| &l.marks).for_each(|mark| all.join(&mark.shape.bounds()));
     labels.iter().for_each(|label| match label.anchor {
         Anchor::Point(p, _) => all.add(p),
         Anchor::Line(a, b) => {

@@ -70,36 +70,34 @@ pub fn mechanism(scene: &Scene<'_>) -> String {
         Some(number) if *number != link.name => format!("{number} {}", link.name),
         _ => link.name.clone(),
     });
-    let links: Vec<String> = links.collect();
-    let pairs = mechanism.pairs.iter().filter(|p| p.bearing.is_none()).map(|pair| {
+    let count = mechanism.links.len().saturating_sub(1);
+    let drawn = || mechanism.pairs.iter().filter(|p| p.bearing.is_none());
+    let pairs = drawn().map(|pair| {
         let mut joined = pair.kind.links();
         joined.dedup();
         let names: Vec<&str> = joined.iter().map(|l| name(scene, *l)).collect();
         format!("{} ({} {})", pair.name, kind(&pair.kind), names.join("–"))
     });
-    let pairs: Vec<String> = pairs.collect();
     let mut said = String::new();
-    if !links.is_empty() {
-        said += &format!("Links: {}. ", listed(&links, MOST_DESCRIBED));
+    if count > 0 {
+        said += &format!("Links: {}. ", listed(links, count, MOST_DESCRIBED));
     }
-    if !pairs.is_empty() {
-        said += &format!("Pairs: {}. ", listed(&pairs, MOST_DESCRIBED));
+    let count = drawn().count();
+    if count > 0 {
+        said += &format!("Pairs: {}. ", listed(pairs, count, MOST_DESCRIBED));
     }
     said
 }
 
 /// A list of names in a help.
 pub fn offered(names: &[String]) -> String {
-    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-    listed(&names, MOST_OFFERED)
+    listed(names.iter().map(|name| format!("`{name}`")), names.len(), MOST_OFFERED)
 }
 
-/// A list that does not become too long.
-fn listed(all: &[String], most: usize) -> String {
-    match all.get(..most) {
-        Some(first) if all.len() > most => format!("{} and {} more", first.join(", "), all.len() - most),
-        _ => all.join(", "),
-    }
+/// A list that does not become too long, of so many.
+fn listed(all: impl Iterator<Item = String>, count: usize, most: usize) -> String {
+    let first = all.take(most).collect::<Vec<_>>().join(", ");
+    if count > most { format!("{first} and {} more", count - most) } else { first }
 }
 
 fn name<'a>(scene: &Scene<'a>, link: LinkId) -> &'a str {
