@@ -161,7 +161,8 @@ impl Filled {
         if !self.wide.as_ref().is_some_and(|columns| memory.numbers.read(block, columns)) {
             return false;
         }
-        let columns = memory.numbers.columns();
+        let (numbers, lines) = memory.numbers.all();
+        let columns = Columns { numbers, lines };
         let pieces = self.behind.pieces(columns);
         for i in 0..block.len() {
             out.extend_from_slice(self.before.as_bytes());

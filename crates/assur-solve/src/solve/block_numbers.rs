@@ -2,7 +2,6 @@
 
 use super::block::Block;
 use crate::answer::WideColumns;
-use assur_text::units::Columns;
 
 /// Numbers of the positions of a block.
 #[derive(Debug, Default)]
@@ -23,10 +22,10 @@ impl BlockNumbers {
         self.all.iter().fold(true, |all, x| all & !x.is_nan())
     }
 
-    /// All of them.
+    /// All of them, one column after the other, and how many numbers a column has.
     #[must_use]
-    pub fn columns(&self) -> Columns<'_> {
-        Columns { numbers: &self.all, lines: self.positions }
+    pub fn all(&self) -> (&[f64], usize) {
+        (&self.all, self.positions)
     }
 
     /// Writes the numbers of one of the positions.
