@@ -10,12 +10,16 @@ use wide::f32x4;
 
 /// How many lines are looked at side by side.
 pub(crate) const SIDE: usize = 4;
-/// What is nearer than this to touching is decided exactly, mm: a hundred times what is rounded within [`FAR`].
+/// What is nearer than this to touching is decided exactly, mm: five times what single precision rounds at a distance of twice [`FAR`].
 const CLOSE: f32 = 2e-3;
 /// What is farther than this, or longer, is decided exactly, mm.
 const FAR: f64 = 500.0;
 /// What moves less along an axis moves across it, mm per mm.
 const ACROSS: f32 = 1e-12;
+/// What is nearer along both axes than this part of a radius is in the disc.
+const IN_DISC: f64 = 0.7;
+/// Nothing is so near.
+const NEVER: [f32; 2] = [f32::NEG_INFINITY; 2];
 
 /// The boxes of a label, or the discs in them, and what is kept free around them.
 #[derive(Clone, Copy, Default)]
@@ -27,11 +31,6 @@ pub(crate) struct Boxes {
 
 /// A line of middles: where it begins, and its direction.
 pub(crate) type Line = (Vec2, Vec2);
-
-/// What is nearer along both axes than this part of a radius is in the disc.
-const IN_DISC: f64 = 0.7;
-/// Nothing is so near.
-const NEVER: [f32; 2] = [f32::NEG_INFINITY; 2];
 
 /// An obstacle, and what the middle of a box keeps away from.
 struct Kept {

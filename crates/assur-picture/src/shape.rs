@@ -56,6 +56,13 @@ pub struct Outline {
     pub arms: Vec<(Vec2, Vec2)>,
 }
 
+impl Outline {
+    /// The sides of all plates.
+    pub fn sides(&self) -> impl Iterator<Item = (Vec2, Vec2)> {
+        self.plates.iter().flat_map(|p| (0..p.len()).map(|i| (p[i], p[(i + 1) % p.len()])))
+    }
+}
+
 /// How far a bar goes beyond a block that slides on it, mm.
 const BEYOND: f64 = 9.0;
 /// Points nearer than this on paper are one.

@@ -161,7 +161,7 @@ impl Filled {
         if !self.wide.as_ref().is_some_and(|columns| memory.numbers.read(block, columns)) {
             return false;
         }
-        let (numbers, lines) = memory.numbers.all();
+        let (numbers, lines) = memory.numbers.columns();
         let columns = Columns { numbers, lines };
         let pieces = self.behind.pieces(columns);
         for i in 0..block.len() {

@@ -56,9 +56,7 @@ impl Sketch<'_, '_> {
         drawing.begin("inset", "");
         let Some(inset) = Inset::of(drawing, at, (apart, SEEN)) else { return drawing.end() };
         for outline in self.outlines() {
-            let sides =
-                outline.plates.iter().flat_map(|p| (0..p.len()).map(|i| (p[i], p[(i + 1) % p.len()])));
-            for (a, b) in outline.bars.iter().copied().chain(sides) {
+            for (a, b) in outline.bars.iter().copied().chain(outline.sides()) {
                 inset.line(drawing, Style::Link, a, b);
             }
         }

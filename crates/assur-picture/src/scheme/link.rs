@@ -58,9 +58,7 @@ impl Sketch<'_, '_> {
         self.lines.get_or_init(|| {
             let mut lines = Vec::new();
             for outline in self.outlines() {
-                let sides =
-                    outline.plates.iter().flat_map(|p| (0..p.len()).map(|i| (p[i], p[(i + 1) % p.len()])));
-                let all = outline.bars.iter().chain(&outline.arms).copied().chain(sides);
+                let all = outline.bars.iter().chain(&outline.arms).copied().chain(outline.sides());
                 let all = all.map(|(a, b)| Segment { a, b });
                 lines.extend(all.map(|line| (line.bounds().grown(2.0 * SAME), line)));
             }
@@ -153,7 +151,7 @@ impl Sketch<'_, '_> {
             .iter()
             .copied()
             .chain(self.rods.iter().filter(|r| r.0 == link).map(|r| (r.1, r.2)))
-            .chain(outline.plates.iter().flat_map(|p| (0..p.len()).map(|i| (p[i], p[(i + 1) % p.len()]))))
+            .chain(outline.sides())
             .filter(|(a, b)| (*b - *a).norm() > 4.0)
             .max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
         if let Some((a, b)) = longest {

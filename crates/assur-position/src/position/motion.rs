@@ -189,7 +189,7 @@ impl<S: Scalar> State<S> {
         let input = &self.motion.inputs[drive];
         let hinge = point::<S, LEVEL>(&self.motion.bodies, base);
         let sign = S::of(sign);
-        // cosine and sine are read one by one, as they were written: as a pair they would not be there yet
+        // cosine and sine are read one by one, as they were written: to read them as a pair waits until both are in memory
         let direction = V2::new(input.place.x, sign * input.place.y);
         let (u, omega, alpha, turned) = if relative {
             let carrier = &self.motion.bodies[base.body];

@@ -24,7 +24,7 @@ impl BlockNumbers {
 
     /// All of them, one column after the other, and how many numbers a column has.
     #[must_use]
-    pub fn all(&self) -> (&[f64], usize) {
+    pub fn columns(&self) -> (&[f64], usize) {
         (&self.all, self.positions)
     }
 
