@@ -1,6 +1,6 @@
 //! Drives, loads, weights and unknown efforts.
 
-use super::{LinkId, Sketch};
+use super::{LinkId, Sketch, any_near};
 use crate::angles::{flipped, wrapped};
 use crate::symbol::{arrow, guide, hinge};
 use assur_drawing::{Drawing, Label, Role, Shape, Style, Text};
@@ -311,7 +311,7 @@ impl Sketch<'_, '_> {
     /// one that is wanted.
     fn free_middle(&self, at: Vec2, wanted: f64) -> f64 {
         let mut busy: Vec<(f64, f64)> = self.lines_at(at).iter().map(|d| (-d.angle(), 1.1)).collect();
-        if self.supports.iter().any(|s| (*s - at).norm() < 0.05) {
+        if any_near(&self.supports, at, 0.05) {
             busy.push((-TAU / 4.0, 1.5));
         }
         let arcs = self.taken.iter().filter(|(p, d)| (*p - at).norm() < 0.5 && d.norm() > 2.0);
@@ -376,7 +376,7 @@ impl Sketch<'_, '_> {
             };
             return reach(x, dx, half.x).min(reach(y, dy, half.y)) + 0.3;
         }
-        let on_hinge = self.labelled.iter().any(|l| (*l - at).norm() < 0.05);
+        let on_hinge = any_near(&self.labelled, at, 0.05);
         if on_hinge { hinge::RADIUS + 0.2 } else { 0.0 }
     }
 }

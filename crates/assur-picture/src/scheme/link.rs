@@ -1,6 +1,6 @@
 //! Bars and plates, mass centres, named points, numbers of links.
 
-use super::Sketch;
+use super::{Sketch, any_near};
 use crate::angles::freest;
 use crate::symbol::{guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Rect, Segment, Shape, Style, Text};
@@ -70,7 +70,7 @@ impl Sketch<'_, '_> {
     pub(super) fn points(&mut self, drawing: &mut Drawing) {
         let scene = self.scene;
         let pins = self.pins();
-        let is_joint = |at: Vec2| pins.iter().any(|pin| (*pin - at).norm() <= SAME);
+        let is_joint = |at: Vec2| any_near(&pins, at, SAME);
         for (i, link) in scene.mechanism().links.iter().enumerate().skip(1) {
             let id = LinkId::at(i);
             if !scene.is_placed(id) || scene.is_in_cylinder(id) {
@@ -84,7 +84,7 @@ impl Sketch<'_, '_> {
             }
             for point in &link.points {
                 let at = body(point.at);
-                if self.labelled.iter().any(|l| (*l - at).norm() <= SAME) {
+                if any_near(&self.labelled, at, SAME) {
                     continue;
                 }
                 let is_centre = centre.is_some_and(|c| (c - at).norm() <= SAME);

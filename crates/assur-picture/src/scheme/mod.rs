@@ -209,6 +209,14 @@ fn extent(scene: &Scene<'_>, shapes: &[LinkShape]) -> Rect {
     bounds
 }
 
+/// Whether any of some points is so near to a place, mm.
+fn any_near(points: &[Vec2], at: Vec2, within: f64) -> bool {
+    points.iter().any(|point| {
+        let d = *point - at;
+        d.dot(d) <= within * within
+    })
+}
+
 /// A scheme that is being drawn.
 struct Sketch<'a, 's> {
     scene: &'s Scene<'a>,

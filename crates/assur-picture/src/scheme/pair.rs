@@ -1,6 +1,6 @@
 //! Pairs: hinges, rails, blocks, slots, cylinders; springs.
 
-use super::{LinkId, Sketch};
+use super::{LinkId, Sketch, any_near};
 use crate::scene::Scene;
 use crate::shape::{Form, SLOT_END, form};
 use crate::symbol::{cylinder, guide, hinge, spring};
@@ -244,7 +244,7 @@ impl<'a> Sketch<'a, '_> {
                 Some(direction) => label.towards(direction),
                 None => label,
             };
-            if !self.labelled.iter().any(|l| (*l - at).norm() < 0.05) {
+            if !any_near(&self.labelled, at, 0.05) {
                 drawing.label(label);
             }
             self.labelled.push(at);

@@ -37,8 +37,8 @@ fn between(scene: &Scene<'_>) -> Option<f64> {
     let hinges = hinges.filter(|pin| scene.is_placed(pin.link)).map(|pin| scene.at(pin.link, pin.at));
     let hinges: Vec<Vec2> = hinges.collect();
     let nearest = |at: &Vec2| {
-        let others = hinges.iter().map(|other| (*other - *at).norm()).filter(|apart| *apart > 0.0);
-        others.min_by(f64::total_cmp)
+        let squared = |other: &Vec2| (*other - *at).dot(*other - *at);
+        hinges.iter().map(squared).filter(|apart| *apart > 0.0).min_by(f64::total_cmp).map(f64::sqrt)
     };
     let mut apart: Vec<f64> = hinges.iter().filter_map(nearest).collect();
     apart.sort_by(f64::total_cmp);
