@@ -189,6 +189,9 @@ fn a_change_of_the_file_arrives_and_errors_keep_the_picture() {
     );
     folder.write_bytes("crank.mech", CRANK.as_bytes());
     assert_eq!(next()["old"], false);
+    folder.write_bytes("crank.mech", b"");
+    let empty = next();
+    assert!(empty["diagnostics"].as_str().unwrap().contains("the file is empty"), "{empty}");
 }
 
 #[test]

@@ -51,8 +51,12 @@ impl Followed {
         if stamp == self.stamp && stamp.is_none_or(is_settled) {
             return None;
         }
-        self.stamp = stamp;
         let read = Input::File(self.path.clone()).read();
+        // Who writes a file may empty it first: it is looked at again.
+        if read.as_ref().is_ok_and(|source| source.text.is_empty()) && !stamp.is_some_and(is_settled) {
+            return None;
+        }
+        self.stamp = stamp;
         let kept = read.clone().map_err(|error| error.to_string());
         if kept.as_ref().map(|source| &source.text) == self.read.as_ref().map(|source| &source.text) {
             return None;
