@@ -49,7 +49,7 @@ printed and those from which its error is estimated. It does not include reading
 Common results:
 
 - As `solve` does it, the reported error lies above the true one by a factor of 1 to 30 in 95 of 100 runs over all examples, and never below a third of it. By DOP853 and
-  Radau IIA the run that is printed goes in halves of the steps of the run before, so that it is often far better than is wanted.
+  Radau IIA the run that is printed goes in halves of the steps of the run before, or in two thirds where little is wanted, so that it is often far better than is wanted.
 - Where the one coordinate decides on all forces, as in Andrews' mechanism, the motion follows from the energy: evaluations are spent where mass and force
   along the coordinate are new, not where time passes. For the same error it takes a sixth to a twentieth of the evaluations of DOP853, which is shown below it.
 - Ten times the accuracy takes DOP853, a method of order 8, about a third more steps. From 1e-6 to 1e-12 the time grows about fivefold; a third of it or
@@ -90,7 +90,8 @@ TEXT
 
 Written by `python3 benches/simulate/run.py --write`, which installs the other programs under target/simulate-peers, and tries several tolerances or steps in
 each: the fastest that keeps an error is shown. Errors are against references with 30 digits, at the last instant: of Andrews' mechanism
-the greatest |Δq|/(1 + |q|) of its angles. A run is the motion alone, without reading the text; that of assur has the runs from which its error is estimated. A process begins with
+the greatest |Δq|/(1 + |q|) of its angles. A run is the motion alone, without reading the text; that of assur has the runs from which its error is estimated, and its evaluations are those of the run that is printed. By DOP853 it goes where a load of time, here of 0 N m, leaves
+no energy to go by. A process begins with
 starting the interpreter, and with compiling by numba or the C compiler. The times of the others are those on the processor, the least of several; of RADAU5, whose clock
 has milliseconds, the mean. The equations for RADAU5, scipy and IDA are those of the angles of all links: compiled by the C compiler for RADAU5, which is called
 without a line of R between, and by numba for scipy and IDA; what calls them there is Python.

@@ -74,6 +74,36 @@ fn errors_of_runs_are_the_true_ones() {
     assert!(picture.starts_with("<svg") && picture.contains("Radau IIA"), "{picture}");
 }
 
+/// What a kept error takes by DOP853: of the angles at the last instant, |Δq|/(1 + |q|), as the books compare methods.
+#[test]
+fn evaluations_are_few_for_the_digits_they_give() {
+    let text = example("andrews.mech").text;
+    let kept = text.lines().filter(|line| !line.starts_with("find") && !line.starts_with("expect"));
+    let alone: Vec<&str> = kept.collect();
+    // a load of time leaves no energy to go by
+    let timed = alone.join("\n").replace("0.033 N*m", "0.033 N*m + 0 N*m/s*time").replace(" in 30 steps", "");
+    let source = Source::new("timed", timed + "\nfind angle(OF)\n");
+    // OF, BDE, EG, AG, AH
+    let angles = [
+        (1, 15.810771195153707),
+        (3, -1.5299740866752508),
+        (4, 1.5604761763327711),
+        (5, 0.524409965879954),
+        (7, -0.5227155857529588),
+    ];
+    for (within, error, most) in [(1e-3, 1e-6, 600), (1e-8, 1e-9, 1300), (1e-10, 1e-12, 2600)] {
+        let mut compiled = compile(&source, &Overrides::none()).0.unwrap();
+        compiled.mechanism.simulation.as_mut().unwrap().within = Some(within);
+        let solved = solve_within(compiled, None).0.unwrap();
+        let report = solved.solution.simulation.as_ref().unwrap();
+        let end = solved.solution.poses.last().unwrap().outcome.as_ref().unwrap();
+        let off = angles.map(|(body, q): (usize, f64)| (end.angles[body] - q).abs() / (1.0 + q.abs()));
+        let worst = off.into_iter().fold(0.0, f64::max);
+        assert_eq!(report.method, Method::Dop853);
+        assert!(worst <= error && report.printed <= most, "{within:e}: {worst:e} by {}", report.printed);
+    }
+}
+
 #[test]
 fn stiff_motions_and_motions_with_friction_are_measured() {
     let oil = studied("flap-in-oil.mech");

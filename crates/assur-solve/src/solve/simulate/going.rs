@@ -77,8 +77,8 @@ pub(super) struct Going<'m, 'o> {
     pub turning: Option<f64>,
     /// Where its own steps end.
     pub trace: Trace,
-    /// Steps are halves of those of the run before, the next of which is this one.
-    pub half: Option<usize>,
+    /// Steps are parts of those of the run before, the next of which is this one.
+    pub place: Option<usize>,
     /// The condition at which other coordinates were looked for in vain.
     pub looked_at: f64,
     /// When other coordinates were taken, s, and which.
@@ -122,7 +122,7 @@ impl<'m, 'o> Going<'m, 'o> {
             longest: None,
             turning: None,
             trace: Trace::new(),
-            half: None,
+            place: None,
             looked_at: CAREFUL / AGAIN,
             changes: Vec::new(),
             crossed: Vec::new(),
@@ -243,7 +243,7 @@ impl Going<'_, '_> {
         method: &mut M,
         exactly: bool,
     ) -> Result<(), Ended> {
-        if !exactly && self.half.is_some() && self.pass.is_stiff(method.t()) {
+        if !exactly && self.place.is_some() && self.pass.is_stiff(method.t()) {
             return Err(Ended::Stiff);
         }
         self.bound(method);
@@ -357,9 +357,9 @@ impl Going<'_, '_> {
 
     /// Bounds the next step.
     pub fn bound<M: Integrator<f64>>(&mut self, method: &mut M) {
-        let halved = self.pass.halved.zip(self.half.as_mut());
-        let half = halved.and_then(|(trace, next)| trace.half(next, method.t()));
-        let bounds = [self.longest, self.turning, half];
+        let before = self.pass.before.zip(self.place.as_mut());
+        let length = before.and_then(|((trace, part), next)| trace.part(part, next, method.t()));
+        let bounds = [self.longest, self.turning, length];
         method.progress_mut().longest = bounds.into_iter().flatten().reduce(f64::min);
     }
 }

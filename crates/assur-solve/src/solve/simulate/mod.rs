@@ -1,8 +1,8 @@
 //! Motion under given loads: the free coordinates from instant to instant.
 //!
 //! The equations of the free coordinates are those of [`Reduced`](crate::position::Reduced); everything else follows from
-//! these coordinates in closed form, so that nothing drifts apart. Two runs, one in halves of the steps of the other, go side by side: what they
-//! differ by, and how much finer the finer one is, tell its error; it is what comes out.
+//! these coordinates in closed form, so that nothing drifts apart. Two runs, one in halves or two thirds of the steps of the other, go
+//! side by side: what they differ by, and how much finer the finer one is, tell its error; it is what comes out.
 
 mod bridge;
 mod change;

@@ -4,6 +4,7 @@ use super::compare::{Compared, Kinds};
 use super::pass::Pass;
 use super::report::Method;
 use super::run::Run;
+use super::trace::Fraction;
 use crate::solve::failure::Halt;
 
 /// The tolerance of the second run over that of the first.
@@ -16,6 +17,8 @@ const AIM: f64 = 0.25;
 const STEP: (f64, f64) = (0.03, 0.1);
 /// A looser tolerance makes steps so long that what two runs differ by says nothing of their error.
 const LOOSEST: f64 = 1e-5;
+/// Where the first run could be so many times looser, steps that are not much shorter are fine enough.
+const FAR: f64 = 50.0;
 /// Below this relative tolerance the digits of the numbers end.
 const FINEST: f64 = 2e-15;
 /// At this tolerance rounding may be greater than what the method leaves.
@@ -25,21 +28,24 @@ const IN_VAIN: usize = 2;
 /// Evaluations of all runs: no finer run is begun that would take more.
 const MOST: usize = 12_000_000;
 
-/// Runs in halves of the steps of the run before.
+/// Runs in parts of the steps of the run before.
 #[derive(Clone, Copy)]
-struct Halved {
+struct Shorter {
+    part: Fraction,
     /// The tolerance over that of the run before: smooth steps keep a finer one, and where they are not smooth they are to be shorter.
     tolerance: f64,
-    /// Such a run is begun where the error is to be less by a factor between these.
+    /// Another such run is begun where the error is to be less by a factor between these.
     least: f64,
     worth: f64,
 }
 
-/// Of methods whose error falls by their order.
-const fn halved(method: Method) -> Option<Halved> {
+/// Of methods whose error falls by their order; `loosely` where the run before is the loosest, and finer by far than is wanted.
+const fn shorter(method: Method, loosely: bool) -> Option<Shorter> {
+    let halves = Shorter { part: Fraction::Half, tolerance: 1.0 / 64.0, least: 1.0 / 64.0, worth: 0.1 };
     match method {
-        Method::Dop853 => Some(Halved { tolerance: 1.0 / 64.0, least: 1.0 / 64.0, worth: 0.1 }),
-        Method::Radau => Some(Halved { tolerance: 0.1, least: 1.0 / 16.0, worth: 0.3 }),
+        Method::Dop853 if loosely => Some(Shorter { part: Fraction::TwoThirds, tolerance: 0.5, ..halves }),
+        Method::Dop853 => Some(halves),
+        Method::Radau => Some(Shorter { tolerance: 0.1, least: 1.0 / 16.0, worth: 0.3, ..halves }),
         Method::Energy => None,
     }
 }
@@ -89,12 +95,14 @@ pub(super) fn until_kept(
         if hopeless || spent + runs[coarse].counts.evaluations > MOST {
             break;
         }
-        let halved = halved(runs[coarse].method);
-        let factor = halved.map_or(wanted.clamp(STEP.0, STEP.1), |halved| halved.tolerance);
+        // how many rebounds there are depends on the tolerance, which halves make finer
+        let loosely = coarse == 0 && LOOSER * within > FAR * LOOSEST && runs[0].closed.is_empty();
+        let shorter = shorter(runs[coarse].method, loosely);
+        let factor = shorter.map_or(wanted.clamp(STEP.0, STEP.1), |shorter| shorter.tolerance);
         let finer = (pass.tolerance * factor).max(FINEST);
-        let next = pass.finer(finer, &runs[coarse].trace, halved.is_some());
+        let next = pass.finer(finer, &runs[coarse].trace, shorter.map(|shorter| shorter.part));
         let found = run(next);
-        pass = Pass { halved: None, works: &[], ..next };
+        pass = Pass { before: None, works: &[], ..next };
         runs.push(found);
         let fine = &runs[coarse + 1];
         spent += fine.counts.evaluations;
@@ -115,7 +123,7 @@ pub(super) fn until_kept(
         }
         wanted = AIM * within / error;
         let goes_on =
-            halved.map_or(wanted >= STEP.0, |halved| (halved.least..=halved.worth).contains(&wanted));
+            shorter.map_or(wanted >= STEP.0, |shorter| (shorter.least..=shorter.worth).contains(&wanted));
         if goes_on {
             continue;
         }

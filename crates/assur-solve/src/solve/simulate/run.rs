@@ -16,7 +16,7 @@ use super::rubbing::rubs;
 use super::setup::{Begin, Outputs, allowed, at_rest, scale};
 use super::slipping::Mode;
 use super::stop::Stops;
-use super::trace::Trace;
+use super::trace::{Fraction, Trace};
 use super::watch::AT_ONCE;
 use crate::math::lobatto::Short;
 use crate::math::ode::{Counts, Dop853, Energy as ByEnergy, Integrator, Radau, System, Undefined};
@@ -64,6 +64,8 @@ pub(super) struct Run {
     pub shift: f64,
     /// Its tolerance.
     pub tolerance: f64,
+    /// The part that its steps are of those of the run before.
+    pub part: Option<Fraction>,
     /// What it leaves to a finer run.
     pub trace: Trace,
 }
@@ -112,7 +114,11 @@ pub(super) fn run(
         }
     }
     part.left_off = left_off;
-    Run { tolerance: pass.tolerance, ..going.end(part, (counts, method)) }
+    Run {
+        tolerance: pass.tolerance,
+        part: pass.before.map(|(_, part)| part),
+        ..going.end(part, (counts, method))
+    }
 }
 
 /// What became of a part of a run in one choice of coordinates.
@@ -161,7 +167,7 @@ impl Going<'_, '_> {
         charts: &mut Charts<'_>,
         (t, y): (f64, &[f64]),
     ) -> Part {
-        let Pass { tolerance, measures, shorter, halved, works } = self.pass;
+        let Pass { tolerance, measures, shorter, before, works } = self.pass;
         let length = self.last - self.begin;
         self.corners = Corners::new(equations, AT_ONCE * length);
         equations.take_sides(t, y);
@@ -172,7 +178,7 @@ impl Going<'_, '_> {
         let least = if rests { AT_REST.max(fewest) } else { fewest };
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
         self.longest = (least > 0.0).then_some(shorter / SHORTER * length / least);
-        (self.turning, self.half) = (None, None);
+        (self.turning, self.place) = (None, None);
         let asked = self.outputs.conduct.method;
         let (mut found, mut name) = if asked.is_none_or(|m| m == Method::Energy) && equations.conserves() {
             let mut method = ByEnergy::new(y.len(), tolerance, scale(equations));
@@ -182,7 +188,7 @@ impl Going<'_, '_> {
             (found, Method::Energy)
         } else {
             let mut method = Dop853::new(allowed.clone());
-            self.half = Some(0);
+            self.place = Some(0);
             (self.begin_with(&mut method, equations, charts, (t, y)), Method::Dop853)
         };
         if matches!(found.ended, Ended::Stuck(_)) && equations.walk.take().is_some() {
@@ -190,7 +196,7 @@ impl Going<'_, '_> {
             let before = (found.counts, found.left_off);
             let y = std::mem::take(&mut found.y);
             let mut method = Dop853::new(allowed.clone());
-            self.half = Some(0);
+            self.place = Some(0);
             found = self.begin_with(&mut method, equations, charts, (found.end, &y));
             found.left_off = before.1.with(found.left_off);
             (found.counts, name) = (sum(before.0, found.counts), Method::Dop853);
@@ -198,7 +204,7 @@ impl Going<'_, '_> {
         if matches!(found.ended, Ended::Stiff) {
             self.trace.stiff.get_or_insert(found.end);
             let mut implicit = Radau::new(&allowed);
-            if !measures && halved.is_none() {
+            if !measures && before.is_none() {
                 let gap = shorter * self.outputs.longest_gap(length);
                 self.longest = Some(if fewest > 0.0 { gap.min(length / fewest) } else { gap });
             }
@@ -313,6 +319,7 @@ impl Going<'_, '_> {
             left_off: part.left_off.with_functions(left_off),
             shift,
             tolerance: 0.0,
+            part: None,
             trace: trace.with_works(&records),
             records,
         }
@@ -385,6 +392,7 @@ impl Run {
             left_off: LeftOff::default(),
             shift: 0.0,
             tolerance: 0.0,
+            part: None,
             trace: Trace::default(),
         }
     }
