@@ -334,3 +334,50 @@ fn meshes_with_losses_come_to_rest_and_turn() {
     assert!(failures.is_empty(), "{} failures\n{few}", failures.len());
     assert!(turned > compared / 4, "{turned} of {compared}");
 }
+
+/// A differential between two motors, each with its belt: a belt that slips passes on r₂/r₁ of a torque and (1 − s) r₁/r₂ of a speed.
+#[test]
+fn belts_that_slip_pass_on_less_speed() {
+    for seed in 1..=20 * times() {
+        let mut random = Random::new(seed);
+        let (mut motors, mut alone) = (String::new(), String::new());
+        let mut wheels = [String::new(), String::new()];
+        let mut added = [0.0; 2];
+        for (k, shaft) in ["sun", "carrier"].into_iter().enumerate() {
+            let [r_1, r_2] = [random.within(50.0, 150.0), random.within(50.0, 250.0)];
+            let (slip, inertia) = (random.within(0.005, 0.2), random.within(0.001, 0.01));
+            let (torque, rate) = (random.within(5.0, 20.0), random.within(1.0, 20.0));
+            let ratio = (1.0 - slip) * r_1 / r_2;
+            motors += &format!(
+                "shaft m{k} {{ wheel a{k} radius {r_1} mm; inertia {inertia} kg*m^2 }}\n\
+                 belt k{k}: a{k} - b{k} {{ slip {slip} }}\ntorque on m{k} = {torque} N*m\n\
+                 start m{k} at {} rad/s\n",
+                rate / ratio
+            );
+            wheels[k] = format!("wheel b{k} radius {r_2} mm; ");
+            alone +=
+                &format!("torque on {shaft} = {} N*m\nstart {shaft} at {rate} rad/s\n", torque * r_2 / r_1);
+            added[k] = inertia * r_2 / r_1 / ratio;
+        }
+        let own = [random.within(0.1, 0.5), random.within(0.1, 0.5), random.within(0.1, 0.5)];
+        let train = |wheels: [&str; 2], added: [f64; 2]| {
+            format!(
+                "mech 1\nshaft sun {{ {}wheel s teeth 20 module 4 mm; inertia {} kg*m^2 }}\nshaft carrier {{ {}inertia {} kg*m^2 }}\n\
+                 shaft planet on carrier {{ wheel p teeth 20 module 4 mm; inertia {} kg*m^2 }}\nmesh k: p - s\n",
+                wheels[0],
+                own[0] + added[0],
+                wheels[1],
+                own[1] + added[1],
+                own[2],
+            )
+        };
+        let rest = "simulate 1 s within 1e-10\nfind omega(sun), omega(carrier), omega(planet), tangential_force(k)\n";
+        let with = train([&wheels[0], &wheels[1]], [0.0; 2]) + &motors + rest;
+        let got = found(&with, true).unwrap_or_else(|why| panic!("{why}\n{with}"));
+        let without = train(["", ""], added) + &alone + rest;
+        let want = found(&without, true).unwrap_or_else(|why| panic!("{why}\n{without}"));
+        let size = want.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+        let off = want.iter().zip(&got).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max);
+        assert!(off < 1e-9, "seed {seed}: {off:e}\n{want:?}\n{got:?}\n{with}");
+    }
+}

@@ -136,6 +136,20 @@ fn opens(model: &Model<'_>, pair: PairId, time: String) -> SimulateError {
                 ),
             )
         }
+        PairKind::Transmission(t) if t.slip > 0.0 => {
+            let kept = t.laws.iter().filter_map(|law| law.efficiency).map(|[there, _]| there);
+            let kept = four(kept.fold(1.0, f64::min));
+            (
+                format!(
+                    "power would run backwards through belt `{name}` from {time} on: its slip is of the speed that `{}` gives",
+                    t.ends[0]
+                ),
+                "the first wheel must drive",
+                format!(
+                    "write `efficiency {kept}` in place of `slip`: then power may run either way; or end the motion before"
+                ),
+            )
+        }
         _ => (
             format!("rope `{name}` would have to push from {time} on"),
             "slack here",

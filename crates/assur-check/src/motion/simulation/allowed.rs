@@ -3,7 +3,7 @@
 use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::motion::drive::{count, moves};
-use assur_model::model::{BalanceKind, Pair, PairKind, Positions};
+use assur_model::model::{BalanceKind, Positions};
 use assur_syntax::document::Statement;
 use assur_text::source::Span;
 
@@ -13,7 +13,6 @@ pub(super) fn look(cx: &mut Context<'_>, simulate: Span) {
     positions(cx, simulate);
     no_meaning(cx);
     time_is_taken(cx, simulate);
-    not_solved_yet(cx);
     balances(cx);
 }
 
@@ -76,17 +75,6 @@ fn no_meaning(cx: &mut Context<'_>) {
             _ => continue,
         };
         cx.error(SimulateError::NoMeaning { what, help, span: statement.span });
-    }
-}
-
-/// Notes belts that slip, which are not solved yet where several coordinates are free: which side drives is not known beforehand.
-fn not_solved_yet(cx: &mut Context<'_>) {
-    let slips = |pair: &&Pair| matches!(&pair.kind, PairKind::Transmission(t) if t.slip > 0.0);
-    let free = cx.builder.mech.drives.iter().filter(|d| d.free).count();
-    let pairs = cx.builder.mech.pairs.iter().filter(|_| free > 1);
-    let slipping: Vec<Span> = pairs.filter(slips).map(|pair| pair.span).collect();
-    for span in slipping {
-        cx.builder.unsupported("a belt that slips in a motion of several free coordinates", span);
     }
 }
 

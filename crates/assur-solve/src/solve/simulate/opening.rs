@@ -1,4 +1,5 @@
-//! Contacts that would have to pull, and ropes that would have to push: from there on the motion is another one.
+//! Contacts that would have to pull, ropes that would have to push, and belts that slip with the second wheel driving: from there on
+//! the motion is another one.
 
 use super::equations::Equations;
 use super::records::within_step;
@@ -10,7 +11,7 @@ use crate::model::{Mechanism, PairId, PairKind, Query, TransmissionKind, Value};
 /// Rounding of a force, relative to the greatest in the mechanism.
 const ROUNDING: f64 = 1e-9;
 
-/// What holds only as long as it presses or pulls.
+/// What holds only as long as it presses, pulls, or passes power on.
 pub(super) struct Openings {
     pairs: Vec<PairId>,
 }
@@ -19,7 +20,7 @@ impl Openings {
     pub fn new(mechanism: &Mechanism) -> Self {
         let pairs = mechanism.pairs.iter().enumerate().filter(|(_, pair)| match &pair.kind {
             PairKind::Contact { .. } => true,
-            PairKind::Transmission(t) => t.kind == TransmissionKind::Rope,
+            PairKind::Transmission(t) => t.kind == TransmissionKind::Rope || t.slip > 0.0,
             _ => false,
         });
         Self { pairs: pairs.map(|(i, _)| PairId::at(i)).collect() }
@@ -65,7 +66,8 @@ impl Openings {
 }
 
 impl Equations<'_, '_> {
-    /// What presses a contact together or pulls a rope in the state that is observed, N; the least of a rope's parts.
+    /// What presses a contact together or pulls a rope in the state that is observed, N; the least of a rope's parts. Of a belt that
+    /// slips what the force loses on its way from the first wheel to the second.
     fn holding_force(&self, pair: PairId) -> f64 {
         let view = self.view();
         match &self.model.mechanism.pair(pair).kind {
@@ -73,6 +75,13 @@ impl Equations<'_, '_> {
                 Value::Scalar(normal) => normal,
                 _ => f64::NAN,
             },
+            PairKind::Transmission(t) if t.slip > 0.0 => {
+                let forces = self.trial.forces.law_forces.iter().zip(&self.model.plan.laws);
+                let of_pair = forces.filter(|(_, law)| law.pair == pair);
+                let lost = of_pair
+                    .map(|(f, law)| (f.sides[0].abs() - f.sides[1].abs()) * (f.multiplier * law.force).abs());
+                lost.fold(f64::INFINITY, f64::min)
+            }
             _ => {
                 let laws = self.model.plan.laws.iter().filter(|law| law.pair == pair);
                 laws.map(|law| view.tension(pair, law.index)).fold(f64::INFINITY, f64::min)
