@@ -79,7 +79,8 @@ pub enum EffortCheck {
 /// The checks of a plan whose forces are planned.
 pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> Checks {
     let replaced = &structure.replaced;
-    let (mut joints, mut moving) = (Vec::new(), Vec::new());
+    let mut joints = Vec::with_capacity(replaced.joints.len());
+    let mut moving = Vec::with_capacity(2 * replaced.joints.len());
     for joint in &replaced.joints {
         let check = match &joint.kind {
             JointKind::Revolute(members) => {

@@ -10,6 +10,8 @@ use crate::structure::{Dyad, EffortKind, Group, GroupJoint, GroupKind, Structure
 
 pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
     let moved_by = MovedBy::of(structure);
+    plan.forces.reserve_exact(structure.forces.len());
+    plan.reactions.reserve_exact(structure.forces.iter().map(|group| group.joints.len()).sum());
     for group in &structure.forces {
         let first = plan.reactions.len();
         plan.reactions.extend(group.joints.iter().copied());

@@ -34,6 +34,8 @@ fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine
 
 pub(super) fn plan(mechanism: &Mechanism, effects: &Effects, steps: &mut Vec<LoadStep>) {
     steps.clear();
+    let masses = mechanism.links.iter().filter(|link| link.mass.is_some()).count();
+    steps.reserve_exact(masses + mechanism.loads.len() + mechanism.springs.len());
     let gravity = mechanism.gravity.filter(|_| effects.gravity).map_or(Vec2::zero(), |g| g.acceleration);
     let hanging = hanging(mechanism);
     for (body, link) in mechanism.links.iter().enumerate().skip(1) {

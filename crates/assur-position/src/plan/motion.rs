@@ -10,6 +10,7 @@ use crate::model::Mechanism;
 use crate::structure::{Dyad, EffortKind, EffortSource, Group, GroupKind, Structure};
 
 pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
+    plan.motion.reserve_exact(structure.motion.len());
     for (branch, group) in structure.motion.iter().enumerate() {
         let by_law = super::cam::step(mechanism, structure, group, branch, plan)
             .or_else(|| super::geneva::step(mechanism, structure, group, branch, plan));
