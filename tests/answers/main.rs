@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod all_motion;
+mod bonds;
 #[path = "../busy/mod.rs"]
 mod busy;
 mod completed;

@@ -1,6 +1,6 @@
 //! Kinematic pairs as declared.
 
-use super::{LinkId, Transmission};
+use super::{LinkId, Transmission, TransmissionKind};
 use crate::math::Vec2;
 use crate::source::Span;
 use assur_text::language::JointKind;
@@ -164,7 +164,35 @@ pub enum ProfileShape {
     Rim(usize),
 }
 
+/// What holds only as long as forces act as it takes them: beyond that a motion is another one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bond {
+    /// A contact presses.
+    Presses,
+    /// A rope pulls.
+    Pulls,
+    /// Power runs from the first wheel of a belt to the second: its slip is of the speed of the first.
+    Drives,
+    /// A clutch or a belt transmits no more than its friction can.
+    Grips,
+}
+
 impl PairKind {
+    /// What holds only as long as forces act as it takes them.
+    pub fn bonds(&self) -> impl Iterator<Item = Bond> {
+        let (contact, rope, slips, grips) = match self {
+            Self::Contact { .. } => (true, false, false, false),
+            Self::Transmission(t) => {
+                let grips = t.grip.is_some_and(|grip| !grip.capacity().is_nan());
+                (false, t.kind == TransmissionKind::Rope, t.slip > 0.0, grips)
+            }
+            _ => (false, false, false, false),
+        };
+        let all =
+            [(contact, Bond::Presses), (rope, Bond::Pulls), (slips, Bond::Drives), (grips, Bond::Grips)];
+        all.into_iter().filter(|(holds, _)| *holds).map(|(_, bond)| bond)
+    }
+
     /// The kind of its statement.
     #[must_use]
     pub const fn statement(&self) -> JointKind {

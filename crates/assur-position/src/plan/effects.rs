@@ -1,8 +1,6 @@
 //! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
 
-use crate::model::{
-    Expr, FindKind, Level, LoadId, Mechanism, PairKind, QuantityId, Query, Relation, TransmissionKind,
-};
+use crate::model::{Expr, FindKind, Level, LoadId, Mechanism, PairKind, QuantityId, Query, Relation};
 
 /// What is computed at every position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -147,11 +145,7 @@ impl Effects {
 
 /// Whether a contact or a rope holds only as long as it presses or pulls.
 fn may_open(mechanism: &Mechanism) -> bool {
-    mechanism.pairs.iter().any(|p| match &p.kind {
-        PairKind::Contact { .. } => true,
-        PairKind::Transmission(t) => t.kind == TransmissionKind::Rope,
-        _ => false,
-    })
+    mechanism.pairs.iter().any(|pair| pair.kind.bonds().next().is_some())
 }
 
 /// Whether a transmission has an efficiency.

@@ -14,6 +14,7 @@ mod gap;
 mod impossible;
 mod notes;
 mod open_places;
+mod opens;
 mod over_sweep;
 mod partial_sweep;
 mod refusal;

@@ -2,8 +2,9 @@
 
 use super::error::SolveError;
 use super::format::{four, label, labels, links, with_unit};
+use super::opens::opens;
 use super::simulate_error::SimulateError;
-use crate::model::{Drive, PairId, PairKind};
+use crate::model::{Drive, PairId};
 use crate::position::Model;
 use crate::solve::{Halt, NoCycle};
 use crate::source::Span;
@@ -25,7 +26,7 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
         Halt::Open { group } => dead(model, *group, None, time),
         Halt::NoInertia => no_inertia(model, time),
         Halt::Jam => jam(model, time),
-        Halt::Opens { pair } => opens(model, *pair, time),
+        Halt::Opens { pair, bond } => opens(model, (*pair, *bond), time),
         Halt::Rolls { pair } => rolls(model, *pair, time),
         Halt::NoCycle(why) => no_cycle(*why, span),
         Halt::StopPassed { stop, by } => stop_passed(model, *stop, *by, time),
@@ -120,45 +121,6 @@ fn jam(model: &Model<'_>, time: String) -> SimulateError {
 fn rolls(model: &Model<'_>, pair: PairId, time: String) -> SimulateError {
     let pair = model.mechanism.pair(pair);
     SimulateError::Rolls { name: pair.name.clone(), time, span: pair.span }
-}
-
-fn opens(model: &Model<'_>, pair: PairId, time: String) -> SimulateError {
-    let pair = model.mechanism.pair(pair);
-    let name = &pair.name;
-    let (what, text, help) = match &pair.kind {
-        PairKind::Contact { second, .. } => {
-            let link = &model.mechanism.link(second.link).name;
-            (
-                format!("contact `{name}` would have to pull from {time} on"),
-                "opens here",
-                format!(
-                    "end the motion there with `until normal({name}, {link}) < 0 N`, or press the profiles together by a spring or a load"
-                ),
-            )
-        }
-        PairKind::Transmission(t) if t.slip > 0.0 => {
-            let kept = t.laws.iter().filter_map(|law| law.efficiency).map(|[there, _]| there);
-            let kept = four(kept.fold(1.0, f64::min));
-            (
-                format!(
-                    "power would run backwards through belt `{name}` from {time} on: its slip is of the speed that `{}` gives",
-                    t.ends[0]
-                ),
-                "the first wheel must drive",
-                format!(
-                    "write `efficiency {kept}` in place of `slip`: then power may run either way; or end the motion before"
-                ),
-            )
-        }
-        _ => (
-            format!("rope `{name}` would have to push from {time} on"),
-            "slack here",
-            format!(
-                "end the motion there with `until tension({name}) < 0 N`, or let a load keep the rope tight"
-            ),
-        ),
-    };
-    SimulateError::Opens { what, text, help, span: pair.span }
 }
 
 fn no_cycle(why: NoCycle, span: Span) -> SimulateError {

@@ -129,11 +129,11 @@ pub enum SimulateError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// A contact or a rope that opens.
+    /// A pair that does not take the forces there: a contact or a rope that opens, a clutch that slips.
     #[error("{what}")]
     #[diagnostic(code(mech::simulate::opens))]
     Opens {
-        /// What would have to pull or push, and the instant.
+        /// What it would have to do, and the instant.
         what: String,
         /// What it does there.
         text: &'static str,

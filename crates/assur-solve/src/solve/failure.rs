@@ -5,7 +5,7 @@ use super::gap::GroupGap;
 use super::refusal::Refusal;
 use crate::answer::{LeftCurve, NoExtreme, NoFlywheel, NoSweep};
 use crate::language::Function;
-use crate::model::PairId;
+use crate::model::{Bond, PairId};
 use crate::position::Wanted;
 use crate::structure::{BodyId, Group, Structure};
 
@@ -136,10 +136,12 @@ pub enum Halt {
         /// Which.
         pair: PairId,
     },
-    /// A contact would have to pull, or a rope to push.
+    /// Forces act as a pair does not take them: a contact would have to pull, a rope to push.
     Opens {
         /// Which.
         pair: PairId,
+        /// What it does no more.
+        bond: Bond,
     },
     /// A motion that comes again was not found.
     NoCycle(NoCycle),

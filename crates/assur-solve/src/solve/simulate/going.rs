@@ -191,8 +191,8 @@ impl Going<'_, '_> {
             if !self.keep_within(equations, method) {
                 return Ended::Halted(equations.halt());
             }
-            if let Some((_, pair)) = opened.filter(|_| self.ended_by.is_none()) {
-                return Ended::Halted(Halt::Opens { pair });
+            if let Some((_, (pair, bond))) = opened.filter(|_| self.ended_by.is_none()) {
+                return Ended::Halted(Halt::Opens { pair, bond });
             }
             let mut y = Vec::new();
             if turned {
@@ -214,6 +214,9 @@ impl Going<'_, '_> {
             }
             if turned {
                 equations.take_sides(method.t(), &y);
+                if let Some((pair, bond)) = self.openings.at_once(equations, method.t(), &y) {
+                    return Ended::Halted(Halt::Opens { pair, bond });
+                }
                 if method.restart(equations, &y, last).is_err() {
                     return Ended::Halted(equations.halt());
                 }

@@ -1,36 +1,38 @@
-//! Contacts that would have to pull, ropes that would have to push, and belts that slip with the second wheel driving: from there on
-//! the motion is another one.
+//! Contacts that would have to pull, ropes that would have to push, clutches and belts that would have to transmit more than their
+//! friction can, and belts with a slip whose second wheel would drive: from there on the motion is another one.
 
 use super::equations::Equations;
 use super::records::within_step;
 use super::slipping::Mode;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::first_crossing;
-use crate::model::{Mechanism, PairId, PairKind, Query, TransmissionKind, Value};
+use crate::model::{Bond, Grip, Mechanism, PairId, PairKind, Query, Value};
 
 /// Rounding of a force, relative to the greatest in the mechanism.
 const ROUNDING: f64 = 1e-9;
 
-/// What holds only as long as it presses, pulls, or passes power on.
+/// What holds only as long as forces act as it takes them.
 pub(super) struct Openings {
-    pairs: Vec<PairId>,
+    bonds: Vec<(PairId, Bond)>,
 }
 
 impl Openings {
     pub fn new(mechanism: &Mechanism) -> Self {
-        let pairs = mechanism.pairs.iter().enumerate().filter(|(_, pair)| match &pair.kind {
-            PairKind::Contact { .. } => true,
-            PairKind::Transmission(t) => t.kind == TransmissionKind::Rope || t.slip > 0.0,
-            _ => false,
-        });
-        Self { pairs: pairs.map(|(i, _)| PairId::at(i)).collect() }
+        let pairs = mechanism.pairs.iter().enumerate();
+        let bonds = pairs.flat_map(|(i, pair)| pair.kind.bonds().map(move |bond| (PairId::at(i), bond)));
+        Self { bonds: bonds.collect() }
     }
 
-    /// What is open at an instant.
-    pub fn at_once(&self, equations: &mut Equations<'_, '_>, t: f64, y: &[f64]) -> Option<PairId> {
-        let known = !self.pairs.is_empty() && equations.observe(t, y, true);
+    /// Whether there is nothing to look at: at rest it is not determined what friction takes.
+    fn rests(&self, equations: &Equations<'_, '_>) -> bool {
+        self.bonds.is_empty() || equations.mode == Some(Mode::Resting)
+    }
+
+    /// What is open at an instant, where the motion begins or goes on in another way.
+    pub fn at_once(&self, equations: &mut Equations<'_, '_>, t: f64, y: &[f64]) -> Option<(PairId, Bond)> {
+        let known = !self.rests(equations) && equations.observe(t, y, true);
         let noise = ROUNDING * equations.greatest_force();
-        self.pairs.iter().copied().find(|pair| known && equations.holding_force(*pair) < -noise)
+        self.bonds.iter().copied().find(|bond| known && equations.holding_force(*bond) < -noise)
     }
 
     /// The first of them that opens within the last step, and when.
@@ -38,19 +40,18 @@ impl Openings {
         &self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
-    ) -> Option<(f64, PairId)> {
-        if self.pairs.is_empty() || equations.mode == Some(Mode::Resting) {
-            // what friction takes is not determined
+    ) -> Option<(f64, (PairId, Bond))> {
+        if self.rests(equations) {
             return None;
         }
         let step = (method.previous_t(), method.t());
         let mut y = method.y().to_vec();
-        let mut first: Option<(f64, PairId)> = None;
-        for pair in &self.pairs {
+        let mut first: Option<(f64, (PairId, Bond))> = None;
+        for bond in &self.bonds {
             let mut force = |t: f64| {
                 let known = within_step(equations, method, t, &mut y) && equations.observe(t, &y, true);
                 let noise = ROUNDING * equations.greatest_force();
-                if known { (equations.holding_force(*pair), noise) } else { (f64::NAN, f64::NAN) }
+                if known { (equations.holding_force(*bond), noise) } else { (f64::NAN, f64::NAN) }
             };
             let (begin, noise) = force(step.0);
             let noise = noise.max(force(step.1).1);
@@ -58,7 +59,7 @@ impl Openings {
             let below = if begin > noise { 0.0 } else { noise };
             let found = first_crossing(step, None, |t| force(t).0 + below).filter(|c| !c.rising);
             if let Some(c) = found.filter(|c| first.is_none_or(|(earliest, _)| c.t < earliest)) {
-                first = Some((c.t, *pair));
+                first = Some((c.t, *bond));
             }
         }
         first
@@ -66,26 +67,29 @@ impl Openings {
 }
 
 impl Equations<'_, '_> {
-    /// What presses a contact together or pulls a rope in the state that is observed, N; the least of a rope's parts. Of a belt that
-    /// slips what the force loses on its way from the first wheel to the second.
-    fn holding_force(&self, pair: PairId) -> f64 {
-        let view = self.view();
-        match &self.model.mechanism.pair(pair).kind {
-            PairKind::Contact { first, .. } => match view.query(&Query::Normal(pair, first.link)) {
-                Value::Scalar(normal) => normal,
-                _ => f64::NAN,
-            },
-            PairKind::Transmission(t) if t.slip > 0.0 => {
-                let forces = self.trial.forces.law_forces.iter().zip(&self.model.plan.laws);
-                let of_pair = forces.filter(|(_, law)| law.pair == pair);
-                let lost = of_pair
+    /// What presses a contact together or pulls a rope in the state that is observed, N; the least of a rope's parts. Of a belt with a
+    /// slip what the force loses on its way from the first wheel to the second, and what a grip can take beside what it transmits, N or
+    /// N m.
+    fn holding_force(&self, (pair, bond): (PairId, Bond)) -> f64 {
+        let (view, kind) = (self.view(), &self.model.mechanism.pair(pair).kind);
+        let forces = self.trial.forces.law_forces.iter().zip(&self.model.plan.laws);
+        let forces = forces.filter(|(_, law)| law.pair == pair);
+        match (bond, kind) {
+            (Bond::Presses, PairKind::Contact { first, .. }) => {
+                match view.query(&Query::Normal(pair, first.link)) {
+                    Value::Scalar(normal) => normal,
+                    _ => f64::NAN,
+                }
+            }
+            (Bond::Grips, PairKind::Transmission(t)) => {
+                t.grip.map_or(f64::NAN, Grip::capacity) - view.tangential_force(pair)
+            }
+            (Bond::Drives, _) => {
+                let lost = forces
                     .map(|(f, law)| (f.sides[0].abs() - f.sides[1].abs()) * (f.multiplier * law.force).abs());
                 lost.fold(f64::INFINITY, f64::min)
             }
-            _ => {
-                let laws = self.model.plan.laws.iter().filter(|law| law.pair == pair);
-                laws.map(|law| view.tension(pair, law.index)).fold(f64::INFINITY, f64::min)
-            }
+            _ => forces.map(|(_, law)| view.tension(pair, law.index)).fold(f64::INFINITY, f64::min),
         }
     }
 

@@ -93,8 +93,8 @@ pub(super) fn run(
         return Run::halted(begin.from, halt);
     }
     let openings = Openings::new(begin.model.mechanism);
-    if let Some(pair) = openings.at_once(&mut equations, begin.from, &y) {
-        return Run::halted(begin.from, Halt::Opens { pair });
+    if let Some((pair, bond)) = openings.at_once(&mut equations, begin.from, &y) {
+        return Run::halted(begin.from, Halt::Opens { pair, bond });
     }
     let mut going = Going::new(&equations, (openings, stops), outputs, (begin.from, last), pass);
     equations.accepted(begin.from, &y);

@@ -76,7 +76,11 @@ impl Going<'_, '_> {
         if self.watch.any_happened() && !self.keep(equations, method, ended.is_some()) {
             return Err(equations.halt());
         }
-        Ok(ended.is_some())
+        let (t, y) = (method.t(), method.y().to_vec());
+        match self.openings.at_once(equations, t, &y).filter(|_| ended.is_none()) {
+            Some((pair, bond)) => Err(Halt::Opens { pair, bond }),
+            None => Ok(ended.is_some()),
+        }
     }
 
     /// Notes which stops have been closed and opened since then; those that are hit are closed a little later, s, if the motion goes on so
