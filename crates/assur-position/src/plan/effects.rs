@@ -143,7 +143,7 @@ impl Effects {
     }
 }
 
-/// Whether a contact or a rope holds only as long as it presses or pulls.
+/// Whether a pair holds only as long as forces act as it takes them.
 fn may_open(mechanism: &Mechanism) -> bool {
     mechanism.pairs.iter().any(|pair| pair.kind.bonds().next().is_some())
 }

@@ -1,10 +1,10 @@
 //! Sentences about a motion that ends since a pair does not take the forces there.
 
-use super::format::{four, with_unit};
+use super::format::four;
 use super::simulate_error::SimulateError;
+use super::slip::capacity;
 use crate::model::{Bond, Grip, PairId, PairKind, Transmission};
 use crate::position::Model;
-use crate::units::Dimension;
 
 /// From an instant on a pair does no more what it has done.
 pub(super) fn opens(model: &Model<'_>, (pair, bond): (PairId, Bond), time: String) -> SimulateError {
@@ -22,7 +22,9 @@ pub(super) fn opens(model: &Model<'_>, (pair, bond): (PairId, Bond), time: Strin
             )
         }
         (PairKind::Transmission(t), Bond::Drives) => driven_backwards(t, name, &time),
-        (PairKind::Transmission(t), Bond::Grips) => grips_no_more(model, t, name, &time),
+        (PairKind::Transmission(t @ Transmission { grip: Some(grip), .. }), Bond::Grips) => {
+            grips_no_more(model, (t, *grip), name, &time)
+        }
         _ => (
             format!("rope `{name}` would have to push from {time} on"),
             "slack here",
@@ -37,7 +39,7 @@ pub(super) fn opens(model: &Model<'_>, (pair, bond): (PairId, Bond), time: Strin
 fn driven_backwards(t: &Transmission, name: &str, time: &str) -> (String, &'static str, String) {
     let kept = t.laws.iter().filter_map(|law| law.efficiency).map(|[there, _]| there);
     let kept = four(kept.fold(1.0, f64::min));
-    let first = &t.ends[0];
+    let first = t.ends.first().map_or("", String::as_str);
     (
         format!(
             "power would run backwards through belt `{name}` from {time} on: its slip is of the speed that `{first}` gives"
@@ -51,21 +53,17 @@ fn driven_backwards(t: &Transmission, name: &str, time: &str) -> (String, &'stat
 
 fn grips_no_more(
     model: &Model<'_>,
-    t: &Transmission,
+    (t, grip): (&Transmission, Grip),
     name: &str,
     time: &str,
 ) -> (String, &'static str, String) {
-    let (dimension, transmitted, firmer) = match t.grip {
-        Some(Grip::Clutch(_)) => {
-            let shaft = &model.mechanism.link(t.links[0]).name;
-            (Dimension::TORQUE, format!("abs(moment({name}, {shaft}))"), "press its faces harder")
+    let transmitted = match (grip, t.links.first()) {
+        (Grip::Clutch(_), Some(shaft)) => {
+            format!("abs(moment({name}, {}))", model.mechanism.link(*shaft).name)
         }
-        _ => {
-            let firmer = "raise the pretension, the friction or the angle of contact";
-            (Dimension::FORCE, format!("tangential_force({name})"), firmer)
-        }
+        _ => format!("tangential_force({name})"),
     };
-    let capacity = with_unit(model, t.grip.map_or(f64::NAN, Grip::capacity), dimension);
+    let (capacity, firmer) = capacity(model, grip);
     (
         format!(
             "{} `{name}` would slip from {time} on: its friction can transmit {capacity} at most",

@@ -20,24 +20,34 @@ pub(super) fn slips(model: &Model<'_>, pull: &Pull) -> Option<SolveError> {
     let pair = model.mechanism.pair(pull.pair);
     let transmission = transmission(model, pull.pair)?;
     let grip = transmission.grip?;
-    let (dimension, help) = match grip {
-        Grip::Belt { .. } => (
-            Dimension::FORCE,
-            "raise the pretension, the friction or the angle of contact, or lower the load",
-        ),
-        Grip::Clutch(_) => (Dimension::TORQUE, "press its faces harder, or lower the load"),
-    };
+    let (capacity, firmer) = capacity(model, grip);
     let error = TrainError::Slips {
         what: transmission.kind.word(),
         name: pair.name.clone(),
         pose: place(model, &pull.pose),
         more: and_at(pull.poses - 1),
-        wanted: with_unit(model, -pull.least, dimension),
-        capacity: with_unit(model, grip.capacity(), dimension),
-        help,
+        wanted: with_unit(model, -pull.least, dimension(grip)),
+        capacity,
+        help: format!("{firmer}, or lower the load"),
         span: pair.span.into(),
     };
     Some(error.into())
+}
+
+const fn dimension(grip: Grip) -> Dimension {
+    match grip {
+        Grip::Belt { .. } => Dimension::FORCE,
+        Grip::Clutch(_) => Dimension::TORQUE,
+    }
+}
+
+/// What a grip can transmit at most, and what lets it transmit more.
+pub(super) fn capacity(model: &Model<'_>, grip: Grip) -> (String, &'static str) {
+    let firmer = match grip {
+        Grip::Belt { .. } => "raise the pretension, the friction or the angle of contact",
+        Grip::Clutch(_) => "press its faces harder",
+    };
+    (with_unit(model, grip.capacity(), dimension(grip)), firmer)
 }
 
 /// A belt with a slip through which the power runs backwards.

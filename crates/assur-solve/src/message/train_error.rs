@@ -92,7 +92,7 @@ pub enum TrainError {
         /// The greatest that it can transmit.
         capacity: String,
         /// What to change.
-        help: &'static str,
+        help: String,
         /// Its place.
         #[label("slips")]
         span: miette::SourceSpan,

@@ -1,10 +1,10 @@
 //! A run on its way: step after step, with what happens and what is wanted within each.
 
+use super::bonds::Bonds;
 use super::compare::Kinds;
 use super::coordinates::{CAREFUL, Change, Charts};
 use super::corners::Corners;
 use super::equations::Equations;
-use super::opening::Openings;
 use super::pass::Pass;
 use super::records::{Origin, Recorder};
 use super::rubbing::wakes;
@@ -49,7 +49,7 @@ pub(super) enum Ended {
 pub(super) struct Going<'m, 'o> {
     pub recorder: Recorder,
     pub watch: Watch<'m>,
-    pub openings: Openings,
+    pub bonds: Bonds,
     pub stops: Stops,
     pub corners: Corners,
     pub outputs: &'o Outputs<'o>,
@@ -91,7 +91,7 @@ impl<'m, 'o> Going<'m, 'o> {
     /// From where a run begins, between the first instant and the last, s.
     pub fn new(
         equations: &Equations<'m, '_>,
-        (openings, stops): (Openings, Stops),
+        (bonds, stops): (Bonds, Stops),
         outputs: &'o Outputs,
         (begin, last): (f64, f64),
         pass: Pass<'o>,
@@ -104,7 +104,7 @@ impl<'m, 'o> Going<'m, 'o> {
         Self {
             recorder: Recorder::new(equations),
             watch,
-            openings,
+            bonds,
             stops,
             corners: Corners::new(equations, AT_ONCE * (last - begin)),
             outputs,
@@ -160,7 +160,7 @@ impl Going<'_, '_> {
             }
             let happened = self.watch.first(equations, method);
             let turned = self.turning(equations, method);
-            let opened = self.openings.first(equations, method);
+            let opened = self.bonds.first(equations, method);
             let touched = self.stops.first(equations, method);
             let wanted = self.outputs.known.get(self.next).map_or(last, |output| output.0);
             let bound = self.watch.bound((method.previous_t(), method.t()));
@@ -214,7 +214,7 @@ impl Going<'_, '_> {
             }
             if turned {
                 equations.take_sides(method.t(), &y);
-                if let Some((pair, bond)) = self.openings.at_once(equations, method.t(), &y) {
+                if let Some((pair, bond)) = self.bonds.at_once(equations, method.t(), &y) {
                     return Ended::Halted(Halt::Opens { pair, bond });
                 }
                 if method.restart(equations, &y, last).is_err() {

@@ -4,6 +4,7 @@
 //! these coordinates in closed form, so that nothing drifts apart. Two runs, one in halves or two thirds of the steps of the other, go
 //! side by side: what they differ by, and how much finer the finer one is, tell its error; it is what comes out.
 
+mod bonds;
 mod bridge;
 mod change;
 mod chart;
@@ -24,7 +25,6 @@ mod impact;
 mod left_off;
 mod loads;
 mod meeting;
-mod opening;
 mod over_time;
 mod part;
 mod pass;

@@ -17,8 +17,8 @@ const AIM: f64 = 0.25;
 const STEP: (f64, f64) = (0.03, 0.1);
 /// A looser tolerance makes steps so long that what two runs differ by says nothing of their error.
 const LOOSEST: f64 = 1e-5;
-/// Where the first run could be so many times looser, steps that are not much shorter are fine enough.
-const FAR: f64 = 50.0;
+/// Where less accuracy is wanted the loosest run is finer than it would have to be, and steps that are not much shorter are fine enough.
+const FEW_DIGITS: f64 = 5e-5;
 /// Below this relative tolerance the digits of the numbers end.
 const FINEST: f64 = 2e-15;
 /// At this tolerance rounding may be greater than what the method leaves.
@@ -96,7 +96,7 @@ pub(super) fn until_kept(
             break;
         }
         // how many rebounds there are depends on the tolerance, which halves make finer
-        let loosely = coarse == 0 && LOOSER * within > FAR * LOOSEST && runs[0].closed.is_empty();
+        let loosely = coarse == 0 && within > FEW_DIGITS && runs[0].closed.is_empty();
         let shorter = shorter(runs[coarse].method, loosely);
         let factor = shorter.map_or(wanted.clamp(STEP.0, STEP.1), |shorter| shorter.tolerance);
         let finer = (pass.tolerance * factor).max(FINEST);

@@ -1,5 +1,6 @@
 //! One run of the integrator at one tolerance.
 
+use super::bonds::Bonds;
 use super::chart::Chart;
 use super::compare::{Kinds, Outcome};
 use super::coordinates::{Change, Charts};
@@ -8,7 +9,6 @@ use super::equations::Equations;
 use super::functions::OverRun;
 use super::going::{Ended, Going};
 use super::left_off::LeftOff;
-use super::opening::Openings;
 use super::pass::{Pass, SHORTER};
 use super::records::Records;
 use super::report::{Energy, Method};
@@ -92,11 +92,11 @@ pub(super) fn run(
     if let Err(halt) = stops.begin(&mut equations, begin.from, &mut y) {
         return Run::halted(begin.from, halt);
     }
-    let openings = Openings::new(begin.model.mechanism);
-    if let Some((pair, bond)) = openings.at_once(&mut equations, begin.from, &y) {
+    let bonds = Bonds::new(begin.model.mechanism);
+    if let Some((pair, bond)) = bonds.at_once(&mut equations, begin.from, &y) {
         return Run::halted(begin.from, Halt::Opens { pair, bond });
     }
-    let mut going = Going::new(&equations, (openings, stops), outputs, (begin.from, last), pass);
+    let mut going = Going::new(&equations, (bonds, stops), outputs, (begin.from, last), pass);
     equations.accepted(begin.from, &y);
     let mut part = match going.better(&mut equations, (begin.from, &y), charts) {
         Some(change) => Part::changed(change),

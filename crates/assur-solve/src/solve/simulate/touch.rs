@@ -77,7 +77,7 @@ impl Going<'_, '_> {
             return Err(equations.halt());
         }
         let (t, y) = (method.t(), method.y().to_vec());
-        match self.openings.at_once(equations, t, &y).filter(|_| ended.is_none()) {
+        match self.bonds.at_once(equations, t, &y).filter(|_| ended.is_none()) {
             Some((pair, bond)) => Err(Halt::Opens { pair, bond }),
             None => Ok(ended.is_some()),
         }

@@ -12,11 +12,11 @@ use crate::model::{Bond, Grip, Mechanism, PairId, PairKind, Query, Value};
 const ROUNDING: f64 = 1e-9;
 
 /// What holds only as long as forces act as it takes them.
-pub(super) struct Openings {
+pub(super) struct Bonds {
     bonds: Vec<(PairId, Bond)>,
 }
 
-impl Openings {
+impl Bonds {
     pub fn new(mechanism: &Mechanism) -> Self {
         let pairs = mechanism.pairs.iter().enumerate();
         let bonds = pairs.flat_map(|(i, pair)| pair.kind.bonds().map(move |bond| (PairId::at(i), bond)));
