@@ -3,13 +3,14 @@
 use std::path::Path;
 
 use super::args::{Accuracy, Format};
-use super::batch::{Sink, end_at_once};
+use super::batch::end_at_once;
 use super::clock::seconds;
 use super::error::CliError;
 use super::files;
 use super::motion::OnTheWay;
 use super::reply::{Reply, Status, complaint, for_each_file};
 use super::screen::Screen;
+use super::sink::Sink;
 use crate::pipeline::{Solved, solve_source, solve_source_conducted};
 use crate::report::{self, AccuracyShown, Precision};
 use assur_check::Overrides;

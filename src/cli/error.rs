@@ -29,6 +29,14 @@ pub enum CliError {
         /// The first byte that cannot be read, from 1.
         at: usize,
     },
+    /// Too long a text, or one without end.
+    #[error("`{name}` is longer than {most} MB, the most that is read")]
+    TooLong {
+        /// As given.
+        name: String,
+        /// MB.
+        most: u64,
+    },
     /// An empty folder.
     #[error("there is no .mech file in the folder `{name}`")]
     #[diagnostic(help(
@@ -272,6 +280,20 @@ pub enum CliError {
         /// What may be meant.
         #[help]
         help: String,
+    },
+    /// A file in a folder that does not exist.
+    #[error("there is no folder `{name}`")]
+    #[diagnostic(help("create it first: `mkdir -p {name}`"))]
+    NoFolder {
+        /// The folder.
+        name: String,
+    },
+    /// Several pictures in the place of a file.
+    #[error("`{name}` is a file, not a folder for pictures")]
+    #[diagnostic(help("name a folder, or a file that ends in `.svg` or `.html`"))]
+    NotAFolder {
+        /// As given.
+        name: String,
     },
     /// A new file would replace another.
     #[error("`{name}` exists already")]

@@ -1,18 +1,55 @@
 //! From names on the command line to texts.
 
-use std::collections::HashSet;
-use std::io::Read;
+use std::collections::{BTreeSet, HashSet};
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use globset::GlobBuilder;
 use ignore::WalkBuilder;
 
-use super::batch::Sink;
 use super::error::CliError;
+use super::sink::Sink;
 use assur_text::source::Source;
 
 /// Standard input's name.
 const STDIN: &str = "-";
+/// A longer text is not read, bytes.
+const LONGEST: u64 = 100_000_000;
+
+/// What tells a file from all others, whatever name it has: device and number.
+#[cfg(unix)]
+type Identity = (u64, u64);
+#[cfg(not(unix))]
+type Identity = PathBuf;
+
+/// The files that are read: no output takes their place.
+static INPUTS: Mutex<BTreeSet<Identity>> = Mutex::new(BTreeSet::new());
+
+/// Keeps a file from being replaced by an output.
+pub fn keep(path: &Path) {
+    let mut inputs = INPUTS.lock().unwrap_or_else(PoisonError::into_inner);
+    inputs.extend(identity(path));
+}
+
+/// Whether a file, by this name or any other, is one of those that are read.
+pub fn is_input(path: &Path) -> bool {
+    let inputs = INPUTS.lock().unwrap_or_else(PoisonError::into_inner);
+    identity(path).is_some_and(|found| inputs.contains(&found))
+}
+
+#[cfg(unix)]
+fn identity(path: &Path) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    let found = std::fs::metadata(path).ok().filter(std::fs::Metadata::is_file)?;
+    Some((found.dev(), found.ino()))
+}
+
+#[cfg(not(unix))]
+fn identity(path: &Path) -> Option<Identity> {
+    std::fs::canonicalize(path).ok().filter(|path| path.is_file())
+}
 
 /// A text to be read.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -27,17 +64,14 @@ impl Input {
     /// Reads it.
     ///
     /// # Errors
-    /// What cannot be read, or is no UTF-8.
+    /// What cannot be read, is too long, or is no UTF-8.
     pub fn read(self) -> Result<Source, CliError> {
         let (name, bytes) = match self {
-            Self::Stdin => {
-                let mut bytes = Vec::new();
-                let read = std::io::stdin().lock().read_to_end(&mut bytes);
-                (STDIN.to_owned(), read.map(|_| bytes))
-            }
-            Self::File(path) => (path.display().to_string(), std::fs::read(&path)),
+            Self::Stdin => (STDIN.to_owned(), bounded(io::stdin().lock())),
+            Self::File(path) => (path.display().to_string(), File::open(&path).and_then(bounded)),
         };
         let bytes = bytes.map_err(|e| CliError::Unreadable { name: name.clone(), why: e.to_string() })?;
+        let Some(bytes) = bytes else { return Err(CliError::TooLong { name, most: LONGEST / 1_000_000 }) };
         match String::from_utf8(bytes) {
             Ok(text) => Ok(Source::new(name, text)),
             Err(error) => Err(CliError::NotUtf8 { name, at: error.utf8_error().valid_up_to() + 1 }),
@@ -45,10 +79,17 @@ impl Input {
     }
 }
 
+/// All bytes, unless there are too many: a device may have no end.
+fn bounded(from: impl Read) -> io::Result<Option<Vec<u8>>> {
+    let mut bytes = Vec::new();
+    let read = from.take(LONGEST + 1).read_to_end(&mut bytes)?;
+    Ok((read as u64 <= LONGEST).then_some(bytes))
+}
+
 /// Files, and folders that cannot be read.
 type Found = Vec<Result<Input, CliError>>;
 
-/// The texts that names mean, each once: files as they are, `.mech` files below folders, matches of globs.
+/// The texts that names mean, each once: files as they are, `.mech` files below folders, matches of globs. No output takes their place.
 #[must_use]
 pub fn expand(names: &[String]) -> Vec<Result<Input, CliError>> {
     let mut inputs = Vec::new();
@@ -57,6 +98,9 @@ pub fn expand(names: &[String]) -> Vec<Result<Input, CliError>> {
         match inputs_of(name) {
             Ok(found) => {
                 for input in found {
+                    if let Ok(Input::File(path)) = &input {
+                        keep(path);
+                    }
                     if input.as_ref().ok().is_none_or(|input| seen.insert(input.clone())) {
                         inputs.push(input);
                     }
@@ -143,16 +187,47 @@ fn unreadable(folder: &Path, error: &ignore::Error) -> CliError {
     CliError::Unreadable { name: place.display().to_string(), why: inner.to_string() }
 }
 
-/// Puts a text in the place of a file, at once and whole.
+/// Puts a text in the place of a file, at once and whole; a file with several names keeps them.
 ///
 /// # Errors
 /// A file that cannot be written; it is as it was.
 pub fn replace(name: &str, text: &str) -> Result<(), CliError> {
-    let is_readonly = std::fs::metadata(name).is_ok_and(|file| file.permissions().readonly());
-    if is_readonly {
+    let found = std::fs::metadata(name);
+    if found.as_ref().is_ok_and(|file| file.permissions().readonly()) {
         return Err(CliError::Unwritable { name: name.to_owned(), why: "it is read-only".to_owned() });
     }
-    let mut file = Sink::file(Path::new(name))?;
+    if found.is_ok_and(|file| has_other_names(&file)) {
+        let written = in_place(Path::new(name), text.as_bytes());
+        return written.map_err(|e| CliError::Unwritable { name: name.to_owned(), why: e.to_string() });
+    }
+    let mut file = Sink::edited(Path::new(name))?;
     file.write(text)?;
     file.finish().map(drop)
+}
+
+/// Whether hard links lead to it.
+#[cfg(unix)]
+fn has_other_names(file: &std::fs::Metadata) -> bool {
+    std::os::unix::fs::MetadataExt::nlink(file) > 1
+}
+
+#[cfg(not(unix))]
+fn has_other_names(_: &std::fs::Metadata) -> bool {
+    false
+}
+
+/// Writes over a file; what was in it comes back where that fails.
+fn in_place(path: &Path, text: &[u8]) -> io::Result<()> {
+    let before = std::fs::read(path)?;
+    let file = File::options().write(true).open(path)?;
+    let write = |bytes: &[u8]| -> io::Result<()> {
+        io::Seek::rewind(&mut &file)?;
+        io::Write::write_all(&mut &file, bytes)?;
+        file.set_len(bytes.len() as u64)?;
+        file.sync_all()
+    };
+    write(text).inspect_err(|_| {
+        // the error is reported in any case
+        let _ = write(&before);
+    })
 }

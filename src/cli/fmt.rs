@@ -19,6 +19,7 @@ struct Tally {
     changed: Cell<usize>,
     same: Cell<usize>,
     left: Cell<usize>,
+    unwritten: Cell<usize>,
 }
 
 /// Puts files in the one style.
@@ -72,13 +73,14 @@ fn formatted(
     tally: &Tally,
     screen: &Screen,
 ) -> Reply {
-    count(if edits.is_empty() { &tally.same } else { &tally.changed });
     let is_stdin = source.name == "-";
     if edits.is_empty() && (args.check || !is_stdin) {
+        count(&tally.same);
         return Reply::default();
     }
     let text = edited(&source.text, edits);
     if args.check {
+        count(&tally.changed);
         let diagnostics = format!("{} is not formatted\n", named.name);
         return Reply { results: diff(named, &text), diagnostics, status: Status::Wrong };
     }
@@ -86,8 +88,12 @@ fn formatted(
         return Reply { results: text, ..Reply::default() };
     }
     match replace(&source.name, &text) {
-        Ok(()) => Reply::default(),
+        Ok(()) => {
+            count(&tally.changed);
+            Reply::default()
+        }
         Err(error) => {
+            count(&tally.unwritten);
             Reply { diagnostics: complaint(error, screen), status: Status::Unusable, ..Reply::default() }
         }
     }
@@ -106,8 +112,9 @@ fn count(of: &Cell<usize>) {
 
 /// `166 files: 3 formatted, 163 unchanged`
 fn summary(args: &Fmt, tally: &Tally) -> String {
-    let (changed, same, left) = (tally.changed.get(), tally.same.get(), tally.left.get());
-    let all = changed + same + left;
+    let (changed, same) = (tally.changed.get(), tally.same.get());
+    let (left, unwritten) = (tally.left.get(), tally.unwritten.get());
+    let all = changed + same + left + unwritten;
     if all == 0 {
         return String::new();
     }
@@ -115,7 +122,9 @@ fn summary(args: &Fmt, tally: &Tally) -> String {
     let done = if args.check { "not formatted" } else { "formatted" };
     let kept = if args.check { "formatted" } else { "unchanged" };
     let mut parts = Vec::new();
-    for (count, what) in [(changed, done), (same, kept), (left, "with errors, not changed")] {
+    for (count, what) in
+        [(changed, done), (same, kept), (left, "with errors, not changed"), (unwritten, "not written")]
+    {
         parts.extend((count > 0).then(|| format!("{count} {what}")));
     }
     format!("{files}: {}\n", parts.join(", "))

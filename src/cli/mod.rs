@@ -28,6 +28,7 @@ pub mod reply;
 pub mod report;
 #[doc(hidden)]
 pub mod screen;
+mod sink;
 mod solve;
 mod stream;
 mod test;
@@ -58,6 +59,7 @@ pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
         }
     };
     let screen = Screen::new(&args);
+    batch::outlive_limits();
     let status = match args.command {
         Command::Check(args) => check::run(&args, &screen),
         Command::Solve(args) => solve::run(&args, &screen),

@@ -7,6 +7,7 @@ use super::screen::Screen;
 use assur_text::source::shown_in_line;
 use std::fs::File;
 use std::io::{ErrorKind, Write};
+use std::path::Path;
 
 /// The file of a kind.
 const fn text(kind: StartKind) -> &'static str {
@@ -35,11 +36,18 @@ pub fn run(args: &New, screen: &Screen) -> Status {
     }
 }
 
+/// The folder of a file that is not there.
+fn folder(path: &str) -> String {
+    let folder = Path::new(path).parent();
+    folder.map(|folder| folder.display().to_string()).unwrap_or_default()
+}
+
 fn create(path: &str, text: &str) -> Result<(), CliError> {
     let name = || path.to_owned();
     let created = File::options().write(true).create_new(true).open(path);
     let mut file = created.map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => CliError::Exists { name: name() },
+        ErrorKind::NotFound => CliError::NoFolder { name: folder(path) },
         _ => CliError::NotCreated { name: name(), why: error.to_string() },
     })?;
     file.write_all(text.as_bytes()).map_err(|error| {

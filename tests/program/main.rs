@@ -13,6 +13,7 @@ mod fmt;
 mod folder;
 mod formats;
 mod grade;
+mod kept_files;
 #[cfg(feature = "lsp")]
 mod lsp;
 mod lsp_answers;

@@ -22,6 +22,11 @@ pub fn escaped(text: &str) -> String {
     out
 }
 
+/// A name as an id of a document: names of files and links may have any signs.
+fn identifier(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '-' }).collect()
+}
+
 fn escape(out: &mut String, text: &str) {
     let is_plain = |b: u8| b.is_ascii_graphic() && !b"&<>\"".contains(&b) || b == b' ';
     if text.bytes().all(is_plain) {
@@ -82,7 +87,7 @@ impl Sheet {
 
     fn head(&self, out: &mut String) {
         let (at, size) = (self.bounds.min, self.bounds.size());
-        let id = &self.drawing.id;
+        let id = identifier(&self.drawing.id);
         let _ = writeln!(
             out,
             r#"<svg xmlns="http://www.w3.org/2000/svg" class="fig" width="{w}mm" height="{h}mm" viewBox="{x} {y} {w} {h}" role="img" aria-labelledby="{id}-t {id}-d">

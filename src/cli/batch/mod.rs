@@ -12,7 +12,6 @@ mod piece;
 mod progress;
 mod rows;
 mod run;
-mod sink;
 mod stop;
 mod tally;
 
@@ -23,14 +22,15 @@ use super::error::CliError;
 use super::files;
 use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
+use super::sink::{Sink, place};
 use assur_text::source::shown_in_line;
 pub use job::open_table;
 use job::{Job, has_columns, lacking};
 use layout::Layout;
 use out::Out;
 use run::Run;
-pub use sink::Sink;
-pub use stop::{end_at_once, install, looks, signal};
+
+pub use stop::{end_at_once, install, looks, outlive_limits, signal};
 use tally::Tally;
 
 /// Stack of a thread: that of the main thread.
@@ -114,22 +114,27 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
         return Ok(status.max(Status::Wrong));
     }
     let read = out.finish()?;
-    key_out.map_or(Ok(true), Sink::finish)?;
+    match key_out {
+        Some(key) if read => drop(key.finish()?),
+        Some(key) => {
+            let kept = key.keep_part()?.unwrap_or_default();
+            screen.complain(&complaint(CliError::Interrupted { rows: total.rows(), kept }, screen));
+        }
+        None => {}
+    }
     let failed = if total.failed() > 0 { Status::Wrong } else { Status::Fine };
     Ok(status.max(if read { failed } else { Status::Unusable }))
 }
 
 /// What is written must not replace what is read, nor one the other.
 fn keeps_inputs(args: &Batch) -> Result<(), CliError> {
-    let real = |name: &str| std::fs::canonicalize(name).ok().filter(|path| path.is_file());
-    let read: Vec<_> = args.problem.files.iter().chain(&args.variants).filter_map(|n| real(n)).collect();
-    for name in args.out.iter().chain(&args.key) {
-        if real(name).is_some_and(|path| read.contains(&path)) {
-            return Err(CliError::Overwrites { name: name.clone() });
-        }
+    args.variants.iter().for_each(|name| files::keep(Path::new(name)));
+    let overwrites = |name: &String| Err(CliError::Overwrites { name: name.clone() });
+    if let Some(name) = args.out.iter().chain(&args.key).find(|name| files::is_input(Path::new(name))) {
+        return overwrites(name);
     }
     match (&args.out, &args.key) {
-        (Some(out), Some(key)) if out == key => Err(CliError::Overwrites { name: key.clone() }),
+        (Some(out), Some(key)) if place(Path::new(out)) == place(Path::new(key)) => overwrites(key),
         _ => Ok(()),
     }
 }

@@ -4,11 +4,11 @@ use super::super::args::Batch;
 #[cfg(feature = "arrow")]
 use super::super::args::BatchFormat;
 use super::super::error::CliError;
+use super::super::sink::Sink;
 #[cfg(feature = "arrow")]
 use super::columns::Table;
 use super::filled::Filled;
 use super::job::Job;
-use super::sink::Sink;
 use std::path::Path;
 
 /// A place for answers.

@@ -3,6 +3,7 @@
 use super::super::args::Format;
 use super::super::error::CliError;
 use super::super::screen::Screen;
+use super::super::sink::Sink;
 use super::filled::Filled;
 use super::idle::Idle;
 use super::job::{FIRST_CHUNK, Job, LARGEST_CHUNK, tell, tell_fault};
@@ -10,7 +11,6 @@ use super::layout::Layout;
 use super::line::Said;
 use super::out::Out;
 use super::progress::Progress;
-use super::sink::Sink;
 use super::stop;
 use super::tally::{Kind, Tally};
 

@@ -23,14 +23,15 @@ pub fn wanted() -> bool {
 }
 
 #[cfg(unix)]
-pub use unix::{end_at_once, install};
+pub use unix::{end_at_once, install, outlive_limits};
 
 #[cfg(unix)]
 mod unix {
-    use super::super::sink;
     use super::{LOOKS, Ordering, SIGNAL};
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use crate::cli::sink;
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
     use signal_hook::iterator::Signals;
+    use std::sync::Arc;
     use std::time::Duration;
 
     /// What a program may take to end that was asked to by another.
@@ -55,6 +56,12 @@ mod unix {
     /// Listens from now on; the first signal ends the program.
     pub fn end_at_once() {
         listen(end);
+    }
+
+    /// A file that grows beyond the limit of the system is an error of writing it, and does not end the program.
+    pub fn outlive_limits() {
+        // where nothing can listen, a signal ends the program as usual
+        let _ = signal_hook::flag::register(SIGXFSZ, Arc::default());
     }
 
     fn listen(hear: impl Fn(u8) + Send + 'static) {
@@ -87,7 +94,9 @@ mod others {
     pub fn install() {}
     /// A signal ends the program as usual.
     pub fn end_at_once() {}
+    /// There is no such signal.
+    pub fn outlive_limits() {}
 }
 
 #[cfg(not(unix))]
-pub use others::{end_at_once, install};
+pub use others::{end_at_once, install, outlive_limits};

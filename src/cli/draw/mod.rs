@@ -46,9 +46,9 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
         }
     };
     let overrides = args.overrides();
-    let drawing = Drawing { args, screen, pictures, overrides, output, names, several: inputs.len() > 1 };
+    let drawing = Drawing { args, screen, pictures, overrides, output, several: inputs.len() > 1 };
     let status = for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source));
-    match drawing.output.finish(&drawing.names, args.language.into(), args.theme.into()) {
+    match drawing.output.finish(args.language.into(), args.theme.into()) {
         Ok(()) => status,
         Err(error) => {
             screen.complain(&complaint(error, screen));
@@ -64,8 +64,6 @@ struct Drawing<'a> {
     pictures: Vec<Picture>,
     overrides: Overrides,
     output: Output,
-    /// The files as named.
-    names: Vec<String>,
     /// The command line names several files.
     several: bool,
 }
@@ -94,7 +92,7 @@ impl Drawing<'_> {
             pages.extend(drawn);
             problems.append(found);
         }
-        match self.output.write(&pages, &self.names) {
+        match self.output.write(&pages) {
             Ok(results) => Reply::new(results, &problems, source, self.screen),
             Err(error) => self.unusable(Reply::new(String::new(), &problems, source, self.screen), error),
         }

@@ -3,13 +3,14 @@
 use super::one_only;
 use super::pages::Page;
 use crate::cli::args::DrawFormat;
-use crate::cli::batch::Sink;
 use crate::cli::error::CliError;
+use crate::cli::files::is_input;
+use crate::cli::sink::Sink;
 use assur_drawing::{Sheet, Theme, escaped, page_rules};
 use assur_worked::{Language, phrase};
 use std::borrow::Cow;
 use std::cell::RefCell;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Where pictures go.
 pub enum Output {
@@ -79,7 +80,7 @@ impl Output {
     }
 
     /// Writes pictures; what goes to standard output as text is given back.
-    pub fn write(&self, pages: &[Page], inputs: &[String]) -> Result<String, CliError> {
+    pub fn write(&self, pages: &[Page]) -> Result<String, CliError> {
         match self {
             _ if pages.is_empty() => Ok(String::new()),
             Self::Stdout(_) => match pages {
@@ -93,8 +94,10 @@ impl Output {
                 _ => Err(one_only("standard output")),
             },
             Self::File(path) => match pages {
-                [page] => written(path, &self.bytes(page, &path.display().to_string())?, inputs)
-                    .map(|()| String::new()),
+                [page] => {
+                    let bytes = self.bytes(page, &path.display().to_string())?;
+                    written(Sink::page(path)?, &bytes).map(|()| String::new())
+                }
                 _ => Err(one_only(&path.display().to_string())),
             },
             Self::Page(_, body) => {
@@ -102,6 +105,15 @@ impl Output {
                 Ok(String::new())
             }
             Self::Folder(folder, _) => {
+                if folder.is_file() {
+                    let name = folder.display().to_string();
+                    let is_input = is_input(folder);
+                    return Err(if is_input {
+                        CliError::Overwrites { name }
+                    } else {
+                        CliError::NotAFolder { name }
+                    });
+                }
                 std::fs::create_dir_all(folder).map_err(|error| CliError::NotCreated {
                     name: folder.display().to_string(),
                     why: error.to_string(),
@@ -109,7 +121,8 @@ impl Output {
                 for page in pages {
                     let ending = if self.is_still() { "png" } else { page.ending };
                     let path = folder.join(format!("{}.{ending}", page.name));
-                    written(&path, &self.bytes(page, &path.display().to_string())?, inputs)?;
+                    let bytes = self.bytes(page, &path.display().to_string())?;
+                    written(Sink::made_up(&path)?, &bytes)?;
                 }
                 Ok(String::new())
             }
@@ -142,7 +155,7 @@ impl Output {
     }
 
     /// Writes the page in a language, where there is one with pictures.
-    pub fn finish(&self, inputs: &[String], language: Language, theme: Theme) -> Result<(), CliError> {
+    pub fn finish(&self, language: Language, theme: Theme) -> Result<(), CliError> {
         let Self::Page(path, body) = self else { return Ok(()) };
         let body = body.borrow();
         if body.is_empty() {
@@ -155,7 +168,7 @@ impl Output {
             page_rules(theme)
         );
         match path {
-            Some(path) => written(path, page.as_bytes(), inputs),
+            Some(path) => written(Sink::page(path)?, page.as_bytes()),
             None => {
                 let mut sink = Sink::stdout();
                 sink.write(page)?;
@@ -203,11 +216,7 @@ const fn paper(theme: Theme) -> &'static str {
 }
 
 /// Writes a file, which appears only when complete.
-fn written(path: &Path, text: &[u8], inputs: &[String]) -> Result<(), CliError> {
-    if inputs.iter().any(|input| Path::new(input) == path) {
-        return Err(CliError::Overwrites { name: path.display().to_string() });
-    }
-    let mut sink = Sink::page(path)?;
+fn written(mut sink: Sink, text: &[u8]) -> Result<(), CliError> {
     sink.write(text)?;
     sink.finish_page().map(|_| ())
 }

@@ -181,7 +181,7 @@ impl Pages<'_, '_> {
             let name = if many { format!("{name}-{}", i + 1) } else { name.to_owned() };
             if self.drawing.several || !words.is_empty() {
                 // two files of one name, and rows of a table, may be in one page
-                drawing.id = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+                drawing.id.clone_from(&name);
             }
             if !words.is_empty() {
                 drawing.title += &format!(", {}", phrase(language, words));

@@ -33,11 +33,11 @@ impl Followed {
     /// It cannot be read.
     pub fn open(name: &str) -> Result<(Self, Source), CliError> {
         let path = Path::new(name);
-        if name == "-" || path.is_dir() {
-            return Err(CliError::PreviewsNoFile { name: name.to_owned() });
-        }
-        if !path.exists() {
+        if name != "-" && !path.exists() {
             return Err(CliError::Missing { name: name.to_owned() });
+        }
+        if name == "-" || !path.is_file() {
+            return Err(CliError::PreviewsNoFile { name: name.to_owned() });
         }
         let stamp = stamp(path);
         let source = Input::File(path.to_owned()).read()?;
@@ -51,7 +51,14 @@ impl Followed {
         if stamp == self.stamp && stamp.is_none_or(is_settled) {
             return None;
         }
-        let read = Input::File(self.path.clone()).read();
+        let name = || self.path.display().to_string();
+        // a pipe of that name would be waited for
+        let is_other = std::fs::metadata(&self.path).is_ok_and(|found| !found.is_file());
+        let read = if is_other {
+            Err(CliError::PreviewsNoFile { name: name() })
+        } else {
+            Input::File(self.path.clone()).read()
+        };
         // Who writes a file may empty it first: it is looked at again.
         if read.as_ref().is_ok_and(|source| source.text.is_empty()) && !stamp.is_some_and(is_settled) {
             return None;

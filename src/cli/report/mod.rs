@@ -6,11 +6,11 @@ mod sizes;
 mod tables;
 
 use crate::cli::args::{Report, ReportFormat};
-use crate::cli::batch::Sink;
 use crate::cli::error::CliError;
 use crate::cli::files;
 use crate::cli::reply::{Printer, Reply, Status, complaint, for_each_input};
 use crate::cli::screen::Screen;
+use crate::cli::sink::Sink;
 use crate::pipeline::{self, Solved};
 use assur_picture::{Kind, Missing, Scene};
 use assur_solve::solve::Pose;
@@ -179,18 +179,15 @@ fn written(
         ReportFormat::Typst => typst(&document, &stem),
     };
     for (picture, svg) in pictures {
-        file(&path.with_file_name(picture), &svg, &args.files)?;
+        file(Sink::made_up(&path.with_file_name(picture))?, &svg)?;
     }
-    file(path, &text, &args.files)?;
+    let is_made_up = args.per_row && !args.key;
+    file(if is_made_up { Sink::made_up(path)? } else { Sink::page(path)? }, &text)?;
     Ok(String::new())
 }
 
 /// Writes a file, which appears only when complete.
-fn file(path: &Path, text: &str, inputs: &[String]) -> Result<(), CliError> {
-    if inputs.iter().any(|input| Path::new(input) == path) {
-        return Err(CliError::Overwrites { name: path.display().to_string() });
-    }
-    let mut sink = Sink::page(path)?;
+fn file(mut sink: Sink, text: &str) -> Result<(), CliError> {
     sink.write(text.as_bytes())?;
     sink.finish_page().map(|_| ())
 }

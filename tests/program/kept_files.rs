@@ -1,0 +1,238 @@
+//! No file is lost: outputs that are inputs, links, permissions, limits of the system, and names that are no markup.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used)] // a test that cannot write its files has failed
+
+use crate::run::{self, Folder, Said, assur};
+use std::fmt::Write;
+use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+use std::process::Command;
+
+const PUMP: &str = r#"mech 1
+mechanism "Pump"
+given r = 100 mm
+ground { A (0, 0); line guide through A along 0 deg }
+link crank  A-B r
+link rod    B-C 350 mm
+link piston { C (0, 0) }
+revolute  A: ground - crank
+revolute  B: crank - rod
+revolute  C: rod - piston
+prismatic D: piston.C - ground.guide
+drive crank = 0 deg .. 360 deg in 12 steps at 1500 rpm
+assemble C ahead of B
+find x = displacement(D) as mm
+variants {
+  r [mm]
+  90
+  110
+}
+"#;
+const UNFORMATTED: &str = "mech 1\nmechanism    \"x\"\n";
+
+fn pump() -> Folder {
+    Folder::new("kept").with("g.mech", PUMP).with("rows.csv", "r [mm]\n90\n110\n")
+}
+
+/// Ways to name a file that is there: its name, another path to it, a link, a second name.
+fn names_of(folder: &Folder, name: &str, ending: &str) -> Vec<String> {
+    let (link, second) = (format!("link{ending}"), format!("second{ending}"));
+    for made in [&link, &second] {
+        let _ = std::fs::remove_file(folder.path(made));
+    }
+    symlink(name, folder.path(&link)).unwrap();
+    std::fs::hard_link(folder.path(name), folder.path(&second)).unwrap();
+    vec![name.to_owned(), format!("./{name}"), folder.path(name), link, second]
+}
+
+#[test]
+fn no_output_takes_the_place_of_an_input() {
+    let pictures: &[&[&str]] = &[
+        &["draw", "g.mech", "scheme", "-o"],
+        &["draw", "g.mech", "scheme", "--format", "svg", "-o"],
+        &["report", "g.mech", "--format", "html", "-o"],
+        &["report", "g.mech", "--sheet", "--format", "typst", "-o"],
+        &["accuracy", "g.mech", "--plot"],
+        &["batch", "g.mech", "--out"],
+        &["batch", "g.mech", "--variants", "rows.csv", "--out"],
+        &["batch", "g.mech", "--variants", "rows.csv", "--key"],
+    ];
+    let folder = pump();
+    for (input, endings) in [("g.mech", [".svg", ".html", ".mech"]), ("rows.csv", [".csv", ".svg", ".typ"])] {
+        let text = folder.read(input);
+        for (args, ending) in pictures.iter().flat_map(|args| endings.map(|ending| (args, ending))) {
+            if !args.contains(&input) {
+                continue;
+            }
+            for name in names_of(&folder, input, ending) {
+                let all = [args, &[name.as_str()][..]].concat();
+                let said = assur(&folder, &all);
+                assert_eq!(folder.read(input), text, "{all:?}");
+                assert!(said.status == 2, "{all:?}: {} {}", said.status, said.stderr);
+                assert!(!said.stderr.contains("os error"), "{all:?}: {}", said.stderr);
+            }
+        }
+    }
+}
+
+#[test]
+fn answers_and_their_key_are_two_files() {
+    let folder = pump();
+    let said = assur(&folder, &["batch", "g.mech", "--out", "a.csv", "--key", "./a.csv"]);
+    assert!(said.status == 2 && said.stderr.contains("both an input and the output"), "{}", said.stderr);
+}
+
+#[test]
+fn links_under_names_that_are_made_up_are_replaced() {
+    let runs: [&[&str]; 3] = [
+        &["draw", "g.mech", "--all", "-o", "out"],
+        &["report", "g.mech", "-o", "out/r.md"],
+        &["report", "g.mech", "--sheet", "--per-row", "-o", "out/s.html"],
+    ];
+    for args in runs {
+        let folder = pump().with("kept", "keep\n");
+        std::fs::create_dir(folder.path("out")).unwrap();
+        assert!(assur(&folder, args).status < 2, "{args:?}");
+        // the page itself has a name that was given
+        let given = |name: &String| name == "r.md";
+        let entries = std::fs::read_dir(folder.path("out")).unwrap().flatten();
+        let made: Vec<String> = entries.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
+        let made: Vec<String> = made.into_iter().filter(|name| !given(name)).collect();
+        assert!(made.len() >= 2, "{args:?}: {made:?}");
+        for name in &made {
+            let path = folder.path(&format!("out/{name}"));
+            std::fs::remove_file(&path).unwrap();
+            symlink(folder.path("kept"), &path).unwrap();
+        }
+        assert!(assur(&folder, args).status < 2, "{args:?}");
+        assert_eq!(folder.read("kept"), "keep\n", "{args:?}");
+        for name in &made {
+            let found = std::fs::symlink_metadata(folder.path(&format!("out/{name}"))).unwrap();
+            assert!(found.is_file(), "{args:?}: {name}");
+        }
+    }
+}
+
+#[test]
+fn a_link_that_is_named_stays_one() {
+    let folder = pump().with("kept.svg", "old");
+    symlink("kept.svg", folder.path("link.svg")).unwrap();
+    assert_eq!(assur(&folder, &["draw", "g.mech", "scheme", "-o", "link.svg"]).status, 0);
+    assert!(std::fs::symlink_metadata(folder.path("link.svg")).unwrap().is_symlink());
+    assert!(folder.read("kept.svg").starts_with("<svg"));
+}
+
+#[test]
+fn an_edited_file_keeps_its_permissions_and_names() {
+    for mode in [0o666, 0o640, 0o600, 0o755] {
+        let folder = Folder::new("mode").with("a.mech", UNFORMATTED).with("b.mech", UNFORMATTED);
+        let set = |name: &str| {
+            std::fs::set_permissions(folder.path(name), std::fs::Permissions::from_mode(mode)).unwrap();
+        };
+        set("a.mech");
+        set("b.mech");
+        std::fs::hard_link(folder.path("b.mech"), folder.path("c.mech")).unwrap();
+        assert_eq!(assur(&folder, &["fmt", "a.mech", "b.mech"]).status, 0);
+        assert_eq!(folder.read("a.mech"), folder.read("b.mech"));
+        assert_eq!(folder.read("c.mech"), folder.read("b.mech"));
+        assert_ne!(folder.read("a.mech"), UNFORMATTED);
+        for name in ["a.mech", "b.mech", "c.mech"] {
+            let found = std::fs::metadata(folder.path(name)).unwrap();
+            assert_eq!(found.mode() & 0o777, mode, "{name}");
+        }
+    }
+}
+
+/// Runs the program where a file may not grow.
+fn limited(folder: &Folder, args: &str) -> Said {
+    let program = env!("CARGO_BIN_EXE_assur");
+    let mut shell = Command::new("bash");
+    shell.current_dir(folder.path("")).args(["-c", &format!("ulimit -f 0; exec {program} {args}")]);
+    let out = shell.output().unwrap();
+    Said {
+        status: out.status.code().unwrap_or(-1),
+        stdout: String::from_utf8(out.stdout).unwrap(),
+        stderr: String::from_utf8(out.stderr).unwrap(),
+    }
+}
+
+#[test]
+fn a_file_that_may_not_grow_is_an_error_of_writing_it() {
+    let folder = pump().with("f.mech", UNFORMATTED);
+    let before = folder.names();
+    for args in
+        ["fmt f.mech", "draw g.mech scheme -o x.svg", "report g.mech -o x.html", "batch g.mech --out x.csv"]
+    {
+        let said = limited(&folder, args);
+        assert!(
+            said.status == 2 && said.stderr.contains("cannot be written"),
+            "{args}: {} {}",
+            said.status,
+            said.stderr
+        );
+        assert!(!said.stderr.contains(".tmp"), "{args}: {}", said.stderr);
+        assert_eq!(folder.names(), before, "{args}");
+    }
+    assert!(limited(&folder, "fmt f.mech").stderr.contains("1 file: 1 not written"));
+    assert_eq!(folder.read("f.mech"), UNFORMATTED);
+}
+
+#[test]
+fn a_key_without_all_rows_is_a_part() {
+    let mut rows = "r [mm]\n".to_owned();
+    (0..50_000).for_each(|i| writeln!(rows, "{}", 90.0 + f64::from(i % 1000) / 100.0).unwrap());
+    let folder = pump().with("many.csv", &rows);
+    let args = ["batch", "g.mech", "--variants", "many.csv", "--key", "key.csv", "--format", "csv"];
+    let stderr = run::with_closed_output(&folder, &args);
+    assert!(stderr.contains("key.csv.part"), "{stderr}");
+    assert!(!folder.names().contains(&"key.csv".to_owned()));
+}
+
+#[test]
+fn a_folder_that_is_not_there_is_named() {
+    let folder = pump();
+    let runs: [&[&str]; 4] = [
+        &["draw", "g.mech", "scheme", "-o", "none/x.svg"],
+        &["report", "g.mech", "-o", "none/x.html"],
+        &["batch", "g.mech", "--out", "none/x.csv"],
+        &["new", "none/x.mech"],
+    ];
+    for args in runs {
+        let said = assur(&folder, args);
+        assert!(
+            said.status == 2 && said.stderr.contains("there is no folder `none`"),
+            "{args:?}: {}",
+            said.stderr
+        );
+    }
+    let said = assur(&folder.with("text", "x"), &["draw", "g.mech", "--all", "-o", "text"]);
+    assert!(said.stderr.contains("`text` is a file, not a folder"), "{}", said.stderr);
+}
+
+#[test]
+fn a_text_without_end_is_refused() {
+    for args in [["solve", "/dev/zero"], ["check", "/dev/zero"], ["fmt", "/dev/zero"]] {
+        let said = assur(&pump(), &args);
+        assert!(said.status == 2 && said.stderr.contains("longer than 100 MB"), "{args:?}: {}", said.stderr);
+    }
+    let said = assur(&pump(), &["preview", "/dev/zero"]);
+    assert!(said.status == 2 && said.stderr.contains("follows one file"), "{}", said.stderr);
+}
+
+#[test]
+fn a_name_is_never_markup() {
+    let name = "a\" onload=\"alert(1)\" <bad>&'\n.mech";
+    let folder = Folder::new("markup").with(name, PUMP);
+    let runs: [&[&str]; 5] = [
+        &["draw", "scheme", name, "--format", "svg"],
+        &["draw", "animation", name, "--format", "svg"],
+        &["draw", "animation", name, "--format", "html"],
+        &["draw", "--all", name, "--format", "html"],
+        &["report", name, "--format", "html"],
+    ];
+    for args in runs {
+        let said = assur(&folder, args);
+        assert!(said.status == 0 && said.stdout.contains("<svg"), "{args:?}: {}", said.stderr);
+        assert!(!said.stdout.contains("onload=\"alert") && !said.stdout.contains("<bad>"), "{args:?}");
+    }
+}
