@@ -38,12 +38,21 @@ impl Precision {
     /// Independent of the last digits of the arithmetic.
     pub const STABLE: Self = Self { digits: 6, noise: 1e-9, coarse_residuals: true };
 
-    /// A number in figures; `scale` is the greatest magnitude in its column.
+    /// A number in figures; `scale` is the greatest magnitude in its column. What is no number has none.
     #[must_use]
     pub fn figures(&self, x: f64, scale: f64) -> String {
-        if x.abs() <= self.noise * scale { "0".to_owned() } else { significant(x, self.digits) }
+        let noise = if scale.is_finite() { self.noise * scale } else { 0.0 };
+        match x.abs() {
+            magnitude if !magnitude.is_finite() => NONE.to_owned(),
+            magnitude if magnitude <= noise => "0".to_owned(),
+            _ => significant(x, self.digits),
+        }
     }
 }
+
+/// A number of a motion that is less than this part of the greatest in its column may be its error. A greater one is never 0, however
+/// large the error is: it is reported beside the numbers.
+const ERROR_OF_MOTION: f64 = 1e-9;
 
 /// The text for a missing number.
 pub(super) const NONE: &str = "—";
@@ -77,9 +86,14 @@ impl<'a> Answers<'a> {
         }
     }
 
-    /// How quantities are rounded: of a motion what is below its error is 0.
-    pub(super) fn precision_of_motion(&self) -> Precision {
-        let error = self.solution.simulation.as_ref().map_or(0.0, |run| run.error);
+    /// How quantities of a position, or of all, are rounded: of a motion what is below its error is 0. At the first instant, which is
+    /// given, there is none.
+    pub(super) fn precision_of(&self, pose: Option<&Pose>) -> Precision {
+        let time = pose.and_then(|pose| Some(pose.outcome.as_ref().ok()?.state.motion.time));
+        let error = match &self.solution.simulation {
+            Some(run) if run.steady.is_some() || time != Some(0.0) => run.error.min(ERROR_OF_MOTION),
+            _ => 0.0,
+        };
         Precision { noise: self.precision.noise.max(error), ..self.precision }
     }
 

@@ -81,7 +81,8 @@ pub(super) fn figures(
     value: Option<Value>,
 ) -> String {
     let unit = scale.in_unit(display);
-    let number = |x: f64| answers.precision.figures(display.of_si(x), unit);
+    let precision = answers.precision_of(None);
+    let number = |x: f64| precision.figures(display.of_si(x), unit);
     match value {
         Some(Value::Scalar(x)) => number(x),
         Some(Value::Vector(v)) => format!("({}, {})", number(v.x), number(v.y)),
@@ -105,13 +106,13 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Greatest, poses: &[&Pose], quantitie
         table.column(with_unit(&drive.name, &display.unit), cells);
     }
     table.keys = table.columns.len();
-    let (symbols, precision) = (Symbols::of(answers.model.mechanism), answers.precision_of_motion());
+    let symbols = Symbols::of(answers.model.mechanism);
     for quantity in quantities {
         let unit = scale.in_unit(&quantity.display);
         for part in quantity.parts() {
             let greatest = unit.max(part.greatest());
-            let cells = part.cells.iter().map(|cell| match cell {
-                Cell::Number(x) => precision.figures(*x, greatest),
+            let cells = part.cells.iter().zip(poses).map(|(cell, pose)| match cell {
+                Cell::Number(x) => answers.precision_of(Some(pose)).figures(*x, greatest),
                 Cell::Bool(truth) => truth.to_string(),
                 Cell::None => quantity.missing.to_owned(),
             });

@@ -335,8 +335,7 @@ impl Answer {
     /// Without what is rounding.
     pub(super) fn cleared(&self, value: Option<Value>, greatest: &Greatest) -> Option<Value> {
         let large = greatest.in_si(self.display.dimension);
-        // nothing is large where no place and no force is known
-        let clear = |x: f64| if large.is_finite() && x.abs() <= ROUNDING * large { 0.0 } else { x };
+        let clear = |x: f64| if x.abs() <= ROUNDING * large { 0.0 } else { x };
         Some(match value? {
             Value::Scalar(x) => Value::Scalar(clear(x)),
             Value::Vector(v) => Value::Vector(Vec2::new(clear(v.x), clear(v.y))),

@@ -48,20 +48,21 @@ impl Greatest {
         fastest
     }
 
-    /// What a quantity of a dimension is large against, SI: F^m L^(l−m) T^(t+2m).
+    /// What a quantity of a dimension is large against, SI: F^m L^(l−m) T^(t+2m). Zero where one of them is divided by: the greatest
+    /// divisor says how small a quotient is, not how large, and one that is itself rounding would make all of them rounding.
     #[must_use]
     pub fn in_si(&self, [l, m, t, _]: [i8; 4]) -> f64 {
-        let power = |base: f64, n: i8| if n == 0 { 1.0 } else { libm::pow(base, f64::from(n)) };
         let time = t.saturating_add(m.saturating_mul(2));
-        power(self.force, m)
-            * power(self.length, l.saturating_sub(m))
-            * power(self.per_time, time.saturating_neg())
+        let powers =
+            [(self.force, m), (self.length, l.saturating_sub(m)), (self.per_time, time.saturating_neg())];
+        let known = powers.iter().all(|(_, power)| *power >= 0);
+        let product: f64 = powers.iter().map(|(base, power)| libm::pow(*base, f64::from(*power))).product();
+        if known && product.is_finite() { product } else { 0.0 }
     }
 
     /// The same in the unit of a display.
     #[must_use]
     pub fn in_unit(&self, display: &Display) -> f64 {
-        let si = self.in_si(display.dimension);
-        if si.is_finite() { display.of_si(si) } else { 0.0 }
+        display.of_si(self.in_si(display.dimension))
     }
 }
