@@ -17,7 +17,7 @@ const FRAMES: usize = 501;
 /// What a hinge may be off, mm: it goes with marks within 0.02 mm, and their turns are rounded to a hundredth of a degree.
 const OFF: f64 = 0.08;
 
-fn page(source: &Source, solved: &Solved, turn: &[Pose]) -> Option<String> {
+pub fn page(source: &Source, solved: &Solved, turn: &[Pose]) -> Option<String> {
     let file = (source.name.as_str(), source.text.as_str());
     let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
     let options = Options { frames: Some(turn.len()), ..Options::default() };
@@ -25,7 +25,7 @@ fn page(source: &Source, solved: &Solved, turn: &[Pose]) -> Option<String> {
 }
 
 /// The numbers of a series: steps in digits of base 64, five bits each, the least first, the first of all the sign.
-fn series(text: &str) -> Vec<f64> {
+pub fn series(text: &str) -> Vec<f64> {
     const DIGITS: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let (mut all, mut sum, mut step, mut place) = (Vec::new(), 0_i64, 0_i64, 0);
     for digit in text.chars().filter_map(|c| DIGITS.find(c)) {
@@ -40,9 +40,14 @@ fn series(text: &str) -> Vec<f64> {
     all
 }
 
-fn between<'t>(text: &'t str, before: &str, after: &str) -> &'t str {
+pub fn between<'t>(text: &'t str, before: &str, after: &str) -> &'t str {
     let rest = text.split_once(before).map_or("", |(_, rest)| rest);
     rest.split_once(after).map_or("", |(inner, _)| inner)
+}
+
+/// The first number below the picture, of every frame: where the drive is.
+pub fn values(page: &str) -> Vec<f64> {
+    series(between(page, "],V=[[", "]").rsplit(',').next().unwrap_or_default())
 }
 
 /// The places of the hinges in all frames, mm.
@@ -91,14 +96,20 @@ fn frames_that_are_not_drawn_are_where_they_are_when_drawn() {
             continue;
         }
         count += 1;
+        let all = values(&many);
+        let frames: Vec<usize> =
+            values(&few).iter().filter_map(|value| all.iter().position(|other| other == value)).collect();
         let (many, few) = (hinges(&many), hinges(&few));
         // the paper may begin elsewhere
-        let first = few.iter().find_map(|(name, places)| Some(many.get(name)?.get(1).copied()? - places[0]));
+        let first = few
+            .iter()
+            .find_map(|(name, places)| Some(many.get(name)?.get(*frames.first()?).copied()? - places[0]));
         for (hinge, places) in &few {
             let Some(all) = many.get(hinge) else { continue };
+            assert_eq!(frames.len(), places.len(), "{name}");
             hinges_compared += 1;
             let shift = first.unwrap_or_else(Vec2::zero);
-            let off = all.iter().skip(1).step_by(2).zip(places).map(|(a, b)| (*a - *b - shift).norm());
+            let off = frames.iter().zip(places).map(|(i, b)| (all[*i] - *b - shift).norm());
             let most = off.fold(0.0, f64::max);
             if most > OFF {
                 wrong.push(format!("{name}: {hinge} is {most:.3} mm off"));

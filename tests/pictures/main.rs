@@ -7,6 +7,7 @@ mod folder;
 mod support;
 
 mod bars;
+mod corners;
 mod dimensioned;
 mod drawn;
 mod every_example;

@@ -188,9 +188,14 @@ impl Sheet {
 /// Writes something, in a group of its own where it has a class.
 fn within(out: &mut String, class: Option<&Option<String>>, write: impl FnOnce(&mut String)) {
     let Some(class) = class.and_then(Option::as_ref) else { return write(out) };
-    let _ = write!(out, r#"<g class="{class}">"#);
+    let mut groups = 0;
+    for class in class.split(' ') {
+        let _ = write!(out, r#"<g class="{class}">"#);
+        groups += 1;
+    }
     write(out);
-    out.push_str("</g>\n");
+    (0..groups).for_each(|_| out.push_str("</g>"));
+    out.push('\n');
 }
 
 /// A mark alone.

@@ -1,6 +1,7 @@
 //! The mechanism in motion: the scheme of the first frame with how its parts move, as a page or as one picture.
 
 mod between;
+mod faded;
 mod moved;
 mod page;
 mod series;
@@ -10,6 +11,7 @@ mod values;
 pub use page::animation;
 pub use smil::moving;
 
+use crate::angles::wrapped;
 use crate::error::Missing;
 use crate::frame::Frame;
 use crate::kind::Options;
@@ -21,8 +23,9 @@ use crate::wording::Wording;
 use crate::words;
 use assur_drawing::{Drawing, Later, Rect, Sheet};
 use assur_solve::answer::NoSweep;
-use assur_solve::solve::{Cause, Pose};
-use moved::Moved;
+use assur_solve::solve::{Cause, DriveValue, Pose};
+use faded::Faded;
+use moved::{Moved, Mover};
 
 /// The most frames.
 const MOST: usize = 400;
@@ -35,7 +38,13 @@ const LOOKED_AT: usize = 24;
 fn frames<'a>(scene: &Scene<'a>, options: &Options) -> Result<Vec<Scene<'a>>, Missing> {
     let all: &'a [Pose] = if scene.turn.is_empty() { &scene.solution.poses } else { scene.turn };
     let at = |pose: &'a Pose| Some(Scene { pose, solved: pose.outcome.as_ref().ok()?, ..*scene });
-    let solved: Vec<Scene<'a>> = all.iter().filter_map(at).collect();
+    let mut solved: Vec<Scene<'a>> = all.iter().filter_map(at).collect();
+    if goes_back(&solved) {
+        // from the same position where it comes back to it
+        let comes_back = is_turn(&solved);
+        solved.reverse();
+        solved.rotate_right(usize::from(comes_back));
+    }
     let most = options.frames.map_or(MOST, |_| usize::MAX);
     let step = solved.len().div_ceil(most).max(1);
     let frames: Vec<Scene<'a>> = solved.into_iter().step_by(step).collect();
@@ -44,6 +53,30 @@ fn frames<'a>(scene: &Scene<'a>, options: &Options) -> Result<Vec<Scene<'a>>, Mi
         return Err(NoDiagram::no_sweep(scene, "animation", &cause).into());
     }
     Ok(frames)
+}
+
+/// Whether the drive moves against the order of the positions.
+fn goes_back(frames: &[Scene<'_>]) -> bool {
+    let (Some(first), Some(second)) = (frames.first(), frames.get(1)) else { return false };
+    let drives = first.mechanism().drives.iter().enumerate();
+    let senses = drives.filter_map(|(i, drive)| {
+        let value = |scene: &Scene<'_>| match scene.pose.drives.get(i) {
+            Some(DriveValue::Scalar(x)) => Some(*x),
+            _ => None,
+        };
+        let way = value(second)? - value(first)?;
+        let speed = drive.speed.as_ref().map(|e| first.view().scalar(e)).or(drive.sense)?;
+        Some(way * speed).filter(|sense| *sense != 0.0 && first.mechanism().simulation.is_none())
+    });
+    senses.into_iter().next().is_some_and(|sense| sense < 0.0)
+}
+
+/// Whether the frame after the last is the first again.
+fn is_turn(frames: &[Scene<'_>]) -> bool {
+    let along = |i: usize| frames.get(i).and_then(Scene::along);
+    let (Some(a), Some(b), Some(last)) = (along(0), along(1), along(frames.len() - 1)) else { return false };
+    let (step, left) = (b - a, wrapped(a - last));
+    wrapped(step - left).abs() < 0.5 * step.abs()
 }
 
 /// How the schemes of all frames are drawn: in one place, the first with what stands below.
@@ -102,6 +135,8 @@ struct Animated<'a> {
     frames: Vec<Scene<'a>>,
     sheet: Sheet,
     moved: Moved,
+    /// Labels that give way to others.
+    faded: Vec<Faded>,
 }
 
 impl<'a> Animated<'a> {
@@ -123,9 +158,14 @@ impl<'a> Animated<'a> {
         let title = first.title.clone();
         let mut sheet = first.placed_through(&others);
         let count = sheet.drawing.labels.len().max(sheet.placed.len());
-        sheet.moved = moved.classes.clone();
+        sheet.moved = moved.movers.each_ref().map(|all| all.iter().map(|by| by.map(Mover::class)).collect());
         sheet.moved[1].resize(count, None);
-        Ok(Self { title, frames, sheet, moved })
+        let faded = faded::faded(&sheet.placed, &moved, frames.len());
+        for (i, label) in faded.iter().enumerate() {
+            let moves = sheet.moved[1][label.label].take().map_or_else(String::new, |class| class + " ");
+            sheet.moved[1][label.label] = Some(format!("{moves}v{i}"));
+        }
+        Ok(Self { title, frames, sheet, moved, faded })
     }
 }
 

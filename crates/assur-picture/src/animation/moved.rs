@@ -20,6 +20,8 @@ pub struct Body {
     pub centre: Vec2,
     /// Whether they turn.
     pub turns: bool,
+    /// Whether a turn would be seen: not of circles.
+    pub directed: bool,
     /// Where that place is in each frame, mm, and how far they have turned, rad.
     pub poses: Vec<(Vec2, f64)>,
 }
@@ -31,6 +33,25 @@ pub struct Follower {
     pub at: Vec2,
     /// The body.
     pub body: usize,
+}
+
+/// By what a mark or a label moves: an index of bodies, followers, marks that are drawn anew.
+#[derive(Clone, Copy, Debug)]
+pub enum Mover {
+    Body(usize),
+    Follower(usize),
+    Redrawn(usize),
+}
+
+impl Mover {
+    /// The class of its group in the document.
+    pub fn class(self) -> String {
+        match self {
+            Self::Body(i) => format!("m{i}"),
+            Self::Follower(i) => format!("f{i}"),
+            Self::Redrawn(i) => format!("r{i}"),
+        }
+    }
 }
 
 /// A mark that changes its shape, as text in each frame.
@@ -60,8 +81,8 @@ pub struct Moved {
     pub followers: Vec<Follower>,
     /// What is drawn anew.
     pub redrawn: Vec<Redrawn>,
-    /// Classes of marks and of labels.
-    pub classes: [Vec<Option<String>>; 2],
+    /// What moves the marks and the labels.
+    pub movers: [Vec<Option<Mover>>; 2],
 }
 
 impl Body {
@@ -76,12 +97,12 @@ impl Body {
         to + (at - self.centre).turned(Vec2::direction(angle))
     }
 
-    /// Whether another moves with it.
+    /// Whether another moves with it: a block on its guide does not turn with the rod on its hinge.
     fn takes(&self, other: &Self) -> bool {
-        (!other.turns || self.turns)
+        (!other.directed || self.turns == other.turns)
             && other.poses.iter().enumerate().all(|(k, (at, angle))| {
                 (self.carried(k, other.centre) - *at).norm() <= SAME
-                    && (!other.turns || wrapped(self.poses[k].1 - angle).abs() < SAME_ANGLE)
+                    && (!other.directed || wrapped(self.poses[k].1 - angle).abs() < SAME_ANGLE)
             })
     }
 }
@@ -96,19 +117,19 @@ impl Moved {
         // those that turn first: circles move with them
         let mut order: Vec<usize> = (0..bodies.len()).collect();
         order.sort_by_key(|i| !bodies[*i].as_ref().is_some_and(|body| body.turns));
-        let mut classes = vec![None; first.marks.len()];
+        let mut marks = vec![None; first.marks.len()];
         for i in order {
             // the arc of a drive shows its sense and stays
             if shows_turn(first, first.marks[i].group) {
                 continue;
             }
-            classes[i] = match &bodies[i] {
+            marks[i] = match &bodies[i] {
                 Some(body) if !body.moves() => None,
-                Some(body) => Some(moved.class_of(body)),
+                Some(body) => Some(moved.with(body)),
                 None => {
                     let texts = found.iter().map(|marks| marks[i].map(mark_svg).unwrap_or_default());
                     moved.redrawn.push(Redrawn(texts.collect()));
-                    Some(format!("r{}", moved.redrawn.len() - 1))
+                    Some(Mover::Redrawn(moved.redrawn.len() - 1))
                 }
             };
         }
@@ -123,31 +144,40 @@ impl Moved {
                 last = anchors[i].unwrap_or(last);
                 (last, 0.0)
             });
-            let body = Body { centre: anchor(label), turns: false, poses: poses.collect() };
+            let body = Body { centre: anchor(label), turns: false, directed: false, poses: poses.collect() };
             body.moves().then(|| moved.shift_of(body))
         });
         let labels = labels.collect();
-        moved.classes = [classes, labels];
+        moved.movers = [marks, labels];
         moved
     }
 
-    fn class_of(&mut self, body: &Body) -> String {
+    fn with(&mut self, body: &Body) -> Mover {
         let known = self.bodies.iter().position(|b| b.takes(body));
-        let index = known.unwrap_or_else(|| {
+        Mover::Body(known.unwrap_or_else(|| {
             self.bodies.push(body.clone());
             self.bodies.len() - 1
-        });
-        format!("m{index}")
+        }))
     }
 
     /// Labels are shifted and never turned: they go with a place of a body, else on their own.
-    fn shift_of(&mut self, label: Body) -> String {
+    fn shift_of(&mut self, label: Body) -> Mover {
         if let Some(body) = self.bodies.iter().position(|b| b.takes(&label)) {
             self.followers.push(Follower { at: label.centre, body });
-            return format!("f{}", self.followers.len() - 1);
+            return Mover::Follower(self.followers.len() - 1);
         }
         self.bodies.push(label);
-        format!("m{}", self.bodies.len() - 1)
+        Mover::Body(self.bodies.len() - 1)
+    }
+
+    /// By how much a label is shifted in a frame.
+    pub fn shift(&self, label: usize, frame: usize) -> Vec2 {
+        let (body, at) = match self.movers[1].get(label).copied().flatten() {
+            None | Some(Mover::Redrawn(_)) => return Vec2::zero(),
+            Some(Mover::Body(i)) => (&self.bodies[i], self.bodies[i].centre),
+            Some(Mover::Follower(i)) => (&self.bodies[self.followers[i].body], self.followers[i].at),
+        };
+        body.carried(frame, at) - at
     }
 }
 
@@ -216,7 +246,7 @@ fn rigid(frames: &[Vec<Option<&Mark>>], index: usize) -> Option<Body> {
     let count = first.len() as f64;
     let middle = |points: &[Vec2]| points.iter().fold(Vec2::zero(), |sum, p| sum + *p) / count;
     let centre = middle(&first);
-    let has_turn = first.len() > 1;
+    let has_turn = first.iter().any(|p| (*p - centre).norm() > SAME);
     let mut before = 0.0;
     let mut poses = Vec::with_capacity(frames.len());
     for marks in frames {
@@ -242,7 +272,7 @@ fn rigid(frames: &[Vec<Option<&Mark>>], index: usize) -> Option<Body> {
         poses.push((to, before));
     }
     let turns = poses.iter().any(|(_, angle)| angle.abs() > STILL);
-    Some(Body { centre, turns, poses })
+    Some(Body { centre, turns, directed: has_turn, poses })
 }
 
 /// Places that say where a shape is; one alone of a circle, whose turn is not seen.

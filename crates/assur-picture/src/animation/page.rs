@@ -66,11 +66,17 @@ pub fn animation(
     let follower = |f: &Follower| format!("[{},{},{}]", number(f.at.x), number(f.at.y), f.body);
     let _ = write!(
         out,
-        "<script>\nconst N={},Z=\"{DIGITS}\",S={},B={bodies},F={},R={},V={},X={places},P='{}';\n{SCRIPT}</script>\n</body>\n</html>\n",
+        "<script>\nconst N={},Z=\"{DIGITS}\",S={},B={bodies},F={},R={},H={},V={},X={places},P='{}';\n{SCRIPT}</script>\n</body>\n</html>\n",
         animated.frames.len(),
         list(all.texts.into_iter()),
         list(moved.followers.iter().map(follower)),
         list(moved.redrawn.iter().map(redrawn)),
+        list(
+            animated
+                .faded
+                .iter()
+                .map(|label| series(label.frames.iter().map(|hidden| Some(i64::from(*hidden)))))
+        ),
         list(columns.iter().map(column)),
         wording.decimal(),
     );
@@ -113,7 +119,7 @@ fn quoted(text: &str) -> String {
 
 /// Centre, and the places of the series by which it moves: right, down, turn.
 fn body(body: &Body, all: &mut Distinct) -> String {
-    let Body { centre, turns, poses } = body;
+    let Body { centre, turns, poses, .. } = body;
     let mut column = |part: &dyn Fn(&(Vec2, f64)) -> f64| {
         all.place(series(poses.iter().map(|pose| Some(whole(part(pose)).unwrap_or(0)))))
     };
@@ -132,7 +138,7 @@ const HEAD: &str = "<head>
 const STYLE: &str = "<style>
 :root{color-scheme:light dark}
 body{margin:0 auto;max-width:200mm;padding:1rem;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",serif;background:#fff;color:#111}
-h1{font-size:1.4rem}svg{width:100%;height:auto;max-height:80vh;display:block}
+h1{font-size:1.4rem}g[class^=v]{transition:opacity .2s}svg{width:100%;height:auto;max-height:80vh;display:block}
 .bar{display:flex;gap:.8rem;align-items:center;margin:.6rem 0}input{flex:1;min-width:0;accent-color:#0072b2}
 button{font:inherit;min-width:3em;padding:.35em}
 output{display:block;min-height:2.6em;font-variant-numeric:tabular-nums;white-space:pre-wrap;overflow-wrap:anywhere;margin-bottom:.6rem}
@@ -145,12 +151,13 @@ output{display:block;min-height:2.6em;font-variant-numeric:tabular-nums;white-sp
 const SCRIPT: &str = "const $=i=>document.getElementById(i),all=c=>[...document.querySelectorAll('.'+c)],few=matchMedia('(prefers-reduced-motion: reduce)');
 const read=t=>{const o=[];let v=0,h=1,q=0;for(const c of t){const d=Z.indexOf(c);if(d<0){o.push(null);continue}v+=d%32*h;h*=32;if(d<32){q+=v%2?(1-v)/2:v/2;o.push(q);v=0;h=1}}return o};
 const T=S.map(read),M=B.map((b,j)=>[all('m'+j),...b]),E=F.map((f,j)=>[all('f'+j),...f]);
-const D=R.map((r,j)=>[all('r'+j),r[0],read(r[1])]),Q=V.map(v=>[v[0],v[1],v[2],read(v[3])]),C=X&&read(X);let k=0,on=false,t0=0;
+const D=R.map((r,j)=>[all('r'+j),r[0],read(r[1])]),W=H.map((h,j)=>[all('v'+j),read(h)]),Q=V.map(v=>[v[0],v[1],v[2],read(v[3])]),C=X&&read(X);let k=0,on=false,t0=0;
 const move=(g,t)=>{for(const e of g)e.setAttribute('transform',t)};
 function show(i){k=i;for(const[g,x,y,a,b,c]of M)move(g,`translate(${T[a][i]/100+x} ${T[b][i]/100+y})`+(c>=0?` rotate(${T[c][i]/100})`:'')+` translate(${-x} ${-y})`);
 for(const[g,x,y,j]of E){const[,X,Y,a,b,c]=M[j],w=c>=0?T[c][i]*Math.PI/18000:0,u=x-X,v=y-Y;
 move(g,`translate(${T[a][i]/100+u*Math.cos(w)-v*Math.sin(w)-u} ${T[b][i]/100+u*Math.sin(w)+v*Math.cos(w)-v})`)}
 for(const[g,r,q]of D)for(const e of g)e.innerHTML=r[q[i]];
+for(const[g,h]of W)for(const e of g)e.style.opacity=1-h[i];
 $('o').textContent=Q.map(([n,u,d,s])=>n+' = '+(s[i]===null?'—':(s[i]/10**d).toFixed(d).replace('-','−').replace('.',P)+u)).join('   ');
 $('s').value=i;const c=$('c');if(c){const x=C[i];c.setAttribute('visibility',x!==null&&x>=-1&&x<=15001?'visible':'hidden');c.setAttribute('transform',`translate(${x/100} 0)`)}}
 function step(t){if(!on)return;const w=few.matches?1000:6000/N;if(t-t0>=w){const d=few.matches?Math.ceil(N/12):Math.max(1,Math.min(Math.ceil(N/45),Math.floor((t-t0)/w)));t0=t;show((k+d)%N)}requestAnimationFrame(step)}

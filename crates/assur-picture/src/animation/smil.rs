@@ -40,6 +40,14 @@ pub fn moving(
         let shifts = (0..body.poses.len()).step_by(every).map(|k| body.carried(k, follower.at) - follower.at);
         out = out.replace(&open, &(open.clone() + &shifted(shifts)));
     }
+    for (i, label) in animated.faded.iter().enumerate() {
+        let shown = label.frames.iter().step_by(every).map(|hidden| if *hidden { "0" } else { "1" });
+        let values = shown.collect::<Vec<_>>().join(";");
+        let open = format!("<g class=\"v{i}\">");
+        let fades =
+            format!("<animate attributeName=\"opacity\" calcMode=\"discrete\" {TIME} values=\"{values}\"/>");
+        out = out.replace(&open, &(open.clone() + &fades));
+    }
     for (i, texts) in animated.moved.redrawn.iter().enumerate() {
         out = shown_in_turn(&out, &format!("<g class=\"r{i}\">"), texts, every);
     }

@@ -93,6 +93,8 @@ impl Sketch<'_, '_> {
             let label = Label::at(self.scene.indexed("ω", link), LETTERS, at, 0.4);
             drawing.label(label.towards(at - pivot).coloured(Role::Blue).ranked(2));
         }
+        drawing.end();
+        drawing.begin("angle", &drive.name);
         self.angle(drawing, drive, pivot, angle);
     }
 

@@ -1,0 +1,40 @@
+//! Labels that meet in some frames: the one of lower rank is not shown there.
+
+use super::moved::Moved;
+use assur_drawing::{Placed, Rect};
+
+/// Boxes that share less than this are apart, mm.
+const TOUCH: f64 = 0.2;
+
+/// A label that gives way to others.
+pub struct Faded {
+    /// Its index.
+    pub label: usize,
+    /// In which frames.
+    pub frames: Vec<bool>,
+}
+
+/// The labels that give way in some frame.
+pub fn faded(labels: &[Placed], moved: &Moved, frames: usize) -> Vec<Faded> {
+    let mut order: Vec<usize> = (0..labels.len()).collect();
+    order.sort_by_key(|i| labels[*i].label.rank);
+    let mut hidden = vec![vec![false; frames]; labels.len()];
+    let mut shown: Vec<Rect> = Vec::with_capacity(labels.len());
+    for frame in 0..frames {
+        shown.clear();
+        for &i in &order {
+            let here = labels[i].bounds.shifted(moved.shift(i, frame));
+            hidden[i][frame] = shown.iter().any(|other| meet(&here, other));
+            if !hidden[i][frame] {
+                shown.push(here);
+            }
+        }
+    }
+    let of = hidden.into_iter().enumerate().map(|(label, frames)| Faded { label, frames });
+    of.filter(|label| label.frames.contains(&true)).collect()
+}
+
+fn meet(a: &Rect, b: &Rect) -> bool {
+    let shared = |a: [f64; 2], b: [f64; 2]| a[1].min(b[1]) - a[0].max(b[0]) > TOUCH;
+    shared([a.min.x, a.max.x], [b.min.x, b.max.x]) && shared([a.min.y, a.max.y], [b.min.y, b.max.y])
+}
