@@ -4,7 +4,7 @@ use super::accuracy::order_of;
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
 use assur_model::model::{DriveTarget, Mechanism, Value};
-use assur_solve::solve::{Method, Pose, SimulationReport};
+use assur_solve::solve::{Method, NotByEnergy, On, Pose, SimulationReport};
 use assur_text::units::{Dimension, significant};
 
 /// A rest that is shorter than this part of the run is no more than a turn.
@@ -84,8 +84,9 @@ pub(super) fn lines(answers: &Answers<'_>) -> Vec<String> {
     let order = |x: f64| order_of(x, answers.precision);
     let mut lines = vec![
         format!(
-            "integrated by {}: {} steps, {} rejected, {} evaluations in all runs",
+            "integrated by {}{}: {} steps, {} rejected, {} evaluations in all runs",
             method(report.method),
+            why(answers.model.mechanism, report),
             report.steps,
             report.rejected,
             report.evaluations
@@ -171,4 +172,38 @@ pub(super) const fn method(method: Method) -> &'static str {
         Method::Energy => "energy and quadrature",
         Method::Radau => "Radau IIA of order 5, from where DOP853 was held up",
     }
+}
+
+/// Why this method was taken.
+fn why(mechanism: &Mechanism, report: &SimulationReport) -> String {
+    let name = |pair| &mechanism.pair(pair).name;
+    let why = match report.why {
+        _ if report.method == Method::Energy => "the one coordinate decides on all forces".to_owned(),
+        // what held up the other method is said
+        None => return String::new(),
+        _ if report.method == Method::Radau => return String::new(),
+        Some(NotByEnergy::Coordinates(count)) => format!("{count} coordinates are free"),
+        Some(NotByEnergy::Drive(target)) => {
+            format!("`drive {}` moves", coordinates(mechanism, &[target]).collect::<String>())
+        }
+        Some(NotByEnergy::Friction(pair)) => format!("there is friction in `{}`", name(pair)),
+        Some(NotByEnergy::Losses(pair)) => format!("`{}` loses power", name(pair)),
+        Some(NotByEnergy::Damper(spring)) => format!("`{}` is damped", mechanism.springs[spring].name),
+        Some(NotByEnergy::Geneva(pair)) => format!("`{}` moves in steps", name(pair)),
+        Some(NotByEnergy::Stop(stop)) => format!("`stop {}` is hit", name(mechanism.stops[stop].pair)),
+        Some(NotByEnergy::Beyond) => "the mechanism ends near where it is".to_owned(),
+        Some(NotByEnergy::Load(load, on)) => {
+            let of = match &mechanism.loads[load.index()].name {
+                Some(name) => format!("`{name}`"),
+                None => "a load".to_owned(),
+            };
+            let on = match on {
+                On::Sense => "acts against the motion",
+                On::Time => "depends on time",
+                On::Speeds => "depends on speeds",
+            };
+            format!("{of} {on}")
+        }
+    };
+    format!(", since {why}")
 }

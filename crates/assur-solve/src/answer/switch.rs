@@ -57,7 +57,12 @@ pub(crate) fn switches(mechanism: &Mechanism) -> Vec<Switch<'_>> {
     found
 }
 
-impl Switch<'_> {
+impl<'m> Switch<'m> {
+    /// The part of a load.
+    pub(crate) const fn expr(&self) -> &'m Expr {
+        self.expr
+    }
+
     /// As it is, on no side.
     pub(crate) const fn release(&mut self) {
         self.side = Side::Free;

@@ -69,8 +69,8 @@ pub use refusal::{Refusal, Unpositioned};
 pub use refusals::{refusals, unplaced_reactions};
 pub use replay::Replay;
 pub use simulate::{
-    Conduct, Energy, KINDS, Method, OverTime, STATES, SimulationReport, SteadyReport, TimeCourse, Trial,
-    Trials, Watch, over_time,
+    Conduct, Energy, KINDS, Method, NotByEnergy, On, OverTime, STATES, SimulationReport, SteadyReport,
+    TimeCourse, Trial, Trials, Watch, over_time,
 };
 pub use solution::{OpenSizes, Pose, Solution, Solved};
 pub use sweep::{Following, solve, solve_with};

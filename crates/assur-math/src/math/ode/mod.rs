@@ -59,8 +59,8 @@ pub trait System<S> {
         Ok(false)
     }
 
-    /// Mass, force along the coordinate and rates of all further works by the coordinate, where a value of the one coordinate
-    /// tells them; false where it does not.
+    /// Mass, force along the coordinate, rates of all further works by the coordinate and values that are watched, where a value of
+    /// the one coordinate tells them; false where it does not.
     ///
     /// # Errors
     /// There is no value.
@@ -147,6 +147,11 @@ pub trait Integrator<S: Real> {
     /// y at t within the last step. Without [`Integrator::prepare_dense`] it is the cubic through values and rates at both
     /// ends, of order 3.
     fn dense(&self, t: S, y: &mut [S]);
+
+    /// Whether a watched value of [`System::along`], by its place, is known not to come to zero within the last step.
+    fn keeps_off(&self, _watched: usize) -> bool {
+        false
+    }
 
     /// Where the last step ended.
     fn t(&self) -> S {

@@ -38,6 +38,8 @@ pub(super) struct Equations<'a, 's> {
     pub statics: &'s WholeCycle,
     /// The first instant, s.
     pub from: f64,
+    /// The last one, s, as far as it is known.
+    pub last: f64,
     /// What every drive says at the first instant.
     pub first: Vec<DriveInput>,
     pub reduced: Reduced,
@@ -109,6 +111,7 @@ impl<'a, 's> Equations<'a, 's> {
             crossed: Vec::new(),
             statics: begin.statics,
             from: begin.from,
+            last: f64::INFINITY,
             first,
             reduced: Reduced::new(model.plan, free, moved),
             trial,

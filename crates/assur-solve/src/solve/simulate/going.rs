@@ -10,7 +10,7 @@ use super::records::{Origin, Recorder};
 use super::rubbing::wakes;
 use super::setup::Outputs;
 use super::slipping::Mode;
-use super::stop::Stops;
+use super::stop::{Stops, Touch};
 use super::trace::Trace;
 use super::watch::{AT_ONCE, Watch};
 use crate::math::ode::{Integrator, Step, Stopped, System, Undefined};
@@ -40,6 +40,8 @@ pub(super) enum Ended {
     Stiff,
     /// It goes on in other coordinates.
     Changed(Box<Change>),
+    /// This stop was hit, which another method follows.
+    Struck(usize),
     /// There is no step on from where the last one ended.
     Stuck(Halt),
     Halted(Halt),
@@ -79,6 +81,10 @@ pub(super) struct Going<'m, 'o> {
     pub trace: Trace,
     /// Steps are parts of those of the run before, the next of which is this one.
     pub place: Option<usize>,
+    /// It goes by energy: after an impact another method does.
+    pub by_energy: bool,
+    /// No first step of that is longer, s: what was hit may come back.
+    pub first: f64,
     /// The condition at which other coordinates were looked for in vain.
     pub looked_at: f64,
     /// When other coordinates were taken, s, and which.
@@ -96,7 +102,6 @@ impl<'m, 'o> Going<'m, 'o> {
         (begin, last): (f64, f64),
         pass: Pass<'o>,
     ) -> Self {
-        let mechanism = equations.model.mechanism;
         let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
         let mut watch = Watch::new(equations, (begin, last), pass.tolerance);
         watch.guard = outputs.guard;
@@ -116,13 +121,15 @@ impl<'m, 'o> Going<'m, 'o> {
             rests: if rests { vec![(begin, None)] } else { Vec::new() },
             held: equations.held_pairs().into_iter().map(|pair| (pair, begin, None)).collect(),
             rubs: equations.mode.is_some(),
-            wakes: wakes(mechanism),
+            wakes: wakes(equations),
             kinds: Kinds::default(),
             pass,
             longest: None,
             turning: None,
             trace: Trace::new(),
             place: None,
+            by_energy: false,
+            first: f64::INFINITY,
             looked_at: CAREFUL / AGAIN,
             changes: Vec::new(),
             crossed: Vec::new(),
@@ -225,10 +232,14 @@ impl Going<'_, '_> {
             {
                 return Ended::Halted(equations.halt());
             }
+            let struck = touched.as_ref().filter(|_| self.by_energy).map(Touch::stop);
             match self.touch(equations, method, touched) {
                 Ok(false) => {}
                 Ok(true) => return Ended::Done,
                 Err(halt) => return Ended::Halted(halt),
+            }
+            if let Some(stop) = struck {
+                return Ended::Struck(stop);
             }
             if let Some(change) = self.better(equations, (method.t(), method.y()), charts) {
                 return Ended::Changed(Box::new(change));

@@ -168,7 +168,7 @@ impl Equations<'_, '_> {
         if let Some(rolls) = open.iter().map(rubs).find(|rubs| !rubs.can_hold()) {
             return Err(Halt::Rolls { pair: rolls.pair() });
         }
-        if !depends || !all || wakes(self.model.mechanism) {
+        if !depends || !all || wakes(self) {
             return Err(Halt::Jam);
         }
         slipping.held.clear();

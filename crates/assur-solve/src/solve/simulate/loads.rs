@@ -1,5 +1,6 @@
 //! What loads depend on, and how they are taken.
 
+use super::acting::all_parts;
 use crate::answer::Switch;
 use crate::model::Expr;
 use crate::position::Model;
@@ -11,12 +12,10 @@ pub(super) fn sides<'s, 'm>(held: bool, switches: &'s [Switch<'m>]) -> &'s [Swit
 
 /// Whether the value of a load depends on an angle that is followed.
 pub(super) fn loads_need_angles(model: &Model<'_>) -> bool {
-    let mechanism = model.mechanism;
+    let loads = model.mechanism.loads.iter().flat_map(crate::model::Load::expressions);
     let mut needed = false;
-    let mut look = |expr: &Expr| {
-        expr.queries(&mut |query| needed |= query.facts().continuous.is_some());
-    };
-    mechanism.loads.iter().flat_map(crate::model::Load::expressions).for_each(&mut look);
-    mechanism.quantities.iter().for_each(|quantity| look(&quantity.expr));
+    all_parts(model.mechanism, loads, |part| {
+        needed |= matches!(part, Expr::Query(query) if query.facts().continuous.is_some());
+    });
     needed
 }

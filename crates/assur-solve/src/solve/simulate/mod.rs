@@ -4,8 +4,10 @@
 //! these coordinates in closed form, so that nothing drifts apart. Two runs, one in halves or two thirds of the steps of the other, go
 //! side by side: what they differ by, and how much finer the finer one is, tell its error; it is what comes out.
 
+mod acting;
 mod bonds;
 mod bridge;
+mod by_energy;
 mod change;
 mod chart;
 mod compare;
@@ -59,6 +61,7 @@ mod walk;
 mod watch;
 mod ways;
 
+pub use by_energy::{NotByEnergy, On};
 pub use compare::{KINDS, STATES};
 pub use conduct::{Conduct, Watch};
 pub use over_time::{OverTime, TimeCourse, over_time};

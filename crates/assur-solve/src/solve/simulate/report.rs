@@ -1,5 +1,6 @@
 //! What a motion under loads says of itself.
 
+use super::by_energy::NotByEnergy;
 use crate::model::{DriveTarget, Mechanism, Pair, PairId, Situation};
 
 /// How the equations are integrated.
@@ -19,6 +20,8 @@ pub enum Method {
 pub struct SimulationReport {
     /// How it was integrated.
     pub method: Method,
+    /// Why it does not follow from the energy, where that was looked at.
+    pub why: Option<NotByEnergy>,
     /// Accepted steps of the finer run.
     pub steps: usize,
     /// Rejected steps of the finer run.

@@ -4,11 +4,12 @@
 //! method of secants from the acceleration without friction. The effort is a broken line in q̈; where it does not rise with q̈
 //! no acceleration is the answer, or several are (Painlevé), and the run ends.
 
+use super::acting::all_parts;
 use super::equations::Equations;
 use super::rubs::Rubs;
 use super::slipping::Mode;
 use crate::math::Vec2;
-use crate::model::{Load, Mechanism, Query};
+use crate::model::{Expr, Query};
 use crate::plan::FrictionLaw;
 use crate::position::{Grip, STILL, State};
 use crate::solve::failure::Halt;
@@ -28,16 +29,16 @@ const NEVER: f64 = 1e-9;
 
 /// Whether what acts on a mechanism depends on the sense of its motion.
 pub(super) fn rubs(equations: &Equations<'_, '_>) -> bool {
-    let plan = equations.model.plan;
-    plan.effects.loses() || equations.model.mechanism.loads.iter().any(Load::is_against_motion)
+    equations.model.plan.effects.loses() || equations.acting().any(|(_, load, _)| load.is_against_motion())
 }
 
 /// Whether something changes while the coordinate rests: a drive moves, or a load depends on the instant.
-pub(super) fn wakes(mechanism: &Mechanism) -> bool {
+pub(super) fn wakes(equations: &Equations<'_, '_>) -> bool {
+    let mechanism = equations.model.mechanism;
     let mut timed = false;
-    let loads = mechanism.loads.iter().flat_map(Load::expressions);
-    let named = mechanism.quantities.iter().map(|quantity| &quantity.expr);
-    loads.chain(named).for_each(|expr| expr.queries(&mut |query| timed |= *query == Query::Time));
+    all_parts(mechanism, equations.acting().flat_map(|(_, _, exprs)| exprs), |part| {
+        timed |= matches!(part, Expr::Query(Query::Time));
+    });
     timed || mechanism.drives.iter().any(|d| !d.free && (d.speed.is_some() || d.acceleration.is_some()))
 }
 
@@ -251,7 +252,7 @@ impl Equations<'_, '_> {
 
     /// Whether a load acts against the motion.
     pub fn is_braked(&self) -> bool {
-        self.model.mechanism.loads.iter().any(Load::is_against_motion)
+        self.acting().any(|(_, load, _)| load.is_against_motion())
     }
 
     /// Whether drives alone move nothing against each other that rubs: then all of it rests with the free coordinate.

@@ -1,6 +1,7 @@
 //! One run of the integrator at one tolerance.
 
 use super::bonds::Bonds;
+use super::by_energy::NotByEnergy;
 use super::chart::Chart;
 use super::compare::{Kinds, Outcome};
 use super::coordinates::{Change, Charts};
@@ -19,7 +20,7 @@ use super::stop::Stops;
 use super::trace::{Fraction, Trace};
 use super::watch::AT_ONCE;
 use crate::math::lobatto::Short;
-use crate::math::ode::{Counts, Dop853, Energy as ByEnergy, Integrator, Radau, System, Undefined};
+use crate::math::ode::{Counts, Dop853, Energy as ByEnergy, Integrator, Radau, System, Tolerance, Undefined};
 use crate::model::{DriveTarget, PairId};
 use crate::position::Model;
 use crate::solve::failure::Halt;
@@ -30,6 +31,8 @@ const AT_REST: f64 = 200.0;
 /// A run.
 pub(super) struct Run {
     pub method: Method,
+    /// Why it does not follow from the energy, where it was looked at.
+    pub why: Option<NotByEnergy>,
     pub records: Records,
     pub counts: Counts,
     pub energy: Energy,
@@ -79,6 +82,7 @@ pub(super) fn run(
     last: f64,
 ) -> Run {
     let mut equations = begin.equations();
+    equations.goes_until(last);
     let mut y = equations.start();
     // of several coordinates each load acts against the motion there is
     if equations.order() == 1 && rubs(&equations) {
@@ -103,32 +107,51 @@ pub(super) fn run(
         None => going.part(&mut equations, charts, (begin.from, &y)),
     };
     drop(equations);
-    let (mut counts, mut method, mut left_off) = (part.counts, part.method, part.left_off);
     while let Ended::Changed(to) = part.ended {
         going.changes.push((to.t, to.coordinates(begin.model)));
-        part = going.changed(begin, charts, &to);
-        counts = sum(counts, part.counts);
-        left_off = left_off.with(part.left_off);
-        if part.method == Method::Radau {
-            method = Method::Radau;
-        }
+        let next = going.changed(begin, charts, &to);
+        part = Part {
+            counts: sum(part.counts, next.counts),
+            left_off: part.left_off.with(next.left_off),
+            by: part.by.or(next.by),
+            ..next
+        };
     }
-    part.left_off = left_off;
-    Run {
-        tolerance: pass.tolerance,
-        part: pass.before.map(|(_, part)| part),
-        ..going.end(part, (counts, method))
-    }
+    Run { tolerance: pass.tolerance, part: pass.before.map(|(_, part)| part), ..going.end(part) }
 }
 
 /// What became of a part of a run in one choice of coordinates.
 pub(super) struct Part {
     ended: Ended,
-    method: Method,
+    by: By,
     counts: Counts,
     /// Its last instant, s.
     end: f64,
     left_off: LeftOff,
+}
+
+/// By what it was integrated.
+#[derive(Clone, Copy, Default)]
+struct By {
+    /// The least special method, where there is any step.
+    method: Option<Method>,
+    /// Why not by energy.
+    why: Option<NotByEnergy>,
+}
+
+impl By {
+    /// And the same for what comes after it.
+    fn or(self, next: Self) -> Self {
+        let rank = |by: Self| {
+            by.method.map(|method| match method {
+                Method::Energy => 0,
+                Method::Dop853 => 1,
+                Method::Radau => 2,
+            })
+        };
+        let method = if rank(next) > rank(self) { next.method } else { self.method };
+        Self { method, why: self.why.or(next.why) }
+    }
 }
 
 /// Where a method has come to.
@@ -155,7 +178,7 @@ impl Part {
 
     fn none(end: f64, ended: Ended) -> Self {
         let (counts, left_off) = (Counts::default(), LeftOff::default());
-        Self { ended, method: Method::Dop853, counts, end, left_off }
+        Self { ended, by: By::default(), counts, end, left_off }
     }
 }
 
@@ -180,27 +203,32 @@ impl Going<'_, '_> {
         self.longest = (least > 0.0).then_some(shorter / SHORTER * length / least);
         (self.turning, self.place) = (None, None);
         let asked = self.outputs.conduct.method;
-        let (mut found, mut name) = if asked.is_none_or(|m| m == Method::Energy) && equations.conserves() {
-            let mut method = ByEnergy::new(y.len(), tolerance, scale(equations));
+        let mut why = equations.not_by_energy();
+        self.by_energy = asked.is_none_or(|m| m == Method::Energy) && why.is_none();
+        let mut found = if self.by_energy {
+            let watched = equations.model.mechanism.stops.len();
+            let mut method = ByEnergy::new(y.len(), watched, tolerance, scale(equations));
             equations.begin_walk(y[0]);
             let mut found = self.begin_with(&mut method, equations, charts, (t, y));
             found.left_off = LeftOff::of_series(method.left_off());
-            (found, Method::Energy)
+            found
         } else {
-            let mut method = Dop853::new(allowed.clone());
-            self.place = Some(0);
-            (self.begin_with(&mut method, equations, charts, (t, y)), Method::Dop853)
+            self.begin_explicit(equations, charts, &allowed, (t, y))
         };
-        if matches!(found.ended, Ended::Stuck(_)) && equations.walk.take().is_some() {
+        why = why.or(match found.ended {
+            Ended::Struck(stop) => Some(NotByEnergy::Stop(stop)),
             // what is looked at far ahead may be out of reach, and the next short step not
+            Ended::Stuck(_) if equations.walk.is_some() => Some(NotByEnergy::Beyond),
+            _ => None,
+        });
+        if self.by_energy && why.is_some() {
+            equations.walk = None;
+            self.by_energy = false;
             let before = (found.counts, found.left_off);
-            let y = std::mem::take(&mut found.y);
-            let mut method = Dop853::new(allowed.clone());
-            self.place = Some(0);
-            found = self.begin_with(&mut method, equations, charts, (found.end, &y));
-            found.left_off = before.1.with(found.left_off);
-            (found.counts, name) = (sum(before.0, found.counts), Method::Dop853);
+            found = self.begin_explicit(equations, charts, &allowed, (found.end, &found.y));
+            (found.counts, found.left_off) = (sum(before.0, found.counts), before.1.with(found.left_off));
         }
+        let mut name = if self.by_energy { Method::Energy } else { Method::Dop853 };
         if matches!(found.ended, Ended::Stiff) {
             self.trace.stiff.get_or_insert(found.end);
             let mut implicit = Radau::new(&allowed);
@@ -220,7 +248,20 @@ impl Going<'_, '_> {
         }
         let Reached { ended, counts, end, left_off, .. } = found;
         self.crossed.append(&mut equations.crossed);
-        Part { ended, method: name, counts, end, left_off }
+        Part { ended, by: By { method: Some(name), why }, counts, end, left_off }
+    }
+
+    /// Integrates by the explicit method from an instant, s.
+    fn begin_explicit(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        charts: &mut Charts<'_>,
+        allowed: &Tolerance<f64>,
+        from: (f64, &[f64]),
+    ) -> Reached {
+        let mut method = Dop853::new(allowed.clone());
+        self.place = Some(0);
+        self.begin_with(&mut method, equations, charts, from)
     }
 
     /// Integrates by a method up to the end, or up to where an implicit one is asked for.
@@ -235,7 +276,10 @@ impl Going<'_, '_> {
         self.bound(method);
         let ended = match method.start(equations, t, y, self.last) {
             Ok(()) if self.outputs.conduct.method == Some(Method::Radau) => Ended::Stiff,
-            Ok(()) => self.integrate(equations, method, (charts, false)),
+            Ok(()) => {
+                method.progress_mut().begin_with(std::mem::replace(&mut self.first, f64::INFINITY));
+                self.integrate(equations, method, (charts, false))
+            }
             Err(Undefined) => {
                 equations.accepted(t, y);
                 Ended::Halted(equations.halt())
@@ -253,6 +297,7 @@ impl Going<'_, '_> {
         let still = begin.still.and_then(|_| at_rest(model));
         let still = still.as_ref().map(|(mechanism, plan)| Model { mechanism, plan, ..*model });
         equations.still = still.as_ref();
+        equations.goes_until(self.last);
         equations.closed.clone_from(&to.closed);
         if self.rubs {
             equations.mode = Some(Mode::Resting);
@@ -271,10 +316,10 @@ impl Going<'_, '_> {
     }
 
     /// What a run has found.
-    fn end(self, part: Part, (counts, method): (Counts, Method)) -> Run {
+    fn end(self, part: Part) -> Run {
         let stopped = match part.ended {
             Ended::Halted(halt) | Ended::Stuck(halt) => Some((part.end, halt)),
-            Ended::Done | Ended::Stiff | Ended::Changed(_) => None,
+            Ended::Done | Ended::Stiff | Ended::Struck(_) | Ended::Changed(_) => None,
         };
         let end = part.end;
         let shift = self.stops.shift / (self.last - self.begin);
@@ -300,8 +345,9 @@ impl Going<'_, '_> {
         }
         let (records, energy) = recorder.end();
         Run {
-            method,
-            counts,
+            method: part.by.method.unwrap_or_default(),
+            why: part.by.why,
+            counts: part.counts,
             energy,
             worst_condition,
             events,
@@ -373,6 +419,7 @@ impl Run {
     fn halted(first: f64, halt: Halt) -> Self {
         Self {
             method: Method::Dop853,
+            why: None,
             records: Records::default(),
             counts: Counts::default(),
             energy: Energy::default(),

@@ -24,6 +24,16 @@ pub(super) enum Touch {
     Opens(usize),
 }
 
+impl Touch {
+    /// The first stop at which it happens.
+    pub fn stop(&self) -> usize {
+        match self {
+            Self::Hits(stops) => stops[0],
+            Self::Opens(stop) => *stop,
+        }
+    }
+}
+
 /// The stops of a run.
 pub(super) struct Stops {
     /// What is hit at the same instant.
@@ -112,6 +122,9 @@ impl Stops {
         let mut first: Option<(f64, Touch)> = None;
         for index in 0..self.left.len() {
             if equations.slipping.as_ref().is_some_and(|slipping| slipping.kept[index]) {
+                continue;
+            }
+            if method.keeps_off(index) {
                 continue;
             }
             let found = if equations.closed.contains(&index) {

@@ -65,6 +65,7 @@ impl Going<'_, '_> {
                     return Err(equations.halt());
                 }
                 method.progress_mut().begin_with(struck.step);
+                self.first = if self.by_energy { struck.step } else { f64::INFINITY };
                 let now = (method.t(), method.y().to_vec());
                 let ended = self.watch.jumped(equations, (now.0, &now.1), (&before, &kept));
                 ended.or(self.note_stops(equations, &was, (t, &hit, until)))

@@ -184,6 +184,7 @@ fn report(
     let free = mechanism.drives.iter().enumerate().filter(|(_, d)| d.free);
     SimulationReport {
         method: fine.method,
+        why: fine.why,
         steps: fine.counts.steps,
         rejected: fine.counts.rejected,
         evaluations: spent,

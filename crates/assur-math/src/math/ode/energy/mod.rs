@@ -77,9 +77,9 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// Of n unknowns, with a relative accuracy; a change of the coordinate by `scale` is a great one.
+    /// Of n unknowns and some watched values, with a relative accuracy; a change of the coordinate by `scale` is a great one.
     #[must_use]
-    pub fn new(n: usize, tolerance: f64, scale: f64) -> Self {
+    pub fn new(n: usize, watched: usize, tolerance: f64, scale: f64) -> Self {
         let works = n.saturating_sub(3);
         Self {
             progress: Progress::new(n),
@@ -89,12 +89,12 @@ impl Energy {
             motion: Motion::Rests,
             kinetic: 0.0,
             length: FIRST * scale,
-            ways: vec![Way::new(works); KEPT],
+            ways: vec![Way::new(works, watched); KEPT],
             known: 0,
             next: 0,
             current: None,
-            values: vec![[0.0; NODES]; 2 + works],
-            out: vec![0.0; 2 + works],
+            values: vec![[0.0; NODES]; 2 + works + watched],
+            out: vec![0.0; 2 + works + watched],
             worst: 0.0,
         }
     }
@@ -359,6 +359,11 @@ impl Integrator<f64> for Energy {
         }
         self.progress.shortened(t);
         Ok(())
+    }
+
+    fn keeps_off(&self, watched: usize) -> bool {
+        let ends = (self.progress.y0[0], self.progress.y1[0]);
+        self.current.as_ref().is_some_and(|(way, _)| self.ways[*way].keeps_off(watched, ends))
     }
 
     fn prepare_dense<F: System<f64> + ?Sized>(&mut self, _system: &mut F) -> Result<(), Undefined> {

@@ -24,6 +24,8 @@ const GROWTH: f64 = 1.4;
 const LEAST: f64 = 1e-7;
 /// So many of them side by side.
 const SIDE_BY_SIDE: usize = 4;
+/// The series of a watched value may leave off so many times its last terms.
+const UNSEEN: f64 = 10.0;
 /// Rounding of sums, parts of the greatest coefficient.
 const ROUNDING: f64 = 1e-12;
 
@@ -39,14 +41,22 @@ pub(super) struct Way {
     energy: [f64; NODES + 1],
     /// What else adds up along it.
     works: Vec<[f64; NODES + 1]>,
+    /// What is watched along it, each with a bound of its slope in an interval of length 2, and with what its series leaves off.
+    watched: Vec<([f64; NODES], f64, f64)>,
 }
 
-/// Values at the nodes, by quantity: mass, force, and what else adds up.
+/// The greatest slope that a series on [−1, 1] may have: of T_k it is at most k².
+#[allow(clippy::cast_precision_loss)] // far below 2^52
+fn steepest(series: &[f64; NODES]) -> f64 {
+    series.iter().enumerate().map(|(k, c)| (k * k) as f64 * c.abs()).sum()
+}
+
+/// Values at the nodes, by quantity: mass, force, what else adds up, and what is watched.
 pub(super) type Values = Vec<[f64; NODES]>;
 
 impl Way {
-    /// With room for so many further quantities.
-    pub fn new(works: usize) -> Self {
+    /// With room for so many further quantities, and watched ones.
+    pub fn new(works: usize, watched: usize) -> Self {
         let none = [0.0; NODES];
         Self {
             low: 0.0,
@@ -56,6 +66,7 @@ impl Way {
             force_slope: none,
             energy: [0.0; NODES + 1],
             works: vec![[0.0; NODES + 1]; works],
+            watched: vec![(none, 0.0, 0.0); watched],
         }
     }
 
@@ -70,7 +81,8 @@ impl Way {
         (q, kinetic): (f64, f64),
     ) -> Result<(), Undefined> {
         (self.low, self.high) = (start, end);
-        let [mass, force, works @ ..] = values.as_slice() else { return Err(Undefined) };
+        let [mass, force, further @ ..] = values.as_slice() else { return Err(Undefined) };
+        let (works, watched) = further.split_at(self.works.len());
         if !mass.iter().all(|m| *m > 0.0) {
             return Err(Undefined);
         }
@@ -81,6 +93,10 @@ impl Way {
         self.energy[0] += kinetic - self.energy(q);
         for (out, values) in self.works.iter_mut().zip(works) {
             integrate(&nodes.coefficients(values), half, 0.0, out);
+        }
+        for (out, values) in self.watched.iter_mut().zip(watched) {
+            let series = nodes.coefficients(values);
+            *out = (series, steepest(&series), UNSEEN * tail(&series));
         }
         Ok(())
     }
@@ -123,6 +139,14 @@ impl Way {
     pub fn works(&self, from: f64, to: f64) -> impl Iterator<Item = f64> + '_ {
         let (from, to) = (self.x(from), self.x(to));
         self.works.iter().map(move |work| sum(work, to) - sum(work, from))
+    }
+
+    /// Whether a watched value is certain not to be zero between two places: it is too far from it for its slope.
+    pub fn keeps_off(&self, watched: usize, (from, to): (f64, f64)) -> bool {
+        let (series, steepest, left_off) = &self.watched[watched];
+        let [from, to] = [from, to].map(|q| self.x(q));
+        let middle = 0.5 * (sum(series, from) + sum(series, to));
+        middle.abs() > 0.5 * steepest * (to - from).abs() + left_off
     }
 
     /// The mean force between two places.
