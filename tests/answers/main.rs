@@ -17,6 +17,7 @@ mod formatted;
 mod geometry;
 mod jumps;
 mod large;
+mod methods;
 mod names;
 mod number_cases;
 mod positions;

@@ -31,10 +31,10 @@ pub(crate) fn side_of(switches: &[Switch<'_>], expr: &Expr) -> Option<Side> {
     found.map(|switch| switch.side)
 }
 
-/// The parts of all loads, and of drives by the instant, that are not smooth.
-pub(crate) fn switches(mechanism: &Mechanism) -> Vec<Switch<'_>> {
+/// The parts of expressions of loads, and of drives by the instant, that are not smooth.
+pub(crate) fn switches<'m>(mechanism: &'m Mechanism, loads: Vec<&'m Expr>) -> Vec<Switch<'m>> {
     let (mut found, mut quantities) = (Vec::new(), vec![false; mechanism.quantities.len()]);
-    let mut waiting: Vec<&Expr> = mechanism.loads.iter().flat_map(crate::model::Load::expressions).collect();
+    let mut waiting = loads;
     for drive in mechanism.drives.iter().filter(|drive| drive.of_time) {
         if let Positions::List(list) = &drive.positions {
             waiting.extend(list);

@@ -2,6 +2,8 @@
 //! is none, and a load of zero acts nowhere.
 
 use super::equations::Equations;
+use super::loads::loads_need_angles;
+use crate::answer::switches;
 use crate::model::{BinaryOp, Comparison, Expr, Load, LoadId, Mechanism, Query, Value};
 
 /// Calls `look` on all parts of some expressions, through the quantities that they name, each of which is gone through once.
@@ -92,10 +94,13 @@ fn either(a: Option<bool>, b: Option<bool>, truth: bool) -> Option<bool> {
 }
 
 impl<'a> Equations<'a, '_> {
-    /// The run goes on up to an instant, s: what does not change until then is no corner of the loads.
+    /// The run goes on up to an instant, s: what does not act until then needs nothing, and what does not change is no corner.
     pub fn goes_until(&mut self, last: f64) {
         self.last = last;
         let (mechanism, run) = (self.model.mechanism, (self.from, last));
+        let exprs: Vec<&Expr> = self.acting().flat_map(|(_, _, exprs)| exprs).collect();
+        self.loads_need_angles = loads_need_angles(mechanism, exprs.iter().copied());
+        self.switches = switches(mechanism, exprs);
         self.switches.retain(|switch| always(mechanism, switch.expr(), run).is_none());
     }
 

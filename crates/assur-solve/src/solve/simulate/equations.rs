@@ -9,10 +9,10 @@ use super::passage::Passage;
 use super::setup::{Begin, is_length};
 use super::slipping::{Mode, Slipping};
 use super::walk::Walk;
-use crate::answer::{Switch, WholeCycle, switches};
+use crate::answer::{Switch, WholeCycle};
 use crate::math::Vec2;
 use crate::math::ode::{System, Undefined};
-use crate::model::{DriveTarget, LoadId, Value};
+use crate::model::{DriveTarget, Load, LoadId, Value};
 use crate::plan::LoadStep;
 use crate::position::{Branch, DriveInput, Model, Motion, Reduced, State, extent};
 use crate::solve::cycle::loads_name_quantities;
@@ -118,14 +118,17 @@ impl<'a, 's> Equations<'a, 's> {
             at: (f64::NAN, vec![f64::NAN; unknowns]),
             accepted: (t, state.clone(), angles.clone()),
             angles,
-            loads_need_angles: loads_need_angles(model),
+            loads_need_angles: loads_need_angles(
+                model.mechanism,
+                model.mechanism.loads.iter().flat_map(Load::expressions),
+            ),
             evaluates: model.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))),
             goes_on: model.plan.goes_on(),
             walk: None,
             quantities: loads_name_quantities(model.mechanism).then(Vec::new),
             named: Vec::new(),
             evaluated: Vec::new(),
-            switches: switches(model.mechanism),
+            switches: Vec::new(),
             held: false,
             mode: None,
             senses: Vec::new(),

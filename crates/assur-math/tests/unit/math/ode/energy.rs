@@ -35,7 +35,7 @@ fn body<M: Fn(f64) -> f64, F: Fn(f64) -> f64>(mass: M, force: F) -> Body<M, F> {
 }
 
 fn run(system: &mut impl System<f64>, tolerance: f64, y: &[f64], end: f64) -> Energy {
-    let mut method = Energy::new(y.len(), tolerance, 1.0);
+    let mut method = Energy::new(y.len(), 0, tolerance, 1.0);
     method.start(system, 0.0, y, end).expect("it has a value");
     while method.step(system).expect("it has a value") != Step::Last {}
     method
@@ -97,7 +97,7 @@ fn a_mass_that_changes_falls_in_the_known_time() {
 #[test]
 fn a_step_can_be_looked_into_and_cut() {
     let mut spring = body(|_| 2.0, |q: f64| -8.0 * q);
-    let mut method = Energy::new(3, 1e-12, 1.0);
+    let mut method = Energy::new(3, 0, 1e-12, 1.0);
     method.start(&mut spring, 0.0, &[0.4, 0.0, 0.0], 10.0).expect("it has a value");
     let mut y = [0.0; 3];
     for _ in 0..20 {
@@ -122,7 +122,7 @@ fn a_body_at_rest_without_force_stays() {
 #[test]
 fn other_forces_begin_where_it_is_restarted() {
     let mut spring = body(|_| 1.0, |q: f64| -q);
-    let mut method = Energy::new(3, 1e-12, 1.0);
+    let mut method = Energy::new(3, 0, 1e-12, 1.0);
     method.start(&mut spring, 0.0, &[1.0, 0.0, 0.0], 3.0).expect("it has a value");
     method.step(&mut spring).expect("it has a value");
     let t = 0.5 * method.t();
@@ -143,6 +143,6 @@ fn where_nothing_is_known_it_says_so() {
             Ok(())
         }
     }
-    let mut method = Energy::new(3, 1e-9, 1.0);
+    let mut method = Energy::new(3, 0, 1e-9, 1.0);
     assert!(method.start(&mut Nowhere, 0.0, &[0.0, 1.0, 0.0], 1.0).is_err());
 }
