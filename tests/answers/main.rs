@@ -9,6 +9,7 @@ mod completed;
 mod cycle;
 mod effects;
 mod energy;
+mod equal_positions;
 mod expectations;
 mod expressions;
 #[path = "../folder/mod.rs"]

@@ -69,7 +69,7 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
         return None;
     }
     let once = target.is_none_or(|target| once(cx, target, &name, span));
-    let positions = positions(cx, drive, moves, &name);
+    let positions = positions(cx, (drive, span), moves, &name);
     let speed = rate(cx, drive.rate.as_ref(), moves, 1, &name);
     let acceleration = rate(cx, drive.acceleration.as_ref(), moves, 2, &name);
     let sense = sense(cx, drive, moves);
@@ -207,7 +207,12 @@ fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bo
     false
 }
 
-fn positions(cx: &mut Context<'_>, drive: &Drive, moves: Moves, name: &str) -> Option<Positions> {
+fn positions(
+    cx: &mut Context<'_>,
+    (drive, span): (&Drive, Span),
+    moves: Moves,
+    name: &str,
+) -> Option<Positions> {
     match &drive.position {
         None => Some(Positions::None),
         Some(DrivePosition::Values(values)) if values.len() == 1 => {
@@ -217,7 +222,7 @@ fn positions(cx: &mut Context<'_>, drive: &Drive, moves: Moves, name: &str) -> O
             let values = values.iter().map(|v| value(cx, v, moves, 0, name)).collect::<Vec<_>>();
             values.into_iter().collect::<Option<Vec<_>>>().map(Positions::List)
         }
-        Some(DrivePosition::Range(course)) => range(cx, course, moves, name),
+        Some(DrivePosition::Range(course)) => range(cx, (drive, course, span), moves, name),
     }
 }
 
@@ -235,10 +240,22 @@ fn timed(cx: &mut Context<'_>, sensed: &Sensed, moves: Moves, name: &str) -> Opt
     crate::motion::simulation::differentiable(cx, &found, sensed.value.span).then_some(found)
 }
 
-fn range(cx: &mut Context<'_>, course: &Course, moves: Moves, name: &str) -> Option<Positions> {
+fn range(
+    cx: &mut Context<'_>,
+    (drive, course, span): (&Drive, &Course, Span),
+    moves: Moves,
+    name: &str,
+) -> Option<Positions> {
     let what = format!("the position of `{name}`");
     let from = plain(cx, &course.from, moves, 0, &what);
     let to = plain(cx, &course.to, moves, 0, &what);
+    if let (Some(from), Some(to)) = (&from, &to)
+        && step_size::is_empty(from, to)
+    {
+        let line = crate::motion::drive_kind::at_one_position(drive, &course.from, name);
+        cx.error(MotionError::EmptyRange { name: name.into(), line, span });
+        return None;
+    }
     let steps = match &course.steps {
         Steps::In(count) => cx.scalar_constant(count, &Want::NUMBER, "the number of steps")?,
         Steps::Of(each) => step_size::count(cx, (from.as_ref()?, to.as_ref()?), each, moves)?,

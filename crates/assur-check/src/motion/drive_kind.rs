@@ -6,7 +6,7 @@ use crate::motion::drive::{Moves, has_wheels, zero};
 use crate::statements::written::written;
 use crate::values::typed::phrase;
 use assur_model::model::{DriveTarget, LinkId, PairKind};
-use assur_syntax::document::{Drive, DrivePosition, Expr, Sensed, Steps};
+use assur_syntax::document::{Direction, Drive, DrivePosition, Expr, Sensed, Steps, Turn, Way};
 use assur_text::units::Dimension;
 
 /// Whether the positions are of the other kind; reported once, for position, speed and acceleration.
@@ -66,11 +66,32 @@ fn by_pair(cx: &Context<'_>, drive: &Drive, target: Option<DriveTarget>) -> Opti
 
 /// The drive's statement with another target.
 fn retargeted(drive: &Drive, name: &str) -> Option<String> {
-    let position = written_position(drive)?;
-    let mut line = format!("drive {name} = {position}");
+    with_rates(drive, format!("drive {name} = {}", written_position(drive)?))
+}
+
+/// The drive's statement with one position alone; `…` for what cannot be written again.
+pub(crate) fn at_one_position(drive: &Drive, at: &Expr, name: &str) -> String {
+    let position = format!("drive {name} = {}", written(at).unwrap_or_else(|| "…".into()));
+    let sense = match drive.direction.as_ref().map(|direction| direction.node) {
+        Some(Direction::Turning(Turn::Ccw)) => " turning ccw",
+        Some(Direction::Turning(Turn::Cw)) => " turning cw",
+        Some(Direction::Moving(Way::Forward)) => " moving forward",
+        Some(Direction::Moving(Way::Back)) => " moving back",
+        None => "",
+    };
+    with_rates(drive, position.clone()).map_or_else(|| format!("{position} …"), |line| line + sense)
+}
+
+/// With speed and acceleration behind it.
+fn with_rates(drive: &Drive, mut line: String) -> Option<String> {
     for (word, rate) in [("at", &drive.rate), ("accelerating", &drive.acceleration)] {
         if let Some(rate) = rate {
-            line.push_str(&format!(" {word} {}", value(rate)?));
+            let sense = match rate.sense.as_ref().map(|sense| sense.node) {
+                Some(Turn::Ccw) => " ccw",
+                Some(Turn::Cw) => " cw",
+                None => "",
+            };
+            line.push_str(&format!(" {word} {}{sense}", written(&rate.value)?));
         }
     }
     Some(line)

@@ -6,7 +6,8 @@ use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::values::fold;
 use crate::values::format_value::{digits, format_value};
-use assur_model::model::Expr;
+use assur_math::math::Vec2;
+use assur_model::model::{Expr, Value};
 use assur_syntax::document;
 
 /// The part of a step by which a range may miss a whole number of steps, per step.
@@ -58,6 +59,15 @@ struct Fault {
     label: &'static str,
 }
 
+/// Whether a range ends where it begins, but for rounding.
+pub(super) fn is_empty(from: &Expr, to: &Expr) -> bool {
+    let size = |e: &Expr| match e {
+        Expr::Constant(Value::Scalar(x)) => x.abs(),
+        _ => fold::vector(e).map_or(0.0, Vec2::norm),
+    };
+    length(from, to).is_some_and(|length| length <= 4.0 * f64::EPSILON * size(from).max(size(to)))
+}
+
 /// The distance between two values where it is known before anything is solved.
 fn length(from: &Expr, to: &Expr) -> Option<f64> {
     match (fold::vector(from), fold::vector(to)) {
@@ -79,13 +89,6 @@ fn of_length(length: f64, steps: f64, of: String, value: impl Fn(f64) -> String)
     #[allow(clippy::cast_precision_loss)] // a million is exact
     let most = MOST_STEPS as f64;
     let range = value(length);
-    if length == 0.0 {
-        return Fault {
-            message: format!("the range has no length, so it has no steps of {of}"),
-            help: "write a single position, or another end".into(),
-            label: "the range begins where it ends",
-        };
-    }
     if steps.round() > most {
         return Fault {
             message: format!(

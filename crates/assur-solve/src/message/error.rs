@@ -353,6 +353,20 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// A range that ends where it begins.
+    #[error("the range of `{name}` has no length: it ends where it begins, at {at}")]
+    #[diagnostic(code(mech::geometry::empty_range), help("{help}"))]
+    EmptyRange {
+        /// The drive.
+        name: String,
+        /// Its one position.
+        at: String,
+        /// What to write.
+        help: String,
+        /// The drive.
+        #[label("one position, in several steps")]
+        span: miette::SourceSpan,
+    },
     /// A function over a sweep where there is none.
     #[error("no function over the sweep can be found: {why}")]
     #[diagnostic(code(mech::solve::no_sweep))]

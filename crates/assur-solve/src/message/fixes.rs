@@ -13,6 +13,9 @@ impl Problem for SolveError {
             Self::HintNotMet { help, labels, .. } => {
                 labels.first().map(|at| clauses(help, at)).unwrap_or_default()
             }
+            Self::EmptyRange { help, span, .. } => {
+                Fix::quoted(help, Span::new(span.offset(), span.offset() + span.len()))
+            }
             _ => Vec::new(),
         }
     }

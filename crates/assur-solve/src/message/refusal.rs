@@ -3,7 +3,7 @@
 use super::error::SolveError;
 use super::format::label;
 use super::open_places::{friction_without_place, no_place, no_position};
-use super::speeds::needs_speed;
+use super::speeds::{empty_range, needs_speed};
 use crate::model::PairId;
 use crate::position::Model;
 use crate::solve::Refusal;
@@ -32,6 +32,7 @@ pub(super) fn refused(model: &Model<'_>, refusal: &Refusal) -> SolveError {
         Refusal::GenevaForces(pair) => {
             not_yet("a Geneva wheel whose crank is balanced through the wheel", &[*pair])
         }
+        Refusal::EmptyRange { drive, at } => empty_range(mechanism, *drive, *at),
         Refusal::NeedsSpeed { drive, level, places } => needs_speed(mechanism, *drive, (*level, places)),
         Refusal::FreeRotation { roller, places } => SolveError::FreeRotation {
             name: mechanism.link(*roller).name.clone(),

@@ -7,7 +7,11 @@ use crate::model::{
 };
 use crate::plan::Level;
 use crate::source::Span;
+use crate::units::Dimension;
 use miette::LabeledSpan;
+
+/// Digits of what a file has written.
+const DIGITS: usize = 12;
 
 /// Velocities and accelerations of a mechanism whose drives have no speed.
 pub(super) fn needs_speed(
@@ -36,6 +40,49 @@ pub(super) fn needs_speed(
         places.iter().filter(|s| **s != Span::default()).map(|s| label("needed here", *s)).collect();
     labels.push(label(format!("without {needs}"), drive.span));
     SolveError::NeedsSpeed { what, needs, help, labels }
+}
+
+/// A range whose ends turn out to be one position.
+pub(super) fn empty_range(mechanism: &Mechanism, drive: DriveId, at: f64) -> SolveError {
+    let drive = &mechanism.drives[drive.index()];
+    let from = drive.written.as_deref().and_then(|written| written.split(" .. ").next()).unwrap_or("…");
+    let (position, turns) = (mechanism.drive_display(drive.target), turns(mechanism, drive));
+    let rate = |rate: &Option<Expr>, word: &str, dimension: Dimension| match rate {
+        None => String::new(),
+        Some(Expr::Constant(value)) => {
+            format!(" {word} {}", mechanism.display_of(dimension).text(*value, DIGITS))
+        }
+        Some(_) => format!(" {word} …"),
+    };
+    let [speed, acceleration] = match turns {
+        true => [Dimension::ANGULAR_VELOCITY, Dimension::ANGULAR_ACCELERATION],
+        false => [Dimension::VELOCITY, Dimension::ACCELERATION],
+    };
+    let sense = match drive.sense {
+        Some(sense) if turns => {
+            if sense > 0.0 {
+                " turning ccw"
+            } else {
+                " turning cw"
+            }
+        }
+        Some(sense) => {
+            if sense > 0.0 {
+                " moving forward"
+            } else {
+                " moving back"
+            }
+        }
+        None => "",
+    };
+    let rates = rate(&drive.speed, "at", speed) + &rate(&drive.acceleration, "accelerating", acceleration);
+    let line = format!("drive {} = {from}{rates}{sense}", drive.name);
+    SolveError::EmptyRange {
+        name: drive.name.clone(),
+        at: position.text(Value::Scalar(at), DIGITS),
+        help: format!("write `{line}`, or another end of the range"),
+        span: drive.span.into(),
+    }
 }
 
 /// Damping where nothing moves.
@@ -80,15 +127,21 @@ fn speed_for(mechanism: &Mechanism, drive: &Drive) -> (&'static str, String) {
     (speed, format!("give it a speed: `drive {}{written} at {speed}`", drive.name))
 }
 
+fn turns(mechanism: &Mechanism, drive: &Drive) -> bool {
+    match drive.target {
+        DriveTarget::Link(_) => true,
+        DriveTarget::Pair(pair) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
+        DriveTarget::Point(..) => false,
+    }
+}
+
 /// The positions of a drive as they may have been written, and a speed for it.
 fn written(mechanism: &Mechanism, drive: &Drive) -> (String, &'static str) {
-    let (turns, speed) = match drive.target {
-        DriveTarget::Link(_) => (true, "60 rpm"),
-        DriveTarget::Pair(pair) if matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)) => {
-            (true, "60 rpm")
-        }
-        DriveTarget::Pair(_) => (false, "0.1 m/s"),
-        DriveTarget::Point(..) => (false, "(0.1 m/s, 0)"),
+    let turns = turns(mechanism, drive);
+    let speed = match drive.target {
+        _ if turns => "60 rpm",
+        DriveTarget::Point(..) => "(0.1 m/s, 0)",
+        _ => "0.1 m/s",
     };
     if let Some(text) = &drive.written {
         return (format!(" = {text}"), speed);

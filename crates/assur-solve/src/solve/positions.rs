@@ -1,9 +1,13 @@
 //! Which positions are asked for: sweeps, named poses, and those an `expect … at` adds.
 
+use super::refusal::Refusal;
 use crate::answer::{WholeCycle, constant};
-use crate::model::{At, Drive, DriveId, Expr, Positions, Value};
+use crate::model::{At, Drive, DriveId, Expr, Mechanism, Positions, Value};
 use crate::position::{DriveValue, Model, PoseOrigin, Wanted, turns};
 use std::sync::Arc;
+
+/// The ends of a range that differ by no more, rad or m, are one position: one of them is found by solving.
+const SAME: f64 = 1e-12;
 
 /// The values of one drive over its sweep.
 #[derive(Clone, Debug)]
@@ -55,6 +59,14 @@ impl Values {
         }
     }
 
+    /// Where a range begins and ends, if that is one position.
+    fn empty(&self) -> Option<f64> {
+        match self {
+            Self::Range { from, to, .. } if (to - from).abs() <= SAME * from.abs().max(1.0) => Some(*from),
+            _ => None,
+        }
+    }
+
     /// The value at a position; the last one goes on.
     fn at(&self, index: usize) -> DriveValue {
         match self {
@@ -99,6 +111,21 @@ impl Sweep {
 
     pub const fn len(&self) -> usize {
         self.len
+    }
+
+    /// A range that turned out to have no length: `check` has seen to those whose ends are numbers.
+    pub fn empty_range(&self, mechanism: &Mechanism) -> Option<Refusal> {
+        let ranges = mechanism.drives.iter().zip(&self.drives).enumerate();
+        let solved = |drive: &Drive| match &drive.positions {
+            Positions::Range { from, to, .. } => {
+                !matches!((from, to), (Expr::Constant(_), Expr::Constant(_)))
+            }
+            _ => false,
+        };
+        let mut found = ranges.filter(|(_, (drive, _))| solved(drive));
+        found.find_map(|(i, (_, values))| {
+            Some(Refusal::EmptyRange { drive: DriveId::at(i), at: values.empty()? })
+        })
     }
 
     /// The position after whole turns, which is left out since the mechanism is where it began; `None` where none is left out.

@@ -31,6 +31,13 @@ pub enum Refusal {
         /// What needs it.
         places: Vec<Span>,
     },
+    /// The range of a drive ends where it begins, which is known only once dead positions are found.
+    EmptyRange {
+        /// The drive.
+        drive: DriveId,
+        /// Its one position, rad or m.
+        at: f64,
+    },
     /// The rotation of a roller that turns freely is asked for.
     FreeRotation {
         /// The roller.

@@ -97,6 +97,9 @@ impl<'a, 's> Following<'a, 's> {
         let mut statics = statics(model).map_err(|cause| vec![cause.into()])?;
         statics.criticals = criticals;
         let sweep = Sweep::of(model, &statics);
+        if let Some(empty) = sweep.empty_range(model.mechanism) {
+            return Err(vec![Cause::Refused(empty).into()]);
+        }
         let rates = Rates::of(model, &statics);
         let first = sweep.at(0).drives;
         let (mut trajectory, mut cycle_notes) = (None, Vec::new());

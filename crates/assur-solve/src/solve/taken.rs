@@ -83,7 +83,8 @@ impl Tracker {
         self.remember();
         let (mut kept, mut count) = ([0; KEPT], 0_usize);
         let mut position = 0;
-        while position + 1 < block.len() {
+        // equal positions are near to all that follow
+        while position < block.len().saturating_sub(1) {
             let values = block.values(position);
             let last = match count.checked_sub(1) {
                 Some(last) => Some(block.values(kept[last % KEPT])),

@@ -94,6 +94,7 @@ pub const CODES: &[Code] = codes! {
     "geometry" / "acceleration_without_speed",
     "geometry" / "drive_without_position",
     "geometry" / "steps",
+    "geometry" / "empty_range",
     "geometry" / "positions_differ",
     "geometry" / "not_driven",
     "geometry" / "pose_incomplete",

@@ -138,6 +138,18 @@ pub enum MotionError {
         #[label("{value}")]
         span: Span,
     },
+    /// A range that ends where it begins.
+    #[error("the range of `{name}` has no length: it ends where it begins")]
+    #[diagnostic(code("mech::geometry::empty_range"), help("write `{line}`, or another end of the range"))]
+    EmptyRange {
+        /// What is driven.
+        name: String,
+        /// The drive at one position.
+        line: String,
+        /// The drive.
+        #[label("one position, in several steps")]
+        span: Span,
+    },
     /// A step that gives no number of steps.
     #[error("{message}")]
     #[diagnostic(code("mech::geometry::steps"), help("{help}"))]
@@ -289,6 +301,7 @@ impl Problem for MotionError {
             Self::WithoutPosition { name, example, span } => {
                 Fix::quoted(&format!("write `drive {name} = {example}`"), *span)
             }
+            Self::EmptyRange { line, span, .. } => Fix::quoted(&format!("write `{line}`"), *span),
             Self::WrongSense { help, span, .. } => Fix::quoted(help, *span),
             Self::NoSinglePoint { example, span, .. } => Fix::quoted(&format!("write `{example}`"), *span),
             _ => Vec::new(),
