@@ -76,21 +76,24 @@ pub(super) fn named<'a>(answers: &Answers<'a>) -> Vec<(&'a str, &'a CycleAnswer)
 /// The estimate of a function over the sweep, or of a flywheel.
 struct Estimate<'a> {
     name: &'a str,
-    /// The error relative to the value.
+    /// The error relative to the value, or to what is in play where that is zero.
     relative: f64,
     samples: usize,
     splits: &'a [f64],
 }
 
 fn estimates<'a>(answers: &Answers<'a>) -> impl Iterator<Item = Estimate<'a>> {
-    let cycles = named(answers).into_iter().map(|(name, c)| (name, c.value, c.error, c.samples, &*c.splits));
-    let wheels =
-        all_flywheels(answers).map(|(w, f)| (w.name.as_str(), f.fluctuation, f.error, f.samples, &*f.splits));
-    let known = cycles.chain(wheels).filter(|c| c.1.is_finite());
-    known.map(|(name, value, error, samples, splits)| {
-        let relative = if value == 0.0 { error } else { error / value.abs() };
-        Estimate { name, relative, samples, splits }
-    })
+    let over = |error: f64, of: f64| if error == 0.0 { 0.0 } else { error / of.abs() };
+    let cycles = named(answers).into_iter().filter(|(_, c)| c.value.is_finite()).map(move |(name, c)| {
+        // of what is zero the greatest magnitude in play is the measure
+        let relative = over(c.error, if c.value == 0.0 { c.scale } else { c.value });
+        Estimate { name, relative, samples: c.samples, splits: &c.splits }
+    });
+    let wheels = all_flywheels(answers).map(move |(wheel, found)| {
+        let relative = over(found.error, found.fluctuation);
+        Estimate { name: &wheel.name, relative, samples: found.samples, splits: &found.splits }
+    });
+    cycles.chain(wheels)
 }
 
 /// The greatest estimated error, relative to the value.

@@ -106,6 +106,41 @@ impl TableFunction {
         &self.x
     }
 
+    /// Calls `visit` on the points that an argument passes on its way, or reaches at its end, in the order of the way.
+    pub fn points_between(&self, from: f64, to: f64, mut visit: impl FnMut(f64)) {
+        let (rises, (first, last)) = (to > from, self.range());
+        let (low, high) = if rises { (from, to) } else { (to, from) };
+        // the last point of a table that begins again is its first
+        let (points, period) = match self.period() {
+            Some(period) => (&self.x[..self.x.len() - 1], period),
+            None => (&self.x[..], 0.0),
+        };
+        let turn = |x: f64| if period > 0.0 { ((x - first) / (last - first)).floor() } else { 0.0 };
+        let (mut turns, end) = if rises { (turn(low), turn(high)) } else { (turn(high), turn(low)) };
+        loop {
+            let shift = turns * period;
+            let inside = |&&x: &&f64| {
+                if rises {
+                    low < x + shift && x + shift <= high
+                } else {
+                    low <= x + shift && x + shift < high
+                }
+            };
+            let begin = points.partition_point(|x| x + shift < low);
+            let behind = points.partition_point(|x| x + shift <= high);
+            let passed = points[begin..behind].iter().filter(inside).map(|x| x + shift);
+            if rises {
+                passed.for_each(&mut visit)
+            } else {
+                passed.rev().for_each(&mut visit)
+            }
+            if turns == end || !turns.is_finite() {
+                return;
+            }
+            turns += if rises { 1.0 } else { -1.0 };
+        }
+    }
+
     /// Whether there is a value at this argument.
     #[must_use]
     pub fn covers(&self, x: f64) -> bool {

@@ -6,7 +6,7 @@ use crate::source::Span;
 use crate::units::significant;
 
 /// A curve: a function from a table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Curve {
     /// Its name.
     pub name: String,
@@ -16,6 +16,13 @@ pub struct Curve {
     pub function: TableFunction,
     /// The unit of its arguments.
     pub argument: Display,
+}
+
+/// A long table is seldom compared with another one.
+impl PartialEq for Curve {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other) || (self.span == other.span && self.function == other.function)
+    }
 }
 
 /// What is asked of a curve.

@@ -12,6 +12,8 @@ pub struct CycleAnswer {
     pub error: f64,
     /// The greatest magnitude in play, SI: what the errors are relative to.
     pub scale: f64,
+    /// What its rounding is small against, SI.
+    pub size: f64,
     /// Over a motion under loads, where an extreme is, s.
     pub at: f64,
     /// Positions solved for it.

@@ -110,7 +110,12 @@ pub fn courses(
         let late = |set: &CourseSet| set.exprs.iter().any(|e| depends_on_forces(model.mechanism, e));
         let sets = || sets.iter().enumerate().filter(|(_, set)| late(set) == forces);
         // what is solved at a place for one of them is there for all
-        sampler.share(sets().flat_map(|(_, set)| &set.exprs).filter(|e| depends_on_nothing_else(e)).cloned());
+        sampler.share(
+            sets()
+                .flat_map(|(_, set)| &set.exprs)
+                .filter(|e| depends_on_nothing_else(model.mechanism, e))
+                .cloned(),
+        );
         for (i, set) in sets() {
             sampler.rounding = set.rounding;
             found[i] = Some(of_set(model, statics, &mut sampler, &set.exprs));
@@ -166,7 +171,7 @@ fn near_nothing(
         return (at, value);
     }
     let sampler = RefCell::new(sampler);
-    let magnitude = |s| sampler.borrow_mut().sample(statics, s, expr).map_or(f64::NAN, f64::abs);
+    let magnitude = |s| sampler.borrow_mut().sample(statics, s, expr).map_or(f64::NAN, |x| x.value.abs());
     let (s, least) = greatest(from, to, &|s| -magnitude(s));
     if -least < value.abs() { (s, value.signum() * -least) } else { (at, value) }
 }

@@ -3,58 +3,67 @@
 use crate::answer::{every_expr, every_query};
 use crate::model::{About, Expr, Mechanism, PairKind, Query};
 
-/// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
-/// depend on them.
-pub(super) fn depends_on_nothing_else(expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| {
-        found |= matches!(part, Expr::Query(Query::Cycle(_) | Query::Flywheel(..)) | Expr::Quantity(_));
-    });
-    !found
+/// Calls `visit` on all parts of an expression, and of the quantities and the loads that it names.
+fn every_part(mechanism: &Mechanism, expr: &Expr, visit: &mut impl FnMut(&Expr)) {
+    let mut quantities = vec![false; mechanism.quantities.len()];
+    let mut loads = vec![false; mechanism.loads.len()];
+    let mut waiting = vec![expr];
+    let is_new = |seen: &mut Vec<bool>, index: usize| {
+        seen.get_mut(index).is_some_and(|seen| !std::mem::replace(seen, true))
+    };
+    while let Some(expr) = waiting.pop() {
+        visit(expr);
+        match expr {
+            Expr::Quantity(id) if is_new(&mut quantities, id.index()) => {
+                waiting.push(&mechanism.quantities[id.index()].expr);
+            }
+            Expr::Query(Query::Load(id) | Query::LoadPower(id)) if is_new(&mut loads, id.index()) => {
+                waiting.extend(mechanism.loads[id.index()].expressions());
+            }
+            _ => expr.children(&mut |part| waiting.push(part)),
+        }
+    }
 }
 
-/// Whether an expression depends on forces, through quantities and other functions over the sweep too.
-pub(super) fn depends_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
+/// Whether a part of an expression, or of what it names, is of a kind.
+fn any(mechanism: &Mechanism, expr: &Expr, is: impl Fn(&Expr) -> bool) -> bool {
     let mut found = false;
-    expr.parts(&mut |part| {
-        found |= match part {
-            Expr::Quantity(id) => {
-                mechanism.quantities.get(id.index()).is_some_and(|q| depends_on_forces(mechanism, &q.expr))
-            }
-            Expr::Query(Query::Cycle(index)) => {
-                mechanism.cycles.get(*index).is_some_and(|c| depends_on_forces(mechanism, &c.expr))
-            }
-            Expr::Query(query) => query.facts().forces,
-            _ => false,
-        };
-    });
+    every_part(mechanism, expr, &mut |part| found |= is(part));
     found
+}
+
+/// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
+/// depend on them.
+pub(super) fn depends_on_nothing_else(mechanism: &Mechanism, expr: &Expr) -> bool {
+    !any(mechanism, expr, |part| {
+        matches!(part, Expr::Query(Query::Cycle(_) | Query::Flywheel(..)) | Expr::Quantity(_))
+    })
+}
+
+/// Whether an expression depends on forces, also through other functions over the sweep.
+pub(super) fn depends_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
+    any(mechanism, expr, |part| match part {
+        Expr::Query(Query::Cycle(index)) => {
+            mechanism.cycles.get(*index).is_some_and(|c| depends_on_forces(mechanism, &c.expr))
+        }
+        Expr::Query(query) => query.facts().forces,
+        _ => false,
+    })
 }
 
 /// Whether an expression asks for angles, which are continuous over the sweep.
 pub(super) fn counts_turns(mechanism: &Mechanism, expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| {
-        found |= match part {
-            Expr::Quantity(id) => {
-                mechanism.quantities.get(id.index()).is_some_and(|q| counts_turns(mechanism, &q.expr))
-            }
-            Expr::Query(query) => query.facts().continuous.is_some(),
-            _ => false,
-        };
-    });
-    found
+    any(mechanism, expr, |part| matches!(part, Expr::Query(query) if query.facts().continuous.is_some()))
 }
 
-pub(super) fn names_quantity(expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| found |= matches!(part, Expr::Quantity(_)));
-    found
+/// Whether an expression, or a load that it names, depends on quantities of the file.
+pub(super) fn names_quantity(mechanism: &Mechanism, expr: &Expr) -> bool {
+    any(mechanism, expr, |part| matches!(part, Expr::Quantity(_)))
 }
 
 /// Whether a load depends on quantities of the file.
 pub(crate) fn loads_name_quantities(mechanism: &Mechanism) -> bool {
-    mechanism.loads.iter().any(|load| load.expressions().any(names_quantity))
+    mechanism.loads.iter().any(|load| load.expressions().any(|expr| names_quantity(mechanism, expr)))
 }
 
 /// Whether the file asks anywhere for angles, which are carried on from place to place.

@@ -156,7 +156,7 @@ fn even_ratio(
     for place in 0..PLACES {
         let s = f64::from(place) / f64::from(PLACES);
         let here = sampler.sample(statics, s, &speed);
-        let ratio = here.map_err(NoFlywheel::Undefined)? / rate;
+        let ratio = here.map_err(NoFlywheel::Undefined)?.value / rate;
         (least, greatest) = (least.min(ratio), greatest.max(ratio));
     }
     if greatest - least <= EVEN * greatest.abs() && greatest.abs() > 0.0 {

@@ -10,6 +10,7 @@ mod depends;
 mod flywheel;
 mod interval;
 mod panels;
+mod roots;
 mod sampler;
 mod switches;
 
@@ -19,7 +20,8 @@ pub(super) use depends::loads_name_quantities;
 use super::failure::{Cause, Failure};
 use super::note::Note;
 use super::positions::Sweep;
-use crate::answer::{CycleAnswer, Undefined, WholeCycle};
+use crate::answer::{CycleAnswer, ROUNDING, Undefined, WholeCycle, is_zero};
+use crate::math::periodic::{Mean, mean};
 use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
 use crate::position::Model;
 use depends::{asks_for_ideal_flywheels, counts_turns, depends_on_forces, depends_on_nothing_else};
@@ -47,7 +49,7 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     let (late, early): (Vec<usize>, Vec<usize>) = (0..mechanism.cycles.len()).partition(after);
     let of =
         |indices: &[usize]| indices.iter().map(|i| mechanism.cycles[*i].expr.clone()).collect::<Vec<_>>();
-    sampler.share(of(&early).into_iter().filter(depends_on_nothing_else));
+    sampler.share(of(&early).into_iter().filter(|e| depends_on_nothing_else(mechanism, e)));
     for index in early {
         statics.cycles[index] = cycle(model, statics, &mut sampler, index);
         within_curves(&sampler)?;
@@ -59,7 +61,9 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
         asked.flat_map(|ideal| (0..mechanism.flywheels.len()).map(move |index| Asked { index, ideal }));
     let asked: Vec<Asked> = asked.collect();
     let wheels = asked.iter().filter_map(|asked| flywheel::numbers(model, statics, *asked));
-    sampler.share(of(&late).into_iter().filter(depends_on_nothing_else).chain(wheels.flatten()));
+    sampler.share(
+        of(&late).into_iter().filter(|e| depends_on_nothing_else(mechanism, e)).chain(wheels.flatten()),
+    );
     for asked in asked {
         let index = asked.index;
         let found = flywheel::flywheel(model, statics, &mut sampler, asked);
@@ -119,30 +123,35 @@ fn found(
     }
     let breaks = switches::breaks(model, statics, sampler, expr)?;
     let splits = breaks.iter().map(|s| sampler.interval.value(*s)).collect();
-    let answer = |value, error, scale| CycleAnswer { value, error, scale, splits, ..CycleAnswer::default() };
+    let answer = |value, error, [scale, size]: [f64; 2]| {
+        // what is nothing is small against what it is made of
+        let scale = if is_zero(scale, size) { size } else { scale };
+        CycleAnswer { value, error, scale, size, splits, ..CycleAnswer::default() }
+    };
     let length = sampler.interval.length();
     let whole = matches!(how, CycleFunction::Mean | CycleFunction::Integral);
     let factor = if how == CycleFunction::Integral { length } else { 1.0 };
     if whole
         && breaks.is_empty()
         && comes_again(model, statics, sampler, expr)?
-        && let Some(mean) = smooth_mean(statics, sampler, expr)?
+        && let Some((mean, size)) = smooth_mean(statics, sampler, expr)?
     {
-        return Ok(answer(mean.value * factor, mean.error * factor.abs(), mean.scale * factor.abs()));
+        let scales = [mean.scale, size].map(|x| x * factor.abs());
+        return Ok(answer(mean.value * factor, mean.error * factor.abs(), scales));
     }
     let all = panels::piecewise(sampler, statics, &[expr], &breaks)?;
     let [piecewise] = all.as_slice() else { return Err(Undefined::Unresolved) };
     if whole {
-        let (error, scale) = (piecewise.error * factor.abs(), piecewise.scale * factor.abs());
-        return Ok(answer(piecewise.integral() * factor, error, scale));
+        let scales = [piecewise.scale, piecewise.size].map(|x| x * factor.abs());
+        return Ok(answer(piecewise.integral() * factor, piecewise.error * factor.abs(), scales));
     }
     let sign = if how == CycleFunction::Min { -1.0 } else { 1.0 };
     let (s, value) = extreme(statics, sampler, expr, piecewise, sign)?;
     Ok(match how {
         CycleFunction::Argmax => {
-            answer(sampler.interval.value(s), piecewise.error.min(1.0) * length.abs(), length.abs())
+            answer(sampler.interval.value(s), piecewise.error.min(1.0) * length.abs(), [length.abs(); 2])
         }
-        _ => answer(value, piecewise.error, piecewise.scale),
+        _ => answer(value, piecewise.error, [piecewise.scale, piecewise.size]),
     })
 }
 
@@ -184,18 +193,20 @@ fn comes_again(
     if !counts_turns(model.mechanism, expr) {
         return Ok(true);
     }
-    let (first, last) = (sampler.sample(statics, 0.0, expr)?, sampler.sample(statics, 1.0, expr)?);
-    let between = sampler.sample(statics, 0.3, expr)?;
-    Ok((first - last).abs() <= 1e-9 * first.abs().max(last.abs()).max(between.abs()))
+    let mut at = |s| sampler.sample(statics, s, expr);
+    let [first, last, between] = [at(0.0)?, at(1.0)?, at(0.3)?];
+    let greatest = [first, last, between].iter().fold(0.0_f64, |most, x| most.max(x.value.abs()));
+    let apart = (first.value - last.value).abs();
+    Ok(apart <= 1e-9 * greatest || is_zero(apart, first.size + last.size))
 }
 
-/// The mean of a smooth quantity over whole turns; `None` where samples do not converge.
+/// The mean of a smooth quantity over whole turns, with its size; `None` where samples do not converge.
 fn smooth_mean(
     statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
-) -> Result<Option<crate::math::periodic::Mean>, Undefined> {
-    let mut samples: Vec<f64> = Vec::new();
+) -> Result<Option<(Mean, f64)>, Undefined> {
+    let (mut samples, mut size): (Vec<f64>, f64) = (Vec::new(), 0.0);
     let tolerance = sampler.tolerance;
     let mut count = if tolerance > COARSE { FEWEST_SAMPLES / 2 } else { FEWEST_SAMPLES };
     while count <= MOST_SAMPLES {
@@ -206,13 +217,21 @@ fn smooth_mean(
             let at = i as f64 / count as f64;
             next.push(match known {
                 Some(f) => f,
-                None => sampler.sample(statics, at, expr)?,
+                None => {
+                    let sample = sampler.sample(statics, at, expr)?;
+                    size = size.max(sample.size);
+                    sample.value
+                }
             });
         }
         samples = next;
-        let mean = crate::math::periodic::mean(&samples);
-        if mean.has_converged(tolerance) {
-            return Ok(Some(mean));
+        let mut mean = mean(&samples);
+        if mean.has_converged(tolerance) || is_zero(mean.scale, size) {
+            if is_zero(mean.value, size) {
+                mean.value = 0.0;
+            }
+            mean.error = mean.error.max(if is_zero(mean.scale, size) { f64::EPSILON * size } else { 0.0 });
+            return Ok(Some((mean, size)));
         }
         count *= 2;
     }
@@ -227,16 +246,23 @@ fn extreme(
     piecewise: &Piecewise,
     sign: f64,
 ) -> Result<(f64, f64), Undefined> {
+    if piecewise.is_nothing() {
+        return Ok((0.0, 0.0));
+    }
     let mut best: Option<(f64, f64)> = None;
-    let near = 1e-12 * piecewise.scale;
+    let near = (1e-12 * piecewise.scale).max(ROUNDING * piecewise.size);
     for candidate in piecewise.candidates() {
         // at a jump it is the value on the side of the panel that counts
-        let value =
-            if candidate.at_jump { candidate.value } else { sampler.sample(statics, candidate.at, expr)? };
+        let value = if candidate.at_jump {
+            candidate.value
+        } else {
+            sampler.sample(statics, candidate.at, expr)?.value
+        };
         // of equal ones the first
         if best.is_none_or(|(_, most)| sign * value > sign * most + near) {
             best = Some((candidate.at, value));
         }
     }
-    best.ok_or(Undefined::Unresolved)
+    let (at, value) = best.ok_or(Undefined::Unresolved)?;
+    Ok((at, if is_zero(value, piecewise.size) { 0.0 } else { value }))
 }

@@ -1,7 +1,7 @@
 //! Quantities as Chebyshev series, panel by panel.
 
 use super::sampler::Sampler;
-use crate::answer::{Undefined, WholeCycle};
+use crate::answer::{Undefined, WholeCycle, is_zero};
 use crate::math::chebyshev::{NODES, Nodes, Series};
 use crate::model::Expr;
 
@@ -14,6 +14,9 @@ const PER_TURN: f64 = 8.0;
 const FEW_PER_TURN: [f64; 2] = [3.0, 1.5];
 /// More digits than this are not very few.
 const VERY_COARSE: f64 = 1e-5;
+/// What a series of a panel that was halved so often still leaves off is rounding below this part of the size of its function.
+const NOISE: f64 = 16.0 * f64::EPSILON;
+const HALVED: u32 = 3;
 /// The most panels.
 const MOST: usize = 2000;
 
@@ -26,6 +29,8 @@ pub(super) struct Piecewise {
     pub breaks: Vec<f64>,
     /// The greatest magnitude of all samples.
     pub scale: f64,
+    /// What its rounding is small against.
+    pub size: f64,
     /// Estimated error of the integral, rounding included.
     pub error: f64,
 }
@@ -44,7 +49,13 @@ pub(super) struct Candidate {
 impl Piecewise {
     /// The integral over s.
     pub(super) fn integral(&self) -> f64 {
-        self.panels.iter().map(Series::integral).sum()
+        let sum = self.panels.iter().map(Series::integral).sum();
+        if is_zero(sum, self.size) { 0.0 } else { sum }
+    }
+
+    /// Whether it is zero everywhere but for rounding.
+    pub(super) fn is_nothing(&self) -> bool {
+        is_zero(self.scale, self.size)
     }
 
     /// Places where the quantity may be greatest or least, in order.
@@ -80,39 +91,44 @@ pub(super) fn piecewise(
 ) -> Result<Vec<Piecewise>, Undefined> {
     let nodes = Nodes::new();
     let small = sampler.tolerance;
-    let mut waiting = first_panels(sampler, breaks);
+    let mut waiting: Vec<(f64, f64, u32)> =
+        first_panels(sampler, breaks).into_iter().map(|(from, to)| (from, to, 0)).collect();
     let mut sampled = Vec::new();
-    for (from, to) in &waiting {
+    for (from, to, _) in &waiting {
         sampled.push(sample(sampler, statics, exprs, &nodes, *from, *to)?);
     }
-    let greatest = |which: usize| {
-        let values = sampled.iter().flat_map(|p| p[which].0.iter());
-        values.fold(0.0_f64, |most, x| most.max(x.abs()))
+    let of_all = |which: usize| {
+        let all = sampled.iter().map(|p: &Sampled| &p[which]);
+        let (scale, size) = all.fold((0.0_f64, 0.0_f64), |(scale, size), panel| {
+            let greatest = panel.values.iter().fold(scale, |most, x| most.max(x.abs()));
+            (greatest, size.max(panel.size))
+        });
+        let error = 4.0 * f64::EPSILON * if is_zero(scale, size) { size } else { scale };
+        Piecewise { panels: Vec::new(), breaks: breaks.to_vec(), scale, size, error }
     };
-    let scales: Vec<f64> = (0..exprs.len()).map(greatest).collect();
+    let mut done: Vec<Piecewise> = (0..exprs.len()).map(of_all).collect();
     // what is nothing but rounding is never smooth, beside something it is nothing
-    let is_rounding = scales.iter().all(|scale| *scale <= sampler.rounding);
+    let is_rounding = done.iter().all(|d| d.scale <= sampler.rounding);
     let rounding = if is_rounding { 0.0 } else { sampler.rounding };
-    let mut done: Vec<Piecewise> = scales
-        .iter()
-        .map(|scale| Piecewise {
-            panels: Vec::new(),
-            breaks: breaks.to_vec(),
-            scale: *scale,
-            error: 4.0 * f64::EPSILON * scale,
-        })
-        .collect();
     // from the beginning on: halves go back on the pile
     waiting.reverse();
     sampled.reverse();
-    while let (Some((from, to)), Some(panel)) = (waiting.pop(), sampled.pop()) {
+    while let (Some((from, to, halved)), Some(panel)) = (waiting.pop(), sampled.pop()) {
         let length = to - from;
-        let left_off = |(_, series): &(_, Series)| series.tail() * length;
-        let has_converged = |(p, scale): (_, &f64)| left_off(p) <= (small * scale).max(rounding);
-        if panel.iter().zip(&scales).all(has_converged) {
-            for ((_, series), out) in panel.into_iter().zip(&mut done) {
-                out.error += series.tail() * length;
-                out.panels.push(series);
+        let has_converged = |(panel, of): (&Panel, &Piecewise)| {
+            let tail = panel.series.tail();
+            of.is_nothing()
+                || tail * length <= (small * of.scale).max(rounding)
+                || (halved >= HALVED && tail <= NOISE * of.size)
+        };
+        if panel.iter().zip(&done).all(has_converged) {
+            for (panel, out) in panel.into_iter().zip(&mut done) {
+                if out.is_nothing() {
+                    out.panels.push(panel.series.times(0.0));
+                    continue;
+                }
+                out.error += panel.series.tail() * length;
+                out.panels.push(panel.series);
             }
             continue;
         }
@@ -122,7 +138,7 @@ pub(super) fn piecewise(
         let middle = 0.5 * (from + to);
         sampled.push(sample(sampler, statics, exprs, &nodes, middle, to)?);
         sampled.push(sample(sampler, statics, exprs, &nodes, from, middle)?);
-        waiting.extend([(middle, to), (from, middle)]);
+        waiting.extend([(middle, to, halved + 1), (from, middle, halved + 1)]);
     }
     Ok(done)
 }
@@ -152,7 +168,15 @@ fn first_panels(sampler: &Sampler<'_>, breaks: &[f64]) -> Vec<(f64, f64)> {
     panels
 }
 
-type Sampled = Vec<([f64; NODES], Series)>;
+/// A function over a stretch.
+struct Panel {
+    values: [f64; NODES],
+    /// The greatest of its sizes.
+    size: f64,
+    series: Series,
+}
+
+type Sampled = Vec<Panel>;
 
 fn sample(
     sampler: &mut Sampler<'_>,
@@ -162,12 +186,15 @@ fn sample(
     from: f64,
     to: f64,
 ) -> Result<Sampled, Undefined> {
-    let mut values = vec![[0.0; NODES]; exprs.len()];
+    let mut values = vec![([0.0; NODES], 0.0_f64); exprs.len()];
     for node in 0..NODES {
         let s = nodes.at(from, to, node);
-        for (values, expr) in values.iter_mut().zip(exprs) {
-            values[node] = sampler.sample(statics, s, expr)?;
+        for ((values, size), expr) in values.iter_mut().zip(exprs) {
+            let found = sampler.sample(statics, s, expr)?;
+            values[node] = found.value;
+            *size = size.max(found.size);
         }
     }
-    Ok(values.into_iter().map(|values| (values, nodes.series(from, to, &values))).collect())
+    let panel = |(values, size)| Panel { series: nodes.series(from, to, &values), values, size };
+    Ok(values.into_iter().map(panel).collect())
 }

@@ -9,7 +9,8 @@ use super::depends::{
     asks_for_angles, asks_for_ideal, depends_on_forces, loads_name_quantities, names_quantity,
 };
 use super::interval::Interval;
-use crate::answer::{LeftCurve, PoseAnswers, Undefined, WholeCycle, balanced};
+use super::switches::Switch;
+use crate::answer::{LeftCurve, Measured, PoseAnswers, Sizes, Undefined, WholeCycle, balanced};
 use crate::model::{Expr, LoadId, Value};
 use crate::plan::{Level, Settings};
 use crate::position::{BodyState, Branch, DEAD, DriveValue, Model, State, extent};
@@ -27,7 +28,7 @@ struct Anchor {
 
 /// How much is computed at a place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Need {
+pub(super) struct Need {
     forces: bool,
     ideal: bool,
     quantities: bool,
@@ -39,7 +40,9 @@ impl Need {
         Self {
             forces,
             ideal: forces && model.plan.effects.loses() && asks_for_ideal(model.mechanism),
-            quantities: names_quantity(expr),
+            // rounding of forces is small against the loads
+            quantities: names_quantity(model.mechanism, expr)
+                || (forces && loads_name_quantities(model.mechanism)),
         }
     }
 
@@ -48,6 +51,13 @@ impl Need {
             && (self.ideal || !other.ideal)
             && (self.quantities || !other.quantities)
     }
+}
+
+/// A number at a place, with its size.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    pub value: f64,
+    pub size: f64,
 }
 
 /// Solves the mechanism at places of the sweep.
@@ -69,6 +79,7 @@ pub(super) struct Sampler<'a> {
     angles: Vec<f64>,
     evaluated: Vec<(LoadId, Value)>,
     quantities: Vec<Value>,
+    sizes: Sizes,
     ideal: Option<(State, Vec<Value>)>,
     with_angles: bool,
     loads_name_quantities: bool,
@@ -78,12 +89,14 @@ pub(super) struct Sampler<'a> {
     /// Numbers that are computed at every place together, and kept.
     shared: Vec<Expr>,
     need: Need,
+    /// How much is computed for the other numbers.
+    needs: Vec<(Expr, Need)>,
     kept: HashMap<u64, usize>,
-    numbers: Vec<f64>,
+    numbers: Vec<Measured>,
     /// Positions looked at since `begin`.
     pub samples: usize,
     /// Roots of functions that switch, as far as they are known.
-    pub switched: Vec<(Expr, Vec<f64>)>,
+    pub switched: Vec<(Switch, Vec<f64>)>,
     /// The first curve that was needed beyond its table.
     pub left: Option<LeftCurve>,
 }
@@ -133,6 +146,7 @@ impl<'a> Sampler<'a> {
             state,
             evaluated: Vec::new(),
             quantities: Vec::new(),
+            sizes: Sizes::new(model.mechanism.quantities.len()),
             ideal: None,
             with_angles: asks_for_angles(model.mechanism),
             loads_name_quantities: loads_name_quantities(model.mechanism),
@@ -140,6 +154,7 @@ impl<'a> Sampler<'a> {
             last: None,
             shared: Vec::new(),
             need: Need::default(),
+            needs: Vec::new(),
             kept: HashMap::new(),
             numbers: Vec::new(),
             samples: 0,
@@ -190,26 +205,40 @@ impl<'a> Sampler<'a> {
         self.last = None;
     }
 
+    /// How much is computed for a number.
+    pub(super) fn need_of(&mut self, expr: &Expr) -> Need {
+        if let Some(known) = self.needs.iter().find(|known| known.0 == *expr) {
+            return known.1;
+        }
+        let need = Need::of(&self.model, expr);
+        self.needs.push((expr.clone(), need));
+        need
+    }
+
     /// Counts positions anew.
     pub(super) const fn begin(&mut self) {
         self.samples = 0;
         self.last = None;
     }
 
-    /// The value of a number at a place of the sweep.
-    pub(super) fn sample(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<f64, Undefined> {
-        let x = match self.shared.iter().position(|e| e == expr) {
+    /// The value of a number at a place of the sweep, with its size.
+    pub(super) fn sample(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<Sample, Undefined> {
+        let found = match self.shared.iter().position(|e| e == expr) {
             Some(which) => self.together(statics, s, which)?,
-            None => match self.value(statics, s, expr)? {
-                Value::Scalar(x) => x,
-                _ => f64::NAN,
-            },
+            None => {
+                let need = self.need_of(expr);
+                self.measured(statics, s, expr, need)?
+            }
         };
-        if x.is_finite() {
-            return Ok(x);
+        match found.value {
+            Value::Scalar(value) if value.is_finite() && !found.size.is_nan() => {
+                return Ok(Sample { value, size: found.size });
+            }
+            _ => {}
         }
         if self.model.mechanism.has_curves && self.left.is_none() {
-            self.solve(statics, s, Need::of(&self.model, expr))?;
+            let need = self.need_of(expr);
+            self.solve(statics, s, need)?;
             let view = self.view(statics);
             self.left = view.left_curve(expr).or_else(|| view.left_by_loads());
         }
@@ -217,7 +246,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// One of the shared numbers: all are computed at a place that is new.
-    fn together(&mut self, statics: &WholeCycle, s: f64, which: usize) -> Result<f64, Undefined> {
+    fn together(&mut self, statics: &WholeCycle, s: f64, which: usize) -> Result<Measured, Undefined> {
         let known = self.kept.get(&s.to_bits()).copied();
         let first = match known {
             Some(first) => {
@@ -229,7 +258,7 @@ impl<'a> Sampler<'a> {
                 let first = self.numbers.len();
                 let mut numbers = std::mem::take(&mut self.numbers);
                 let view = self.view(statics);
-                numbers.extend(self.shared.iter().map(|e| view.scalar(e)));
+                numbers.extend(self.shared.iter().map(|e| view.measured(e, &self.sizes)));
                 self.numbers = numbers;
                 self.kept.insert(s.to_bits(), first);
                 first
@@ -238,10 +267,16 @@ impl<'a> Sampler<'a> {
         Ok(self.numbers[first + which])
     }
 
-    /// The value of an expression at a place of the sweep.
-    pub(super) fn value(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<Value, Undefined> {
-        self.solve(statics, s, Need::of(&self.model, expr))?;
-        Ok(self.view(statics).value(expr))
+    /// The value of an expression at a place of the sweep, with its size.
+    pub(super) fn measured(
+        &mut self,
+        statics: &WholeCycle,
+        s: f64,
+        expr: &Expr,
+        need: Need,
+    ) -> Result<Measured, Undefined> {
+        self.solve(statics, s, need)?;
+        Ok(self.view(statics).measured(expr, &self.sizes))
     }
 
     fn view<'v>(&'v self, statics: &'v WholeCycle) -> PoseAnswers<'v> {
@@ -283,11 +318,15 @@ impl<'a> Sampler<'a> {
             }
         }
         self.ideal = need.ideal.then(|| self.without_friction(statics));
+        // none of another place
+        self.quantities.clear();
         if need.quantities {
-            self.quantities = Vec::new();
-            let all = self.view(statics).all_quantities();
-            self.quantities = all;
+            let memory = std::mem::take(&mut self.quantities);
+            self.quantities = self.view(statics).all_quantities_in(memory);
         }
+        let mut sizes = std::mem::take(&mut self.sizes);
+        sizes.look(&self.view(statics));
+        self.sizes = sizes;
         self.last = Some((s, need));
         Ok(())
     }

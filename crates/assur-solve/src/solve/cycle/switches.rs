@@ -2,21 +2,18 @@
 //! difference under `max` passes through zero, where a load or friction changes its sense. Each is a root of a known
 //! function.
 
+use super::roots::roots;
 use super::sampler::Sampler;
 use crate::answer::{Undefined, WholeCycle};
-use crate::math::{TableFunction, Vec2, root_within};
 use crate::model::{
-    Axis, BinaryOp, Expr, Function, GenevaPair, LinkId, LoadKind, Mechanism, PairId, PairKind, Place,
-    PointRef, QuantityId, Query, Value,
+    BinaryOp, Curve, Expr, Function, GenevaPair, LinkId, LoadKind, Mechanism, PairId, PairKind, Place,
+    PointRef, QuantityId, Query,
 };
 use crate::position::Model;
+use std::sync::Arc;
 
 /// Roots nearer than this to the sweep's ends, or to one another, are one with them.
 pub(super) const APART: f64 = 1e-13;
-/// A vector below this part of its greatest magnitude passes through zero.
-const NULL: f64 = 1e-9;
-/// A function that changes its sign in more than this part of all intervals is rounding noise.
-const NOISE: f64 = 0.25;
 
 /// Places of the sweep, between its ends, where the quantity is not smooth, in order.
 pub(super) fn breaks(
@@ -28,28 +25,32 @@ pub(super) fn breaks(
     let mut switches = Switches::of(model);
     switches.expr(expr);
     model.mechanism.genevas.iter().for_each(|pair| switches.add(entry(pair)));
-    let mut all = Vec::new();
-    let known =
-        |sampler: &Sampler<'_>, e: &Expr| sampler.switched.iter().find(|k| k.0 == *e).map(|k| k.1.clone());
-    let new: Vec<Expr> = switches.found.iter().filter(|e| known(sampler, e).is_none()).cloned().collect();
+    let is_known = |switch: &&Switch| sampler.switched.iter().any(|known| known.0 == **switch);
+    let new: Vec<Switch> = switches.found.iter().filter(|s| !is_known(s)).cloned().collect();
     if !new.is_empty() {
         let found = roots(statics, sampler, &new)?;
         sampler.switched.extend(new.into_iter().zip(found));
     }
-    for expr in &switches.found {
-        all.extend(known(sampler, expr).unwrap_or_default());
-    }
+    let known = sampler.switched.iter().filter(|known| switches.found.contains(&known.0));
+    let mut all: Vec<f64> = known.flat_map(|known| known.1.iter().copied()).collect();
     all.sort_by(f64::total_cmp);
     all.retain(|s| *s > APART && *s < 1.0 - APART);
     all.dedup_by(|a, b| *a - *b <= APART);
     Ok(all)
 }
 
+/// A number, or a vector, whose roots count; with a curve, where the number passes a point of its table.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Switch {
+    pub expr: Expr,
+    pub curve: Option<Arc<Curve>>,
+}
+
 /// The functions whose roots count: numbers, and vectors that pass through zero.
 struct Switches<'a> {
     mechanism: &'a Mechanism,
     friction: bool,
-    found: Vec<Expr>,
+    found: Vec<Switch>,
     quantities: Vec<QuantityId>,
     loads: Vec<usize>,
     forces: bool,
@@ -61,23 +62,6 @@ fn number(query: Query) -> Expr {
 
 fn difference(a: &Expr, b: &Expr) -> Expr {
     Expr::Binary(BinaryOp::Sub, Box::new(a.clone()), Box::new(b.clone()))
-}
-
-/// Numbers that change their sign where the argument of a curve passes a point of its table.
-fn knots<'e>(table: &'e TableFunction, x: &'e Expr) -> impl Iterator<Item = Expr> + 'e {
-    table.arguments().iter().map(move |knot| {
-        let apart = difference(x, &Expr::number(*knot));
-        match table.period() {
-            None => apart,
-            Some(period) => {
-                let half_turns = Expr::number(std::f64::consts::PI / period);
-                Expr::Call(
-                    Function::Sin,
-                    vec![Expr::Binary(BinaryOp::Mul, Box::new(apart), Box::new(half_turns))],
-                )
-            }
-        }
-    })
 }
 
 /// How far the pin of a Geneva wheel is from the wheel's centre, less what it is where it enters and leaves a slot.
@@ -102,9 +86,13 @@ impl<'a> Switches<'a> {
     }
 
     fn add(&mut self, expr: Expr) {
-        let constant = matches!(expr, Expr::Constant(_));
-        if !constant && !self.found.contains(&expr) {
-            self.found.push(expr);
+        self.add_switch(Switch { expr, curve: None });
+    }
+
+    fn add_switch(&mut self, switch: Switch) {
+        let constant = matches!(switch.expr, Expr::Constant(_));
+        if !constant && !self.found.contains(&switch) {
+            self.found.push(switch);
         }
     }
 
@@ -122,7 +110,7 @@ impl<'a> Switches<'a> {
                         args[..i].iter().for_each(|b| self.add(difference(a, b)));
                     }
                 }
-                Expr::Curve(curve, _, x) => knots(&curve.function, &x).for_each(|e| self.add(e)),
+                Expr::Curve(curve, _, x) => self.add_switch(Switch { expr: *x, curve: Some(curve) }),
                 Expr::Compare(_, a, b) => self.add(difference(&a, &b)),
                 Expr::Quantity(id) if !self.quantities.contains(&id) => {
                     self.quantities.push(id);
@@ -201,69 +189,5 @@ impl<'a> Switches<'a> {
             PairKind::Slot(_) | PairKind::Cylinder { .. } => self.add(number(Query::RelativeVelocity(id))),
             PairKind::Contact { .. } | PairKind::Transmission(_) => {}
         }
-    }
-}
-
-/// The roots of each function over the sweep. A vector counts where it is null.
-fn roots(statics: &WholeCycle, sampler: &mut Sampler<'_>, all: &[Expr]) -> Result<Vec<Vec<f64>>, Undefined> {
-    let intervals = sampler.intervals();
-    let tolerance = sampler.settings().root;
-    let mut table: Vec<Vec<Vec2>> = vec![Vec::new(); all.len()];
-    let mut places = Vec::new();
-    let mut index = 0.0;
-    while index <= intervals {
-        let s = index / intervals;
-        places.push(s);
-        for (values, expr) in table.iter_mut().zip(all) {
-            values.push(as_vector(sampler.value(statics, s, expr)?));
-        }
-        index += 1.0;
-    }
-    let mut found = vec![Vec::new(); all.len()];
-    for ((expr, values), found) in all.iter().zip(&table).zip(&mut found) {
-        let greatest = values.iter().map(|v| v.norm()).filter(|x| x.is_finite()).fold(0.0, f64::max);
-        for axis in [Axis::X, Axis::Y] {
-            let of = |v: Vec2| if axis == Axis::X { v.x } else { v.y };
-            let changes = |i: &usize| of(values[i - 1]) * of(values[*i]) < 0.0 || of(values[*i]) == 0.0;
-            let crossed: Vec<usize> = (1..values.len()).filter(changes).collect();
-            #[allow(clippy::cast_precision_loss)] // at most 20,000
-            if crossed.len() as f64 > NOISE * intervals {
-                continue;
-            }
-            for i in crossed {
-                let (f_a, f_b) = (of(values[i - 1]), of(values[i]));
-                let mut failed = None;
-                let mut at = |s: f64| match sampler.value(statics, s, expr) {
-                    Ok(value) => as_vector(value),
-                    Err(why) => {
-                        failed = Some(why);
-                        Vec2::zero()
-                    }
-                };
-                let s = if f_b == 0.0 {
-                    places[i]
-                } else {
-                    root_within(tolerance, (places[i - 1], places[i]), (f_a, f_b), |s| of(at(s)))
-                };
-                let here = at(s);
-                if let Some(why) = failed {
-                    return Err(why);
-                }
-                let other = if axis == Axis::X { here.y } else { here.x };
-                if other.abs() <= NULL * greatest {
-                    found.push(s);
-                }
-            }
-        }
-    }
-    Ok(found)
-}
-
-/// A number as a vector whose second component is null, and never changes its sign.
-const fn as_vector(value: Value) -> Vec2 {
-    match value {
-        Value::Scalar(x) => Vec2::new(x, 0.0),
-        Value::Vector(v) => v,
-        Value::Bool(_) => Vec2::new(f64::NAN, f64::NAN),
     }
 }
