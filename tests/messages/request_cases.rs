@@ -52,7 +52,7 @@ const CASES: &[Case] = &[
     near(
         "requests/134-condition-dimension",
         &["mech::unit::operands"],
-        "`0.9 mm`",
+        "`0.9 m`",
         &[Part("> 0.9 and", "0.9", "0.9*stroke(G)")],
     ),
     case("requests/147-sum-of-kinds", &["mech::unit::operands"], "write a length in place of `eps`", &[]),

@@ -104,7 +104,7 @@ impl<R: BufRead> Table<R> {
             Ok(found) => found,
             Err(error) => return Ok(Err((header, Box::new(error)))),
         };
-        let columns = Variants { columns: Vec::new(), rows: Vec::new() };
+        let columns = Variants::default();
         let table = Self { name: name.to_owned(), header, columns, separator, reader, line, rows: 0 };
         Ok(Ok((table, found)))
     }

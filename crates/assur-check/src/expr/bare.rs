@@ -4,6 +4,7 @@ use crate::error::UnitsError;
 use crate::expr::context::Context;
 use crate::expr::number::with_unit;
 use crate::names::declared::QuantityKind;
+use crate::statements::walk::parts;
 use crate::values::definition::Settled;
 use crate::values::rates::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
@@ -20,14 +21,18 @@ struct Definition<'a> {
 impl Context<'_> {
     /// An expression of bare numbers with the unit that is most likely: ``write `40 mm` ``.
     pub(crate) fn example(&self, expr: &Expr, want: Dimension) -> Option<Help> {
-        let units = self.likely_units(want);
+        let units = self.likely_units(want, expr);
         let texts = units.iter().map(|unit| with_unit(expr, unit)).collect::<Option<Vec<_>>>()?;
         Some(Help::write(expr.span, &texts))
     }
 
-    /// The units that a number without one may have: that of the file or the usual one, and revolutions for radians.
-    fn likely_units(&self, want: Dimension) -> Vec<String> {
+    /// The units that a number without one may have: that of the file or the usual one, metres for less than a millimetre, and
+    /// revolutions for radians.
+    pub(super) fn likely_units(&self, want: Dimension, expr: &Expr) -> Vec<String> {
         let usual = self.values.usual_unit(want);
+        if want == Dimension::LENGTH && usual == "mm" && is_less_than_one(expr) {
+            return vec!["m".to_owned()];
+        }
         if want == Dimension::ANGULAR_VELOCITY && usual == want.si_text() {
             return vec!["rpm".to_owned(), usual];
         }
@@ -41,7 +46,7 @@ impl Context<'_> {
         factors(expr, &mut names);
         for name in names {
             let Some(definition) = self.number_behind(name) else { continue };
-            let units = self.likely_units(want);
+            let units = self.likely_units(want, definition.value);
             let value = |unit: &String| with_unit(definition.value, unit);
             let Some(values) = units.iter().map(value).collect::<Option<Vec<_>>>() else { continue };
             let line = |value: &String| format!("`{} {name} = {value}`", definition.word);
@@ -101,6 +106,17 @@ impl Context<'_> {
         }
         true
     }
+}
+
+/// Whether the greatest of its numbers is below one, and not all are zero.
+fn is_less_than_one(expr: &Expr) -> bool {
+    let mut greatest = 0.0_f64;
+    parts(expr, &mut |part| {
+        if let ExprKind::Number(number) = &part.kind {
+            greatest = greatest.max(number.value.abs());
+        }
+    });
+    greatest > 0.0 && greatest < 1.0
 }
 
 /// The names that an expression is proportional to.

@@ -118,7 +118,8 @@ impl Context<'_> {
         };
         let (x, y) = (x.known(), y.known());
         let bare = |d: Dimension, expr: &Expr, other: Dimension| {
-            (d == Dimension::NUMBER).then(|| with_unit(expr, &self.values.usual_unit(other))).flatten()
+            let units = self.likely_units(other, expr);
+            if d == Dimension::NUMBER { with_unit(expr, units.last()?) } else { None }
         };
         if let Some(text) = bare(y, right, x) {
             let part =

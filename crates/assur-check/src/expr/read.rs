@@ -3,6 +3,7 @@
 use crate::error::{RequestError, UnitsError};
 use crate::expr::context::Context;
 use crate::expr::sign::Sign;
+use crate::statements::written::written;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type, Typed, phrase};
 use assur_model::model;
@@ -27,7 +28,7 @@ impl Context<'_> {
             ExprKind::Name(name) => self.named(&Spanned::new(name.clone(), expr.span)),
             ExprKind::Member(base, part) => self.part(expr, base, part, sign),
             ExprKind::Call { function, args } => self.call(function, args, expr.span, sign),
-            ExprKind::Vector(x, y) => self.components(x, y),
+            ExprKind::Vector(x, y) => self.components(expr, x, y),
             ExprKind::Polar(r, phi) => self.polar(r, phi),
             ExprKind::Unary(op, inner) => self.unary(op.node, inner, sign),
             ExprKind::Chain(_, rest) if rest.len() >= MOST => self.too_long(rest.len(), expr.span),
@@ -80,7 +81,7 @@ impl Context<'_> {
         Some(Typed { expr: fold::component(v.expr, axis), ty: Type::Number(dim), pending: v.pending })
     }
 
-    fn components(&mut self, x: &Expr, y: &Expr) -> Option<Typed> {
+    fn components(&mut self, vector: &Expr, x: &Expr, y: &Expr) -> Option<Typed> {
         let (a, b) = (self.read(x), self.read(y));
         let (a, b) = (a?, b?);
         let (Type::Number(da), Type::Number(db)) = (a.ty, b.ty) else {
@@ -92,6 +93,14 @@ impl Context<'_> {
             return None;
         };
         let Some(dim) = da.unify(db) else {
+            // a size and a direction
+            if let (Dimension::ANGLE, Some(size), Some(angle)) = (db.known(), written(x), written(y)) {
+                let (want, found) = (phrase(da.known()), phrase(Dimension::ANGLE));
+                let help = Some(format!("write `{size} @ {angle}`"));
+                let what = "the second component of this vector".to_owned();
+                self.error(UnitsError::Mismatch { what, want, found, span: vector.span, help });
+                return None;
+            }
             self.operands("the components of one vector", &a, &b, x, y);
             return None;
         };

@@ -7,7 +7,7 @@ use crate::names::declared::Inside;
 use crate::names::declared::ThingKind;
 use crate::names::suggestion::suggestion;
 use assur_math::math::Vec2;
-use assur_model::model::{Circle, Guide, Line, LinkId, PairId, PairKind, Point};
+use assur_model::model::{Circle, Guide, Line, LinkId, Pair, PairId, PairKind, Point};
 use assur_syntax::document::{JointKind, Name, Statement};
 use assur_text::diagnostic::{Help, did_you_mean};
 use assur_text::source::Span;
@@ -190,14 +190,9 @@ impl Context<'_> {
         if let Some(declared) = self.names.things.get(&name.node) {
             if !fits(declared.what) && !self.names.bad.contains(&name.node) {
                 let (is, declared) = (declared.what.phrase(), Some(declared.span));
-                self.error(NameError::WrongKind {
-                    name: name.node.clone(),
-                    is,
-                    wanted: wanted.into(),
-                    span: name.span,
-                    declared,
-                    help: None,
-                });
+                let help = if kind == "pair" { self.pairs_of(&name.node) } else { None };
+                let (name, wanted, span) = (name.node.clone(), wanted.into(), name.span);
+                self.error(NameError::WrongKind { name, is, wanted, span, declared, help });
             }
             return;
         }
@@ -213,6 +208,25 @@ impl Context<'_> {
         let help = mesh.map(Help::from).or_else(listed);
         let (name, span) = (name.node.clone(), name.span);
         self.error(NameError::Unknown { kind, name, owner: None, span, help });
+    }
+
+    /// The pairs of a link where one of them is due: the only one in which it slides, else all.
+    fn pairs_of(&self, link: &str) -> Option<String> {
+        let link = self.find_link(link)?;
+        let joins = |pair: &&Pair| pair.kind.links().contains(&link);
+        let slides = |pair: &&Pair| {
+            matches!(pair.kind, PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. })
+        };
+        let all: Vec<&Pair> = self.builder.mech.pairs.iter().filter(joins).collect();
+        let sliding: Vec<&Pair> = all.iter().copied().filter(slides).collect();
+        match (sliding.as_slice(), all.as_slice()) {
+            (_, []) => None,
+            ([only], _) => Some(format!("write `{}`: the pair in which it slides", only.name)),
+            _ => {
+                let names: Vec<String> = all.iter().map(|pair| format!("`{}`", pair.name)).collect();
+                Some(format!("its pairs are {}", names.join(", ")))
+            }
+        }
     }
 
     /// The point that a name alone stands for: the pin or named point of the pair of that name, or the points of that

@@ -181,8 +181,15 @@ fn members<'a>(
             _ => continue,
         };
         if let Some(first) = first {
-            let what = format!("the {what} of `{}`", cx.builder.mech.link(link).name);
-            cx.error(LinkError::StatedTwice { what, again: span, first });
+            let name = cx.builder.mech.link(link).name.clone();
+            if !cx.problems.reported.insert((what, name.clone())) {
+                continue; // one habit, not a mistake each
+            }
+            let again = span;
+            cx.error(match what {
+                "mass" => LinkError::SecondMass { link: name, again, first },
+                _ => LinkError::StatedTwice { what: format!("the {what} of `{name}`"), again, first },
+            });
         }
     }
     (mass, inertia)

@@ -162,7 +162,22 @@ pub(crate) fn on_moving(cx: &mut Context<'_>, link: LinkId, span: Span, what: &s
     if link != LinkId::GROUND {
         return Some(());
     }
-    cx.error(MotionError::OnGround { what: what.into(), span });
+    let links = cx
+        .builder
+        .mech
+        .links
+        .iter()
+        .skip(1)
+        .filter(|link| !link.name.contains('.'))
+        .map(|link| format!("`{}`", link.name))
+        .take(8);
+    let links = links.collect::<Vec<_>>().join(", ");
+    let help = if links.is_empty() {
+        "name a moving link".to_owned()
+    } else {
+        format!("name a moving link: {links}")
+    };
+    cx.error(MotionError::OnGround { help, what: what.into(), span });
     None
 }
 

@@ -63,7 +63,7 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
                 }
             }
             // Declared below: a `given` of that name may follow.
-            Statement::Variants(_) => {}
+            Statement::Variants(table) => cx.names.bad.extend(table.bad.iter().cloned()),
             Statement::Bad(bad) => cx.names.bad.extend(bad.names.iter().cloned()),
             other => things(cx, other, statement.span),
         }

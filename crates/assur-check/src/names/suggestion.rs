@@ -27,6 +27,11 @@ pub fn suggestion(name: &str, at: Span, all: &[&str], kind: &str) -> Option<Help
         let near = near.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
         return Some(Help::did_you_mean(name, at, &near));
     }
+    // `S2` where there is `S`
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '\'' || c == '_');
+    if let Some(stem) = all.iter().find(|known| **known == stem) {
+        return Some(Help::write(at, &[(*stem).to_owned()]).in_words(format!("did you mean `{stem}`?")));
+    }
     match all.len() {
         0 => None,
         1..=8 => Some(format!("the {kind} are {}", quoted(all).join(", ")).into()),

@@ -12,6 +12,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
 use assur_syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
 use assur_syntax::skeleton;
+use assur_text::diagnostic::Help;
 use assur_text::source::Span;
 
 /// Enters all pairs of the linkage into the mechanism.
@@ -146,6 +147,7 @@ fn joined(cx: &mut Context<'_>, joint: &Joint, end: &End) -> Option<Joined> {
 pub(crate) fn point(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Pin> {
     if !end.implied || cx.kind_inside(end.link, &end.part.node).is_some() {
         not_on_line(cx, joint, end)?;
+        not_of_its_name(cx, joint, end)?;
         let at = cx.point(end.link, &end.part)?;
         return Some(Pin { link: end.link, name: end.part.node.clone(), at });
     }
@@ -169,6 +171,27 @@ fn not_on_line(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<()> 
     None
 }
 
+/// Reports a point that a link does not have, where it has one of the pair's name.
+fn not_of_its_name(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<()> {
+    let (name, part) = (&joint.name.node, &end.part);
+    let inside = &cx.names.inside[end.link.index()];
+    let is_known = cx.kind_inside(end.link, &part.node).is_some() || inside.bad.contains(&part.node);
+    if is_known || !inside.points.contains_key(name) || cx.names.bad.contains(&part.node) {
+        return Some(());
+    }
+    let owner = cx.builder.mech.link(end.link).name.clone();
+    let words = format!("the pair is called as the point `{name}` of `{owner}`: write `{owner}.{name}`");
+    let help = Some(Help::write(part.span, std::slice::from_ref(name)).in_words(words));
+    cx.error(NameError::Unknown {
+        kind: "point",
+        name: part.node.clone(),
+        owner: Some(owner),
+        span: part.span,
+        help,
+    });
+    None
+}
+
 /// Reports that a link named alone has nothing of the pair's name.
 pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined, what: &str) {
     let name = &end.part.node;
@@ -182,7 +205,8 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     let inside = &cx.names.inside[end.link.index()];
     let link = cx.builder.mech.link(end.link).name.clone();
     let lookalike = inside.points.keys().find(|p| skeleton(p) == skeleton(name)).cloned();
-    let elsewhere = (what == "point").then(|| meant(cx, joint)).flatten();
+    let elsewhere =
+        (what == "point").then(|| missing_on_ground(cx, joint, end).or_else(|| meant(cx, joint))).flatten();
     let all = inside.points.keys().map(|p| format!("`{link}.{p}`")).collect::<Vec<_>>();
     let choices = match all.len() {
         0 => format!("give `{link}` the point: `{}`", with_point(cx, &link, name)),
@@ -209,6 +233,19 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
         span: end.span,
         pair: joint.name.span,
     });
+}
+
+/// The point that the ground lacks, where the other link has it.
+fn missing_on_ground(cx: &Context<'_>, joint: &Joint, end: &Joined) -> Option<String> {
+    let name = &joint.name.node;
+    let other = |end: &End| match end {
+        End::At(path) => cx.find_link(&path.head.node),
+        End::Over(_) | End::Under(_) => None,
+    };
+    let has = |link: LinkId| cx.names.inside[link.index()].points.contains_key(name);
+    let others = joint.ends.iter().filter_map(other).any(|link| link != LinkId::GROUND && has(link));
+    (end.link == LinkId::GROUND && others)
+        .then(|| format!("add `{name} (100 mm, 0)`, with its own place, to `ground {{ … }}`"))
 }
 
 /// A point at the origin of a link: the whole line where nothing else is in it.

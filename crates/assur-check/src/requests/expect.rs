@@ -4,6 +4,7 @@ use crate::error::{ExpectError, SimulateError};
 use crate::expr::context::Context;
 use crate::expr::read::comparison_of;
 use crate::expr::want::Want;
+use crate::motion::simulation::no_simulate;
 use crate::names::suggestion::suggestion;
 use crate::requests::tolerance;
 use crate::statements::lines::text;
@@ -216,8 +217,7 @@ fn place(cx: &mut Context<'_>, expect: &document::Expect, at: &ExpectAt, span: S
 /// `at event top 2`, `at event end`
 fn occasion(cx: &mut Context<'_>, name: &Name, which: Option<&Spanned<usize>>) -> Option<Occasion> {
     if !cx.names.simulates {
-        let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
-        cx.error(SimulateError::Missing { word: "event", help, span: name.span });
+        no_simulate(cx, "event", name.span);
         return None;
     }
     match (name.node.as_str(), which) {

@@ -60,6 +60,8 @@ pub struct Variants {
     pub columns: Vec<Column>,
     /// The rows; a row's length may differ from the header's.
     pub rows: Vec<Row>,
+    /// The names in a header that could not be read.
+    pub bad: Vec<String>,
 }
 
 /// `curve p periodic { … }`

@@ -115,9 +115,7 @@ impl Lower<'_> {
                     let cells = cells.filter_map(|p| self.cell(p)).collect();
                     variants.rows.push(Row { cells, span: at });
                 }
-                Rule::bad_header => {
-                    self.bad(&pair, What::Header);
-                }
+                Rule::bad_header => variants.bad.extend(self.bad(&pair, What::Header).names),
                 Rule::bad_row => {
                     self.bad(&pair, What::Row);
                 }

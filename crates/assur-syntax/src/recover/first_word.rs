@@ -41,6 +41,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     let exactly = if member { displaced(case, word) } else { None };
     wheel_on_shaft(case, word)
         .or(exactly)
+        .or_else(|| question(case, word))
         .or_else(|| synonym(case, word))
         .or_else(|| misspelt(case, word, &known))
         .or_else(|| displaced(case, word))
@@ -224,6 +225,36 @@ fn synonym(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
     })
 }
 
+/// `what is Mb, F?`
+fn question(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
+    let asks = ["what", "which", "how", "where"].contains(&word.to_lowercase().as_str());
+    let words = case.words();
+    let verb = words.get(1).filter(|(_, verb)| ["is", "are", "large", "big"].contains(verb));
+    let end = verb.map_or(word.len(), |(at, verb)| at + verb.len());
+    let new = format!("find{}", case.slice.get(end..)?.trim_end().trim_end_matches(['?', '.']));
+    (asks && case.reads(&new)).then(|| SyntaxError::MisspeltWord {
+        found: word.to_owned(),
+        at: case.span(0, word.len()),
+        wanted: "find".to_owned(),
+        help: Some(case.help(0, case.slice.len(), &new)),
+    })
+}
+
+/// Words for a joint in which nothing moves.
+const RIGID: &[&str] = &["weld", "welded", "rigid", "glue", "bolt", "clamp", "fix", "rivet"];
+
+/// `weld B: crank - rod`
+fn rigid(case: &Case<'_>, word: &str) -> Option<Help> {
+    let (_, links) = case.slice.split_once(':').filter(|_| RIGID.contains(&word.to_lowercase().as_str()))?;
+    let (first, second) = links.split_once(" - ")?;
+    let (first, second) = (first.trim(), second.trim());
+    let help = format!(
+        "two links that do not move against each other are one: give `{first}` the points of `{second}`, and name \
+         `{first}` in the pairs of `{second}`"
+    );
+    Some(help.into())
+}
+
 /// Words that other programs have for the instants of a motion.
 const OF_A_RUN: &[&str] =
     &["output", "step", "timestep", "dt", "t_end", "tend", "tstop", "tspan", "sampling"];
@@ -232,7 +263,9 @@ const OF_A_RUN: &[&str] =
 const DRAWINGS: &[&str] = &["plot", "draw", "graph", "chart", "animate", "figure"];
 
 fn unknown(case: &Case<'_>, word: &str) -> SyntaxError {
-    let help = if DRAWINGS.contains(&word) {
+    let help = if let Some(help) = rigid(case, word) {
+        help
+    } else if DRAWINGS.contains(&word) {
         let asked = case.slice.get(word.len()..).unwrap_or_default().trim();
         let find = format!("find {asked}");
         let find = if case.reads(&find) { format!("`{find}`") } else { "`find …`".to_owned() };

@@ -7,7 +7,8 @@ use crate::words::is_name_char;
 use assur_text::units::lookup;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
-    square_brackets(case)
+    quotes_inside(case)
+        .or_else(|| square_brackets(case))
         .or_else(|| unit_in_parentheses(case))
         .or_else(|| raised(case))
         .or_else(|| in_parentheses(case))
@@ -35,6 +36,18 @@ fn repair(case: &Case<'_>, start: usize, end: usize, wanted: &str, new: &str) ->
         wanted: wanted.to_owned(),
         at: case.span(start, end - start),
         help: case.help(start, end, new),
+    })
+}
+
+/// `mechanism "a \"quick\" return"`: a text has no quotes inside.
+fn quotes_inside(case: &Case<'_>) -> Option<SyntaxError> {
+    let (found, at) = ["\\\"", "\"\""].into_iter().find_map(|sign| Some((sign, case.slice.find(sign)?)))?;
+    let new = case.slice.replace(found, "'");
+    case.reads(&new).then(|| SyntaxError::OtherWord {
+        found: found.to_owned(),
+        wanted: "'".to_owned(),
+        at: case.span(at, found.len()),
+        help: case.help(0, case.slice.len(), &new),
     })
 }
 
@@ -105,7 +118,7 @@ fn repeated(case: &Case<'_>) -> Option<SyntaxError> {
 /// Words that say nothing where they are.
 const FILLERS: &[&str] = &[
     "is", "are", "joint", "pair", "hinge", "length", "size", "constant", "const", "the", "a", "an", "point",
-    "link", "equal", "uniform", "value",
+    "link", "equal", "uniform", "value", "for", "during",
 ];
 
 /// `revolute joint A: …`, `link rod B-C length 350 mm`

@@ -75,7 +75,9 @@ pub(super) fn report(
         let again =
             matches!(&found, SyntaxError::ReservedName { found, .. } if !reserved.insert(found.clone()));
         // `left-arm` declares `left_arm`
-        if let SyntaxError::OtherWord { wanted, .. } = &found {
+        if let SyntaxError::OtherWord { wanted, .. } | SyntaxError::MissingWord { missing: wanted, .. } =
+            &found
+        {
             names.extend(self::names(wanted));
         }
         if !again {

@@ -22,6 +22,7 @@ pub(super) fn of_other_languages(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| bar(case))
         .or_else(|| balanced(case))
         .or_else(|| position_or_speed(case))
+        .or_else(|| speed_by_name(case))
 }
 
 /// Names of quantities in two words.
@@ -63,6 +64,15 @@ fn balanced(case: &Case<'_>) -> Option<SyntaxError> {
     let name = case.token(case.fail);
     if case.token(0) != "balance" || !name.starts_with(is_name_char) {
         return None;
+    }
+    if let Some((kind, "on" | "in" | "at")) = case.words().get(1).map(|(_, kind)| (*kind, name)) {
+        let effort = if kind == "force" { "Fb" } else { "Mb" };
+        let new = format!("{effort} ");
+        return case.reads(&case.with(case.fail, case.fail, &new)).then(|| SyntaxError::MissingWord {
+            missing: effort.to_owned(),
+            at: case.span(case.fail, name.len()),
+            help: case.help(case.fail, case.fail, &new),
+        });
     }
     let line = |kind: &str| case.help(case.fail, case.fail, &format!("{kind} "));
     let reads = |kind: &&str| case.reads(&case.with(case.fail, case.fail, &format!("{kind} ")));
@@ -152,6 +162,26 @@ fn position_or_speed(case: &Case<'_>) -> Option<SyntaxError> {
         missing: missing.to_owned(),
         at: case.span(case.fail, case.token(case.fail).len()),
         help: case.help(case.fail, case.fail, &new),
+    })
+}
+
+/// `drive crank = 45 deg omega 1500 rpm`: a name of the speed for `at`.
+fn speed_by_name(case: &Case<'_>) -> Option<SyntaxError> {
+    const SPEEDS: &[&str] =
+        &["omega", "w", "n", "v", "speed", "velocity", "with", "rate", "rotating", "running"];
+    let start = case.token(0);
+    let word = case.token(case.fail);
+    if !matches!(start, "drive" | "start") || !SPEEDS.contains(&word) {
+        return None;
+    }
+    let rest = case.slice.get(case.fail + word.len()..)?;
+    let value = rest.trim_start().trim_start_matches('=');
+    let end = case.slice.len() - value.len();
+    case.reads(&case.with(case.fail, end, "at ").replace("at  ", "at ")).then(|| SyntaxError::OtherWord {
+        found: word.to_owned(),
+        wanted: "at".to_owned(),
+        at: case.span(case.fail, word.len()),
+        help: case.help(case.fail, case.slice.len() - value.trim_start().len(), "at "),
     })
 }
 

@@ -8,6 +8,9 @@ use crate::error::SyntaxError;
 const MOST: f64 = 1e6;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+    if case.what == What::Statement && case.token(0) == "simulate" {
+        return of_time(case);
+    }
     if case.what != What::Statement || case.token(0) != "drive" {
         return None;
     }
@@ -39,6 +42,36 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     })
 }
 
+/// `simulate 2 s step 0.05 s`
+fn of_time(case: &Case<'_>) -> Option<SyntaxError> {
+    const SIZES: &[&str] = &[
+        " in steps of ",
+        " with steps of ",
+        " with step ",
+        " steps of ",
+        " step ",
+        " dt ",
+        " every ",
+        " by ",
+    ];
+    let (at, word) = SIZES.iter().find_map(|word| Some((case.slice.find(word)?, *word)))?;
+    let length = case.slice.get("simulate".len()..at)?.trim();
+    let rest = case.slice.get(at + word.len()..)?;
+    let size = rest.split(" within").next()?;
+    let (from, to) = length.split_once("..").map_or(("0 s", length), |(from, to)| (from.trim(), to.trim()));
+    let steps = number_of(from, to, size.trim().trim_start_matches(['=', ' ']))?;
+    let wanted = format!("in {steps} steps");
+    let end = at + word.len() + size.trim_end().len();
+    let new = format!(" {wanted}");
+    let start = at + 1;
+    case.reads(&case.with(at, end, &new)).then(|| SyntaxError::OtherWord {
+        found: case.slice.get(start..end).unwrap_or_default().to_owned(),
+        wanted,
+        at: case.span(start, end - start),
+        help: case.help(at, end, &new),
+    })
+}
+
 /// The number of steps that is proposed where none is written.
 const EXAMPLE: usize = 12;
 
@@ -58,7 +91,7 @@ fn parts(written: &str) -> Option<(&str, &str, Count<'_>)> {
     if let [from, step, to] = colons.as_slice() {
         return Some((from, to, Count::Size(step)));
     }
-    let splits = ["..", " to ", ":"].into_iter().find_map(|sign| written.split_once(sign));
+    let splits = ["..", " to ", ":", " - ", " – ", "…"].into_iter().find_map(|sign| written.split_once(sign));
     let (from, rest) = splits?;
     let sizes = [" in steps of ", " with step ", " step ", " steps of ", " by ", " every "];
     let numbers = [" in ", " steps "];

@@ -47,6 +47,25 @@ pub enum LinkError {
         #[label("first given here")]
         first: Span,
     },
+    /// A mass for every part of a link.
+    #[error("the mass of `{link}` is given twice")]
+    #[diagnostic(
+        code("mech::geometry::stated_twice"),
+        help(
+            "a link has one mass: write the sum of the masses at their common centre, and `inertia` about it; or give each \
+             its own link"
+        )
+    )]
+    SecondMass {
+        /// The link.
+        link: String,
+        /// The second one.
+        #[label(primary, "given again here")]
+        again: Span,
+        /// The first one.
+        #[label("first given here")]
+        first: Span,
+    },
     /// The triangle of a point given by two distances does not close.
     #[error("the triangle of point `{point}` does not close: {reason}, {by} too {too}")]
     #[diagnostic(

@@ -71,8 +71,10 @@ pub enum MotionError {
     },
     /// The ground is driven or loaded.
     #[error("{what} on the ground has no effect: the ground is fixed")]
-    #[diagnostic(code("mech::geometry::on_ground"), help("name a moving link"))]
+    #[diagnostic(code("mech::geometry::on_ground"), help("{help}"))]
     OnGround {
+        /// Links that move.
+        help: String,
         /// What, with its article.
         what: String,
         /// Where.

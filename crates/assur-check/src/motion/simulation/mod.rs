@@ -54,19 +54,23 @@ pub(crate) fn may_be_missing(cx: &Context<'_>) -> bool {
     !cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Bad(_)))
 }
 
+/// Reports what has no meaning without a motion that is followed, unless it is in a statement that could not be read.
+pub(crate) fn no_simulate(cx: &mut Context<'_>, word: &'static str, span: Span) {
+    if may_be_missing(cx) {
+        let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
+        cx.error(SimulateError::Missing { word, help, span });
+    }
+}
+
 /// What has no meaning without a motion that is followed.
 fn without_simulate(cx: &mut Context<'_>) {
-    if !may_be_missing(cx) {
-        return;
-    }
-    let help = || "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
     for statement in &cx.doc.statements {
         let word = match &statement.node {
             Statement::Event(_) => "event",
             Statement::Until(_) => "until",
             _ => continue,
         };
-        cx.error(SimulateError::Missing { word, help: help(), span: statement.span });
+        no_simulate(cx, word, statement.span);
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
+use crate::motion::simulation::no_simulate;
 use crate::names::declared::QuantityKind;
 use crate::names::suggestion::suggestion;
 use crate::values::fold;
@@ -20,14 +21,12 @@ impl Context<'_> {
         let of_events = matches!(function, F::Time | F::Count);
         let of_states = matches!(function, F::Period | F::Sticks | F::Rests | F::FrictionWork);
         if of_states && !self.names.simulates {
-            let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
-            self.error(SimulateError::Missing { word: function.name(), help, span: call.span });
+            no_simulate(self, function.name(), call.span);
             return None;
         }
         let of_drive = matches!(function, F::Travel | F::Stroke | F::TimeRatio | F::Dead | F::Critical);
         if of_events && !self.names.simulates {
-            let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
-            self.error(SimulateError::Missing { word: "event", help, span: call.span });
+            no_simulate(self, "event", call.span);
             return None;
         }
         if of_drive && self.names.simulates {
