@@ -4,18 +4,18 @@ use std::path::Path;
 
 use super::args::{Accuracy, Format};
 use super::batch::end_at_once;
-use super::clock::seconds;
+use super::clock::processor_seconds;
 use super::error::CliError;
 use super::files;
 use super::motion::OnTheWay;
 use super::reply::{Reply, Status, complaint, for_each_file};
 use super::screen::Screen;
 use super::sink::Sink;
-use crate::pipeline::{Solved, solve_source, solve_source_conducted};
-use crate::report::{self, AccuracyShown, Precision};
-use assur_check::Overrides;
+use crate::pipeline::{Solved, solve_source_conducted};
+use crate::report::{self, Shown};
+use assur_model::model::Simulation;
 use assur_solve::measure::accuracy::{self, AccuracyError, AccuracyStudy, study};
-use assur_solve::measure::{RunStudy, micros, study_runs};
+use assur_solve::measure::{RunStudy, study_runs};
 use assur_solve::message;
 use assur_solve::solve::Conduct;
 use assur_text::diagnostic::Problems;
@@ -50,7 +50,7 @@ pub fn run(args: &Accuracy, screen: &Screen) -> Status {
             }
         };
         problems.extend(measured.out_of_reach(&solved));
-        let results = measured.printed(args, source, &overrides, &solved, screen);
+        let results = measured.printed(args, source, &solved, screen);
         let reply = Reply::new(results, &problems, source, screen);
         match &args.plot {
             Some(path) => drawn(path, measured.picture(source, &solved), reply, screen),
@@ -66,20 +66,28 @@ enum Measured {
 }
 
 impl Measured {
-    fn of(solved: &Solved, wanted: f64, conduct: &Conduct<'_>) -> Result<Self, Box<Problems>> {
+    fn of(solved: &Solved, wanted: Option<f64>, conduct: &Conduct<'_>) -> Result<Self, Box<Problems>> {
         let model = solved.compiled.model();
         let problems = |failure| Box::new(Problems::of([message::failure(&model, &failure)]));
-        Ok(match study_runs(&model, &solved.solution, wanted, seconds, conduct).map_err(problems)? {
-            Some(runs) => Self::Runs(Box::new(runs)),
-            None => Self::Positions(Box::new(study(&model, &solved.solution, wanted, seconds))),
-        })
+        Ok(
+            match study_runs(&model, &solved.solution, wanted, processor_seconds, conduct)
+                .map_err(problems)?
+            {
+                Some(runs) => Self::Runs(Box::new(runs)),
+                None => {
+                    let wanted = wanted.unwrap_or(Simulation::WITHIN);
+                    Self::Positions(Box::new(study(&model, &solved.solution, wanted, processor_seconds)))
+                }
+            },
+        )
     }
 
     fn out_of_reach(&self, solved: &Solved) -> Option<AccuracyError> {
         let mechanism = &solved.compiled.mechanism;
         match self {
             Self::Positions(study) => {
-                study.recommendation.is_none().then(|| accuracy::out_of_reach(study, mechanism))
+                let missed = study.recommendation.is_none() && !study.choices.is_empty();
+                missed.then(|| accuracy::out_of_reach(study, mechanism))
             }
             Self::Runs(study) => {
                 study.recommendation.is_none().then(|| accuracy::run_out_of_reach(study, mechanism))
@@ -87,25 +95,18 @@ impl Measured {
         }
     }
 
-    fn printed(
-        &self,
-        args: &Accuracy,
-        source: &Source,
-        overrides: &Overrides,
-        solved: &Solved,
-        screen: &Screen,
-    ) -> String {
+    fn printed(&self, args: &Accuracy, source: &Source, solved: &Solved, screen: &Screen) -> String {
         if matches!(args.format, Format::Json | Format::Jsonl) {
             return match self {
                 Self::Positions(study) => report::study_json(&source.name, study),
                 Self::Runs(study) => report::run_study_json(&source.name, study),
             } + "\n";
         }
-        let whole = micros(seconds, || drop(std::hint::black_box(whole(source, overrides))));
+        let shown = if args.details { Shown::Details } else { Shown::Answer };
         let model = solved.compiled.model();
         let report = match self {
-            Self::Positions(study) => report::of_study(&source.name, &model, study, whole),
-            Self::Runs(study) => report::of_run_study(&source.name, &model, study, whole),
+            Self::Positions(study) => report::of_study(&source.name, &model, study, shown),
+            Self::Runs(study) => report::of_run_study(&source.name, &model, study, shown),
         };
         args.format.page(screen.look()).render(&report)
     }
@@ -118,15 +119,6 @@ impl Measured {
             Self::Runs(study) => report::diagram::of_runs(title, study),
         }
     }
-}
-
-/// All that `assur solve` does, but for reading the file and writing to the screen.
-fn whole(source: &Source, overrides: &Overrides) -> String {
-    let (solved, _) = solve_source(source, overrides);
-    let of =
-        |s: &Solved| report::of_answers(&source.name, &s.answers(Precision::READABLE), AccuracyShown::Worst);
-    let report = solved.as_ref().map(of);
-    report.map(|r| report::text::render(&r, report::text::Look::PLAIN)).unwrap_or_default()
 }
 
 fn drawn(path: &str, picture: Option<String>, reply: Reply, screen: &Screen) -> Reply {

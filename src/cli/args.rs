@@ -25,6 +25,7 @@ use clap::{Args as _, FromArgMatches, Parser, ValueEnum};
 
 use crate::exercise::grade::{Credit, Points, Submissions};
 use assur_check::Overrides;
+use assur_solve::solve::Method;
 
 /// Solves planar mechanism problems written as text.
 ///
@@ -158,7 +159,10 @@ pub struct Solve {
     /// Maximum relative error, e.g. 1e-6; the fastest sufficient settings are used and the error reached is reported
     #[arg(long, value_name = "ERROR", value_parser = accuracy)]
     pub within: Option<f64>,
-    /// Show residuals and condition of every pose; without it the worst of all poses in one line
+    /// How to integrate a motion under loads [default: what its equations are suited to]
+    #[arg(long, value_enum, value_name = "METHOD")]
+    pub method: Option<MethodArg>,
+    /// Show residuals and condition of every pose, and what the accuracy took; without it the worst of all poses in one line
     #[arg(long)]
     pub accuracy: bool,
     /// Number of threads for long sweeps [default: all processors]
@@ -172,15 +176,36 @@ pub struct Accuracy {
     /// Files to measure
     #[command(flatten)]
     pub problem: Problem,
-    /// Maximum relative error for which settings are recommended
-    #[arg(long = "for", value_name = "ERROR", default_value = "1e-9", value_parser = accuracy)]
-    pub wanted: f64,
+    /// Maximum relative error for which a setting is recommended [default: the `within` of the file, else 1e-9]
+    #[arg(long = "for", value_name = "ERROR", value_parser = accuracy)]
+    pub wanted: Option<f64>,
+    /// Show all that was measured after the answer
+    #[arg(long)]
+    pub details: bool,
     /// Write a diagram of error against time to this file
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<String>,
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,
+}
+
+/// A method to integrate a motion under loads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MethodArg {
+    /// Dormand and Prince, order 8
+    Dop853,
+    /// Radau IIA, order 5, from the first instant on: for stiff motions
+    Radau,
+}
+
+impl From<MethodArg> for Method {
+    fn from(method: MethodArg) -> Self {
+        match method {
+            MethodArg::Dop853 => Self::Dop853,
+            MethodArg::Radau => Self::Radau,
+        }
+    }
 }
 
 /// An error as a part of the quantity.

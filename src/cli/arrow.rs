@@ -8,7 +8,7 @@ use super::threads::Threads;
 use crate::pipeline::{Compiled, Sink};
 use crate::report::Answers;
 use crate::report::arrow::ArrowRows;
-use assur_solve::solve::{Ahead, Block, Conduct, Pose, Watch};
+use assur_solve::solve::{Ahead, Block, Conduct, Method, Pose};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use std::io::IsTerminal;
@@ -30,6 +30,7 @@ pub fn positions(
     mut problems: Problems,
     screen: &Screen,
     (printer, threads): (&mut Printer<'_>, &Threads),
+    method: Option<Method>,
 ) -> Reply {
     let unprinted = |why: String| {
         let diagnostics = complaint(CliError::Unprinted { why }, screen);
@@ -42,7 +43,8 @@ pub fn positions(
     let angles = rows.reads_angles(&compiled.model());
     let way = OnTheWay::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
-    let mut out = Out { rows, angles, error: None, failed: false, printer, threads, watch: &watch };
+    let conduct = Conduct { watch: Some(&watch), method, ..Conduct::default() };
+    let mut out = Out { rows, angles, error: None, failed: false, printer, threads, conduct };
     let (_, found) = crate::pipeline::solve_each(compiled, &mut out);
     problems.append(found);
     let ended = out.rows.end();
@@ -63,12 +65,12 @@ struct Out<'p, 'o, 'w> {
     failed: bool,
     printer: &'p mut Printer<'o>,
     threads: &'p Threads,
-    watch: &'w Watch<'w>,
+    conduct: Conduct<'w>,
 }
 
 impl Sink for Out<'_, '_, '_> {
     fn conduct(&self) -> Conduct<'_> {
-        Conduct { watch: Some(self.watch), ..Conduct::default() }
+        self.conduct
     }
 
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {

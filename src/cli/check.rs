@@ -1,7 +1,7 @@
 //! `assur check`
 
 use super::args::Check;
-use super::clock::seconds;
+use super::clock::processor_seconds;
 use super::error::CliError;
 use super::files::replace;
 use super::reply::{Reply, Status, for_each_file};
@@ -63,7 +63,7 @@ fn fixed(
 
 fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
     let model = compiled.model();
-    match assur_solve::measure::costs(&model, seconds) {
+    match assur_solve::measure::costs(&model, processor_seconds) {
         Ok(costs) => costs,
         Err(errors) => {
             problems.extend(failures(&model, &errors));

@@ -19,7 +19,7 @@ use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::json::Variant;
 use crate::report::{self, AccuracyShown, Answers, Precision};
 use assur_check::{ColumnUse, Overrides, RowColumn};
-use assur_solve::solve::Conduct;
+use assur_solve::solve::{Conduct, Method};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -63,6 +63,7 @@ impl Printing<'_> {
     fn of_file(&self, source: &Source, overrides: &Overrides, printer: &mut Printer<'_>) -> Reply {
         let (document, found) = syntax::parse(source);
         let document = Arc::new(document);
+        let method = self.args.method.map(Method::from);
         match FileVariants::of(&document, overrides) {
             #[cfg(feature = "arrow")]
             Some(Ok(_)) if self.args.format == SolveFormat::Arrow => {
@@ -70,7 +71,7 @@ impl Printing<'_> {
                 return Reply { diagnostics, status: Status::Unusable, ..Reply::default() };
             }
             Some(Ok(rows)) if !found.has_errors() => {
-                return self.of_rows(source, rows.within(self.args.within), found);
+                return self.of_rows(source, rows.within(self.args.within).by(method), found);
             }
             Some(Err(problems)) if !found.has_errors() => {
                 let line = || json(source, Err(None), &problems);
@@ -84,7 +85,7 @@ impl Printing<'_> {
         let compiled = match compiled {
             Some(compiled) if !problems.has_errors() && self.args.format == SolveFormat::Arrow => {
                 let to = (printer, &self.threads);
-                return super::arrow::positions(source, compiled, problems, self.screen, to);
+                return super::arrow::positions(source, compiled, problems, self.screen, to, method);
             }
             compiled => compiled,
         };
@@ -92,7 +93,7 @@ impl Printing<'_> {
             Some(compiled) if !problems.has_errors() && self.by_position() => {
                 let file = self.several.then_some(source.name.as_str());
                 let (form, to) = ((self.format, file), (printer, &self.threads));
-                return stream::positions(form, source, compiled, problems, self.screen, to);
+                return stream::positions(form, source, compiled, problems, self.screen, to, method);
             }
             compiled => compiled,
         };
@@ -100,7 +101,7 @@ impl Printing<'_> {
             Some(compiled) if !problems.has_errors() => {
                 let way = OnTheWay::of(&source.name, &compiled.mechanism);
                 let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
-                let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+                let conduct = Conduct { watch: Some(&watch), method, ..Conduct::default() };
                 let (solved, found) = crate::pipeline::solve_conducted(compiled, self.args.within, &conduct);
                 problems.append(found);
                 solved.map_err(Some)

@@ -11,7 +11,7 @@ use crate::pipeline::{Compiled, Sink, Solved, is_long};
 use crate::report::json::JsonLines;
 use crate::report::lines::{CsvLines, LineMemory};
 use crate::report::{Answers, Precision};
-use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Pose, Watch};
+use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Method, Pose};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -30,6 +30,7 @@ pub fn positions(
     mut problems: Problems,
     screen: &Screen,
     (printer, threads): (&mut Printer<'_>, &Threads),
+    method: Option<Method>,
 ) -> Reply {
     let lines = match format {
         Format::Csv => Lines::Csv(CsvLines::of(&compiled.model(), file)),
@@ -40,8 +41,9 @@ pub fn positions(
     let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
     let way = OnTheWay::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
+    let conduct = Conduct { watch: Some(&watch), method, ..Conduct::default() };
     let (begun, any, failed) = (false, false, false);
-    let mut out = Out { lines, text, held, begun, any, failed, printer, threads, watch: &watch };
+    let mut out = Out { lines, text, held, begun, any, failed, printer, threads, conduct };
     let (solved, found) = crate::pipeline::solve_each(compiled, &mut out);
     problems.append(found);
     if let Ok(solved) = &solved {
@@ -121,12 +123,12 @@ struct Out<'p, 'o, 'w> {
     failed: bool,
     printer: &'p mut Printer<'o>,
     threads: &'p Threads,
-    watch: &'w Watch<'w>,
+    conduct: Conduct<'w>,
 }
 
 impl Sink for Out<'_, '_, '_> {
     fn conduct(&self) -> Conduct<'_> {
-        Conduct { watch: Some(self.watch), ..Conduct::default() }
+        self.conduct
     }
 
     /// `false` where nothing more can be written.

@@ -6,7 +6,7 @@ use crate::exercise::{ForRow, mismatches};
 use assur_check as check;
 use assur_check::{FileRow, Overrides, RowColumn};
 use assur_solve::message::failures;
-use assur_solve::solve::refusals;
+use assur_solve::solve::{Method, refusals};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use std::sync::Arc;
@@ -54,6 +54,12 @@ impl<'a> FileVariants<'a> {
     #[must_use]
     pub fn within(self, within: Option<f64>) -> Self {
         Self { solver: self.solver.within(within), ..self }
+    }
+
+    /// With motions under loads that are integrated by a method.
+    #[must_use]
+    pub fn by(self, method: Option<Method>) -> Self {
+        Self { solver: self.solver.by(method), ..self }
     }
 
     /// Its columns.

@@ -6,7 +6,7 @@ use super::solved::{Solved, solve_conducted};
 use assur_check as check;
 use assur_check::{Overrides, Row, Template};
 use assur_model::structure::Structure;
-use assur_solve::solve::{Conduct, Reads, Watch};
+use assur_solve::solve::{Conduct, Method, Reads, Watch};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use std::sync::Arc;
@@ -57,6 +57,12 @@ impl<'a> VariantSolver<'a> {
     #[must_use]
     pub fn within(self, within: Option<f64>) -> Self {
         Self { within, ..self }
+    }
+
+    /// With motions under loads that are integrated by a method.
+    #[must_use]
+    pub fn by(self, method: Option<Method>) -> Self {
+        Self { conduct: Conduct { method, ..self.conduct }, ..self }
     }
 
     /// With motions under loads that are watched, and ended where that is wanted.

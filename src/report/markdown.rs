@@ -14,7 +14,9 @@ pub fn render(report: &Report) -> String {
         out += &format!("{}\n", escaped(note));
     }
     for section in &report.sections {
-        out += &format!("\n## {}\n", escaped(&section.heading));
+        if !section.heading.is_empty() {
+            out += &format!("\n## {}\n", escaped(&section.heading));
+        }
         for block in &section.blocks {
             out.push('\n');
             match block {

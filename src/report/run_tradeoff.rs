@@ -3,21 +3,28 @@
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-use super::answers::NONE;
+use super::cost_words::{change, count, digits, part, size, time};
 use super::document::{Column, Report, Section, Table};
 use super::headed;
-use super::tradeoff::SCHEMA;
-use assur_model::model::Simulation;
+use super::tradeoff::{SCHEMA, Shown};
 use assur_solve::measure::accuracy::lanes;
-use assur_solve::measure::{MethodStudy, RunRow, RunStudy};
+use assur_solve::measure::{Choice, MethodStudy, Price, RunRow, RunStudy};
 use assur_solve::solve::{Method, Model};
 use assur_text::units::significant;
 
-/// The output of `accuracy` for a file that follows a motion. `solve` is the time of a whole `assur solve`, µs.
+/// So many rows the answer has.
+const ROWS: usize = 4;
+
+/// The output of `accuracy` for a file that follows a motion.
 #[must_use]
-pub fn of_run_study(file: &str, model: &Model<'_>, study: &RunStudy, solve: f64) -> Report {
+pub fn of_run_study(file: &str, model: &Model<'_>, study: &RunStudy, shown: Shown) -> Report {
     let mut report = headed(file, model);
     report.notes.clear();
+    report.title += ": what accuracy costs";
+    report.section(answer(study, shown));
+    if shown == Shown::Answer {
+        return report;
+    }
     report.section(measured(study));
     for method in &study.methods {
         let mut section = Section::new(heading(method));
@@ -32,9 +39,91 @@ pub fn of_run_study(file: &str, model: &Model<'_>, study: &RunStudy, solve: f64)
         section.table(errors);
         report.section(section);
     }
-    let wanted = model.mechanism.simulation.as_ref().and_then(|s| s.within).unwrap_or(Simulation::WITHIN);
-    report.section(recommended(study, wanted, solve));
     report
+}
+
+/// What to write for a choice.
+pub(super) fn options(study: &RunStudy, choice: Choice) -> String {
+    let row = study.row(choice);
+    // of the same runs as the file asks for them
+    let own = study.own() == Some(choice);
+    let within = size(if own { study.asked } else { row.within });
+    match study.methods[choice.method].asked {
+        None => format!("--within {within}"),
+        Some(Method::Radau) => format!("--within {within} --method radau"),
+        Some(_) => format!("--within {within} --method dop853"),
+    }
+}
+
+/// Digits against time, what one more takes, the file's own setting, and what is recommended.
+fn answer(study: &RunStudy, shown: Shown) -> Section {
+    let mut section = Section::new("");
+    let right = ["digits", "evaluations", "time", "a digit more"].map(Column::right);
+    let [digit, evaluations, times, more] = right;
+    let columns = vec![Column::words(""), digit, Column::words("solve with"), evaluations, times, more];
+    let mut table = Table::new(columns, 6);
+    let chosen = study.in_short(ROWS);
+    for (i, choice) in chosen.iter().enumerate() {
+        let row = study.row(*choice);
+        table.row(vec![
+            mark(study, *choice).to_owned(),
+            digits(row.error),
+            options(study, *choice),
+            count(row.evaluations),
+            time(row.micros),
+            one_more(row, chosen.get(i + 1).map(|next| study.row(*next))),
+        ]);
+    }
+    section.table(table);
+    for line in findings(study, shown) {
+        section.text(line);
+    }
+    section
+}
+
+fn mark(study: &RunStudy, choice: Choice) -> &'static str {
+    match (study.own() == Some(choice), study.recommendation == Some(choice)) {
+        (true, true) => "▸ ✓",
+        (true, false) => "▸",
+        (false, true) => "✓",
+        (false, false) => "",
+    }
+}
+
+/// What a digit more takes on the way to a row with more of them.
+fn one_more(row: &RunRow, next: Option<&RunRow>) -> String {
+    // less than half a digit tells nothing of a whole one
+    let Some(next) = next.filter(|next| next.digits() >= row.digits() + 0.5) else {
+        return "the most".to_owned();
+    };
+    change((next.micros / row.micros).powf(1.0 / (next.digits() - row.digits())))
+}
+
+/// The recommendation in one line, and what the table shows.
+pub(super) fn findings(study: &RunStudy, shown: Shown) -> [String; 2] {
+    let wanted = size(study.wanted);
+    let own = study.own();
+    let found = match study.recommendation {
+        None => {
+            let rows = study.methods.iter().flat_map(|method| &method.rows);
+            let least = rows.filter(|row| !row.missed).map(|row| row.error).fold(f64::INFINITY, f64::min);
+            format!("No setting keeps an error of {wanted}; the least is {}.", size(least))
+        }
+        found if found == own => format!("Recommended for an error of {wanted}: this file's own setting."),
+        Some(found) => {
+            let of_time = own.map_or_else(String::new, |own| {
+                let ratio = study.row(found).micros / study.row(own).micros;
+                format!(", in {} of this file's time", part(ratio))
+            });
+            let why = if found.method == 0 { ", the loosest that keeps it" } else { "" };
+            format!("Recommended for {wanted}: `{}`{why}{of_time}.", options(study, found))
+        }
+    };
+    [found, format!("▸ this file, ✓ recommended; errors are true ones, {}.{}", against(study), shown.more())]
+}
+
+const fn against(study: &RunStudy) -> &'static str {
+    if study.precise { "from double-double" } else { "from finer runs" }
 }
 
 fn measured(study: &RunStudy) -> Section {
@@ -54,8 +143,13 @@ fn measured(study: &RunStudy) -> Section {
         "Errors are the greatest over all instants, each relative to the greatest of its kind in the motion; `~` marks those no greater than that of the reference."
     );
     section.text(
-        "A time is that of all runs from the first position on, the estimate of the error among them; the best of repeated ones, on one thread."
+        "A time is that of all runs from the first position on, the estimate of the error among them: evaluations times their price, on one thread. The price fits all measured times of a method, each the best of repeated ones."
     );
+    let prices = study.methods.iter().map(|method| {
+        let Price { once, each } = method.price;
+        format!("{}: {} an evaluation and {} a run", name(method), time(each), time(once))
+    });
+    section.list(prices.collect());
     section
 }
 
@@ -67,7 +161,7 @@ const fn short(method: Method) -> &'static str {
     }
 }
 
-fn heading(study: &MethodStudy) -> String {
+pub(super) fn heading(study: &MethodStudy) -> String {
     match (study.asked, study.method) {
         (Some(Method::Radau), _) => "Radau IIA of order 5 from the first instant on".to_owned(),
         (Some(_), method) => short(method).to_owned(),
@@ -79,13 +173,6 @@ fn heading(study: &MethodStudy) -> String {
     }
 }
 
-fn size(error: f64) -> String {
-    if error == 0.0 {
-        return "0".to_owned();
-    }
-    if error.is_finite() { format!("{error:.0e}") } else { NONE.to_owned() }
-}
-
 fn marked(error: f64, row: &RunRow) -> String {
     if row.is_floor { format!("~ {}", size(error)) } else { size(error) }
 }
@@ -94,7 +181,7 @@ fn costs(study: &MethodStudy) -> Table {
     let heads = ["steps", "rejected", "evaluations", "in all runs"].map(Column::right);
     let mut columns = vec![Column::words("within")];
     columns.extend(heads);
-    columns.push(Column::numbers("µs"));
+    columns.extend(["µs", "measured"].map(Column::numbers));
     columns.extend(["error", "reported", "digits"].map(Column::right));
     let mut table = Table::new(columns, 1);
     for row in &study.rows {
@@ -107,13 +194,10 @@ fn costs(study: &MethodStudy) -> Table {
             row.printed.to_string(),
             row.evaluations.to_string(),
             significant(row.micros, 3),
+            significant(row.measured, 3),
             marked(row.error, row),
             reported,
-            if row.error.is_finite() {
-                format!("{:.1}", -libm::log10(row.error.max(1e-40)))
-            } else {
-                NONE.to_owned()
-            },
+            digits(row.error),
         ]);
     }
     table
@@ -137,34 +221,11 @@ fn kinds_in_play(method: &MethodStudy) -> Vec<usize> {
     (0..kinds).filter(|kind| method.rows.iter().any(|row| row.each[*kind] > 0.0)).collect()
 }
 
-fn recommended(study: &RunStudy, asked: f64, solve: f64) -> Section {
-    let mut section = Section::new(format!("For an error of {:.0e}", study.wanted));
-    let Some(row) = &study.recommendation else {
-        section.text("No accuracy that can be asked for reaches it.");
-        return section;
-    };
-    let within = size(row.within);
-    section.text(format!("Write `within {within}` behind `simulate`, or `--within {within}`."));
-    section.text(format!(
-        "It takes {} µs with an error of {}; {} is reported.",
-        significant(row.micros, 3),
-        marked(row.error, row),
-        size(row.reported)
-    ));
-    if let Some(now) = study.of_accuracy(asked).filter(|now| now.micros > row.micros) {
-        let part = significant(100.0 * row.micros / now.micros, 2);
-        section.text(format!(
-            "That is {part} % of the time for {asked:.0e}, which the file asks for; a whole solve takes {} µs from text to report.",
-            significant(solve, 3)
-        ));
-    }
-    section
-}
-
 #[derive(Serialize)]
 struct View<'a> {
     schema: &'static str,
     file: &'a str,
+    summary: Value,
     positions: usize,
     reference: &'static str,
     floor: f64,
@@ -192,6 +253,7 @@ fn row_view(study: &RunStudy, row: &RunRow) -> Value {
     let mut view = Map::new();
     view.insert("setting".to_owned(), json!(size(row.within)));
     view.insert("microseconds".to_owned(), json!(row.micros));
+    view.insert("measured".to_owned(), json!(row.measured));
     if row.error.is_finite() {
         view.insert("error".to_owned(), json!(row.error));
     }
@@ -212,6 +274,21 @@ fn row_view(study: &RunStudy, row: &RunRow) -> Value {
     Value::Object(view)
 }
 
+fn summary(study: &RunStudy) -> Value {
+    let rows = study.in_short(ROWS).into_iter().map(|choice| {
+        let row = study.row(choice);
+        let mut view = Map::new();
+        view.insert("digits".to_owned(), json!(row.digits()));
+        view.insert("solve_with".to_owned(), json!(options(study, choice)));
+        view.insert("evaluations".to_owned(), json!(row.evaluations));
+        view.insert("microseconds".to_owned(), json!(row.micros));
+        super::tradeoff::flags(&mut view, study.own() == Some(choice), study.recommendation == Some(choice));
+        Value::Object(view)
+    });
+    let [found, _] = findings(study, Shown::Details);
+    json!({ "rows": rows.collect::<Vec<_>>(), "finding": found })
+}
+
 /// The same as one line of JSON: `docs/json-schema/accuracy-1.json`.
 #[must_use]
 pub fn run_study_json(file: &str, study: &RunStudy) -> String {
@@ -219,13 +296,15 @@ pub fn run_study_json(file: &str, study: &RunStudy) -> String {
         let rows: Vec<Value> = method.rows.iter().map(|row| row_view(study, row)).collect();
         json!({ "name": name(method), "per": "run", "settings": rows })
     });
-    let recommendation = study.recommendation.as_ref().map(|row| {
-        let setting = json!({ "name": "run", "setting": size(row.within) });
+    let recommendation = study.recommendation.map(|choice| {
+        let row = study.row(choice);
+        let setting = json!({ "name": name(&study.methods[choice.method]), "setting": size(row.within) });
         json!({ "settings": [setting], "microseconds": row.micros, "error": row.error })
     });
     let view = View {
         schema: SCHEMA,
         file,
+        summary: summary(study),
         positions: study.instants,
         reference: if study.precise { "double-double" } else { "f64" },
         floor: study.floor,

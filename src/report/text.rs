@@ -57,7 +57,9 @@ fn line(out: &mut String, text: &str) {
 }
 
 fn render_section(out: &mut String, section: &Section, look: Look) {
-    line(out, &look.strong(&shown_in_line(&section.heading)));
+    if !section.heading.is_empty() {
+        line(out, &look.strong(&shown_in_line(&section.heading)));
+    }
     for block in &section.blocks {
         match block {
             Block::Text(text) => line(out, &format!("{GAP}{}", shown(text))),

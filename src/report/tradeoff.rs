@@ -1,13 +1,15 @@
 //! The time that accuracy costs, as tables and as JSON.
 
 use serde::Serialize;
+use serde_json::{Map, Value, json};
 
 use super::answers::NONE;
+use super::cost_words::{digits, part, size, time};
 use super::document::{Column, Report, Section, Table};
 use super::headed;
 use assur_position::plan::{Numbers, Settings};
 use assur_solve::measure::accuracy::{
-    AccuracyStudy, AchievedAccuracy, Kind, Recommendation, Row, Setting, Source, lanes,
+    AccuracyStudy, AchievedAccuracy, Kind, PositionChoice, Row, Setting, Source, lanes,
 };
 use assur_solve::solve::Model;
 use assur_text::units::significant;
@@ -15,11 +17,35 @@ use assur_text::units::significant;
 /// Name and version of the format.
 pub(super) const SCHEMA: &str = "assur.accuracy/1";
 
-/// The output of `accuracy`. `solve` is the time of a whole `assur solve`, µs.
+/// How much is shown of what was measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// The answer alone.
+    Answer,
+    /// All that was measured after it.
+    Details,
+}
+
+impl Shown {
+    /// Where to find more than is shown.
+    pub(super) const fn more(self) -> &'static str {
+        match self {
+            Self::Answer => " More: --details, --plot",
+            Self::Details => "",
+        }
+    }
+}
+
+/// The output of `accuracy`.
 #[must_use]
-pub fn of_study(file: &str, model: &Model<'_>, study: &AccuracyStudy, solve: f64) -> Report {
+pub fn of_study(file: &str, model: &Model<'_>, study: &AccuracyStudy, shown: Shown) -> Report {
     let mut report = headed(file, model);
     report.notes.clear();
+    report.title += ": what accuracy costs";
+    report.section(answer(model, study, shown));
+    if shown == Shown::Answer {
+        return report;
+    }
     report.section(measured(study));
     for knob in &study.knobs {
         let mut section = Section::new(heading(knob.kind));
@@ -29,8 +55,131 @@ pub fn of_study(file: &str, model: &Model<'_>, study: &AccuracyStudy, solve: f64
     let mut section = Section::new("Settings without effect here");
     section.list(study.absent.iter().map(|a| format!("{}: {}", a.what, a.why)).collect());
     report.section(section);
-    report.section(recommended(study, solve));
     report
+}
+
+/// What a choice is called: the options to write.
+pub(super) fn options(choice: &PositionChoice) -> String {
+    match (choice.within, choice.settings.scalar) {
+        (None, Numbers::Double) => "f64, as the file is".to_owned(),
+        (None, Numbers::DoubleDouble) => "double-double, the reference".to_owned(),
+        (Some(within), Numbers::Double) => format!("--within {}", size(within)),
+        (Some(within), Numbers::DoubleDouble) => format!("--within {}, double-double", size(within)),
+    }
+}
+
+/// The choices of the answer, from few digits to many: the file as it is, the loosest, the one recommended, the most accurate.
+pub(super) fn in_short(study: &AccuracyStudy) -> Vec<usize> {
+    let all = &study.choices;
+    let mut chosen = vec![0, study.recommendation.unwrap_or(0), 1, all.len().saturating_sub(1)];
+    chosen.retain(|i| *i < all.len());
+    chosen.sort_by(|a, b| all[*a].digits().total_cmp(&all[*b].digits()));
+    chosen.dedup();
+    chosen
+}
+
+fn answer(model: &Model<'_>, study: &AccuracyStudy, shown: Shown) -> Section {
+    let mut section = Section::new("");
+    let Some(own) = study.choices.first() else {
+        section.text("Nothing is computed for positions here, and nothing can be set.");
+        return section;
+    };
+    let mut columns = vec![Column::words(""), Column::right("digits"), Column::words("solve with")];
+    columns.push(Column::right("a position"));
+    if own.cycle.is_some() {
+        columns.extend(["samples", "functions"].map(Column::right));
+    }
+    columns.push(Column::right("all together"));
+    let mut table = Table::new(columns, 7);
+    for i in in_short(study) {
+        let choice = &study.choices[i];
+        let mark = match (i == 0, study.recommendation == Some(i)) {
+            (true, true) => "▸ ✓",
+            (true, false) => "▸",
+            (false, true) => "✓",
+            (false, false) => "",
+        };
+        let mut cells = vec![mark.to_owned(), digits(choice.error), options(choice), time(choice.micros)];
+        cells.extend(choice.cycle.iter().flat_map(|c| [c.0.to_string(), time(c.1)]));
+        cells.push(if i == 0 { time(own.total) } else { part(choice.total / own.total) });
+        table.row(cells);
+    }
+    section.table(table);
+    section.text(finding(study));
+    section.text(effects(study));
+    let idle = model.plan.effects.not_asked_for(model.mechanism);
+    let idle = if idle.is_empty() { "nothing".to_owned() } else { idle.join(", ") };
+    section.text(format!("Declared but not asked for, so not computed: {idle}.{}", shown.more()));
+    section
+}
+
+/// The greatest part of the file's time that fewer digits save, without their check.
+pub(super) fn most_saved(study: &AccuracyStudy) -> Option<f64> {
+    let own = study.choices.first()?;
+    let time = |choice: &PositionChoice| {
+        study.count as f64 * choice.micros + choice.cycle.map_or(0.0, |cycle| cycle.1)
+    };
+    let looser = study.choices.iter().filter(|choice| choice.error > own.error).map(time);
+    let least = looser.fold(f64::INFINITY, f64::min);
+    Some(1.0 - least / time(own)).filter(|saved| *saved >= 0.005)
+}
+
+/// What is recommended, and why.
+pub(super) fn finding(study: &AccuracyStudy) -> String {
+    let (wanted, own) = (size(study.wanted), study.choices.first());
+    match (study.recommendation, most_saved(study)) {
+        (None, _) => {
+            let least = study
+                .choices
+                .iter()
+                .filter(|c| c.can_be_had())
+                .map(|c| c.error)
+                .fold(f64::INFINITY, f64::min);
+            format!("No setting keeps an error of {wanted}; the least is {}.", size(least))
+        }
+        (Some(0), None) => {
+            format!("Recommended for {wanted}: the file as it is; fewer digits would save nothing.")
+        }
+        (Some(0), Some(saved)) => format!(
+            "Recommended for {wanted}: the file as it is; fewer digits save {}, less than their check takes.",
+            part(saved)
+        ),
+        (Some(i), _) => {
+            let choice = &study.choices[i];
+            let ratio = own.map_or(f64::NAN, |own| choice.total / own.total);
+            format!("Recommended for {wanted}: `{}`, in {} of the file's time.", options(choice), part(ratio))
+        }
+    }
+}
+
+/// The price of each effect on top of those before it.
+pub(super) fn effects(study: &AccuracyStudy) -> String {
+    let mut words = Vec::new();
+    for (i, (name, micros)) in prices(study).into_iter().enumerate() {
+        words.push(match i {
+            0 => format!("{name} {:.0}", 1e3 * micros),
+            _ => format!("{name} +{:.0}", 1e3 * micros),
+        });
+    }
+    format!("A position, ns: {}.", words.join(", "))
+}
+
+/// Microseconds of each effect, all loads as one, as parts of what a position takes.
+pub(super) fn prices(study: &AccuracyStudy) -> Vec<(&'static str, f64)> {
+    let mut all: Vec<(&'static str, f64)> = Vec::new();
+    for (name, micros) in &study.effects {
+        let name = if ["gravity", "inertia", "springs"].contains(name) { "loads" } else { name };
+        match all.last_mut() {
+            Some(last) if last.0 == name => last.1 += micros,
+            _ => all.push((name, *micros)),
+        }
+    }
+    let whole: f64 = all.iter().map(|effect| effect.1).sum();
+    let scale = study.choices.first().map_or(1.0, |own| own.micros / whole);
+    if scale.is_finite() {
+        all.iter_mut().for_each(|effect| effect.1 *= scale);
+    }
+    all
 }
 
 fn measured(study: &AccuracyStudy) -> Section {
@@ -89,17 +238,6 @@ fn error_text(row: &Row) -> String {
     }
 }
 
-fn digits(row: &Row) -> String {
-    match row.error {
-        None => NONE.to_owned(),
-        Some(error) => format!("{:.1}", -libm::log10(error.max(1e-40))),
-    }
-}
-
-fn time(micros: f64) -> String {
-    significant(micros, 3)
-}
-
 fn table(knob: &Setting) -> Table {
     let per = if knob.kind.per_cycle() { "µs per cycle" } else { "µs per position" };
     let mut columns = vec![Column::words(knob.kind.sets())];
@@ -114,45 +252,14 @@ fn table(knob: &Setting) -> Table {
         if sampled {
             cells.push(row.samples.map_or_else(|| NONE.to_owned(), |n| n.to_string()));
         }
-        cells.extend([time(row.micros), error_text(row), digits(row)]);
+        cells.extend([
+            significant(row.micros, 3),
+            error_text(row),
+            row.error.map_or_else(|| NONE.to_owned(), digits),
+        ]);
         table.row(cells);
     }
     table
-}
-
-fn recommended(study: &AccuracyStudy, solve: f64) -> Section {
-    let mut section = Section::new(format!("For an error of {:.0e}", study.wanted));
-    let Some(found) = &study.recommendation else {
-        section.text("No setting reaches it.");
-        return section;
-    };
-    let settings = found.settings.iter().map(|(kind, setting)| format!("{}: {setting}", kind.name()));
-    section.list(settings.collect());
-    if let Some((micros, error)) = found.together {
-        section.text(format!(
-            "Together {} µs per position with an error of {error:.0e}: {} of the time of f64 with all its digits.",
-            time(micros),
-            share(micros, found.full)
-        ));
-    }
-    if let Some((micros, error, full)) = found.cycle {
-        section.text(format!(
-            "For the cycle {} µs with an error of {error:.0e}: {} of the time for all digits.",
-            time(micros),
-            share(micros, full)
-        ));
-    }
-    let positions = found.together.map_or(0.0, |t| study.positions as f64 * (found.full - t.0));
-    let cycle = found.cycle.map_or(0.0, |c| c.2 - c.0);
-    let saved = 100.0 * (positions + cycle) / solve;
-    let saves =
-        if saved >= 1.0 { format!("{} %", significant(saved, 2)) } else { "less than 1 %".to_owned() };
-    section.text(format!("This saves {saves} of a whole solve ({} µs from text to report).", time(solve)));
-    section
-}
-
-fn share(part: f64, whole: f64) -> String {
-    format!("{} %", significant(100.0 * part / whole, 2))
 }
 
 /// The accuracy wanted and reached, in one line.
@@ -190,6 +297,7 @@ fn words(settings: &Settings) -> String {
 struct StudyView<'a> {
     schema: &'static str,
     file: &'a str,
+    summary: Value,
     positions: usize,
     reference: &'static str,
     floor: f64,
@@ -200,7 +308,7 @@ struct StudyView<'a> {
     #[serde(rename = "for")]
     wanted: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    recommendation: Option<RecommendationView<'a>>,
+    recommendation: Option<Value>,
 }
 
 #[derive(Serialize)]
@@ -228,27 +336,32 @@ struct AbsentView {
     why: &'static str,
 }
 
-#[derive(Serialize)]
-struct ChosenView<'a> {
-    name: &'static str,
-    setting: &'a str,
+/// Marks the file's own row and the one recommended.
+pub(super) fn flags(view: &mut Map<String, Value>, own: bool, recommended: bool) {
+    for (name, set) in [("file", own), ("recommended", recommended)] {
+        if set {
+            view.insert(name.to_owned(), json!(true));
+        }
+    }
 }
 
-#[derive(Serialize)]
-struct CycleView {
-    microseconds: f64,
-    error: f64,
-}
-
-#[derive(Serialize)]
-struct RecommendationView<'a> {
-    settings: Vec<ChosenView<'a>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    microseconds: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    error: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cycle: Option<CycleView>,
+fn summary(study: &AccuracyStudy) -> Value {
+    let rows = in_short(study).into_iter().map(|i| {
+        let choice = &study.choices[i];
+        let mut view = Map::new();
+        view.insert("digits".to_owned(), json!(choice.digits()));
+        view.insert("solve_with".to_owned(), json!(options(choice)));
+        view.insert("microseconds".to_owned(), json!(choice.total));
+        flags(&mut view, i == 0, study.recommendation == Some(i));
+        Value::Object(view)
+    });
+    let effects =
+        prices(study).into_iter().map(|(name, micros)| json!({ "name": name, "microseconds": micros }));
+    json!({
+        "rows": rows.collect::<Vec<_>>(),
+        "finding": finding(study),
+        "effects": effects.collect::<Vec<_>>(),
+    })
 }
 
 /// The same as one line of JSON: `docs/json-schema/accuracy-1.json`.
@@ -272,6 +385,7 @@ pub fn study_json(file: &str, study: &AccuracyStudy) -> String {
     let view = StudyView {
         schema: SCHEMA,
         file,
+        summary: summary(study),
         positions: study.positions,
         reference: match study.source {
             Source::DoubleDouble => "double-double",
@@ -283,21 +397,19 @@ pub fn study_json(file: &str, study: &AccuracyStudy) -> String {
         knobs: knobs.collect(),
         absent: study.absent.iter().map(|a| AbsentView { name: a.what, why: a.why }).collect(),
         wanted: study.wanted,
-        recommendation: study.recommendation.as_ref().map(view_of),
+        recommendation: study.recommendation.map(|i| recommended(&study.choices[i])),
     };
     // a view of texts and finite numbers is always written
     serde_json::to_string(&view).unwrap_or_default()
 }
 
-fn view_of(found: &Recommendation) -> RecommendationView<'_> {
-    RecommendationView {
-        settings: found
-            .settings
-            .iter()
-            .map(|(kind, setting)| ChosenView { name: kind.name(), setting })
-            .collect(),
-        microseconds: found.together.map(|t| t.0),
-        error: found.together.map(|t| t.1),
-        cycle: found.cycle.filter(|c| c.1.is_finite()).map(|c| CycleView { microseconds: c.0, error: c.1 }),
+fn recommended(choice: &PositionChoice) -> Value {
+    let setting = choice.within.map_or_else(|| "f64".to_owned(), size);
+    let mut view = Map::new();
+    view.insert("settings".to_owned(), json!([{ "name": "within", "setting": setting }]));
+    view.insert("microseconds".to_owned(), json!(choice.micros));
+    if choice.error.is_finite() {
+        view.insert("error".to_owned(), json!(choice.error));
     }
+    Value::Object(view)
 }

@@ -131,6 +131,38 @@ fn candidates_go_from_cheap_to_dear() {
     assert_eq!(all[2].scalar, Numbers::DoubleDouble);
 }
 
+/// What is offered has the error that a solution with it has, and the solver takes those settings for it.
+#[test]
+fn what_is_offered_is_what_the_solver_takes() {
+    for name in
+        ["accuracy/crank-slider-with-friction", "general/class-iii-triad", "shaper/shaper-a", "cams/lever"]
+    {
+        let source = example(&format!("{name}.mech"));
+        let found = studied(&source);
+        assert_eq!(
+            (found.choices[0].within, found.recommendation),
+            (None, Some(0)),
+            "{name}: {:?}",
+            found.choices
+        );
+        for choice in found.choices[1..].iter().filter(|choice| choice.can_be_had()) {
+            let (compiled, _) = assur::internals::compile(&source, &Overrides::none());
+            let reached = solve_within(compiled.unwrap(), choice.within).0.unwrap().reached.unwrap();
+            assert_eq!(reached.settings, choice.settings, "{name}: {choice:?}");
+            assert!(
+                reached.error <= choice.within.unwrap() && choice.error <= choice.within.unwrap(),
+                "{name}"
+            );
+        }
+    }
+    // what f64 does not have is recommended with twice the digits
+    let solved = solved(&example("accuracy/chain-of-40-dyads.mech"));
+    let beyond = study(&solved.compiled.model(), &solved.solution, 1e-15, seconds);
+    let taken = &beyond.choices[beyond.recommendation.unwrap()];
+    assert_eq!((taken.settings.scalar, taken.within), (Numbers::DoubleDouble, Some(1e-15)));
+    assert!(taken.error > 1e-16 && taken.error < 1e-15, "{taken:?}");
+}
+
 /// Greatest difference of two solutions: of positions over the extent, of forces over the greatest.
 fn difference(a: &Solved, b: &Solved) -> f64 {
     let (length, force) = (extent(&a.compiled.model()), greatest_force(&a.solution));

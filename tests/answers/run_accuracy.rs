@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
 use assur::internals::check::Overrides;
-use assur::internals::measure::{MethodStudy, RunRow, RunStudy, study_runs};
+use assur::internals::measure::{MethodStudy, Price, RunRow, RunStudy, run_with_a_digit_less, study_runs};
 use assur::internals::report::diagram;
 use assur::internals::solve::{Conduct, Method, Trials};
 use assur::internals::source::Source;
@@ -26,7 +26,7 @@ fn counter() -> f64 {
 fn studied(name: &str) -> RunStudy {
     let source = example(name);
     let solved = solve_source(&source, &Overrides::none()).0.unwrap();
-    study_runs(&solved.compiled.model(), &solved.solution, 1e-6, counter, &Conduct::default())
+    study_runs(&solved.compiled.model(), &solved.solution, Some(1e-6), counter, &Conduct::default())
         .unwrap()
         .unwrap()
 }
@@ -68,10 +68,90 @@ fn errors_of_runs_are_the_true_ones() {
     // the same digits take a fraction of the evaluations
     let cost = |method: &MethodStudy| method.rows.iter().find(|row| row.error < 1e-9).unwrap().printed;
     assert!(3 * cost(own(&study)) < cost(general), "{study:?}");
-    let recommended = study.recommendation.as_ref().unwrap();
+    let recommended = study.row(study.recommendation.unwrap());
     assert!(recommended.error <= 1e-6 && !recommended.missed, "{recommended:?}");
     let picture = diagram::of_runs("Andrews", &study).unwrap();
     assert!(picture.starts_with("<svg") && picture.contains("Radau IIA"), "{picture}");
+}
+
+#[test]
+fn a_price_is_found_from_what_work_took() {
+    let exact = Price::of([(100, 70.0), (300, 110.0), (1000, 250.0)].into_iter());
+    assert!((exact.once - 50.0).abs() < 1e-9 && (exact.each - 0.2).abs() < 1e-12, "{exact:?}");
+    // a disturbed clock: less than nothing once
+    let falling = Price::of([(100, 90.0), (200, 250.0)].into_iter());
+    assert!(falling.once == 0.0 && falling.each > 0.9 && falling.each < 1.25, "{falling:?}");
+    assert_eq!(Price::of([(10, 5.0)].into_iter()), Price { once: 0.0, each: 0.5 });
+    assert_eq!(Price::of(std::iter::empty()), Price::default());
+}
+
+/// Numbers between 0 and 1 that are the same every time.
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// Times of a machine that is disturbed by a tenth, found anew for each of its moments, lead to the same recommendation, and nothing of
+/// the front goes back.
+#[test]
+fn a_machine_under_load_recommends_the_same() {
+    let mut seed = 7;
+    for name in ["andrews.mech", "engine-with-friction.mech", "pulled-block.mech", "shaken-pendulum.mech"] {
+        let mut study = studied(name);
+        // what these runs take of a quiet machine: of each method so much once, and so much an evaluation
+        let prices = [(60.0, 1.0), (40.0, 0.6), (10.0, 2.0)];
+        let mut seen = Vec::new();
+        for _ in 0..50 {
+            for (method, (once, each)) in study.methods.iter_mut().zip(prices) {
+                for row in &mut method.rows {
+                    row.measured = (once + each * row.evaluations as f64) * (1.0 + 0.1 * random(&mut seed));
+                }
+                method.price = Price::of(method.rows.iter().map(|row| (row.evaluations, row.measured)));
+                let price = method.price;
+                method.rows.iter_mut().for_each(|row| row.micros = price.time(row.evaluations));
+            }
+            seen.push(study.recommended().unwrap());
+            for method in 0..study.methods.len() {
+                let front: Vec<_> =
+                    study.front(|of, _| of == method).into_iter().map(|c| study.row(c)).collect();
+                let forward =
+                    |pair: &[&RunRow]| pair[1].micros >= pair[0].micros && pair[1].error < pair[0].error;
+                assert!(front.windows(2).all(forward), "{name}: {front:?}");
+            }
+        }
+        seen.dedup();
+        assert_eq!(seen.len(), 1, "{name}: {seen:?}");
+        // by its method nothing that keeps the error takes clearly fewer evaluations, and nothing looser as few
+        let found = study.row(seen[0]);
+        let kept: Vec<&RunRow> =
+            study.methods[seen[0].method].rows.iter().filter(|r| !r.missed && r.error <= 1e-6).collect();
+        assert!(
+            kept.iter().all(|row| 1.05 * row.evaluations as f64 >= found.evaluations as f64 * 0.999),
+            "{name}"
+        );
+        let looser = kept.iter().filter(|row| row.within > found.within);
+        assert!(looser.clone().all(|row| row.evaluations > found.evaluations), "{name}: {found:?}");
+        // the answer has both in four rows
+        let short = study.in_short(4);
+        assert!(
+            short.len() <= 4 && short.contains(&seen[0].clone()) || study.recommendation != Some(seen[0])
+        );
+        assert!(study.own().is_none_or(|own| short.contains(&own)), "{name}: {short:?}");
+    }
+}
+
+/// The counts of a digit less are those of the file that asks for it.
+#[test]
+fn a_digit_less_takes_what_it_says() {
+    for name in ["andrews.mech", "engine-with-friction.mech", "flap-in-oil.mech"] {
+        let solved = solve_source(&example(name), &Overrides::none()).0.unwrap();
+        let found = run_with_a_digit_less(&solved.compiled.model(), &solved.solution).unwrap();
+        let mut compiled = compile(&example(name), &Overrides::none()).0.unwrap();
+        compiled.mechanism.simulation.as_mut().unwrap().within = Some(10.0 * found.within);
+        let looser = solve_within(compiled, None).0.unwrap().solution.simulation.unwrap();
+        let own = solved.solution.simulation.as_ref().unwrap();
+        assert_eq!((found.took, found.less), (own.evaluations, Some(looser.evaluations)), "{name}");
+    }
 }
 
 /// What a kept error takes by DOP853: of the angles at the last instant, |Δq|/(1 + |q|), as the books compare methods.
@@ -196,7 +276,7 @@ fn files_without_a_motion_have_no_runs() {
     let source = Source::new("four-bar", std::fs::read_to_string(path).unwrap());
     let solved = solve_source(&source, &Overrides::none()).0.unwrap();
     assert!(
-        study_runs(&solved.compiled.model(), &solved.solution, 1e-6, counter, &Conduct::default())
+        study_runs(&solved.compiled.model(), &solved.solution, Some(1e-6), counter, &Conduct::default())
             .unwrap()
             .is_none()
     );

@@ -23,17 +23,23 @@ fn plain_rows(tables: &str) -> String {
 #[test]
 fn accuracy_is_measured() {
     let folder = Folder::new("accuracy").with("a.mech", GOOD);
-    let out = assur(&folder, &["accuracy", "a.mech", "--for", "1e-6", "--plot", "a.svg"]);
+    let out = assur(&folder, &["accuracy", "a.mech", "--for", "1e-6", "--plot", "a.svg", "--details"]);
     assert_eq!((out.status, out.stderr.as_str()), (0, ""));
-    let (tables, recommended) = out.stdout.split_once("For an error of 1e-6").unwrap();
-    assert!(recommended.contains("scalar: ") && recommended.contains("of a whole solve"), "{recommended}");
+    let (answer, tables) = out.stdout.split_once("Measured\n").unwrap();
+    let short = assur(&folder, &["accuracy", "a.mech", "--for", "1e-6"]).stdout;
+    assert!(short.lines().count() <= 10 && short.lines().all(|line| line.chars().count() <= 110), "{short}");
+    for part in [
+        "f64, as the file is",
+        "Recommended for 1e-6: the file as it is; fewer digits would save nothing.",
+        "A position, ns: positions ",
+    ] {
+        assert!(answer.contains(part) && short.contains(part), "{part}: {answer}");
+    }
+    let tables = format!("Measured\n{tables}");
     let sets = ["no AVX2", "Neon", "AVX2", "AVX-512"];
-    let tables =
-        sets.iter().fold(tables.to_owned(), |text, set| text.replace(&format!(" with {set}."), " with …."));
+    let tables = sets.iter().fold(tables, |text, set| text.replace(&format!(" with {set}."), " with …."));
     if cfg!(feature = "lanes") {
         insta::assert_snapshot!(plain_rows(&tables), @r"
-            Crank-slider (a.mech)
-
             Measured
              2 positions, compared with the same positions in double-double, whose own error is about 2e-31.
              Errors are the greatest over all positions: positions relative to 0.35 m, velocities relative to 35 m/s.
@@ -55,8 +61,6 @@ fn accuracy_is_measured() {
             ");
     } else {
         insta::assert_snapshot!(plain_rows(&tables), @r"
-            Crank-slider (a.mech)
-
             Measured
              2 positions, compared with the same positions in double-double, whose own error is about 2e-31.
              Errors are the greatest over all positions: positions relative to 0.35 m, velocities relative to 35 m/s.
@@ -77,13 +81,19 @@ fn accuracy_is_measured() {
             ");
     }
     let svg = folder.read("a.svg");
-    assert!(svg.starts_with("<svg") && svg.contains("time, µs") && svg.contains(">double-double<"), "{svg}");
+    assert!(
+        svg.starts_with("<svg")
+            && svg.contains("What accuracy and effects cost")
+            && svg.contains("double-double"),
+        "{svg}"
+    );
     let out = assur(&folder, &["accuracy", "a.mech", "--format", "json", "--set", "r=120mm"]);
     let value: serde_json::Value = serde_json::from_str(&out.stdout).unwrap();
     assert_eq!(
         (&value["schema"], &value["reference"]),
         (&"assur.accuracy/1".into(), &"double-double".into())
     );
+    assert_eq!(value["summary"]["rows"][0]["file"], true, "{}", value["summary"]);
     let rows = value["knobs"][0]["settings"].as_array().unwrap();
     let names: Vec<&str> = rows.iter().filter_map(|r| r["setting"].as_str()).collect();
     let all = ["f32", "f64 in lanes", "f64", "double-double"];
@@ -105,7 +115,9 @@ find angle(bar), omega(bar)
 #[test]
 fn the_accuracy_of_a_motion_is_measured() {
     let folder = Folder::new("accuracy-of-runs").with("a.mech", FALLING);
-    let out = assur(&folder, &["accuracy", "a.mech", "--for", "1e-6", "--plot", "a.svg"]);
+    let short = assur(&folder, &["accuracy", "a.mech", "--for", "1e-6"]).stdout;
+    assert!(short.lines().count() <= 10 && short.contains("▸") && short.contains("--within 1e-"), "{short}");
+    let out = assur(&folder, &["accuracy", "a.mech", "--for", "1e-6", "--plot", "a.svg", "--details"]);
     assert_eq!((out.status, out.stderr.as_str()), (0, ""));
     for part in [
         "As `solve` does it: energy",
@@ -113,12 +125,27 @@ fn the_accuracy_of_a_motion_is_measured() {
         "Radau IIA of order 5",
         "in all runs",
         "reported",
-        "Write `within 1e-",
+        "an evaluation",
+        "measured",
+        "Recommended for ",
     ] {
         assert!(out.stdout.contains(part), "{part}: {}", out.stdout);
     }
     let svg = folder.read("a.svg");
-    assert!(svg.starts_with("<svg") && svg.contains("time, µs") && svg.contains(">Radau IIA<"), "{svg}");
+    assert!(
+        svg.starts_with("<svg") && svg.contains("time of the whole run, ") && svg.contains(">Radau IIA<"),
+        "{svg}"
+    );
+    // what is offered can be written
+    let out = assur(&folder, &["solve", "a.mech", "--within", "1e-8", "--method", "dop853", "--accuracy"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(
+        out.stdout.contains("integrated by DOP853") && out.stdout.contains("an error of 1e-8 took "),
+        "{}",
+        out.stdout
+    );
+    let by = |args: &[&str]| assur(&folder, &[&["solve", "a.mech", "--format", "csv"], args].concat()).stdout;
+    assert_ne!(by(&[]), by(&["--method", "radau"]));
     let out = assur(&folder, &["accuracy", "a.mech", "--format", "json"]);
     let value: serde_json::Value = serde_json::from_str(&out.stdout).unwrap();
     let knob = &value["knobs"][0];

@@ -4,7 +4,10 @@
 //! An error is the difference from the same motion with twice the digits, or, where closed forms do not make all of it, at
 //! the finest tolerances in other steps than those measured.
 
+use super::choice::Choice;
 use super::clock::{Clock, micros};
+use super::price::Price;
+use crate::model::Simulation;
 use crate::position::Model;
 use crate::solve::{Conduct, Failure, KINDS, Method, STATES, Solution, Trial, Trials};
 use std::hint::black_box;
@@ -20,8 +23,8 @@ const REFERENCES: [(f64, f64); 3] = [(1e-14, 333.0), (1e-13, 347.0), (1e-12, 361
 const MOST: usize = 100_000;
 /// The fastest of so many times.
 const REPEATS: usize = 3;
-/// Times are alike where the longer is no more than this times the shorter.
-const ALIKE: f64 = 1.03;
+/// A run that takes so long, s, is not repeated for its time.
+const LONG: f64 = 0.1;
 
 /// What accuracy costs in a motion.
 #[derive(Clone, Debug)]
@@ -40,10 +43,12 @@ pub struct RunStudy {
     pub reference: Method,
     /// Every method with its accuracies.
     pub methods: Vec<MethodStudy>,
+    /// The accuracy that the file asks for.
+    pub asked: f64,
     /// The error that is wanted.
     pub wanted: f64,
-    /// The cheapest accuracy that keeps it.
-    pub recommendation: Option<RunRow>,
+    /// What to ask for to keep it.
+    pub recommendation: Option<Choice>,
 }
 
 /// One method.
@@ -57,13 +62,17 @@ pub struct MethodStudy {
     pub rows: Vec<RunRow>,
     /// Its finer accuracies take too many steps.
     pub cut: bool,
+    /// What its evaluations take.
+    pub price: Price,
 }
 
 /// One accuracy.
 #[derive(Clone, Debug)]
 pub struct RunRow {
-    /// The accuracy asked for.
+    /// The loosest accuracy that has this run.
     pub within: f64,
+    /// The finest.
+    pub finest: f64,
     /// Accepted steps of the run that is printed.
     pub steps: usize,
     /// Rejected ones.
@@ -72,8 +81,10 @@ pub struct RunRow {
     pub printed: usize,
     /// Evaluations of all runs.
     pub evaluations: usize,
-    /// Microseconds of all runs, the estimate of the error among them.
+    /// Microseconds of all runs, the estimate of the error among them, by the [price](MethodStudy::price) of its evaluations.
     pub micros: f64,
+    /// What the clock said of them.
+    pub measured: f64,
     /// The greatest error.
     pub error: f64,
     /// The error of each kind.
@@ -93,18 +104,20 @@ pub struct RunRow {
 pub fn study_runs(
     model: &Model<'_>,
     solution: &Solution,
-    wanted: f64,
+    wanted: Option<f64>,
     clock: Clock,
     conduct: &Conduct<'_>,
 ) -> Result<Option<RunStudy>, Failure> {
+    let asked = model.mechanism.simulation.as_ref().and_then(|s| s.within).unwrap_or(Simulation::WITHIN);
     let Some(trials) = Trials::new(model, &solution.statics)? else { return Ok(None) };
     let Some(exact) = reference(&trials, conduct)? else { return Ok(None) };
+    let within = &accuracies(asked);
     let mut methods = Vec::new();
-    for asked in [None, Some(Method::Dop853), Some(Method::Radau)] {
+    for method in [None, Some(Method::Dop853), Some(Method::Radau)] {
         // by the solver's own choice it may be done already
         let own = methods.first().map(|own: &MethodStudy| own.method);
-        if asked != Some(Method::Dop853) || own == Some(Method::Energy) {
-            methods.push(measured(&trials, &exact, (asked, conduct), clock)?);
+        if method != Some(Method::Dop853) || own == Some(Method::Energy) {
+            methods.push(measured(&trials, &exact, (method, within, conduct), clock)?);
         }
     }
     let report = exact.trial.report();
@@ -116,10 +129,11 @@ pub fn study_runs(
         precise: exact.precise,
         reference: report.method,
         methods,
-        wanted,
+        asked,
+        wanted: wanted.unwrap_or(asked),
         recommendation: None,
     };
-    study.recommendation = study.cheapest(wanted);
+    study.recommendation = study.recommended();
     Ok(Some(study))
 }
 
@@ -156,7 +170,11 @@ fn reference(trials: &Trials<'_, '_>, conduct: &Conduct<'_>) -> Result<Option<Ex
 }
 
 /// A trial that does not take too many steps.
-fn bounded(trials: &Trials<'_, '_>, within: f64, conduct: Conduct<'_>) -> Result<Option<Trial>, Failure> {
+pub(super) fn bounded(
+    trials: &Trials<'_, '_>,
+    within: f64,
+    conduct: Conduct<'_>,
+) -> Result<Option<Trial>, Failure> {
     let (steps, reached) = (AtomicUsize::new(0), AtomicU64::new(0));
     let few = |time: f64, last: f64| {
         let before = f64::from_bits(reached.swap(time.to_bits(), Ordering::Relaxed));
@@ -174,41 +192,57 @@ fn greatest(errors: &[f64]) -> f64 {
     errors.iter().fold(0.0, |most, error| most.max(*error))
 }
 
+/// The accuracies that are tried, from coarse to fine: the file's own among them.
+fn accuracies(asked: f64) -> Vec<f64> {
+    let mut all: Vec<f64> = (FINEST..=COARSEST).map(|power| libm::pow(10.0, f64::from(power))).collect();
+    if all.iter().all(|within| (within / asked - 1.0).abs() > 1e-3) {
+        all.push(asked);
+    }
+    all.sort_by(|a, b| b.total_cmp(a));
+    all
+}
+
 /// One method to all accuracies.
 fn measured(
     trials: &Trials<'_, '_>,
     exact: &Exact,
-    (asked, conduct): (Option<Method>, &Conduct<'_>),
+    (asked, all, conduct): (Option<Method>, &[f64], &Conduct<'_>),
     clock: Clock,
 ) -> Result<MethodStudy, Failure> {
     let conduct = Conduct { method: asked, ..*conduct };
     let alone = Conduct { watch: None, ..conduct };
-    let mut study = MethodStudy { asked, method: Method::default(), rows: Vec::new(), cut: false };
+    let (method, rows, price) = (Method::default(), Vec::new(), Price::default());
+    let mut study = MethodStudy { asked, method, rows, cut: false, price };
     let mut last = None;
-    for power in (FINEST..=COARSEST).rev() {
-        let within = libm::pow(10.0, f64::from(power));
+    for &within in all {
+        let begun = clock();
         let Some(trial) = bounded(trials, within, conduct)? else {
             study.cut = true;
             break;
         };
+        let first = clock() - begun;
         let report = trial.report();
         study.method = report.method;
         // a looser accuracy may have been kept so well that this one is the same run
         let same = last.replace((report.steps, report.printed)) == Some((report.steps, report.printed));
-        if same && trial.is_kept() {
+        if let (true, true, Some(row)) = (same, trial.is_kept(), study.rows.last_mut()) {
+            row.finest = within;
             continue;
         }
         let each = trials.errors(&trial, &exact.trial);
         let error = greatest(&each);
         let time = |_| micros(clock, || drop(black_box(trials.run(within, &alone))));
-        let micros = (0..REPEATS).map(time).fold(f64::INFINITY, f64::min);
+        let repeats = if first > LONG { 0 } else { REPEATS };
+        let measured = (0..repeats).map(time).fold(first * 1e6, f64::min);
         study.rows.push(RunRow {
             within,
+            finest: within,
             steps: report.steps,
             rejected: report.rejected,
             printed: report.printed,
             evaluations: report.evaluations,
-            micros,
+            micros: measured,
+            measured,
             error: error.max(exact.floor),
             each,
             reported: report.error,
@@ -216,23 +250,7 @@ fn measured(
             missed: !trial.is_kept(),
         });
     }
+    study.price = Price::of(study.rows.iter().map(|row| (row.evaluations, row.measured)));
+    study.rows.iter_mut().for_each(|row| row.micros = study.price.time(row.evaluations));
     Ok(study)
-}
-
-impl RunStudy {
-    /// The cheapest accuracy, as the solver chooses the method, that keeps an error; of those that the clock cannot tell
-    /// apart the one whose error is least.
-    fn cheapest(&self, wanted: f64) -> Option<RunRow> {
-        let all = || self.methods.first().into_iter().flat_map(|method| &method.rows);
-        let kept = || all().filter(|row| row.error <= wanted && !row.missed);
-        let least = kept().map(|row| row.micros).fold(f64::INFINITY, f64::min);
-        let cheap = kept().filter(|row| row.micros <= ALIKE * least);
-        cheap.min_by(|a, b| a.error.total_cmp(&b.error)).cloned()
-    }
-
-    /// The row of the solver's own choice for an accuracy: the finest that is not finer.
-    #[must_use]
-    pub fn of_accuracy(&self, within: f64) -> Option<&RunRow> {
-        self.methods.first()?.rows.iter().rfind(|row| row.within >= within * 0.999)
-    }
 }

@@ -4,6 +4,7 @@
 //! An error is always the difference from a reference, never an estimate; [`Error`] says what it is relative to.
 
 mod answer;
+mod choice;
 mod error;
 #[cfg(feature = "lanes")]
 mod lanes;
@@ -12,9 +13,11 @@ mod study;
 mod within;
 
 pub use answer::Source;
+pub use choice::PositionChoice;
 pub use error::{Error, Scales};
 pub use setting::{Kind, NotApplicable, Row, Setting};
-pub use study::{AccuracyStudy, Recommendation, study};
+pub(super) use study::sampled;
+pub use study::{AccuracyStudy, study};
 pub use within::{AccuracyError, AchievedAccuracy, candidates, out_of_reach, reached, run_out_of_reach};
 
 /// Positions in a batch and the instructions they use on this machine; one by one without the feature `lanes`.

@@ -120,18 +120,6 @@ impl Kind {
         }
     }
 
-    /// The one tolerance of these settings that it sets.
-    pub(super) fn take(self, from: &Settings, into: &mut Settings) {
-        match self {
-            Self::Scalar => into.scalar = from.scalar,
-            Self::Friction => (into.friction, into.friction_step) = (from.friction, from.friction_step),
-            Self::Newton => into.newton = from.newton,
-            Self::Triad => into.triad = from.triad,
-            Self::Samples => into.samples = from.samples,
-            Self::Root => into.root = from.root,
-        }
-    }
-
     /// Why a plan has no use for its tolerances, if it has none.
     pub(super) fn absent(self, plan: &Plan) -> Option<&'static str> {
         let motion = |f: fn(&MotionStep) -> bool| plan.motion.iter().any(f);

@@ -1,11 +1,14 @@
 //! Every kind of setting of one problem, measured.
 
 use super::answer::{Answer, Source};
+use super::choice::{PositionChoice, choices, recommended};
 use super::error::{errors, scales};
 use super::setting::{Kind, NotApplicable, Row, Setting, not_closed};
 use super::{Error, Scales};
 use crate::math::Double;
 use crate::measure::clock::{Clock, micros};
+use crate::measure::cost::costs;
+use crate::measure::price::Price;
 use crate::plan::{Plan, Settings};
 use crate::solve::{DriveInput, Edge, Model, Replay, Solution, State, WholeCycle, over_cycle};
 use std::hint::black_box;
@@ -14,14 +17,14 @@ use std::hint::black_box;
 const MOST: usize = 360;
 /// ε of double-double.
 const DOUBLE: f64 = 4.0 * f64::EPSILON * f64::EPSILON;
-/// Times are alike where the longer is no more than this times the shorter.
-const ALIKE: f64 = 1.03;
 
 /// What accuracy costs in one problem.
 #[derive(Clone, Debug)]
 pub struct AccuracyStudy {
-    /// Number of positions.
+    /// Positions that were solved again.
     pub positions: usize,
+    /// Positions of the file.
+    pub count: usize,
     /// What answers are held against.
     pub source: Source,
     /// Its own error, estimated.
@@ -34,23 +37,16 @@ pub struct AccuracyStudy {
     pub knobs: Vec<Setting>,
     /// What cannot.
     pub absent: Vec<NotApplicable>,
+    /// Microseconds per position of each effect on top of those before it.
+    pub effects: Vec<(&'static str, f64)>,
+    /// What a sample of the functions over the sweep takes.
+    pub sample: Price,
+    /// What can be asked for: the file as it is first.
+    pub choices: Vec<PositionChoice>,
     /// The error that is wanted.
     pub wanted: f64,
-    /// The cheapest settings that keep it.
-    pub recommendation: Option<Recommendation>,
-}
-
-/// The cheapest settings for a wanted error.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Recommendation {
-    /// One setting of each kind.
-    pub settings: Vec<(Kind, String)>,
-    /// All of them together: microseconds per position, error.
-    pub together: Option<(f64, f64)>,
-    /// Microseconds per position as the solver stands.
-    pub full: f64,
-    /// The same per cycle: together, error, as the solver stands.
-    pub cycle: Option<(f64, f64, f64)>,
+    /// What to ask for to keep it.
+    pub recommendation: Option<usize>,
 }
 
 /// The positions of a problem with the reference.
@@ -99,12 +95,16 @@ pub fn study<'a>(model: &Model<'a>, solution: &'a Solution, wanted: f64, clock: 
     } / condition;
     let mut study = AccuracyStudy {
         positions: all.again.len(),
+        count: solution.poses.iter().filter(|pose| pose.outcome.is_ok()).count(),
         source,
         floor,
         scales,
         full,
         knobs: Vec::new(),
         absent: Vec::new(),
+        effects: Vec::new(),
+        sample: Price::default(),
+        choices: Vec::new(),
         wanted,
         recommendation: None,
     };
@@ -118,7 +118,9 @@ pub fn study<'a>(model: &Model<'a>, solution: &'a Solution, wanted: f64, clock: 
         }
     }
     over_the_cycle(model, &solution.statics, &mut study, clock);
-    study.recommendation = recommend(&mut all, &solution.statics, &study);
+    study.effects = effects(model, clock);
+    study.choices = choices(&mut all, &solution.statics, &study);
+    study.recommendation = recommended(&study.choices, wanted);
     study
 }
 
@@ -139,7 +141,7 @@ impl Measured<'_, '_> {
         all / count as f64
     }
 
-    fn with(&mut self, settings: Settings) -> (f64, f64) {
+    pub(super) fn with(&mut self, settings: Settings) -> (f64, f64) {
         let plan = Plan { settings, ..self.model.plan.clone() };
         (self.micros(&plan), self.error(&plan).greatest())
     }
@@ -225,12 +227,20 @@ fn power(tolerance: f64) -> String {
     format!("{tolerance:.0e}")
 }
 
+/// What each effect takes on top of those before it, µs.
+fn effects(model: &Model<'_>, clock: Clock) -> Vec<(&'static str, f64)> {
+    let found = costs(model, clock).ok().flatten();
+    found.map_or_else(Vec::new, |c| c.effects.into_iter().map(|(name, time)| (name, time * 1e6)).collect())
+}
+
 fn over_the_cycle(model: &Model<'_>, found: &WholeCycle, study: &mut AccuracyStudy, clock: Clock) {
     if found.cycles.is_empty() && found.flywheels.is_empty() {
         study.absent.push(NotApplicable { what: Kind::Samples.name(), why: "no functions over the cycle" });
         return;
     }
-    study.knobs.push(cycle_knob(model, found, Kind::Samples, clock));
+    let samples = cycle_knob(model, found, Kind::Samples, clock);
+    study.sample = Price::of(samples.rows.iter().filter_map(|row| Some((row.samples?, row.micros))));
+    study.knobs.push(samples);
     let mut splits = found.cycles.iter().map(|c| &c.splits).chain(found.flywheels.iter().map(|f| &f.splits));
     if splits.any(|s| !s.is_empty()) {
         study.knobs.push(cycle_knob(model, found, Kind::Root, clock));
@@ -246,7 +256,10 @@ fn cycle_knob(model: &Model<'_>, full: &WholeCycle, kind: Kind, clock: Clock) ->
     let floor = estimated(full);
     let row = |&tolerance: &f64| {
         let settings = kind.setting(tolerance);
-        let (micros, error, samples) = cycle(model, full, settings, clock);
+        let plan = Plan { settings, ..model.plan.clone() };
+        let plan = Model { plan: &plan, ..*model };
+        let micros = micros(clock, || drop(black_box(over_cycle(&plan, full))));
+        let (error, samples) = sampled(model, full, settings);
         let is_floor = error.is_some_and(|e| e < floor) || settings == Settings::FULL;
         let error = error.map(|e| e.max(floor));
         Row { setting: power(tolerance), samples, micros, error, is_floor, settings: Some(settings) }
@@ -254,20 +267,17 @@ fn cycle_knob(model: &Model<'_>, full: &WholeCycle, kind: Kind, clock: Clock) ->
     Setting { kind, rows: kind.tolerances().iter().map(row).collect() }
 }
 
-/// Time, error and samples of all functions over the sweep.
-fn cycle(
+/// Error and samples of all functions over the sweep.
+pub(in crate::measure) fn sampled(
     model: &Model<'_>,
     full: &WholeCycle,
     settings: Settings,
-    clock: Clock,
-) -> (f64, Option<f64>, Option<usize>) {
+) -> (Option<f64>, Option<usize>) {
     let plan = Plan { settings, ..model.plan.clone() };
-    let model = Model { plan: &plan, ..*model };
-    let micros = micros(clock, || drop(black_box(over_cycle(&model, full))));
-    let Ok(found) = over_cycle(&model, full) else { return (micros, None, None) };
+    let Ok(found) = over_cycle(&Model { plan: &plan, ..*model }, full) else { return (None, None) };
     let samples = found.cycles.iter().map(|c| c.samples).chain(found.flywheels.iter().map(|f| f.samples));
     let error = if settings == Settings::FULL { estimated(full) } else { cycle_error(&found, full) };
-    (micros, Some(error).filter(|e| e.is_finite()), samples.max())
+    (Some(error).filter(|e| e.is_finite()), samples.max())
 }
 
 /// The greatest difference over its scale.
@@ -292,51 +302,4 @@ pub(super) fn estimated(found: &WholeCycle) -> f64 {
     let known = found.cycles.iter().filter(|c| c.value.is_finite()).map(|c| over(c.error, c.scale));
     let wheels = found.flywheels.iter().map(|f| over(f.error, f.fluctuation));
     known.chain(wheels).fold(0.0, f64::max)
-}
-
-/// The cheapest setting of each kind that keeps the wanted error, and all of them together.
-fn recommend(
-    all: &mut Measured<'_, '_>,
-    statics: &WholeCycle,
-    study: &AccuracyStudy,
-) -> Option<Recommendation> {
-    let (mut settings, mut chosen) = (Settings::FULL, Vec::new());
-    let mut scalar = None;
-    for knob in &study.knobs {
-        // no setting of the program takes other scalars
-        let taken =
-            |r: &Row| knob.kind != Kind::Scalar || ["f64", "double-double"].contains(&r.setting.as_str());
-        let kept = || knob.rows.iter().filter(|r| taken(r) && r.error.is_some_and(|e| e <= study.wanted));
-        let least = kept().map(|r| r.micros).fold(f64::INFINITY, f64::min);
-        // of those that the clock cannot tell apart the most accurate
-        let error = |r: &Row| r.error.unwrap_or(f64::INFINITY);
-        let cheap = kept().filter(|r| r.micros <= ALIKE * least);
-        let row = cheap.min_by(|a, b| error(a).total_cmp(&error(b)))?;
-        chosen.push((knob.kind, row.setting.clone()));
-        match &row.settings {
-            Some(taken) => knob.kind.take(taken, &mut settings),
-            None => scalar = row.error.map(|e| (row.micros, e)),
-        }
-    }
-    let first = study.knobs.iter().find(|k| k.kind == Kind::Scalar);
-    let full = first.and_then(|k| k.rows.iter().find(|r| r.setting == "f64")).map_or(f64::NAN, |r| r.micros);
-    let closed = all.model.plan.is_batchable();
-    let double = chosen.iter().any(|(kind, name)| *kind == Kind::Scalar && name == "double-double");
-    let together = match first {
-        None => None,
-        Some(_) if closed || double => scalar,
-        Some(_) => {
-            let (micros, error) = all.with(settings);
-            Some((micros, error.max(study.floor)))
-        }
-    };
-    let cycle = study.knobs.iter().find(|k| k.kind == Kind::Samples).map(|knob| {
-        let (micros, error, _) = cycle(all.model, statics, settings, all.clock);
-        (
-            micros,
-            error.map_or(f64::INFINITY, |e| e.max(estimated(statics))),
-            knob.rows.last().map_or(f64::NAN, |r| r.micros),
-        )
-    });
-    Some(Recommendation { settings: chosen, together, full, cycle })
 }

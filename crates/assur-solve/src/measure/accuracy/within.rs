@@ -5,7 +5,6 @@
 
 use super::answer::{Answer, Source};
 use super::error::{errors, scales};
-use super::setting::Setting;
 use super::study::{AccuracyStudy, estimated};
 use crate::measure::runs::RunStudy;
 use crate::model::Mechanism;
@@ -117,11 +116,16 @@ pub fn reached(model: &Model<'_>, solution: &Solution, within: f64) -> AchievedA
     AchievedAccuracy { within, error, source, settings, positions: got.len() }
 }
 
+/// How many positions of so many are held against the reference.
+pub(super) fn checked(model: &Model<'_>, count: usize) -> usize {
+    if model.plan.is_batchable() { count } else { count.min(FEW) }
+}
+
 /// The positions that are held against the reference: all of them by closed forms; else, because it takes its time, a few:
 /// half of them evenly spread, half of them those of the least condition.
 fn held(model: &Model<'_>, solved: &[&Solved]) -> Vec<usize> {
     let count = solved.len();
-    if model.plan.is_batchable() || count <= FEW {
+    if checked(model, count) == count {
         return (0..count).collect();
     }
     let mut all: Vec<usize> = (0..count).collect();
@@ -150,9 +154,8 @@ impl AchievedAccuracy {
 /// What is said where no setting keeps what is wanted.
 #[must_use]
 pub fn out_of_reach(study: &AccuracyStudy, mechanism: &Mechanism) -> AccuracyError {
-    // each kind of setting by its best: the worst of them is what all together reach
-    let best = |knob: &Setting| knob.rows.iter().filter_map(|r| r.error).fold(f64::INFINITY, f64::min);
-    let reached = study.knobs.iter().map(best).fold(0.0, f64::max);
+    let reached =
+        study.choices.iter().filter(|c| c.can_be_had()).map(|c| c.error).fold(f64::INFINITY, f64::min);
     missed(mechanism, "--for", study.wanted, reached)
 }
 
