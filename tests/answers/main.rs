@@ -16,6 +16,7 @@ mod expressions;
 mod folder;
 mod formatted;
 mod geometry;
+mod great_numbers;
 mod jumps;
 mod large;
 mod methods;

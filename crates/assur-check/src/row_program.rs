@@ -2,6 +2,7 @@
 //! of its own place. They are those of `values::fold`, in the same order, so that a number comes out to the last bit as if it
 //! were read again.
 
+use crate::expr::read::LARGEST;
 use crate::values::row::Row;
 use assur_math::math::Vec2;
 use assur_model::model::{Axis, BinaryOp, Expr, Function, QuantityId, Value};
@@ -140,7 +141,8 @@ impl Program {
         self.registers.clear();
         for operation in &self.operations {
             let value = operation.value(&self.registers, row);
-            if !value.is_finite() {
+            // NaN too
+            if value.abs().partial_cmp(&LARGEST).is_none_or(std::cmp::Ordering::is_gt) {
                 return false;
             }
             self.registers.push(value);

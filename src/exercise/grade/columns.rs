@@ -4,13 +4,18 @@ use super::sheet::{NAMES, Quantity, Sheet};
 use crate::exercise::table::{Columns, TableError};
 use assur_syntax::document::Column;
 use assur_text::diagnostic::did_you_mean;
-use assur_text::source::Span;
+use assur_text::source::{Source, Span};
 use assur_text::units::{Dimension, Unit, lookup};
 
 /// Other words for the names of rows.
 const ALSO: [(&str, usize); 1] = [("problem", 0)];
 /// What names who answered: the first that is there counts.
 const PERSONS: [&str; 2] = ["student", "name"];
+
+/// So many columns that the key does not have are reported one by one.
+const FEW: usize = 5;
+/// So much of a header is shown with more of them.
+const SHOWN: usize = 160;
 
 /// What a column is.
 pub(super) enum Role {
@@ -31,7 +36,7 @@ impl Sheet {
         let named = |word: &&str| columns.iter().flatten().any(|c| is_person(c, word));
         let person = PERSONS.into_iter().find(named);
         let mut taken: Vec<(String, Span)> = Vec::new();
-        let mut roles = Vec::new();
+        let (mut roles, mut extra) = (Vec::new(), Vec::new());
         for column in columns {
             let role = column.and_then(|column| {
                 let role = match person.filter(|word| is_person(&column, word)) {
@@ -45,12 +50,13 @@ impl Sheet {
             });
             roles.push(match (role, key) {
                 (Err(error), Some(key)) if is_extra(&error, &self.header.text, key) => {
-                    self.left_out.push((self.header.clone(), Box::new(error)));
+                    extra.push(error);
                     Role::LeftOut
                 }
                 (role, _) => role?,
             });
         }
+        self.leave_out(extra);
         self.persons = person.is_some();
         let unknown = |error: &TableError| matches!(error, TableError::UnknownColumn { .. });
         match self.left_out.iter().find(|(_, error)| unknown(error)) {
@@ -58,6 +64,28 @@ impl Sheet {
             Some((_, error)) if self.quantities.is_empty() => Err((**error).clone()),
             _ => Ok(roles),
         }
+    }
+
+    /// Reports columns that the key does not have: each of a few, many as one.
+    fn leave_out(&mut self, extra: Vec<TableError>) {
+        if extra.len() <= FEW {
+            let each = extra.into_iter().map(|error| (self.header.clone(), Box::new(error)));
+            self.left_out.extend(each);
+            return;
+        }
+        let names = extra.iter().filter_map(|error| match error {
+            TableError::UnknownColumn { name, .. } => Some(name.as_str()),
+            _ => None,
+        });
+        let names = names.take(FEW).collect::<Vec<_>>().join("`, `");
+        let end = (0..=SHOWN).rev().find(|at| self.header.text.is_char_boundary(*at)).unwrap_or(0);
+        let text = self.header.text.get(..end).unwrap_or(&self.header.text).to_owned();
+        let error = TableError::UnknownColumn {
+            name: format!("{names}`, `…"),
+            help: format!("{} columns are not of the key: leave them out", extra.len()),
+            span: Span::new(0, text.len()),
+        };
+        self.left_out.push((Source::line(&self.header.name, text, 1), Box::new(error)));
     }
 
     fn role(

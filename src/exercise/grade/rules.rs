@@ -7,6 +7,9 @@ use assur_text::diagnostic::did_you_mean;
 /// The usual tolerance.
 const WITHIN: f64 = 0.03;
 
+/// Sums of more points are no numbers that anybody reads.
+const MOST_POINTS: f64 = 1e9;
+
 /// How answers are marked.
 #[derive(Clone, Debug)]
 pub struct Rules {
@@ -175,6 +178,6 @@ fn pair(item: &str) -> Option<(String, f64)> {
         Some(number) => (number.trim(), 0.01),
         None => (number.trim(), 1.0),
     };
-    let value = number.parse::<f64>().ok().filter(|x| x.is_finite())?;
+    let value = number.parse::<f64>().ok().filter(|x| x.abs() <= MOST_POINTS)?;
     (!name.trim().is_empty()).then(|| (name.trim().to_owned(), value * part))
 }

@@ -2,6 +2,7 @@
 
 use crate::error::RequestError;
 use crate::expr::context::Context;
+use crate::expr::read::TOO_LARGE;
 use crate::names::declared::QuantityKind;
 use crate::values::definition::Settled;
 use crate::values::replace;
@@ -29,6 +30,7 @@ pub fn constants(cx: &mut Context<'_>) {
             QuantityKind::Given(expr) | QuantityKind::Let(expr) if !results => match cx.read(expr) {
                 Some(t) if t.pending => Settled::Pending(t.ty),
                 Some(t) => replace::replaced(&cx.names, &cx.values, &mut cx.problems, &name, t)
+                    .and_then(|t| cx.finite(t, TOO_LARGE, expr.span))
                     .map_or(Settled::Failed, Settled::Constant),
                 None => Settled::Failed,
             },

@@ -15,6 +15,11 @@ use assur_text::units::{Dimension, Kind};
 /// The most operands in a row.
 const MOST: usize = 500;
 
+/// The largest number that is computed with, SI: products of three are numbers, and so are they in any unit.
+pub(crate) const LARGEST: f64 = 1e100;
+/// Why a larger one is an error.
+pub(crate) const TOO_LARGE: &str = "nothing can be computed with numbers beyond 1e100 in SI units";
+
 impl Context<'_> {
     /// Reads an expression. Everything wrong with it is reported.
     pub(crate) fn read(&mut self, expr: &Expr) -> Option<Typed> {
@@ -24,7 +29,10 @@ impl Context<'_> {
     pub(crate) fn read_signed(&mut self, expr: &Expr, sign: Sign) -> Option<Typed> {
         match &expr.kind {
             ExprKind::Number(number) if self.implied_product(number, expr.span) => None,
-            ExprKind::Number(number) => self.literal(number),
+            ExprKind::Number(number) => {
+                let read = self.literal(number)?;
+                self.finite(read, TOO_LARGE, expr.span)
+            }
             ExprKind::Name(name) => self.named(&Spanned::new(name.clone(), expr.span)),
             ExprKind::Member(base, part) => self.part(expr, base, part, sign),
             ExprKind::Call { function, args } => self.call(function, args, expr.span, sign),
@@ -339,17 +347,19 @@ impl Context<'_> {
         });
     }
 
-    /// Reports a constant that is no number.
+    /// Reports a constant that is no number, or too large for its powers to be some.
     pub(crate) fn finite(&mut self, t: Typed, why: &'static str, span: Span) -> Option<Typed> {
-        let fine = match t.value() {
-            Some(Value::Scalar(x)) => x.is_finite(),
-            Some(Value::Vector(v)) => v.x.is_finite() && v.y.is_finite(),
-            _ => true,
+        let greatest = match t.value() {
+            Some(Value::Scalar(x)) => x.abs(),
+            Some(Value::Vector(v)) => v.x.abs() + v.y.abs(),
+            _ => 0.0,
         };
-        if !fine {
-            self.error(UnitsError::NoValue { why, span, help: None });
+        if greatest <= LARGEST {
+            return Some(t);
         }
-        fine.then_some(t)
+        let why = if greatest.is_finite() { TOO_LARGE } else { why };
+        self.error(UnitsError::NoValue { why, span, help: None });
+        None
     }
 }
 

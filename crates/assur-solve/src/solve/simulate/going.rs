@@ -151,7 +151,7 @@ impl Going<'_, '_> {
             if let Err(ended) = self.step(equations, method, exactly) {
                 return ended;
             }
-            if is_endless(method, self.begin, last) {
+            if is_endless(method, self.begin, last) || method.counts().evaluations > self.pass.most {
                 return Ended::Halted(Halt::TooManySteps);
             }
             if !self.outputs.conduct.goes_on(method.t(), last) {

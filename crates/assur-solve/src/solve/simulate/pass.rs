@@ -8,6 +8,9 @@ pub(super) const SHORTER: f64 = 0.7;
 /// Those of the run after it are shorter by this, and so on in turn.
 const NEXT: f64 = 0.8;
 
+/// Evaluations of all runs over a motion.
+pub(super) const EVALUATIONS: usize = 12_000_000;
+
 /// One of the runs over a motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pass<'r> {
@@ -20,22 +23,24 @@ pub(super) struct Pass<'r> {
     pub before: Option<(&'r Trace, Fraction)>,
     /// What is much for each work, where a run before has shown it, J.
     pub works: &'r [f64],
+    /// It is given up after so many evaluations.
+    pub most: usize,
 }
 
 impl<'r> Pass<'r> {
     /// The first of several runs.
     pub const fn coarse(tolerance: f64) -> Self {
-        Self { tolerance, measures: true, shorter: 1.0, before: None, works: &[] }
+        Self { tolerance, measures: true, shorter: 1.0, before: None, works: &[], most: EVALUATIONS }
     }
 
     /// One run alone, in steps as long as those of the first of several.
     pub const fn in_long_steps(tolerance: f64) -> Self {
-        Self { tolerance, measures: false, shorter: 1.0, before: None, works: &[] }
+        Self { tolerance, measures: false, shorter: 1.0, before: None, works: &[], most: EVALUATIONS }
     }
 
     /// One run alone, in steps as short as those of the second of several.
     pub const fn in_short_steps(tolerance: f64) -> Self {
-        Self { tolerance, measures: false, shorter: SHORTER, before: None, works: &[] }
+        Self { tolerance, measures: false, shorter: SHORTER, before: None, works: &[], most: EVALUATIONS }
     }
 
     /// Whether an implicit method had taken over at an instant, s, in the run before.
@@ -47,6 +52,6 @@ impl<'r> Pass<'r> {
     pub fn finer(self, tolerance: f64, trace: &'r Trace, part: Option<Fraction>) -> Self {
         let shorter = if self.shorter == SHORTER { NEXT } else { SHORTER };
         let before = part.map(|part| (trace, part));
-        Self { tolerance, measures: false, shorter, before, works: &trace.works }
+        Self { tolerance, measures: false, shorter, before, works: &trace.works, ..self }
     }
 }

@@ -1,7 +1,7 @@
 //! Runs over the same motion, each finer than the one before, until the accuracy wanted is kept.
 
 use super::compare::{Compared, Kinds};
-use super::pass::Pass;
+use super::pass::{EVALUATIONS, Pass};
 use super::report::Method;
 use super::run::Run;
 use super::trace::Fraction;
@@ -25,8 +25,6 @@ const FINEST: f64 = 2e-15;
 const ROUNDING: f64 = 1e-11;
 /// After so many finer runs there in vain it is: one may be worse than the run before by chance.
 const IN_VAIN: usize = 2;
-/// Evaluations of all runs: no finer run is begun that would take more.
-const MOST: usize = 12_000_000;
 
 /// Runs in parts of the steps of the run before.
 #[derive(Clone, Copy)]
@@ -92,7 +90,7 @@ pub(super) fn until_kept(
             return (Found { run: runs.swap_remove(coarse), kinds: Kinds::default(), compared }, spent);
         }
         let hopeless = matches!(runs[coarse].stopped, Some((_, Halt::TooManySteps)));
-        if hopeless || spent + runs[coarse].counts.evaluations > MOST {
+        if hopeless || spent + runs[coarse].counts.evaluations > EVALUATIONS {
             break;
         }
         // how many rebounds there are depends on the tolerance, which halves make finer
@@ -100,6 +98,7 @@ pub(super) fn until_kept(
         let shorter = shorter(runs[coarse].method, loosely);
         let factor = shorter.map_or(wanted.clamp(STEP.0, STEP.1), |shorter| shorter.tolerance);
         let finer = (pass.tolerance * factor).max(FINEST);
+        pass.most = EVALUATIONS.saturating_sub(spent);
         let next = pass.finer(finer, &runs[coarse].trace, shorter.map(|shorter| shorter.part));
         let found = run(next);
         pass = Pass { before: None, works: &[], ..next };
@@ -131,10 +130,11 @@ pub(super) fn until_kept(
         let less = if error.is_finite() { wanted } else { FINER };
         pass = Pass::coarse((pass.tolerance * less / factor).max(FINEST / FINER));
         wanted = FINER;
-        if spent + fine.counts.evaluations > MOST {
+        if spent + fine.counts.evaluations > EVALUATIONS {
             break;
         }
-        let found = run(Pass { works: &fine.trace.works, ..pass });
+        let most = EVALUATIONS.saturating_sub(spent);
+        let found = run(Pass { works: &fine.trace.works, most, ..pass });
         runs.push(found);
         spent += runs[coarse + 2].counts.evaluations;
         kinds.clone_from(&runs[coarse + 2].kinds);

@@ -109,6 +109,7 @@ pub(super) fn run(
     drop(equations);
     while let Ended::Changed(to) = part.ended {
         going.changes.push((to.t, to.coordinates(begin.model)));
+        going.pass.most = pass.most.saturating_sub(part.counts.evaluations);
         let next = going.changed(begin, charts, &to);
         part = Part {
             counts: sum(part.counts, next.counts),
@@ -190,7 +191,7 @@ impl Going<'_, '_> {
         charts: &mut Charts<'_>,
         (t, y): (f64, &[f64]),
     ) -> Part {
-        let Pass { tolerance, measures, shorter, before, works } = self.pass;
+        let Pass { tolerance, measures, shorter, before, works, .. } = self.pass;
         let length = self.last - self.begin;
         self.corners = Corners::new(equations, AT_ONCE * length);
         equations.take_sides(t, y);
