@@ -30,6 +30,7 @@ mod renamed;
 mod resting;
 mod run_accuracy;
 mod simulation;
+mod starts;
 mod torsion_springs;
 mod unit;
 mod unused;

@@ -7,7 +7,7 @@ use crate::links::lookup::{is_pair, place_of_pair};
 use crate::motion::drive::coordinate;
 use crate::statements::lines::text;
 use assur_model::model;
-use assur_model::model::{Hint, HintKind, LinkPoint, PairId, PairKind, Positions};
+use assur_model::model::{Hint, HintKind, LinkPoint, PairId, PairKind, Positions, Query};
 use assur_syntax::document::{AssembleClause, CompareOp, Expr, Order, Path, Side, Statement};
 use assur_text::language::properties_of_pair;
 
@@ -62,7 +62,7 @@ fn near_with_dead(cx: &mut Context<'_>) {
     let near = near.map(|h| h.span).collect::<Vec<_>>();
     let dead = cx.builder.mech.drives.iter().find(|d| {
         let mut found = false;
-        let mut look = |e: &model::Expr| e.queries(&mut |_| found = true);
+        let mut look = |e: &model::Expr| e.queries(&mut |query| found |= !matches!(query, Query::Time));
         match &d.positions {
             Positions::None | Positions::Numbers(_) => {}
             Positions::List(values) => values.iter().for_each(look),

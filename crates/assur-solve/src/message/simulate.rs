@@ -1,12 +1,13 @@
 //! Sentences about a motion under loads that cannot go on.
 
+use super::clause::clause;
 use super::error::SolveError;
-use super::format::{four, label, labels, links, with_unit};
+use super::format::{four, label, labels, length, links, short, with_unit};
 use super::opens::opens;
 use super::simulate_error::SimulateError;
-use crate::model::{Drive, PairId};
-use crate::position::Model;
-use crate::solve::{Halt, NoCycle};
+use crate::model::{Drive, DriveTarget, PairId};
+use crate::position::{Model, turns};
+use crate::solve::{Clause, Halt, NoCycle};
 use crate::source::Span;
 use crate::units::Dimension;
 
@@ -20,10 +21,15 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
     let simulation = model.mechanism.simulation.as_ref();
     let span = simulation.map_or_else(Span::default, |s| s.span);
     let end = instant(simulation.map_or(time, |s| s.to));
+    let at = time;
     let time = instant(time);
     SolveError::Simulate(match halt {
-        Halt::Dead { group, condition } => dead(model, *group, Some(*condition), time),
-        Halt::Open { group } => dead(model, *group, None, time),
+        Halt::Dead { group, condition } => dead(model, *group, Some(*condition), at),
+        Halt::Open { group } => dead(model, *group, None, at),
+        Halt::NoRate { drive, other, value } => no_rate(model, *drive, (*other, *value)),
+        Halt::TwoMotions { drive, value, rate, group, ways } => {
+            two_motions(model, (*drive, *value, *rate), (*group, ways))
+        }
         Halt::NoInertia => no_inertia(model, time),
         Halt::Jam => jam(model, time),
         Halt::Opens { pair, bond } => opens(model, (*pair, *bond), time),
@@ -33,6 +39,7 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
         Halt::StopsAtOnce { stops } => stops_at_once(model, stops, time),
         Halt::Shaken { stop } => shaken(model, *stop, time),
         Halt::RubsOnDriven => return rubs_on_driven(model),
+        Halt::NothingFree => return nothing_free(model),
         Halt::NotANumber => {
             let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
             SimulateError::NoValue { time, labels: loads.collect() }
@@ -90,7 +97,7 @@ fn starts<'m>(model: &Model<'m>) -> impl Iterator<Item = &'m Drive> {
     model.mechanism.drives.iter().filter(|d| d.free)
 }
 
-fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: String) -> SimulateError {
+fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: f64) -> SimulateError {
     let group = &model.structure.motion[group];
     let mut all = labels(model, group, "in a dead position");
     all.extend(starts(model).map(|d| label("started here", d.span)));
@@ -100,13 +107,64 @@ fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: String) -
     } else {
         "no other coordinates move it past this place"
     };
+    let at_start = model.mechanism.simulation.as_ref().is_some_and(|s| s.from == time);
+    let time = with_unit(model, time, Dimension::TIME);
+    let help = if at_start {
+        format!("{passed}: start the motion farther from it")
+    } else {
+        format!("{passed}: let `simulate` end before {time}")
+    };
     SimulateError::Dead {
         group: links(model, group),
         condition: condition.map_or_else(|| "0".into(), four),
-        help: format!("{passed}: let `simulate` end before {time}"),
+        help,
         time,
         labels: all,
     }
+}
+
+/// `start crank = 30 deg at 1 rad/s`
+fn start_line(model: &Model<'_>, name: &str, (turns, value, rate): (bool, f64, Option<f64>)) -> String {
+    let value = if turns { format!("{} deg", short(value.to_degrees())) } else { length(model, value) };
+    let dimension = if turns { Dimension::ANGULAR_VELOCITY } else { Dimension::VELOCITY };
+    match rate {
+        Some(0.0) => format!("start {name} = {value}"),
+        Some(rate) => format!("start {name} = {value} at {}", with_unit(model, rate, dimension)),
+        None => format!("start {name} = {value} at {}", if turns { "1 rad/s" } else { "0.1 m/s" }),
+    }
+}
+
+fn no_rate(model: &Model<'_>, drive: usize, (other, value): (DriveTarget, f64)) -> SimulateError {
+    let mechanism = model.mechanism;
+    let drive = &mechanism.drives[drive];
+    let name = match other {
+        DriveTarget::Link(link) | DriveTarget::Point(link, _) => &mechanism.link(link).name,
+        DriveTarget::Pair(pair) => &mechanism.pair(pair).name,
+    };
+    let turns = turns(model, &Drive { target: other, ..drive.clone() });
+    let line = start_line(model, name, (turns, value, None));
+    let help =
+        format!("start what can move there, as in `{line}`, or leave out the speed of `{}`", drive.name);
+    SimulateError::NoRate { name: drive.name.clone(), help, span: drive.span }
+}
+
+fn two_motions(
+    model: &Model<'_>,
+    (drive, value, rate): (usize, f64, f64),
+    (group, ways): (usize, &[Clause]),
+) -> SimulateError {
+    let drive = &model.mechanism.drives[drive];
+    let line = start_line(model, &drive.name, (turns(model, drive), value, Some(rate)));
+    let ways: Vec<String> = ways.iter().map(|way| format!("\n  {}", clause(model, way))).collect();
+    let group = &model.structure.motion[group];
+    let links = links(model, group);
+    let help = format!(
+        "start a little beside it, and choose how {links} stand there: write\n  {line}\nand one of{}",
+        ways.concat()
+    );
+    let mut all = labels(model, group, "in line");
+    all.push(label("starts in a change point", drive.span));
+    SimulateError::TwoMotions { name: drive.name.clone(), help, labels: all }
 }
 
 fn rubbing(model: &Model<'_>, text: &str) -> Vec<miette::LabeledSpan> {
@@ -174,6 +232,13 @@ fn rubs_on_driven(model: &Model<'_>) -> SolveError {
     let what =
         "friction between links that a drive moves against each other, next to a load `against motion` in a motion under loads,".to_owned();
     SolveError::NotSupportedYet { what, labels: rubbing(model, "rubs") }
+}
+
+fn nothing_free(model: &Model<'_>) -> SolveError {
+    let mut labels = rubbing(model, "rubs");
+    labels.extend(model.mechanism.stops.iter().map(|stop| label("bounds what is driven", stop.span)));
+    let what = "friction, losses of transmissions or a stop in a motion that drives give alone,".to_owned();
+    SolveError::NotSupportedYet { what, labels }
 }
 
 fn no_inertia(model: &Model<'_>, time: String) -> SimulateError {

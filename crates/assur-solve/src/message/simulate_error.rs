@@ -24,6 +24,32 @@ pub enum SimulateError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// A start with a speed in a dead position of its coordinate.
+    #[error("`{name}` can have no speed where it starts: it is in its dead position there")]
+    #[diagnostic(code(mech::simulate::dead_position))]
+    NoRate {
+        /// The coordinate.
+        name: String,
+        /// What to write.
+        #[help]
+        help: String,
+        /// The start.
+        #[label("no motion of the links gives it this speed")]
+        span: Span,
+    },
+    /// A start in a change point.
+    #[error("two motions begin where `{name}` starts, and nothing says which is meant")]
+    #[diagnostic(code(mech::simulate::two_motions))]
+    TwoMotions {
+        /// The coordinate.
+        name: String,
+        /// The lines that choose one.
+        #[help]
+        help: String,
+        /// The start, and the pairs of the group.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
     /// A free coordinate that moves no mass.
     #[error("nothing resists the acceleration of {coordinates} at {time}: {what} without inertia")]
     #[diagnostic(code(mech::simulate::no_inertia))]

@@ -5,7 +5,7 @@ use super::gap::GroupGap;
 use super::refusal::Refusal;
 use crate::answer::{LeftCurve, NoExtreme, NoFlywheel, NoSweep};
 use crate::language::Function;
-use crate::model::{Bond, PairId};
+use crate::model::{Bond, DriveTarget, PairId};
 use crate::position::Wanted;
 use crate::structure::{BodyId, Group, Structure};
 
@@ -125,12 +125,36 @@ pub enum Halt {
         /// Index into [`Structure::motion`].
         group: usize,
     },
+    /// A coordinate starts with a speed in its dead position.
+    NoRate {
+        /// Index into [`crate::model::Mechanism::drives`].
+        drive: usize,
+        /// A coordinate that has a speed there, and its value.
+        other: DriveTarget,
+        /// rad or m.
+        value: f64,
+    },
+    /// A start in a change point.
+    TwoMotions {
+        /// Index into [`crate::model::Mechanism::drives`].
+        drive: usize,
+        /// A value beside it, rad or m, where the motions are told apart, and the rate that is written.
+        value: f64,
+        /// rad/s or m/s.
+        rate: f64,
+        /// Index into [`Structure::motion`]: a group that changes.
+        group: usize,
+        /// What chooses each motion.
+        ways: Vec<Clause>,
+    },
     /// A free coordinate moves no mass.
     NoInertia,
     /// Friction admits no acceleration of a free coordinate, or one in either sense.
     Jam,
     /// Drives move links against each other that rub.
     RubsOnDriven,
+    /// Nothing is free, and something rubs or there is a stop.
+    NothingFree,
     /// Friction would hold a cam on its follower, so that they roll on each other.
     Rolls {
         /// Which.

@@ -255,6 +255,7 @@ pub const CODES: &[Code] = codes! {
     "solve" / "undecided",
     "solve" / "no_centre",
     "simulate" / "dead_position",
+    "simulate" / "two_motions",
     "simulate" / "no_inertia",
     "simulate" / "no_value",
     "simulate" / "too_many_steps",

@@ -16,11 +16,11 @@ pub(super) fn look(cx: &mut Context<'_>, simulate: Span) {
     balances(cx);
 }
 
-/// Reports a motion without any free coordinate.
+/// Reports a motion in which nothing is free, unless expressions of `time` say it.
 fn starts_or_drives(cx: &mut Context<'_>, span: Span) {
     let bad = |s: &Statement| matches!(s, Statement::Start(_) | Statement::Bad(_));
     let written = cx.doc.statements.iter().any(|s| bad(&s.node));
-    if written || cx.builder.mech.drives.iter().any(|d| d.free) {
+    if written || cx.builder.mech.drives.iter().any(|d| d.free || d.of_time) {
         return;
     }
     let drives = &cx.builder.mech.drives;

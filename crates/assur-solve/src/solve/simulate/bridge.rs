@@ -3,7 +3,7 @@
 //! There the formulas divide nothing by nothing, yet all that moves is a smooth function of the coordinate. It is taken from
 //! regular positions on both sides, by Chebyshev's series over a short way.
 
-use super::change::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point, put_numbers};
+use super::change::{CHANGES, CLOSE, FARTHEST, REACH, SMOOTH, WIDTH, change_point, put_numbers};
 use super::equations::Equations;
 use crate::math::Vec2;
 use crate::math::chebyshev::{NODES, Nodes, add_rows, polynomials, tail};
@@ -14,8 +14,10 @@ use crate::position::{BodyState, Branch, Motion, State};
 pub(super) struct Bridge {
     low: f64,
     high: f64,
-    /// The sense in which it is gone.
+    /// The sense in which it lies from where it was found.
     ahead: f64,
+    /// The motion begins on it, and may go away from the change point.
+    beside: bool,
     /// The assemblies before it and behind it.
     below: Vec<Branch>,
     above: Vec<Branch>,
@@ -28,8 +30,20 @@ pub(super) struct Bridge {
 }
 
 impl Bridge {
-    /// Over the change point ahead of where the present step begins, if there is one; `ahead` is the sense of the motion.
-    pub fn ahead(equations: &Equations<'_, '_>, value: f64, ahead: f64) -> Option<Self> {
+    /// Over the change point near where the present step begins: ahead in the sense of the motion, or so close behind that the formulas
+    /// have lost digits.
+    pub fn near(equations: &Equations<'_, '_>, value: f64, sense: f64) -> Option<Self> {
+        let towards = |side: f64| Self::towards(equations, value, side);
+        let ahead = if sense == 0.0 { None } else { towards(sense) };
+        if ahead.is_some() || equations.condition() >= CLOSE {
+            return ahead;
+        }
+        let beside = [1.0, -1.0].into_iter().filter_map(towards).find(|bridge| bridge.covers(value))?;
+        Some(Self { beside: true, ..beside })
+    }
+
+    /// Over the change point on this side of where the present step begins, if there is one.
+    fn towards(equations: &Equations<'_, '_>, value: f64, ahead: f64) -> Option<Self> {
         let plan = equations.model.plan;
         let rubs = equations.mode.is_some() || equations.slipping.is_some();
         if rubs || !equations.reduced.is_alone() || plan.goes_on() {
@@ -62,8 +76,14 @@ impl Bridge {
             };
             if let Some(series) = smooth(positions, equations.extent()) {
                 let numbers = vec![0.0; series[0].len()];
-                let conditions = equations.here().1.motion.conditions.clone();
-                return Some(Self { low, high, ahead, below, above, series, conditions, numbers });
+                let here = equations.here().1;
+                let conditions = if equations.condition() < CLOSE {
+                    at(change - ahead * reach, &here.branches)?.motion.conditions
+                } else {
+                    here.motion.conditions.clone()
+                };
+                let beside = false;
+                return Some(Self { low, high, ahead, beside, below, above, series, conditions, numbers });
             }
             reach *= 0.5;
         }
@@ -87,7 +107,8 @@ impl Bridge {
 
     /// Whether it is of no use at a value: passed, or not gone over.
     pub fn is_left(&self, q: f64) -> bool {
-        self.is_behind(q) || (q - 0.5 * (self.low + self.high)).abs() > FARTHEST
+        let left = self.beside && !self.covers(q);
+        left || self.is_behind(q) || (q - 0.5 * (self.low + self.high)).abs() > FARTHEST
     }
 
     /// Moves the bodies at a value of the coordinate, for a unit rate of it.

@@ -11,8 +11,10 @@ pub(super) const FARTHEST: f64 = 2.0 * REACH;
 pub(super) const SMOOTH: f64 = 1e-11;
 /// Groups below this |σ| at the change point have their assemblies in one there.
 pub(super) const CHANGES: f64 = 1e-3;
-/// The change point is known well enough below this.
-const FOUND: f64 = 1e-6;
+/// The change point is known well enough below this; nearer to it nothing tells on which side of it links stand.
+pub(super) const FOUND: f64 = 1e-6;
+/// Below this |σ| the formulas have lost digits on either side of it.
+pub(super) const CLOSE: f64 = 1e-2;
 /// The way to it is gone in so many steps at most, each leaving a tenth.
 const STEPS: usize = 16;
 const PART: f64 = 0.9;
@@ -49,12 +51,12 @@ pub(super) fn change_point(
         let here = sigma(&state);
         let slope = (here - before.1) / (q - before.0);
         let to_go = -here / slope;
-        if here < FOUND {
-            return Some((q, state));
-        }
         // it falls ahead, and not far away
         if to_go.is_nan() || to_go * ahead <= 0.0 || (q + to_go - value).abs() > FARTHEST {
             return None;
+        }
+        if here < FOUND {
+            return Some((q, state));
         }
         before = (q, here);
         q += PART * to_go;

@@ -1,8 +1,10 @@
 //! The choice of the free coordinates: those of the starts, until a group comes near a dead position of them.
 
+use super::change::FOUND;
 use super::chart::{Chart, standing};
 use super::equations::Equations;
 use super::slipping::Held;
+use super::starting;
 use crate::answer::{PoseAnswers, WholeCycle};
 use crate::model::{DriveTarget, LinkId, PairId, PairKind};
 use crate::position::{Model, Reduced, State, extent, turns};
@@ -151,7 +153,9 @@ impl<'w> Charts<'w> {
         let mut unknowns = y.to_vec();
         let mut inputs = State { motion: here.motion.clone(), ..State::default() };
         equations.inputs_at(t, y, &mut inputs.motion);
-        let rests = inputs.motion.inputs.iter().all(|input| input.rate == 0.0);
+        // what the formulas say there of rates is nothing
+        let dead = equations.condition() < FOUND;
+        let rests = dead || inputs.motion.inputs.iter().all(|input| input.rate == 0.0);
         for (i, &drive) in free.iter().enumerate() {
             let target = model.mechanism.drives[drive].target;
             let (value, rate, _) = measured(&view, target)?;
@@ -163,11 +167,22 @@ impl<'w> Charts<'w> {
         }
         equations.inputs_at(t, &unknowns, &mut inputs.motion);
         let bodies = &here.motion.bodies;
-        let state = standing(&model, &inputs, bodies)?;
+        let mut state = standing(&model, &inputs, bodies)?;
         let mut moved = state.clone();
         let mut reduced = Reduced::new(model.plan, free.to_vec(), !equations.reduced.is_alone());
         reduced.run_motion(model.plan, &mut moved);
         let speed = speed(&model, &reduced);
+        if dead {
+            if moved.motion.conditions.iter().any(|condition| condition.abs() < FOUND) {
+                return None;
+            }
+            let before = &equations.model.mechanism.drives;
+            let before: Vec<DriveTarget> = free.iter().map(|&drive| before[drive].target).collect();
+            let told = (self.statics, angles);
+            let rates = starting::rates(&model, told, (&reduced, moved), (&before, &y[n..2 * n]))?;
+            unknowns[n..2 * n].copy_from_slice(&rates);
+            equations.inputs_at(t, &unknowns, &mut state.motion);
+        }
         let (angles, closed) = (angles.to_vec(), equations.closed.clone());
         let held = equations.slipping.as_ref().map(|slipping| slipping.held_in(equations.model.plan));
         Some(Change { chart, t, y: unknowns, state, angles, closed, held, speed })
@@ -183,7 +198,7 @@ impl Change {
 }
 
 /// A unit of a coordinate: an angle of 1, or the extent.
-const fn unit(target: DriveTarget, extent: f64) -> f64 {
+pub(super) const fn unit(target: DriveTarget, extent: f64) -> f64 {
     match target {
         DriveTarget::Pair(_) => extent,
         DriveTarget::Link(_) | DriveTarget::Point(..) => 1.0,

@@ -221,12 +221,20 @@ impl<'a, 's> Equations<'a, 's> {
 
     /// The greatest angular velocity of a body, rad/s, where the present step begins.
     pub fn fastest_accepted(&self) -> f64 {
-        fastest(&self.accepted.1)
+        self.fastest_in(&self.accepted.1)
     }
 
     /// The same at another instant; nothing where the equations have no value.
     pub fn fastest(&mut self, t: f64, y: &[f64]) -> f64 {
-        if self.observe(t, y, false) { fastest(&self.trial) } else { 0.0 }
+        if self.observe(t, y, false) { self.fastest_in(&self.trial) } else { 0.0 }
+    }
+
+    fn fastest_in(&self, state: &State) -> f64 {
+        // where nothing is free no step is short for its error: what is at rest for an instant turns soon
+        let prescribed = self.order() == 0;
+        let soon = |alpha: f64| if prescribed { alpha.abs().sqrt() } else { 0.0 };
+        let turning = state.motion.bodies.iter().map(|body| body.omega.abs().max(soon(body.alpha)));
+        turning.fold(0.0, f64::max)
     }
 
     /// Why the equations have no value where the last step ended: the group nearest to a dead position, or the last cause met.
@@ -374,11 +382,6 @@ impl System<f64> for Equations<'_, '_> {
         self.accepted.2.clone_from(&self.angles);
         self.walk_begins(y[0]);
     }
-}
-
-/// The greatest angular velocity of a body, rad/s.
-fn fastest(state: &State) -> f64 {
-    state.motion.bodies.iter().map(|body| body.omega.abs()).fold(0.0, f64::max)
 }
 
 /// The inputs of all drives at an instant, s, so long after the first one, from what they say there and from the unknowns.

@@ -1,6 +1,7 @@
 //! A run on its way: step after step, with what happens and what is wanted within each.
 
 use super::bonds::Bonds;
+use super::change::CLOSE;
 use super::compare::Kinds;
 use super::coordinates::{CAREFUL, Change, Charts};
 use super::corners::Corners;
@@ -27,6 +28,8 @@ const LOOKED_AT: usize = 20_000;
 const TURN: f64 = std::f64::consts::PI;
 /// The same where what is looked at is drawn, and events are known.
 const DRAWN: f64 = 2.0 * TURN;
+/// The same where nothing is free, and no error bounds the steps: what is passed is to be seen.
+const PRESCRIBED: f64 = 0.25;
 /// So many are never done.
 const ENDLESS: f64 = 2e7;
 /// Nor are so many, where a tenth of them are done.
@@ -294,7 +297,11 @@ impl Going<'_, '_> {
         }
         self.looked_at = condition;
         let Some(found) = charts.better(equations, y) else {
-            equations.cross(y);
+            if equations.cross(y) && condition < CLOSE {
+                // what the formulas have said here has few digits
+                equations.forget();
+                equations.accepted(t, y);
+            }
             return None;
         };
         self.looked_at = CAREFUL / AGAIN;
@@ -353,14 +360,19 @@ impl Going<'_, '_> {
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) -> Result<(), Undefined> {
-        if !self.watch.comes_again {
+        let free = equations.order() > 0;
+        if free && !self.watch.comes_again {
             return Ok(());
         }
         let (from, to) = (method.previous_t(), method.t());
         let before = equations.fastest_accepted();
         let after = equations.fastest(to, method.y());
         let turned = (to - from) * before.max(after);
-        let most = self.pass.shorter * if self.watch.drawn { DRAWN } else { TURN };
+        let most = match self.watch.drawn {
+            _ if !free => PRESCRIBED,
+            true => self.pass.shorter * DRAWN,
+            false => self.pass.shorter * TURN,
+        };
         if turned > most {
             method.shorten(equations, from + (to - from) * (most / turned))?;
         }

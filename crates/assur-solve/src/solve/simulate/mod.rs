@@ -49,6 +49,7 @@ mod sizes;
 mod sliding;
 mod slipping;
 mod standing;
+mod starting;
 mod steady;
 mod stop;
 mod strike;

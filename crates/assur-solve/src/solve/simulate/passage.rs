@@ -48,10 +48,10 @@ pub(super) struct Passage {
 }
 
 impl Passage {
-    /// Over the change point ahead of where the present step begins, if there is one in the way of a free coordinate.
+    /// Over the change point ahead of where the present step begins, if there is one in the way of a coordinate.
     pub fn near(plan: &Plan, reduced: &Reduced, here: &State, extent: f64) -> Option<Self> {
         let mut found: Option<(f64, Self)> = None;
-        for &drive in reduced.free() {
+        for drive in moving(reduced, here) {
             let value = here.motion.inputs[drive].value;
             for ahead in [1.0, -1.0] {
                 let mut state = here.clone();
@@ -256,4 +256,12 @@ impl Passage {
 fn set(state: &mut State, drive: usize, value: f64) {
     let input = &mut state.motion.inputs[drive];
     (input.value, input.place) = (value, Vec2::direction(value));
+}
+
+/// The slots of the drives that move along a coordinate, free ones among them.
+fn moving(reduced: &Reduced, here: &State) -> Vec<usize> {
+    let inputs = here.motion.inputs.iter().enumerate();
+    let driven = inputs.filter(|(_, input)| input.rate != 0.0 || input.acceleration != 0.0).map(|(i, _)| i);
+    let driven = driven.filter(|drive| !reduced.free().contains(drive));
+    reduced.free().iter().copied().chain(driven).collect()
 }

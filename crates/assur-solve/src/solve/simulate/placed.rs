@@ -20,7 +20,8 @@ impl Equations<'_, '_> {
         for (&drive, a) in self.reduced.free().iter().zip(accelerations) {
             self.trial.motion.inputs[drive].acceleration = *a;
         }
-        self.move_bodies(y[0]);
+        // where nothing is free there is no coordinate
+        self.move_bodies(y.first().copied().unwrap_or_default());
         if self.model.plan.effects.forces {
             self.evaluate_loads(t);
             self.trial.run_loads_and_forces(self.model, &self.evaluated);
@@ -90,9 +91,10 @@ impl Equations<'_, '_> {
 
     /// Goes over a change point, if there is one ahead of where the present step begins.
     pub fn cross(&mut self, y: &[f64]) -> bool {
-        if !self.reduced.is_alone() && self.passage.is_none() {
+        if !self.reduced.is_alone() {
             let plan = self.model.plan;
-            if self.mode.is_some() || self.slipping.is_some() || plan.goes_on() {
+            let rubs = self.mode.is_some() || self.slipping.is_some();
+            if rubs || plan.goes_on() || self.passage.is_some() {
                 return false;
             }
             let (t, here, _) = self.here();
@@ -101,8 +103,9 @@ impl Equations<'_, '_> {
             self.passage = Passage::near(plan, &self.reduced, &here, self.extent()).map(Box::new);
             return self.passage.is_some();
         }
-        if self.bridge.is_none() && y[1] != 0.0 {
-            self.bridge = Bridge::ahead(self, y[0], y[1].signum()).map(Box::new);
+        if self.bridge.is_none() {
+            let sense = if y[1] == 0.0 { 0.0 } else { y[1].signum() };
+            self.bridge = Bridge::near(self, y[0], sense).map(Box::new);
             return self.bridge.is_some();
         }
         false

@@ -199,6 +199,7 @@ impl Going<'_, '_> {
         let fewest = self.outputs.conduct.steps;
         let rubs = equations.mode.is_some() || equations.slipping.is_some();
         let rests = self.wakes && (rubs || !equations.model.mechanism.stops.is_empty());
+        let rests = rests || equations.order() == 0;
         let least = if rests { AT_REST.max(fewest) } else { fewest };
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
         self.longest = (least > 0.0).then_some(shorter / SHORTER * length / least);
@@ -384,6 +385,10 @@ const fn sum(a: Counts, b: Counts) -> Counts {
 
 /// Chooses how a coordinate that rubs begins.
 fn start(equations: &mut Equations<'_, '_>, first: f64, y: &mut [f64]) -> Result<(), Halt> {
+    let stops = !equations.model.mechanism.stops.is_empty();
+    if equations.order() == 0 && (stops || equations.model.plan.effects.loses()) {
+        return Err(Halt::NothingFree);
+    }
     if equations.mode.is_some() {
         if equations.rests_together(first, y) {
             return equations.choose_mode(first, y);

@@ -11,6 +11,7 @@ use super::refining::{Found, until_kept};
 use super::report::SimulationReport;
 use super::run::{Run, run};
 use super::setup::{Begin, at_rest, begin, outputs, scales};
+use super::starting;
 use super::steady::steady;
 use crate::answer::{CycleAnswer, WholeCycle};
 use crate::math::lobatto::Short;
@@ -107,6 +108,9 @@ pub(crate) fn trajectory(
     let at_rest = at_rest(model);
     let still = at_rest.as_ref().map(|(mechanism, plan)| Model { mechanism, plan, ..*model });
     begin.still = still.as_ref();
+    let mut charts = Charts::new(model, statics);
+    let halted = |halt| Cause::Halted { time: simulation.from, halt };
+    starting::look(&begin, &mut charts).map_err(halted)?;
     let steady = match simulation.steady {
         Some(after) => {
             let found = steady(&begin, simulation, after);
@@ -124,7 +128,6 @@ pub(crate) fn trajectory(
     if let Some(Steady::Cycle(event)) = simulation.steady {
         outputs.guard = Some((event, f64::INFINITY));
     }
-    let mut charts = Charts::new(model, statics);
     let run = |pass: Pass<'_>| run(&begin, &mut charts, pass, &outputs, simulation.to);
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
     let scales = scales(&begin.equations());
