@@ -118,7 +118,8 @@ fn parallelograms_start_close_to_a_line() {
             let apart = (g + r * c.cos() - r * a.cos()).hypot(r * c.sin() - r * a.sin());
             assert!((apart - g).abs() < 1e-8, "{pose:?}\n{text}");
         }
-        assert!(values.iter().any(|pose| (pose[0] - pose[1]).sin().abs() > 0.1), "{values:?}");
+        // its cranks turn against each other
+        assert!(values.iter().all(|pose| pose[2] * pose[3] < 0.0), "{values:?}");
     }
 }
 
@@ -141,7 +142,8 @@ fn equal_slider_cranks_keep_to_their_assembly() {
         assert!(words.is_empty(), "{words}\n{text}");
         let together = (side == "ahead of") == (angle > 90.0);
         let omega = 5.0_f64;
-        for [crank, place, rod, energy] in values.iter().map(|pose| <[f64; 4]>::try_from(&pose[..]).unwrap()) {
+        for [crank, place, rod, energy] in values.iter().map(|pose| <[f64; 4]>::try_from(&pose[..]).unwrap())
+        {
             if together {
                 let expected = angle.to_radians() + omega * (crank - angle.to_radians()) / omega;
                 assert!(place.abs() < 1e-9 && (rod - omega).abs() < 1e-7, "{crank} {place} {rod} {expected}");
@@ -163,7 +165,9 @@ fn what_is_impossible_in_a_dead_centre_is_said() {
         let dead = if i % 2 == 0 { rod + crank } else { rod - crank };
         let text = text
             .replace("A-B 100 mm", &format!("A-B {crank} mm"))
-            .replace("B-C 300 mm", &format!("B-C {rod} mm"));
+            .replace("B-C 300 mm", &format!("B-C {rod} mm"))
+            // two assemblies that rounding alone sets apart
+            .replace("assemble C ahead of B", "assemble C ahead of B, B left of A-C");
         let with = |start: &str| text.replace("start D = 400 mm at 50 m/s", start);
         let speed = 0.1 + 10.0 * random();
         let (values, words) = solved(&with(&format!("start D = {dead} mm at {speed} m/s")));
@@ -172,7 +176,8 @@ fn what_is_impossible_in_a_dead_centre_is_said() {
         assert!(!values.is_empty() && !words.contains("no speed"), "{words}");
         // what the help offers runs, from there
         let angle = if i % 2 == 0 { "0 deg" } else { "180 deg" };
-        let (values, words) = solved(&with(&format!("start crank = {angle} at 1 rad/s")));
+        let crank = with(&format!("start crank = {angle} at 1 rad/s")).replace(", B left of A-C", "");
+        let (values, words) = solved(&crank);
         assert!(words.is_empty() && (values[0][1] - 1.0).abs() < 1e-12, "{words}");
         assert!((values[0][4] - dead * 1e-3).abs() < 1e-12, "{values:?}");
     }
@@ -220,7 +225,10 @@ fn drives_by_time_alone_give_a_motion() {
             let slider = slope(angle) * acceleration + bend * rate * rate;
             // the power of the torque is what speeds up and what the force takes
             let expected = (0.01 + 0.01) * acceleration + slope(angle) * (slider + 100.0);
-            assert!((place - slide(angle)).abs() < 1e-12 && (rod - turning).abs() < 1e-11, "{pose:?}\n{text}");
+            assert!(
+                (place - slide(angle)).abs() < 1e-12 && (rod - turning).abs() < 1e-11,
+                "{pose:?}\n{text}"
+            );
             assert!((torque - expected).abs() < 1e-5, "{torque} {expected}\n{text}");
             assert!((work + 100.0 * (slide(angle) - slide(at(0.0)))).abs() < 1e-7, "{work}\n{text}");
             assert!((most - greatest).abs() < 1e-8, "{most} {greatest}\n{text}");
@@ -239,7 +247,8 @@ fn four_bars_driven_by_time_are_those_of_a_sweep() {
 link c D-C {rocker} m\nrevolute A: ground - a\nrevolute B: a - b\nrevolute C: b - c
 revolute D: ground - c\nassemble C left of B-D\nfind angle(c), omega(c), alpha(c)\n"
         );
-        let driven = format!("{links}drive a = {a} deg + {b} deg*sin({c} rad/s*time)\nsimulate 1 s in 5 steps\n");
+        let driven =
+            format!("{links}drive a = {a} deg + {b} deg*sin({c} rad/s*time)\nsimulate 1 s in 5 steps\n");
         let (values, words) = solved(&driven);
         assert!(words.is_empty() && values.len() == 6, "{words}\n{driven}");
         for (i, pose) in values.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! The choice of the free coordinates: those of the starts, until a group comes near a dead position of them.
 
-use super::change::FOUND;
+use super::change::{CLOSE, FOUND};
 use super::chart::{Chart, standing};
 use super::equations::Equations;
 use super::slipping::Held;
@@ -172,10 +172,13 @@ impl<'w> Charts<'w> {
         let mut reduced = Reduced::new(model.plan, free.to_vec(), !equations.reduced.is_alone());
         reduced.run_motion(model.plan, &mut moved);
         let speed = speed(&model, &reduced);
+        // near a change point others are no better
+        let least = if dead { FOUND } else { CLOSE };
+        let near = equations.condition() < CLOSE;
+        if near && moved.motion.conditions.iter().any(|condition| condition.abs() < least) {
+            return None;
+        }
         if dead {
-            if moved.motion.conditions.iter().any(|condition| condition.abs() < FOUND) {
-                return None;
-            }
             let before = &equations.model.mechanism.drives;
             let before: Vec<DriveTarget> = free.iter().map(|&drive| before[drive].target).collect();
             let told = (self.statics, angles);
