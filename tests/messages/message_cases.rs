@@ -50,7 +50,12 @@ const CASES: &[(&str, usize, &str, &[&str])] = &[
         &["two links that do not move against each other are one"],
     ),
     ("use3/messages/several-masses-on-a-link", 1, "geometry::stated_twice", &["a link has one mass"]),
-    ("use3/messages/revolute-with-point-of-wrong-name", 1, "name::unknown", &["as the point `B` of `crank`: write `crank.B`"]),
+    (
+        "use3/messages/revolute-with-point-of-wrong-name",
+        1,
+        "name::unknown",
+        &["as the point `B` of `crank`: write `crank.B`"],
+    ),
     ("messages/name-with-hyphen", 1, "syntax::other_word", &["write: link 1 left_arm  A-B 900 mm"]),
     ("messages/name-with-space", 1, "syntax::other_word", &["write: link 3 right_arm D-C 950 mm"]),
     ("messages/column-without-unit", 1, "unit::missing", &["write `P [kN]`"]),
