@@ -83,6 +83,21 @@ pub enum ExpectError {
         #[label("expected here")]
         span: Span,
     },
+    /// A function over the sweep or the motion that `find` asks for does not exist.
+    #[error("`{text}` is not defined: {why}")]
+    #[diagnostic(code(mech::expect::undefined))]
+    NoAnswer {
+        /// The quantity.
+        text: String,
+        /// Why not.
+        why: String,
+        /// Where.
+        #[label("asked for here")]
+        span: Span,
+        /// A cause to check.
+        #[help]
+        help: &'static str,
+    },
     /// The value does not exist.
     #[error("`{text}` is not defined{pose}{}", why.as_ref().map(|w| format!(": {w}")).unwrap_or_default())]
     #[diagnostic(code(mech::expect::undefined))]

@@ -2,8 +2,10 @@
 
 use super::compare::{bound, equal, is_within};
 use super::error::ExpectError;
-use super::undefined::{not_happened, truth, why_undefined, without_cycle};
-use assur_model::model::{At, Comparison, Display, Expect, Expr, Occasion, Relation, Tolerance, Value};
+use super::undefined::{not_happened, truth, why_undefined, without_cycle, without_function};
+use assur_model::model::{
+    At, Comparison, Display, Expect, Expr, Find, FindKind, Occasion, Relation, Tolerance, Value,
+};
 use assur_solve::message::failure;
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, PoseOrigin, Solution, State, compare};
 use assur_text::source::Span;
@@ -48,7 +50,10 @@ pub fn evaluate(model: &Model<'_>, solution: &Solution) -> (Vec<Outcome>, Vec<Ex
             key.errors.push(error);
         }
     }
-    (key.outcomes, ExpectError::of_failed_poses(key.errors))
+    let answers = key.answers();
+    let mut errors = ExpectError::of_failed_poses(key.errors);
+    errors.extend(answers);
+    (key.outcomes, errors)
 }
 
 struct Key<'a> {
@@ -59,6 +64,20 @@ struct Key<'a> {
 }
 
 impl<'a> Key<'a> {
+    /// The functions over the sweep that `find` asks for and that do not exist, as far as no expectation names them.
+    fn answers(&self) -> Vec<ExpectError> {
+        let (model, solution) = (self.model, self.solution);
+        let expected = |name: &str| model.mechanism.expects.iter().any(|expect| expect.text == name);
+        let answer = |find: &Find| {
+            let FindKind::Value { expr, .. } = &find.kind else { return None };
+            let why = without_function(model, solution, expr).filter(|_| !expected(&find.name))?;
+            let help =
+                "look at the poses there, or ask over a shorter sweep on which the quantity is defined";
+            Some(ExpectError::NoAnswer { text: find.name.clone(), why, span: find.span, help })
+        };
+        model.mechanism.finds.iter().filter_map(answer).collect()
+    }
+
     fn expect(&mut self, index: usize, expect: &Expect) -> Result<(), ExpectError> {
         if expect.poseless {
             return self.without_pose(expect);

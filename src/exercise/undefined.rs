@@ -57,6 +57,24 @@ pub fn why_undefined(model: &Model<'_>, expr: &Expr) -> Option<String> {
     why
 }
 
+/// Why a function over the sweep or the motion in an expression has none where its part of it exists.
+pub(super) fn without_function(model: &Model<'_>, solution: &Solution, expr: &Expr) -> Option<String> {
+    let mut why = None;
+    expr.parts(&mut |part| {
+        why = why.take().or_else(|| match part {
+            Expr::Quantity(id) => {
+                let quantity = model.mechanism.quantities.get(id.index())?;
+                without_function(model, solution, &quantity.expr)
+            }
+            Expr::Query(Query::Cycle(index)) => {
+                solution.statics.cycles.get(*index)?.why.map(|why| undefined(model, why))
+            }
+            _ => None,
+        });
+    });
+    why
+}
+
 /// Why a function over the sweep in an expression has no value.
 pub(super) fn without_cycle(model: &Model<'_>, solution: &Solution, expr: &Expr) -> Option<String> {
     let mut why = None;

@@ -86,10 +86,11 @@ impl<S: Scalar> State<S> {
         sum
     }
 
-    /// The greatest force times the greatest velocity of a joint, W.
+    /// The greatest force times the greatest velocity of a joint, W; where that is nothing but rounding, times what would be one.
     #[cfg_attr(in_one, inline(always))]
     pub(super) fn most_power(&self, checks: &Checks) -> S {
-        let (mut force, mut moment, mut speed, mut turn) = (S::zero(), S::zero(), S::zero(), S::zero());
+        let (mut force, mut moment) = (S::zero(), S::zero());
+        let (mut speed, mut turn, mut reach) = (S::zero(), S::zero(), S::zero());
         for w in &self.forces.applied {
             force = force.max(square(w.force));
             moment = moment.max(w.moment.abs());
@@ -104,8 +105,12 @@ impl<S: Scalar> State<S> {
             let body = &self.motion.bodies[slot];
             speed = speed.max(square(body.velocity(at)));
             turn = turn.max(body.omega.abs());
+            reach = reach.max(square(body.p));
         }
-        (force.sqrt() * speed.sqrt() + moment * turn).max(S::of(f64::MIN_POSITIVE))
+        let force = force.sqrt();
+        let (most, whole) = (force * speed.sqrt() + moment * turn, force * reach.sqrt() * turn);
+        let is_rounding = most.lt(whole * S::of(64.0 * f64::EPSILON));
+        S::select(is_rounding, whole, most).max(S::of(f64::MIN_POSITIVE))
     }
 }
 
