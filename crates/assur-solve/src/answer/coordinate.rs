@@ -53,7 +53,7 @@ impl PoseAnswers<'_> {
     }
 
     /// First and second link of a revolute of two links.
-    fn hinge(&self, pair: PairId) -> Option<(LinkId, LinkId)> {
+    pub(super) fn hinge(&self, pair: PairId) -> Option<(LinkId, LinkId)> {
         match &self.mechanism.pair(pair).kind {
             PairKind::Revolute(pins) => Some((pins.first()?.link, pins.get(1)?.link)),
             _ => None,

@@ -94,7 +94,7 @@ impl PoseAnswers<'_> {
 
     /// The greatest velocity and the greatest angular velocity, each at least what the other makes of it over the size of
     /// the mechanism: where all links only shift, their angular velocities are rounding.
-    fn fastest(&self) -> (f64, f64) {
+    pub(super) fn fastest(&self) -> (f64, f64) {
         let most = |of: fn(&crate::position::BodyState) -> f64| {
             self.state.motion.bodies.iter().map(of).fold(0.0, f64::max)
         };

@@ -58,7 +58,7 @@ impl PoseAnswers<'_> {
     }
 
     /// The elements of friction of a pair with their values: torque or force on the element's body.
-    fn elements(&self, pair: PairId) -> impl Iterator<Item = (&FrictionElement, f64)> + '_ {
+    pub(super) fn elements(&self, pair: PairId) -> impl Iterator<Item = (&FrictionElement, f64)> + '_ {
         let places = self.plan.friction_of.places(pair).iter();
         places.filter_map(|&i| Some((&self.plan.friction[i], *self.state.forces.frictions.get(i)?)))
     }

@@ -19,6 +19,7 @@ mod locking;
 mod number_columns;
 mod pose_answers;
 mod pose_numbers;
+mod power_size;
 mod pressure_angle;
 mod sharing;
 mod sides;

@@ -26,6 +26,9 @@ pub const STATES: usize = 8;
 /// Differences of this part of what a kind could be are rounding.
 const ROUNDING: f64 = 1e-15;
 
+/// Works differ by rounding of both runs.
+const SAME: f64 = 2.0;
+
 /// What a run has found.
 #[derive(Clone, Copy)]
 pub(in crate::solve) struct Outcome<'r> {
@@ -110,7 +113,8 @@ impl Compared {
             let of = |records: &Records, index: usize| records.works(index)[id];
             let greatest = (0..both).map(|i| of(fine, i).abs()).fold(0.0, f64::max);
             let difference = (0..both).map(|i| (of(coarse, i) - of(fine, i)).abs()).fold(0.0, f64::max);
-            self.look(if difference == 0.0 { 0.0 } else { difference / greatest }, STATES + 2);
+            let same = difference <= SAME * fine.nothing[id];
+            self.look(if same { 0.0 } else { difference / greatest }, STATES + 2);
         }
     }
 

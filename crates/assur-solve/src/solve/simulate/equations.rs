@@ -61,7 +61,7 @@ pub(super) struct Equations<'a, 's> {
     /// Memory for the values of the file's quantities, where loads name them.
     pub quantities: Option<Vec<Value>>,
     /// The same for what is looked at.
-    pub named: Vec<Value>,
+    pub memory: Vec<Value>,
     pub evaluated: Vec<(LoadId, Value)>,
     /// What is not smooth in the loads, on the sides where the present step begins.
     pub switches: Vec<Switch<'a>>,
@@ -126,7 +126,7 @@ impl<'a, 's> Equations<'a, 's> {
             goes_on: model.plan.goes_on(),
             walk: None,
             quantities: loads_name_quantities(model.mechanism).then(Vec::new),
-            named: Vec::new(),
+            memory: Vec::new(),
             evaluated: Vec::new(),
             switches: Vec::new(),
             held: false,

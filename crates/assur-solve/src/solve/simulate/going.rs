@@ -188,7 +188,7 @@ impl Going<'_, '_> {
                 self.kinds.measure(equations);
             }
             self.trace.note(method.t(), method.counts().shortened);
-            self.recorder.look(method.y()[2 * equations.order()]);
+            self.recorder.look(equations, method);
             let here = method.t() + self.at_once();
             let happened = happened.filter(|h| h.time <= here);
             let turned = turned.is_some_and(|t| t <= method.t());

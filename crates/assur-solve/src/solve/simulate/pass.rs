@@ -21,8 +21,8 @@ pub(super) struct Pass<'r> {
     pub shorter: f64,
     /// The run before, of whose steps an explicit method takes a part.
     pub before: Option<(&'r Trace, Fraction)>,
-    /// What is much for each work, where a run before has shown it, J.
-    pub works: &'r [f64],
+    /// What is much for each work and what is nothing, where a run before has shown it, J.
+    pub works: &'r [(f64, f64)],
     /// It is given up after so many evaluations.
     pub most: usize,
 }

@@ -52,6 +52,8 @@ pub(crate) struct Records {
     pub numbers: Vec<f64>,
     /// Works, as many numbers each as are asked for.
     pub works: Vec<f64>,
+    /// What is zero but for rounding of each of them over the whole run, J.
+    pub nothing: Vec<f64>,
     /// What closed stops bear, as many numbers each as there are stops.
     pub stops: Vec<f64>,
     /// How the elements of friction move, where that is known.
@@ -113,11 +115,20 @@ impl Records {
     }
 }
 
+/// Of what works are made of, forces times speeds, this part is rounding.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// Keeps what is wanted at an instant.
 pub(super) struct Recorder {
     records: Records,
+    /// What the terms of all powers came to by the begin of the last step, J.
+    sizes: Vec<f64>,
+    /// Their sizes in it, W, and at its end.
+    powers: Vec<[f64; 2]>,
     y: Vec<f64>,
     dy: Vec<f64>,
+    /// The length of the last step, s.
+    length: f64,
     goes_on: bool,
     begin: Option<f64>,
     end: f64,
@@ -131,8 +142,11 @@ impl Recorder {
         let order = equations.order();
         Self {
             records: Records { order, bodies: equations.model.plan.bodies, ..Records::default() },
+            sizes: vec![0.0; equations.model.mechanism.works.len()],
+            powers: vec![[0.0; 2]; equations.model.mechanism.works.len()],
             y: equations.start(),
             dy: equations.start(),
+            length: 0.0,
             goes_on: equations.model.plan.goes_on(),
             begin: None,
             end: 0.0,
@@ -176,7 +190,9 @@ impl Recorder {
         }
         records.given.push(given.map(|(given, _)| Box::new(given)));
         records.assemblies.push(equations.assemblies());
-        records.works.extend_from_slice(&self.y[2 * n + 1..]);
+        let nothing = nothing(&self.sizes, &self.powers, time - method.previous_t());
+        let known = |(work, nothing): (&f64, f64)| if work.abs() <= nothing { 0.0 } else { *work };
+        records.works.extend(self.y[2 * n + 1..].iter().zip(nothing).map(known));
         records.stops.extend_from_slice(&equations.trial.motion.stops);
         records.grips.push(equations.grips());
         records.angles.extend_from_slice(&equations.angles);
@@ -196,16 +212,32 @@ impl Recorder {
         self.exchanged = self.exchanged.max(kinetic).max(self.work.abs());
     }
 
-    /// The work of the loads up to the end of a step.
-    pub fn look(&mut self, work: f64) {
-        self.exchanged = self.exchanged.max(work.abs());
+    /// Works up to the end of a step.
+    pub fn look<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &M) {
+        self.exchanged = self.exchanged.max(method.y()[2 * self.records.order].abs());
+        if self.sizes.is_empty() || !equations.observe(method.t(), method.y(), true) {
+            return;
+        }
+        let length = method.t() - method.previous_t();
+        for (id, (size, [power, at_end])) in self.sizes.iter_mut().zip(&mut self.powers).enumerate() {
+            *size += self.length * *power;
+            let before = std::mem::replace(at_end, equations.power_size(id));
+            *power = at_end.max(before);
+        }
+        self.length = length;
     }
 
-    pub fn end(self) -> (Records, Energy) {
+    pub fn end(mut self) -> (Records, Energy) {
+        self.records.nothing = nothing(&self.sizes, &self.powers, self.length).collect();
         let balance = if self.exchanged > 0.0 { self.missing / self.exchanged } else { 0.0 };
         let energy = Energy { begin: self.begin.unwrap_or(0.0), end: self.end, work: self.work, balance };
         (self.records, energy)
     }
+}
+
+/// What is rounding of works some time after the begin of a step, s.
+fn nothing<'a>(sizes: &'a [f64], powers: &'a [[f64; 2]], after: f64) -> impl Iterator<Item = f64> + 'a {
+    sizes.iter().zip(powers).map(move |(size, [power, _])| ROUNDING * (size + after * power))
 }
 
 /// The unknowns at an instant within the last step, or at one of its ends; `false` where there are none.

@@ -68,7 +68,7 @@ pub(super) fn until_kept(
     let mut runs = vec![run(pass)];
     let mut spent = runs[0].counts.evaluations;
     let works = std::mem::take(&mut runs[0].trace.works);
-    if alone.is_none() && runs[0].method != Method::Energy && works.iter().any(|much| *much > 0.0) {
+    if alone.is_none() && runs[0].method != Method::Energy && works.iter().any(|(much, _)| *much > 0.0) {
         // only now it is known what is much for them
         runs[0] = run(Pass { works: &works, ..pass });
         spent += runs[0].counts.evaluations;

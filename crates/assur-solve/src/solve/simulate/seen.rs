@@ -21,14 +21,25 @@ impl Equations<'_, '_> {
         }
     }
 
+    /// The size of the terms that one of these powers is made of, the greater the nearer a dead position is.
+    pub fn power_size(&mut self, id: usize) -> f64 {
+        let power = &self.model.mechanism.works[id];
+        self.named(|view| view.power_size(power)) / self.condition()
+    }
+
     /// The value of an expression in the state that is observed.
     pub fn value(&mut self, expr: &Expr) -> f64 {
-        let memory = std::mem::take(&mut self.named);
+        self.named(|view| view.scalar(expr))
+    }
+
+    /// What is seen with the quantities of the file in that state.
+    fn named<R>(&mut self, look: impl FnOnce(&PoseAnswers<'_>) -> R) -> R {
+        let memory = std::mem::take(&mut self.memory);
         let view = self.view();
         let quantities = view.all_quantities_in(memory);
-        let value = PoseAnswers { quantities: &quantities, ..view }.scalar(expr);
-        self.named = quantities;
-        value
+        let found = look(&PoseAnswers { quantities: &quantities, ..view });
+        self.memory = quantities;
+        found
     }
 
     /// The values of the loads that depend on the state, on the sides of their corners where the step begins.

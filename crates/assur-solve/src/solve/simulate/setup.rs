@@ -136,14 +136,14 @@ fn placed(state: State, known: &State) -> State {
 /// is much for them. The work of all loads is not judged.
 pub(super) fn allowed(
     equations: &Equations<'_, '_>,
-    (tolerance, works): (f64, &[f64]),
+    (tolerance, works): (f64, &[(f64, f64)]),
     length: f64,
 ) -> Tolerance<f64> {
     let scales = scales(equations);
     let coordinates = scales.iter().map(|scale| (DIGITS, tolerance * scale));
     let rates = scales.iter().map(|scale| (tolerance, tolerance * scale / length));
-    let work =
-        |id: usize| works.get(id).filter(|much| **much > 0.0).map_or(f64::MAX, |much| tolerance * much);
+    let known = |id: usize| works.get(id).filter(|(much, _)| *much > 0.0);
+    let work = |id| known(id).map_or(f64::MAX, |(much, nothing)| (tolerance * much).max(*nothing));
     let works = (0..equations.model.mechanism.works.len()).map(|id| (0.0, work(id)));
     let each: Vec<(f64, f64)> = coordinates.chain(rates).chain([(0.0, f64::MAX)]).chain(works).collect();
     Tolerance::each(&each)

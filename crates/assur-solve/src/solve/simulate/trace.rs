@@ -49,8 +49,8 @@ pub(super) struct Trace {
     ends: Vec<(f64, bool)>,
     /// Steps that something had ended.
     ended: usize,
-    /// The greatest magnitude of each work, J.
-    pub works: Vec<f64>,
+    /// The greatest magnitude of each work, and what is zero of it but for rounding, J.
+    pub works: Vec<(f64, f64)>,
     /// When an implicit method took over, s.
     pub stiff: Option<f64>,
 }
@@ -78,7 +78,8 @@ impl Trace {
     pub fn with_works(self, records: &Records) -> Self {
         let count = if records.count > 0 { records.works(0).len() } else { 0 };
         let greatest = |id: usize| (0..records.count).map(|i| records.works(i)[id].abs()).fold(0.0, f64::max);
-        Self { works: (0..count).map(greatest).collect(), ..self }
+        let works = (0..count).map(|id| (greatest(id), records.nothing[id]));
+        Self { works: works.collect(), ..self }
     }
 
     /// The length of a step from an instant, s, that is this part of the one here; `next` is the place of its end, which goes on.
