@@ -60,6 +60,10 @@ pub(super) struct Going<'m, 'o> {
     pub outputs: &'o Outputs<'o>,
     /// The next of the instants that are known beforehand.
     pub next: usize,
+    /// The last instant that was printed at the end of a step.
+    pub printed: f64,
+    /// What is wanted at the end of the run is kept.
+    kept_end: bool,
     /// The first instant and the last, s.
     pub begin: f64,
     pub last: f64,
@@ -117,6 +121,8 @@ impl<'m, 'o> Going<'m, 'o> {
             corners: Corners::new(equations, AT_ONCE * (last - begin)),
             outputs,
             next: 0,
+            printed: f64::NEG_INFINITY,
+            kept_end: false,
             begin,
             last,
             worst_condition: (1.0, begin),
@@ -196,8 +202,10 @@ impl Going<'_, '_> {
             let touched = self.stops.passed(equations, method, (touched, here));
             self.watch.begin();
             self.ended_by = self.watch.look(equations, method, happened);
-            let mut done = self.ended_by.is_some() || method.t() >= last;
-            // within the step it moves as before
+            // where the motion jumps what is wanted then is what was before
+            let jumps = turned || touched.is_some();
+            let by = if jumps { here } else { method.t() };
+            let mut done = self.ended_by.is_some() || by >= last;
             if !self.keep_within(equations, method) {
                 return Ended::Halted(equations.halt());
             }
@@ -206,6 +214,10 @@ impl Going<'_, '_> {
             }
             let mut y = Vec::new();
             if turned {
+                if !self.keep(equations, method, (by, done)) {
+                    return Ended::Halted(equations.halt());
+                }
+                self.watch.begin();
                 y.extend_from_slice(method.y());
                 match self.turn(equations, method.t(), &mut y) {
                     Ok(ended) => self.ended_by = self.ended_by.or(ended),
@@ -216,7 +228,7 @@ impl Going<'_, '_> {
             if equations.stands() {
                 self.watch.rests();
             }
-            if !self.keep(equations, method, done) {
+            if !self.keep(equations, method, (by, done)) {
                 return Ended::Halted(equations.halt());
             }
             if done {
@@ -320,33 +332,35 @@ impl Going<'_, '_> {
         kept
     }
 
-    /// Keeps all that is wanted at the end of the last step, events that happened there among it.
+    /// Keeps all that is wanted at the end of the last step and up to an instant as good as there, s, events that happened there
+    /// among it.
     pub fn keep<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
-        done: bool,
+        (by, done): (f64, bool),
     ) -> bool {
-        let mut printed = f64::NAN;
         let mut kept = true;
-        while let Some(output) = self.outputs.known.get(self.next).filter(|output| output.0 <= method.t()) {
+        while let Some(output) = self.outputs.known.get(self.next).filter(|output| output.0 <= by) {
             kept &= self.recorder.keep(equations, method, *output);
             if output.1 == Origin::Printed {
-                printed = output.0;
+                self.printed = output.0;
             }
             self.next += 1;
         }
         let here = method.t();
         // the end of the run is printed, wherever it is
-        if printed != here && (done || (self.watch.any_happened() && self.outputs.prints_events)) {
+        if self.printed < here && (done || (self.watch.any_happened() && self.outputs.prints_events)) {
             kept &= self.recorder.keep(equations, method, (here, Origin::Printed));
+            self.printed = here;
         }
         for &(event, which, expect) in &self.outputs.events {
             if self.watch.happened(event) && self.watch.times[event].len() == which {
                 kept &= self.recorder.keep(equations, method, (here, Origin::Expected(expect)));
             }
         }
-        for &expect in self.outputs.end.iter().filter(|_| done) {
+        let ends = done && !std::mem::replace(&mut self.kept_end, done);
+        for &expect in self.outputs.end.iter().filter(|_| ends) {
             kept &= self.recorder.keep(equations, method, (here, Origin::Expected(expect)));
         }
         kept

@@ -163,7 +163,8 @@ impl Recorder {
         method: &mut M,
         (time, origin): (f64, Origin),
     ) -> bool {
-        if !within_step(equations, method, time, &mut self.y) {
+        let end = method.t();
+        if !within_step(equations, method, time.min(end), &mut self.y) {
             return false;
         }
         // at a corner loads are what the file says there

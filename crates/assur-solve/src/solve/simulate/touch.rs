@@ -74,7 +74,10 @@ impl Going<'_, '_> {
         let ended = ended.or(self.note_held(equations, t));
         self.watch.moves_again(equations.model.mechanism, &kept);
         self.ended_by = ended;
-        if self.watch.any_happened() && !self.keep(equations, method, ended.is_some()) {
+        let here = method.t();
+        // how it goes on is printed too
+        self.printed = f64::NEG_INFINITY;
+        if self.watch.any_happened() && !self.keep(equations, method, (here, ended.is_some())) {
             return Err(equations.halt());
         }
         let (t, y) = (method.t(), method.y().to_vec());
