@@ -3,6 +3,7 @@
 use super::equations::Equations;
 use super::functions::OverRun;
 use super::records::Records;
+use super::sizes::Sizes;
 use crate::position::BodyState;
 
 /// Kinds of results whose errors are judged apart.
@@ -23,8 +24,13 @@ pub const KINDS: [&str; 12] = [
 /// Those of them that bodies and reactions have.
 pub const STATES: usize = 8;
 
-/// Differences of this part of what a kind could be are rounding.
-const ROUNDING: f64 = 1e-15;
+/// Rounding of positions, directions, velocities, accelerations and forces grows by this power of the condition.
+const GROWS: [i32; STATES] = [1, 1, 2, 2, 3, 3, 3, 3];
+/// The exponents of length, mass and time of each kind.
+const DIMENSIONS: [[i8; 3]; STATES] =
+    [[1, 0, 0], [0, 0, 0], [1, 0, -1], [0, 0, -1], [1, 0, -2], [0, 0, -2], [1, 1, -2], [2, 1, -2]];
+/// Rounding is not said to grow more than by this condition.
+const LEAST_CONDITION: f64 = 1e-3;
 
 /// Works differ by rounding of both runs.
 const SAME: f64 = 2.0;
@@ -45,6 +51,8 @@ pub(in crate::solve) struct Outcome<'r> {
     pub opens: Option<f64>,
     /// The last instant that was reached, s.
     pub end: f64,
+    /// The least condition where a change point was passed: on the way over it what is computed has no condition of its own.
+    pub least: f64,
 }
 
 /// The worst difference.
@@ -82,8 +90,9 @@ impl Compared {
             forces.clear();
             forces.extend(efforts(equations));
             equations.place_record(fine, index);
-            kinds.bodies(&bodies, &equations.trial.motion.bodies);
-            kinds.forces(forces.iter().copied().zip(efforts(equations)));
+            let nothing = nothing(equations, fine_run.least);
+            kinds.bodies(&bodies, &equations.trial.motion.bodies, &nothing);
+            kinds.forces(forces.iter().copied().zip(efforts(equations)), &nothing);
         }
         // what only one of them reached is not known
         let events = coarse_run.events.iter().zip(fine_run.events);
@@ -171,44 +180,62 @@ fn efforts<'e>(equations: &'e Equations<'_, '_>) -> impl Iterator<Item = Efforts
     reactions.map(|r| (r.force.x, r.force.y, r.couple))
 }
 
+/// What is zero of each kind but for rounding in the state that was found last, at no greater a condition than this.
+fn nothing(equations: &Equations<'_, '_>, least: f64) -> [f64; STATES] {
+    let mut sizes = Sizes::new(equations);
+    sizes.look(equations);
+    let forces = efforts(equations).map(|(x, y, _)| libm::hypot(x, y)).fold(0.0, f64::max);
+    let conditions = equations.trial.motion.conditions.iter();
+    let condition = conditions.fold(least, |least, c| least.min(c.abs())).max(LEAST_CONDITION);
+    std::array::from_fn(|kind| {
+        let of_motion = sizes.rounding(DIMENSIONS[kind]);
+        let all = if kind == 7 { of_motion.max(sizes.of_force(forces)) } else { of_motion };
+        all / condition.powi(GROWS[kind])
+    })
+}
+
 /// The greatest difference and the greatest magnitude of each kind.
 #[derive(Clone, Debug, Default)]
 pub(in crate::solve) struct Kinds {
     difference: [f64; STATES],
     magnitude: [f64; STATES],
+    /// Some of it is more than rounding.
+    beyond: [bool; STATES],
 }
 
 impl Kinds {
-    fn look(&mut self, kind: usize, difference: f64, magnitude: f64) {
+    fn look(&mut self, kind: usize, difference: f64, magnitude: f64, nothing: &[f64; STATES]) {
         // what is not a number is the worst there is
         let difference = if difference.is_nan() { f64::INFINITY } else { difference };
         self.difference[kind] = self.difference[kind].max(difference);
         self.magnitude[kind] = self.magnitude[kind].max(magnitude);
+        self.beyond[kind] |= magnitude.max(0.5 * difference) > nothing[kind];
     }
 
     /// The magnitudes at the end of a step: what is small at every instant that is printed may be small beside the motion.
     pub(super) fn measure(&mut self, equations: &Equations<'_, '_>) {
         let bodies = &equations.trial.motion.bodies;
-        self.bodies(bodies, bodies);
-        self.forces(efforts(equations).zip(efforts(equations)));
+        let nothing = nothing(equations, 1.0);
+        self.bodies(bodies, bodies, &nothing);
+        self.forces(efforts(equations).zip(efforts(equations)), &nothing);
     }
 
-    fn bodies(&mut self, coarse: &[BodyState], fine: &[BodyState]) {
+    fn bodies(&mut self, coarse: &[BodyState], fine: &[BodyState], nothing: &[f64; STATES]) {
         for (a, b) in coarse.iter().zip(fine) {
-            self.look(0, (a.p - b.p).norm(), 0.0);
-            self.look(1, (a.u - b.u).norm(), 1.0);
-            self.look(2, (a.v - b.v).norm(), b.v.norm());
-            self.look(3, (a.omega - b.omega).abs(), b.omega.abs());
-            self.look(4, (a.a - b.a).norm(), b.a.norm());
-            self.look(5, (a.alpha - b.alpha).abs(), b.alpha.abs());
+            self.look(0, (a.p - b.p).norm(), 0.0, nothing);
+            self.look(1, (a.u - b.u).norm(), 1.0, nothing);
+            self.look(2, (a.v - b.v).norm(), b.v.norm(), nothing);
+            self.look(3, (a.omega - b.omega).abs(), b.omega.abs(), nothing);
+            self.look(4, (a.a - b.a).norm(), b.a.norm(), nothing);
+            self.look(5, (a.alpha - b.alpha).abs(), b.alpha.abs(), nothing);
         }
     }
 
     /// The same efforts of both runs.
-    fn forces(&mut self, both: impl Iterator<Item = (Efforts, Efforts)>) {
+    fn forces(&mut self, both: impl Iterator<Item = (Efforts, Efforts)>, nothing: &[f64; STATES]) {
         for (a, b) in both {
-            self.look(6, libm::hypot(a.0 - b.0, a.1 - b.1), libm::hypot(b.0, b.1));
-            self.look(7, (a.2 - b.2).abs(), b.2.abs());
+            self.look(6, libm::hypot(a.0 - b.0, a.1 - b.1), libm::hypot(b.0, b.1), nothing);
+            self.look(7, (a.2 - b.2).abs(), b.2.abs(), nothing);
         }
     }
 
@@ -217,23 +244,9 @@ impl Kinds {
         let mut found = Compared { error, worst: KINDS[0], each: [0.0; KINDS.len()], is_rounding: false };
         for kind in 0..STATES {
             let scale = if kind == 0 { extent.max(self.magnitude[0]) } else { self.magnitude[kind] };
-            let rounding = ROUNDING * self.beside(kind, extent);
-            let same = self.difference[kind] <= rounding;
-            found.look(if same { 0.0 } else { self.difference[kind] / scale }, kind);
+            let counts = self.beyond[kind] && self.difference[kind] > 0.0;
+            found.look(if counts { self.difference[kind] / scale } else { 0.0 }, kind);
         }
         found
-    }
-
-    /// What a kind could be where it is nothing but for rounding: turns beside shifts of the extent, angular accelerations beside
-    /// squares of angular velocities too, moments beside forces.
-    fn beside(&self, kind: usize, extent: f64) -> f64 {
-        match kind {
-            2 | 4 => self.magnitude[kind + 1] * extent,
-            3 => self.magnitude[2] / extent,
-            5 => (self.magnitude[4] / extent).max(self.magnitude[3] * self.magnitude[3]),
-            6 => self.magnitude[7] / extent,
-            7 => self.magnitude[6] * extent,
-            _ => 0.0,
-        }
     }
 }

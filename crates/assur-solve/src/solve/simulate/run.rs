@@ -418,6 +418,7 @@ impl Run {
             },
             halted: self.stopped.is_some(),
             end: self.end,
+            least: if self.crossed.is_empty() { 1.0 } else { self.worst_condition.0 },
         }
     }
 

@@ -42,6 +42,13 @@ impl Sizes {
     }
 }
 
+impl Sizes {
+    /// Rounding of the moment of a force.
+    pub fn of_force(&self, force: f64) -> f64 {
+        ROUNDING * force * self.length
+    }
+}
+
 fn power(base: f64, exponent: i8) -> f64 {
     let all = (0..exponent.unsigned_abs()).fold(1.0, |product, _| product * base);
     if exponent < 0 { 1.0 / all } else { all }

@@ -71,6 +71,7 @@ impl Trajectory {
             halted: halt
                 .is_some_and(|cause| !matches!(cause, Cause::Halted { halt, .. } if halt.is_inaccurate())),
             end: self.report.end,
+            least: if self.report.crossed.is_empty() { 1.0 } else { self.report.worst_condition.0 },
         }
     }
 
