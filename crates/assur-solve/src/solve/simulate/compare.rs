@@ -90,7 +90,7 @@ impl Compared {
             forces.clear();
             forces.extend(efforts(equations));
             equations.place_record(fine, index);
-            let nothing = nothing(equations, fine_run.least);
+            let nothing = kinds.nothing(equations, fine_run.least);
             kinds.bodies(&bodies, &equations.trial.motion.bodies, &nothing);
             kinds.forces(forces.iter().copied().zip(efforts(equations)), &nothing);
         }
@@ -180,20 +180,6 @@ fn efforts<'e>(equations: &'e Equations<'_, '_>) -> impl Iterator<Item = Efforts
     reactions.map(|r| (r.force.x, r.force.y, r.couple))
 }
 
-/// What is zero of each kind but for rounding in the state that was found last, at no greater a condition than this.
-fn nothing(equations: &Equations<'_, '_>, least: f64) -> [f64; STATES] {
-    let mut sizes = Sizes::new(equations);
-    sizes.look(equations);
-    let forces = efforts(equations).map(|(x, y, _)| libm::hypot(x, y)).fold(0.0, f64::max);
-    let conditions = equations.trial.motion.conditions.iter();
-    let condition = conditions.fold(least, |least, c| least.min(c.abs())).max(LEAST_CONDITION);
-    std::array::from_fn(|kind| {
-        let of_motion = sizes.rounding(DIMENSIONS[kind]);
-        let all = if kind == 7 { of_motion.max(sizes.of_force(forces)) } else { of_motion };
-        all / condition.powi(GROWS[kind])
-    })
-}
-
 /// The greatest difference and the greatest magnitude of each kind.
 #[derive(Clone, Debug, Default)]
 pub(in crate::solve) struct Kinds {
@@ -201,9 +187,24 @@ pub(in crate::solve) struct Kinds {
     magnitude: [f64; STATES],
     /// Some of it is more than rounding.
     beyond: [bool; STATES],
+    /// What is large in the run.
+    sizes: Sizes,
 }
 
 impl Kinds {
+    /// What is zero of each kind but for rounding in the state that was found last, at no greater a condition than this.
+    fn nothing(&mut self, equations: &Equations<'_, '_>, least: f64) -> [f64; STATES] {
+        self.sizes.look(equations);
+        let forces = efforts(equations).map(|(x, y, _)| libm::hypot(x, y)).fold(0.0, f64::max);
+        let conditions = equations.trial.motion.conditions.iter();
+        let condition = conditions.fold(least, |least, c| least.min(c.abs())).max(LEAST_CONDITION);
+        std::array::from_fn(|kind| {
+            let of_motion = self.sizes.rounding(DIMENSIONS[kind]);
+            let all = if kind == 7 { of_motion.max(self.sizes.of_force(forces)) } else { of_motion };
+            all / condition.powi(GROWS[kind])
+        })
+    }
+
     fn look(&mut self, kind: usize, difference: f64, magnitude: f64, nothing: &[f64; STATES]) {
         // what is not a number is the worst there is
         let difference = if difference.is_nan() { f64::INFINITY } else { difference };
@@ -215,7 +216,8 @@ impl Kinds {
     /// The magnitudes at the end of a step: what is small at every instant that is printed may be small beside the motion.
     pub(super) fn measure(&mut self, equations: &Equations<'_, '_>) {
         let bodies = &equations.trial.motion.bodies;
-        let nothing = nothing(equations, 1.0);
+        self.sizes.look_at_loads(equations);
+        let nothing = self.nothing(equations, 1.0);
         self.bodies(bodies, bodies, &nothing);
         self.forces(efforts(equations).zip(efforts(equations)), &nothing);
     }
