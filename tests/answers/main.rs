@@ -35,3 +35,4 @@ mod torsion_springs;
 mod unit;
 mod unused;
 mod variants;
+mod zero;

@@ -16,7 +16,7 @@ const ROWS: usize = 40;
 const LONG: usize = 400_000;
 
 /// A number in [0, 1), the same at every run.
-fn random(state: &mut u64) -> f64 {
+pub fn random(state: &mut u64) -> f64 {
     *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*state >> 11) as f64 / (1_u64 << 53) as f64
 }

@@ -8,10 +8,10 @@ use crate::position::BodyState;
 impl PoseAnswers<'_> {
     /// Of a power whose work is asked for, W.
     #[must_use]
-    pub(crate) fn power_size(&self, power: &Expr) -> f64 {
+    pub(crate) fn size_of_power(&self, power: &Expr) -> f64 {
         match power {
-            Expr::Negate(a) => self.power_size(a),
-            Expr::Binary(_, a, b) => self.power_size(a) + self.power_size(b),
+            Expr::Negate(a) => self.size_of_power(a),
+            Expr::Binary(_, a, b) => self.size_of_power(a) + self.size_of_power(b),
             Expr::Query(Query::LoadPower(id)) => self.load_power_size(id.index()),
             Expr::Query(Query::SpringPower(id)) => self.spring_power_size(*id),
             Expr::Query(Query::FrictionPower(pair)) => self.friction_power_size(*pair),

@@ -24,7 +24,7 @@ impl Equations<'_, '_> {
     /// The size of the terms that one of these powers is made of, the greater the nearer a dead position is.
     pub fn power_size(&mut self, id: usize) -> f64 {
         let power = &self.model.mechanism.works[id];
-        self.named(|view| view.power_size(power)) / self.condition().powi(2)
+        self.named(|view| view.size_of_power(power)) / self.condition().powi(2)
     }
 
     /// The value of an expression in the state that is observed.
