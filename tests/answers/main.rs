@@ -1,6 +1,7 @@
 //! What the language means and what comes out: values, answers and the rules by which they are judged.
 
 mod accuracy;
+mod against_motion;
 mod all_motion;
 mod bonds;
 #[path = "../busy/mod.rs"]

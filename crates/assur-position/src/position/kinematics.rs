@@ -1,5 +1,6 @@
 //! Motion at one position: what the drives say, and how the bodies move.
 
+use super::against::Against;
 use super::body::BodyState;
 use super::grip::Grip;
 use crate::math::{Scalar, V2, Vec2};
@@ -55,6 +56,8 @@ pub struct Motion<S = f64> {
     pub stops: Vec<f64>,
     /// How the elements of friction move there, where such a motion says it.
     pub grips: Vec<Grip>,
+    /// How the loads against the motion act there, where such a motion says it: by load.
+    pub against: Vec<Against>,
     /// The first group that does not close.
     pub open: Option<usize>,
     /// What the dyads RRR and RRP leave for forces.
@@ -80,6 +83,7 @@ impl<S: Scalar + Default> Motion<S> {
             works: Vec::new(),
             stops: Vec::new(),
             grips: Vec::new(),
+            against: Vec::new(),
             open: None,
             shared: vec![Shared::default(); groups],
         }
@@ -99,6 +103,7 @@ impl Motion {
             works,
             stops,
             grips,
+            against,
             open,
             shared,
         } = other;
@@ -111,6 +116,7 @@ impl Motion {
         self.works.clone_from(works);
         self.stops.clone_from(stops);
         self.grips.clone_from(grips);
+        self.against.clone_from(against);
         self.shared.clone_from(shared);
     }
 

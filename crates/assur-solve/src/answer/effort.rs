@@ -2,8 +2,8 @@
 
 use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
-use crate::model::{BalanceKind, LinkId, LoadKind, Place, Value};
-use crate::position::STILL;
+use crate::model::{BalanceKind, Expr, LinkId, LoadKind, Place, Value};
+use crate::position::{Against, STILL};
 use crate::structure::EffortSource;
 
 impl PoseAnswers<'_> {
@@ -70,25 +70,40 @@ impl PoseAnswers<'_> {
                 let force = self.vector(value);
                 Value::Vector(frame.map_or(force, |f| force.turned(self.body(f).u)))
             }
-            LoadKind::ForceAgainstMotion { on, at, value } => {
+            LoadKind::ForceAgainstMotion { value, .. } => Value::Vector(self.against_motion(index, value)),
+            LoadKind::Torque { value, against_motion: true, .. } => {
+                Value::Scalar(self.against_motion(index, value).x)
+            }
+            LoadKind::Torque { value, .. } | LoadKind::InPair { value, .. } => {
+                Value::Scalar(self.scalar(value))
+            }
+        }
+    }
+
+    /// What a load against the motion is, in the sense that a run says or else its velocity.
+    fn against_motion(&self, index: usize, value: &Expr) -> Vec2 {
+        let said = self.state.motion.against.get(index).copied();
+        let Against { part, held } =
+            said.unwrap_or_else(|| Against { part: self.against_velocity(index), held: Vec2::zero() });
+        if part == Vec2::zero() { held } else { part * self.scalar(value) + held }
+    }
+
+    /// What the value of a load against the motion is multiplied by at these velocities: nothing where what it acts on rests.
+    pub(crate) fn against_velocity(&self, index: usize) -> Vec2 {
+        match &self.mechanism.loads[index].kind {
+            LoadKind::ForceAgainstMotion { on, at, .. } => {
                 let p = self.place(*on, at);
                 let body = self.body(*on);
                 let v = body.v + (p - body.p).perp() * body.omega;
-                let fastest = self.fastest().0;
-                let direction = v.unit().filter(|_| v.norm() > STILL * fastest);
-                Value::Vector(direction.map_or(Vec2::zero(), |d| d * -self.scalar(value)))
+                let direction = v.unit().filter(|_| v.norm() > STILL * self.fastest().0);
+                direction.map_or(Vec2::zero(), |d| -d)
             }
-            LoadKind::Torque { on, value, against_motion } => {
+            LoadKind::Torque { on, against_motion: true, .. } => {
                 let omega = self.body(*on).omega;
-                let fastest = self.fastest().1;
-                let sign = match *against_motion {
-                    false => 1.0,
-                    true if omega.abs() <= STILL * fastest => 0.0,
-                    true => -omega.signum(),
-                };
-                Value::Scalar(sign * self.scalar(value))
+                let rests = omega.abs() <= STILL * self.fastest().1;
+                Vec2::new(if rests { 0.0 } else { -omega.signum() }, 0.0)
             }
-            LoadKind::InPair { value, .. } => Value::Scalar(self.scalar(value)),
+            _ => Vec2::zero(),
         }
     }
 

@@ -1,13 +1,15 @@
 //! The parts of loads that are not smooth, with the sides on which they are taken.
 
 use crate::math::Piece;
-use crate::model::{Expr, Function, Mechanism, Positions};
+use crate::model::{Expr, Function, Level, Mechanism, Positions};
 
 /// A part of an expression that is not smooth, and how it is taken.
 #[derive(Clone, Copy, Debug)]
 pub struct Switch<'m> {
     pub(super) expr: &'m Expr,
     pub(super) side: Side,
+    /// It depends on speeds: at rest, and where something turns, these say nothing.
+    pub(crate) of_speeds: bool,
 }
 
 /// A side of a corner.
@@ -45,7 +47,7 @@ pub(crate) fn switches<'m>(mechanism: &'m Mechanism, loads: Vec<&'m Expr>) -> Ve
             Expr::Compare(..)
             | Expr::Curve(..)
             | Expr::Call(Function::Abs | Function::Max | Function::Min, _) => {
-                found.push(Switch { expr, side: Side::Free });
+                found.push(Switch { expr, side: Side::Free, of_speeds: is_of_speeds(mechanism, expr) });
             }
             Expr::Quantity(id) if !std::mem::replace(&mut quantities[id.index()], true) => {
                 waiting.push(&mechanism.quantities[id.index()].expr);
@@ -57,10 +59,26 @@ pub(crate) fn switches<'m>(mechanism: &'m Mechanism, loads: Vec<&'m Expr>) -> Ve
     found
 }
 
+/// Whether a value depends on speeds.
+fn is_of_speeds(mechanism: &Mechanism, expr: &Expr) -> bool {
+    let mut found = false;
+    expr.parts(&mut |part| match part {
+        Expr::Query(query) => found |= query.facts().level > Level::Positions,
+        Expr::Quantity(id) => found |= is_of_speeds(mechanism, &mechanism.quantities[id.index()].expr),
+        _ => {}
+    });
+    found
+}
+
 impl<'m> Switch<'m> {
     /// The part of a load.
     pub(crate) const fn expr(&self) -> &'m Expr {
         self.expr
+    }
+
+    /// Whether it is taken on a side.
+    pub(crate) fn is_held(&self) -> bool {
+        self.side != Side::Free
     }
 
     /// As it is, on no side.

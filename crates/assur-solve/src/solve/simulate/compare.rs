@@ -159,6 +159,7 @@ impl Equations<'_, '_> {
         self.trial.motion.stops.copy_from_slice(records.stops(index));
         self.trial.motion.grips.clear();
         self.trial.motion.grips.extend_from_slice(records.grips(index));
+        self.trial.motion.against.clone_from(&records.against[index]);
         if let Some(given) = &records.given[index] {
             given.put(&mut self.trial);
             return;

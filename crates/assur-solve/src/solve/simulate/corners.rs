@@ -6,7 +6,7 @@
 use super::equations::Equations;
 use super::records::within_step;
 use super::slipping::Mode;
-use crate::answer::PoseAnswers;
+use crate::answer::{PoseAnswers, Switch};
 use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Integrator, Undefined};
 
@@ -151,22 +151,31 @@ impl Corners {
 }
 
 impl<'a> Equations<'a, '_> {
-    /// Takes all loads on the sides where they are in a state.
+    /// Takes all loads on the sides where they are in a state; those that have a side keep it.
     pub fn take_sides(&mut self, t: f64, y: &[f64]) {
-        self.held = false;
-        // at rest what changes is looked for in other ways
+        let kept = std::mem::replace(&mut self.held, false);
+        // the speeds of what rests are those with which it may begin to move in either sense
         let rests = self.mode == Some(Mode::Resting);
         let smooth = self.switches.is_empty() && (self.mode.is_none() || self.model.plan.friction.is_empty());
-        if smooth || rests || !self.observe(t, y, false) {
+        if smooth || !self.observe(t, y, false) {
             return;
         }
         self.take_senses();
         let mut switches = std::mem::take(&mut self.switches);
         for switch in &mut switches {
-            *switch = self.seen().side_here(switch);
+            if rests && switch.of_speeds {
+                switch.release();
+            } else if !(kept && switch.is_held()) {
+                *switch = self.seen().side_here(switch);
+            }
         }
         self.switches = switches;
         self.held = true;
+    }
+
+    /// Something turns: what depends on speeds is taken as it is.
+    pub fn release_speeds(&mut self) {
+        self.switches.iter_mut().filter(|switch| switch.of_speeds).for_each(Switch::release);
     }
 
     /// The state that is observed, with the quantities that loads name.

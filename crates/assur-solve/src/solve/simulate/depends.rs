@@ -56,6 +56,10 @@ pub(super) fn is_deep(mechanism: &Mechanism, expr: &Expr) -> bool {
         Expr::Query(query) => {
             let facts = query.facts();
             deep |= facts.forces || facts.level > Level::Velocities;
+            // at rest a load against the motion is what it holds
+            if let Query::Load(id) = query {
+                deep |= mechanism.loads[id.index()].is_against_motion();
+            }
         }
         Expr::Quantity(id) => deep |= is_deep(mechanism, &mechanism.quantities[id.index()].expr),
         _ => {}

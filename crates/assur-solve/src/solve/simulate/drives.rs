@@ -4,7 +4,7 @@ use super::derivatives::Derivatives;
 use crate::answer::Switch;
 use crate::math::Vec2;
 use crate::model::{Axis, Drive, DriveTarget, Positions};
-use crate::position::{DriveInput, Grip, Motion};
+use crate::position::{Against, DriveInput, Grip, Motion};
 
 /// What the drives of one instant say beside their positions.
 #[derive(Clone, Debug, Default)]
@@ -18,6 +18,8 @@ pub(crate) struct Instant {
     pub stops: Vec<f64>,
     /// How the elements of friction move, where the run says it.
     pub grips: Vec<Grip>,
+    /// How the loads against the motion act, where the run says it.
+    pub against: Vec<Against>,
 }
 
 impl Instant {
@@ -27,6 +29,7 @@ impl Instant {
         motion.works.clone_from(&self.works);
         motion.stops.clone_from(&self.stops);
         motion.grips.clone_from(&self.grips);
+        motion.against.clone_from(&self.against);
         for (input, said) in motion.inputs.iter_mut().zip(&self.rates) {
             *input = DriveInput { place: input.place, value: input.value, ..*said };
         }

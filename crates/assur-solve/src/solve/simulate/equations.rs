@@ -77,6 +77,8 @@ pub(super) struct Equations<'a, 's> {
     pub slipping: Option<Box<Slipping>>,
     /// The stops that are closed.
     pub closed: Vec<usize>,
+    /// The greatest term of the acceleration of the one coordinate that rubs, and the greatest of what is left of all of them.
+    pub terms: (f64, f64),
     /// Memory for rates that nobody looks at.
     quiet: Vec<f64>,
     /// Why the last evaluation has no value.
@@ -135,6 +137,7 @@ impl<'a, 's> Equations<'a, 's> {
             sides: Vec::new(),
             slipping: None,
             closed: Vec::new(),
+            terms: (0.0, 0.0),
             quiet: vec![0.0; unknowns],
             why: None,
         }
@@ -169,6 +172,7 @@ impl<'a, 's> Equations<'a, 's> {
     /// Position and rate of all drives at an instant, from which steps of motion start where the step began.
     pub fn set_position(&mut self, t: f64, y: &[f64]) {
         self.start_trial();
+        self.trial.motion.against.clear();
         self.set_inputs(t, y);
     }
 

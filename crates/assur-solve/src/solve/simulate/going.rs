@@ -30,6 +30,8 @@ const TURN: f64 = std::f64::consts::PI;
 const DRAWN: f64 = 2.0 * TURN;
 /// The same where nothing is free, and no error bounds the steps: what is passed is to be seen.
 const PRESCRIBED: f64 = 0.25;
+/// Accelerations of less than one over this of their terms have lost digits.
+const CANCELS: f64 = 1e3;
 /// So many are never done.
 const ENDLESS: f64 = 2e7;
 /// Nor are so many, where a tenth of them are done.
@@ -98,6 +100,8 @@ pub(super) struct Going<'m, 'o> {
     pub changes: Vec<(f64, Vec<DriveTarget>)>,
     /// When change points were passed, s.
     pub crossed: Vec<f64>,
+    /// The greatest term of the acceleration that rubs, and the greatest of what is left of all of them.
+    pub terms: (f64, f64),
 }
 
 impl<'m, 'o> Going<'m, 'o> {
@@ -142,6 +146,7 @@ impl<'m, 'o> Going<'m, 'o> {
             looked_at: CAREFUL / AGAIN,
             changes: Vec::new(),
             crossed: Vec::new(),
+            terms: (0.0, 0.0),
         }
     }
 }
@@ -170,6 +175,7 @@ impl Going<'_, '_> {
             if short.and_then(|()| self.corners.shorten(equations, method)).is_err() {
                 return Ended::Halted(equations.halt());
             }
+            self.terms = (self.terms.0.max(equations.terms.0), self.terms.1.max(equations.terms.1));
             let condition = equations.condition();
             if condition < self.worst_condition.0 {
                 self.worst_condition = (condition, method.previous_t());
@@ -183,6 +189,8 @@ impl Going<'_, '_> {
             let event = happened.as_ref().map(|h| h.time);
             let instants = [event, turned, opened.map(|(t, _)| t), touched.as_ref().map(|(t, _)| *t), bound];
             let first = instants.into_iter().flatten().fold(f64::INFINITY, f64::min);
+            // what happens with a turn does so where that is
+            let first = turned.filter(|t| t - first <= self.at_once()).unwrap_or(first);
             let cut = (first < method.t()).then_some(first);
             let exact = (exactly && method.previous_t() < wanted && wanted < method.t()).then_some(wanted);
             if let Some(t) = [cut, exact].into_iter().flatten().reduce(f64::min)
@@ -212,6 +220,7 @@ impl Going<'_, '_> {
             if let Some((_, (pair, bond))) = opened.filter(|_| self.ended_by.is_none()) {
                 return Ended::Halted(Halt::Opens { pair, bond });
             }
+            self.recorder.stands = turned && equations.mode.is_some();
             let mut y = Vec::new();
             if turned {
                 if !self.keep(equations, method, (by, done)) {
@@ -219,7 +228,7 @@ impl Going<'_, '_> {
                 }
                 self.watch.begin();
                 y.extend_from_slice(method.y());
-                match self.turn(equations, method.t(), &mut y) {
+                match self.turn(equations, (method.t(), &mut y), true) {
                     Ok(ended) => self.ended_by = self.ended_by.or(ended),
                     Err(halt) => return Ended::Halted(halt),
                 }
@@ -231,21 +240,20 @@ impl Going<'_, '_> {
             if !self.keep(equations, method, (by, done)) {
                 return Ended::Halted(equations.halt());
             }
+            self.recorder.stands = false;
             if done {
                 return Ended::Done;
             }
             if turned {
-                equations.take_sides(method.t(), &y);
-                if let Some((pair, bond)) = self.bonds.at_once(equations, method.t(), &y) {
-                    return Ended::Halted(Halt::Opens { pair, bond });
+                if let Err(halt) = self.go_on(equations, method, &y) {
+                    return Ended::Halted(halt);
                 }
-                if method.restart(equations, &y, last).is_err() {
-                    return Ended::Halted(equations.halt());
+            } else if self.corners.turn(equations, method) {
+                match self.corner(equations, method) {
+                    Ok(false) => {}
+                    Ok(true) => return Ended::Done,
+                    Err(halt) => return Ended::Halted(halt),
                 }
-            } else if self.corners.turn(equations, method)
-                && method.restart(equations, self.corners.state(), last).is_err()
-            {
-                return Ended::Halted(equations.halt());
             }
             let struck = touched.as_ref().filter(|_| self.by_energy).map(Touch::stop);
             match self.touch(equations, method, touched) {
@@ -284,6 +292,12 @@ impl Going<'_, '_> {
             Err(Stopped::Undefined) => Err(Ended::Stuck(equations.halt())),
             Err(Stopped::StepTooSmall) => Err(Ended::Stuck(too_small(equations))),
         }
+    }
+
+    /// What rounding makes of accelerations that are small differences of their terms, near the limit of locking.
+    pub fn cancelled(&self) -> f64 {
+        let (term, left) = self.terms;
+        if term > CANCELS * left && left > 0.0 { f64::EPSILON * term / left } else { 0.0 }
     }
 
     /// The time in which things happen together, s.

@@ -94,6 +94,7 @@ impl Trajectory {
                 works: self.records.works(index).to_vec(),
                 stops: self.records.stops(index).to_vec(),
                 grips: self.records.grips(index).to_vec(),
+                against: self.records.against[index].clone(),
             },
         )
     }

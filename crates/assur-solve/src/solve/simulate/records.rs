@@ -3,9 +3,10 @@
 use super::chart::Given;
 use super::equations::Equations;
 use super::report::Energy;
+use super::slipping::Mode;
 use crate::math::Vec2;
 use crate::math::ode::{Integrator, System};
-use crate::position::{BodyState, Branch, Grip};
+use crate::position::{Against, BodyState, Branch, Grip};
 
 /// What wants an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +59,8 @@ pub(crate) struct Records {
     pub stops: Vec<f64>,
     /// How the elements of friction move, where that is known.
     pub grips: Vec<Vec<Grip>>,
+    /// How the loads against the motion act.
+    pub against: Vec<Vec<Against>>,
     /// Angles of the bodies, rad, continuous over the run.
     pub angles: Vec<f64>,
     /// Where the bodies stand, for steps of motion that start from there.
@@ -130,6 +133,10 @@ pub(super) struct Recorder {
     /// The length of the last step, s.
     length: f64,
     goes_on: bool,
+    /// The one coordinate that rubs stands where the last step ends.
+    pub stands: bool,
+    /// The first instant, s, and the unknowns there before an impact.
+    pub struck: Option<(f64, Vec<f64>)>,
     begin: Option<f64>,
     end: f64,
     work: f64,
@@ -148,6 +155,8 @@ impl Recorder {
             dy: equations.start(),
             length: 0.0,
             goes_on: equations.model.plan.goes_on(),
+            stands: false,
+            struck: None,
             begin: None,
             end: 0.0,
             work: 0.0,
@@ -166,6 +175,15 @@ impl Recorder {
         let end = method.t();
         if !within_step(equations, method, time.min(end), &mut self.y) {
             return false;
+        }
+        if self.stands && time >= method.t() {
+            self.y[1] = 0.0;
+        }
+        let after = (equations.closed.clone(), equations.mode);
+        if let Some((_, before)) = self.struck.as_ref().filter(|struck| struck.0 == time) {
+            self.y.copy_from_slice(before);
+            equations.closed.clear();
+            equations.mode = after.1.map(|_| Mode::Moving(self.y[1].signum()));
         }
         // at a corner loads are what the file says there
         let held = std::mem::replace(&mut equations.held, false);
@@ -196,11 +214,13 @@ impl Recorder {
         records.works.extend(self.y[2 * n + 1..].iter().zip(nothing).map(known));
         records.stops.extend_from_slice(&equations.trial.motion.stops);
         records.grips.push(equations.grips());
+        records.against.push(equations.trial.motion.against.clone());
         records.angles.extend_from_slice(&equations.angles);
         if self.goes_on {
             records.stands.extend(equations.trial.motion.bodies.iter().map(Stand::of));
         }
         self.energy(equations);
+        (equations.closed, equations.mode) = after;
         true
     }
 

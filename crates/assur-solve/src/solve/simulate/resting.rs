@@ -4,7 +4,7 @@
 use super::equations::Equations;
 use super::rubs::Rubs;
 use super::slipping::{Mode, Slipping};
-use crate::model::Load;
+use crate::math::Vec2;
 use crate::position::Grip;
 
 impl Equations<'_, '_> {
@@ -47,9 +47,14 @@ impl Equations<'_, '_> {
         let grips = &mut self.trial.motion.grips;
         grips.clear();
         grips.resize(count, Grip { open: true, ..Grip::default() });
-        let against = self.model.mechanism.loads.iter().any(Load::is_against_motion);
-        if count != 1 || against || !self.closed.is_empty() {
+        let loads = self.model.mechanism.loads.iter().enumerate();
+        let against: Vec<usize> =
+            loads.filter(|(_, load)| load.is_against_motion()).map(|(i, _)| i).collect();
+        if count + against.len() != 1 || !self.closed.is_empty() {
             return;
+        }
+        if let [load] = against[..] {
+            return self.hold_by_load(load);
         }
         self.evaluate_loads(self.trial.motion.time);
         let left = self.left_with(0.0);
@@ -62,6 +67,27 @@ impl Equations<'_, '_> {
         if known.is_none() {
             self.trial.motion.grips[0] = Grip { open: true, ..Grip::default() };
         }
+    }
+
+    /// The one coordinate rests by a load against the motion alone.
+    fn hold_by_load(&mut self, load: usize) {
+        let drive = self.reduced.free()[0];
+        let rate = std::mem::replace(&mut self.trial.motion.inputs[drive].rate, 1.0);
+        self.trial.run_motion::<1>(self.model.plan);
+        let against = std::mem::take(&mut self.trial.motion.against);
+        let part = self.view().against_velocity(load);
+        self.trial.motion.against = against;
+        self.trial.motion.inputs[drive].rate = rate;
+        let mut left = [0.0; 2];
+        for (effort, left) in [0.0, 1.0].into_iter().zip(&mut left) {
+            self.trial.motion.against[load].held = part * effort;
+            if self.accelerations_without_friction(std::slice::from_mut(left)).is_err() {
+                return;
+            }
+        }
+        // the acceleration is linear in what holds
+        let held = left[0] / (left[0] - left[1]);
+        self.trial.motion.against[load].held = if held.is_finite() { part * held } else { Vec2::zero() };
     }
 
     /// What is left of the effort of the coordinate where its element bears this.

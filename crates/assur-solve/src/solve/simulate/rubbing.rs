@@ -8,10 +8,11 @@ use super::acting::all_parts;
 use super::equations::Equations;
 use super::rubs::Rubs;
 use super::slipping::Mode;
+use crate::answer::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{Expr, Query};
 use crate::plan::FrictionLaw;
-use crate::position::{Grip, STILL, State};
+use crate::position::{Against, Grip, STILL, State};
 use crate::solve::failure::Halt;
 use crate::structure::EffortSource;
 
@@ -71,12 +72,17 @@ impl Equations<'_, '_> {
         let Mode::Moving(sense) = mode else {
             dy.fill(0.0);
             self.accelerate(0.0);
+            self.act_against(|_, _| Vec2::zero());
             return self.trial.motion.open.map_or(Ok(()), |group| Err(Halt::Open { group }));
         };
         let held = if self.held { &self.senses[..] } else { &[] };
         self.trial.motion.grips.clear();
         self.trial.motion.grips.extend(held.iter().map(|&sense| Grip { sense, ..Grip::default() }));
         let acceleration = self.rubbing_acceleration(sense)?;
+        if self.model.plan.effects.loses() {
+            let term = self.reduced.greatest_power(0, &self.trial) / self.reduced.mass()[0];
+            self.terms = (self.terms.0.max(term), self.terms.1.max(acceleration.abs()));
+        }
         // stages beyond a rest go on smoothly
         let rate = self.trial.motion.inputs[self.reduced.free()[0]].rate;
         let power = self.trial.power_of_loads(self.model, &self.evaluated)
@@ -88,9 +94,23 @@ impl Equations<'_, '_> {
         Ok(())
     }
 
+    /// Lets the loads against the motion act with these parts of their values.
+    pub fn act_against(&mut self, part: impl Fn(&PoseAnswers<'_>, usize) -> Vec2) {
+        let mut against = std::mem::take(&mut self.trial.motion.against);
+        against.clear();
+        if self.is_braked() {
+            let (view, count) = (self.view(), self.model.mechanism.loads.len());
+            against.extend((0..count).map(|load| Against { part: part(&view, load), ..Against::default() }));
+        }
+        self.trial.motion.against = against;
+    }
+
     /// Puts the rates as they are in place of those that only have the sense of the motion, and leaves the forces.
     pub fn take_rates(&mut self, y: &[f64]) {
         if self.mode.is_some() {
+            if self.mode != Some(Mode::Resting) {
+                self.act_against(|view, load| view.against_velocity(load));
+            }
             let drive = self.reduced.free()[0];
             self.trial.motion.inputs[drive].rate = y[1];
             self.trial.run_motion::<2>(self.model.plan);

@@ -92,6 +92,7 @@ pub(super) fn run(
         return Run::halted(begin.from, halt);
     }
     let at_once = AT_ONCE * (last - begin.from);
+    let before = y.clone();
     let mut stops = Stops::new(begin.model.mechanism.stops.len(), at_once);
     if let Err(halt) = stops.begin(&mut equations, begin.from, &mut y) {
         return Run::halted(begin.from, halt);
@@ -101,6 +102,9 @@ pub(super) fn run(
         return Run::halted(begin.from, Halt::Opens { pair, bond });
     }
     let mut going = Going::new(&equations, (bonds, stops), outputs, (begin.from, last), pass);
+    if before != y && equations.slipping.is_none() {
+        going.recorder.struck = Some((begin.from, before));
+    }
     equations.accepted(begin.from, &y);
     let mut part = match going.better(&mut equations, (begin.from, &y), charts) {
         Some(change) => Part::changed(change),
@@ -324,7 +328,7 @@ impl Going<'_, '_> {
             Ended::Done | Ended::Stiff | Ended::Struck(_) | Ended::Changed(_) => None,
         };
         let end = part.end;
-        let shift = self.stops.shift / (self.last - self.begin);
+        let shift = (self.stops.shift / (self.last - self.begin)).max(self.cancelled());
         let (functions, left_off) = (self.watch.functions(end), self.watch.left_off());
         let courses = self.watch.courses();
         let Going {

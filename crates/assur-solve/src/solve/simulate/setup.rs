@@ -127,7 +127,8 @@ pub(super) fn begin<'s>(
 fn placed(state: State, known: &State) -> State {
     let mut motion = known.motion.clone();
     motion.inputs = state.motion.inputs;
-    (motion.works, motion.stops, motion.grips) = (Vec::new(), Vec::new(), Vec::new());
+    (motion.works, motion.stops) = (Vec::new(), Vec::new());
+    (motion.grips, motion.against) = (Vec::new(), Vec::new());
     State { branches: known.branches.clone(), motion, ..state }
 }
 

@@ -4,9 +4,9 @@ use super::equations::Equations;
 use super::going::Going;
 use super::records::within_step;
 use super::rubs::Rubs;
-use super::slipping::Mode;
-use crate::math::ode::Integrator;
+use super::slipping::{Mode, Slipping};
 use crate::math::ode::event::first_crossing;
+use crate::math::ode::{Integrator, Undefined};
 use crate::model::{PairId, Situation};
 use crate::solve::failure::Halt;
 
@@ -78,17 +78,18 @@ impl Going<'_, '_> {
         first.is_finite().then_some(first)
     }
 
-    /// Goes on from where something turns or comes to rest. Returns the event that ends the motion by it.
+    /// Goes on from where something turns, comes to rest or is pulled off it; or from a corner of the loads, by which a rest may end.
+    /// Returns the event that ends the motion by it.
     ///
     /// # Errors
     /// There is no way on.
     pub fn turn(
         &mut self,
         equations: &mut Equations<'_, '_>,
-        t: f64,
-        y: &mut [f64],
+        (t, y): (f64, &mut [f64]),
+        pulled: bool,
     ) -> Result<Option<usize>, Halt> {
-        equations.held = false;
+        equations.release_speeds();
         if let Some(slipping) = &mut equations.slipping {
             slipping.turning.retain(|turns| turns.0 <= t + self.at_once());
             let (was, kept) = (equations.closed.clone(), equations.kept_pairs());
@@ -99,12 +100,53 @@ impl Going<'_, '_> {
         }
         y[1] = 0.0;
         match equations.mode {
-            Some(Mode::Resting) => equations.leave(t, y)?,
+            Some(Mode::Resting) if pulled => equations.leave(t, y)?,
             _ => equations.choose_mode(t, y)?,
         }
         let ended = self.note_rest(equations, t);
         self.stops.left_at_rest(equations, t);
         Ok(ended)
+    }
+
+    /// The loads have gone over a corner: goes on, and whether the motion ends there.
+    ///
+    /// # Errors
+    /// There is no way on.
+    pub fn corner<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+    ) -> Result<bool, Halt> {
+        let t = method.t();
+        if !equations.holds() {
+            let resumed = method.restart(equations, self.corners.state(), self.last);
+            return resumed.map(|()| false).map_err(|Undefined| equations.halt());
+        }
+        let mut y = self.corners.state().to_vec();
+        self.watch.begin();
+        self.ended_by = self.turn(equations, (t, &mut y), false)?;
+        let ended = self.ended_by.is_some();
+        if (ended || self.watch.any_happened()) && !self.keep(equations, method, (t, ended)) {
+            return Err(equations.halt());
+        }
+        self.go_on(equations, method, &y).map(|()| ended)
+    }
+
+    /// Goes on from where something has turned.
+    ///
+    /// # Errors
+    /// There is no way on.
+    pub fn go_on<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        y: &[f64],
+    ) -> Result<(), Halt> {
+        equations.take_sides(method.t(), y);
+        if let Some((pair, bond)) = self.bonds.at_once(equations, method.t(), y) {
+            return Err(Halt::Opens { pair, bond });
+        }
+        method.restart(equations, y, self.last).map_err(|Undefined| equations.halt())
     }
 
     /// Notes a rest by friction, or its end. Returns the event that ends the motion by it.
@@ -164,6 +206,12 @@ impl Equations<'_, '_> {
             };
         }
         self.slipping = Some(slipping);
+    }
+
+    /// Whether something is held at rest.
+    pub fn holds(&self) -> bool {
+        let held = |slipping: &Slipping| slipping.undetermined || slipping.senses.contains(&0.0);
+        self.mode == Some(Mode::Resting) || self.slipping.as_deref().is_some_and(held)
     }
 
     /// The pairs that do not move: friction holds them, or a stop is closed.

@@ -1,0 +1,118 @@
+//! Loads against the motion at rest and at reversal, rests that end by a load that is switched on, and an impact at the first instant.
+
+#![allow(clippy::unwrap_used)] // a test that cannot read its text has failed
+
+fn number(text: &str, pose: usize, name: &str) -> f64 {
+    let solution = assur::solve(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    solution.poses()[pose][name].number().unwrap()
+}
+
+fn near(got: f64, right: f64, within: f64) {
+    assert!((got - right).abs() <= within, "{got}, not {right}");
+}
+
+#[test]
+fn a_brake_is_at_its_event_what_it_was_before() {
+    let text = include_str!("../cases/use3/numbers/brake-sign-at-stop.mech");
+    near(number(text, 1, "M"), -113.111, 1e-9);
+    let text = include_str!("../cases/use3/numbers/brake-crank-slider.mech");
+    near(number(text, 1, "M"), -5.0, 1e-9);
+    let text = include_str!("../cases/use3/numbers/brake-extremes.mech");
+    near(number(text, 0, "max(M)"), 0.0, 1e-9);
+    near(number(text, 0, "min(M)"), -100.0, 1e-9);
+    near(number(text, 0, "mean(M)"), -200.0 / 3.0, 1e-7);
+}
+
+#[test]
+fn an_impact_at_the_first_instant_comes_after_it() {
+    let text = include_str!("../cases/use3/numbers/impact-at-the-first-instant.mech");
+    near(number(text, 0, "relative_velocity(P)"), -1.0, 1e-12);
+    near(number(text, 1, "relative_velocity(P)"), 0.5, 1e-9);
+}
+
+/// Numbers between 0 and 1 without end.
+fn random(seed: u64) -> impl FnMut(f64, f64) -> f64 {
+    let mut state = seed;
+    move |from, to| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let part = f64::from(u32::try_from(state >> 32).unwrap()) / f64::from(u32::MAX);
+        from + part * (to - from)
+    }
+}
+
+#[test]
+fn what_rests_gets_going_when_a_load_is_switched_on() {
+    let text = include_str!("../cases/use3/numbers/held-then-switched-on.mech");
+    near(number(text, 1, "w"), 0.8228, 1e-9);
+    let mut random = random(37);
+    for case in 0..60 {
+        let (holds, mass) = (random(1.0, 50.0), random(0.1, 20.0));
+        let (force, on) = (holds * random(1.01, 4.0), random(0.1, 5.0));
+        let end = on + random(0.05, 5.0);
+        let off = on + random(0.2, 0.9) * (end - on);
+        let (window, by_load) = (case % 3 == 0, case % 2 == 0);
+        let sign = if case % 4 < 2 { ">" } else { ">=" };
+        let until = if window { format!(" and time < {off} s") } else { String::new() };
+        let friction =
+            if by_load { String::new() } else { format!(" {{ friction {} }}", holds / mass / 10.0) };
+        let load =
+            if by_load { format!("force R on b at B = {holds} N against motion\n") } else { String::new() };
+        let text = format!(
+            "gravity 10 m/s^2
+ground {{ O (0, 0); line way through O along 0 deg }}
+link b {{ B (0, 0); mass {mass} kg at B }}
+prismatic P: b.B - ground.way{friction}
+force F on b at B = ({force} N, 0) when time {sign} {on} s{until}
+{load}start P = 0 mm
+simulate {end} s
+find w = relative_velocity(P)
+"
+        );
+        let pulled = (force - holds) / mass;
+        let free = if window { off } else { end };
+        let right = (pulled * (free - on) - holds / mass * (end - free)).max(0.0);
+        near(number(&text, 1, "w"), right, 1e-8 * pulled * (end - on));
+    }
+}
+
+/// A mass on a spring with dry friction: half-cycles, each less wide by 2 F/k.
+#[test]
+fn half_cycles_with_a_load_against_motion() {
+    let mut random = random(11);
+    for _ in 0..20 {
+        let (k, mass, wide) = (random(10.0, 500.0), random(0.2, 5.0), random(0.05, 0.4));
+        let force = k * wide * random(0.06, 0.3);
+        let half = std::f64::consts::PI * (mass / k).sqrt();
+        let mut places = vec![wide];
+        while places.last().unwrap().abs() * k > force * 1.001 {
+            let x = *places.last().unwrap();
+            places.push(-x.signum() * (x.abs() - 2.0 * force / k));
+        }
+        if places.last().unwrap().abs() * k > 0.999 * force {
+            continue;
+        }
+        let turns = places.len() - 1;
+        let end = half * (1.3 + f64::from(u32::try_from(turns).unwrap()));
+        let text = format!(
+            "ground {{ O (0, 0); W (-1 m, 0); line way through O along 0 deg }}
+link b {{ B (0, 0); mass {mass} kg at B }}
+prismatic P: b.B - ground.way
+spring s: ground.W - b.B {{ stiffness {k} N/m; free_length 1 m }}
+force R on b at B = {force} N against motion
+start P = {wide} m
+simulate {end} s
+event e: relative_velocity(P) = 0 m/s
+find x = displacement(P), f = R.x, most = max(R.x)
+"
+        );
+        let solution = assur::solve(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        let at = |pose: usize, name: &str| solution.poses()[pose][name].number().unwrap();
+        for turn in 1..=turns {
+            near(at(turn, "x"), places[turn], 1e-8 * wide);
+            near(at(turn, "f"), force * (places[turn - 1] - places[turn]).signum(), 1e-9 * force);
+        }
+        // at rest it holds the spring
+        near(at(turns + 1, "f"), k * places[turns], 1e-7 * force);
+        near(at(0, "most"), force, 1e-8 * force);
+    }
+}
