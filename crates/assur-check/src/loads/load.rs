@@ -10,7 +10,7 @@ use crate::output::behind;
 use crate::statements::written::written;
 use crate::values::format_value::format_value;
 use assur_model::model;
-use assur_model::model::{Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place, Query};
+use assur_model::model::{Bearing, Expr, Level, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use assur_syntax::document;
 use assur_syntax::document::{Load, Name, Site, Statement, Turn};
 use assur_text::source::Span;
@@ -362,19 +362,28 @@ pub(crate) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span
     cx.error(LoadError::Form { message, help: help.into(), span });
 }
 
-/// Whether an expression depends on no force that is yet to be found; reports one that does.
+/// Whether an expression depends on nothing that is found from the loads; reports one that does.
 fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
     let simulates = cx.names.simulates;
-    let of_motion = |query: &Query| {
-        let whole = matches!(query, Query::Cycle(_)) && simulates;
-        whole.then_some("a function over the whole motion")
+    let of_motion = |query: &Query| match query {
+        Query::Cycle(_) => Some("a function over the whole motion"),
+        _ if query.facts().level == Level::Accelerations => Some("an acceleration"),
+        _ => None,
     };
     let mut on = None;
     behind::queries(&cx.builder.mech, expr, &mut |query| {
-        on = on.or(query.facts().from_loads).or(of_motion(query));
+        on = on.or(query.facts().from_loads).or(of_motion(query).filter(|_| simulates));
     });
     if let Some(on) = on {
-        cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), span });
+        let help = if simulates {
+            "use only given values, the instant, positions and velocities in a load of a motion and its condition: \
+             accelerations and forces are found from the loads; instead of a load in proportion to an acceleration \
+             give the link more mass or inertia"
+        } else {
+            "use only given values, positions, velocities and accelerations in a load and its condition: forces are \
+             found from the loads"
+        };
+        cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), help: help.into(), span });
     }
     on.is_none()
 }

@@ -58,23 +58,21 @@ impl PoseAnswers<'_> {
         if function == Function::Min { -ahead } else { ahead }
     }
 
-    /// A number that falls through zero where the side of a part ends.
-    pub(crate) fn room(&self, switch: &Switch<'_>) -> f64 {
+    /// A number that falls through zero where the side of a part ends. A piece of a curve has two ends, each with its own number: one
+    /// for both would hide the far end of a piece that is shorter than a step.
+    pub(crate) fn room(&self, switch: &Switch<'_>, end: usize) -> f64 {
         match (switch.expr, switch.side) {
-            (Expr::Compare(how, a, b), Side::Truth(truth)) => {
+            (Expr::Compare(how, a, b), Side::Truth(truth)) if end == 0 => {
                 let below = matches!(how, Comparison::Less | Comparison::LessEqual) == truth;
                 let over = self.scalar(a) - self.scalar(b);
                 if below { -over } else { over }
             }
             (Expr::Curve(curve, _, x), Side::Piece(piece)) => {
-                let (x, (from, to)) = (self.scalar(x), curve.function.bounds(piece));
-                match (from.is_finite(), to.is_finite()) {
-                    (true, true) => (x - from) * (to - x),
-                    (true, false) => x - from,
-                    (false, true) => to - x,
-                    (false, false) => 1.0,
-                }
+                let (from, to) = curve.function.bounds(piece);
+                let room = if end == 0 { self.scalar(x) - from } else { to - self.scalar(x) };
+                if room.is_infinite() { 1.0 } else { room }
             }
+            _ if end > 0 => 1.0,
             (Expr::Call(_, args), Side::Sign(sign)) => {
                 sign * args.first().map_or(f64::NAN, |x| self.scalar(x))
             }
@@ -86,14 +84,13 @@ impl PoseAnswers<'_> {
         }
     }
 
-    /// The other side of the corner that is here.
-    pub(crate) fn other_side<'e>(&self, switch: &Switch<'e>) -> Switch<'e> {
+    /// The other side of the corner that is at this end.
+    pub(crate) fn other_side<'e>(&self, switch: &Switch<'e>, end: usize) -> Switch<'e> {
         let side = match (switch.expr, switch.side) {
             (_, Side::Truth(truth)) => Side::Truth(!truth),
             (_, Side::Sign(sign)) => Side::Sign(-sign),
-            (Expr::Curve(curve, _, x), Side::Piece(piece)) => {
-                let (x, (from, to)) = (self.scalar(x), curve.function.bounds(piece));
-                Side::Piece(curve.function.beside(piece, (to - x).abs() < (x - from).abs()))
+            (Expr::Curve(curve, ..), Side::Piece(piece)) => {
+                Side::Piece(curve.function.beside(piece, end == 1))
             }
             (Expr::Call(function, args), Side::Argument(i)) => {
                 let others = (0..args.len()).filter(|j| *j != i);

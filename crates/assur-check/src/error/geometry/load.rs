@@ -69,20 +69,16 @@ pub enum LoadError {
         #[label("{given}")]
         kind: Span,
     },
-    /// A load depends on a force that is found from the loads.
+    /// A load depends on a force, or an acceleration, that is found from the loads.
     #[error("{what} must not depend on {on}")]
-    #[diagnostic(
-        code("mech::geometry::depends_on_forces"),
-        help(
-            "use only given values, positions, velocities and accelerations in a load and its condition: forces are found \
-             from the loads"
-        )
-    )]
+    #[diagnostic(code("mech::geometry::depends_on_forces"), help("{help}"))]
     DependsOnForces {
         /// The load or its condition.
         what: String,
         /// The result it asks for.
         on: String,
+        /// What it may depend on.
+        help: String,
         /// Its place.
         #[label("{on}")]
         span: Span,

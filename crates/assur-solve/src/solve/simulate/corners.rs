@@ -16,6 +16,8 @@ const PLACES: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
 const CLEAR: f64 = 0.5;
 /// What turns so often at one instant is left as it is: it would hold its load at the corner.
 const MOST: u32 = 3;
+/// Numbers of a switch: a piece of a curve has two ends.
+const ENDS: usize = 2;
 /// The slope of a number is taken over this part of the step.
 const SLOPE: f64 = 1e-3;
 /// Rounding of an instant.
@@ -40,7 +42,7 @@ impl Corners {
     pub fn new(equations: &Equations<'_, '_>, at_once: f64) -> Self {
         let rubbing = if equations.mode.is_some() { equations.model.plan.friction.len() } else { 0 };
         // each slides, and presses at two ends
-        let count = equations.switches.len() + 3 * rubbing;
+        let count = ENDS * equations.switches.len() + 3 * rubbing;
         Self {
             y: equations.start(),
             ranges: vec![(0.0, 0.0); count],
@@ -184,8 +186,8 @@ impl<'a> Equations<'a, '_> {
     }
 
     fn room(&mut self, index: usize) -> f64 {
-        match index.checked_sub(self.switches.len()) {
-            None => self.seen().room(&self.switches[index]),
+        match index.checked_sub(ENDS * self.switches.len()) {
+            None => self.seen().room(&self.switches[index / ENDS], index % ENDS),
             Some(place) if place % 3 == 0 => self.sliding_room(place / 3),
             Some(place) => self.pressing_room(place / 3, place % 3 - 1),
         }
@@ -193,16 +195,17 @@ impl<'a> Equations<'a, '_> {
 
     fn turn(&mut self, index: usize, releases: bool) {
         let other = if releases { 0.0 } else { -1.0 };
-        if let Some(place) = index.checked_sub(self.switches.len()) {
+        if let Some(place) = index.checked_sub(ENDS * self.switches.len()) {
             let turned = match place % 3 {
                 0 => &mut self.senses[place / 3],
                 end => &mut self.sides[place / 3][end - 1],
             };
             *turned *= other;
         } else if releases {
-            self.switches[index].release();
+            self.switches[index / ENDS].release();
         } else {
-            self.switches[index] = self.seen().other_side(&self.switches[index]);
+            let switch = self.seen().other_side(&self.switches[index / ENDS], index % ENDS);
+            self.switches[index / ENDS] = switch;
         }
     }
 }
