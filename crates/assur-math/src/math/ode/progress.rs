@@ -164,7 +164,12 @@ impl<S: Real> Progress<S> {
         }
         // a hundredth more does not leave a step behind
         let last = left.abs().lt(S::of(1.01) * h.abs());
-        Ok(if last { Trial { h: left, t: self.end, last } } else { Trial { h, t: self.t0 + h, last } })
+        if last {
+            return Ok(Trial { h: left, t: self.end, last });
+        }
+        // as long as t moves: what rounding leaves off each time would add up over a long run
+        let t = self.t0 + h;
+        Ok(Trial { h: t - self.t0, t, last })
     }
 
     /// The trial is rejected for its error.

@@ -35,6 +35,10 @@ const STIFF: (u32, u32) = (15, 6);
 /// stiff.
 const STRETCH: usize = 1000;
 const BEYOND: f64 = 4.0;
+/// Nor does it end where rounding of what is stiff bounds the steps: so many are left, h λ is above this, and the solution slower by this.
+const ENDLESS: f64 = 2e4;
+const NEAR: f64 = 0.1;
+const SLOW: f64 = 0.02;
 /// Times that a direction goes through the derivatives.
 const TIMES: usize = 4;
 
@@ -204,16 +208,12 @@ impl<S: Real> Dop853<S> {
     }
 
     /// The step has been at the edge of stability for a while (volume II, section IV.2: |Δf|/|Δy| of the two states at its
-    /// end estimates the greatest eigenvalue).
+    /// end estimates the greatest eigenvalue). All are measured by what is allowed of them: unknowns have units of their own.
     fn looks_stiff(&mut self, h: S) -> bool {
         let progress = &self.progress;
         let last = &self.stages.rates[self.stages.place(11)];
-        let (mut of_rates, mut of_states) = (S::zero(), S::zero());
-        for (i, last) in last.iter().enumerate() {
-            let (f, y) = (progress.f1[i] - *last, progress.y1[i] - self.trial[i]);
-            of_rates = of_rates + f * f;
-            of_states = of_states + y * y;
-        }
+        let of_rates = self.tolerance.square_sum(&progress.y1, |i| progress.f1[i] - last[i]);
+        let of_states = self.tolerance.square_sum(&progress.y1, |i| progress.y1[i] - self.trial[i]);
         if (S::of(STABLE) * of_states).lt(h * h * of_rates) {
             self.edge = (self.edge.0 + 1, 0);
         } else {
@@ -229,8 +229,8 @@ impl<S: Real> Dop853<S> {
         stiff
     }
 
-    /// A long stretch of short steps, though the solution is smooth: the greatest eigenvalue, by powers of
-    /// the derivatives, is beyond what such steps are stable for.
+    /// A long stretch of short steps, though the solution is smooth: the greatest eigenvalue, by powers of the derivatives, is
+    /// beyond what such steps are stable for, or faster by far than the solution, which such steps would follow without end.
     fn is_held_up<F: System<S> + ?Sized>(&mut self, system: &mut F, h: S) -> bool {
         let steps = self.progress.counts.steps;
         if steps < self.looked + STRETCH {
@@ -239,35 +239,49 @@ impl<S: Real> Dop853<S> {
         self.looked = steps;
         let last = self.stages.place(11);
         // the memory of a polynomial that is not formed yet
-        let [way, rates, ..] = &mut self.dense;
-        let (at, progress) = (&mut self.trial, &mut self.progress);
-        for (v, (f, before)) in way.iter_mut().zip(progress.f1.iter().zip(&self.stages.rates[last])) {
+        let way = &mut self.dense[0];
+        for (v, (f, before)) in way.iter_mut().zip(self.progress.f1.iter().zip(&self.stages.rates[last])) {
             *v = *f - *before;
         }
-        let size = |v: &[S]| v.iter().fold(S::zero(), |sum, x| sum + *x * *x).sqrt();
-        let reach = epsilon::<S>().sqrt() * size(&progress.y1);
         let mut growths = [S::zero(); TIMES];
         for growth in &mut growths {
-            let length = size(way);
-            if !nonzero(length) || !nonzero(reach) {
-                return false;
-            }
-            let part = reach / length;
-            for (at, (y, v)) in at.iter_mut().zip(progress.y1.iter().zip(&*way)) {
-                *at = *y + part * *v;
-            }
-            progress.counts.evaluations += 1;
-            if evaluate(system, progress.t1, at, rates).is_err() {
-                return false;
-            }
-            for (v, (f, here)) in way.iter_mut().zip(rates.iter().zip(&progress.f1)) {
-                *v = (*f - *here) / part;
-            }
-            *growth = size(way) / length;
+            let Some(found) = self.growth(system) else { return false };
+            *growth = found;
         }
         // of a turning pair of unknowns the growths take turns
-        let fastest = growths[TIMES - 2] * growths[TIMES - 1];
-        S::of(BEYOND * BEYOND).lt(h * h * fastest)
+        let fastest = h * h * growths[TIMES - 2] * growths[TIMES - 1];
+        if S::of(BEYOND * BEYOND).lt(fastest) {
+            return true;
+        }
+        let left = (self.progress.end - self.progress.t1).abs();
+        if !(S::of(ENDLESS) * h.abs()).lt(left) || !S::of(NEAR * NEAR).lt(fastest) {
+            return false;
+        }
+        self.dense[0].copy_from_slice(&self.progress.f1);
+        let own = self.growth(system).map(|own| h * h * own * own);
+        own.is_some_and(|own| own.lt(S::of(SLOW * SLOW) * fastest))
+    }
+
+    /// By how much a direction grows that goes through the derivatives at the end of the step. It is looked at as far as unknowns
+    /// may be off, at least: a motion may be small.
+    fn growth<F: System<S> + ?Sized>(&mut self, system: &mut F) -> Option<S> {
+        let [way, rates, ..] = &mut self.dense;
+        let (at, progress, tolerance) = (&mut self.trial, &mut self.progress, &self.tolerance);
+        let size = |v: &[S]| tolerance.square_sum(&progress.y1, |i| v[i]).sqrt();
+        let length = size(way);
+        if !nonzero(length) {
+            return None;
+        }
+        let part = (epsilon::<S>().sqrt() * size(&progress.y1)).max(S::one()) / length;
+        for (at, (y, v)) in at.iter_mut().zip(progress.y1.iter().zip(&*way)) {
+            *at = *y + part * *v;
+        }
+        progress.counts.evaluations += 1;
+        evaluate(system, progress.t1, at, rates).ok()?;
+        for (v, (f, here)) in way.iter_mut().zip(rates.iter().zip(&progress.f1)) {
+            *v = (*f - *here) / part;
+        }
+        Some(tolerance.square_sum(&progress.y1, |i| way[i]).sqrt() / length)
     }
 
     /// A trial and its error; the next length that the error asks for.

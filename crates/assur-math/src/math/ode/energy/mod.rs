@@ -61,6 +61,9 @@ pub struct Energy {
     motion: Motion,
     /// The kinetic energy where the last step ended.
     kinetic: f64,
+    /// How much later than t the state is where the last step began and ended: what rounding leaves off t would add up over a
+    /// long run, always in the same sense where steps come again.
+    late: [f64; 2],
     /// Length of the next interval.
     length: f64,
     ways: Vec<Way>,
@@ -88,6 +91,7 @@ impl Energy {
             nodes: Nodes::new(),
             motion: Motion::Rests,
             kinetic: 0.0,
+            late: [0.0; 2],
             length: FIRST * scale,
             ways: vec![Way::new(works, watched); KEPT],
             known: 0,
@@ -299,6 +303,7 @@ impl Integrator<f64> for Energy {
         end: f64,
     ) -> Result<(), Undefined> {
         self.progress.place(system, Some(t), y, end)?;
+        self.late = [0.0; 2];
         self.begin(system)
     }
 
@@ -316,6 +321,7 @@ impl Integrator<f64> for Energy {
         if !self.progress.begin(system) {
             return Ok(Step::Last);
         }
+        self.late[0] = self.late[1];
         let (t, end) = (self.progress.t0, self.progress.end);
         let limit = t + self.progress.bounded(end - t);
         if self.progress.counts.steps >= self.progress.most_steps {
@@ -333,11 +339,14 @@ impl Integrator<f64> for Energy {
             return Err(self.undone(Stopped::StepTooSmall));
         };
         self.worst = self.worst.max(stretch.left_off());
-        let reached = t + stretch.duration();
+        let duration = stretch.duration() + self.late[0];
+        let reached = t + duration;
         let (t, q) = if reached < limit {
+            self.late[1] = duration - (reached - t);
             (reached, stretch.place(1.0))
         } else {
-            (limit, stretch.place_after(limit - t))
+            self.late[1] = 0.0;
+            (limit, stretch.place_after(limit - t - self.late[0]))
         };
         self.current = Some((way, stretch));
         self.end_at(system, (t, q), sense).map_err(|Undefined| self.undone(Stopped::Undefined))?;
@@ -353,7 +362,8 @@ impl Integrator<f64> for Energy {
     fn shorten<F: System<f64> + ?Sized>(&mut self, system: &mut F, t: f64) -> Result<(), Undefined> {
         let sense = self.sense();
         if let Some((_, stretch)) = &self.current {
-            let q = stretch.place_after(t - self.progress.t0);
+            let q = stretch.place_after(t - self.progress.t0 - self.late[0]);
+            self.late[1] = 0.0;
             self.motion = Motion::Moves(sense);
             self.end_at(system, (t, q), sense).inspect_err(|Undefined| self.progress.undo())?;
         }
@@ -373,7 +383,7 @@ impl Integrator<f64> for Energy {
     fn dense(&self, t: f64, y: &mut [f64]) {
         y.copy_from_slice(&self.progress.y0);
         if let Some((way, stretch)) = &self.current {
-            let q = stretch.place_after(t - self.progress.t0);
+            let q = stretch.place_after(t - self.progress.t0 - self.late[0]);
             self.fill((*way, stretch), (q, stretch.sense()), y);
         }
     }
