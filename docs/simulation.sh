@@ -93,7 +93,7 @@ TEXT
 
 Written by `python3 benches/simulate/run.py --write`, which installs the other programs under target/simulate-peers, and tries several tolerances or steps in
 each: the fastest that keeps an error is shown. Errors are against references with 30 digits, at the last instant: of Andrews' mechanism
-the greatest |Δq|/(1 + |q|) of its angles. A run is the motion alone, without reading the text; that of assur has the runs from which its error is estimated, and its evaluations are those of the run that is printed. By DOP853 it goes where a load of time, here of 0 N m, leaves
+the greatest |Δq|/(1 + |q|) of its angles. A run is the motion alone, without reading the text; that of assur has the runs from which its error is estimated, and its evaluations are those of the run that is printed. By DOP853 it goes where a load of time, here of 1e-30 N m/s, leaves
 no energy to go by. A process begins with
 starting the interpreter, and with compiling by numba or the C compiler. The times of the others are those on the processor, the least of several; of RADAU5, whose clock
 has milliseconds, the mean. The equations for RADAU5, scipy and IDA are those of the angles of all links: compiled by the C compiler for RADAU5, which is called

@@ -1,8 +1,9 @@
 //! The cost of the plan per position: by step, by effect, and the effects that are not asked for.
 
 use super::document::{Block, Column, Section, Table};
+use super::simulation::taken;
 use assur_model::structure::{BodyOrigin, Group};
-use assur_solve::measure::{Costs, Over};
+use assur_solve::measure::{Costs, MotionCost, Over};
 use assur_solve::solve::Model;
 
 /// Adds time and share to the rows of the steps: motion, loads, forces.
@@ -44,6 +45,19 @@ pub(super) fn section(model: &Model<'_>, costs: &Costs) -> Section {
     }
     for (name, time) in &costs.beside {
         facts.push(((*name).to_owned(), format!("{} ns in addition to the plan", nanoseconds(*time))));
+    }
+    if let Some(MotionCost { report, time, watched }) = &costs.motion_under_loads {
+        let text = format!(
+            "{:.1} ms by {}: {} steps, {} evaluations in all runs",
+            time * 1e3,
+            taken(model.mechanism, report),
+            report.steps,
+            report.evaluations
+        );
+        facts.push(("the motion".to_owned(), text));
+        if let Some(part) = watched {
+            facts.push(("events and functions".to_owned(), format!("{} of a run", share(*part, 1.0))));
+        }
     }
     let idle = model.plan.effects.not_asked_for(model.mechanism);
     if !idle.is_empty() {

@@ -84,9 +84,8 @@ pub(super) fn lines(answers: &Answers<'_>) -> Vec<String> {
     let order = |x: f64| order_of(x, answers.precision);
     let mut lines = vec![
         format!(
-            "integrated by {}{}: {} steps, {} rejected, {} evaluations in all runs",
-            method(report.method),
-            why(answers.model.mechanism, report),
+            "integrated by {}: {} steps, {} rejected, {} evaluations in all runs",
+            taken(answers.model.mechanism, report),
             report.steps,
             report.rejected,
             report.evaluations
@@ -174,7 +173,11 @@ pub(super) const fn method(method: Method) -> &'static str {
     }
 }
 
-/// Why this method was taken.
+/// The method that was taken, and why.
+pub(super) fn taken(mechanism: &Mechanism, report: &SimulationReport) -> String {
+    format!("{}{}", method(report.method), why(mechanism, report))
+}
+
 fn why(mechanism: &Mechanism, report: &SimulationReport) -> String {
     let name = |pair| &mechanism.pair(pair).name;
     let why = match report.why {

@@ -18,6 +18,7 @@ mod folder;
 mod formatted;
 mod geometry;
 mod great_numbers;
+mod honest_runs;
 mod jumps;
 mod large;
 mod methods;

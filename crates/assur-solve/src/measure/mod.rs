@@ -10,7 +10,7 @@ mod runs;
 
 pub use choice::Choice;
 pub use clock::{Clock, micros};
-pub use cost::{Costs, Over, costs};
+pub use cost::{Costs, MotionCost, Over, costs};
 pub use digit_less::{DigitLess, run_with_a_digit_less, samples_with_a_digit_less};
 pub use price::Price;
 pub use runs::{MethodStudy, RunRow, RunStudy, study_runs};

@@ -5,6 +5,7 @@
 //! is kept; a step, or an effect, costs what the plan with it takes longer than the plan without it.
 
 mod incremental_plans;
+mod of_motion;
 mod sample_positions;
 
 use crate::answer::balanced;
@@ -13,6 +14,7 @@ use crate::model::{LoadId, Value};
 use crate::position::{Model, State, residuals};
 use crate::solve::{Failure, PoseAnswers, Rates, Sweep, WholeCycle, cycles, refusals, statics};
 use incremental_plans::Trial;
+pub use of_motion::MotionCost;
 pub use sample_positions::Over;
 use sample_positions::Place;
 
@@ -44,6 +46,8 @@ pub struct Costs {
     pub forces: Vec<f64>,
     /// What is done at every position beside the plan: the residuals, and the quantities of the file where there are any.
     pub beside: Vec<(&'static str, f64)>,
+    /// The motion under loads, where the file follows one.
+    pub motion_under_loads: Option<MotionCost>,
 }
 
 /// Runs the plan of a file over its positions; where there is one alone, over a turn of its drive. `None` where the file
@@ -92,6 +96,7 @@ pub fn costs(model: &Model<'_>, clock: Clock) -> Result<Option<Costs>, Vec<Failu
         loads: loads.to_vec(),
         forces: forces.to_vec(),
         beside: beside.iter().zip(&beside_times).map(|(b, t)| (b.0, (t - whole).max(0.0))).collect(),
+        motion_under_loads: of_motion::of_motion(model, &statics, clock),
     }))
 }
 

@@ -16,6 +16,8 @@ pub struct Conduct<'c> {
     pub steps: f64,
     /// One run alone, at this tolerance: of a motion whose accuracy is known.
     pub alone: Option<f64>,
+    /// Functions over the run are not taken, and events that change nothing are not looked for.
+    pub bare: bool,
     /// Functions over the run are drawn.
     pub drawn: Option<Drawn<'c>>,
     /// Told how far it is, in each of the runs that it takes.

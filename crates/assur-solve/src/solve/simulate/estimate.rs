@@ -97,5 +97,18 @@ fn rounding(run: &Run, scales: &[f64]) -> f64 {
     let walk =
         WALK * greatest * (run.counts.steps as f64).sqrt() / run.worst_condition.0.max(LEAST_CONDITION);
     let changes = if run.records.order > 1 { OF_CHANGE * (run.crossed.len() as f64).sqrt() } else { 0.0 };
-    f64::EPSILON * (walk + OF_EVENT * run.counts.shortened as f64 + changes) + run.shift
+    f64::EPSILON * (walk + OF_EVENT * run.counts.shortened as f64 + changes)
+        + run.shift
+        + run.late * pace(run, scales)
+}
+
+/// How fast coordinates and rates change at most, of what is much for them and of the greatest rate, 1/s.
+fn pace(run: &Run, scales: &[f64]) -> f64 {
+    let order = run.records.order;
+    let greatest = |of: &dyn Fn(usize) -> f64| (0..run.records.count).map(of).fold(0.0, f64::max);
+    let over =
+        |values: &[f64]| values.iter().zip(scales).map(|(x, scale)| x.abs() / scale).fold(0.0, f64::max);
+    let rate = greatest(&|index| over(&run.records.state(index)[order..]));
+    let acceleration = greatest(&|index| over(run.records.accelerations(index)));
+    if rate > 0.0 { rate.max(acceleration / rate) } else { 0.0 }
 }

@@ -265,7 +265,7 @@ impl Watch<'_> {
         };
         let Memory { asked, sets, set_of, values, .. } = memory;
         asked.clear();
-        asked.extend((0..self.functions.len()).filter(|&f| counts(&self.functions[f])));
+        asked.extend((0..self.functions.len()).filter(|&f| !self.bare && counts(&self.functions[f])));
         // several functions may be of one expression
         sets.clear();
         set_of.clear();

@@ -92,6 +92,8 @@ pub(super) struct Going<'m, 'o> {
     pub place: Option<usize>,
     /// It goes by energy: after an impact another method does.
     pub by_energy: bool,
+    /// By how much rounding of the energy may shift the instants, s.
+    pub late: f64,
     /// No first step of that is longer, s: what was hit may come back.
     pub first: f64,
     /// The condition at which other coordinates were looked for in vain.
@@ -116,6 +118,8 @@ impl<'m, 'o> Going<'m, 'o> {
         let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
         let mut watch = Watch::new(equations, (begin, last), pass.tolerance);
         watch.guard = outputs.guard;
+        watch.bare = outputs.conduct.bare;
+        watch.comes_again &= !watch.bare;
         outputs.conduct.drawn.iter().for_each(|drawn| watch.draw(drawn));
         Self {
             recorder: Recorder::new(equations),
@@ -142,6 +146,7 @@ impl<'m, 'o> Going<'m, 'o> {
             trace: Trace::new(),
             place: None,
             by_energy: false,
+            late: 0.0,
             first: f64::INFINITY,
             looked_at: CAREFUL / AGAIN,
             changes: Vec::new(),

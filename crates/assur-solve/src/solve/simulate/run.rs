@@ -65,6 +65,8 @@ pub(super) struct Run {
     pub left_off: LeftOff,
     /// By how much rounding may shift an impact, of the length of the run.
     pub shift: f64,
+    /// By how much rounding of the energy may shift its instants, s.
+    pub late: f64,
     /// Its tolerance.
     pub tolerance: f64,
     /// The part that its steps are of those of the run before.
@@ -217,6 +219,7 @@ impl Going<'_, '_> {
             equations.begin_walk(y[0]);
             let mut found = self.begin_with(&mut method, equations, charts, (t, y));
             found.left_off = LeftOff::of_series(method.left_off());
+            self.late += method.late_by_rounding();
             found
         } else {
             self.begin_explicit(equations, charts, &allowed, (t, y))
@@ -343,6 +346,7 @@ impl Going<'_, '_> {
             changes,
             crossed,
             trace,
+            late,
             ..
         } = self;
         let mut events = watch.times;
@@ -370,6 +374,7 @@ impl Going<'_, '_> {
             end,
             left_off: part.left_off.with_functions(left_off),
             shift,
+            late,
             tolerance: 0.0,
             part: None,
             trace: trace.with_works(&records),
@@ -449,6 +454,7 @@ impl Run {
             end: first,
             left_off: LeftOff::default(),
             shift: 0.0,
+            late: 0.0,
             tolerance: 0.0,
             part: None,
             trace: Trace::default(),

@@ -46,6 +46,8 @@ pub(super) struct Watch<'m> {
     pub same: f64,
     /// Functions are drawn: their series are kept, and events that change nothing are not looked for.
     pub drawn: bool,
+    /// Functions are not taken, and events that change nothing are not looked for.
+    pub bare: bool,
     /// Instants of every event, s.
     pub times: Vec<Vec<f64>>,
     /// The way in which an event was passed where the present step begins.
@@ -100,6 +102,7 @@ impl<'m> Watch<'m> {
             smooth: SMOOTH.max(OF_TOLERANCE * tolerance),
             same: 0.0,
             drawn: false,
+            bare: false,
             times: vec![Vec::new(); count],
             passed: vec![None; count],
             left: vec![false; count],
@@ -127,7 +130,7 @@ impl<'m> Watch<'m> {
 
     /// Whether an event is known, and changes nothing.
     fn is_left_out(&self, event: usize) -> bool {
-        self.drawn && !self.events[event].ends
+        (self.drawn || self.bare) && !self.events[event].ends
     }
 
     /// The first events within the last step.

@@ -77,6 +77,8 @@ pub struct Energy {
     out: Vec<f64>,
     /// The most that a series has left off.
     worst: f64,
+    /// By how much rounding of the kinetic energy may shift the instants, where it is small.
+    late_by_rounding: f64,
 }
 
 impl Energy {
@@ -100,6 +102,7 @@ impl Energy {
             values: vec![[0.0; NODES]; 2 + works + watched],
             out: vec![0.0; 2 + works + watched],
             worst: 0.0,
+            late_by_rounding: 0.0,
         }
     }
 
@@ -107,6 +110,12 @@ impl Energy {
     #[must_use]
     pub fn left_off(&self) -> f64 {
         self.worst / OFF
+    }
+
+    /// By how much rounding of the kinetic energy, which is small where it passes slowly, may have shifted the instants so far.
+    #[must_use]
+    pub const fn late_by_rounding(&self) -> f64 {
+        self.late_by_rounding
     }
 
     /// Mass, force and rates of works at a value of the coordinate.
@@ -348,6 +357,8 @@ impl Integrator<f64> for Energy {
             self.late[1] = 0.0;
             (limit, stretch.place_after(limit - t - self.late[0]))
         };
+        let rounding = f64::EPSILON * self.ways[way].energies_at_most();
+        self.late_by_rounding += 0.5 * rounding / stretch.slowest * (t - self.progress.t0);
         self.current = Some((way, stretch));
         self.end_at(system, (t, q), sense).map_err(|Undefined| self.undone(Stopped::Undefined))?;
         if rest == Some(q) {

@@ -23,13 +23,15 @@ pub(super) struct Stretch {
     /// The derivative of time, on [−1, 1], and time.
     rate: [f64; NODES],
     time: [f64; NODES + 1],
+    /// The least kinetic energy on it; towards a place of rest that at its far end, by the least force.
+    pub slowest: f64,
 }
 
 impl Stretch {
     pub fn new(nodes: &Nodes, way: &Way, (from, to): (f64, f64), rest: Option<f64>) -> Self {
         let roots = rest.map_or([0.0; 2], |r| [(from - r).abs().sqrt(), (to - r).abs().sqrt()]);
         let none = ([0.0; NODES], [0.0; NODES + 1]);
-        let mut stretch = Self { from, to, rest, roots, rate: none.0, time: none.1 };
+        let mut stretch = Self { from, to, rest, roots, rate: none.0, time: none.1, slowest: f64::INFINITY };
         let change = if rest.is_some() { (roots[1] - roots[0]).abs() } else { 0.5 * (to - from).abs() };
         let mut rates = [0.0; NODES];
         for (part, rates) in rates.as_chunks_mut::<SIDE_BY_SIDE>().0.iter_mut().enumerate() {
@@ -37,7 +39,11 @@ impl Stretch {
                 std::array::from_fn(|i| stretch.place(nodes.at(-1.0, 1.0, part * SIDE_BY_SIDE + i)));
             let of_motion = rest.map_or_else(|| way.energies(&q), |r| q.map(|q| way.mean_force(r, q).abs()));
             let masses = way.masses(&q);
+            stretch.slowest = of_motion.iter().fold(stretch.slowest, |least, x| least.min(*x));
             *rates = std::array::from_fn(|i| change * (masses[i] / (2.0 * of_motion[i])).sqrt());
+        }
+        if rest.is_some() {
+            stretch.slowest *= roots[0].max(roots[1]) * roots[0].max(roots[1]);
         }
         stretch.rate = nodes.coefficients(&rates);
         integrate(&stretch.rate, 1.0, 0.0, &mut stretch.time);

@@ -105,6 +105,11 @@ impl Way {
         self.high - self.low
     }
 
+    /// What the kinetic energy is a sum of.
+    pub fn energies_at_most(&self) -> f64 {
+        self.energy.iter().map(|c| c.abs()).sum()
+    }
+
     fn x(&self, q: f64) -> f64 {
         ((q - self.low) + (q - self.high)) / self.length()
     }
