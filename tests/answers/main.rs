@@ -23,6 +23,7 @@ mod jumps;
 mod large;
 mod methods;
 mod names;
+mod nothing;
 mod number_cases;
 mod positions;
 mod powers;
