@@ -36,6 +36,7 @@ mod simulation;
 mod starts;
 mod torsion_springs;
 mod unit;
+mod unsmooth;
 mod unused;
 mod variants;
 mod zero;

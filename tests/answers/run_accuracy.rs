@@ -161,7 +161,8 @@ fn evaluations_are_few_for_the_digits_they_give() {
     let kept = text.lines().filter(|line| !line.starts_with("find") && !line.starts_with("expect"));
     let alone: Vec<&str> = kept.collect();
     // a load of time leaves no energy to go by
-    let timed = alone.join("\n").replace("0.033 N*m", "0.033 N*m + 1e-30 N*m/s*time").replace(" in 30 steps", "");
+    let timed =
+        alone.join("\n").replace("0.033 N*m", "0.033 N*m + 1e-30 N*m/s*time").replace(" in 30 steps", "");
     let source = Source::new("timed", timed + "\nfind angle(OF)\n");
     // OF, BDE, EG, AG, AH
     let angles = [

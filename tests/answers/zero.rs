@@ -110,7 +110,8 @@ expect alpha(c) = 0 rad/s^2 within 1e-8 rad/s^2 at event end";
                 ("spring T: a.B - c.C { stiffness 100 N/m; free_length 0.1 m; damping 3 N*s/m }", ", work(T)")
             }
         };
-        let nothing = if works.is_empty() { "" } else { "expect work(T) = 0 N*m within 1e-300 N*m at event end" };
+        let nothing =
+            if works.is_empty() { "" } else { "expect work(T) = 0 N*m within 1e-300 N*m at event end" };
         right(
             &format!("{text}\n{load}\nfind angle(a), omega(c){works}"),
             &format!("expect angle(a) = {angle} deg within 1e-6 deg at event end\n{nothing}"),

@@ -21,8 +21,7 @@ impl State {
         let disk = self.motion.bodies[contact.disk.index()];
         let sense = if cam.ccw { -1.0 } else { 1.0 };
         let e = contact.towards.turned(frame.u);
-        let phi = sense * e.turned_back(disk.u).angle();
-        let at = cam.at(phi);
+        let at = self.cam_point(step, sense * e.turned_back(disk.u).angle());
         let [s, s_1, s_2, _] = at.lift;
         let (mut rate, mut second) = (0.0, 0.0);
         if LEVEL > 0 {
@@ -78,7 +77,7 @@ impl State {
             self.motion.open.get_or_insert(branch);
             return;
         };
-        let at = cam.at(phi);
+        let at = self.cam_point(step, phi);
         let [_, s_1, s_2, _] = at.lift;
         let (mut turning, mut second) = (0.0, 0.0);
         if LEVEL > 0 {
@@ -94,6 +93,22 @@ impl State {
         place::<_, LEVEL>(disk, &Some(contact.centre), hub, u, omega, alpha);
         self.motion.conditions[branch] = at.normal.cross(at.contact) / at.contact.norm();
         self.cam_touches(step, &at);
+    }
+
+    /// All that belongs to a cam angle, rad, by the part of the law that is held, if one is.
+    fn cam_point(&self, step: &CamStep, phi: f64) -> CamPoint {
+        let part = self.motion.laws.get(step.index).and_then(Option::as_ref);
+        part.map_or_else(|| step.cam.at(phi), |part| step.cam.beyond(part, phi))
+    }
+
+    /// The angle by which a cam has turned against its frame since its x axis pointed towards the follower, rad, and its rate.
+    #[must_use]
+    pub fn cam_angle(&self, step: &CamStep) -> (f64, f64) {
+        let frame = &self.motion.bodies[step.contact.frame.index()];
+        let disk = &self.motion.bodies[step.contact.disk.index()];
+        let sense = if step.cam.ccw { -1.0 } else { 1.0 };
+        let e = step.contact.towards.turned(frame.u);
+        (sense * e.turned_back(disk.u).angle(), sense * (frame.omega - disk.omega))
     }
 
     /// The lift at which the follower of a cam stands, m or rad, and the magnitude of what it is the difference of.
@@ -178,9 +193,7 @@ impl State {
         let disk = &self.motion.bodies[contact.disk.index()];
         let follower = &self.motion.bodies[contact.follower.index()];
         let (place, normal) = self.motion.touches[step.index];
-        let frame = &self.motion.bodies[contact.frame.index()];
-        let sense = if cam.ccw { -1.0 } else { 1.0 };
-        let phi = sense * contact.towards.turned(frame.u).turned_back(disk.u).angle();
+        let (phi, _) = self.cam_angle(step);
         let rim = disk.position(contact.centre + cam.in_cam(cam.at(phi).contact, phi));
         let apart = match contact.face {
             Some((at, along)) => (place - follower.position(at)).dot(along.turned(follower.u).perp()).abs(),

@@ -3,6 +3,7 @@
 use super::against::Against;
 use super::body::BodyState;
 use super::grip::Grip;
+use crate::element::cam::Part;
 use crate::math::{Scalar, V2, Vec2};
 use crate::plan::Plan;
 
@@ -58,6 +59,10 @@ pub struct Motion<S = f64> {
     pub grips: Vec<Grip>,
     /// How the loads against the motion act there, where such a motion says it: by load.
     pub against: Vec<Against>,
+    /// The parts of laws by which designed cams are taken there, beyond their ends too, by contact.
+    pub laws: Vec<Option<Part>>,
+    /// Where springs point that are taken on one side of length zero there, by spring.
+    pub towards: Vec<Vec2>,
     /// The first group that does not close.
     pub open: Option<usize>,
     /// What the dyads RRR and RRP leave for forces.
@@ -84,6 +89,8 @@ impl<S: Scalar + Default> Motion<S> {
             stops: Vec::new(),
             grips: Vec::new(),
             against: Vec::new(),
+            laws: Vec::new(),
+            towards: Vec::new(),
             open: None,
             shared: vec![Shared::default(); groups],
         }
@@ -104,6 +111,8 @@ impl Motion {
             stops,
             grips,
             against,
+            laws,
+            towards,
             open,
             shared,
         } = other;
@@ -117,6 +126,8 @@ impl Motion {
         self.stops.clone_from(stops);
         self.grips.clone_from(grips);
         self.against.clone_from(against);
+        self.laws.clone_from(laws);
+        self.towards.clone_from(towards);
         self.shared.clone_from(shared);
     }
 

@@ -16,7 +16,7 @@
 //! - χ = φ, h = r₀ + s (translating),
 //! - χ = φ ± (π/2 − ψ), h = a sin ψ − f, ψ₀ = asin((r₀ + f)/a) (oscillating, + with the cam).
 
-use super::{Cam, Follower, Jet, Shape};
+use super::{Cam, Follower, Jet, Part, Shape};
 use crate::math::Vec2;
 
 /// What belongs to one cam angle. Vectors in the axes of the frame, origin in the cam's centre, x towards the follower.
@@ -74,6 +74,12 @@ impl Cam {
     #[must_use]
     pub fn at(&self, phi: f64) -> CamPoint {
         self.with_lift(self.program.at(phi))
+    }
+
+    /// The same by the formula of a part, which goes on beyond its ends.
+    #[must_use]
+    pub fn beyond(&self, part: &Part, phi: f64) -> CamPoint {
+        self.with_lift(self.program.beyond(part, phi))
     }
 
     /// The same for a lift and its derivatives.

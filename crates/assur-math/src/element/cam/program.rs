@@ -36,6 +36,15 @@ pub struct Part {
     pub to: f64,
 }
 
+impl Part {
+    /// A cam angle in the turn in which it is nearest to the middle of the part, rad.
+    #[must_use]
+    pub fn near(&self, phi: f64) -> f64 {
+        let middle = 0.5 * (self.from + self.to);
+        phi - TAU * ((phi - middle) / TAU).round()
+    }
+}
+
 /// The motion over one turn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
@@ -113,6 +122,28 @@ impl Program {
     pub fn on_part(&self, part: &Part, phi: f64) -> Jet {
         let phase = &self.phases[part.phase];
         phase.scaled(phase.law.on_part(part.part, ((phi - phase.start) / phase.angle).clamp(0.0, 1.0)))
+    }
+
+    /// The same beyond its ends too, the part being that of its turn which is nearest.
+    #[must_use]
+    pub fn beyond(&self, part: &Part, phi: f64) -> Jet {
+        let phase = &self.phases[part.phase];
+        phase.scaled(phase.law.on_part(part.part, (part.near(phi) - phase.start) / phase.angle))
+    }
+
+    /// The part whose formula holds at a cam angle, rad; where two meet, the later one.
+    #[must_use]
+    pub fn part_at(&self, phi: f64) -> Option<Part> {
+        let phi = wrapped(phi);
+        self.parts().take_while(|part| part.from <= phi + NEAR).last()
+    }
+
+    /// The part after another one, or before it.
+    #[must_use]
+    pub fn beside(&self, part: &Part, after: bool) -> Option<Part> {
+        let place = self.parts().position(|p| p == *part)?;
+        let count = self.parts().count();
+        self.parts().nth(if after { (place + 1) % count } else { (place + count - 1) % count })
     }
 
     /// The parts over which one formula holds, in order.

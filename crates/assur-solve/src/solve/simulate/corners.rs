@@ -42,7 +42,7 @@ impl Corners {
     pub fn new(equations: &Equations<'_, '_>, at_once: f64) -> Self {
         let rubbing = if equations.mode.is_some() { equations.model.plan.friction.len() } else { 0 };
         // each slides, and presses at two ends
-        let count = ENDS * equations.switches.len() + 3 * rubbing;
+        let count = ENDS * equations.switches.len() + equations.seams() + 3 * rubbing;
         Self {
             y: equations.start(),
             ranges: vec![(0.0, 0.0); count],
@@ -67,6 +67,10 @@ impl Corners {
             return Ok(());
         }
         let step = (method.previous_t(), method.t());
+        // those of cams and springs are far in most steps
+        if self.ranges.len() == equations.seams() && !equations.may_pass_seams(step.1 - step.0) {
+            return Ok(());
+        }
         self.look(equations, method, step);
         let mut first: Option<(f64, usize)> = None;
         for index in 0..self.ranges.len() {
@@ -156,13 +160,15 @@ impl<'a> Equations<'a, '_> {
     /// Takes all loads on the sides where they are in a state; those that have a side keep it.
     pub fn take_sides(&mut self, t: f64, y: &[f64]) {
         let kept = std::mem::replace(&mut self.held, false);
+        self.release_seams();
         // the speeds of what rests are those with which it may begin to move in either sense
         let rests = self.mode == Some(Mode::Resting);
         let smooth = self.switches.is_empty() && (self.mode.is_none() || self.model.plan.friction.is_empty());
-        if smooth || !self.observe(t, y, false) {
+        if (smooth && self.seams() == 0) || !self.observe(t, y, false) {
             return;
         }
         self.take_senses();
+        self.take_seams();
         let mut switches = std::mem::take(&mut self.switches);
         for switch in &mut switches {
             if rests && switch.of_speeds {
@@ -186,8 +192,10 @@ impl<'a> Equations<'a, '_> {
     }
 
     fn room(&mut self, index: usize) -> f64 {
-        match index.checked_sub(ENDS * self.switches.len()) {
-            None => self.seen().room(&self.switches[index / ENDS], index % ENDS),
+        let (switches, seams) = (ENDS * self.switches.len(), self.seams());
+        match index.checked_sub(switches + seams) {
+            None if index < switches => self.seen().room(&self.switches[index / ENDS], index % ENDS),
+            None => self.seam_room(index - switches),
             Some(place) if place % 3 == 0 => self.sliding_room(place / 3),
             Some(place) => self.pressing_room(place / 3, place % 3 - 1),
         }
@@ -195,12 +203,15 @@ impl<'a> Equations<'a, '_> {
 
     fn turn(&mut self, index: usize, releases: bool) {
         let other = if releases { 0.0 } else { -1.0 };
-        if let Some(place) = index.checked_sub(ENDS * self.switches.len()) {
+        let (switches, seams) = (ENDS * self.switches.len(), self.seams());
+        if let Some(place) = index.checked_sub(switches + seams) {
             let turned = match place % 3 {
                 0 => &mut self.senses[place / 3],
                 end => &mut self.sides[place / 3][end - 1],
             };
             *turned *= other;
+        } else if index >= switches {
+            self.turn_seam(index - switches, releases);
         } else if releases {
             self.switches[index / ENDS].release();
         } else {

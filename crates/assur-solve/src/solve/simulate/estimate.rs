@@ -27,6 +27,9 @@ const BETWEEN: f64 = 3.0;
 const LEAST: f64 = 0.05;
 /// Rounding adds up as a random walk: so many times its mean distance, as over the examples.
 const WALK: f64 = 3.0;
+/// By the method of energy time is a sum of integrals along the same intervals again and again, which are rounded in the same sense:
+/// it is known to so many roundings, as of pendulums over 1e5 s.
+const OF_TIME: f64 = 3.0;
 /// The instant of an event is known to so many roundings of the run, as over the examples with stops, and all that follows shifts
 /// with it: what passes slowly is passed less exactly.
 const OF_EVENT: f64 = 30.0;
@@ -97,7 +100,8 @@ fn rounding(run: &Run, scales: &[f64]) -> f64 {
     let walk =
         WALK * greatest * (run.counts.steps as f64).sqrt() / run.worst_condition.0.max(LEAST_CONDITION);
     let changes = if run.records.order > 1 { OF_CHANGE * (run.crossed.len() as f64).sqrt() } else { 0.0 };
-    f64::EPSILON * (walk + OF_EVENT * run.counts.shortened as f64 + changes)
+    let passed = if run.method == Method::Energy { OF_TIME * passed(run, scales) } else { 0.0 };
+    f64::EPSILON * (walk + OF_EVENT * run.counts.shortened as f64 + changes + passed)
         + run.shift
         + run.late * pace(run, scales)
 }
@@ -111,4 +115,11 @@ fn pace(run: &Run, scales: &[f64]) -> f64 {
     let rate = greatest(&|index| over(&run.records.state(index)[order..]));
     let acceleration = greatest(&|index| over(run.records.accelerations(index)));
     if rate > 0.0 { rate.max(acceleration / rate) } else { 0.0 }
+}
+
+/// How far coordinates would come in the time of the run at their greatest rates.
+fn passed(run: &Run, scales: &[f64]) -> f64 {
+    let rates = |index: usize| run.records.state(index)[run.records.order..].iter().zip(scales);
+    let greatest = (0..run.records.count).flat_map(rates).map(|(rate, scale)| rate.abs() / scale);
+    greatest.fold(0.0, f64::max) * run.records.times.last().map_or(0.0, |last| last - run.records.times[0])
 }

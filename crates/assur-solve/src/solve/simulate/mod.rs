@@ -42,6 +42,7 @@ mod resting;
 mod rubbing;
 mod rubs;
 mod run;
+mod seams;
 mod secants;
 mod seen;
 mod setup;

@@ -115,6 +115,7 @@ impl Equations<'_, '_> {
         let input = &mut state.motion.inputs[self.reduced.free()[0]];
         (input.value, input.place) = (q, Vec2::direction(q));
         (input.rate, input.acceleration) = (1.0, 0.0);
+        state.motion.laws.clone_from(&self.trial.motion.laws);
         if let Some(bridge) = &mut self.bridge {
             if bridge.covers(q) {
                 bridge.put(q, &mut state.motion);

@@ -1,0 +1,220 @@
+//! Motions that are not smooth, or stiff and small, or long, against closed forms: what is found and the error that is reported.
+
+#![allow(clippy::unwrap_used)] // a test that cannot read its values has failed
+
+use assur::internals::Solved;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::{Style, render};
+use assur::internals::solve::Method;
+use assur::internals::source::Source;
+use proptest::test_runner::{Config, TestRunner};
+
+/// Tests a file, and all that is said about it.
+fn tested(text: &str) -> (Solved, String) {
+    let source = Source::new("case.mech", text);
+    let (solved, problems) = assur::internals::test_source(&source, &Overrides::none());
+    let words = render(&problems, &source, Style::PLAIN);
+    (solved.unwrap_or_else(|| panic!("{words}")), words)
+}
+
+/// Angle, or place on the x axis, of the first link at the last instant.
+fn last(solved: &Solved) -> (f64, f64) {
+    let state = &solved.solution.poses.last().unwrap().outcome.as_ref().unwrap().state;
+    (state.motion.bodies[1].p.x, state.motion.bodies[1].v.x)
+}
+
+fn reported(solved: &Solved) -> f64 {
+    solved.solution.simulation.as_ref().unwrap().error
+}
+
+#[test]
+fn a_short_piece_of_a_curve_is_not_stepped_over() {
+    let (_, words) = tested(include_str!("../cases/use3/narrow-pulse-of-a-curve.mech"));
+    assert!(words.is_empty(), "{words}");
+}
+
+#[test]
+fn seams_of_cams_end_a_step() {
+    for text in [
+        include_str!("../cases/use3/cam-reported-error.mech"),
+        include_str!("../cases/use3/cam-reported-error-parabolic.mech"),
+    ] {
+        let (_, words) = tested(text);
+        assert!(words.is_empty(), "{words}");
+    }
+}
+
+/// Pulses of a table, at random instants and of random widths: the impulse is their area.
+#[test]
+fn random_pulses_of_curves_have_their_impulse() {
+    let pulses = proptest::collection::vec((0.05_f64..0.95, -6.0_f64..-2.0, -2.0_f64..2.0), 3);
+    let config = Config { failure_persistence: None, ..Config::with_cases(24) };
+    TestRunner::new_with_rng(config, proptest::test_runner::TestRng::deterministic_rng(
+        proptest::test_runner::RngAlgorithm::ChaCha,
+    ))
+    .run(&pulses, |pulses| {
+        let mut rows = String::from("  0, 0\n");
+        let mut impulse = 0.0;
+        for (i, (place, width, area)) in pulses.iter().enumerate() {
+            let (at, width) = (3.0 * i as f64 + 3.0 * place, 10.0_f64.powf(*width));
+            let (from, middle, to) = (at, at + width, at + 2.0 * width);
+            let height = area / width;
+            rows += &format!("  {from:?}, 0\n  {middle:?}, {height:?}\n  {to:?}, 0\n");
+            impulse += 0.5 * height * (to - from);
+        }
+        let text = format!(
+            "mech 1\ncurve p linear held {{\n  t [s], F [N]\n{rows}  10, 0\n}}\nground {{ O (0, 0); line way through O along 0 deg }}
+link b {{ B (0, 0); mass 1 kg at B }}\nprismatic P: b.B - ground.way\nforce F on b at B = (p(time), 0)
+start P = 0 m\nsimulate 10 s\nfind v = relative_velocity(P)\n"
+        );
+        let (solved, words) = tested(&text);
+        assert!(words.is_empty(), "{words}\n{text}");
+        let off = (last(&solved).1 - impulse).abs();
+        assert!(off < 1e-8, "{off:e}\n{text}");
+        Ok(())
+    })
+    .unwrap();
+}
+
+/// A mass that a spring draws through its other end: k (l − l₀) towards it, so that x is a cosine about ±l₀ on each side.
+#[test]
+fn a_spring_through_length_zero_turns_round() {
+    for (k, free, start) in [(100.0_f64, 0.05, 0.12), (37.0, 0.2, 0.61), (2500.0, 0.01, 0.3)] {
+        let w = k.sqrt();
+        // a quarter: from the start to zero, l₀ + (start − l₀) cos wt = 0
+        let quarter = (-free / (start - free)).acos() / w;
+        let time = 1.0;
+        let turns = (time / (4.0 * quarter)).floor();
+        let rest = time - 4.0 * quarter * turns;
+        // by symmetry about the quarters
+        let (side, t) = match (rest / quarter) as u32 {
+            0 => (1.0, rest),
+            1 => (-1.0, 2.0 * quarter - rest),
+            2 => (-1.0, rest - 2.0 * quarter),
+            _ => (1.0, 4.0 * quarter - rest),
+        };
+        let x = -side * (free + (start - free) * (w * t).cos());
+        for moved in ["", "force F on m at P = (0 N*s/m*relative_velocity(G), 0)\n"] {
+            let text = format!(
+                "mech 1\nground {{ O (0, 0); line way through O along 0 deg }}\nlink m {{ P (0, 0); mass 1 kg at P }}
+prismatic G: m.P - ground.way\nspring s: ground.O - m.P {{ stiffness {k} N/m; free_length {free} m }}
+{moved}start G = {} m\nsimulate 1 s in 5 steps\nfind displacement(G)\n",
+                -start
+            );
+            let (solved, words) = tested(&text);
+            assert!(words.is_empty(), "{words}");
+            let off = (last(&solved).0 - x).abs();
+            assert!(off < 2e-9, "{off:e} of {x}, k = {k} {moved}");
+        }
+    }
+}
+
+/// x = x₀ exp(−kt/c), the mass without effect.
+#[test]
+fn stiffness_is_found_where_the_motion_is_small() {
+    for x in [1e-3, 1e-5, 1e-7] {
+        let text = include_str!("../cases/use3/stiff-and-small.mech").replace("1e-5 m", &format!("{x:e} m"));
+        let (solved, words) = tested(&text);
+        assert!(words.is_empty(), "{words}");
+        let report = solved.solution.simulation.as_ref().unwrap();
+        assert!(report.method == Method::Radau && report.evaluations < 100_000, "{report:?}");
+        assert!(last(&solved).0.abs() < 1e-9, "{}", last(&solved).0);
+    }
+}
+
+/// Over a thousandth of its time the motion itself, at several instants.
+#[test]
+fn a_small_stiff_motion_is_its_exponential() {
+    let text = include_str!("../cases/use3/stiff-and-small.mech")
+        .replace("simulate 1 s", "simulate 3e-6 s in 6 steps");
+    let (solved, words) = tested(&text);
+    assert!(words.is_empty(), "{words}");
+    for pose in &solved.solution.poses {
+        let (t, x) =
+            (pose.name.parse::<f64>().unwrap(), pose.outcome.as_ref().unwrap().state.motion.bodies[1].p.x);
+        assert!((x - 1e-5 * (-1e6 * t).exp()).abs() < 2e-8, "{x} at {t}");
+    }
+}
+
+/// A pendulum over 10,000 s: the phase by the arithmetic-geometric mean, at whole periods.
+#[test]
+fn time_of_a_long_run_is_summed_exactly() {
+    let (mut a, mut b) = (1.0_f64, (1.25_f64).cos());
+    for _ in 0..8 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    let period = 2.0 * std::f64::consts::PI / a / (9.81_f64 / 0.7).sqrt();
+    let count = (10_000.0 / period).floor();
+    let text = include_str!("../cases/use3/long-run-energy.mech")
+        .lines()
+        .filter(|line| !line.starts_with("expect"))
+        .map(|line| {
+            line.replace(
+                "simulate 100000 s within 1e-4",
+                &format!("simulate {:?} s within 1e-9", (count + 0.25) * period),
+            )
+        })
+        .collect::<Vec<_>>()
+        .join("\n")
+        + "\n";
+    let (solved, words) = tested(&text);
+    assert!(words.is_empty(), "{words}");
+    let state = &solved.solution.poses.last().unwrap().outcome.as_ref().unwrap().state;
+    // a quarter after whole periods it hangs down, at its greatest speed
+    let off = state.motion.bodies[1].u.x.abs();
+    assert!(off < 3.0 * reported(&solved) + 1e-15, "{off:e}, reported {:e}", reported(&solved));
+    assert!(off < 1e-9, "{off:e}");
+}
+
+#[test]
+fn a_run_of_days_keeps_its_phase() {
+    let (_, words) = tested(include_str!("../cases/use3/long-run-energy.mech"));
+    assert!(words.is_empty(), "{words}");
+}
+
+const LAWS: [&str; 7] =
+    ["parabolic", "harmonic", "cycloidal", "poly345", "poly4567", "modified_trapezoid", "modified_sine"];
+
+/// A cam under a torque of the angle alone, so that its energy is that of the closed lift: the same by both methods, and as it is
+/// reported.
+#[test]
+fn reported_errors_of_cams_are_honest() {
+    let mut honest = 0;
+    for (i, law) in LAWS.iter().enumerate() {
+        let (rise, dwell, start) = (100.0 + 7.0 * i as f64, 20.0 + 3.0 * i as f64, -150.0 + 31.0 * i as f64);
+        let file = |within: &str, damping: &str| {
+            format!(
+                "mech 1\ngravity 9.81 m/s^2\ncam plate {{\n  base_radius 50 mm\n  turning ccw\n  follower translating roller {{ radius 10 mm }}
+  rise {rise} deg through 15 mm {law}\n  dwell {dwell} deg\n  fall {rise} deg {law}\n}}
+ground {{ O (0, 0); line way through O along 90 deg }}
+link disk {{ O (0, 0); profile rim of plate centre O; mass 1 kg at O; inertia 0.02 kg*m^2 }}
+link pl {{ F (0, 0); circle roller centre F radius 10 mm; mass 0.8 kg at F }}
+revolute O: ground - disk\nprismatic V: pl.F - ground.way\ncontact K: disk.rim - pl.roller
+force sp on pl at F = (0, -200 N - 500 N/m*(displacement(V) - 50 mm))
+torque M on disk = 0 N*m{damping}
+start disk = {start} deg at 25 rad/s\nsimulate 0.3 s in 6 steps within {within}\nfind p = angle(disk), w = omega(disk)\n"
+            )
+        };
+        let angles = |solved: &Solved| -> Vec<f64> {
+            let poses = solved.solution.poses.iter().map(|p| p.outcome.as_ref().unwrap());
+            poses.map(|pose| pose.state.motion.bodies[1].omega).collect()
+        };
+        let exact = angles(&tested(&file("1e-11", " + 0 N*m*s*omega(disk)")).0);
+        let greatest = exact.iter().fold(0.0_f64, |m, w| m.max(w.abs()));
+        for damping in ["", " + 0 N*m*s*omega(disk)"] {
+            for within in ["1e-4", "1e-6", "1e-8"] {
+                let (solved, words) = tested(&file(within, damping));
+                assert!(words.is_empty(), "{words}");
+                let pairs = angles(&solved);
+                let off = pairs.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / greatest;
+                assert!(
+                    off < 3.0 * reported(&solved) + 1e-10,
+                    "{law} {within} {damping}: {off:e}, reported {:e}",
+                    reported(&solved)
+                );
+                honest += 1;
+            }
+        }
+    }
+    assert_eq!(honest, 6 * LAWS.len());
+}
