@@ -38,7 +38,7 @@ pub(super) fn count(count: usize) -> String {
     let figures = count.to_string();
     let mut out = String::new();
     for (i, figure) in figures.chars().enumerate() {
-        out.push_str(if i > 0 && (figures.len() - i) % 3 == 0 { "," } else { "" });
+        out.push_str(if i > 0 && (figures.len() - i).is_multiple_of(3) { "," } else { "" });
         out.push(figure);
     }
     out

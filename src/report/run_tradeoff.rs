@@ -96,7 +96,7 @@ fn one_more(row: &RunRow, next: Option<&RunRow>) -> String {
     let Some(next) = next.filter(|next| next.digits() >= row.digits() + 0.5) else {
         return "the most".to_owned();
     };
-    change((next.micros / row.micros).powf(1.0 / (next.digits() - row.digits())))
+    change(libm::pow(next.micros / row.micros, 1.0 / (next.digits() - row.digits())))
 }
 
 /// The recommendation in one line, and what the table shows.

@@ -1,5 +1,7 @@
 //! Positions that are equal to the ones before them, which no step leads to.
 
+#![allow(clippy::disallowed_methods, reason = "an independent computation")]
+
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
 use assur::internals::solve::Following;

@@ -41,7 +41,7 @@ fn wrong(header: &str, shown: &[&str], full: &[&str]) -> Vec<String> {
     let mut wrong = Vec::new();
     for (shown, full) in shown.iter().zip(full) {
         let right = match (shown.parse::<f64>(), full.parse::<f64>()) {
-            (Ok(shown), Ok(full)) if shown == 0.0 => full.abs() <= NOISE * greatest.max(1.0),
+            (Ok(0.0), Ok(full)) => full.abs() <= NOISE * greatest.max(1.0),
             (Ok(shown), Ok(full)) => (shown / full - 1.0).abs() <= 5.1e-6,
             (Err(_), Err(_)) => full.is_empty() || shown == full,
             _ => false,

@@ -1,5 +1,6 @@
 //! Starts of motions under loads: in dead positions and change points, and close to them; motions that drives by time give alone.
 
+#![allow(clippy::disallowed_methods, reason = "an independent computation")]
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
 use assur::internals::check::Overrides;

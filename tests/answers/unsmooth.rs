@@ -1,5 +1,6 @@
 //! Motions that are not smooth, or stiff and small, or long, against closed forms: what is found and the error that is reported.
 
+#![allow(clippy::disallowed_methods, reason = "an independent computation")]
 #![allow(clippy::unwrap_used)] // a test that cannot read its values has failed
 
 use assur::internals::Solved;
@@ -79,12 +80,12 @@ start P = 0 m\nsimulate 10 s\nfind v = relative_velocity(P)\n"
 /// A mass that a spring draws through its other end: k (l − l₀) towards it, so that x is a cosine about ±l₀ on each side.
 #[test]
 fn a_spring_through_length_zero_turns_round() {
-    for (k, free, start) in [(100.0_f64, 0.05, 0.12), (37.0, 0.2, 0.61), (2500.0, 0.01, 0.3)] {
+    for (k, free, start) in [(100.0_f64, 0.05, 0.12), (37.0, 0.2, 0.61), (2500.0, 0.01, 0.03)] {
         let w = k.sqrt();
         // a quarter: from the start to zero, l₀ + (start − l₀) cos wt = 0
-        let quarter = (-free / (start - free)).acos() / w;
+        let quarter = f64::acos(-free / (start - free)) / w;
         let time = 1.0;
-        let turns = (time / (4.0 * quarter)).floor();
+        let turns = f64::floor(time / (4.0 * quarter));
         let rest = time - 4.0 * quarter * turns;
         // by symmetry about the quarters
         let (side, t) = match (rest / quarter) as u32 {

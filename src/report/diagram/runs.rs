@@ -136,7 +136,7 @@ fn sentence(study: &RunStudy) -> String {
     } else {
         format!(
             ", each further digit {} more time",
-            change((to.micros / from.micros).powf(1.0 / more)).trim_start_matches('+')
+            change(libm::pow(to.micros / from.micros, 1.0 / more)).trim_start_matches('+')
         )
     };
     format!("An error below {} takes {}{each}; {end}.", size(study.wanted), time(from.micros))

@@ -18,14 +18,15 @@ pub struct Faded {
 pub fn faded(labels: &[Placed], moved: &Moved, frames: usize) -> Vec<Faded> {
     let mut order: Vec<usize> = (0..labels.len()).collect();
     order.sort_by_key(|i| labels[*i].label.rank);
-    let mut hidden = vec![vec![false; frames]; labels.len()];
+    let mut hidden = vec![Vec::with_capacity(frames); labels.len()];
     let mut shown: Vec<Rect> = Vec::with_capacity(labels.len());
     for frame in 0..frames {
         shown.clear();
         for &i in &order {
             let here = labels[i].bounds.shifted(moved.shift(i, frame));
-            hidden[i][frame] = shown.iter().any(|other| meet(&here, other));
-            if !hidden[i][frame] {
+            let meets = shown.iter().any(|other| meet(&here, other));
+            hidden[i].push(meets);
+            if !meets {
                 shown.push(here);
             }
         }

@@ -167,20 +167,9 @@ impl Going<'_, '_> {
     ) -> Ended {
         let last = self.last;
         loop {
-            if let Err(ended) = self.step(equations, method, exactly) {
+            if let Err(ended) = self.advance(equations, method, exactly) {
                 return ended;
             }
-            if is_endless(method, self.begin, last) || method.counts().evaluations > self.pass.most {
-                return Ended::Halted(Halt::TooManySteps);
-            }
-            if !self.outputs.conduct.goes_on(method.t(), last) {
-                return Ended::Halted(Halt::Interrupted);
-            }
-            let short = self.keep_short(equations, method);
-            if short.and_then(|()| self.corners.shorten(equations, method)).is_err() {
-                return Ended::Halted(equations.halt());
-            }
-            self.terms = (self.terms.0.max(equations.terms.0), self.terms.1.max(equations.terms.1));
             let condition = equations.condition();
             if condition < self.worst_condition.0 {
                 self.worst_condition = (condition, method.previous_t());
@@ -276,6 +265,28 @@ impl Going<'_, '_> {
                 return Ended::Halted(equations.halt());
             }
         }
+    }
+
+    /// One step, no longer than what is looked at within it allows, unless the run has taken enough.
+    fn advance<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        exactly: bool,
+    ) -> Result<(), Ended> {
+        self.step(equations, method, exactly)?;
+        if is_endless(method, self.begin, self.last) || method.counts().evaluations > self.pass.most {
+            return Err(Ended::Halted(Halt::TooManySteps));
+        }
+        if !self.outputs.conduct.goes_on(method.t(), self.last) {
+            return Err(Ended::Halted(Halt::Interrupted));
+        }
+        let short = self.keep_short(equations, method);
+        if short.and_then(|()| self.corners.shorten(equations, method)).is_err() {
+            return Err(Ended::Halted(equations.halt()));
+        }
+        self.terms = (self.terms.0.max(equations.terms.0), self.terms.1.max(equations.terms.1));
+        Ok(())
     }
 
     /// One step within its bounds; an implicit method takes over where it did in the run before.
