@@ -77,39 +77,6 @@ start P = 0 m\nsimulate 10 s\nfind v = relative_velocity(P)\n"
     .unwrap();
 }
 
-/// A mass that a spring draws through its other end: k (l − l₀) towards it, so that x is a cosine about ±l₀ on each side.
-#[test]
-fn a_spring_through_length_zero_turns_round() {
-    for (k, free, start) in [(100.0_f64, 0.05, 0.12), (37.0, 0.2, 0.61), (2500.0, 0.01, 0.03)] {
-        let w = k.sqrt();
-        // a quarter: from the start to zero, l₀ + (start − l₀) cos wt = 0
-        let quarter = f64::acos(-free / (start - free)) / w;
-        let time = 1.0;
-        let turns = f64::floor(time / (4.0 * quarter));
-        let rest = time - 4.0 * quarter * turns;
-        // by symmetry about the quarters
-        let (side, t) = match (rest / quarter) as u32 {
-            0 => (1.0, rest),
-            1 => (-1.0, 2.0 * quarter - rest),
-            2 => (-1.0, rest - 2.0 * quarter),
-            _ => (1.0, 4.0 * quarter - rest),
-        };
-        let x = -side * (free + (start - free) * (w * t).cos());
-        for moved in ["", "force F on m at P = (0 N*s/m*relative_velocity(G), 0)\n"] {
-            let text = format!(
-                "mech 1\nground {{ O (0, 0); line way through O along 0 deg }}\nlink m {{ P (0, 0); mass 1 kg at P }}
-prismatic G: m.P - ground.way\nspring s: ground.O - m.P {{ stiffness {k} N/m; free_length {free} m }}
-{moved}start G = {} m\nsimulate 1 s in 5 steps\nfind displacement(G)\n",
-                -start
-            );
-            let (solved, words) = tested(&text);
-            assert!(words.is_empty(), "{words}");
-            let off = (last(&solved).0 - x).abs();
-            assert!(off < 2e-9, "{off:e} of {x}, k = {k} {moved}");
-        }
-    }
-}
-
 /// x = x₀ exp(−kt/c), the mass without effect.
 #[test]
 fn stiffness_is_found_where_the_motion_is_small() {

@@ -15,8 +15,12 @@ fn table_is_for_reading() {
     assert!(worst.ends_with(", condition 0.958 at pose 2") && accuracy.lines().count() == 2, "{accuracy}");
     let full = assur(&folder, &["solve", "a.mech", "--accuracy"]).stdout;
     let (before, table) = full.split_once("Accuracy").unwrap();
-    assert!(before == answers && table.lines().count() == 5, "{full}");
-    assert!(table.lines().nth(4).unwrap().ends_with("  0.958"), "{table}");
+    assert!(before == answers && table.lines().count() == 6, "{full}");
+    assert!(
+        table.lines().nth(1).unwrap().ends_with("a digit less would save nothing: nothing is iterated"),
+        "{table}"
+    );
+    assert!(table.lines().nth(5).unwrap().ends_with("  0.958"), "{table}");
     insta::assert_snapshot!(answers, @r"
     Crank-slider (a.mech)
 

@@ -24,9 +24,6 @@ pub struct Spring<S> {
     pub extension: S,
 }
 
-/// Beside this part of the free length the ends coincide.
-const NOTHING: f64 = 1e-12;
-
 /// Force of a spring; null where its ends coincide, for then it has no direction.
 /// # Given
 /// `r` = P_2 − P_1, m; `v` = v_2 − v_1, m/s; `k` stiffness, N/m; `l_0` free length, m, ≥ 0; `c` damping, N s/m.
@@ -37,22 +34,6 @@ pub fn spring<S: Scalar>(r: V2<S>, v: V2<S>, k: S, l_0: S, c: S) -> Spring<S> {
     let (p, q) = (r.x.abs().max(r.y.abs()), r.x.abs().min(r.y.abs()));
     let extension = ((p - l_0) * (p + l_0) + q * q) / (l + l_0).max(least);
     let u = r / l.max(least);
-    let tension = k * extension + c * v.dot(u);
-    Spring { f_1: u * tension, tension, extension }
-}
-
-/// The same of a spring whose length passes zero, as it is on one side of that: it goes on beyond, with a negative length.
-/// `towards` tells the side: where it points, but for less than a right angle. At zero its direction is that of its velocity.
-#[inline(always)]
-pub fn spring_on_side<S: Scalar>(r: V2<S>, v: V2<S>, [k, l_0, c]: [S; 3], towards: V2<S>) -> Spring<S> {
-    let (least, zero, one) = (S::of(f64::MIN_POSITIVE), S::of(0.0), S::of(1.0));
-    let l = r.norm();
-    let (own, way) = (r / l.max(least), v / v.norm().max(least));
-    let coincide = || l.lt(S::of(NOTHING) * l_0);
-    let along = V2::new(S::select(coincide(), way.x, own.x), S::select(coincide(), way.y, own.y));
-    let side = S::select(along.dot(towards).lt(zero), -one, one);
-    let u = along * side;
-    let extension = S::select(coincide(), zero, side * l) - l_0;
     let tension = k * extension + c * v.dot(u);
     Spring { f_1: u * tension, tension, extension }
 }

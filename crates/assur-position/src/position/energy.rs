@@ -55,7 +55,7 @@ impl State {
     pub fn power_of_loads(&self, model: &Model<'_>, evaluated: &[(LoadId, Value)]) -> f64 {
         let bodies = &self.motion.bodies;
         let moves = |body: usize| Column { v: bodies[body].v, omega: bodies[body].omega };
-        let known: f64 = model.plan.loads.iter().map(|load| power(load, &self.motion, moves)).sum();
+        let known: f64 = model.plan.loads.iter().map(|load| power(load, bodies, moves)).sum();
         known + evaluated.iter().map(|(id, value)| self.evaluated_power(model, *id, *value)).sum::<f64>()
     }
 

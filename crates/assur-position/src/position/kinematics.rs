@@ -61,8 +61,6 @@ pub struct Motion<S = f64> {
     pub against: Vec<Against>,
     /// The parts of laws by which designed cams are taken there, beyond their ends too, by contact.
     pub laws: Vec<Option<Part>>,
-    /// Where springs point that are taken on one side of length zero there, by spring.
-    pub towards: Vec<Vec2>,
     /// The first group that does not close.
     pub open: Option<usize>,
     /// What the dyads RRR and RRP leave for forces.
@@ -90,7 +88,6 @@ impl<S: Scalar + Default> Motion<S> {
             grips: Vec::new(),
             against: Vec::new(),
             laws: Vec::new(),
-            towards: Vec::new(),
             open: None,
             shared: vec![Shared::default(); groups],
         }
@@ -112,7 +109,6 @@ impl Motion {
             grips,
             against,
             laws,
-            towards,
             open,
             shared,
         } = other;
@@ -127,7 +123,6 @@ impl Motion {
         self.grips.clone_from(grips);
         self.against.clone_from(against);
         self.laws.clone_from(laws);
-        self.towards.clone_from(towards);
         self.shared.clone_from(shared);
     }
 

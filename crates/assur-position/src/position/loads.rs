@@ -4,7 +4,7 @@ use super::body::BodyState;
 use super::model::Model;
 use super::state::State;
 use super::wrench::Wrench;
-use crate::force::spring::{spring, spring_on_side};
+use crate::force::spring::spring;
 use crate::math::{Scalar, V2, Vec2};
 use crate::model::{LoadId, LoadKind, Value};
 use crate::plan::step::unit;
@@ -61,17 +61,13 @@ impl<S: Scalar> State<S> {
             LoadStep::Torque { body, torque, .. } => {
                 self.forces.wrenches[*body].moment = self.forces.wrenches[*body].moment + S::of(*torque)
             }
-            LoadStep::Spring { spring: id, ends: [one, two], stiffness, free_length, damping } => {
+            LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
                 let (b_1, b_2) = (&self.motion.bodies[one.body], &self.motion.bodies[two.body]);
                 let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
-                let side = self.motion.towards.get(id.index());
-                let moves = damping.is_some() || side.is_some();
-                let v = if moves { b_2.velocity(two.at) - b_1.velocity(one.at) } else { V2::zero() };
-                let [k, l_0, c] = [*stiffness, *free_length, damping.unwrap_or(0.0)].map(S::of);
-                let got = match side {
-                    None => spring(p_2 - p_1, v, k, l_0, c),
-                    Some(towards) => spring_on_side(p_2 - p_1, v, [k, l_0, c], V2::of(*towards)),
-                };
+                let (v, damping) = damping.map_or((V2::zero(), S::zero()), |damping| {
+                    (b_2.velocity(two.at) - b_1.velocity(one.at), S::of(damping))
+                });
+                let got = spring(p_2 - p_1, v, S::of(*stiffness), S::of(*free_length), damping);
                 self.apply(one.body, p_1, got.f_1);
                 self.apply(two.body, p_2, -got.f_1);
             }

@@ -305,7 +305,7 @@ impl Reduced {
         let (n, bodies) = (self.free.len(), &state.motion.bodies);
         for i in 0..n {
             let Along { mass, inertia, loads } = self.known.of_masses(bodies, &self.columns[i]);
-            let loads = loads + self.known.of_others(&state.motion, &self.columns[i]);
+            let loads = loads + self.known.of_others(bodies, &self.columns[i]);
             self.mass[i * n + i] = mass;
             (self.forces[i], self.loads[i]) = (loads - inertia, loads);
             for j in 0..i {
@@ -318,7 +318,7 @@ impl Reduced {
     /// The same of a coordinate that is alone, from the sums at the unit rate, at a rate with this square.
     fn sum_unit(&mut self, state: &State, square: f64) {
         let Along { mass, inertia, loads } = self.unit;
-        let loads = loads + self.known.of_others(&state.motion, &self.columns[0]);
+        let loads = loads + self.known.of_others(&state.motion.bodies, &self.columns[0]);
         self.mass[0] = mass;
         (self.forces[0], self.loads[0]) = (loads - inertia * square, loads);
     }

@@ -1,9 +1,8 @@
 //! What masses and loads do along a free coordinate: power of inertia forces and loads at the velocities of a unit rate.
 
 use super::body::BodyState;
-use super::kinematics::Motion;
 use super::reduced::Column;
-use crate::force::spring::{spring, spring_on_side};
+use crate::force::spring::spring;
 use crate::math::Vec2;
 use crate::plan::{Anchor, Arm, LoadStep, MotionStep, Plan};
 
@@ -122,8 +121,8 @@ impl Loads {
     }
 
     /// The power of the loads that are no masses for the velocities of a unit rate.
-    pub fn of_others(&self, motion: &Motion, column: &[Column]) -> f64 {
-        self.others.iter().map(|load| power(load, motion, |body| column[body])).sum()
+    pub fn of_others(&self, bodies: &[BodyState], column: &[Column]) -> f64 {
+        self.others.iter().map(|load| power(load, bodies, |body| column[body])).sum()
     }
 
     /// The mass that goes with the velocities of unit rates of two coordinates.
@@ -164,8 +163,7 @@ fn placing(plan: &Plan, body: usize) -> (usize, bool) {
 
 /// The power of a load that is a number, inertia forces left out, of bodies with these velocities. Dampers act by the velocities that
 /// the bodies have.
-pub(super) fn power(load: &LoadStep, motion: &Motion, moves: impl Fn(usize) -> Column) -> f64 {
-    let bodies = &motion.bodies;
+pub(super) fn power(load: &LoadStep, bodies: &[BodyState], moves: impl Fn(usize) -> Column) -> f64 {
     let velocity = |body: usize, at: Vec2| velocity(moves(body), &bodies[body], at);
     match load {
         LoadStep::Mass { weight, .. } if *weight == Vec2::zero() => 0.0,
@@ -177,17 +175,13 @@ pub(super) fn power(load: &LoadStep, motion: &Motion, moves: impl Fn(usize) -> C
             force.dot(velocity(*body, *at))
         }
         LoadStep::Torque { body, torque, .. } => torque * moves(*body).omega,
-        LoadStep::Spring { spring: id, ends: [one, two], stiffness, free_length, damping } => {
+        LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
             let [b_1, b_2] = [one, two].map(|end| &bodies[end.body]);
             let r = b_2.position(two.at) - b_1.position(one.at);
-            let side = motion.towards.get(id.index());
-            let moves = damping.is_some() || side.is_some();
-            let v = if moves { b_2.velocity(two.at) - b_1.velocity(one.at) } else { Vec2::zero() };
-            let [k, l_0, c] = [*stiffness, *free_length, damping.unwrap_or(0.0)];
-            let got = match side {
-                None => spring(r, v, k, l_0, c),
-                Some(towards) => spring_on_side(r, v, [k, l_0, c], *towards),
-            };
+            let (v, damping) = damping.map_or((Vec2::zero(), 0.0), |damping| {
+                (b_2.velocity(two.at) - b_1.velocity(one.at), damping)
+            });
+            let got = spring(r, v, *stiffness, *free_length, damping);
             got.f_1.dot(velocity(one.body, one.at) - velocity(two.body, two.at))
         }
         LoadStep::Evaluated(_) => 0.0,

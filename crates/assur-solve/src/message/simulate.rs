@@ -159,7 +159,7 @@ fn two_motions(
     let group = &model.structure.motion[group];
     let links = links(model, group);
     let help = format!(
-        "start a little beside it, and choose how {links} stand there: write\n  {line}\nand one of{}",
+        "start a little away from it, and choose how {links} stand there: write\n  {line}\nand one of{}",
         ways.concat()
     );
     let mut all = labels(model, group, "in line");

@@ -2,42 +2,9 @@
 //! is none, and a load of zero acts nowhere.
 
 use super::equations::Equations;
-use super::loads::loads_need_angles;
+use super::loads::{is_zero, loads_need_angles};
 use crate::answer::switches;
 use crate::model::{BinaryOp, Comparison, Expr, Load, LoadId, Mechanism, Query, Value};
-
-/// Calls `look` on all parts of some expressions, through the quantities that they name, each of which is gone through once.
-pub(super) fn all_parts<'m>(
-    mechanism: &'m Mechanism,
-    exprs: impl Iterator<Item = &'m Expr>,
-    mut look: impl FnMut(&'m Expr),
-) {
-    let mut waiting: Vec<&Expr> = exprs.collect();
-    let mut named = vec![false; mechanism.quantities.len()];
-    while let Some(expr) = waiting.pop() {
-        look(expr);
-        match expr {
-            _ if is_zero(mechanism, expr) => continue,
-            Expr::Quantity(id) if !std::mem::replace(&mut named[id.index()], true) => {
-                waiting.push(&mechanism.quantities[id.index()].expr);
-            }
-            _ => {}
-        }
-        expr.children(&mut |part| waiting.push(part));
-    }
-}
-
-/// Whether a value is zero by a factor that is.
-pub(super) fn is_zero(mechanism: &Mechanism, expr: &Expr) -> bool {
-    match expr {
-        Expr::Constant(Value::Scalar(x)) => *x == 0.0,
-        Expr::Negate(a) | Expr::Binary(BinaryOp::Div, a, _) => is_zero(mechanism, a),
-        Expr::Binary(BinaryOp::Mul, a, b) => is_zero(mechanism, a) || is_zero(mechanism, b),
-        Expr::Vector(a, b) => is_zero(mechanism, a) && is_zero(mechanism, b),
-        Expr::Quantity(id) => is_zero(mechanism, &mechanism.quantities[id.index()].expr),
-        _ => false,
-    }
-}
 
 /// A value that is linear in time: at 0 s, and by how much it grows in a second.
 fn linear(mechanism: &Mechanism, expr: &Expr) -> Option<(f64, f64)> {

@@ -1,42 +1,9 @@
 //! Which motions follow from the energy: those of one coordinate under forces that depend on its value alone.
 
-use super::acting::all_parts;
 use super::equations::Equations;
-use crate::model::{DriveTarget, Expr, LoadId, PairId, Query};
-
-/// Why a motion does not follow from the energy alone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum NotByEnergy {
-    /// So many coordinates are free.
-    Coordinates(usize),
-    /// A drive moves, whatever the loads.
-    Drive(DriveTarget),
-    /// There is friction in a pair.
-    Friction(PairId),
-    /// A transmission loses power.
-    Losses(PairId),
-    /// A spring is damped, by its place among them.
-    Damper(usize),
-    /// A wheel is driven in steps.
-    Geneva(PairId),
-    /// A load depends on something else.
-    Load(LoadId, On),
-    /// A stop, by its place among them, is hit or rests.
-    Stop(usize),
-    /// Mass or force have no value so far ahead as its steps look.
-    Beyond,
-}
-
-/// What a load depends on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum On {
-    /// The sense of the motion.
-    Sense,
-    /// Time.
-    Time,
-    /// Speeds, accelerations or forces.
-    Speeds,
-}
+use super::loads::all_parts;
+use super::report::{NotByEnergy, On};
+use crate::model::{Expr, PairId, Query};
 
 impl Equations<'_, '_> {
     /// Why mass and force along the one coordinate do not tell the motion, if they do not.

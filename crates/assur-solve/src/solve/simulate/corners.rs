@@ -67,8 +67,8 @@ impl Corners {
             return Ok(());
         }
         let step = (method.previous_t(), method.t());
-        // those of cams and springs are far in most steps
-        if self.ranges.len() == equations.seams() && !equations.may_pass_seams(step.1 - step.0) {
+        // those of cams are far in most steps
+        if self.ranges.len() == equations.seams() && !equations.may_pass_seams() {
             return Ok(());
         }
         self.look(equations, method, step);

@@ -1,8 +1,7 @@
 //! What loads depend on, and how they are taken.
 
-use super::acting::all_parts;
 use crate::answer::Switch;
-use crate::model::{Expr, Mechanism};
+use crate::model::{BinaryOp, Expr, Mechanism, Value};
 
 /// The sides on which loads are taken, where they are held there.
 pub(super) fn sides<'s, 'm>(held: bool, switches: &'s [Switch<'m>]) -> &'s [Switch<'m>] {
@@ -16,4 +15,37 @@ pub(super) fn loads_need_angles<'m>(mechanism: &'m Mechanism, loads: impl Iterat
         needed |= matches!(part, Expr::Query(query) if query.facts().continuous.is_some());
     });
     needed
+}
+
+/// Calls `look` on all parts of some expressions, through the quantities that they name, each of which is gone through once.
+pub(super) fn all_parts<'m>(
+    mechanism: &'m Mechanism,
+    exprs: impl Iterator<Item = &'m Expr>,
+    mut look: impl FnMut(&'m Expr),
+) {
+    let mut waiting: Vec<&Expr> = exprs.collect();
+    let mut named = vec![false; mechanism.quantities.len()];
+    while let Some(expr) = waiting.pop() {
+        look(expr);
+        match expr {
+            _ if is_zero(mechanism, expr) => continue,
+            Expr::Quantity(id) if !std::mem::replace(&mut named[id.index()], true) => {
+                waiting.push(&mechanism.quantities[id.index()].expr);
+            }
+            _ => {}
+        }
+        expr.children(&mut |part| waiting.push(part));
+    }
+}
+
+/// Whether a value is zero by a factor that is.
+pub(super) fn is_zero(mechanism: &Mechanism, expr: &Expr) -> bool {
+    match expr {
+        Expr::Constant(Value::Scalar(x)) => *x == 0.0,
+        Expr::Negate(a) | Expr::Binary(BinaryOp::Div, a, _) => is_zero(mechanism, a),
+        Expr::Binary(BinaryOp::Mul, a, b) => is_zero(mechanism, a) || is_zero(mechanism, b),
+        Expr::Vector(a, b) => is_zero(mechanism, a) && is_zero(mechanism, b),
+        Expr::Quantity(id) => is_zero(mechanism, &mechanism.quantities[id.index()].expr),
+        _ => false,
+    }
 }

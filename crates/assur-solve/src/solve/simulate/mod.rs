@@ -63,11 +63,10 @@ mod walk;
 mod watch;
 mod ways;
 
-pub use by_energy::{NotByEnergy, On};
 pub use compare::{KINDS, STATES};
 pub use conduct::{Conduct, Watch};
 pub use over_time::{OverTime, TimeCourse, over_time};
-pub use report::{Energy, Method, SimulationReport, SteadyReport};
+pub use report::{Energy, Method, NotByEnergy, On, SimulationReport, SteadyReport};
 pub use trials::{Trial, Trials};
 
 pub(super) use chart::Given;

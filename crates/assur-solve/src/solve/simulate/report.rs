@@ -1,7 +1,6 @@
 //! What a motion under loads says of itself.
 
-use super::by_energy::NotByEnergy;
-use crate::model::{DriveTarget, Mechanism, Pair, PairId, Situation};
+use crate::model::{DriveTarget, LoadId, Mechanism, Pair, PairId, Situation};
 
 /// How the equations are integrated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -103,4 +102,38 @@ pub struct Energy {
     pub work: f64,
     /// What is missing at the worst instant, over the greatest energy exchanged.
     pub balance: f64,
+}
+
+/// Why a motion does not follow from the energy alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NotByEnergy {
+    /// So many coordinates are free.
+    Coordinates(usize),
+    /// A drive moves, whatever the loads.
+    Drive(DriveTarget),
+    /// There is friction in a pair.
+    Friction(PairId),
+    /// A transmission loses power.
+    Losses(PairId),
+    /// A spring is damped, by its place among them.
+    Damper(usize),
+    /// A wheel is driven in steps.
+    Geneva(PairId),
+    /// A load depends on something else.
+    Load(LoadId, On),
+    /// A stop, by its place among them, is hit or rests.
+    Stop(usize),
+    /// Mass or force have no value so far ahead as its steps look.
+    Beyond,
+}
+
+/// What a load depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum On {
+    /// The sense of the motion.
+    Sense,
+    /// Time.
+    Time,
+    /// Speeds, accelerations or forces.
+    Speeds,
 }

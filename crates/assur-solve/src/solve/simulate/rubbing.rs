@@ -4,8 +4,8 @@
 //! method of secants from the acceleration without friction. The effort is a broken line in q̈; where it does not rise with q̈
 //! no acceleration is the answer, or several are (Painlevé), and the run ends.
 
-use super::acting::all_parts;
 use super::equations::Equations;
+use super::loads::all_parts;
 use super::rubs::Rubs;
 use super::slipping::Mode;
 use crate::answer::PoseAnswers;

@@ -1,7 +1,6 @@
 //! One run of the integrator at one tolerance.
 
 use super::bonds::Bonds;
-use super::by_energy::NotByEnergy;
 use super::chart::Chart;
 use super::compare::{Kinds, Outcome};
 use super::coordinates::{Change, Charts};
@@ -12,7 +11,7 @@ use super::going::{Ended, Going};
 use super::left_off::LeftOff;
 use super::pass::{Pass, SHORTER};
 use super::records::Records;
-use super::report::{Energy, Method};
+use super::report::{Energy, Method, NotByEnergy};
 use super::rubbing::rubs;
 use super::setup::{Begin, Outputs, allowed, at_rest, scale};
 use super::slipping::Mode;
