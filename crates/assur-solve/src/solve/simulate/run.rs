@@ -214,8 +214,7 @@ impl Going<'_, '_> {
         self.by_energy = asked.is_none_or(|m| m == Method::Energy) && why.is_none();
         let mut found = if self.by_energy {
             let watched = equations.model.mechanism.stops.len();
-            let mut method =
-                ByEnergy::new(y.len(), watched, tolerance, scale(equations)).beginning_with(shorter);
+            let mut method = ByEnergy::new(y.len(), watched, tolerance, scale(equations));
             equations.begin_walk(y[0]);
             let mut found = self.begin_with(&mut method, equations, charts, (t, y));
             found.left_off = LeftOff::of_series(method.left_off());

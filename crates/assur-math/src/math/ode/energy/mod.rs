@@ -106,12 +106,6 @@ impl Energy {
         }
     }
 
-    /// The first interval is this part of what it might be: two runs of equal intervals would say nothing of their error.
-    #[must_use]
-    pub fn beginning_with(self, part: f64) -> Self {
-        Self { length: part * self.length, ..self }
-    }
-
     /// What the series of all steps so far leave off of integrals: a relative accuracy, that may be far better than the wanted one.
     #[must_use]
     pub fn left_off(&self) -> f64 {
