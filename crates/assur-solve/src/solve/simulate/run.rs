@@ -226,7 +226,7 @@ impl Going<'_, '_> {
         why = why.or(match found.ended {
             Ended::Struck(stop) => Some(NotByEnergy::Stop(stop)),
             // what is looked at far ahead may be out of reach, and the next short step not
-            Ended::Stuck(_) if equations.walk.is_some() => Some(NotByEnergy::Beyond),
+            Ended::Stuck(_) if self.by_energy => Some(NotByEnergy::Beyond),
             _ => None,
         });
         if self.by_energy && why.is_some() {
