@@ -181,3 +181,30 @@ find angle(arm), angle(rod)"
     ));
     assert!(turns(&found, 4) > 1.0);
 }
+
+/// A place of rest on both sides of a step: the middle between them is passed, wherever rounding puts it.
+#[test]
+fn a_swing_passes_its_middle() {
+    for amplitude in 1..40 {
+        let amplitude = f64::from(amplitude) * 10.0;
+        for within in ["1e-3", "1e-4", "1e-6", "1e-9"] {
+            let text = format!(
+                "ground {{ O (-1 m, 0); Q (0, 0); line way through Q along 0 deg }}
+link m {{ P (0, 0); mass 1 kg at P }}
+prismatic G: m.P - ground.way
+spring k: ground.O - m.P {{ stiffness 100 N/m; free_length 1 m }}
+start G = {amplitude} mm
+simulate 3 s within {within}
+find displacement(G)
+"
+            );
+            let solved = solved(&text, Some(Method::Energy));
+            let run = solved.solution.simulation.as_ref().unwrap();
+            assert_eq!(run.method, Method::Energy, "{amplitude} mm within {within}");
+            let last = solved.solution.poses.last().unwrap().outcome.as_ref().unwrap();
+            let x = last.state.motion.bodies[1].p.x;
+            let off = (x - 1e-3 * amplitude * libm::cos(30.0)).abs() / (1e-3 * amplitude);
+            assert!(off < within.parse().unwrap(), "{amplitude} mm within {within}: {off:e}");
+        }
+    }
+}

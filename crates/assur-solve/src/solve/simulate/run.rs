@@ -226,7 +226,7 @@ impl Going<'_, '_> {
         why = why.or(match found.ended {
             Ended::Struck(stop) => Some(NotByEnergy::Stop(stop)),
             // what is looked at far ahead may be out of reach, and the next short step not
-            Ended::Stuck(_) if equations.walk.is_some() || has_digits(&found.y) => Some(NotByEnergy::Beyond),
+            Ended::Stuck(_) if equations.walk.is_some() => Some(NotByEnergy::Beyond),
             _ => None,
         });
         if self.by_energy && why.is_some() {
@@ -380,11 +380,6 @@ impl Going<'_, '_> {
             records,
         }
     }
-}
-
-/// Whether the coordinate is known as far as steps are told apart.
-fn has_digits(y: &[f64]) -> bool {
-    y.first().is_some_and(|q| f64::EPSILON * q.abs() < 1e-9)
 }
 
 const fn sum(a: Counts, b: Counts) -> Counts {

@@ -220,7 +220,8 @@ impl Energy {
         let rest = match (behind, ahead) {
             (Some(behind), Some(ahead)) => {
                 let middle = 0.5 * (behind + ahead);
-                if before(q, middle) {
+                // the middle but for rounding is the middle: no stretch has no length
+                if before(q, middle) && (middle - q).abs() > SAME * way.length() {
                     target = if before(middle, target) { middle } else { target };
                     Some(behind)
                 } else {
