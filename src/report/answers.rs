@@ -51,7 +51,7 @@ impl Precision {
 }
 
 /// A number of a motion that is less than this part of the greatest in its column may be its error. A greater one is never 0, however
-/// large the error is: it is reported beside the numbers.
+/// large the error is: it is reported in addition to the numbers.
 const ERROR_OF_MOTION: f64 = 1e-9;
 
 /// The text for a missing number.

@@ -24,7 +24,7 @@ impl Axis {
         self.start + (libm::log10(x) - self.from) / (self.to - self.from) * (self.end - self.start)
     }
 
-    /// Powers of ten on the axis, at most about so many.
+    /// Powers of ten on the axis, and about how many at most.
     pub(super) fn powers(&self, most: f64) -> Vec<f64> {
         let step = ((self.to - self.from) / most).ceil().max(1.0);
         let mut at = (self.from / step).ceil() * step;

@@ -14,7 +14,7 @@ const LONGEST: f64 = 45.0;
 /// From bar to bar, and their height.
 const STEP: f64 = 6.6;
 const THICK: f64 = 4.4;
-/// The longest bar of digits is that of the file; what takes more than so many times as long is an arrow.
+/// The longest bar of digits is that of the file; a bar that would be longer than this multiple of it is an arrow.
 const FILE: f64 = 20.0;
 const FAR: f64 = 2.5;
 

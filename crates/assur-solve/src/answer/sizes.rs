@@ -9,7 +9,7 @@ use crate::model::{LinkId, LoadId, LoadKind, PairId, PairKind, Query};
 use crate::plan::LoadStep;
 use crate::structure::{EffortKind, EffortSource};
 
-/// A result below this part of its size is zero but for rounding: so many roundings are in it at most.
+/// A result below this part of its size is zero but for rounding: it contains at most 64 roundings.
 pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The greatest of what results are made of, over all positions looked at, SI.

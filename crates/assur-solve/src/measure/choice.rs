@@ -86,7 +86,7 @@ impl RunStudy {
         all
     }
 
-    /// The front in at most so many rows, with the file's own and the one that is recommended, from few digits to many.
+    /// The front in a limited number of rows, with the file's own and the one that is recommended, from few digits to many.
     #[must_use]
     pub fn in_short(&self, most: usize) -> Vec<Choice> {
         let front = self.front(|_, row| !row.missed);

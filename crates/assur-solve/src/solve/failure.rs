@@ -138,7 +138,7 @@ pub enum Halt {
     TwoMotions {
         /// Index into [`crate::model::Mechanism::drives`].
         drive: usize,
-        /// A value beside it, rad or m, where the motions are told apart, and the rate that is written.
+        /// A value next to it, rad or m, where the two motions differ, and the rate that is written.
         value: f64,
         /// rad/s or m/s.
         rate: f64,

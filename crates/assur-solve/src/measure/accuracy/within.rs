@@ -116,7 +116,7 @@ pub fn reached(model: &Model<'_>, solution: &Solution, within: f64) -> AchievedA
     AchievedAccuracy { within, error, source, settings, positions: got.len() }
 }
 
-/// How many positions of so many are held against the reference.
+/// The number of positions that are compared with the reference.
 pub(super) fn checked(model: &Model<'_>, count: usize) -> usize {
     if model.plan.is_batchable() { count } else { count.min(FEW) }
 }

@@ -10,7 +10,7 @@ use crate::model::{Axis, Curve, Expr, Value};
 const NULL: f64 = 1e-9;
 /// A number that is no nearer to zero than this part of its size need not come nearer.
 const NEAR: f64 = 4.0 * f64::EPSILON;
-/// A stretch on which a number is zero ends where it is so many times its greatest magnitude there.
+/// A stretch on which a number is zero ends where it exceeds its greatest magnitude there by this factor.
 const BEYOND: f64 = 4.0;
 
 /// A number as a vector whose second component is null, or a vector, at a place of the sweep.

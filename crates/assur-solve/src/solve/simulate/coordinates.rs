@@ -181,8 +181,8 @@ impl<'w> Charts<'w> {
         if dead {
             let before = &equations.model.mechanism.drives;
             let before: Vec<DriveTarget> = free.iter().map(|&drive| before[drive].target).collect();
-            let told = (self.statics, angles);
-            let rates = starting::rates(&model, told, (&reduced, moved), (&before, &y[n..2 * n]))?;
+            let given = (self.statics, angles);
+            let rates = starting::rates(&model, given, (&reduced, moved), (&before, &y[n..2 * n]))?;
             unknowns[n..2 * n].copy_from_slice(&rates);
             equations.inputs_at(t, &unknowns, &mut state.motion);
         }

@@ -28,7 +28,7 @@ const LEAST: f64 = 0.05;
 /// Rounding adds up as a random walk: so many times its mean distance, as over the examples.
 const WALK: f64 = 3.0;
 /// By the method of energy time is a sum of integrals along the same intervals again and again, which are rounded in the same sense:
-/// it is known to so many roundings, as of pendulums over 1e5 s.
+/// the number of roundings that it may be off, as measured on pendulums over 1e5 s.
 const OF_TIME: f64 = 3.0;
 /// The instant of an event is known to so many roundings of the run, as over the examples with stops, and all that follows shifts
 /// with it: what passes slowly is passed less exactly.

@@ -23,7 +23,7 @@ pub(super) struct Pass<'r> {
     pub before: Option<(&'r Trace, Fraction)>,
     /// What is much for each work and what is nothing, where a run before has shown it, J.
     pub works: &'r [(f64, f64)],
-    /// It is given up after so many evaluations.
+    /// Evaluations after which it is given up.
     pub most: usize,
 }
 

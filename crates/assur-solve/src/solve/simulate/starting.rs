@@ -13,7 +13,7 @@ use crate::position::{Model, Reduced, State, extent};
 use crate::solve::assemble::assemble;
 use crate::solve::failure::{Cause, Halt};
 
-/// Beside a change point its two motions are told apart: so far, rad or parts of the extent.
+/// Distance from a change point at which its two motions differ, rad or parts of the extent.
 const BESIDE: f64 = 0.1 * std::f64::consts::PI / 180.0;
 /// Where something rubs, close to it reactions are too great.
 const FAR_BESIDE: f64 = 50.0 * BESIDE;
@@ -53,7 +53,7 @@ fn without_rate(begin: &Begin<'_>, equations: &Equations<'_, '_>, change: &Chang
     Halt::NoRate { drive: free[slot], other: others[slot], value: change.y[slot] }
 }
 
-/// The motions that begin in a change point, by a start beside it and what chooses each there.
+/// The motions that begin in a change point, by a start next to it and what chooses each there.
 fn two_motions(begin: &Begin<'_>, equations: &Equations<'_, '_>) -> Option<Halt> {
     let conditions = &equations.here().1.motion.conditions;
     let mechanism = Mechanism { hints: Vec::new(), ..begin.model.mechanism.clone() };

@@ -35,7 +35,8 @@ const STIFF: (u32, u32) = (15, 6);
 /// stiff.
 const STRETCH: usize = 1000;
 const BEYOND: f64 = 4.0;
-/// Nor does it end where rounding of what is stiff bounds the steps: so many are left, h λ is above this, and the solution slower by this.
+/// Stiff, too, although rounding bounds the steps: the number of steps left, the least h λ, and the greatest ratio of the solution's
+/// own rate to λ.
 const ENDLESS: f64 = 2e4;
 const NEAR: f64 = 0.1;
 const SLOW: f64 = 0.02;

@@ -24,7 +24,7 @@ const GROWTH: f64 = 1.4;
 const LEAST: f64 = 1e-7;
 /// So many of them side by side.
 const SIDE_BY_SIDE: usize = 4;
-/// The series of a watched value may leave off so many times its last terms.
+/// What the series of a watched value may leave off, in multiples of its last terms.
 const UNSEEN: f64 = 10.0;
 /// Rounding of sums, parts of the greatest coefficient.
 const ROUNDING: f64 = 1e-12;
@@ -55,7 +55,7 @@ fn steepest(series: &[f64; NODES]) -> f64 {
 pub(super) type Values = Vec<[f64; NODES]>;
 
 impl Way {
-    /// With room for so many further quantities, and watched ones.
+    /// With room for the rates of works and for watched values.
     pub fn new(works: usize, watched: usize) -> Self {
         let none = [0.0; NODES];
         Self {
