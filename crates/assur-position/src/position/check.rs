@@ -1,6 +1,7 @@
 //! The equations of [`Checks`] at one position or at several side by side: every joint closes, every body is in equilibrium, the
 //! powers add up to nothing. What laws of transmissions and friction add is in `residual`.
 
+use super::acting::Act;
 use super::state::State;
 use super::wrench::Wrench;
 use crate::math::{Scalar, V2};
@@ -125,8 +126,8 @@ impl<S: Scalar> State<S> {
             return [closure, S::zero(), S::zero()];
         }
         let mut sums = Sums::of(&self.forces.applied, std::mem::take(totals));
-        sums.reactions(checks, self);
-        sums.efforts(checks, self);
+        self.reactions_act(checks, |act| sums.add(self, act));
+        self.efforts_act(checks, |act| sums.add(self, act));
         let equilibrium = sums.worst(checks);
         *totals = sums.into_memory();
         [closure, equilibrium, self.power(checks).abs() / self.most_power(checks)]
@@ -168,34 +169,16 @@ impl<S: Scalar> Sums<S> {
         self.total
     }
 
-    /// Adds a force at a place in ground axes.
-    #[inline(always)]
-    pub fn add_force(&mut self, state: &State<S>, body: usize, p: V2<S>, force: V2<S>) {
-        let norm = self.look(force, S::zero());
-        let arm = self.put(state, body, p, (force, S::zero()));
-        self.most_moment = self.most_moment.max(arm.sqrt() * norm);
-    }
-
-    /// Adds a couple.
-    #[inline(always)]
-    pub fn add_couple(&mut self, body: usize, couple: S) {
-        let total = &mut self.total[body];
-        total.moment = total.moment + couple;
-        self.most_moment = self.most_moment.max(couple.abs());
-    }
-
-    /// Adds all reactions.
+    /// Adds what acts on a body, and the opposite on the body that does it.
     #[cfg_attr(in_one, inline(always))]
-    pub fn reactions(&mut self, checks: &Checks, state: &State<S>) {
-        for (slot, reaction) in checks.reactions.iter().enumerate() {
-            let Some(at) = reaction else { continue };
-            let p = state.motion.bodies[at.at.0].position(at.at.1);
-            let reaction = state.forces.reactions[slot];
-            let norm = self.look(reaction.force, reaction.couple);
-            let arm = self.put(state, at.body, p, (reaction.force, reaction.couple));
-            let other = self.put(state, at.base, p, (-reaction.force, -reaction.couple));
-            self.most_moment = self.most_moment.max(arm.max(other).sqrt() * norm);
+    pub fn add(&mut self, state: &State<S>, act: Act<S>) {
+        let Act { on, from, place, force, couple, .. } = act;
+        let norm = self.look(force, couple);
+        let mut arm = self.put(state, on, place, (force, couple));
+        if let Some(from) = from {
+            arm = arm.max(self.put(state, from, place, (-force, -couple)));
         }
+        self.most_moment = self.most_moment.max(arm.sqrt() * norm);
     }
 
     /// The magnitude of a force: it and the couple may be the greatest.
@@ -215,31 +198,6 @@ impl<S: Scalar> Sums<S> {
         total.force += force;
         total.moment = total.moment + (r.cross(force) + couple);
         square(r)
-    }
-
-    /// Adds all unknown efforts.
-    #[cfg_attr(in_one, inline(always))]
-    pub fn efforts(&mut self, checks: &Checks, state: &State<S>) {
-        for (slot, effort) in &checks.efforts {
-            let value = state.forces.efforts[*slot];
-            match effort {
-                EffortCheck::Torque(body) => self.add_couple(*body, value),
-                EffortCheck::Between(first, second) => {
-                    self.add_couple(*second, value);
-                    self.add_couple(*first, -value);
-                }
-                EffortCheck::Line(body) => {
-                    let (p, n) = state.forces.lines[*slot];
-                    self.add_force(state, *body, p, n * value);
-                }
-                EffortCheck::Along { slider, direction, guide, .. } => {
-                    let s = &state.motion.bodies[slider.0];
-                    let (p, force) = (s.position(slider.1), V2::of(*direction).turned(s.u) * value);
-                    self.add_force(state, slider.0, p, force);
-                    self.add_force(state, *guide, p, -force);
-                }
-            }
-        }
     }
 
     /// The worst equilibrium of a body, over the greatest force or moment.

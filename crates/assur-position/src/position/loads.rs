@@ -5,11 +5,10 @@ use super::model::Model;
 use super::state::State;
 use super::wrench::Wrench;
 use crate::force::spring::spring;
-use crate::math::{Scalar, V2, Vec2};
-use crate::model::{LoadId, LoadKind, Value};
+use crate::math::{Scalar, V2};
+use crate::model::{LoadId, Value};
 use crate::plan::step::unit;
 use crate::plan::{Arm, LoadStep, Plan};
-use crate::structure::JointKind;
 
 impl<S: Scalar> State<S> {
     /// Adds a force at a place in ground axes.
@@ -106,49 +105,11 @@ impl State {
     }
 
     fn apply_evaluated(&mut self, model: &Model<'_>, id: LoadId, value: Value) {
-        match (&model.mechanism.loads[id.index()].kind, value) {
-            (
-                LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
-                Value::Vector(force),
-            ) => {
-                let p = match at {
-                    crate::model::Place::Local(at) => self.motion.bodies[on.index()].position(*at),
-                    crate::model::Place::Ground(expr) => constant_vector(expr),
-                };
-                self.apply(on.index(), p, force);
-            }
-            (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => {
-                self.forces.wrenches[on.index()].moment += torque;
-            }
-            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => {
-                self.apply_in_pair(model, *pair, effort);
-            }
-            _ => {}
-        }
-    }
-
-    /// An effort between the two links of a pair, positive along its coordinate.
-    fn apply_in_pair(&mut self, model: &Model<'_>, pair: crate::model::PairId, effort: f64) {
-        for joint in model.structure.replaced.joints_of(pair) {
-            match &model.structure.replaced.joint(joint).kind {
-                JointKind::Prismatic { slider, point, direction, guide, .. } => {
-                    let b = &self.motion.bodies[slider.0];
-                    let (p, force) = (b.position(*point), direction.turned(b.u) * effort);
-                    self.apply(slider.0, p, force);
-                    self.apply(guide.0, p, -force);
-                    return;
-                }
-                JointKind::Revolute(members)
-                    if matches!(model.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_)) =>
-                {
-                    if let [first, second] = members.as_slice() {
-                        self.forces.wrenches[second.0.0].moment += effort;
-                        self.forces.wrenches[first.0.0].moment -= effort;
-                    }
-                    return;
-                }
-                JointKind::Revolute(_) | JointKind::Law(_) => {}
-            }
+        let Some(act) = self.load_act(model, id, value) else { return };
+        for (body, sign) in [(Some(act.on), 1.0), (act.from, -1.0)] {
+            let Some(body) = body else { continue };
+            self.apply(body, act.place, act.force * sign);
+            self.forces.wrenches[body].moment += act.couple * sign;
         }
     }
 }
@@ -177,13 +138,5 @@ impl<S: Scalar> Heavy<S> {
         let a_S = body.a + r.perp() * body.alpha - r * (body.omega * body.omega);
         let force = self.weight - a_S * self.mass;
         Wrench { force, moment: r.cross(force) - couple }
-    }
-}
-
-/// A place of the ground: `check` folds it to numbers.
-fn constant_vector(expr: &crate::model::Expr) -> Vec2 {
-    match expr {
-        crate::model::Expr::Constant(Value::Vector(v)) => *v,
-        _ => Vec2::new(f64::NAN, f64::NAN),
     }
 }

@@ -1,6 +1,7 @@
 //! One position from numbers: motion, loads and forces by the steps of a plan, in any scalar; nothing is followed.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
+mod acting;
 mod against;
 mod body;
 mod cam;
@@ -55,6 +56,7 @@ mod virtual_power;
 mod wanted;
 mod wrench;
 
+pub use acting::{Act, Cause};
 pub use against::Against;
 pub use body::BodyState;
 #[cfg(feature = "lanes")]

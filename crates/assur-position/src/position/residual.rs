@@ -90,32 +90,7 @@ fn slider_place(model: &Model<'_>, state: &State, joint: JointId) -> f64 {
 fn equilibrium(model: &Model<'_>, state: &State, totals: &mut Vec<Wrench>) -> f64 {
     let mut sums = Sums::of(&state.forces.applied, std::mem::take(totals));
     let checks = &model.plan.checks;
-    sums.reactions(checks, state);
-    for (slot, law) in model.plan.laws.iter().enumerate() {
-        state.forces_of_law(law, slot, &mut |body, p, force, couple| {
-            sums.add_force(state, body, p, force);
-            sums.add_couple(body, couple);
-        });
-    }
-    for law in &model.plan.laws {
-        state.grip_of_law(law, &mut |body, p, force, couple| {
-            sums.add_force(state, body, p, force);
-            sums.add_couple(body, couple);
-        });
-    }
-    for (element, &value) in model.plan.friction.iter().zip(&state.forces.frictions) {
-        match state.friction_line(element) {
-            None => {
-                sums.add_couple(element.through, value);
-                sums.add_couple(element.base, -value);
-            }
-            Some((p, d)) => {
-                sums.add_force(state, element.through, p, d * value);
-                sums.add_force(state, element.base, p, d * -value);
-            }
-        }
-    }
-    sums.efforts(checks, state);
+    state.acts(model.plan, &mut |act| sums.add(state, act));
     let worst = sums.worst(checks);
     *totals = sums.into_memory();
     worst

@@ -2,6 +2,7 @@
 
 #![allow(non_snake_case, reason = "names carry the notation of the field: dJ")]
 
+mod acting;
 mod angles;
 mod constant;
 mod contact_normal;
