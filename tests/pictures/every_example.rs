@@ -31,9 +31,9 @@ fn pictures_show_the_solution_and_labels_are_apart() {
         }
     }
     tally.finish();
-    let Tally { sheets, joints, ends, parts, polygons, levers, lines, .. } = tally;
+    let Tally { sheets, joints, ends, parts, polygons, bodies, levers, lines, .. } = tally;
     assert!(sheets > 1000 && joints > 1000 && ends > 500 && parts > 500, "{tally:?}");
-    assert!(polygons > 150 && levers > 100 && lines > 30, "{tally:?}");
+    assert!(bodies > 1000 && polygons > 150 && levers > 100 && lines > 30, "{tally:?}");
 }
 
 #[test]

@@ -87,3 +87,121 @@ fn friction_couples_leave_no_moment() {
     let largest = couples.iter().fold(0.0_f64, |most, m| most.max(m.abs()));
     assert!(sum.abs() < 2e-3 * largest, "{moments:?} {couples:?}");
 }
+
+/// The marks of the groups of a class and a name.
+fn marks<'s>(sheet: &'s Sheet, class: &'s str, name: &'s str) -> impl Iterator<Item = &'s Shape> {
+    let drawing = &sheet.drawing;
+    let own = move |group: usize| drawing.groups[group].class == class && drawing.groups[group].name == name;
+    drawing.marks.iter().filter(move |mark| own(mark.group)).map(|mark| &mark.shape)
+}
+
+/// What a lever says of a term.
+fn power(sheet: &Sheet, name: &str) -> Option<f64> {
+    let (_, terms) = sheet.drawing.description.split_once("Moments about the pole")?;
+    let (_, rest) = terms.split_once(&format!(" {name} "))?;
+    rest.split([',', ' ']).next()?.trim_end_matches('.').replace('−', "-").parse().ok()
+}
+
+#[test]
+fn levers_have_friction_and_cylinders() {
+    let (source, solved) = example("friction/six-bar.mech");
+    let lever = sheets(&source, &solved, Kind::Lever).remove(0);
+    // F_b = 747.59 N at 1.2 m/s under 60°
+    let balance = power(&lever, "F_b").expect("the balance");
+    let force: f64 = 747.5923987641834;
+    assert!((balance - force * 1.2 * 60.0_f64.to_radians().sin()).abs() < 0.01, "{balance}");
+    for (term, arrow) in [("F_fH", "F_fH"), ("M_f1", "F_Mf1′"), ("M_f2", "F_Mf2"), ("M_f3", "F_Mf3")] {
+        assert!(power(&lever, term).is_some_and(|power| power < 0.0), "{term}");
+        assert_eq!(marks(&lever, "vector", arrow).count(), 1, "{arrow}");
+    }
+    for (source, solved) in [example("drives/excavator.mech"), case("digger.mech")] {
+        let lever = sheets(&source, &solved, Kind::Lever).remove(0);
+        // on what a cylinder moves, and on both of its ends where these move
+        for (name, ends) in [("F_1", 2), ("F_2", 2)] {
+            assert_eq!(marks(&lever, "vector", name).count(), ends, "{}: {name}", source.name);
+        }
+    }
+}
+
+fn case(file: &str) -> (Source, assur::internals::Solved) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/use3/pictures").join(file);
+    let text = std::fs::read_to_string(path).expect("a case");
+    solved(file, &text).expect("a solution")
+}
+
+#[test]
+fn pins_of_cylinders_have_their_letters() {
+    for (source, solved) in [example("drives/excavator.mech"), case("digger.mech")] {
+        let sheets = sheets(&source, &solved, Kind::Forces);
+        let freed: Vec<&Sheet> =
+            sheets.iter().filter(|sheet| sheet.drawing.id.contains("free-body")).collect();
+        for letter in ["K_1", "K_2", "K_3"] {
+            let has = |sheet: &&&Sheet| sheet.placed.iter().any(|placed| placed.label.text.plain() == letter);
+            assert!(freed.iter().filter(has).count() == 1, "{}: {letter}", source.name);
+        }
+        for pair in ["c1", "c2"] {
+            let is_hinge = |shape: &&Shape| matches!(shape, Shape::Circle { .. });
+            let hinges: usize =
+                freed.iter().map(|sheet| marks(sheet, "pair", pair).filter(is_hinge).count()).sum();
+            assert_eq!(hinges, if pair == "c1" { 1 } else { 2 }, "{}: {pair}", source.name);
+        }
+    }
+}
+
+#[test]
+fn teeth_press_without_a_couple_and_wheels_are_drawn() {
+    for (file, wheels) in [
+        ("trains/geared-five-bar.mech", ["z1", "z2"]),
+        ("trains/gears-on-bearings.mech", ["z1", "z2"]),
+        ("trains/sun-drives-the-piston.mech", ["s", "planet"]),
+    ] {
+        let (source, solved) = example(file);
+        let sheets = sheets(&source, &solved, Kind::Forces);
+        for wheel in wheels {
+            let circles = sheets.iter().flat_map(|sheet| marks(sheet, "wheel", wheel));
+            assert_eq!(circles.count(), 1, "{file}: {wheel}");
+        }
+        let couples = |sheet: &Sheet| sheet.drawing.groups.iter().filter(|g| g.class == "couple").count();
+        // that of the load and that of the drive or the balance
+        assert!(sheets.iter().map(couples).sum::<usize>() <= 2, "{file}");
+    }
+}
+
+#[test]
+fn a_rack_touches_its_wheel() {
+    let (source, solved) = example("trains/rack-and-pinion.mech");
+    let sheet = sheets(&source, &solved, Kind::Train).remove(0);
+    let wheel = marks(&sheet, "wheel", "z1").find_map(|shape| match shape {
+        Shape::Circle { centre, radius } => Some((*centre, *radius)),
+        _ => None,
+    });
+    let (centre, radius) = wheel.expect("the pitch circle");
+    let line = marks(&sheet, "rack", "bar").find_map(|shape| match shape {
+        Shape::Line(a, b) => Some((*a, *b)),
+        _ => None,
+    });
+    let (a, b) = line.expect("the pitch line");
+    let away = ((b - a) / (b - a).norm()).cross(centre - a);
+    assert!((away.abs() - radius).abs() < 1e-9, "{away} {radius}");
+    // y of paper points down: the rack is below
+    assert!(a.y > centre.y && (a.y - b.y).abs() < 1e-9);
+}
+
+#[test]
+fn a_rod_slides_through_its_guide() {
+    let (source, solved) = example("slotted/second-kind.mech");
+    let sheet = sheets(&source, &solved, Kind::Scheme).remove(0);
+    let drawing = &sheet.drawing;
+    let blocks = drawing.marks.iter().filter(|mark| mark.style == Style::Block);
+    let middles: Vec<Vec2> = blocks.map(|mark| mark.shape.bounds().centre()).collect();
+    let hinge = |name: &str| {
+        let circle = marks(&sheet, "pair", name).find_map(|shape| match shape {
+            Shape::Circle { centre, .. } => Some(*centre),
+            _ => None,
+        });
+        circle.expect("a hinge")
+    };
+    assert_eq!(middles.len(), 1);
+    // B is 15 mm from A at 4 m per 1000 mm
+    assert!((middles[0] - hinge("A")).norm() < 5.0 && (middles[0] - hinge("C")).norm() > 50.0);
+}

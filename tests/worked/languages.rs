@@ -139,9 +139,14 @@ fn labels_are_apart_and_words_are_of_the_language() {
                     count += 1;
                     let sheet = drawing_in(language, scene.mechanism(), drawing.clone()).placed();
                     let said = format!("{} {}", sheet.drawing.title, sheet.drawing.description);
-                    // an index of inertia, or of a pair, stands before the name of a link
+                    // an index of inertia, or of a pair, stands before the name of a link, and M before it where a pair
+                    // of forces stands for the couple
                     let is_own = |w: &&str| {
-                        own.contains(w) || w.get(1..).is_some_and(|w| own.contains(w) || w.len() < 3)
+                        let bare = w.strip_prefix('M').unwrap_or(w);
+                        let is_name = |w: &str| own.contains(w) || w.len() < 3;
+                        own.contains(w)
+                            || w.get(1..).is_some_and(is_name)
+                            || bare.get(1..).is_some_and(is_name)
                     };
                     let foreign: Vec<&str> = words(&said).into_iter().filter(|w| !is_own(w)).collect();
                     if !foreign.is_empty() {

@@ -5,7 +5,7 @@ use crate::scene::Scene;
 use assur_drawing::Rect;
 use assur_math::math::Vec2;
 use assur_model::model::{
-    BalanceKind, Bearing, Guide, LinkId, LoadKind, PairId, PairKind, Place, Profile, ProfileShape,
+    BalanceKind, Bearing, Guide, LinkId, LoadKind, PairId, PairKind, Pin, Place, Profile, ProfileShape,
 };
 
 /// How a prismatic pair is drawn.
@@ -190,7 +190,13 @@ pub fn form(scene: &Scene<'_>, shapes: &[LinkShape], g: &Guide) -> Form {
     let near = 1e-6 * assur_solve::solve::extent(&scene.model);
     let all_at =
         |link: LinkId, at: Vec2| shapes[link.index()].joints.iter().all(|j| (*j - at).norm() <= near);
-    if !all_at(g.slider, g.point) && all_at(g.guide, g.through) { Form::Sleeve } else { Form::Block }
+    let hinged = scene.mechanism().pairs.iter().any(|pair| {
+        let own = |pin: &Pin| pin.link == g.slider && (pin.at - g.point).norm() <= near;
+        matches!(&pair.kind, PairKind::Revolute(pins) if pins.iter().any(own))
+    });
+    // a point that is no hinge, or has edges beside it, is the middle of a block
+    let is_bar = hinged && g.contacts.is_none() && !all_at(g.slider, g.point);
+    if is_bar && all_at(g.guide, g.through) { Form::Sleeve } else { Form::Block }
 }
 
 impl LinkShape {

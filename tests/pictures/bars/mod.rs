@@ -1,5 +1,6 @@
 //! What must hold for a picture against the solution that it shows.
 
+mod balance;
 mod forces;
 mod places;
 mod plans;
@@ -18,6 +19,7 @@ pub struct Tally {
     pub ends: usize,
     pub parts: usize,
     pub polygons: usize,
+    pub bodies: usize,
     pub levers: usize,
     pub lines: usize,
     pub wrong: Vec<String>,
@@ -27,8 +29,12 @@ impl std::fmt::Display for Tally {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { sheets, labels, joints, ends, parts, .. } = self;
         write!(f, "{sheets} pictures, {labels} labels, {joints} joints, {ends} ends, {parts} parts, ")?;
-        let Self { polygons, levers, lines, wrong, .. } = self;
-        write!(f, "{polygons} polygons, {levers} levers, {lines} action lines, {} faults", wrong.len())
+        let Self { polygons, bodies, levers, lines, wrong, .. } = self;
+        write!(
+            f,
+            "{polygons} polygons, {bodies} free bodies, {levers} levers, {lines} action lines, {} faults",
+            wrong.len()
+        )
     }
 }
 
@@ -57,8 +63,16 @@ impl Tally {
                 self.ends += plans::ends(&judged, &mut wrong);
                 self.parts += plans::parts(&judged, &mut wrong);
             }
-            Kind::Forces => self.polygons += forces::polygon(sheet, &mut wrong),
-            Kind::Lever => self.levers += forces::lever(sheet, solved.condition, &mut wrong),
+            Kind::Forces => {
+                self.polygons += forces::polygon(sheet, &mut wrong);
+                self.bodies += usize::from(sheet.drawing.id.contains("free-body"));
+                wrong.extend(balance::free_body(sheet));
+            }
+            Kind::Lever => {
+                self.levers += forces::lever(sheet, solved.condition, &mut wrong);
+                wrong.extend(balance::lever(sheet));
+                wrong.extend(balance::list(&judged, solved));
+            }
             Kind::Friction => self.lines += forces::action_lines(&judged, &mut wrong),
             _ => {}
         }

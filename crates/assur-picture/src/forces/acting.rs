@@ -1,12 +1,12 @@
-//! What acts on a part of the mechanism: loads, weights, inertia, reactions of what is outside.
+//! What acts on a part of the mechanism from outside, from the list with which the balance of bodies is computed.
 
 use super::Part;
 use crate::scene::Scene;
 use assur_drawing::{Level, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{
-    BalanceKind, DriveTarget, LinkId, LoadId, LoadKind, Pair, PairId, PairKind, Query, Value,
-};
+use assur_model::model::{LinkId, Pair, PairId, PairKind};
+use assur_model::structure::{BodyOrigin, EffortSource};
+use assur_position::position::{Act, Cause};
 
 /// What a force comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,6 +68,8 @@ pub struct Acting {
     pub forces: Vec<Force>,
     /// Couples.
     pub couples: Vec<Couple>,
+    /// Couples of some pairs are not determined: their forces are where they balance.
+    pub open: bool,
 }
 
 /// Forces less than this part of the largest are rounding.
@@ -79,224 +81,175 @@ impl Acting {
     /// All that acts on a part from outside; none where a place or a force is not known.
     pub fn on(scene: &Scene<'_>, part: &Part) -> Option<Self> {
         let mut acting = Self::default();
-        for link in &part.links {
-            acting.loads(scene, *link);
-            acting.masses(scene, *link);
-            acting.rest(scene, *link);
-        }
-        acting.efforts(scene, part);
-        acting.reactions(scene, part)?;
-        acting.hidden_effort(scene, part);
-        acting.hidden_couple(scene, part);
-        if acting.forces.iter().any(|f| !(f.force.norm().is_finite() && f.at.norm().is_finite())) {
-            return None;
-        }
-        let largest = acting.forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
-        let only_rounding = largest <= ROUNDING * greatest(scene);
-        acting.forces.retain(|f| !only_rounding && f.force.norm() > NOTHING * largest);
-        let small = NOTHING * largest * assur_solve::solve::extent(&scene.model);
-        acting.couples.retain(|c| c.moment.is_finite() && c.moment.abs() > small);
-        Some(acting)
-    }
-
-    fn push(&mut self, name: Text, on: LinkId, at: Vec2, force: Vec2, acts: Acts) {
-        self.forces.push(Force { name, on, at, force, acts });
-    }
-
-    fn turn(&mut self, name: Text, on: LinkId, at: Vec2, moment: f64, acts: Acts) {
-        self.couples.push(Couple { name, on, at, moment, acts });
-    }
-
-    fn loads(&mut self, scene: &Scene<'_>, link: LinkId) {
-        let view = scene.view();
-        for (i, load) in scene.mechanism().loads.iter().enumerate() {
-            let value = view.query(&Query::Load(LoadId::at(i)));
-            let name = scene.load_name(load);
-            match (&load.kind, value) {
-                (
-                    LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
-                    Value::Vector(force),
-                ) if *on == link => {
-                    self.push(
-                        name.unwrap_or_else(|| Text::italic("F")),
-                        link,
-                        view.place(link, at),
-                        force,
-                        Acts::Load,
-                    );
-                }
-                (LoadKind::Torque { on, .. }, Value::Scalar(m)) if *on == link => {
-                    let name = name.unwrap_or_else(|| Text::italic("M"));
-                    self.turn(name, link, centre(scene, link), m, Acts::Load);
-                }
-                _ => {}
+        let inside = inside(scene, part);
+        let mut in_pairs: Vec<(PairId, LinkId, Vec<Act>)> = Vec::new();
+        for act in scene.view().acts() {
+            let Some(act) = from_outside(&inside, act) else { continue };
+            let own = part.links.iter().copied().find(|link| link.index() == act.on);
+            let on = own.unwrap_or(part.links[0]);
+            let Some(pair) = scene.view().pair_of(act.cause) else {
+                acting.apply(scene, on, &act);
+                continue;
+            };
+            match in_pairs.iter_mut().find(|one| one.0 == pair && (one.1 == on || is_one(scene, pair))) {
+                Some(one) => one.2.push(act),
+                None => in_pairs.push((pair, on, vec![act])),
             }
         }
-    }
-
-    fn masses(&mut self, scene: &Scene<'_>, link: LinkId) {
-        let effects = &scene.model.plan.effects;
-        let Some(mass) = scene.mechanism().link(link).mass else { return };
-        let at = scene.at(link, mass.centre);
-        if let (true, Some(gravity)) = (effects.gravity && mass.mass > 0.0, scene.mechanism().gravity) {
-            self.push(scene.indexed("G", link), link, at, gravity.acceleration * mass.mass, Acts::Load);
-        }
-        if effects.inertia {
-            if let Value::Vector(force) = scene.view().query(&Query::InertiaForce(link)) {
-                let name = Text::italic("F").lowered(&format!("I{}", scene.link_label(link)));
-                self.push(name, link, at, force, Acts::Load);
-            }
-            if let Value::Scalar(m) = scene.view().query(&Query::InertiaTorque(link)) {
-                let name = Text::italic("M").lowered(&format!("I{}", scene.link_label(link)));
-                self.turn(name, link, at, m, Acts::Load);
-            }
-        }
-    }
-
-    /// What else is applied to a link: springs and dampers.
-    fn rest(&mut self, scene: &Scene<'_>, link: LinkId) {
-        let Some(applied) = scene.solved.state.forces.applied.get(link.index()) else { return };
-        let own = self.forces.iter().filter(|f| f.on == link);
-        let listed = own.clone().fold(Vec2::zero(), |sum, f| sum + f.force);
-        let size = own.map(|f| f.force.norm()).fold(applied.force.norm(), f64::max);
-        let rest = applied.force - listed;
-        if rest.norm() <= 1e-7 * size {
-            return;
-        }
-        let springs: Vec<_> = scene
-            .mechanism()
-            .springs
-            .iter()
-            .filter_map(|s| [s.from, s.to].into_iter().find(|(l, _)| *l == link).map(|(_, at)| (s, at)))
-            .collect();
-        let (name, at) = match springs.as_slice() {
-            [(spring, at)] => (Text::italic("F").lowered(&spring.name), scene.at(link, *at)),
-            _ => (Text::italic("F").lowered("s"), centre(scene, link)),
-        };
-        self.push(name, link, at, rest, Acts::Load);
-    }
-
-    fn efforts(&mut self, scene: &Scene<'_>, part: &Part) {
-        let view = scene.view();
-        for (i, balance) in scene.mechanism().balances.iter().enumerate() {
-            let id = assur_model::model::BalanceId::at(i);
-            let Value::Scalar(value) = view.query(&Query::Balance(id)) else { continue };
-            for place in balance.kind.places() {
-                match place {
-                    BalanceKind::Torque(link) if part.links.contains(link) => {
-                        let name = Text::name(&balance.name);
-                        self.turn(name, *link, centre(scene, *link), value, Acts::Effort);
-                    }
-                    BalanceKind::Force { on, .. } if part.links.contains(on) => {
-                        if let Some((at, along)) = view.balance_line(place) {
-                            self.push(Text::name(&balance.name), *on, at, along * value, Acts::Effort);
-                        }
-                    }
-                    _ => {}
-                }
-            }
-        }
-    }
-
-    /// Reactions of what is outside the part; those found by groups before come first.
-    fn reactions(&mut self, scene: &Scene<'_>, part: &Part) -> Option<()> {
+        acting.sort(part);
+        in_pairs.sort_by_key(|one| one.0.index());
         let mut found = Vec::new();
-        for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
-            let id = PairId::at(i);
-            let links = pair.kind.links();
-            let inside: Vec<LinkId> = links.iter().copied().filter(|l| part.links.contains(l)).collect();
-            let outside = links.iter().copied().find(|l| !part.links.contains(l));
-            if let (PairKind::Cylinder { barrel, rod, .. }, None) = (&pair.kind, outside) {
-                found.extend(held(scene, id, [*barrel, *rod], &inside));
-            }
-            let (Some(on), Some(from)) = (inside.first().copied(), outside) else { continue };
-            let force = inside.iter().fold(Vec2::zero(), |sum, l| sum + scene.view().reaction(id, *l));
-            let at = place(scene, id, on)?;
-            let known = links.iter().any(|l| found_before(scene, *l, on));
-            let name = scene.reaction_name(id, from, on);
-            let couple = inside.iter().fold(0.0, |sum, l| sum + scene.view().moment(id, *l));
-            let acts = Acts::Reaction { pair: id, known };
-            self.turn(couple_name(pair, &name), on, at, couple, acts);
-            found.push(Force { name, on, at, force, acts });
+        for (pair, on, acts) in in_pairs {
+            found.push(acting.reaction(scene, part, (pair, on), &acts)?);
         }
         found.sort_by_key(|f| !matches!(f.acts, Acts::Reaction { known: true, .. }));
-        self.forces.extend(found);
-        Some(())
+        acting.forces.extend(found);
+        acting.settle(scene, part);
+        acting.clear(scene)
     }
 
-    /// An effort, or a load, inside a pair that the part shares with the outside: what the other forces leave.
-    fn hidden_effort(&mut self, scene: &Scene<'_>, part: &Part) {
-        let sum = self.forces.iter().fold(Vec2::zero(), |sum, f| sum + f.force);
+    /// Shifts forces of pairs whose couples are not determined across their lines, as little as lets them balance.
+    fn settle(&mut self, scene: &Scene<'_>, part: &Part) {
+        let open = |acts: &Acts| matches!(acts, Acts::Reaction { pair, .. } if is_open(scene, *pair));
+        self.open = self.forces.iter().any(|f| open(&f.acts));
         let largest = self.forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
-        let mechanism = scene.mechanism();
-        let touches = |pair: PairId| mechanism.pair(pair).kind.links().iter().any(|l| part.links.contains(l));
-        let balances = mechanism.balances.iter().filter(|b| {
-            b.kind.places().iter().any(|p| matches!(p, BalanceKind::InPair(pair) if touches(*pair)))
-        });
-        let loads = mechanism
-            .loads
-            .iter()
-            .filter(|l| matches!(&l.kind, LoadKind::InPair { pair, .. } if touches(*pair)));
-        // where nothing else is unknown, the drives' own efforts are
-        let own = mechanism.balances.is_empty();
-        let drives = mechanism.drives.iter().filter_map(|d| match d.target {
-            DriveTarget::Pair(pair) if own && touches(pair) => Some(Text::italic("F").lowered(&d.name)),
-            DriveTarget::Point(link, _) if own && part.links.contains(&link) => {
-                Some(Text::italic("F").lowered(&d.name))
-            }
-            _ => None,
-        });
-        let names = balances
-            .map(|b| Text::name(&b.name))
-            .chain(loads.map(|l| scene.load_name(l).unwrap_or_else(|| Text::italic("F"))))
-            .chain(drives);
-        let Some(name) = names.into_iter().next().filter(|_| sum.norm() > 1e-7 * largest) else { return };
-        let on = part.links[0];
-        self.push(name, on, centre(scene, on), -sum, Acts::Effort);
+        let squares = self.forces.iter().filter(|f| open(&f.acts)).map(|f| f.force.dot(f.force));
+        let sum: f64 = squares.sum();
+        if sum.sqrt() <= NOTHING * largest {
+            return;
+        }
+        // the shifts stand for their couples
+        self.couples.retain(|c| !open(&c.acts));
+        let about = centre(scene, part.links[0]);
+        let turning = self.forces.iter().map(|f| (f.at - about).cross(f.force));
+        let moment: f64 = turning.chain(self.couples.iter().map(|c| c.moment)).sum();
+        for force in self.forces.iter_mut().filter(|f| open(&f.acts)) {
+            force.at += force.force.perp() * (moment / sum);
+        }
+    }
+
+    /// Without what is rounding; none where something is not known.
+    fn clear(mut self, scene: &Scene<'_>) -> Option<Self> {
+        if self.forces.iter().any(|f| !(f.force.norm().is_finite() && f.at.norm().is_finite())) {
+            return None;
+        }
+        let largest = self.forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
+        let only_rounding = largest <= ROUNDING * greatest(scene);
+        self.forces.retain(|f| !only_rounding && f.force.norm() > NOTHING * largest);
+        let small = NOTHING * largest * assur_solve::solve::extent(&scene.model);
+        self.couples.retain(|c| c.moment.is_finite() && c.moment.abs() > small);
+        Some(self)
+    }
+
+    /// What acts in no pair: loads, weights, inertia, springs, unknown efforts.
+    fn apply(&mut self, scene: &Scene<'_>, on: LinkId, act: &Act) {
+        let acts = if matches!(act.cause, Cause::Effort(_)) { Acts::Effort } else { Acts::Load };
+        if act.force != Vec2::zero() {
+            let name = letters(scene, act.cause, on, true);
+            self.forces.push(Force { name, on, at: act.place, force: act.force, acts });
+        }
+        if act.couple != 0.0 {
+            let name = letters(scene, act.cause, on, false);
+            let at = if act.force == Vec2::zero() { centre(scene, on) } else { act.place };
+            self.couples.push(Couple { name, on, at, moment: act.couple, acts });
+        }
+    }
+
+    /// Link by link, unknown efforts last.
+    fn sort(&mut self, part: &Part) {
+        let place = |on: LinkId| part.links.iter().position(|link| *link == on);
+        self.forces.sort_by_key(|f| (f.acts.is_unknown(), place(f.on)));
+        self.couples.sort_by_key(|c| (c.acts.is_unknown(), place(c.on)));
+    }
+
+    /// What a pair does on a link, as a force at its place, and a couple.
+    fn reaction(
+        &mut self,
+        scene: &Scene<'_>,
+        part: &Part,
+        (id, on): (PairId, LinkId),
+        all: &[Act],
+    ) -> Option<Force> {
+        let (pair, view) = (scene.mechanism().pair(id), scene.view());
+        let links = pair.kind.links();
+        let from = links.iter().copied().find(|l| !part.links.contains(l)).unwrap_or(on);
+        // of wheels without a place torques are known, and no forces in bearings
+        let at = place(scene, id, on)?;
+        let force = all.iter().fold(Vec2::zero(), |sum, act| sum + act.force);
+        let couple: f64 = all.iter().map(|act| act.couple + (act.place - at).cross(act.force)).sum();
+        let known = links.iter().any(|l| found_before(scene, *l, on));
+        let (name, acts) = (scene.reaction_name(id, from, on), Acts::Reaction { pair: id, known });
+        if view.shares_friction(id) {
+            return None;
+        }
+        let about = if force == Vec2::zero() { centre(scene, on) } else { at };
+        self.couples.push(Couple { name: couple_name(pair, &name), on, at: about, moment: couple, acts });
+        Some(Force { name, on, at, force, acts })
     }
 }
 
-impl Acting {
-    /// A couple inside a pair, or that of a drive without a balance: what all else leaves of the moments, so that a reader finds them
-    /// add up to nothing.
-    fn hidden_couple(&mut self, scene: &Scene<'_>, part: &Part) {
-        let about = centre(scene, part.links[0]);
-        let of_forces = self.forces.iter().map(|f| (f.at - about).cross(f.force));
-        let moments: Vec<f64> = of_forces.chain(self.couples.iter().map(|c| c.moment)).collect();
-        let largest = moments.iter().fold(0.0_f64, |most, m| most.max(m.abs()));
-        let sum: f64 = moments.iter().sum();
-        let mechanism = scene.mechanism();
-        let touches = |pair: PairId| mechanism.pair(pair).kind.links().iter().any(|l| part.links.contains(l));
-        let loads = mechanism
-            .loads
-            .iter()
-            .filter(|l| matches!(l.kind, LoadKind::InPair { pair, .. } if touches(pair)));
-        let balances = mechanism.balances.iter().filter(|b| {
-            b.kind.places().iter().any(|p| matches!(p, BalanceKind::InPair(pair) if touches(*pair)))
-        });
-        let own = mechanism.balances.is_empty();
-        let drives = mechanism.drives.iter().filter(|d| match d.target {
-            DriveTarget::Link(link) => own && part.links.contains(&link),
-            DriveTarget::Pair(pair) => own && touches(pair),
-            DriveTarget::Point(..) => false,
-        });
-        let loads = loads.map(|l| (scene.load_name(l).unwrap_or_else(|| Text::italic("M")), false));
-        let efforts = balances.map(|b| (Text::name(&b.name), true));
-        let drives = drives.map(|d| (Text::italic("M").lowered(&d.name), true));
-        // those of several pairs of a link together
-        let together = loads.chain(efforts).chain(drives).reduce(|(sum, unknown), (name, more)| {
-            let mut sum = sum.and(" + ", false, Level::Base);
-            sum.runs.extend(name.runs);
-            (sum, unknown || more)
-        });
-        // what is not determined is no number
-        if sum.abs() > 1e-7 * largest
-            && let Some((name, unknown)) = together
+/// The letter of what acts in no pair, with the link on which it acts.
+pub fn letters(scene: &Scene<'_>, cause: Cause, on: LinkId, is_force: bool) -> Text {
+    let mechanism = scene.mechanism();
+    let letter = Text::italic(if is_force { "F" } else { "M" });
+    match cause {
+        Cause::Load(id) => scene.load_name(&mechanism.loads[id.index()]).unwrap_or(letter),
+        Cause::Weight => scene.indexed("G", on),
+        Cause::Inertia => letter.lowered(&format!("I{}", scene.link_label(on))),
+        Cause::Spring(id) => letter.lowered(&mechanism.springs[id.index()].name),
+        Cause::Effort(slot) => match scene.model.structure.efforts[slot].source {
+            EffortSource::Balance(id) => Text::name(&mechanism.balances[id.index()].name),
+            EffortSource::Drive(id) => letter.lowered(&mechanism.drives[id.index()].name),
+        },
+        Cause::Reaction(_) | Cause::Law(_) | Cause::Friction(_) => letter.lowered(scene.link_label(on)),
+    }
+}
+
+/// The bodies of a part: its links, and what stands for pairs between them. A cylinder without mass between two of its links is
+/// one of these; one with mass does to each what its own end does.
+fn inside(scene: &Scene<'_>, part: &Part) -> Vec<usize> {
+    let mechanism = scene.mechanism();
+    let has = |links: &[LinkId]| links.iter().all(|link| part.links.contains(link));
+    let mut bodies: Vec<usize> = part.links.iter().map(|link| link.index()).collect();
+    for pair in &mechanism.pairs {
+        if let PairKind::Cylinder { barrel, rod, from, to, .. } = &pair.kind
+            && has(&[from.link, to.link])
+            && [*barrel, *rod].iter().all(|link| mechanism.link(*link).mass.is_none())
         {
-            let acts = if unknown { Acts::Effort } else { Acts::Load };
-            self.turn(name, part.links[0], about, -sum, acts);
+            bodies.extend([barrel.index(), rod.index()]);
         }
     }
+    for (slot, body) in scene.model.structure.replaced.bodies.iter().enumerate() {
+        if let BodyOrigin::Imaginary(pair) = body.origin
+            && has(&mechanism.pair(pair).kind.links())
+        {
+            bodies.push(slot);
+        }
+    }
+    bodies
+}
+
+/// What acts on bodies from outside.
+fn from_outside(inside: &[usize], act: Act) -> Option<Act> {
+    let is_in = |body: usize| inside.contains(&body);
+    match (is_in(act.on), act.from.filter(|from| is_in(*from))) {
+        (true, None) => Some(act),
+        (false, Some(on)) => {
+            let (force, couple) = (-act.force, -act.couple);
+            Some(Act { on, from: Some(act.on), force, couple, ..act })
+        }
+        _ => None,
+    }
+}
+
+/// Whether the couple of a pair is not determined.
+fn is_open(scene: &Scene<'_>, pair: PairId) -> bool {
+    scene.model.structure.undetermined_couples.contains(&pair)
+}
+
+/// Whether what a pair does to several links of a part is one force: in one point.
+fn is_one(scene: &Scene<'_>, pair: PairId) -> bool {
+    !matches!(scene.mechanism().pair(pair).kind, PairKind::Cylinder { .. } | PairKind::Transmission(_))
 }
 
 /// The greatest force that is applied anywhere, with that of the greatest moment over the size of the mechanism.
@@ -306,19 +259,6 @@ fn greatest(scene: &Scene<'_>) -> f64 {
     let moment = applied.iter().map(|w| w.moment.abs()).fold(0.0, f64::max);
     let extent = assur_solve::solve::extent(&scene.model);
     if extent > 0.0 { force + moment / extent } else { force }
-}
-
-/// What a cylinder between two links of a part does to both: they differ by what its barrel and its rod carry.
-fn held(scene: &Scene<'_>, id: PairId, own: [LinkId; 2], links: &[LinkId]) -> Vec<Force> {
-    if own.iter().all(|l| scene.mechanism().link(*l).mass.is_none()) {
-        return Vec::new();
-    }
-    let on = |link: &LinkId| {
-        let (at, force) = (place(scene, id, *link)?, scene.view().reaction(id, *link));
-        let name = scene.reaction_name(id, *link, *link);
-        Some(Force { name, on: *link, at, force, acts: Acts::Reaction { pair: id, known: true } })
-    };
-    links.iter().filter_map(on).collect()
 }
 
 /// Whether the forces of a link are found before those of another.

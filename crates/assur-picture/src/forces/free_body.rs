@@ -11,15 +11,17 @@ use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::scheme::{Freed, length_scale};
 use crate::shape::{LinkShape, Outline};
-use crate::symbol::{arrow, guide, hinge, mass};
+use crate::symbol::{arrow, cylinder, guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, PairKind};
+use assur_model::model::{LinkId, PairId, PairKind, Pin};
 
 /// Lengths of arrows, mm: the least, and what the greatest force adds.
 const ARROW: (f64, f64) = (9.0, 8.0);
 /// Radius and angle of a couple's arrow.
 const COUPLE: (f64, f64) = (5.5, 1.75);
+/// What is smaller than this part of the mechanism is a point.
+const ONE_POINT: f64 = 1e-9;
 /// What arrows and names take, mm.
 const AROUND: Vec2 = Vec2::new(50.0, 44.0);
 /// Sizes of letters.
@@ -46,13 +48,18 @@ pub fn draw(
     acting.forces.iter().for_each(|f| bounds.add(f.at));
     let profiles = Freed(&part.links);
     profiles.extent(scene, &mut bounds);
+    if bounds.size().norm() <= ONE_POINT * assur_solve::solve::extent(&scene.model) {
+        bounds = Rect::around(bounds.centre(), Vec2::zero());
+    }
     let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let links = names(scene, part);
-    let said: Vec<String> = acting
-        .forces
-        .iter()
-        .map(|f| format!("{} {} N", f.name.plain(), scene.figure(f.force.norm(), FORCE)))
-        .collect();
+    let arrows = arrows(scene, part, acting);
+    let words =
+        |(name, force): (&Text, Vec2)| format!("{} {} N", name.plain(), scene.figure(force.norm(), FORCE));
+    let whole = acting.forces.iter().map(|f| (&f.name, f.force));
+    // what is drawn in parts is said whole and in its parts
+    let parts = arrows.iter().map(|a| (&a.0, a.2)).filter(|a| acting.forces.iter().all(|f| f.name != *a.0));
+    let said: Vec<String> = whole.chain(parts).map(words).collect();
     let couple = |c: &Couple| format!("{} {} N·m", c.name.plain(), scene.figure(c.moment, MOMENT));
     let couples: Vec<String> = acting.couples.iter().map(couple).collect();
     let couples =
@@ -69,12 +76,16 @@ pub fn draw(
     }
     profiles.draw(scene, all, &frame, &mut drawing);
     bodies(scene, &mut drawing, &frame, &outlines, part);
-    let arrows = arrows(scene, part, acting);
     vectors(&mut drawing, &frame, &arrows);
     turning(&mut drawing, &frame, acting);
     arms(scene, part, acting, &frame, &mut drawing);
     if let Some(scale) = frame.scale {
         drawing.captions.push(length_scale(&scale));
+    }
+    if acting.open {
+        drawing.caption(Text::upright(
+            "Where forces press on guides is not determined: drawn so that they balance.",
+        ));
     }
     Ok(drawing)
 }
@@ -87,6 +98,7 @@ fn bodies(
     part: &Part,
 ) {
     blocks(scene, drawing, frame, part);
+    cylinders(scene, drawing, frame, part);
     for (link, outline) in outlines {
         drawing.begin("link", &scene.mechanism().link(*link).name);
         for plate in &outline.plates {
@@ -105,15 +117,13 @@ fn bodies(
         drawing.end();
     }
     let mut done: Vec<Vec2> = Vec::new();
-    for pair in &scene.mechanism().pairs {
-        let PairKind::Revolute(pins) = &pair.kind else { continue };
-        let Some(pin) = pins.iter().find(|p| part.links.contains(&p.link)) else { continue };
+    for (name, text, pin) in pins(scene, part) {
         let at = frame.point(scene.at(pin.link, pin.at));
-        drawing.begin("pair", &pair.name);
+        drawing.begin("pair", name);
         hinge::moving(drawing, at);
         if done.iter().all(|d| (*d - at).norm() > 0.05) {
             let lines: Vec<Vec2> = lines_at(outlines, at);
-            let label = Label::at(Text::name(&pair.name), POINT, at, hinge::RADIUS).ranked(1);
+            let label = Label::at(text, POINT, at, hinge::RADIUS).ranked(1);
             drawing.label(freest(&lines).map_or(label.clone(), |d| label.towards(d)));
         }
         done.push(at);
@@ -135,6 +145,27 @@ fn bodies(
     }
 }
 
+/// The hinges of a part with the names of their pairs and their letters: at the end of a cylinder that of the point.
+fn pins<'a>(scene: &Scene<'a>, part: &Part) -> Vec<(&'a str, Text, &'a Pin)> {
+    let mut found = Vec::new();
+    let inside = |pin: &&Pin| part.links.contains(&pin.link);
+    for pair in &scene.mechanism().pairs {
+        match &pair.kind {
+            PairKind::Revolute(pins) => {
+                let pin = pins.iter().find(inside);
+                found.extend(pin.map(|pin| (pair.name.as_str(), Text::name(&pair.name), pin)));
+            }
+            PairKind::Cylinder { from, to, .. } => {
+                for pin in [from, to].into_iter().filter(inside) {
+                    found.push((pair.name.as_str(), Text::name(&pin.name), pin));
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
 fn lines_at(outlines: &[(LinkId, Outline)], at: Vec2) -> Vec<Vec2> {
     let bars = outlines.iter().flat_map(|(_, o)| o.bars.iter());
     let near = bars.filter(|(a, b)| Segment { a: *a, b: *b }.distance(at) < 0.3);
@@ -149,6 +180,19 @@ fn blocks(scene: &Scene<'_>, drawing: &mut Drawing, frame: &Frame, part: &Part) 
             let at = frame.point(scene.at(g.slider, g.point));
             let half = if g.guide == LinkId::GROUND { guide::BLOCK } else { guide::SLEEVE };
             guide::block(drawing, at, along, (-half.x, half.x), half.y);
+        }
+    }
+}
+
+/// Cylinders between links of the part.
+fn cylinders(scene: &Scene<'_>, drawing: &mut Drawing, frame: &Frame, part: &Part) {
+    for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
+        let PairKind::Cylinder { from, to, .. } = &pair.kind else { continue };
+        if [from, to].iter().all(|pin| part.links.contains(&pin.link)) {
+            let [a, b] = [from, to].map(|pin| frame.point(scene.at(pin.link, pin.at)));
+            drawing.begin("pair", &pair.name);
+            cylinder::cylinder(drawing, a, b, frame.length(scene.way(PairId::at(i)).0));
+            drawing.end();
         }
     }
 }
@@ -176,16 +220,11 @@ fn arrows(scene: &Scene<'_>, part: &Part, acting: &Acting) -> Vec<(Text, Vec2, V
 
 fn vectors(drawing: &mut Drawing, frame: &Frame, arrows: &[(Text, Vec2, Vec2, Style)]) {
     let largest = arrows.iter().map(|a| a.2.norm()).fold(0.0, f64::max);
-    let mut taken: Vec<(Vec2, Vec2)> = Vec::new();
+    let mut lines = arrow::OnLines::default();
     for (name, at, force, style) in arrows {
         let Some(along) = flipped(*force).unit().filter(|_| force.norm() > 1e-9 * largest) else { continue };
-        let mut from = frame.point(*at);
         let length = ARROW.0 + ARROW.1 * force.norm() / largest;
-        // two forces from one point in one direction are side by side
-        while taken.iter().any(|(p, d)| (*p - from).norm() < 1.0 && d.dot(along) > 0.97) {
-            from += along.perp() * 1.9;
-        }
-        taken.push((from, along));
+        let from = lines.begin(frame.point(*at), along, length);
         drawing.begin("vector", &name.plain());
         drawing.mark(*style, Shape::Arrow(from, from + along * length));
         let label =

@@ -1,8 +1,8 @@
 //! Zhukovsky's lever: the plan of velocities turned by 90°, with the forces at the images of their points. The moments of
 //! all forces about the pole add up to nothing, which is the balance of powers.
 
-use super::acting::{Acting, Acts, Couple, Force};
-use super::{Part, is_loaded};
+use super::acting::{Acts, Force};
+use super::{is_loaded, powers};
 use crate::angles::{flipped, freest};
 use crate::error::Missing;
 use crate::figures::{cleared, plain};
@@ -10,10 +10,10 @@ use crate::frame::Frame;
 use crate::motion::{Nodes, joined, other_image, velocity_at};
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
-use crate::symbol::{hinge, mass};
+use crate::symbol::{arrow, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{BalanceId, DriveId, DriveTarget, LinkId, LoadId, LoadKind, PairKind, Query, Value};
+use assur_model::model::{DriveTarget, LinkId, PairKind};
 
 /// Lengths of arrows, mm: the least, and what the greatest force adds.
 const ARROW: (f64, f64) = (8.0, 12.0);
@@ -61,35 +61,51 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if nodes.nodes.is_empty() {
         return Err(Missing::nothing_placed(scene, "the lever is a plan of velocities"));
     }
-    let forces = forces(scene);
+    let terms = powers::terms(scene);
+    let mut forces: Vec<&Force> = terms.iter().flat_map(|term| &term.forces).collect();
+    let most = forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
+    forces.retain(|f| f.force.norm() > NOTHING * most);
     let mut bounds = Rect::NOTHING;
     bounds.add(Vec2::zero());
     nodes.nodes.iter().for_each(|n| bounds.add(turned(scene, n.velocity(scene))));
     forces.iter().for_each(|f| bounds.add(image(scene, f.on, f.at)));
     let frame = roomy(scene, &forces, &bounds, paper)?;
-    let terms = terms(scene);
-    let largest = terms.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
-    let sum: f64 = terms.iter().map(|t| t.1).sum();
+    let largest = terms.iter().map(|t| t.power.abs()).fold(0.0, f64::max);
+    let sum: f64 = terms.iter().map(|t| t.power).sum();
     // where nothing does work, at a dead position, all terms are rounding
     let scale = if largest > DEAD * greatest(scene) { largest } else { greatest(scene) };
     let share = if scale > 0.0 { sum.abs() / scale } else { 0.0 };
-    let terms: Vec<(Text, f64)> = terms.into_iter().map(|(name, p)| (name, cleared(p, scale))).collect();
-    let said: Vec<String> = terms.iter().map(|(name, p)| format!("{} {}", name.plain(), plain(*p))).collect();
+    let powers: Vec<(Text, f64)> = terms
+        .iter()
+        .filter(|t| t.power.abs() > NOTHING * largest)
+        .map(|t| (t.name.clone(), cleared(t.power, scale)))
+        .collect();
+    let said: Vec<String> =
+        powers.iter().map(|(name, p)| format!("{} {}", name.plain(), plain(*p))).collect();
+    let acting: Vec<String> =
+        forces.iter().map(|f| format!("{} {} N", f.name.plain(), plain(f.force.norm()))).collect();
     let title =
         format!("{}: Zhukovsky’s lever{}", crate::words::title(scene), crate::words::at_position(scene));
     let description = format!(
-        "The plan of velocities turned by 90 degrees, with the forces. Moments about the pole, N·m/s: {}. Their sum is {share:.0e} of the largest.",
+        "The plan of velocities turned by 90 degrees, with the forces. Forces: {}. Moments about the pole, N·m/s: {}. Their sum is {share:.0e} of the largest.",
+        acting.join(", "),
         said.join(", ")
     );
     let mut drawing = Drawing::new(&crate::words::id(scene, "lever"), title, description);
     plan(scene, &nodes, &frame, &mut drawing);
+    for (link, arm) in terms.iter().flat_map(|term| &term.arms) {
+        let [a, b] = arm.map(|at| frame.point(image(scene, *link, at)));
+        drawing.line(Style::Thin, a, b);
+    }
     arrows(scene, &frame, &forces, &mut drawing);
-    captions(&mut drawing, &frame, nodes.pole(scene), &terms);
+    captions(&mut drawing, &frame, nodes.pole(scene), &powers);
+    let open = terms.iter().filter(|t| t.open && t.power.abs() > NOTHING * largest);
+    without_arrows(&mut drawing, open.map(|t| &t.name));
     Ok(drawing)
 }
 
 /// The frame of the plan, larger where many forces act at images that are close together.
-fn roomy(scene: &Scene<'_>, forces: &[Force], bounds: &Rect, paper: &Paper) -> Result<Frame, Missing> {
+fn roomy(scene: &Scene<'_>, forces: &[&Force], bounds: &Rect, paper: &Paper) -> Result<Frame, Missing> {
     let frame = paper.plan(Scaled::Velocity, bounds, AROUND)?;
     let mut images: Vec<Vec2> = Vec::new();
     for force in forces {
@@ -205,46 +221,13 @@ fn slides(scene: &Scene<'_>, link: LinkId) -> bool {
     scene.mechanism().pairs.iter().any(|p| on_ground(&p.kind))
 }
 
-/// Loads, weights, inertia and unknown forces; couples as pairs of forces on the image of their link.
-fn forces(scene: &Scene<'_>) -> Vec<Force> {
-    let mut all = Vec::new();
-    let nodes = Nodes::of(scene, false);
-    for i in 1..scene.mechanism().links.len() {
-        let link = LinkId::at(i);
-        if !scene.is_placed(link) || scene.is_in_cylinder(link) {
-            continue;
-        }
-        let Some(acting) = Acting::on(scene, &Part { links: vec![link], inner: None }) else { continue };
-        all.extend(acting.forces.into_iter().filter(|f| !matches!(f.acts, Acts::Reaction { .. })));
-        for Couple { name, on, moment, acts, .. } in acting.couples {
-            if matches!(acts, Acts::Reaction { .. }) {
-                continue;
-            }
-            let joints: Vec<Vec2> = nodes.on(on).iter().map(|n| n.at).collect();
-            let [first, second, ..] = joints.as_slice() else { continue };
-            let arm = *second - *first;
-            let force = arm.perp() * (moment / arm.dot(arm));
-            let pair = Text::italic("F").lowered(&name.plain().replace('_', ""));
-            let back = pair.clone().and("′", false, Level::Base);
-            all.push(Force { name: pair, on, at: *second, force, acts });
-            all.push(Force { name: back, on, at: *first, force: -force, acts });
-        }
-    }
-    all.retain(|f| f.force.norm().is_finite() && f.force.norm() > 0.0);
-    all
-}
-
-fn arrows(scene: &Scene<'_>, frame: &Frame, forces: &[Force], drawing: &mut Drawing) {
+fn arrows(scene: &Scene<'_>, frame: &Frame, forces: &[&Force], drawing: &mut Drawing) {
     let largest = forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
-    let mut taken: Vec<(Vec2, Vec2)> = Vec::new();
+    let mut lines = arrow::OnLines::default();
     for force in forces {
         let Some(along) = flipped(force.force).unit() else { continue };
-        let mut from = frame.point(image(scene, force.on, force.at));
-        while taken.iter().any(|(p, d)| (*p - from).norm() < 1.2 && d.dot(along).abs() > 0.97) {
-            from += along.perp() * 2.0;
-        }
-        taken.push((from, along));
         let length = ARROW.0 + ARROW.1 * force.force.norm() / largest;
+        let from = lines.begin(frame.point(image(scene, force.on, force.at)), along, length);
         let style = if force.acts == Acts::Effort { Style::Unknown } else { Style::Force };
         drawing.begin("vector", &force.name.plain());
         drawing.mark(style, Shape::Arrow(from, from + along * length));
@@ -259,56 +242,13 @@ fn arrows(scene: &Scene<'_>, frame: &Frame, forces: &[Force], drawing: &mut Draw
     }
 }
 
-/// Moments about the pole, which are powers: of loads, weights, inertia, what else is applied, and unknown efforts.
-fn terms(scene: &Scene<'_>) -> Vec<(Text, f64)> {
-    let mechanism = scene.mechanism();
-    let view = scene.view().without_friction();
-    let scalar = |query: &Query| match view.query(query) {
-        Value::Scalar(x) if x.is_finite() => x,
-        _ => 0.0,
-    };
-    let mut terms: Vec<(Text, f64)> = Vec::new();
-    for (i, load) in mechanism.loads.iter().enumerate() {
-        let letter = if matches!(load.kind, LoadKind::Torque { .. }) { "M" } else { "F" };
-        let name = scene.load_name(load).unwrap_or_else(|| Text::italic(letter));
-        terms.push((name, scalar(&Query::LoadPower(LoadId::at(i)))));
+/// Terms of links that have no place.
+fn without_arrows<'t>(drawing: &mut Drawing, terms: impl Iterator<Item = &'t Text>) {
+    let names: Vec<String> = terms.map(Text::plain).collect();
+    if !names.is_empty() {
+        drawing.caption(Text::upright("Without arrows, of links that have no place:"));
+        drawing.caption(Text::upright(&names.join(", ")));
     }
-    let mut applied = 0.0;
-    for (i, wrench) in view.state.forces.applied.iter().enumerate() {
-        let body = &view.state.motion.bodies[i];
-        applied += wrench.force.dot(body.v) + wrench.moment * body.omega;
-    }
-    let effects = &scene.model.plan.effects;
-    for (i, link) in mechanism.links.iter().enumerate().skip(1) {
-        let (id, Some(mass)) = (LinkId::at(i), link.mass) else { continue };
-        let body = &view.state.motion.bodies[i];
-        if let (true, Some(gravity)) = (effects.gravity, mechanism.gravity) {
-            let weight = gravity.acceleration * mass.mass;
-            terms.push((scene.indexed("G", id), weight.dot(body.velocity(mass.centre))));
-        }
-        if effects.inertia {
-            let index = format!("I{}", scene.link_label(id));
-            let force = body.acceleration(mass.centre) * -mass.mass;
-            terms.push((Text::italic("F").lowered(&index), force.dot(body.velocity(mass.centre))));
-            terms.push((Text::italic("M").lowered(&index), -mass.inertia * body.alpha * body.omega));
-        }
-    }
-    let listed: f64 = terms.iter().map(|t| t.1).sum();
-    let size = terms.iter().map(|t| t.1.abs()).fold(applied.abs(), f64::max);
-    if effects.springs && (applied - listed).abs() > 1e-9 * size {
-        terms.push((Text::upright("springs"), applied - listed));
-    }
-    for (i, balance) in mechanism.balances.iter().enumerate() {
-        terms.push((Text::name(&balance.name), scalar(&Query::BalancePower(BalanceId::at(i)))));
-    }
-    if mechanism.balances.is_empty() {
-        for (i, drive) in mechanism.drives.iter().enumerate() {
-            terms.push((Text::italic("M").lowered(&drive.name), scalar(&Query::EffortPower(DriveId::at(i)))));
-        }
-    }
-    let largest = terms.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
-    terms.retain(|t| t.1.abs() > NOTHING * largest);
-    terms
 }
 
 fn captions(drawing: &mut Drawing, frame: &Frame, pole: &str, terms: &[(Text, f64)]) {

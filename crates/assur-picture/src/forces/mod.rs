@@ -5,6 +5,7 @@ mod free_body;
 mod friction;
 mod lever;
 mod polygon;
+mod powers;
 
 pub use friction::friction;
 pub use lever::lever;

@@ -1,15 +1,11 @@
 //! What runs between wheels that have places, seen from the front: teeth where wheels meet, belts and ropes, racks.
 
 use super::{LinkId, Sketch};
-use crate::symbol::gear::{MODULE, TEETH, held, row};
-use crate::symbol::hinge;
-use assur_drawing::{Drawing, Shape, Style};
+use crate::symbol::gear::{MODULE, held, rack, row};
+use assur_drawing::{Drawing, Style};
 use assur_math::math::Vec2;
 use assur_model::model::{PairKind, Rate, Transmission, TransmissionKind, Wheel};
 use std::f64::consts::{PI, TAU};
-
-/// How far a rack goes beyond its wheel, mm.
-const RACK: f64 = 8.0;
 
 impl<'a> Sketch<'a, '_> {
     /// Teeth, belts, ropes, racks.
@@ -19,7 +15,7 @@ impl<'a> Sketch<'a, '_> {
             let wheels: Vec<&Wheel> = t.ends.iter().filter_map(|end| self.placed_wheel(end)).collect();
             drawing.begin("pair", &pair.name);
             match (t.kind, wheels.as_slice()) {
-                (TransmissionKind::Mesh, [a, b]) => self.teeth(drawing, a, b),
+                (TransmissionKind::Mesh, [a, b]) => self.teeth(drawing, a, b, &|_| true),
                 (TransmissionKind::Belt | TransmissionKind::Chain | TransmissionKind::Rope, [a, b]) => {
                     self.belt(drawing, t, a, b);
                 }
@@ -27,6 +23,21 @@ impl<'a> Sketch<'a, '_> {
                 _ => {}
             }
             drawing.end();
+        }
+    }
+
+    /// The teeth of some links where their wheels meet others.
+    pub(super) fn meshing(&self, wanted: impl Fn(LinkId) -> bool, drawing: &mut Drawing) {
+        for pair in &self.scene.mechanism().pairs {
+            let PairKind::Transmission(t) = &pair.kind else { continue };
+            let wheels: Vec<&Wheel> = t.ends.iter().filter_map(|end| self.placed_wheel(end)).collect();
+            if let (TransmissionKind::Mesh, [a, b]) = (t.kind, wheels.as_slice())
+                && (wanted(a.link) || wanted(b.link))
+            {
+                drawing.begin("pair", &pair.name);
+                self.teeth(drawing, a, b, &wanted);
+                drawing.end();
+            }
         }
     }
 
@@ -43,14 +54,15 @@ impl<'a> Sketch<'a, '_> {
         self.on_paper(wheel.link, wheel.centre.unwrap_or_else(Vec2::zero))
     }
 
-    /// Teeth of two wheels around the place where their pitch circles touch.
-    fn teeth(&self, drawing: &mut Drawing, a: &Wheel, b: &Wheel) {
+    /// Teeth of those of two wheels that are wanted, around the place where their pitch circles touch.
+    fn teeth(&self, drawing: &mut Drawing, a: &Wheel, b: &Wheel, wanted: &dyn Fn(LinkId) -> bool) {
         let (c_a, c_b) = (self.centre(a), self.centre(b));
         let radii = [a, b].map(|w| self.frame.length(w.radius));
         let internal = (c_b - c_a).norm() < radii[0].max(radii[1]);
         let Some(towards) = (c_b - c_a).unit() else { return };
         let module = a.teeth.map_or(0.0, |z| 2.0 * radii[0] / z).max(MODULE);
-        for (i, centre) in [c_a, c_b].into_iter().enumerate() {
+        let ends = [(c_a, a.link), (c_b, b.link)].into_iter().enumerate();
+        for (i, (centre, _)) in ends.filter(|(_, (_, link))| wanted(*link)) {
             let (own, other) = (radii[i], radii[1 - i]);
             let is_ring = internal && own > other;
             // the wheels touch beyond the centre of the inner one
@@ -59,7 +71,7 @@ impl<'a> Sketch<'a, '_> {
             let shift = if i == 0 { 0.0 } else { 0.5 };
             row(drawing, centre, own, at.angle(), module, shift, if is_ring { -1.0 } else { 1.0 });
         }
-        for wheel in [a, b].into_iter().filter(|w| w.link == LinkId::GROUND) {
+        for wheel in [a, b].into_iter().filter(|w| w.link == LinkId::GROUND && wanted(w.link)) {
             let (centre, radius) = (self.centre(wheel), self.frame.length(wheel.radius));
             for third in 0..3 {
                 held(drawing, centre, radius, PI / 2.0 + TAU * f64::from(third) / 3.0);
@@ -92,25 +104,7 @@ impl<'a> Sketch<'a, '_> {
         let (centre, radius) = (self.centre(wheel), self.frame.length(wheel.radius));
         let away = (at - centre) - along * (at - centre).dot(along);
         let side = away.unit().unwrap_or(Vec2::new(0.0, 1.0));
-        let touch = centre + side * radius;
-        let reach = radius.min(40.0) + RACK;
-        let (from, to) = (touch - along * reach, touch + along * reach);
-        drawing.line(Style::Medium, from, to);
-        let module = wheel.teeth.map_or(0.0, |z| 2.0 * radius / z).max(MODULE);
-        let count = 2 * TEETH;
-        let mut points = Vec::new();
-        for tooth in -count..=count {
-            let middle = touch + along * (PI * module * (f64::from(tooth) + 0.5));
-            for (s, up) in [(-0.3, 1.0), (-0.15, -1.0), (0.15, -1.0), (0.3, 1.0)] {
-                points.push(middle + along * (s * PI * module) + side * (up * module));
-            }
-        }
-        if wheel.teeth.is_some() {
-            drawing.mark(Style::Thin, Shape::Lines { points, closed: false });
-        }
-        if t.links.contains(&LinkId::GROUND) {
-            hinge::hatch(drawing, from, to, side);
-        }
+        rack(drawing, (centre, radius), side, wheel.teeth, t.links.contains(&LinkId::GROUND));
     }
 
     /// A point and the direction of a rack: of a line that is named, or of a slider's guide.

@@ -269,7 +269,7 @@ impl<'a, 's> Sketch<'a, 's> {
     /// From the back to the front.
     fn draw(&mut self, drawing: &mut Drawing, wanted: &Scheme) {
         self.rails(drawing);
-        self.wheels(drawing);
+        self.wheels(|_| true, drawing);
         self.meshes(drawing);
         self.profiles(drawing);
         self.genevas(|_| true, drawing);

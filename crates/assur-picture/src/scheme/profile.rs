@@ -20,7 +20,12 @@ const STEPS: u32 = 360;
 /// What profiles and wheels take, m.
 pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
     extent_of(scene, |_| true, bounds);
-    for wheel in front(scene) {
+    wheels_extent(scene, |_| true, bounds);
+}
+
+/// What the wheels of some links take, m.
+fn wheels_extent(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mut Rect) {
+    for wheel in front(scene).filter(|wheel| wanted(wheel.link)) {
         if let Some(centre) = wheel.centre {
             round(bounds, scene.at(wheel.link, centre), wheel.radius);
         }
@@ -53,13 +58,14 @@ fn extent_of(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mut Re
     }
 }
 
-/// The profiles by which some links touch others, and what they take, m: of links that are drawn alone.
+/// The profiles and wheels by which some links touch others, and what they take, m: of links that are drawn alone.
 pub struct Freed<'l>(pub &'l [LinkId]);
 
 impl Freed<'_> {
     /// What they take, m.
     pub fn extent(&self, scene: &Scene<'_>, bounds: &mut Rect) {
         extent_of(scene, |link| self.0.contains(&link), bounds);
+        wheels_extent(scene, |link| self.0.contains(&link), bounds);
         geneva::extent(scene, |link| self.0.contains(&link), bounds);
     }
 
@@ -67,6 +73,8 @@ impl Freed<'_> {
     pub fn draw(&self, scene: &Scene<'_>, shapes: &[LinkShape], frame: &Frame, drawing: &mut Drawing) {
         let sketch = Sketch::new(scene, shapes, frame);
         sketch.genevas(|link| self.0.contains(&link), drawing);
+        sketch.wheels(|link| self.0.contains(&link), drawing);
+        sketch.meshing(|link| self.0.contains(&link), drawing);
         for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
             let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
             for profile in [first, second].into_iter().filter(|profile| self.0.contains(&profile.link)) {
@@ -97,9 +105,9 @@ fn front<'a>(scene: &Scene<'a>) -> impl Iterator<Item = &'a Wheel> {
 }
 
 impl Sketch<'_, '_> {
-    /// Pitch circles.
-    pub(super) fn wheels(&self, drawing: &mut Drawing) {
-        for wheel in front(self.scene) {
+    /// Pitch circles of the wheels of some links.
+    pub(super) fn wheels(&self, wanted: impl Fn(LinkId) -> bool, drawing: &mut Drawing) {
+        for wheel in front(self.scene).filter(|wheel| wanted(wheel.link)) {
             let Some(centre) = wheel.centre else { continue };
             drawing.begin("wheel", &wheel.name);
             let at = self.on_paper(wheel.link, centre);

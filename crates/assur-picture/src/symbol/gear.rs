@@ -1,4 +1,4 @@
-//! Teeth and hatching of wheels from the front.
+//! Teeth and hatching of wheels and racks from the front.
 
 use assur_drawing::{Drawing, Shape, Style, on_circle};
 use assur_math::math::Vec2;
@@ -23,6 +23,39 @@ pub fn row(drawing: &mut Drawing, centre: Vec2, radius: f64, about: f64, module:
         }
     }
     drawing.mark(Style::Thin, Shape::Lines { points, closed: false });
+}
+
+/// How far a rack goes beyond its wheel, mm, and how much of a wheel it is along at most.
+const RACK: f64 = 8.0;
+const ALONG: f64 = 40.0;
+
+/// A rack whose pitch line touches the pitch circle of a wheel on a side, with teeth where the wheel has any.
+pub fn rack(
+    drawing: &mut Drawing,
+    (centre, radius): (Vec2, f64),
+    side: Vec2,
+    teeth: Option<f64>,
+    fixed: bool,
+) {
+    let (touch, along) = (centre + side * radius, side.perp());
+    let reach = radius.min(ALONG) + RACK;
+    let (from, to) = (touch - along * reach, touch + along * reach);
+    drawing.line(Style::Medium, from, to);
+    if let Some(teeth) = teeth {
+        let module = (2.0 * radius / teeth).max(MODULE);
+        let mut points = Vec::new();
+        let places = (-2 * TEETH..2 * TEETH).map(|tooth| PI * module * (f64::from(tooth) + 0.5));
+        for place in places.filter(|place| place.abs() < reach) {
+            let middle = touch + along * place;
+            for (s, up) in [(-0.3, 1.0), (-0.15, -1.0), (0.15, -1.0), (0.3, 1.0)] {
+                points.push(middle + along * (s * PI * module) + side * (up * module));
+            }
+        }
+        drawing.mark(Style::Thin, Shape::Lines { points, closed: false });
+    }
+    if fixed {
+        super::hinge::hatch(drawing, from, to, side);
+    }
 }
 
 /// Hatching at the rim of a wheel of the ground.

@@ -1,9 +1,10 @@
 //! The train from the front, beside its section and at the same heights: pitch circles to scale, teeth where they meet.
 
 use super::layout::{Drawn, Layout, Run, Shaft};
+use super::rack::{Rack, racks};
 use crate::scene::Scene;
 use crate::symbol::gear::{MODULE, held, row};
-use crate::symbol::{arrow, hinge};
+use crate::symbol::{arrow, gear, hinge};
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Mechanism, PairKind, TransmissionKind};
@@ -32,6 +33,7 @@ pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
     front.axes(drawing);
     layout.wheels.iter().for_each(|wheel| front.wheel(drawing, wheel));
     layout.runs.iter().for_each(|run| front.teeth(drawing, run));
+    racks(mechanism, layout).iter().for_each(|rack| front.rack(drawing, rack));
     layout.shafts.iter().for_each(|shaft| front.shaft(drawing, shaft));
     layout.shafts.iter().for_each(|shaft| front.turn(drawing, shaft));
     drawing.end();
@@ -39,7 +41,7 @@ pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
 
 fn exists(mechanism: &Mechanism, layout: &Layout) -> bool {
     let meshes = |kind: &PairKind| match kind {
-        PairKind::Transmission(t) => t.kind == TransmissionKind::Mesh,
+        PairKind::Transmission(t) => matches!(t.kind, TransmissionKind::Mesh | TransmissionKind::Rack),
         _ => true,
     };
     let touches = |run: &Run| {
@@ -48,8 +50,10 @@ fn exists(mechanism: &Mechanism, layout: &Layout) -> bool {
         let wanted = if run.internal { (a.radius - b.radius).abs() } else { a.radius + b.radius };
         (apart - wanted).abs() < TOUCH
     };
-    let all = mechanism.pairs.iter().all(|p| meshes(&p.kind)) && layout.sliders.is_empty();
-    let some = !layout.runs.is_empty() && layout.wheels.len() <= MOST;
+    let racks = racks(mechanism, layout);
+    let is_rack = |link: &LinkId| racks.iter().any(|rack| rack.link == *link);
+    let all = mechanism.pairs.iter().all(|p| meshes(&p.kind)) && layout.sliders.iter().all(|s| is_rack(&s.0));
+    let some = !(layout.runs.is_empty() && racks.is_empty()) && layout.wheels.len() <= MOST;
     all && some && layout.scale(mechanism).is_some() && layout.runs.iter().all(touches)
 }
 
@@ -123,6 +127,22 @@ impl Front<'_, '_> {
             let about = if down { FRAC_PI_2 } else { -FRAC_PI_2 };
             row(drawing, centre, wheel.radius, about, module, shift, if is_ring { -1.0 } else { 1.0 });
         }
+    }
+
+    fn rack(&self, drawing: &mut Drawing, rack: &Rack<'_>) {
+        let (centre, radius) = (self.centre(rack.wheel), rack.wheel.radius);
+        let side = rack.side(self.scene);
+        let mechanism = self.scene.mechanism();
+        drawing.begin("rack", &mechanism.link(rack.link).name);
+        let teeth = mechanism.wheels[rack.wheel.wheel].teeth;
+        gear::rack(drawing, (centre, radius), side, teeth, rack.link == LinkId::GROUND);
+        if let Some(z) = teeth {
+            let module = (2.0 * radius / z).max(MODULE);
+            row(drawing, centre, radius, side.angle(), module, 0.0, 1.0);
+        }
+        let text = Text::upright(self.scene.link_label(rack.link));
+        let end = centre + side * radius + side.perp() * radius;
+        drawing.label(Label::at(text, NAME, end, 1.0).towards(side).ranked(3));
     }
 
     /// The end of a shaft; of one on a carrier with the arm that carries it.

@@ -231,6 +231,12 @@ impl Layout {
             _ => None,
         });
         for (i, link) in sliders.enumerate() {
+            // a rack is below its wheel
+            let racks = super::rack::racks(mechanism, self);
+            if let Some(at) = racks.iter().find(|rack| rack.link == link).map(super::rack::Rack::middle) {
+                self.sliders.push((link, at));
+                continue;
+            }
             let below = self.rope_wheel(mechanism, link).map_or(start + COLUMN * i as f64, |w| w.x + 3.5);
             let taken = |x: f64| self.sliders.iter().any(|(_, at)| (at.x - x).abs() < 14.0);
             let x = (0..).map(|n| below + 15.0 * f64::from(n)).find(|x| !taken(*x)).unwrap_or(below);

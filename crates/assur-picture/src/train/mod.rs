@@ -2,6 +2,7 @@
 
 mod front;
 mod layout;
+mod rack;
 mod rope;
 mod wheels;
 

@@ -1,7 +1,7 @@
 //! Wheels in section, and what runs between them.
 
 use super::layout::{Drawn, Layout, wheel_named};
-use super::{NAME, rope};
+use super::{NAME, rack, rope};
 use crate::scene::Scene;
 use crate::symbol::hinge;
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
@@ -73,9 +73,8 @@ pub fn transmissions(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) 
         let middle = match t.kind {
             TransmissionKind::Mesh => None,
             TransmissionKind::Belt | TransmissionKind::Chain => belt(mechanism, layout, t, drawing),
-            TransmissionKind::Rope | TransmissionKind::Rack => {
-                rope::draw(mechanism, layout, t, (FACE, GAP), drawing)
-            }
+            TransmissionKind::Rope => rope::draw(mechanism, layout, t, (FACE, GAP), drawing),
+            TransmissionKind::Rack => rack(scene, layout, t, drawing),
             TransmissionKind::Worm => worm(mechanism, layout, t, drawing),
             TransmissionKind::Screw => screw(layout, t, drawing),
             TransmissionKind::Clutch => clutch(layout, t, drawing),
@@ -102,6 +101,16 @@ fn belt(mechanism: &Mechanism, layout: &Layout, t: &Transmission, drawing: &mut 
         drawing.line(Style::Medium, from, to);
     }
     Some(Vec2::new(low.x + 2.0, -(low.level + low.radius + high.level - high.radius) / 2.0))
+}
+
+/// A rack below its wheel; a slider has its own block.
+fn rack(scene: &Scene<'_>, layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
+    let all = rack::racks(scene.mechanism(), layout);
+    let own = all.into_iter().find(|rack| std::ptr::eq(rack.pair, t))?;
+    if layout.sliders.iter().all(|(link, _)| *link != own.link) {
+        own.section(scene, drawing);
+    }
+    Some(own.middle())
 }
 
 /// The screw of a worm across its wheel.
