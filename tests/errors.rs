@@ -126,7 +126,7 @@ fn beside(source: &Source) -> Option<String> {
         Err(fault) => Err(fault),
         Ok(key) => match Sheet::read(answers, open(answers)?, Some(&key)).ok()? {
             Err(fault) => Err(fault),
-            Ok(answers) => grade(&key, &answers, &Rules::default()),
+            Ok(answers) => grade(&key, answers, &Rules::default()),
         },
     };
     let warned = |(source, error): Fault| render(&Problems::of([LeftOut(*error)]), &source, Style::PLAIN);

@@ -30,21 +30,27 @@ fn graded(args: &Grade, screen: &Screen) -> Result<Status, CliError> {
         return Err(CliError::NoQuantity { name: name.to_owned(), help });
     }
     let Some(answers) = sheet(&args.answers, Some(&key), screen)? else { return Ok(Status::Unusable) };
-    let graded = match grade(&key, &answers, &rules) {
+    let left_out = answers.left_out.clone();
+    let graded = match grade(&key, answers, &rules) {
         Ok(graded) => graded,
         Err(fault) => {
-            warn(&answers.left_out, screen);
+            warn(&left_out, screen);
             tell(fault, screen);
             return Ok(Status::Unusable);
         }
     };
     warn(&graded.left_out, screen);
-    let text = match args.format {
-        Format::Csv => report::grade::csv(&graded),
-        Format::Json | Format::Jsonl => report::grade::json(&graded) + "\n",
-        format => format.page(screen.look()).render(&report::grade::report(&graded)),
-    };
-    let printed = Status::printed(screen.print(&text));
+    let printed = Status::printed(match args.format {
+        Format::Csv => screen.write(|out| report::grade::write_csv(&graded, out)),
+        Format::Json | Format::Jsonl => screen.write(|out| {
+            report::grade::write_json(&graded, out)?;
+            out.write_all(b"\n")
+        }),
+        format => {
+            let page = format.page(screen.look());
+            report::grade::reports(&graded).all(|report| screen.print(page.render(&report)))
+        }
+    });
     Ok(printed.max(if graded.is_all_right() { Status::Fine } else { Status::Wrong }))
 }
 

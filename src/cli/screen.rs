@@ -1,6 +1,6 @@
 //! The streams of the program.
 
-use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anstream::{AutoStream, ColorChoice};
@@ -73,8 +73,19 @@ impl Screen {
     /// reported.
     #[must_use]
     pub fn print(&self, text: impl AsRef<[u8]>) -> bool {
-        let mut out = io::stdout().lock();
-        let done = out.write_all(text.as_ref()).and_then(|()| out.flush());
+        self.printed(io::stdout().lock().write_all(text.as_ref()))
+    }
+
+    /// Lets results be written piece by piece; as [`Screen::print`].
+    #[must_use]
+    pub fn write(&self, work: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> bool {
+        let mut out = BufWriter::new(io::stdout().lock());
+        let written = work(&mut out).and_then(|()| out.flush());
+        self.printed(written)
+    }
+
+    fn printed(&self, written: io::Result<()>) -> bool {
+        let done = written.and_then(|()| io::stdout().flush());
         if let Err(error) = &done
             && error.kind() != ErrorKind::BrokenPipe
         {

@@ -40,7 +40,7 @@ pub fn grade(key: &str, answers: &str, marking: &Marking) -> Result<String, Grad
         return Err(GradeError::Rules(format!("the key has no `{name}`; {help}")));
     }
     let answers = sheet("answers", answers.as_bytes(), Some(&key))?;
-    let graded = grade::grade(&key, &answers, &rules).map_err(wrong)?;
+    let graded = grade::grade(&key, answers, &rules).map_err(wrong)?;
     Ok(report::grade::json(&graded))
 }
 

@@ -18,7 +18,8 @@ pub fn render(table: &Table) -> String {
     out
 }
 
-fn record<'a>(fields: impl Iterator<Item = &'a str>) -> String {
+/// A line with its end.
+pub fn record<'a>(fields: impl Iterator<Item = &'a str>) -> String {
     fields.map(field).collect::<Vec<_>>().join(",") + LINE_END
 }
 

@@ -6,7 +6,11 @@ use assur_text::source::{shown, shown_in_line};
 /// The report as Markdown.
 #[must_use]
 pub fn render(report: &Report) -> String {
-    let mut out = format!("# {}\n", escaped(&shown_in_line(&report.title)));
+    let mut out = String::new();
+    // a part of a report has no title
+    if !report.title.is_empty() {
+        out += &format!("# {}\n", escaped(&shown_in_line(&report.title)));
+    }
     if !report.notes.is_empty() {
         out.push('\n');
     }

@@ -29,7 +29,10 @@ const GAP: &str = "  ";
 #[must_use]
 pub fn render(report: &Report, look: Look) -> String {
     let mut out = String::new();
-    line(&mut out, &look.strong(&shown_in_line(&report.title)));
+    // a part of a report has no title
+    if !report.title.is_empty() {
+        line(&mut out, &look.strong(&shown_in_line(&report.title)));
+    }
     if !report.notes.is_empty() {
         out.push('\n');
     }

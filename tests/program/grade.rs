@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)] // a test that cannot write its files has failed
 
 mod class;
+mod labels;
 mod rules;
 
 use crate::run::{Folder, Said, assur, column};
@@ -91,6 +92,13 @@ fn the_usual_slips_are_recognised() {
         ("Mb [N*m]", "39", ""),
         // a thousandfold of it is near 40 deg modulo a turn
         ("phi [deg]", "60.4", ""),
+        ("phi [deg]", "140", "supplement"),
+        ("phi [rad]", "2.443", "supplement"),
+        ("phi [deg]", "-140", "opposite-direction"),
+        ("phi [deg]", "220", "opposite-direction"),
+        ("phi [deg]", "-40", "sign"),
+        // the value of the other row: nothing simpler explains it
+        ("phi [deg]", "55", "other-row"),
     ] {
         assert_eq!(mark(header, answer), ("wrong".to_owned(), slip.to_owned()), "{header} {answer}");
     }

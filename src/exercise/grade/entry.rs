@@ -15,8 +15,24 @@ pub enum Entry {
     Number(f64),
     /// True or false.
     Bool(bool),
-    /// What cannot be read, with the reason.
-    Unreadable(String, String),
+    /// What cannot be read.
+    Unreadable(Box<Unread>),
+}
+
+/// What cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unread {
+    /// As written.
+    pub text: String,
+    /// Why.
+    pub why: String,
+}
+
+impl Unread {
+    /// A text with the reason.
+    pub(super) fn new(text: &str, why: impl Into<String>) -> Box<Self> {
+        Box::new(Self { text: text.to_owned(), why: why.into() })
+    }
 }
 
 impl Entry {
@@ -34,9 +50,9 @@ impl Entry {
         };
         match value {
             Some(x) if x.is_finite() => Self::Number(x),
-            Some(_) => Self::Unreadable(text.to_owned(), "it is too large".to_owned()),
-            None if text.len() > LONG => Self::Unreadable(text.to_owned(), "it is not a number".to_owned()),
-            None => Self::Unreadable(text.to_owned(), why),
+            Some(_) => Self::Unreadable(Unread::new(text, "it is too large")),
+            None if text.len() > LONG => Self::Unreadable(Unread::new(text, "it is not a number")),
+            None => Self::Unreadable(Unread::new(text, why)),
         }
     }
 
@@ -45,7 +61,7 @@ impl Entry {
         match (&*self, other) {
             (_, Self::Empty) => {}
             (Self::Empty, other) => *self = other,
-            _ => *self = Self::Unreadable(text.to_owned(), "it is given in two columns".to_owned()),
+            _ => *self = Self::Unreadable(Unread::new(text, "it is given in two columns")),
         }
     }
 }

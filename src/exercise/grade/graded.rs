@@ -3,12 +3,13 @@
 use super::mark::{GradedRow, Mark, NotCounted, Part, Sum};
 use super::marker::Marker;
 use super::owed::{Assignment, Owed};
-use super::rows::find;
 use super::rules::{Rules, Submissions};
-use super::sheet::{Quantity, Sheet};
+use super::sheet::{Quantity, Sheet, SheetRow};
 use super::warning::LeftOut;
 use crate::exercise::table::Fault;
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
+use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// All answers.
 #[derive(Clone, Debug)]
@@ -38,42 +39,48 @@ impl Graded {
         Sum::of(self.rows.iter().flat_map(|row| &row.marks))
     }
 
+    /// The quantity that a mark is of.
+    #[must_use]
+    pub fn quantity(&self, mark: &Mark) -> &Quantity {
+        &self.quantities[mark.quantity as usize]
+    }
+
     /// The sum of the marks for a quantity.
     #[must_use]
     pub fn total_of(&self, quantity: usize) -> Sum {
-        Sum::of(self.rows.iter().flat_map(|row| &row.marks).filter(|m| m.quantity == quantity))
+        Sum::of(self.rows.iter().flat_map(|row| &row.marks).filter(|m| m.quantity as usize == quantity))
     }
 
     /// What each student has, in the order of the answers; nothing where no column says who answered.
-    #[must_use]
-    pub fn students(&self) -> Vec<Part> {
-        if self.persons { self.parts(|row| row.person.as_ref()) } else { Vec::new() }
+    pub fn students(&self) -> impl Iterator<Item = Part<'_>> {
+        let rows = if self.persons { self.rows.as_slice() } else { &[] };
+        rows.chunk_by(|a, b| a.person == b.person).map(|rows| Part {
+            name: rows.first().and_then(|row| row.person.as_deref()),
+            rows: rows.len(),
+            sum: Sum::of(rows.iter().flat_map(|row| &row.marks)),
+        })
     }
 
     /// What the answers to each problem come to; nothing where there is one.
     #[must_use]
-    pub fn problems(&self) -> Vec<Part> {
-        let parts = self.parts(|row| row.names[0].as_ref());
-        if parts.len() > 1 { parts } else { Vec::new() }
-    }
-
-    fn parts<'a>(&'a self, name: impl Fn(&'a GradedRow) -> Option<&'a String>) -> Vec<Part> {
-        let mut parts: IndexMap<Option<&String>, Vec<&GradedRow>> = IndexMap::new();
-        self.rows.iter().for_each(|row| parts.entry(name(row)).or_default().push(row));
-        let part = |(name, rows): (Option<&String>, Vec<&GradedRow>)| Part {
-            name: name.cloned(),
-            rows: rows.len(),
-            sum: Sum::of(rows.iter().flat_map(|row| &row.marks)),
-        };
-        parts.into_iter().map(part).collect()
+    pub fn problems(&self) -> Vec<Part<'_>> {
+        let mut parts: IndexMap<Option<&str>, Part<'_>> = IndexMap::new();
+        for row in &self.rows {
+            let name = row.names.each[0].as_deref();
+            let part = parts.entry(name).or_insert(Part { name, rows: 0, sum: Sum::default() });
+            part.rows += 1;
+            part.sum.add(&row.marks);
+        }
+        if parts.len() > 1 { parts.into_values().collect() } else { Vec::new() }
     }
 
     /// The mean of the students' parts of their points; `None` where there are no students or no points.
     #[must_use]
     pub fn mean(&self) -> Option<f64> {
-        let parts: Vec<f64> = self.students().iter().filter_map(|student| student.sum.part()).collect();
-        let count = u32::try_from(parts.len()).ok().filter(|n| *n > 0)?;
-        Some(parts.iter().sum::<f64>() / f64::from(count))
+        let parts = self.students().filter_map(|student| student.sum.part());
+        let (sum, count) =
+            parts.fold((0.0, 0_u32), |(sum, count), part| (sum + part, count.saturating_add(1)));
+        (count > 0).then(|| sum / f64::from(count))
     }
 
     /// Whether every answer that counts is right, and every line is marked.
@@ -84,49 +91,61 @@ impl Graded {
     }
 }
 
+/// A row of answers with its student, by the order of their first answers, and its row of the key.
+struct Answered {
+    student: usize,
+    in_key: usize,
+    row: GradedRow,
+}
+
 /// Marks answers by a key.
 ///
 /// # Errors
 /// No row of the answers is one of the key: why the first is not.
-pub fn grade(key: &Sheet, answers: &Sheet, rules: &Rules) -> Result<Graded, Fault> {
-    let grading = Grading::new(key, answers, rules);
-    let mut left_out = answers.left_out.clone();
-    let mut students: IndexMap<Option<String>, IndexMap<usize, Vec<GradedRow>>> = IndexMap::new();
-    if key.persons && answers.persons {
-        for row in key.rows.iter().filter(|row| row.person.is_some()) {
-            students.entry(row.person.clone()).or_default();
-        }
-    }
-    let mut unknown = Vec::new();
-    for (i, row) in answers.rows.iter().enumerate() {
-        match find(key, answers, row) {
-            Ok(found) => {
-                let rows = students.entry(row.person.clone()).or_default().entry(found).or_default();
-                rows.push(grading.answered(i, found));
-            }
-            Err(fault) => {
-                if row.person.is_some() {
-                    students.entry(row.person.clone()).or_default();
-                }
-                unknown.push(fault);
-            }
-        }
-    }
-    if unknown.len() == answers.rows.len()
-        && let Some(first) = unknown.first()
+pub fn grade(key: &Sheet, mut answers: Sheet, rules: &Rules) -> Result<Graded, Fault> {
+    let rows = std::mem::take(&mut answers.rows);
+    if answers.unknown.len() == rows.len()
+        && let Some(first) = answers.unknown.first()
     {
         return Err(first.clone());
     }
-    left_out.append(&mut unknown);
-    let (mut rows, mut not_counted, mut unanswered) = (Vec::new(), Vec::new(), Vec::new());
-    for (person, submissions) in students {
-        let answered: Vec<usize> = submissions.keys().copied().collect();
+    let mut left_out = std::mem::take(&mut answers.left_out);
+    left_out.append(&mut answers.unknown);
+    let grading = Grading::new(key, &answers, rules);
+    let mut students: IndexSet<Option<Arc<str>>> = IndexSet::new();
+    if key.persons && answers.persons {
+        students.extend(key.rows.iter().filter(|row| row.person.is_some()).map(|row| row.person.clone()));
+    }
+    let mut answered = Vec::with_capacity(rows.len());
+    for row in rows {
+        let Some(in_key) = row.in_key else {
+            students.extend(row.person.is_some().then_some(row.person));
+            continue;
+        };
+        let student = students.insert_full(row.person.clone()).0;
+        answered.push(Answered { student, in_key, row: grading.answered(row, in_key) });
+    }
+    if !answered.is_sorted_by_key(|answered| answered.student) {
+        answered.sort_by_key(|answered| answered.student);
+    }
+    let (mut rows, mut not_counted, mut unanswered) =
+        (Vec::with_capacity(answered.len()), Vec::new(), Vec::new());
+    let mut answered = answered.into_iter().peekable();
+    for (student, person) in students.into_iter().enumerate() {
+        let mut submissions: IndexMap<usize, Vec<GradedRow>> = IndexMap::new();
+        while let Some(next) = answered.next_if(|next| next.student == student) {
+            match submissions.get_mut(&next.in_key) {
+                Some(lines) => lines.push(next.row),
+                None => drop(submissions.insert(next.in_key, vec![next.row])),
+            }
+        }
+        let handed_in: BTreeSet<usize> = submissions.keys().copied().collect();
         for lines in submissions.into_values() {
             let (counted, others) = choose(lines, rules.submissions);
             rows.extend(counted);
             not_counted.extend(others);
         }
-        for row in grading.not_handed_in(person.as_ref(), &answered) {
+        for row in grading.not_handed_in(person.as_ref(), &handed_in) {
             unanswered.push(row.words());
             rows.extend((!rules.only_answered).then_some(row));
         }
@@ -188,21 +207,16 @@ impl<'a> Grading<'a> {
     }
 
     /// A row of the answers.
-    fn answered(&self, row: usize, found: usize) -> GradedRow {
-        let (row, in_key) = (&self.answers.rows[row], &self.key.rows[found]);
-        let marker = self.marker(found);
+    fn answered(&self, row: SheetRow, in_key: usize) -> GradedRow {
+        let marker = self.marker(in_key);
         let mark =
             |(quantity, place): (usize, &usize)| marker.mark(quantity, *place, row.entries.get(quantity));
-        GradedRow {
-            line: Some(row.line),
-            names: std::array::from_fn(|i| in_key.names[i].clone().or_else(|| row.names[i].clone())),
-            person: row.person.clone(),
-            marks: self.places.iter().enumerate().filter_map(mark).collect(),
-        }
+        let marks = self.places.iter().enumerate().filter_map(mark).collect();
+        GradedRow { line: Some(row.line), names: row.names, person: row.person, marks }
     }
 
     /// The rows that a student was to hand in and did not, as far as they have points.
-    fn not_handed_in(&self, person: Option<&String>, answered: &[usize]) -> Vec<GradedRow> {
+    fn not_handed_in(&self, person: Option<&Arc<str>>, answered: &BTreeSet<usize>) -> Vec<GradedRow> {
         let points = &self.rules.points;
         let assignment = Assignment { key: self.key, points, persons: self.answers.persons };
         let owed = assignment.missing(person, answered);
@@ -210,15 +224,15 @@ impl<'a> Grading<'a> {
         rows.map(|(owed, row)| self.missing(person, owed, row)).filter(|row| !row.marks.is_empty()).collect()
     }
 
-    fn missing(&self, person: Option<&String>, owed: &Owed, index: usize) -> GradedRow {
+    fn missing(&self, person: Option<&Arc<str>>, owed: &Owed, index: usize) -> GradedRow {
         let names = &self.key.rows[index].names;
         // the key of another variant is not this student's
-        let names = if owed.known { names.clone() } else { [names[0].clone(), None, None, names[3].clone()] };
+        let names = if owed.known { Arc::clone(names) } else { names.of_problem() };
         let rules = Rules { only_answered: false, ..self.rules.clone() };
         let marker = Marker { key: self.key, index, rules: &rules };
         let mark = |(quantity, place): (usize, &usize)| -> Option<Mark> {
             let mark = marker.mark(quantity, *place, None)?;
-            Some(Mark { key: mark.key.filter(|_| owed.known), ..mark })
+            Some(Mark { key: mark.key.get().filter(|_| owed.known).into(), ..mark })
         };
         let marks = self.places.iter().enumerate().filter_map(mark).collect();
         GradedRow { line: None, names, person: person.cloned(), marks }

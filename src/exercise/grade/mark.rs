@@ -1,6 +1,9 @@
 //! Marks, and what they add up to.
 
+use super::entry::Unread;
+use super::row_names::RowNames;
 use super::slip::Slip;
+use std::sync::Arc;
 
 /// What became of one answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -8,28 +11,46 @@ pub enum Verdict {
     /// Within the tolerance.
     Right,
     /// Outside.
-    Wrong(Option<Slip>),
+    Wrong(Option<Box<Slip>>),
     /// No answer.
     Missing,
-    /// Not a number: as written, and why.
-    Unreadable(String, String),
+    /// Not a number.
+    Unreadable(Box<Unread>),
     /// The key has no value there: what was written where it is not a number.
-    NotAsked(String),
+    NotAsked(Box<Unread>),
+}
+
+/// A number that may not be there, in the memory of a number: a class has millions.
+#[derive(Clone, Copy, Debug)]
+pub struct Known(f64);
+
+impl Known {
+    /// The number.
+    #[must_use]
+    pub const fn get(self) -> Option<f64> {
+        if self.0.is_nan() { None } else { Some(self.0) }
+    }
+}
+
+impl From<Option<f64>> for Known {
+    fn from(number: Option<f64>) -> Self {
+        Self(number.unwrap_or(f64::NAN))
+    }
 }
 
 /// One answer.
 #[derive(Clone, Debug)]
 pub struct Mark {
     /// Which of the quantities.
-    pub quantity: usize,
+    pub quantity: u32,
     /// What was given, SI.
-    pub given: Option<f64>,
+    pub given: Known,
     /// What the key says, SI; `None` where it says nothing or nothing tells which row it is.
-    pub key: Option<f64>,
+    pub key: Known,
     /// What was given less the key, SI; angles modulo a turn.
-    pub deviation: Option<f64>,
+    pub deviation: Known,
     /// The difference over what the tolerance is a part of; `None` where the key is 0.
-    pub error: Option<f64>,
+    pub error: Known,
     /// Whether it is right.
     pub verdict: Verdict,
     /// Whether it is part of the totals.
@@ -45,12 +66,12 @@ pub struct Mark {
 pub struct GradedRow {
     /// Its line among the answers; `None` where the student did not hand it in.
     pub line: Option<usize>,
-    /// What names the row, in the order of [`super::NAMES`].
-    pub names: [Option<String>; 4],
+    /// What names the row.
+    pub names: Arc<RowNames>,
     /// Who answered.
-    pub person: Option<String>,
+    pub person: Option<Arc<str>>,
     /// One mark per quantity that the key or the student has a value for.
-    pub marks: Vec<Mark>,
+    pub marks: Box<[Mark]>,
 }
 
 impl GradedRow {
@@ -60,14 +81,15 @@ impl GradedRow {
         Sum::of(&self.marks)
     }
 
-    /// The row in words: `row 3, pose 1, A. Student`.
+    /// The row in words: `A. Student, engine, row 3, pose 1`.
     #[must_use]
     pub fn words(&self) -> String {
-        let mut words = super::sheet::row_words(&self.names);
-        if words.is_empty() && self.line.is_none() {
+        let mut words: Vec<String> = self.person.as_deref().map(str::to_owned).into_iter().collect();
+        let names = self.names.words();
+        if names.is_empty() && self.line.is_none() {
             words.push("row unknown".to_owned());
         }
-        words.extend(self.person.clone());
+        words.extend(names);
         words.join(", ")
     }
 }
@@ -98,13 +120,18 @@ impl Sum {
     /// Of some marks.
     pub fn of<'a>(marks: impl IntoIterator<Item = &'a Mark>) -> Self {
         let mut sum = Self::default();
-        for mark in marks.into_iter().filter(|m| m.counts) {
-            sum.right += usize::from(mark.verdict == Verdict::Right);
-            sum.total += 1;
-            sum.points += mark.points;
-            sum.possible += mark.possible;
-        }
+        sum.add(marks);
         sum
+    }
+
+    /// Adds marks.
+    pub(super) fn add<'a>(&mut self, marks: impl IntoIterator<Item = &'a Mark>) {
+        for mark in marks.into_iter().filter(|m| m.counts) {
+            self.right += usize::from(mark.verdict == Verdict::Right);
+            self.total += 1;
+            self.points += mark.points;
+            self.possible += mark.possible;
+        }
     }
 
     /// Points over those that can be earned; `None` where there are none.
@@ -115,10 +142,10 @@ impl Sum {
 }
 
 /// What one student, or all answers to a problem, come to.
-#[derive(Clone, Debug)]
-pub struct Part {
+#[derive(Clone, Copy, Debug)]
+pub struct Part<'a> {
     /// The student, or the problem; `None` where nothing names it.
-    pub name: Option<String>,
+    pub name: Option<&'a str>,
     /// How many rows it has.
     pub rows: usize,
     /// The sum of their marks.

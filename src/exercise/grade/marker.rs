@@ -1,16 +1,18 @@
 //! One answer held against the key.
 
-use super::entry::Entry;
-use super::mark::{Mark, Verdict};
+use super::entry::{Entry, Unread};
+use super::mark::{Known, Mark, Verdict};
 use super::rules::Rules;
-use super::sheet::{Sheet, row_words};
+use super::sheet::Sheet;
 use super::slip::{self, Slip};
 use crate::exercise::compare::is_within;
 use assur_text::units::Dimension;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// A key below this part of what is next to it is a rounding error of zero.
 const ZERO: f64 = 1e-9;
+/// The tolerance of a smaller angle is that of this one, rad.
+const LEAST_ANGLE: f64 = 1e-3;
 /// An answer this many tolerances away is close.
 const NEAR: f64 = 3.0;
 
@@ -50,6 +52,8 @@ impl Marker<'_> {
         };
         let Found { given, key, deviation, error } = found;
         let points = possible * part;
+        let [given, key, deviation, error] = [given, key, deviation, error].map(Known::from);
+        let quantity = u32::try_from(quantity).ok()?;
         Some(Mark { quantity, given, key, deviation, error, verdict, counts, points, possible })
     }
 
@@ -57,7 +61,7 @@ impl Marker<'_> {
     fn verdict(&self, place: usize, entry: Option<&Entry>) -> Option<(Found, Verdict)> {
         let truth = |t: bool| f64::from(u8::from(t));
         let of_key = |key| Found { key: Some(key), ..Found::default() };
-        let unreadable = |text: &str, why: &str| Verdict::Unreadable(text.to_owned(), why.to_owned());
+        let unreadable = |text: &str, why: &str| Verdict::Unreadable(Unread::new(text, why));
         Some(match (&self.key.rows[self.index].entries[place], entry.unwrap_or(&Entry::Empty)) {
             (Entry::Empty | Entry::Unreadable(..), Entry::Empty) => return None,
             (Entry::Empty | Entry::Unreadable(..), entry) => {
@@ -67,10 +71,13 @@ impl Marker<'_> {
                     _ => None,
                 };
                 let text = match entry {
-                    Entry::Unreadable(text, _) => text.clone(),
-                    _ => String::new(),
+                    Entry::Unreadable(unread) => unread.text.as_str(),
+                    _ => "",
                 };
-                (Found { given, ..Found::default() }, Verdict::NotAsked(text))
+                (
+                    Found { given, ..Found::default() },
+                    Verdict::NotAsked(Unread::new(text, "the key has no value here")),
+                )
             }
             (Entry::Number(key), Entry::Empty) => (of_key(*key), Verdict::Missing),
             (Entry::Bool(key), Entry::Empty) => (of_key(truth(*key)), Verdict::Missing),
@@ -79,7 +86,9 @@ impl Marker<'_> {
                 (found, if given == key { Verdict::Right } else { Verdict::Wrong(None) })
             }
             (Entry::Number(key), Entry::Number(given)) => self.compared(place, *given, *key),
-            (Entry::Number(key), Entry::Unreadable(text, why)) => (of_key(*key), unreadable(text, why)),
+            (Entry::Number(key), Entry::Unreadable(unread)) => {
+                (of_key(*key), Verdict::Unreadable(unread.clone()))
+            }
             (Entry::Number(key), Entry::Bool(given)) => {
                 (of_key(*key), unreadable(&given.to_string(), "it is not a number"))
             }
@@ -87,8 +96,8 @@ impl Marker<'_> {
                 let text = assur_text::units::significant(*given, 6);
                 (of_key(truth(*key)), unreadable(&text, "write true or false"))
             }
-            (Entry::Bool(key), Entry::Unreadable(text, _)) => {
-                (of_key(truth(*key)), unreadable(text, "write true or false"))
+            (Entry::Bool(key), Entry::Unreadable(unread)) => {
+                (of_key(truth(*key)), unreadable(&unread.text, "write true or false"))
             }
         })
     }
@@ -101,7 +110,7 @@ impl Marker<'_> {
         let verdict = if is_within(error, self.rules.within) {
             Verdict::Right
         } else {
-            Verdict::Wrong(self.slip(place, given, key))
+            Verdict::Wrong(self.slip(place, given, key).map(Box::new))
         };
         // a part of zero is no number to print
         let error = (!self.is_zero(place, key)).then_some(error);
@@ -154,7 +163,7 @@ impl Marker<'_> {
         if self.dimension(place) == Dimension::ANGLE { plain - TAU * (plain / TAU).round() } else { plain }
     }
 
-    /// What a wrong answer would be right for.
+    /// What a wrong answer would be right for; the value of another row only where nothing else explains it.
     fn slip(&self, place: usize, given: f64, key: f64) -> Option<Slip> {
         let is = |x: f64, of: usize, value: f64| {
             self.difference(of, x, value).abs() <= self.rules.within * self.scale(of, value)
@@ -168,23 +177,35 @@ impl Marker<'_> {
             let parts = [key, in_turn].map(|key| (x - key).abs() / key.abs());
             parts.into_iter().filter(|part| *part <= self.rules.within).reduce(f64::min)
         };
-        if !zero && near(-given) {
-            return Some(self.other_link(place).unwrap_or(Slip::Sign));
-        }
-        if !zero && let Some(slip) = slip::factor(given, &off) {
-            return Some(slip);
-        }
-        if let Some(slip) = self.of_vector(place, given, key, &is) {
-            return Some(slip);
-        }
-        if given != 0.0
-            && let Some(slip) =
-                self.other_quantity(place, given, &is).or_else(|| self.other_row(place, given))
-        {
-            return Some(slip);
-        }
+        let other_sign = || (!zero && near(-given)).then(|| self.other_link(place).unwrap_or(Slip::Sign));
+        let by_factor = || if zero { None } else { slip::factor(given, &off) };
+        let elsewhere = || if given == 0.0 { None } else { self.other_quantity(place, given, &is) };
         let far = self.difference(place, given, key).abs() / self.scale(place, key);
-        (far <= NEAR * self.rules.within).then_some(Slip::Close)
+        let close = || (far <= NEAR * self.rules.within).then_some(Slip::Close);
+        self.of_angle(place, given, key)
+            .or_else(other_sign)
+            .or_else(by_factor)
+            .or_else(|| self.of_vector(place, given, key, &is))
+            .or_else(elsewhere)
+            .or_else(close)
+            .or_else(|| if given == 0.0 { None } else { self.other_row(place, given) })
+    }
+
+    /// Of an angle the nearest of the opposite sign, the opposite direction and the supplement.
+    fn of_angle(&self, place: usize, given: f64, key: f64) -> Option<Slip> {
+        if self.dimension(place) != Dimension::ANGLE {
+            return None;
+        }
+        let meant = [(-key, Slip::Sign), (key + PI, Slip::Opposite), (PI - key, Slip::Supplement)];
+        let off = |angle: f64| {
+            let size = self.difference(place, angle, 0.0).abs();
+            let off = self.difference(place, given, angle).abs();
+            (off <= self.rules.within * size.max(LEAST_ANGLE)).then_some(off)
+        };
+        let found = meant.into_iter().filter_map(|(angle, slip)| Some((off(angle)?, slip)));
+        found
+            .reduce(|least, next| if next.0 < least.0 - LEAST_ANGLE * ZERO { next } else { least })
+            .map(|(_, slip)| slip)
     }
 
     fn other_link(&self, place: usize) -> Option<Slip> {
@@ -229,7 +250,7 @@ impl Marker<'_> {
             _ => false,
         });
         let (_, row) = found.next()?;
-        let words = row_words(&row.names).join(", ");
+        let words = row.names.words().join(", ");
         Some(Slip::OtherRow(if words.is_empty() { format!("line {}", row.line) } else { words }))
     }
 }

@@ -2,6 +2,8 @@
 
 use super::rules::Points;
 use super::sheet::{Sheet, SheetRow};
+use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// Rows of the key that a student was to answer and did not.
 pub(super) struct Owed {
@@ -23,7 +25,7 @@ impl Assignment<'_> {
     /// What a student did not hand in. Where the key names students, a student's rows are those with the name; where the
     /// answers name no students, all of the key; else all positions of the variants that were answered, and one variant
     /// of every problem that was not.
-    pub fn missing(&self, person: Option<&String>, answered: &[usize]) -> Vec<Owed> {
+    pub fn missing(&self, person: Option<&Arc<str>>, answered: &BTreeSet<usize>) -> Vec<Owed> {
         let all = 0..self.key.rows.len();
         let rows: Vec<usize> = match (self.key.persons, self.persons) {
             (true, true) => all.filter(|i| self.key.rows[*i].person.as_ref() == person).collect(),
@@ -34,16 +36,16 @@ impl Assignment<'_> {
         vec![Owed { rows, known: true }]
     }
 
-    fn of_variants(&self, answered: &[usize]) -> Vec<Owed> {
-        let variant = |i: usize| &self.key.rows[i].names[..3];
+    fn of_variants(&self, answered: &BTreeSet<usize>) -> Vec<Owed> {
+        let variant = |i: usize| &self.key.rows[i].names.each[..3];
         let is_own = |i: &usize| answered.iter().any(|a| variant(*a) == variant(*i));
         let of_own = (0..self.key.rows.len()).filter(|i| is_own(i) && !answered.contains(i)).collect();
         let mut owed = vec![Owed { rows: of_own, known: true }];
         let is_answered =
-            |file: &Option<String>| answered.iter().any(|a| self.key.rows[*a].names[0] == *file);
+            |file: &Option<String>| answered.iter().any(|a| self.key.rows[*a].names.each[0] == *file);
         let mut left: Vec<&Option<String>> = Vec::new();
         for row in &self.key.rows {
-            let file = &row.names[0];
+            let file = &row.names.each[0];
             if !is_answered(file) && !left.contains(&file) {
                 left.push(file);
                 owed.push(self.variant_of(file, answered));
@@ -54,10 +56,10 @@ impl Assignment<'_> {
 
     /// The variant of a problem that a student left out: the one that all answers to other problems are of, or the only
     /// one; else the one of the fewest points stands for it.
-    fn variant_of(&self, file: &Option<String>, answered: &[usize]) -> Owed {
-        let variant = |row: &SheetRow| row.names[1..3].to_vec();
+    fn variant_of(&self, file: &Option<String>, answered: &BTreeSet<usize>) -> Owed {
+        let variant = |row: &SheetRow| row.names.each[1..3].to_vec();
         let mut variants: Vec<(Vec<Option<String>>, Vec<usize>)> = Vec::new();
-        for (i, row) in self.key.rows.iter().enumerate().filter(|(_, row)| row.names[0] == *file) {
+        for (i, row) in self.key.rows.iter().enumerate().filter(|(_, row)| row.names.each[0] == *file) {
             let names = variant(row);
             match variants.iter_mut().find(|(known, _)| *known == names) {
                 Some((_, rows)) => rows.push(i),

@@ -1,20 +1,33 @@
 //! Which row of the key a row of answers is for.
 
-use super::sheet::{NAMES, Sheet, SheetRow, row_words};
-use crate::exercise::table::{Fault, TableError};
+use super::row_names::as_written;
+use super::sheet::{NAMES, Sheet, SheetRow};
+use crate::exercise::table::TableError;
 use assur_text::source::Span;
 use std::path::Path;
 
+/// A row of answers whose row of the key is wanted.
+pub(super) struct Wanted<'a> {
+    /// Its line in the file.
+    pub line: usize,
+    /// Its text.
+    pub text: &'a str,
+    /// What names it, in the order of [`NAMES`].
+    pub names: &'a [Option<String>; 4],
+    /// Who answered.
+    pub person: Option<&'a str>,
+}
+
 /// The row of the key that a row of the answers is for. Names that are alike to the letter go before others.
-pub(super) fn find(key: &Sheet, answers: &Sheet, row: &SheetRow) -> Result<usize, Fault> {
+pub(super) fn find(key: &Sheet, answers: &Sheet, row: &Wanted<'_>) -> Result<usize, TableError> {
     if answers.persons && row.person.is_none() {
         let help = "write who answered into every row".to_owned();
         return Err(unknown(row, "nothing says who answered".to_owned(), help));
     }
-    let own = |k: &SheetRow| row.person.is_none() || !key.persons || k.person == row.person;
+    let own = |k: &SheetRow| row.person.is_none() || !key.persons || k.person.as_deref() == row.person;
     let found = |same: fn(usize, &str, &str) -> bool| -> Vec<usize> {
         let fits = |k: &SheetRow| {
-            let mut names = row.names.iter().zip(&k.names).enumerate();
+            let mut names = row.names.iter().zip(&k.names.each).enumerate();
             names.all(|(i, names)| match names {
                 (Some(a), Some(k)) => same(i, a, k),
                 _ => true,
@@ -47,14 +60,13 @@ fn alike(which: usize, a: &str, k: &str) -> bool {
         || which == 0 && (stem(a) == stem(k) || number(a).is_some_and(|a| leading(k) == Some(a)))
 }
 
-fn unknown(row: &SheetRow, why: String, help: String) -> Fault {
-    let span = Span::new(0, row.text.text.len());
-    (row.text.clone(), Box::new(TableError::UnknownRow { line: row.line, why, help, span }))
+fn unknown(row: &Wanted<'_>, why: String, help: String) -> TableError {
+    TableError::UnknownRow { line: row.line, why, help, span: Span::new(0, row.text.len()) }
 }
 
-fn none_or_several(key: &Sheet, answers: &Sheet, row: &SheetRow, found: usize) -> Fault {
-    let words = row_words(&row.names).join(", ");
-    let person = row.person.as_ref().map(|name| format!(" ({name})")).unwrap_or_default();
+fn none_or_several(key: &Sheet, answers: &Sheet, row: &Wanted<'_>, found: usize) -> TableError {
+    let words = as_written(row.names).join(", ");
+    let person = row.person.map(|name| format!(" ({name})")).unwrap_or_default();
     let (why, help) = match (found, words.is_empty()) {
         (0, empty) => {
             let words = if empty { "row" } else { &words };
@@ -80,11 +92,11 @@ fn none_or_several(key: &Sheet, answers: &Sheet, row: &SheetRow, found: usize) -
 }
 
 /// How the key names its rows, where a row of the answers is none of them.
-fn named_in_key(key: &Sheet, row: &SheetRow) -> String {
+fn named_in_key(key: &Sheet, row: &Wanted<'_>) -> String {
     /// The most names that are listed.
     const MOST: usize = 8;
     let as_the_key = "number the rows as the key does".to_owned();
-    let names_of = |i: usize| key.rows.iter().filter_map(move |k| k.names[i].as_deref());
+    let names_of = |i: usize| key.rows.iter().filter_map(move |k| k.names.each[i].as_deref());
     let missing =
         |i: &usize| row.names[*i].as_deref().is_some_and(|name| names_of(*i).all(|k| !alike(*i, name, k)));
     let Some(i) = (0..4).find(missing) else { return as_the_key };

@@ -8,7 +8,7 @@ use assur_text::diagnostic::did_you_mean;
 const WITHIN: f64 = 0.03;
 
 /// Sums of more points are no numbers that anybody reads.
-const MOST_POINTS: f64 = 1e9;
+pub(super) const MOST_POINTS: f64 = 1e9;
 
 /// How answers are marked.
 #[derive(Clone, Debug)]
@@ -73,7 +73,7 @@ impl Points {
     /// # Errors
     /// What to write.
     pub fn read(text: &str) -> Result<Self, String> {
-        let wrong = || "write NAME=POINTS, as in Mb=2,F_A=1".to_owned();
+        let wrong = || "write NAME=POINTS, as in Mb=2,F_A=1, with 1e9 points at most".to_owned();
         let one = |item| pair(item).filter(|(_, points)| *points >= 0.0).ok_or_else(wrong);
         let all = items(text).map(one).collect::<Result<Vec<_>, _>>()?;
         Ok(Self(named_once(all)))
@@ -103,7 +103,8 @@ impl Points {
     pub(super) fn of(&self, key: &Sheet, row: &SheetRow, place: usize) -> f64 {
         let named = |wanted: &str| self.0.iter().find(|(name, _)| name == wanted).map(|(_, points)| *points);
         let of_file = |file: Option<&String>| key.points.iter().find(|p| p.file.as_ref() == file);
-        let in_key = || of_file(row.names[0].as_ref()).or_else(|| of_file(None)).map(|p| p.points[place]);
+        let in_key =
+            || of_file(row.names.each[0].as_ref()).or_else(|| of_file(None)).map(|p| p.points[place]);
         named(&key.quantities[place].name).or_else(|| named(OTHERS)).or_else(in_key).unwrap_or(1.0)
     }
 }

@@ -2,10 +2,14 @@
 
 use super::columns::Role;
 use super::entry::{Entry, plain};
+use super::row_names::RowNames;
+use super::rows::{Wanted, find};
+use super::rules::MOST_POINTS;
 use crate::exercise::table::{Cell, Fault, Lines, RawRow, Separator, Table, TableError, cells, from_cell};
 use assur_text::source::{Source, Span, shown};
 use assur_text::units::{Dimension, Unit};
 use std::io::{self, BufRead};
+use std::sync::Arc;
 use unicode_normalization::UnicodeNormalization;
 
 /// What names a row.
@@ -31,14 +35,14 @@ pub struct Quantity {
 pub struct SheetRow {
     /// Its line in the file.
     pub line: usize,
-    /// What names it, in the order of [`NAMES`]; `None` where nothing stands there.
-    pub names: [Option<String>; 4],
+    /// What names it; of answers with what names the row of the key.
+    pub names: Arc<RowNames>,
     /// Who answered; in a key, who is to answer.
-    pub person: Option<String>,
+    pub person: Option<Arc<str>>,
     /// One entry per quantity.
-    pub entries: Vec<Entry>,
-    /// Its text.
-    pub text: Source,
+    pub entries: Box<[Entry]>,
+    /// Of answers, the row of the key that they are for, where there is one.
+    pub in_key: Option<usize>,
 }
 
 /// A row of a key that says how many points the quantities have.
@@ -65,6 +69,8 @@ pub struct Sheet {
     pub persons: bool,
     /// Columns and lines of answers that cannot be used; the others are marked without them.
     pub left_out: Vec<Fault>,
+    /// Lines of answers that are no row of the key.
+    pub(super) unknown: Vec<Fault>,
     /// Points, in a key.
     pub(super) points: Vec<PointsRow>,
 }
@@ -92,12 +98,15 @@ impl Sheet {
                 break;
             }
             for raw in (0..lines.len()).filter_map(|i| lines.get(i)) {
-                match sheet.line(&roles, name, &raw, table.separator, key.is_none()) {
+                match sheet.line(&roles, name, &raw, table.separator, key) {
                     Ok(()) => {}
                     Err(fault) if key.is_some() => sheet.left_out.push(fault),
                     Err(fault) => return Ok(Err(fault)),
                 }
             }
+        }
+        if key.is_none() {
+            RowNames::shorten(&mut sheet.rows);
         }
         Ok(match table.without_rows() {
             Some(fault) => Err(fault),
@@ -113,6 +122,7 @@ impl Sheet {
             named: [false; 4],
             persons: false,
             left_out: Vec::new(),
+            unknown: Vec::new(),
             points: Vec::new(),
         }
     }
@@ -128,41 +138,48 @@ impl Sheet {
         name: &str,
         raw: &RawRow<'_>,
         separator: Separator,
-        of_key: bool,
+        key: Option<&Self>,
     ) -> Result<(), Fault> {
-        let text = Source::line(name, raw.text(name)?, raw.line);
-        let fault = |error| (text.clone(), Box::new(error));
+        let text = raw.text(name)?;
+        let fault = |error| (Source::line(name, text, raw.line), Box::new(error));
         let line = raw.line;
-        let found = divided(&text.text, line, separator, roles.len()).map_err(fault)?;
-        let mut row = SheetRow {
-            line,
-            names: [None, None, None, None],
-            person: None,
-            entries: vec![Entry::Empty; self.quantities.len()],
-            text: text.clone(),
-        };
+        let found = divided(text, line, separator, roles.len()).map_err(fault)?;
+        let (mut names, mut person) = ([None, None, None, None], None);
         for (role, cell) in roles.iter().zip(&found) {
             match role {
-                Role::Name(i) => row.names[*i] = name_in(cell),
-                Role::Person => row.person = name_in(cell),
+                Role::Name(i) => names[*i] = name_in(cell),
+                Role::Person => person = name_in(cell).map(Arc::from),
                 Role::Quantity(..) | Role::LeftOut => {}
             }
         }
-        if of_key && row.names[1..3].iter().flatten().any(|name| name.eq_ignore_ascii_case(POINTS)) {
-            let points = self.points_of(roles, line, &found, &row).map_err(fault)?;
+        if key.is_none() && names[1..3].iter().flatten().any(|name| name.eq_ignore_ascii_case(POINTS)) {
+            let points = self.points_of(roles, (line, text), &found, names[0].take()).map_err(fault)?;
             self.points.push(points);
             return Ok(());
         }
+        let mut entries = vec![Entry::Empty; self.quantities.len()].into_boxed_slice();
         for ((role, cell), column) in roles.iter().zip(&found).zip(1..) {
             let Role::Quantity(i, unit) = role else { continue };
             match Entry::read(&cell.text, unit) {
-                Entry::Unreadable(_, why) if of_key => {
+                Entry::Unreadable(unread) if key.is_none() => {
                     let name = self.quantities[*i].name.clone();
                     let help = Some("the key has numbers, true or false, and empty cells".to_owned());
+                    let why = unread.why;
                     return Err(fault(TableError::Number { line, column, name, why, help, span: cell.span }));
                 }
-                entry => row.entries[*i].and(&cell.text, entry),
+                entry => entries[*i].and(&cell.text, entry),
             }
+        }
+        let mut row = SheetRow { line, names: Arc::default(), person, entries, in_key: None };
+        match key.map(|key| {
+            (key, find(key, self, &Wanted { line, text, names: &names, person: row.person.as_deref() }))
+        }) {
+            None => row.names = RowNames::of(names),
+            Some((key, Ok(found))) => {
+                row.in_key = Some(found);
+                row.names = key.rows[found].names.and(names);
+            }
+            Some((_, Err(error))) => self.unknown.push(fault(error)),
         }
         self.rows.push(row);
         Ok(())
@@ -171,15 +188,14 @@ impl Sheet {
     fn points_of(
         &self,
         roles: &[Role],
-        line: usize,
+        (line, text): (usize, &str),
         found: &[Cell<'_>],
-        row: &SheetRow,
+        file: Option<String>,
     ) -> Result<PointsRow, TableError> {
-        let file = row.names[0].clone();
         if self.points.iter().any(|other| other.file == file) {
             let why = "the points are given twice".to_owned();
             let help = "keep one row of points, or one per file";
-            return Err(TableError::Line { line, why, help, span: Span::new(0, row.text.text.len()) });
+            return Err(TableError::Line { line, why, help, span: Span::new(0, text.len()) });
         }
         let mut points = vec![0.0; self.quantities.len()];
         for ((role, cell), column) in roles.iter().zip(found).zip(1..) {
@@ -193,6 +209,9 @@ impl Sheet {
                 TableError::Number { line, column, name, why, help, span: cell.span }
             };
             points[*i] = match plain(&cell.text).map_err(wrong)? {
+                number if number > MOST_POINTS => {
+                    return Err(wrong(format!("`{}` points are more than 1e9", cell.text)));
+                }
                 number if number >= 0.0 => number,
                 _ => return Err(wrong(format!("`{}` points are less than none", cell.text))),
             };
@@ -229,10 +248,4 @@ fn name_in(cell: &Cell<'_>) -> Option<String> {
     let text: String = shown(&cell.text).nfc().collect();
     let name = from_cell(&text).split_whitespace().collect::<Vec<_>>().join(" ");
     (!name.is_empty()).then_some(name)
-}
-
-/// The names of a row in words: `row 3`, `pose 1`.
-pub(super) fn row_words(names: &[Option<String>; 4]) -> Vec<String> {
-    let shown = NAMES.iter().zip(names).filter_map(|(what, name)| Some((*what, name.as_deref()?)));
-    shown.map(|(what, name)| format!("{what} {name}")).collect()
 }

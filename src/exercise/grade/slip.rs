@@ -18,6 +18,10 @@ pub enum Slip {
         /// The sign is wrong too.
         sign: bool,
     },
+    /// An angle less by a half turn: the direction the other way along the same line.
+    Opposite,
+    /// The supplement of an angle, 180° − ψ.
+    Supplement,
     /// The other component.
     Swapped,
     /// The magnitude of the vector.
@@ -63,13 +67,15 @@ const FACTORS: [(f64, Cause); 10] = [
 const TWICE: f64 = 2.0;
 
 /// The short names of all slips.
-pub const SLIPS: [&str; 11] = [
+pub const SLIPS: [&str; 13] = [
     "sign",
     "other-link",
     "unit",
     "weight",
     "decimal-point",
     "half",
+    "opposite-direction",
+    "supplement",
     "other-component",
     "magnitude",
     "other-quantity",
@@ -101,6 +107,8 @@ impl Slip {
             Self::Sign => "sign",
             Self::OtherLink => "other-link",
             Self::Factor { cause, .. } => cause.name,
+            Self::Opposite => "opposite-direction",
+            Self::Supplement => "supplement",
             Self::Swapped => "other-component",
             Self::Magnitude => "magnitude",
             Self::OtherQuantity { .. } => "other-quantity",
@@ -131,6 +139,8 @@ impl Slip {
                 let n = assur_text::units::significant(n, 4);
                 format!("too {size} by a factor of {n} ({}){also}", cause.words)
             }
+            Self::Opposite => "the opposite direction: 180° more or less".to_owned(),
+            Self::Supplement => "the supplement: 180° less the angle".to_owned(),
             Self::Swapped => "the other component of the vector".to_owned(),
             Self::Magnitude => "the magnitude of the vector, not its component".to_owned(),
             Self::OtherQuantity { name, .. } => format!("the value of `{name}`{also}"),

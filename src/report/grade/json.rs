@@ -1,10 +1,11 @@
 //! Marks as JSON: one object, SI and radians.
 
 use super::{hint, slip_name, word, written};
-use crate::exercise::grade::{Graded, GradedRow, LeftOut, Mark, NAMES, Part, Sum, Verdict};
+use crate::exercise::grade::{Graded, GradedRow, Known, LeftOut, Mark, NAMES, Part, Sum, Verdict};
 use assur_text::diagnostic::{DiagnosticView, Problems};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
+use std::io::{self, Write};
 
 /// Name and version of the format.
 const SCHEMA: &str = "assur.grade/2";
@@ -20,11 +21,14 @@ struct GradedView<'a> {
     sum: SumView,
     #[serde(skip_serializing_if = "Option::is_none")]
     mean: Option<f64>,
-    rows: Vec<RowView<'a>>,
-    students: Vec<PartView>,
-    problems: Vec<PartView>,
+    #[serde(serialize_with = "rows")]
+    rows: &'a Graded,
+    #[serde(serialize_with = "students")]
+    students: &'a Graded,
+    problems: Vec<PartView<'a>>,
     quantities: Vec<QuantityView<'a>>,
-    not_counted: Vec<NotCountedView<'a>>,
+    #[serde(serialize_with = "not_counted")]
+    not_counted: &'a Graded,
     unanswered: &'a [String],
     unasked: &'a [String],
     diagnostics: Vec<DiagnosticView>,
@@ -94,9 +98,9 @@ struct MarkView<'a> {
 }
 
 #[derive(Serialize)]
-struct PartView {
+struct PartView<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
-    name: Option<String>,
+    name: Option<&'a str>,
     rows: usize,
     #[serde(flatten)]
     sum: SumView,
@@ -110,9 +114,38 @@ struct QuantityView<'a> {
     sum: SumView,
 }
 
+/// One row after another: all views of a class at once would take more memory than its answers.
+fn rows<S: Serializer>(graded: &&Graded, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(graded.rows.iter().map(|row| row_view(graded, row)))
+}
+
+fn students<S: Serializer>(graded: &&Graded, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(graded.students().map(PartView::from))
+}
+
+fn not_counted<S: Serializer>(graded: &&Graded, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(
+        graded
+            .not_counted
+            .iter()
+            .map(|aside| NotCountedView { counted_line: aside.counted, row: row_view(graded, &aside.row) }),
+    )
+}
+
 /// One object, SI and radians, without the line's end.
 #[must_use]
 pub fn json(graded: &Graded) -> String {
+    let mut bytes = Vec::new();
+    // a view of texts and finite numbers is always written to memory
+    let written = write_json(graded, &mut bytes).is_ok();
+    String::from_utf8(bytes).ok().filter(|_| written).unwrap_or_default()
+}
+
+/// Writes one object, SI and radians, without the line's end.
+///
+/// # Errors
+/// An error of writing.
+pub fn write_json(graded: &Graded, out: &mut dyn Write) -> io::Result<()> {
     let quantities = graded.quantities.iter().enumerate();
     let view = GradedView {
         schema: SCHEMA,
@@ -122,27 +155,22 @@ pub fn json(graded: &Graded) -> String {
         credit: graded.rules.credit.parts().collect(),
         sum: graded.total().into(),
         mean: graded.mean(),
-        rows: graded.rows.iter().map(|row| row_view(graded, row)).collect(),
-        students: graded.students().into_iter().map(PartView::from).collect(),
+        rows: graded,
+        students: graded,
         problems: graded.problems().into_iter().map(PartView::from).collect(),
         quantities: quantities
             .map(|(i, q)| QuantityView { name: &q.name, unit: &q.unit.text, sum: graded.total_of(i).into() })
             .collect(),
-        not_counted: graded
-            .not_counted
-            .iter()
-            .map(|aside| NotCountedView { counted_line: aside.counted, row: row_view(graded, &aside.row) })
-            .collect(),
+        not_counted: graded,
         unanswered: &graded.unanswered,
         unasked: &graded.unasked,
         diagnostics: diagnostics(graded),
     };
-    // a view of texts and finite numbers is always written
-    serde_json::to_string(&view).unwrap_or_default()
+    serde_json::to_writer(out, &view).map_err(io::Error::from)
 }
 
-impl From<Part> for PartView {
-    fn from(Part { name, rows, sum }: Part) -> Self {
+impl<'a> From<Part<'a>> for PartView<'a> {
+    fn from(Part { name, rows, sum }: Part<'a>) -> Self {
         Self { name, rows, sum: sum.into() }
     }
 }
@@ -155,7 +183,7 @@ fn diagnostics(graded: &Graded) -> Vec<DiagnosticView> {
 
 fn row_view<'a>(graded: &'a Graded, row: &'a GradedRow) -> RowView<'a> {
     debug_assert_eq!(NAMES, ["file", "row", "variant", "pose"]);
-    let [file, number, variant, pose] = std::array::from_fn(|i| row.names[i].as_deref());
+    let [file, number, variant, pose] = std::array::from_fn(|i| row.names.each[i].as_deref());
     RowView {
         line: row.line,
         file,
@@ -170,12 +198,12 @@ fn row_view<'a>(graded: &'a Graded, row: &'a GradedRow) -> RowView<'a> {
 
 fn mark_view<'a>(graded: &'a Graded, mark: &'a Mark) -> MarkView<'a> {
     let Mark { given, key, deviation, error, verdict, counts, points, possible, .. } = mark;
-    let finite = |x: &Option<f64>| x.filter(|x| x.is_finite());
+    let finite = |x: &Known| x.get().filter(|x| x.is_finite());
     MarkView {
-        quantity: &graded.quantities[mark.quantity].name,
-        given: *given,
+        quantity: &graded.quantity(mark).name,
+        given: given.get(),
         text: if matches!(verdict, Verdict::Right) { "" } else { written(verdict) },
-        key: *key,
+        key: key.get(),
         deviation: finite(deviation),
         error: finite(error),
         verdict: word(verdict),

@@ -4,9 +4,9 @@ mod json;
 mod records;
 mod tables;
 
-pub use json::json;
-pub use records::csv;
-pub use tables::report;
+pub use json::{json, write_json};
+pub use records::write_csv;
+pub use tables::reports;
 
 use crate::exercise::grade::{Graded, Mark, Verdict};
 use assur_text::units::significant;
@@ -33,17 +33,16 @@ const fn word(verdict: &Verdict) -> &'static str {
 fn hint(mark: &Mark) -> String {
     match &mark.verdict {
         Verdict::Wrong(slip) => {
-            let slip = slip.as_ref().map(crate::exercise::grade::Slip::words);
+            let slip = slip.as_deref().map(crate::exercise::grade::Slip::words);
             let zero = is_key_zero(mark).then(|| "key is 0".to_owned());
             slip.into_iter().chain(zero).collect::<Vec<_>>().join("; ")
         }
-        Verdict::Unreadable(_, why) => why.clone(),
-        Verdict::NotAsked(_) => "the key has no value here".to_owned(),
+        Verdict::Unreadable(unread) | Verdict::NotAsked(unread) => unread.why.clone(),
         Verdict::Right | Verdict::Missing => String::new(),
     }
 }
 
-const fn slip_name(verdict: &Verdict) -> &'static str {
+fn slip_name(verdict: &Verdict) -> &'static str {
     match verdict {
         Verdict::Wrong(Some(slip)) => slip.name(),
         _ => "",
@@ -52,13 +51,13 @@ const fn slip_name(verdict: &Verdict) -> &'static str {
 
 /// A difference from zero is a part of nothing.
 const fn is_key_zero(mark: &Mark) -> bool {
-    mark.deviation.is_some() && mark.error.is_none()
+    mark.deviation.get().is_some() && mark.error.get().is_none()
 }
 
 /// What was written where it is not a number.
 fn written(verdict: &Verdict) -> &str {
     match verdict {
-        Verdict::Unreadable(text, _) | Verdict::NotAsked(text) => text,
+        Verdict::Unreadable(unread) | Verdict::NotAsked(unread) => &unread.text,
         _ => "",
     }
 }
@@ -72,9 +71,9 @@ struct Figures {
 
 impl Figures {
     fn of(graded: &Graded, mark: &Mark) -> Self {
-        let unit = &graded.quantities[mark.quantity].unit;
+        let unit = &graded.quantity(mark).unit;
         let figures = |x: Option<f64>| x.map(|x| significant(unit.from_si(x), DIGITS)).unwrap_or_default();
-        let given = mark.given.map_or_else(|| written(&mark.verdict).to_owned(), |x| figures(Some(x)));
-        Self { given, key: figures(mark.key), deviation: figures(mark.deviation) }
+        let given = mark.given.get().map_or_else(|| written(&mark.verdict).to_owned(), |x| figures(Some(x)));
+        Self { given, key: figures(mark.key.get()), deviation: figures(mark.deviation.get()) }
     }
 }

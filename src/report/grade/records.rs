@@ -1,14 +1,14 @@
 //! Marks as comma-separated values: one line per answer, and one per sum and per notice, by the first column.
 
 use super::super::csv;
-use super::super::document::{Column, Table};
 use super::{Figures, hint, slip_name, word};
 use crate::exercise::grade::{Graded, GradedRow, LeftOut, Mark, Part, Sum};
 use assur_text::units::significant;
+use std::io::{self, Write};
 
 /// Digits of parts and points.
 const DIGITS: usize = 10;
-const HEAD: [&str; 19] = [
+const HEAD: [&str; 20] = [
     "record",
     "file",
     "row",
@@ -28,46 +28,64 @@ const HEAD: [&str; 19] = [
     "right",
     "total",
     "points",
+    "possible",
 ];
-const POSSIBLE: &str = "possible";
 
-/// One line per answer, with its verdict; then sums and what is not marked.
-#[must_use]
-pub fn csv(graded: &Graded) -> String {
-    let mut table = Table::of_words(&HEAD);
-    table.columns.push(Column::words(POSSIBLE));
-    let each = |record: &'static str, row: &GradedRow, table: &mut Table| {
-        row.marks.iter().for_each(|mark| table.row(answer(graded, record, row, mark)));
+/// Lines on their way out.
+struct Records<'a> {
+    out: &'a mut dyn Write,
+    written: io::Result<()>,
+}
+
+impl Records<'_> {
+    /// Writes a line, its missing cells empty, unless an earlier one could not be written.
+    fn row(&mut self, mut cells: Vec<String>) {
+        if self.written.is_ok() {
+            cells.resize(HEAD.len(), String::new());
+            self.written = self.out.write_all(csv::record(cells.iter().map(String::as_str)).as_bytes());
+        }
+    }
+}
+
+/// Writes one line per answer, with its verdict; then sums and what is not marked.
+///
+/// # Errors
+/// An error of writing.
+pub fn write_csv(graded: &Graded, out: &mut dyn Write) -> io::Result<()> {
+    let mut records = Records { out, written: Ok(()) };
+    records.row(HEAD.map(str::to_owned).to_vec());
+    let each = |record: &'static str, row: &GradedRow, records: &mut Records<'_>| {
+        row.marks.iter().for_each(|mark| records.row(answer(graded, record, row, mark)));
     };
-    graded.rows.iter().for_each(|row| each("answer", row, &mut table));
+    graded.rows.iter().for_each(|row| each("answer", row, &mut records));
     for aside in &graded.not_counted {
-        each("not counted", &aside.row, &mut table);
+        each("not counted", &aside.row, &mut records);
         let hint = format!("line {} counts", aside.counted);
-        table.row(Line { hint, ..Line::of_row("not counted row", &aside.row, aside.row.sum()) }.cells());
+        records.row(Line { hint, ..Line::of_row("not counted row", &aside.row, aside.row.sum()) }.cells());
     }
     for row in &graded.rows {
-        table.row(Line::of_row("row", row, row.sum()).cells());
+        records.row(Line::of_row("row", row, row.sum()).cells());
     }
-    sums(graded, &mut table);
-    notices(graded, &mut table);
-    csv::render(&table)
+    sums(graded, &mut records);
+    notices(graded, &mut records);
+    records.written
 }
 
 /// What is not answered, what is not marked, the rules.
-fn notices(graded: &Graded, table: &mut Table) {
+fn notices(graded: &Graded, records: &mut Records<'_>) {
     for row in &graded.unanswered {
-        table.row(Line { hint: row.clone(), ..Line::new("not answered") }.cells());
+        records.row(Line { hint: row.clone(), ..Line::new("not answered") }.cells());
     }
     for name in &graded.unasked {
         let hint = "no column answers this".to_owned();
-        table.row(Line { quantity: name.clone(), hint, ..Line::new("not answered") }.cells());
+        records.row(Line { quantity: name.clone(), hint, ..Line::new("not answered") }.cells());
     }
     for (source, error) in &graded.left_out {
         let line = (source.lines_before + 1).to_string();
-        table.row(Line { line, hint: LeftOut::words(error), ..Line::new("not marked") }.cells());
+        records.row(Line { line, hint: LeftOut::words(error), ..Line::new("not marked") }.cells());
     }
     for hint in rules(graded) {
-        table.row(Line { hint, ..Line::new("rule") }.cells());
+        records.row(Line { hint, ..Line::new("rule") }.cells());
     }
 }
 
@@ -83,33 +101,33 @@ fn rules(graded: &Graded) -> Vec<String> {
     all
 }
 
-fn sums(graded: &Graded, table: &mut Table) {
+fn sums(graded: &Graded, records: &mut Records<'_>) {
     for part in graded.students() {
         let Part { name, sum, .. } = part;
-        let student = name.unwrap_or_default();
-        table.row(Line { student, sum: Some(sum), ..Line::new("student") }.cells());
+        let student = name.unwrap_or_default().to_owned();
+        records.row(Line { student, sum: Some(sum), ..Line::new("student") }.cells());
     }
     for Part { name, sum, .. } in graded.problems() {
         let mut line = Line { sum: Some(sum), ..Line::new("problem") };
-        line.names[0] = name.unwrap_or_default();
-        table.row(line.cells());
+        line.names[0] = name.unwrap_or_default().to_owned();
+        records.row(line.cells());
     }
     for (i, quantity) in graded.quantities.iter().enumerate() {
         let sum = Some(graded.total_of(i));
-        table.row(Line { quantity: quantity.name.clone(), sum, ..Line::new("quantity") }.cells());
+        records.row(Line { quantity: quantity.name.clone(), sum, ..Line::new("quantity") }.cells());
     }
     let hint = graded.mean().map(|mean| format!("mean of the students {}", super::percent(mean)));
     let hint = hint.unwrap_or_default();
-    table.row(Line { hint, sum: Some(graded.total()), ..Line::new("total") }.cells());
+    records.row(Line { hint, sum: Some(graded.total()), ..Line::new("total") }.cells());
 }
 
 fn answer(graded: &Graded, record: &'static str, row: &GradedRow, mark: &Mark) -> Vec<String> {
-    let quantity = &graded.quantities[mark.quantity];
+    let quantity = graded.quantity(mark);
     let line = Line {
         quantity: quantity.name.clone(),
         unit: quantity.unit.text.clone(),
         figures: Some(Figures::of(graded, mark)),
-        off: mark.error.map(|e| significant(100.0 * e, 4)).unwrap_or_default(),
+        off: mark.error.get().map(|e| significant(100.0 * e, 4)).unwrap_or_default(),
         verdict: word(&mark.verdict),
         slip: slip_name(&mark.verdict),
         hint: hint(mark),
@@ -142,8 +160,8 @@ impl Line {
 
     fn of_row(record: &'static str, row: &GradedRow, sum: Sum) -> Self {
         Self {
-            names: row.names.clone().map(Option::unwrap_or_default),
-            student: row.person.clone().unwrap_or_default(),
+            names: row.names.each.clone().map(Option::unwrap_or_default),
+            student: row.person.as_deref().unwrap_or_default().to_owned(),
             line: row.line.map(|line| line.to_string()).unwrap_or_default(),
             sum: Some(sum),
             ..Self::new(record)

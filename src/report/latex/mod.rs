@@ -10,12 +10,18 @@ use assur_text::source::shown_in_line;
 /// The report as LaTeX.
 #[must_use]
 pub fn render(report: &Report) -> String {
-    let mut out = format!("\\section*{{{}}}\n", escaped(&report.title));
+    let mut out = String::new();
+    // a part of a report has no title
+    if !report.title.is_empty() {
+        out += &format!("\\section*{{{}}}\n", escaped(&report.title));
+    }
     for note in &report.notes {
         out += &format!("\n{}\n", escaped(note));
     }
     for section in &report.sections {
-        out += &format!("\n\\subsection*{{{}}}\n", escaped(&section.heading));
+        if !section.heading.is_empty() {
+            out += &format!("\n\\subsection*{{{}}}\n", escaped(&section.heading));
+        }
         for block in &section.blocks {
             out.push('\n');
             match block {

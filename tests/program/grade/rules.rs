@@ -73,9 +73,9 @@ fn a_student_answers_one_variant_of_every_problem_in_all_positions() {
     let missing: Vec<&str> =
         hints.iter().filter(|r| r[0] == "not answered").map(|r| r[15].as_str()).collect();
     let [anna, bo, cy, again] = missing[..] else { panic!("{missing:?}") };
-    assert_eq!(anna, "file p1.mech, row 1, pose 2, Anna");
-    assert_eq!(bo, "file p2.mech, row 2, pose 1, Bo");
-    assert_eq!([cy, again], ["file p1.mech, row 2, pose 1, Cy", "file p1.mech, row 2, pose 2, Cy"]);
+    assert_eq!(anna, "Anna, p1, row 1, pose 2");
+    assert_eq!(bo, "Bo, p2, row 2, pose 1");
+    assert_eq!([cy, again], ["Cy, p1, row 2, pose 1", "Cy, p1, row 2, pose 2"]);
     assert_eq!(students(KEY, answers, &["--only-answered"]), ["Anna 4/4 4/4", "Bo 6/6 6/6", "Cy 1/1 1/1"]);
 }
 
