@@ -51,6 +51,23 @@ fn identity(path: &Path) -> Option<Identity> {
     std::fs::canonicalize(path).ok().filter(|path| path.is_file())
 }
 
+/// Makes a folder for outputs, unless it is there.
+///
+/// # Errors
+/// It is a file, or cannot be made.
+pub fn made_folder(folder: &Path) -> Result<(), CliError> {
+    let name = || folder.display().to_string();
+    if folder.is_file() {
+        let error = if is_input(folder) {
+            CliError::Overwrites { name: name() }
+        } else {
+            CliError::NotAFolder { name: name() }
+        };
+        return Err(error);
+    }
+    std::fs::create_dir_all(folder).map_err(|e| CliError::NotCreated { name: name(), why: e.to_string() })
+}
+
 /// A text to be read.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Input {

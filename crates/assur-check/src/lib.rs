@@ -173,6 +173,9 @@ fn fill_texts(cx: &mut Context<'_>) {
     for (text, at) in title.into_iter().chain(notes) {
         if text.contains('{') {
             *text = texts::filled(text, at, names, &values.definitions);
+            // of the file as written no row is meant
+            let label = values.outside.row.label.as_deref().unwrap_or("…");
+            *text = text.replace("{variant}", label);
         }
     }
 }

@@ -49,6 +49,8 @@ pub struct Course<'a> {
     pub points: [BTreeMap<String, [Expr; 2]>; 3],
     /// Places nearer than this are one, m.
     pub tiny: f64,
+    /// Values that no equation gives and none could: the acceleration that a motion has, a speed of which the sense is given.
+    pub taken: BTreeSet<Name>,
     /// Lines of stated values, by place.
     pub lines: Vec<(usize, Name)>,
     /// Stated values that are the solution of equations which are written.
@@ -118,6 +120,7 @@ impl<'a> Course<'a> {
             bodies,
             found: BTreeMap::new(),
             points: Default::default(),
+            taken: BTreeSet::new(),
             lines: Vec::new(),
             solutions: BTreeSet::new(),
             optional: BTreeSet::new(),

@@ -3,8 +3,8 @@
 use crate::course::{Course, plain};
 use crate::document::{Block, Figure, Inline, Line, Table, text};
 use crate::words::{Message, say};
-use assur_formula::{Name, Quantity, name_node};
-use assur_model::model::Positions;
+use assur_formula::{Name, Quantity, Unit, name_node};
+use assur_model::model::{PairKind, Positions};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -24,38 +24,60 @@ impl Course<'_> {
         let headers = [Message::Given, Message::Value].map(|m| vec![text(self.words(m))]);
         let mut blocks: Vec<Block> = two_abreast(headers, rows).into_iter().map(Block::Table).collect();
         blocks.push(Block::Remark(say(self.language, Message::Conventions, &[])));
-        let open = self.scene.mechanism().open_sizes.iter();
-        let taken = open.map(|size| Name::new("r", &size.wheel)).filter(|name| self.is_given(name));
-        let taken: Vec<Inline> = taken.map(|name| Inline::Math(name_node(&name))).collect();
+        let taken: Vec<Arc<Quantity>> =
+            self.used_values().into_iter().filter(|q| self.is_assumed(q)).collect();
         if !taken.is_empty() {
-            let listed = taken.into_iter().flat_map(|name| [text(", "), name]).skip(1).collect();
+            let one = |q: &Arc<Quantity>| {
+                let value = format!(" = {} {}", q.figures(5).text(), q.unit.text());
+                [text(", "), Inline::Math(name_node(&q.name)), text(value)]
+            };
+            let listed = taken.iter().flat_map(one).skip(1).collect();
             blocks.push(Block::Remark(say(self.language, Message::OpenSizes, &[listed])));
         }
         blocks.extend(self.only_stated().into_iter().map(|m| Block::Remark(say(self.language, m, &[]))));
         blocks
     }
 
-    /// Their values in the units of equations, letters and figures, without those that are answers.
-    pub fn given_rows(&self, is_answer: &dyn Fn(f64) -> bool) -> Vec<(f64, [Line; 2])> {
+    /// A radius that the file leaves open: nobody gave it.
+    fn is_assumed(&self, q: &Quantity) -> bool {
+        let wheel = q.name.sub.split(',').next().unwrap_or_default();
+        let mechanism = self.scene.mechanism();
+        let of_pair = || {
+            mechanism.pairs.iter().filter(|p| p.name == wheel).any(|p| match &p.kind {
+                PairKind::Transmission(t) => {
+                    mechanism.wheels.iter().any(|w| w.open && t.ends.contains(&w.name))
+                }
+                _ => false,
+            })
+        };
+        q.unit == Unit::Length
+            && q.name.letter.trim_end_matches('′') == "r"
+            && (mechanism.wheels.iter().any(|w| w.open && w.name == wheel) || of_pair())
+    }
+
+    /// The values of the file that the equations use, each once, in the order of use.
+    fn used_values(&self) -> Vec<Arc<Quantity>> {
         let mut seen: BTreeMap<Name, ()> = BTreeMap::new();
         let mut values: Vec<Arc<Quantity>> = Vec::new();
         for (_, equation) in &self.equations {
             equation.right.visit(&mut |q| {
-                if q.given && !is_answer(q.value) && seen.insert(q.name.clone(), ()).is_none() {
+                if q.given && seen.insert(q.name.clone(), ()).is_none() {
                     values.push(Arc::clone(q));
                 }
             });
         }
+        values
+    }
+
+    /// Their values in the units of equations, letters and figures, without those that are answers.
+    pub fn given_rows(&self, is_answer: &dyn Fn(f64) -> bool) -> Vec<(f64, [Line; 2])> {
+        let values = self.used_values().into_iter().filter(|q| !is_answer(q.value) && !self.is_assumed(q));
         let row = |q: Arc<Quantity>| {
-            let unit = if q.unit == assur_formula::Unit::Angle {
-                "°".to_owned()
-            } else {
-                format!(" {}", q.unit.text())
-            };
+            let unit = if q.unit == Unit::Angle { "°".to_owned() } else { format!(" {}", q.unit.text()) };
             let written = format!("{}{}", q.figures(5).text(), unit.trim_end());
             (q.value, [vec![Inline::Math(name_node(&q.name))], vec![text(written)]])
         };
-        values.into_iter().map(row).collect()
+        values.map(row).collect()
     }
 
     /// What the file has that this version states without deriving it, in one sentence each.

@@ -35,7 +35,7 @@ impl Course<'_> {
         let derived: BTreeSet<&Name> = self.equations.iter().map(|(_, e)| &e.left.name).collect();
         let alone = self.lines.iter().filter(|(place, name)| {
             let has_equation = self.solutions.contains(name) || derived.contains(name);
-            !unused.contains(place) && !has_equation && !self.is_given(name)
+            !unused.contains(place) && !has_equation && !self.is_given(name) && !self.taken.contains(name)
         });
         alone.map(|(_, name)| name.clone()).collect()
     }

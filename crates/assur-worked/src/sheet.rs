@@ -12,8 +12,26 @@ use assur_picture::Scene;
 use assur_text::units::significant;
 use std::f64::consts::PI;
 
-/// A table of texts: headers and rows.
-pub type Columns = (Vec<String>, Vec<Vec<String>>);
+/// The table of all variants.
+pub struct Variants {
+    /// Its headers.
+    pub headers: Vec<String>,
+    /// Its rows.
+    pub rows: Vec<Vec<String>>,
+    /// The variant of the scheme.
+    pub drawn_for: String,
+    /// The text has values of that variant.
+    pub in_text: bool,
+}
+
+/// A given value: its letters, and its figures with the unit.
+pub type GivenRow = [Line; 2];
+
+/// The given values that the solution of a position uses.
+#[must_use]
+pub fn given(scene: Scene<'_>, language: Language) -> Vec<GivenRow> {
+    given_rows(scene, language, &|_| false, &mut Vec::new())
+}
 
 /// Digits of a key.
 const DIGITS: usize = 4;
@@ -63,15 +81,20 @@ pub struct Exercise<'a> {
     pub positions: Vec<String>,
     /// Values that depend on the variant, and what no solution uses.
     pub varied: &'a dyn Fn(&str) -> bool,
+    /// The given values of other variants: those that differ are in the table of variants.
+    pub others: &'a [Vec<GivenRow>],
+    /// The number and the name of its variant, where it is of one.
+    pub row: Option<String>,
 }
 
 /// The exercise sheet of a problem: statement, scheme, given values, variants, what to find, and an empty table.
 #[must_use]
-pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Columns>) -> Document {
+pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Variants>) -> Document {
     let words = |message: Message| plain(&say(language, message, &[]));
     let remark = |message: Message| Block::Remark(say(language, message, &[]));
     let heading = |message: Message| Block::Heading(2, words(message));
-    let mut blocks = vec![remark(Message::SheetHead)];
+    let of = |message: Message, words: &str| Block::Remark(say(language, message, &[vec![text(words)]]));
+    let mut blocks = vec![of(Message::SheetHead, exercise.row.as_deref().unwrap_or("____"))];
     let notes = exercise.notes_without();
     if !notes.is_empty() {
         blocks.push(Block::Paragraph(vec![text(notes)]));
@@ -80,6 +103,7 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Colum
         let scheme = Course::new(shown, language).blank_scheme();
         if !scheme.is_empty() {
             blocks.push(Block::Figures(scheme));
+            blocks.extend(variants.as_ref().map(|v| of(Message::DrawnFor, &v.drawn_for)));
         }
         if shown.pose.name != scene.pose.name || shown.pose.drives != scene.pose.drives {
             blocks.push(remark(Message::OtherPose));
@@ -87,9 +111,10 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Colum
     }
     blocks.push(heading(Message::Given));
     blocks.extend(exercise.given(language));
-    if let Some((headers, rows)) = variants {
+    if let Some(Variants { headers, rows, drawn_for, in_text }) = variants {
         blocks.push(heading(Message::Variants));
         blocks.push(Block::Table(table(headers, rows)));
+        blocks.extend(in_text.then(|| of(Message::TextOf, &drawn_for)));
     }
     blocks.push(heading(Message::Find));
     blocks.push(Block::Paragraph(vec![text(exercise.questions())]));
@@ -264,10 +289,18 @@ impl Exercise<'_> {
             if shown.iter().any(|s| is_near(*s, x) || is_near(*s, in_degrees)) {
                 continue;
             }
-            let figures = significant(value.display.of_si(x), GIVEN_DIGITS).replace('-', "−");
             let name = vec![Inline::Math(name_node(&quantity_name(&value.name)))];
+            if rows.iter().any(|[shown, _]| *shown == name) {
+                continue;
+            }
+            let figures = significant(value.display.of_si(x), GIVEN_DIGITS).replace('-', "−");
             rows.push([name, vec![text(format!("{figures}{}", printed_unit(&value.display.unit)))]]);
         }
+        let is_same = |row: &GivenRow| {
+            let of_name = |other: &&Vec<GivenRow>| other.iter().any(|o| o[0] == row[0]);
+            self.others.iter().filter(of_name).all(|other| other.contains(row))
+        };
+        rows.retain(is_same);
         let headers = [Message::Given, Message::Value].map(|m| say(language, m, &[]));
         two_abreast(headers, rows).into_iter().map(Block::Table).collect()
     }

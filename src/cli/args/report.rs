@@ -4,6 +4,7 @@ use super::setting;
 use assur_check::Overrides;
 use assur_worked::{Language, Part};
 use clap::ValueEnum;
+use std::path::Path;
 
 /// Arguments of `report`.
 #[derive(Clone, Debug, clap::Args)]
@@ -12,7 +13,7 @@ pub struct Report {
     #[arg(required = true, value_name = "FILES")]
     pub files: Vec<String>,
     /// Write the solution to this file (.html, .md, .typ, .txt; created only when complete), pictures of .md and .typ next to
-    /// it [default: standard output]
+    /// it, or one file per problem into this folder [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,
     /// Format [default: that of the ending of OUT, else text]
@@ -31,7 +32,8 @@ pub struct Report {
     /// Write the key of the sheet instead: the answers of every row of variants, with four digits
     #[arg(long, conflicts_with = "steps")]
     pub key: bool,
-    /// Write one sheet per row of variants, each with its own scheme: OUT with the number of the row before its ending
+    /// Write one sheet per row of variants, each with its own scheme: OUT with the number and the name of the row before its
+    /// ending
     #[arg(long, requires_all = ["sheet", "out"])]
     pub per_row: bool,
     /// Language of the sentences, with the letters of its courses
@@ -40,6 +42,9 @@ pub struct Report {
     /// Replace the value of a `given`, e.g. `--set r=120mm`; may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub settings: Vec<(String, String)>,
+    /// The output has a name that the program made up
+    #[arg(skip)]
+    pub made_up: bool,
 }
 
 /// A format of a worked solution.
@@ -77,6 +82,17 @@ impl From<LanguageArg> for Language {
 }
 
 impl ReportFormat {
+    /// The ending of its files.
+    #[must_use]
+    pub const fn ending(self) -> &'static str {
+        match self {
+            Self::Html => "html",
+            Self::Markdown => "md",
+            Self::Typst => "typ",
+            Self::Text => "txt",
+        }
+    }
+
     fn of_ending(name: &str) -> Option<Self> {
         Some(match name.rsplit_once('.')?.1 {
             "html" | "htm" => Self::Html,
@@ -95,8 +111,15 @@ impl Report {
         match (self.format, self.out.as_deref()) {
             (Some(format), _) => Some(format),
             (None, None | Some("-")) => Some(ReportFormat::Text),
+            (None, Some(name)) if is_folder(name) => Some(ReportFormat::Html),
             (None, Some(name)) => ReportFormat::of_ending(name),
         }
+    }
+
+    /// The folder that the output names; none where it names a file.
+    #[must_use]
+    pub fn folder(&self) -> Option<&Path> {
+        self.out.as_deref().filter(|name| *name != "-" && is_folder(name)).map(Path::new)
     }
 
     /// Values from outside.
@@ -104,6 +127,12 @@ impl Report {
     pub fn overrides(&self) -> Overrides {
         Overrides::set(self.settings.clone())
     }
+}
+
+/// Whether a name is that of a folder: it is one, or it has no ending.
+fn is_folder(name: &str) -> bool {
+    let path = Path::new(name);
+    path.is_dir() || path.extension().is_none() || name.ends_with('/')
 }
 
 fn part(text: &str) -> Result<Part, String> {

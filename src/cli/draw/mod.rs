@@ -1,6 +1,7 @@
 //! `assur draw`
 
 mod output;
+pub use output::file_name;
 mod pages;
 mod plotted;
 #[cfg(feature = "png")]

@@ -4,7 +4,7 @@ use super::one_only;
 use super::pages::Page;
 use crate::cli::args::DrawFormat;
 use crate::cli::error::CliError;
-use crate::cli::files::is_input;
+use crate::cli::files::made_folder;
 use crate::cli::sink::Sink;
 use assur_drawing::{Sheet, Theme, escaped, page_rules};
 use assur_worked::{Language, phrase};
@@ -105,19 +105,7 @@ impl Output {
                 Ok(String::new())
             }
             Self::Folder(folder, _) => {
-                if folder.is_file() {
-                    let name = folder.display().to_string();
-                    let is_input = is_input(folder);
-                    return Err(if is_input {
-                        CliError::Overwrites { name }
-                    } else {
-                        CliError::NotAFolder { name }
-                    });
-                }
-                std::fs::create_dir_all(folder).map_err(|error| CliError::NotCreated {
-                    name: folder.display().to_string(),
-                    why: error.to_string(),
-                })?;
+                made_folder(folder)?;
                 for page in pages {
                     let ending = if self.is_still() { "png" } else { page.ending };
                     let path = folder.join(format!("{}.{ending}", page.name));

@@ -6,8 +6,9 @@ mod sizes;
 mod tables;
 
 use crate::cli::args::{Report, ReportFormat};
+use crate::cli::draw::file_name;
 use crate::cli::error::CliError;
-use crate::cli::files;
+use crate::cli::files::{self, Input};
 use crate::cli::reply::{Printer, Reply, Status, complaint, for_each_input};
 use crate::cli::screen::Screen;
 use crate::cli::sink::Sink;
@@ -20,7 +21,8 @@ use assur_worked::{
     Block, Document, Inline, Language, Part, design, html, markdown, text, typst, worked_from,
 };
 use sheets::Sheets;
-use std::path::Path;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What is solved for a solution: all that its pictures show.
@@ -37,6 +39,18 @@ pub fn run(args: &Report, screen: &Screen) -> Status {
     let Some(format) = args.format() else {
         return refused(CliError::ReportFormat { name: out.unwrap_or_default().to_owned() });
     };
+    if let Some(folder) = args.folder() {
+        if let Err(error) = files::made_folder(folder) {
+            return refused(error);
+        }
+        let names = folder_names(&inputs);
+        return for_each_input(inputs, &mut Printer::new(screen, "\n"), |source, _| {
+            let name = names.get(&source.name).map_or("report", String::as_str);
+            let key = if args.key { "-key" } else { "" };
+            let out = folder.join(format!("{name}{key}.{}", format.ending())).display().to_string();
+            of_file(&Report { out: Some(out), made_up: true, ..args.clone() }, format, source, screen)
+        });
+    }
     match out {
         Some(name) if inputs.len() > 1 => return refused(CliError::OneReport { name: name.to_owned() }),
         None if inputs.len() > 1 && format == ReportFormat::Html => {
@@ -45,6 +59,34 @@ pub fn run(args: &Report, screen: &Screen) -> Status {
         _ => {}
     }
     for_each_input(inputs, &mut Printer::new(screen, "\n"), |source, _| of_file(args, format, source, screen))
+}
+
+/// The names of the files of a folder by those of the problems: without their folders where these tell none apart.
+fn folder_names(inputs: &[Result<Input, CliError>]) -> BTreeMap<String, String> {
+    let paths = inputs.iter().flatten().filter_map(|input| match input {
+        Input::File(path) => Some(path),
+        Input::Stdin => None,
+    });
+    let paths: Vec<&PathBuf> = paths.collect();
+    let last = |path: &Path| {
+        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        file_name(&stem)
+    };
+    let mut named: BTreeMap<String, String> = BTreeMap::new();
+    let mut taken: BTreeSet<String> = BTreeSet::new();
+    for path in &paths {
+        let own = last(path);
+        let shared = paths.iter().filter(|other| last(other).eq_ignore_ascii_case(&own)).count() > 1;
+        let folders =
+            path.parent().map(|p| p.to_string_lossy().replace(['/', '\\'], "-")).unwrap_or_default();
+        let long = file_name(&format!("{}-{own}", folders.trim_matches(['.', '-'])));
+        let mut name = if shared { long } else { own };
+        while !taken.insert(name.to_lowercase()) {
+            name.push('\'');
+        }
+        named.insert(path.display().to_string(), name);
+    }
+    named
 }
 
 fn of_file(args: &Report, format: ReportFormat, source: &Source, screen: &Screen) -> Reply {
@@ -181,8 +223,7 @@ fn written(
     for (picture, svg) in pictures {
         file(Sink::made_up(&path.with_file_name(picture))?, &svg)?;
     }
-    let is_made_up = args.per_row && !args.key;
-    file(if is_made_up { Sink::made_up(path)? } else { Sink::page(path)? }, &text)?;
+    file(if args.made_up || args.per_row { Sink::made_up(path)? } else { Sink::page(path)? }, &text)?;
     Ok(String::new())
 }
 

@@ -2,6 +2,7 @@
 
 use super::{KINDS, written};
 use crate::cli::args::{Report, ReportFormat};
+use crate::cli::draw::file_name;
 use crate::cli::error::CliError;
 use crate::cli::reply::{Reply, Status, complaint};
 use crate::cli::screen::Screen;
@@ -14,15 +15,19 @@ use assur_model::model::{Level, Value};
 use assur_picture::Scene;
 use assur_position::plan::Effects;
 use assur_solve::solve::Pose;
-use assur_syntax::document::Document;
+use assur_syntax::document::{self, Document, Statement};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
-use assur_worked::{Columns, Exercise, asks_for_positions, key, sheet};
+use assur_worked::{Exercise, GivenRow, Variants, asks_for_positions, given, key, sheet};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Rows that one thread takes at once: what they have in common is found once for all of them.
 const PIECE: usize = 16;
+/// Rows that are compared with the first: what is the same in all is given.
+const COMPARED: usize = 3;
+/// Characters of the name of a row in the name of a file.
+const LONGEST: usize = 60;
 
 /// Sheets of a file.
 pub struct Sheets<'a> {
@@ -36,10 +41,47 @@ pub struct Sheets<'a> {
     written: Vec<f64>,
 }
 
-/// A row of variants: its name and its values.
+/// A row of variants: its number, its name and its values.
 struct Row {
-    name: String,
+    number: usize,
+    /// Its name where it has one.
+    label: Option<String>,
     overrides: Overrides,
+}
+
+/// What a sheet is for: all rows, with their table, or one.
+#[derive(Clone, Copy)]
+enum Of<'r> {
+    All(&'r [Row]),
+    Row(Option<&'r Row>),
+}
+
+impl Row {
+    /// Its name, or its number.
+    fn name(&self) -> String {
+        self.label.clone().unwrap_or_else(|| self.number.to_string())
+    }
+
+    /// Its number and its name: `2 (A2)`.
+    fn words(&self) -> String {
+        let number = self.number.to_string();
+        match self.label.as_deref().filter(|label| **label != number) {
+            Some(label) => format!("{number} ({label})"),
+            None => number,
+        }
+    }
+
+    /// The same in the name of a file: `2-A2`.
+    fn in_file(&self) -> String {
+        let number = self.number.to_string();
+        match self.label.as_deref().filter(|label| **label != number) {
+            Some(label) => {
+                let label: String = file_name(label).chars().take(LONGEST).collect();
+                format!("{number}-{label}")
+            }
+            None => number,
+        }
+    }
 }
 
 impl<'a> Sheets<'a> {
@@ -63,7 +105,7 @@ impl Sheets<'_> {
         } else if self.args.per_row {
             self.each(&rows, &mut problems)
         } else {
-            self.one(rows.first(), &mut problems, self.args.out.as_deref())
+            self.one(&rows, &mut problems, self.args.out.as_deref())
         };
         match result {
             Ok(results) => Reply::new(results, &problems, self.source, screen),
@@ -77,10 +119,11 @@ impl Sheets<'_> {
     /// The rows of the file's own table; the file as written where it has none.
     fn rows(&self, problems: &mut Problems) -> Vec<Row> {
         let overrides = self.args.overrides();
-        let written = |overrides: Overrides| vec![Row { name: "1".to_owned(), overrides }];
+        let written = |overrides: Overrides| vec![Row { number: 1, label: None, overrides }];
         let Some(rows) = self.file_rows(&overrides, problems) else { return written(overrides) };
         let row = |(i, row): (usize, FileRow)| Row {
-            name: row.label.unwrap_or_else(|| (i + 1).to_string()),
+            number: i + 1,
+            label: row.label,
             overrides: Overrides { values: overrides.values.clone(), row: row.row },
         };
         rows.into_iter().enumerate().map(row).collect()
@@ -95,10 +138,23 @@ impl Sheets<'_> {
     }
 
     /// One sheet, with the table of all variants.
-    fn one(&self, row: Option<&Row>, problems: &mut Problems, out: Option<&str>) -> Result<String, CliError> {
-        let overrides = row.map_or_else(|| self.args.overrides(), |row| row.overrides.clone());
-        let (compiled, found) = self.compiled(&overrides);
-        self.sheet(compiled, found, problems, (out, true))
+    fn one(&self, rows: &[Row], problems: &mut Problems, out: Option<&str>) -> Result<String, CliError> {
+        let Some(first) = rows.first() else { return Ok(String::new()) };
+        let for_all = Arc::new(for_all(&self.document, rows));
+        let (compiled, found) =
+            pipeline::compile_document(self.source, &for_all, Problems::new(), &first.overrides);
+        self.sheet(compiled, found, problems, (out, Of::All(rows)))
+    }
+
+    /// What other rows have under "Given": what differs there is not given by the text.
+    fn given_of(&self, rows: &[Row]) -> Vec<Vec<GivenRow>> {
+        let of = |row: &Row| {
+            let compiled = self.compiled(&row.overrides).0?;
+            let solved = pipeline::solve(pipeline::planned_to_draw(compiled, &KINDS)).0.ok()?;
+            let scene = self.scene(&solved, &mut Problems::new()).ok()??;
+            Some(given(scene, self.args.language.into()))
+        };
+        rows.iter().take(COMPARED).filter_map(of).collect()
     }
 
     fn compiled(&self, overrides: &Overrides) -> (Option<Compiled>, Problems) {
@@ -111,7 +167,7 @@ impl Sheets<'_> {
         compiled: Option<Compiled>,
         found: Problems,
         problems: &mut Problems,
-        (out, with_table): (Option<&str>, bool),
+        (out, of): (Option<&str>, Of<'_>),
     ) -> Result<String, CliError> {
         problems.append(found);
         let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return Ok(String::new()) };
@@ -142,6 +198,8 @@ impl Sheets<'_> {
                 None => scene,
             });
         let table = check::table(&self.document);
+        let rows = if let (Of::All(rows), Some(_)) = (of, table) { rows } else { &[] };
+        let with_table = !rows.is_empty();
         let varied = |name: &str| {
             let in_table = table.is_some_and(|t| t.columns.iter().any(|c| c.name.node == name));
             !self.is_used(name) || with_table && in_table
@@ -156,8 +214,14 @@ impl Sheets<'_> {
             hidden: self.hidden(asking),
             positions: self.positions(&answers),
             varied: &varied,
+            others: &self.given_of(rows.get(1..).unwrap_or_default()),
+            row: if let Of::Row(row) = of { row.map(Row::words) } else { None },
         };
-        let variants = if with_table { self.variants() } else { None };
+        let variants = rows.first().and_then(|first| {
+            let (headers, rows) = self.variants()?;
+            let in_text = self.document.notes.iter().any(|note| names_a_column(&note.node, table));
+            Some(Variants { headers, rows, drawn_for: first.words(), in_text })
+        });
         let document = sheet(&exercise, self.args.language.into(), variants);
         written(self.args, self.format, document, out)
     }
@@ -202,22 +266,25 @@ impl Sheets<'_> {
 
     /// One sheet per row: `sheet-2.html` of `sheet.html`.
     fn each(&self, rows: &[Row], problems: &mut Problems) -> Result<String, CliError> {
+        let has_table = check::table(&self.document).is_some();
         let name = self.args.out.as_deref().unwrap_or_default();
         let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
         let values = Overrides { values: self.args.overrides().values, ..Overrides::none() };
         let pieces = rows.chunks(PIECE).map(|rows| (rows, Problems::new(), None));
         let mut written: Vec<(&[Row], Problems, Option<CliError>)> = pieces.collect();
-        Threads::new(None).each(&mut written, |(i, (rows, problems, error))| {
+        Threads::new(None).each(&mut written, |(_, (rows, problems, error))| {
             let mut solver = VariantSolver::new(&self.document, &values);
-            for (k, row) in rows.iter().enumerate() {
-                let out = format!("{stem}-{}.{ending}", i * PIECE + k + 1);
+            for row in *rows {
+                let out = format!("{stem}-{}.{ending}", row.in_file());
                 let (compiled, found) = match solver.compile(&row.overrides.row) {
                     (Some(compiled), found) if !found.has_errors() => (Some(compiled), found),
                     // its messages are those of the file as a whole
                     _ => self.compiled(&row.overrides),
                 };
                 let mut own = Problems::new();
-                *error = self.sheet(compiled, found, &mut own, (Some(&out), false)).err();
+                *error = self
+                    .sheet(compiled, found, &mut own, (Some(&out), Of::Row(has_table.then_some(row))))
+                    .err();
                 problems.append(own);
                 if error.is_some() {
                     break;
@@ -245,16 +312,18 @@ impl Sheets<'_> {
             let columns = AnswerColumns::of(&solved.compiled.model());
             let poses: Vec<&Pose> = answers.poses().filter(|pose| self.is_wanted(pose)).collect();
             if poses.is_empty() {
-                lines.push(([row.name.clone(), String::new()], columns.asked(&answers, None)));
+                lines.push(([row.name(), String::new()], columns.asked(&answers, None)));
             }
             for pose in poses {
-                lines.push(([row.name.clone(), pose.name.clone()], columns.asked(&answers, Some(pose))));
+                lines.push(([row.name(), pose.name.clone()], columns.asked(&answers, Some(pose))));
             }
             last = Some(solved);
         }
-        let Some(solved) = last else { return Ok(String::new()) };
+        let (Some(solved), Some(first)) = (last, rows.first()) else { return Ok(String::new()) };
+        let for_all = Arc::new(for_all(&self.document, rows));
+        let named = pipeline::compile_document(self.source, &for_all, Problems::new(), &first.overrides).0;
         let exercise = Exercise {
-            mechanism: &solved.compiled.mechanism,
+            mechanism: named.as_ref().map_or(&solved.compiled.mechanism, |named| &named.mechanism),
             file: &self.source.name,
             text: &self.source.text,
             scene: None,
@@ -263,6 +332,8 @@ impl Sheets<'_> {
             hidden: Vec::new(),
             positions: Vec::new(),
             varied: &|_| false,
+            others: &[],
+            row: None,
         };
         let document = key(&exercise, self.args.language.into(), &lines);
         written(self.args, self.format, document, self.args.out.as_deref())
@@ -278,7 +349,7 @@ impl Sheets<'_> {
     }
 
     /// The table of variants without the columns that expectations alone use.
-    fn variants(&self) -> Option<Columns> {
+    fn variants(&self) -> Option<(Vec<String>, Vec<Vec<String>>)> {
         let table = check::table(&self.document)?;
         let used = |name: &str| self.is_used(name);
         let kept: Vec<usize> =
@@ -290,7 +361,7 @@ impl Sheets<'_> {
                 None => column.name.node.clone(),
             }
         };
-        let cells = |row: &assur_syntax::document::Row| {
+        let cells = |row: &document::Row| {
             kept.iter()
                 .filter_map(|i| row.cells.get(*i))
                 .map(|c| c.node.text().to_owned())
@@ -304,6 +375,64 @@ impl Sheets<'_> {
     fn is_used(&self, name: &str) -> bool {
         name == "variant" || self.used.contains(name)
     }
+}
+
+/// A document for all rows of its table: letters are in its title in place of the values that go with the row, and before
+/// them in its text.
+fn for_all(document: &Document, rows: &[Row]) -> Document {
+    let table = check::table(document);
+    let mut document = document.clone();
+    let range = match rows {
+        [first, .., last] => format!("{}–{}", first.name(), last.name()),
+        rows => rows.first().map(Row::name).unwrap_or_default(),
+    };
+    if let Some(table) = table.cloned() {
+        let names: Vec<&str> = table.columns.iter().map(|column| column.name.node.as_str()).collect();
+        let is_column = |name: &str| names.contains(&name) && name != "variant";
+        for statement in &mut document.statements {
+            if let Statement::Title(title) = &mut statement.node {
+                title.node = with_names(&title.node, |name| match name {
+                    "variant" => Some(range.clone()),
+                    name => is_column(name).then(|| name.to_owned()),
+                });
+            }
+        }
+        for note in &mut document.notes {
+            note.node =
+                with_names(&note.node, |name| is_column(name).then(|| format!("{name} = {{{name}}}")));
+        }
+    }
+    document
+}
+
+/// Whether a text has values that go with the row.
+fn names_a_column(text: &str, table: Option<&document::Variants>) -> bool {
+    let mut found = false;
+    with_names(text, |name| {
+        found |= table.is_some_and(|table| table.columns.iter().any(|column| column.name.node == name));
+        None
+    });
+    found
+}
+
+/// A text with other words in place of some of its `{name}`.
+fn with_names(text: &str, mut words: impl FnMut(&str) -> Option<String>) -> String {
+    let (mut out, mut rest) = (String::new(), text);
+    while let Some((before, after)) = rest.split_once('{') {
+        out.push_str(before);
+        let found = after.split_once('}').and_then(|(name, behind)| Some((words(name.trim())?, behind)));
+        match found {
+            Some((words, behind)) => {
+                out.push_str(&words);
+                rest = behind;
+            }
+            None => {
+                out.push('{');
+                rest = after;
+            }
+        }
+    }
+    out + rest
 }
 
 /// The numbers of a text without expectations and remarks; none where it expects nothing.

@@ -271,6 +271,7 @@ impl<'a> RawRow<'a> {
         for (i, (cell, column)) in cells.iter().zip(columns.iter()).enumerate() {
             if column.what == ColumnUse::Label {
                 *label = Some(cell.text.clone().into_owned());
+                row.label.clone_from(label);
                 row.push(RowCell::default());
                 continue;
             }

@@ -43,7 +43,7 @@ pub fn table(document: &Document) -> Option<&Variants> {
 #[must_use]
 pub fn file_rows(table: &Variants, columns: &Arc<[RowColumn]>) -> Vec<FileRow> {
     let fits = table.rows.iter().filter(|row| row.cells.len() == columns.len());
-    let rows = fits.map(|row| {
+    let rows = fits.enumerate().map(|(i, row)| {
         let label = columns.iter().position(|c| c.what == ColumnUse::Label);
         let cell = |(cell, column): (&Cell, &RowColumn)| match cell {
             Cell::Number(number) => RowCell {
@@ -53,11 +53,10 @@ pub fn file_rows(table: &Variants, columns: &Arc<[RowColumn]>) -> Vec<FileRow> {
             Cell::Name(_) => RowCell::default(),
         };
         let cells = row.cells.iter().map(|c| &c.node);
-        FileRow {
-            row: Row::new(columns.clone(), cells.zip(columns.iter()).map(cell).collect()),
-            label: label.map(|i| row.cells[i].node.text().to_owned()),
-            span: row.span,
-        }
+        let label = label.map(|i| row.cells[i].node.text().to_owned());
+        let mut numbers = Row::new(columns.clone(), cells.zip(columns.iter()).map(cell).collect());
+        numbers.label = Some(label.clone().unwrap_or_else(|| (i + 1).to_string()));
+        FileRow { row: numbers, label, span: row.span }
     });
     rows.collect()
 }

@@ -34,8 +34,9 @@ pub(crate) fn wheels(cx: &mut Context<'_>) {
         let teeth = teeth(cx, declared.member);
         let centre = centre(cx, declared);
         if let (Some(radius), Some(teeth), Some(centre)) = (radius, teeth, centre) {
-            let span = declared.member.name.span;
-            cx.builder.mech.wheels.push(Wheel { name, span, link: declared.link, centre, radius, teeth });
+            let (span, link) = (declared.member.name.span, declared.link);
+            let open = cx.values.sizes.open.contains(&name);
+            cx.builder.mech.wheels.push(Wheel { name, span, link, centre, radius, open, teeth });
         }
     }
 }
@@ -192,8 +193,11 @@ fn module(cx: &mut Context<'_>, member: &WheelMember) -> Option<f64> {
 
 /// The radius of a wheel, read now if it has not been yet. `None` where it has an error.
 fn radius(cx: &mut Context<'_>, name: &str) -> Option<f64> {
-    if let Some(known) = cx.values.sizes.radii.get(name) {
-        return *known;
+    if let Some(known) = cx.values.sizes.radii.get(name).copied() {
+        if cx.values.sizes.open.contains(name) {
+            depends_on_open(cx);
+        }
+        return known;
     }
     let declared = *cx.values.sizes.declared.get(name)?;
     if cx.values.sizes.reading.iter().any(|n| n == name) {
@@ -247,9 +251,16 @@ fn family_module(cx: &mut Context<'_>, declared: DeclaredWheel<'_>) -> Option<f6
     }
 }
 
+/// The wheels that are being read depend on a size that is left open.
+fn depends_on_open(cx: &mut Context<'_>) {
+    let sizes = &mut cx.values.sizes;
+    sizes.open.extend(sizes.reading.iter().cloned());
+}
+
 /// The assumed size, if the file gives none.
 fn assumed(cx: &mut Context<'_>, member: &WheelMember, teeth: bool) -> f64 {
     let name = &member.name.node;
+    depends_on_open(cx);
     if !cx.builder.mech.open_sizes.iter().any(|s| s.wheel == *name) {
         cx.builder.mech.open_sizes.push(OpenSize { wheel: name.clone(), span: member.name.span, teeth });
     }

@@ -51,6 +51,8 @@ pub struct RowCell {
 pub struct Row {
     columns: Arc<[RowColumn]>,
     cells: Vec<RowCell>,
+    /// What it is called: `{variant}` in a title is replaced by it.
+    pub label: Option<String>,
 }
 
 impl Row {
@@ -60,7 +62,7 @@ impl Row {
         for (cell, column) in cells.iter_mut().zip(columns.iter()) {
             cell.value = column.set.unwrap_or(cell.value);
         }
-        Self { columns, cells }
+        Self { columns, cells, label: None }
     }
 
     /// Begins another row in the memory of this one, without a cell yet.
@@ -69,6 +71,7 @@ impl Row {
             self.columns = columns.clone();
         }
         self.cells.clear();
+        self.label = None;
     }
 
     /// Adds the next cell, as [`Row::new`] does.

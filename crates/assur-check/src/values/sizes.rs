@@ -3,6 +3,7 @@
 use assur_model::model::LinkId;
 use assur_syntax::document::WheelMember;
 use indexmap::IndexMap;
+use std::collections::BTreeSet;
 
 /// A wheel as declared.
 #[derive(Clone, Copy, Debug)]
@@ -26,4 +27,6 @@ pub struct Sizes<'a> {
     pub radii: IndexMap<String, Option<f64>>,
     /// Those whose radius is being read, from the outermost on.
     pub reading: Vec<String>,
+    /// Wheels whose radius depends on a size that the file leaves open.
+    pub open: BTreeSet<String>,
 }

@@ -18,6 +18,8 @@ pub struct Wheel {
     pub centre: Option<Vec2>,
     /// Radius, of a gear wheel that of its pitch circle, m. Where it is not given it is assumed, see [`OpenSize`].
     pub radius: f64,
+    /// The radius depends on a size that is assumed: by teeth alone only ratios of radii are known.
+    pub open: bool,
     /// Number of teeth.
     pub teeth: Option<f64>,
 }

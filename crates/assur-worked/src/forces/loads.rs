@@ -232,13 +232,20 @@ pub fn quantity_name(words: &str) -> Name {
         ("lambda", "λ"),
         ("epsilon", "ε"),
     ];
+    /// Two letters of a Greek one, alone or with a number.
+    const SHORT: [(&str, &str); 5] = [("al", "α"), ("be", "β"), ("ga", "γ"), ("th", "θ"), ("om", "ω")];
+    let is_short = |word: &str| {
+        let rest = words.strip_prefix(word).map(|rest| rest.strip_prefix('_').unwrap_or(rest));
+        rest.is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
+    };
     // a longer word that begins so is a word
     let is_letter = |word: &str| {
         words
             .strip_prefix(word)
             .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphabetic()) || rest.len() <= 2)
     };
-    if let Some((word, letter)) = GREEK.iter().find(|(word, _)| is_letter(word)) {
+    let short = SHORT.iter().find(|(word, _)| is_short(word));
+    if let Some((word, letter)) = GREEK.iter().find(|(word, _)| is_letter(word)).or(short) {
         return Name::new(letter, words[word.len()..].trim_start_matches('_'));
     }
     if let Some((letter, sub)) = words.split_once('_') {

@@ -156,7 +156,7 @@ impl Course<'_> {
     }
 
     /// The moment of a reaction about a point of its body.
-    fn moment_of(&self, acts: &Acts, about: Vec2) -> Expr {
+    fn moment_of(&mut self, acts: &Acts, about: Vec2) -> Expr {
         let moved = self.moved(acts.body);
         let at = (acts.place - moved.p).turned_back(moved.u);
         let arm = acts.place - moved.position(about);
@@ -164,16 +164,9 @@ impl Course<'_> {
         let moment = if arm.norm() <= self.tiny {
             Expr::ZERO
         } else {
-            // positions are known here: every joint of the group has its place
-            let point = self.point_name(acts.body, at);
-            let here = self.point_name(acts.body, about);
-            let of = |name: &str, axis: usize, value: f64| {
-                let known = self.points[0].get(name).map(|p| p[axis].clone());
-                known.unwrap_or_else(|| self.given(Name::new(["x", "y"][axis], name), value, Unit::Length))
-            };
-            let (p, q) = (acts.place, moved.position(about));
-            let dx = of(&point, 0, p.x) - of(&here, 0, q.x);
-            let dy = of(&point, 1, p.y) - of(&here, 1, q.y);
+            let [x, y] = self.position(acts.body, at);
+            let [from_x, from_y] = self.position(acts.body, about);
+            let (dx, dy) = (x - from_x, y - from_y);
             dx * fy - dy * fx
         };
         moment + acts.couple.clone()

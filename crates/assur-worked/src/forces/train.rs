@@ -113,10 +113,9 @@ impl Course<'_> {
         let mechanism = self.scene.mechanism();
         let Some(found) = mechanism.pairs.iter().find(|p| p.name == pair) else { return false };
         let PairKind::Transmission(t) = &found.kind else { return false };
-        let is_open = |end: &String| mechanism.open_sizes.iter().any(|open| open.wheel == *end);
         let wheels = || mechanism.wheels.iter().filter(|w| t.ends.contains(&w.name));
-        let toothed = wheels().count() == 2 && wheels().all(|w| w.teeth.is_some());
-        t.kind == TransmissionKind::Worm || toothed && t.ends.iter().any(is_open)
+        let by_teeth = wheels().count() == 2 && wheels().all(|w| w.teeth.is_some() && w.open);
+        t.kind == TransmissionKind::Worm || by_teeth
     }
 
     fn kind_of(&self, pair: &str) -> Option<TransmissionKind> {
@@ -177,8 +176,11 @@ impl Course<'_> {
                 w.teeth.is_some_and(|z| (0.5 * z - size).abs() <= 1e-12 * size)
                     && self.label(w.link.index()) == label
             };
-            let name = wheels.iter().find(own).map_or(pair, |w| &w.name);
-            self.given(teeth_name(name), 2.0 * size, Unit::One) / Expr::Int(2)
+            let teeth = |name: &str| self.given(teeth_name(name), 2.0 * size, Unit::One) / Expr::Int(2);
+            match wheels.iter().find(own) {
+                Some(wheel) => teeth(&wheel.name),
+                None => self.centre_distance(pair, size).unwrap_or_else(|| teeth(pair)),
+            }
         } else if (size - 1.0).abs() < 1e-12 && (!turns || kind == Some(TransmissionKind::Clutch)) {
             Expr::Int(1)
         } else {
@@ -205,12 +207,16 @@ impl Course<'_> {
             t.ends.iter().filter_map(|end| mechanism.wheels.iter().find(|w| w.name == *end)).collect();
         let [a, b] = wheels.as_slice() else { return None };
         let (large, small) = if a.radius >= b.radius { (a, b) } else { (b, a) };
-        let radius = |w: &Wheel| self.given(Name::new("r", &w.name), w.radius, Unit::Length);
+        let radius = |w: &Wheel| match w.teeth.filter(|_| w.open) {
+            Some(teeth) => self.given(teeth_name(&w.name), teeth, Unit::One),
+            None => self.given(Name::new("r", &w.name), w.radius, Unit::Length),
+        };
+        let half = |sum: Expr| if a.open && a.teeth.is_some() { sum / Expr::Int(2) } else { sum };
         let is = |x: f64| (x - size).abs() <= 1e-12 * size;
         if is(a.radius + b.radius) {
-            return Some(radius(a) + radius(b));
+            return Some(half(radius(a) + radius(b)));
         }
-        is(large.radius - small.radius).then(|| radius(large) - radius(small))
+        is(large.radius - small.radius).then(|| half(radius(large) - radius(small)))
     }
 
     /// The forces on a wheel act on the link that carries its axis.

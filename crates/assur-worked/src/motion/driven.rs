@@ -9,6 +9,17 @@ use assur_math::math::Vec2;
 use assur_model::model::Value;
 use assur_position::plan::{Anchor, Arm, Slide};
 
+/// Where the rates of a drive come from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Origin {
+    /// The file gives them.
+    File,
+    /// The motion under the loads has them.
+    Motion,
+    /// The file gives the sense alone: the rate is one unit.
+    Sense,
+}
+
 impl Course<'_> {
     /// A link on a hinge at a driven angle.
     pub(super) fn turn(
@@ -38,19 +49,58 @@ impl Course<'_> {
                 self.say(message, &[super::of(&Name::new("φ", &label))]);
             }
             Stage::Velocities => {
-                let rate = self.rate(Name::new("ω", &label), base.body, 0, relative, input.rate, body);
-                let free = self.is_free(drive);
-                let message = if free { Message::FreeCoordinate } else { Message::DrivenRate };
-                self.say(message, &[super::of(&Name::new("ω", &label))]);
+                let letters = super::of(&Name::new("ω", &label));
+                let origin = self.origin(drive);
+                if origin == Origin::Sense {
+                    self.say(Message::SenseOnly, std::slice::from_ref(&letters));
+                }
+                let rate =
+                    self.rate((Name::new("ω", &label), 0, drive), base.body, relative, input.rate, body);
+                match origin {
+                    Origin::File => self.say(Message::DrivenRate, &[letters]),
+                    Origin::Motion => self.say(Message::FreeCoordinate, &[letters]),
+                    Origin::Sense => {}
+                }
                 self.set_rate(body, 0, rate);
             }
             Stage::Accelerations => {
-                let rate =
-                    self.rate(Name::new("α", &label), base.body, 1, relative, input.acceleration, body);
+                let rate = self.rate(
+                    (Name::new("α", &label), 1, drive),
+                    base.body,
+                    relative,
+                    input.acceleration,
+                    body,
+                );
                 if rate.is_zero() {
                     self.say(Message::Uniform, &[super::of(&Name::new("α", &label))]);
                 }
                 self.set_rate(body, 1, rate);
+            }
+        }
+    }
+
+    /// Where the rates of a drive come from.
+    fn origin(&self, drive: usize) -> Origin {
+        let file = self.scene.mechanism().drives.get(drive);
+        if self.is_free(drive) {
+            Origin::Motion
+        } else if file.is_some_and(|d| d.sense.is_some() && d.speed.is_none()) {
+            Origin::Sense
+        } else {
+            Origin::File
+        }
+    }
+
+    /// A rate: of the file where it gives it; else that of the motion at this instant, or a unit where the file gives the sense alone.
+    pub(super) fn given_or_stated(&mut self, name: Name, value: f64, unit: Unit, drive: usize) -> Expr {
+        let is_result = matches!(unit, Unit::AngularAcceleration | Unit::Acceleration);
+        match self.origin(drive) {
+            Origin::File => self.given(name, value, unit),
+            Origin::Motion if !is_result => self.given(name, value, unit),
+            _ if value.abs() == 0.0 => Expr::ZERO,
+            _ => {
+                self.taken.insert(name.clone());
+                self.stated(name, value, unit)
             }
         }
     }
@@ -83,17 +133,17 @@ impl Course<'_> {
     /// The rate of a driven link: given, or that of its base and the one against it.
     fn rate(
         &mut self,
-        name: Name,
+        (name, order, drive): (Name, usize, usize),
         base: usize,
-        order: usize,
         relative: Option<f64>,
         value: f64,
         body: usize,
     ) -> Expr {
         let unit = [Unit::AngularVelocity, Unit::AngularAcceleration][order];
-        let Some(sign) = relative else { return self.given_rate(name, value, unit) };
+        let Some(sign) = relative else { return self.given_rate(name, value, unit, drive) };
         let (own, other) = (name.sub.clone(), self.label(base));
-        let part = self.given(Name::new(&name.letter, &format!("{own},{other}")), sign * value, unit);
+        let part = Name::new(&name.letter, &format!("{own},{other}"));
+        let part = self.given_or_stated(part, sign * value, unit, drive);
         let from = self.bodies[base].as_ref().map_or(Expr::ZERO, |b| b.rates[order].clone());
         let moved = self.moved(body);
         let whole = if order == 0 { moved.omega } else { moved.alpha };
@@ -101,7 +151,10 @@ impl Course<'_> {
     }
 
     /// A rate that the file states, from a speed of rotation where it gives that.
-    fn given_rate(&mut self, name: Name, value: f64, unit: Unit) -> Expr {
+    fn given_rate(&mut self, name: Name, value: f64, unit: Unit, drive: usize) -> Expr {
+        if self.origin(drive) != Origin::File {
+            return self.given_or_stated(name, value, unit, drive);
+        }
         let mechanism = self.scene.mechanism();
         let speed = mechanism.values.iter().find(|v| {
             v.display.unit == "rpm"
@@ -137,7 +190,15 @@ impl Course<'_> {
             if slide.base == 0 { point.clone() } else { format!("{point},{}", self.label(slide.base)) };
         let name = Name::new(letter, &index);
         let rests = stage == Stage::Positions && value.abs() <= self.tiny;
-        let along = self.given(name.clone(), if rests { 0.0 } else { value * slide.sense }, unit);
+        if stage == Stage::Velocities && self.origin(drive) == Origin::Sense {
+            self.say(Message::SenseOnly, &[super::of(&name)]);
+        }
+        let value = if rests { 0.0 } else { value * slide.sense };
+        let along = if stage == Stage::Positions {
+            self.given(name.clone(), value, unit)
+        } else {
+            self.given_or_stated(name.clone(), value, unit, drive)
+        };
         self.found.insert(name, along.clone());
         match stage {
             Stage::Positions => {

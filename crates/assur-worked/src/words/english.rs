@@ -65,6 +65,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LinkOf => "Link {0}",
         Message::DrivenAngle => "The drive gives {0}.",
         Message::DrivenRate => "The drive gives {0}.",
+        Message::SenseOnly => {
+            "Only the sense of the motion is given: {0} is taken as one unit, and no result depends on it."
+        }
         Message::FreeCoordinate => "The motion under the loads gives {0} at this instant.",
         Message::Uniform => "The drive is uniform: {0} = 0.",
         Message::Triangle => "The triangle {0} has three known sides:",
@@ -178,7 +181,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         }
         Message::MemberGives => "{0} gives {1}:",
         Message::MembersGive => "{0} together, with {1} eliminated, give {2}:",
-        Message::SheetHead => "Name ______________________   Group ________   Variant ____",
+        Message::SheetHead => "Name ______________________   Group ________   Variant {0}",
+        Message::DrawnFor => "The scheme is drawn for variant {0}.",
+        Message::TextOf => "The values in the text are those of variant {0}.",
         Message::OtherPose => "The scheme is drawn at another position, because positions are asked for.",
         Message::Variants => "Variants",
         Message::Variant => "Variant",

@@ -103,6 +103,8 @@ pub enum Message {
     DrivenAngle,
     /// The rate of a driven link is given.
     DrivenRate,
+    /// A rate of which the file gives the sense alone; 0: it.
+    SenseOnly,
     /// A free coordinate, or its rate, at the instant that is shown.
     FreeCoordinate,
     /// A drive without acceleration.
@@ -239,6 +241,10 @@ pub enum Message {
     MembersGive,
     /// Head of a sheet.
     SheetHead,
+    /// Which variant the scheme of a sheet is of; 0: its number and name.
+    DrawnFor,
+    /// Which variant has the values in the text; 0: its number and name.
+    TextOf,
     /// The scheme is at another position.
     OtherPose,
     /// Heading.

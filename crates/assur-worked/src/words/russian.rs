@@ -67,6 +67,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         Message::LinkOf => "Звено {0}",
         Message::DrivenAngle => "Привод задаёт {0}.",
         Message::DrivenRate => "Привод задаёт {0}.",
+        Message::SenseOnly => {
+            "Задано только направление движения: {0} принимается за единицу, и результаты от этого не зависят."
+        }
         Message::FreeCoordinate => "Движение под нагрузками даёт {0} в этот момент.",
         Message::Uniform => "Привод равномерный: {0} = 0.",
         Message::Triangle => "В треугольнике {0} известны три стороны:",
@@ -176,7 +179,9 @@ pub(super) const fn template(message: Message) -> &'static str {
         }
         Message::MemberGives => "{0} даёт {1}:",
         Message::MembersGive => "{0} вместе после исключения {1} дают {2}:",
-        Message::SheetHead => "Фамилия ______________________   Группа ________   Вариант ____",
+        Message::SheetHead => "Фамилия ______________________   Группа ________   Вариант {0}",
+        Message::DrawnFor => "Схема построена для варианта {0}.",
+        Message::TextOf => "Значения в тексте относятся к варианту {0}.",
         Message::OtherPose => "Схема показана в другом положении, так как положения требуется найти.",
         Message::Variants => "Варианты",
         Message::Variant => "Вариант",
