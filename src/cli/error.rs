@@ -111,7 +111,7 @@ pub enum CliError {
     },
     /// Several worked solutions, one place.
     #[error("`{name}` can contain one worked solution only, but there are several files")]
-    #[diagnostic(help("write one at a time: `assur report engine.mech -o engine.html`"))]
+    #[diagnostic(help("write each to a folder: `assur report homework -o pages`"))]
     OneReport {
         /// The place.
         name: String,

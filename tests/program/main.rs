@@ -31,5 +31,6 @@ mod report;
 mod row_names;
 mod run;
 mod schema;
+mod sheets;
 mod solve;
 mod start;

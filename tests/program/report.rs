@@ -90,7 +90,7 @@ variants {
     let sheet = assur(&folder, &["report", "a.mech", "--sheet"]);
     assert_eq!((sheet.status, sheet.stderr.as_str()), (0, ""));
     assert!(sheet.stdout.contains("r, mm") && !sheet.stdout.contains("v_key"), "{}", sheet.stdout);
-    assert!(sheet.stdout.contains("v = velocity(C).x as m/s"), "{}", sheet.stdout);
+    assert!(sheet.stdout.contains("v – velocity of C, x component, m/s"), "{}", sheet.stdout);
     let key = assur(&folder, &["report", "a.mech", "--key"]);
     assert!(key.stdout.contains("−1.000") && key.stdout.contains("−1.200"), "{}", key.stdout);
     let each = assur(&folder, &["report", "a.mech", "--sheet", "--per-row", "-o", "s.html"]);

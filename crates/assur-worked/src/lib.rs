@@ -20,6 +20,7 @@ mod pictures;
 mod points;
 mod problem;
 mod prune;
+mod questions;
 mod results;
 mod sheet;
 mod spline;

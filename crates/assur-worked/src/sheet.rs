@@ -4,6 +4,7 @@ use crate::course::{Course, plain};
 use crate::document::{Block, Document, Inline, Line, Table, text};
 use crate::forces::quantity_name;
 use crate::problem::two_abreast;
+use crate::questions::questions;
 use crate::words::{Language, Message, say};
 use crate::worked::{given_rows, without_empty};
 use assur_formula::name_node;
@@ -117,7 +118,7 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
         blocks.extend(in_text.then(|| of(Message::TextOf, &drawn_for)));
     }
     blocks.push(heading(Message::Find));
-    blocks.push(Block::Paragraph(vec![text(exercise.questions())]));
+    blocks.push(Block::Paragraph(questions(exercise.mechanism, exercise.text, language)));
     blocks.push(heading(Message::Answers));
     let positions = exercise.positions_without();
     let several = positions.len() > 1 && positions.len() <= MOST_LINES;
@@ -317,19 +318,10 @@ impl Exercise<'_> {
         };
         !named && self.asked.iter().any(|a| a.values().iter().any(|x| is(a, *x)))
     }
-
-    /// The questions as the file has them.
-    fn questions(&self) -> String {
-        let words = self.mechanism.finds.iter().map(|find| {
-            let written = self.text.get(find.span.start..find.span.end).unwrap_or(&find.name);
-            written.split_whitespace().collect::<Vec<_>>().join(" ")
-        });
-        words.collect::<Vec<_>>().join("; ")
-    }
 }
 
 /// A unit as it is printed.
-fn printed_unit(unit: &str) -> String {
+pub(crate) fn printed_unit(unit: &str) -> String {
     match unit {
         "" => String::new(),
         "deg" => "°".to_owned(),

@@ -8,6 +8,7 @@ mod message;
 mod phrase;
 mod phrases;
 mod picture_phrases;
+mod question;
 mod run;
 mod russian;
 
@@ -15,6 +16,7 @@ pub use design::DesignMessage;
 pub use friction::FrictionMessage;
 pub use message::Message;
 pub use phrase::{known, phrase, title};
+pub use question::QuestionMessage;
 pub use run::RunMessage;
 
 use crate::document::{Inline, Labels, Line};

@@ -1,0 +1,221 @@
+//! What a file asks for, in words and letters.
+
+use crate::document::{Inline, Line, text};
+use crate::forces::quantity_name;
+use crate::words::{Language, QuestionMessage, say};
+use assur_formula::name_node;
+use assur_math::math::Vec2;
+use assur_model::model::{
+    Axis, BalanceKind, CycleFunction, Expr, Find, FindKind, FlywheelPart, Function, LinkId, Mechanism,
+    PairId, PointRef, Query, SubstitutionPart,
+};
+
+/// Points nearer than this are one, m.
+const SAME: f64 = 1e-9;
+
+/// The questions of a file, one after another.
+pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Line {
+    let asking = Asking { mechanism, language };
+    let each = mechanism.finds.iter().map(|find| asking.item(find, source));
+    each.enumerate().flat_map(|(i, item)| (i > 0).then(|| text("; ")).into_iter().chain(item)).collect()
+}
+
+struct Asking<'a> {
+    mechanism: &'a Mechanism,
+    language: Language,
+}
+
+impl Asking<'_> {
+    /// The letters of a question, what it is, and its unit.
+    fn item(&self, find: &Find, source: &str) -> Line {
+        let written = source.get(find.span.start..find.span.end).unwrap_or(&find.name);
+        let (expr, unit) = match &find.kind {
+            FindKind::Reactions => return self.say(QuestionMessage::Reactions, &[]),
+            FindKind::Table(_) => return vec![text(one_line(written))],
+            FindKind::Value { expr, display, .. } => (expr, &display.unit),
+        };
+        let named = written.split_once('=').map(|(name, _)| name.trim()).filter(|name| *name == find.name);
+        let mut line = Vec::new();
+        let words = self.expr(expr);
+        if let Some(name) = named {
+            line.push(Inline::Math(name_node(&quantity_name(name))));
+            line.push(text(" – "));
+        }
+        match words {
+            Some(words) => line.extend(words),
+            // a formula in the names of the file
+            None => line.push(text(formula(written, named))),
+        }
+        if !unit.is_empty() {
+            line.push(text(format!(", {}", crate::sheet::printed_unit(unit).trim_start())));
+        }
+        line
+    }
+
+    fn say(&self, message: QuestionMessage, parts: &[Line]) -> Line {
+        say(self.language, message, parts)
+    }
+
+    /// What an expression is; none where it is a formula.
+    fn expr(&self, expr: &Expr) -> Option<Line> {
+        match expr {
+            Expr::Query(query) => self.query(query),
+            Expr::Quantity(id) => self.expr(&self.mechanism.quantities.get(id.index())?.expr),
+            Expr::Component(of, axis) => {
+                let part = match axis {
+                    Axis::X => QuestionMessage::AlongX,
+                    Axis::Y => QuestionMessage::AlongY,
+                };
+                Some(self.say(part, &[self.expr(of)?]))
+            }
+            Expr::Call(Function::Mag | Function::Abs, of) => {
+                let [of] = of.as_slice() else { return None };
+                Some(self.say(QuestionMessage::Magnitude, &[self.expr(of)?]))
+            }
+            Expr::Call(Function::Direction, of) => {
+                let [of] = of.as_slice() else { return None };
+                Some(self.say(QuestionMessage::Direction, &[self.expr(of)?]))
+            }
+            Expr::Frictionless(of) => Some(self.say(QuestionMessage::Frictionless, &[self.expr(of)?])),
+            _ => None,
+        }
+    }
+
+    fn query(&self, query: &Query) -> Option<Line> {
+        use QuestionMessage as M;
+        let m = self.mechanism;
+        let (link, pair) = (|id: &LinkId| self.link(*id), |id: &PairId| self.pair(*id));
+        let (message, parts) = match query {
+            Query::Position(at) => (M::Position, vec![self.point(at)?]),
+            Query::Velocity(at) => (M::Velocity, vec![self.point(at)?]),
+            Query::Acceleration(at) => (M::Acceleration, vec![self.point(at)?]),
+            Query::Angle(id) => (M::Angle, vec![link(id)]),
+            Query::Omega(id) => (M::AngularVelocity, vec![link(id)]),
+            Query::Alpha(id) => (M::AngularAcceleration, vec![link(id)]),
+            Query::Displacement(id) => (M::Displacement, vec![pair(id)]),
+            Query::RelativeVelocity(id) => (M::RelativeVelocity, vec![pair(id)]),
+            Query::Sliding(id) => (M::Sliding, vec![pair(id)]),
+            Query::RelativeAcceleration(id) => (M::RelativeAcceleration, vec![pair(id)]),
+            Query::Coriolis(id) => (M::Coriolis, vec![pair(id)]),
+            Query::Reaction(id, on) => (M::Reaction, vec![pair(id), link(on)]),
+            Query::Moment(id, on) => (M::Moment, vec![pair(id), link(on)]),
+            Query::Normal(id, on) => (M::Normal, vec![pair(id), link(on)]),
+            Query::Friction(id, on) => (M::Friction, vec![pair(id), link(on)]),
+            Query::FrictionPower(id) => (M::FrictionPower, vec![pair(id)]),
+            Query::Efficiency => (M::Efficiency, Vec::new()),
+            Query::Locked => (M::Locked, Vec::new()),
+            Query::InertiaForce(id) => (M::InertiaForce, vec![link(id)]),
+            Query::InertiaTorque(id) => (M::InertiaTorque, vec![link(id)]),
+            Query::PressureAngle(id) => (M::PressureAngle, vec![pair(id)]),
+            Query::Balance(id) => {
+                let balance = m.balances.get(id.index())?;
+                let message = match balance.kind {
+                    BalanceKind::Torque(_) => M::BalancingTorque,
+                    _ => M::BalancingEffort,
+                };
+                (message, vec![self.letters(&balance.name)])
+            }
+            Query::Effort(id) => (M::DriveEffort, vec![vec![text(&*m.drives.get(id.index())?.name)]]),
+            Query::Load(id) => (M::Load, vec![self.letters(m.loads.get(id.index())?.name.as_deref()?)]),
+            Query::BalancePower(id) => (M::Power, vec![self.letters(&m.balances.get(id.index())?.name)]),
+            Query::LoadPower(id) => (M::Power, vec![self.letters(m.loads.get(id.index())?.name.as_deref()?)]),
+            Query::EffortPower(id) => (M::Power, vec![vec![text(&*m.drives.get(id.index())?.name)]]),
+            Query::KineticEnergy => (M::KineticEnergy, Vec::new()),
+            Query::PotentialEnergy => (M::PotentialEnergy, Vec::new()),
+            Query::Travel(id) => (M::Travel, vec![pair(id)]),
+            Query::Stroke(id) => (M::Stroke, vec![pair(id)]),
+            Query::TimeRatio(id) => (M::TimeRatio, vec![pair(id)]),
+            Query::TangentialForce(id, _) => (M::TangentialForce, vec![pair(id)]),
+            Query::ToothForce(id, _) => (M::ToothForce, vec![pair(id)]),
+            Query::Tension(id, _) => (M::Tension, vec![pair(id)]),
+            Query::TightSide(id) => (M::TightSide, vec![pair(id)]),
+            Query::SlackSide(id) => (M::SlackSide, vec![pair(id)]),
+            Query::Dead(id, _) => (M::DeadPosition, vec![pair(id)]),
+            Query::Period => (M::Period, Vec::new()),
+            Query::EventTime(id, _) => (M::EventTime, vec![vec![text(m.events.get(*id)?.name.as_deref()?)]]),
+            Query::Cycle(id) => {
+                let cycle = m.cycles.get(*id)?;
+                let message = match cycle.how {
+                    CycleFunction::Max => M::Greatest,
+                    CycleFunction::Min => M::Least,
+                    CycleFunction::Mean => M::Mean,
+                    CycleFunction::Integral => M::Integral,
+                    CycleFunction::Argmax => M::WhereGreatest,
+                };
+                (message, vec![self.expr(&cycle.expr)?])
+            }
+            Query::Work(id) => (M::Work, vec![self.expr(m.works.get(*id)?)?]),
+            Query::Flywheel(id, part) => {
+                let message = match part {
+                    FlywheelPart::Inertia => M::FlywheelInertia,
+                    FlywheelPart::Fluctuation => M::Fluctuation,
+                    FlywheelPart::RimWidth => M::RimWidth,
+                    FlywheelPart::RimHeight => M::RimHeight,
+                    FlywheelPart::RimMass => M::RimMass,
+                    FlywheelPart::Torque => M::ReducedTorque,
+                    FlywheelPart::LinksInertia => M::ReducedInertia,
+                    FlywheelPart::Work => M::ExcessWork,
+                };
+                (message, vec![self.letters(&m.flywheels.get(*id)?.name)])
+            }
+            Query::StaticSubstitution(id, first, second, part) => {
+                let mass = |at: Vec2| Some((M::StaticMass, vec![link(id), self.at(*id, at)?]));
+                match part {
+                    SubstitutionPart::M1 => mass(*first)?,
+                    SubstitutionPart::M2 => mass(*second)?,
+                    SubstitutionPart::DJ => (M::InertiaLeft, vec![link(id)]),
+                    _ => return None,
+                }
+            }
+            Query::DynamicSubstitution(id, first, part) => match part {
+                SubstitutionPart::M1 => (M::DynamicMass, vec![link(id), self.at(*id, *first)?]),
+                SubstitutionPart::M2 => (M::SecondMass, vec![link(id)]),
+                SubstitutionPart::L2 => (M::SecondDistance, vec![link(id)]),
+                _ => return None,
+            },
+            _ => return None,
+        };
+        Some(self.say(message, &parts))
+    }
+
+    fn letters(&self, name: &str) -> Line {
+        vec![Inline::Math(name_node(&quantity_name(name)))]
+    }
+
+    fn link(&self, id: LinkId) -> Line {
+        vec![text(&*self.mechanism.link(id).name)]
+    }
+
+    fn pair(&self, id: PairId) -> Line {
+        vec![text(&*self.mechanism.pair(id).name)]
+    }
+
+    /// The name of a point.
+    fn point(&self, at: &PointRef) -> Option<Line> {
+        let PointRef::Fixed(id, at) = at else { return None };
+        self.at(*id, *at)
+    }
+
+    fn at(&self, id: LinkId, at: Vec2) -> Option<Line> {
+        let link = self.mechanism.link(id);
+        let point = link.points.iter().find(|p| (p.at - at).norm() <= SAME)?;
+        Some(vec![text(&*point.name)])
+    }
+}
+
+/// A question without its name and its unit.
+fn formula(written: &str, named: Option<&str>) -> String {
+    let words = one_line(written);
+    let right = match (named, words.split_once('=')) {
+        (Some(_), Some((_, right))) => right.trim().to_owned(),
+        _ => words,
+    };
+    match right.rsplit_once(" as ") {
+        Some((formula, _)) => formula.trim().replace('*', "·"),
+        None => right.replace('*', "·"),
+    }
+}
+
+fn one_line(words: &str) -> String {
+    words.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,173 @@
+//! Sheets and keys for classes: the cases of tests/cases/use3/sheets, and at random.
+
+use crate::run::{Folder, assur};
+use proptest::prelude::*;
+
+const TRAIN: &str = include_str!("../cases/use3/sheets/train-by-teeth.mech");
+const SENSE: &str = include_str!("../cases/use3/sheets/sense-of-motion.mech");
+const ROWS: &str = include_str!("../cases/use3/sheets/rows-with-variants.mech");
+const KEY: &str = include_str!("../cases/use3/sheets/key-titled-by-last-row.mech");
+
+fn report(text: &str, more: &[&str]) -> String {
+    let folder = Folder::new("sheet").with("a.mech", text);
+    let out = assur(&folder, &[&["report", "a.mech"], more].concat());
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    out.stdout
+}
+
+/// What stands between two headings.
+fn part<'t>(page: &'t str, from: &str, to: &str) -> &'t str {
+    let after = page.split_once(&format!("\n{from}\n")).map_or("", |(_, after)| after);
+    after.split_once(&format!("\n{to}\n")).map_or(after, |(before, _)| before)
+}
+
+#[test]
+fn a_train_by_teeth_has_no_radii() {
+    let sheet = report(TRAIN, &["--sheet"]);
+    let given = part(&sheet, "Given", "Find");
+    for value in ["z_s    24", "z_p    30", "z_r    84", "40 N·m", "94.248 rad/s"] {
+        assert!(given.contains(value), "{value}: {given}");
+    }
+    let page = report(TRAIN, &[]);
+    for (what, text) in [("sheet", given), ("solution", page.as_str())] {
+        for nobody_gave in ["r_p", "r_r", "z_a", " 15 m", " 42 m", "F_b"] {
+            assert!(!text.contains(nobody_gave), "{what}: {nobody_gave}: {text}");
+        }
+    }
+    assert!(page.contains("= −180.00 N·m"), "{page}");
+}
+
+#[test]
+fn a_sense_of_motion_is_no_speed() {
+    let sheet = report(SENSE, &["--sheet"]);
+    let given = part(&sheet, "Given", "Find");
+    assert!(!given.contains("v_B") && given.contains('α') && given.contains("15°"), "{given}");
+    let page = report(SENSE, &[]);
+    assert!(page.contains("Only the sense of the motion is given: v_B is taken as one unit"), "{page}");
+    for (language, words) in [("ru", "Задано только направление движения"), ("zh", "只给出运动方向")]
+    {
+        assert!(report(SENSE, &["--lang", language]).contains(words));
+    }
+}
+
+#[test]
+fn an_acceleration_that_follows_from_the_loads_is_not_given() {
+    let text = include_str!("../../examples/simulation/brake.mech");
+    let sheet = report(text, &["--sheet"]);
+    assert!(!part(&sheet, "Given", "Find").contains("rad/s²"), "{sheet}");
+}
+
+#[test]
+fn every_variant_has_its_name_on_its_sheet() {
+    let text = ROWS.replace("Slider-crank with", "Variant {variant}: slider-crank with");
+    let folder = Folder::new("sheet-rows").with("a.mech", &text);
+    let out = assur(&folder, &["report", "a.mech", "--sheet", "--per-row", "-o", "s.txt"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    let names: Vec<String> = (1..=8).map(|i| format!("s-{i}-A{i}.txt")).collect();
+    assert_eq!(folder.names()[1..], names);
+    let page = folder.read("s-2-A2.txt");
+    assert!(page.starts_with("Variant A2: slider-crank with a crank of 90 mm\n"), "{page}");
+    assert!(page.contains("Group ________ Variant 2 (A2)\n"), "{page}");
+    assert_eq!(page.matches("550 rpm").count(), 2, "in the text and under Given, once each: {page}");
+}
+
+#[test]
+fn a_sheet_for_all_says_whose_values_it_has() {
+    let sheet = report(ROWS, &["--sheet"]);
+    assert!(sheet.starts_with("Slider-crank with a crank of r\n"), "{sheet}");
+    for words in [
+        "A crank of r = 80 mm turns at n = 500 rpm",
+        "The scheme is drawn for variant 1 (A1).",
+        "The values in the text are those of variant 1 (A1).",
+        "v – velocity of C, x component, m/s; a – acceleration of C, x component, m/s²;",
+    ] {
+        assert!(sheet.contains(words), "{words}: {sheet}");
+    }
+    assert!(!sheet.contains("velocity(C)") && !sheet.contains("0.08 m"), "{sheet}");
+    let russian = report(ROWS, &["--sheet", "--lang", "ru"]);
+    assert!(russian.contains("скорость точки C, проекция на ось x"), "{russian}");
+    assert!(russian.contains("Схема построена для варианта 1 (A1)."), "{russian}");
+    assert!(report(ROWS, &["--sheet", "--lang", "zh"]).contains("点 C 的速度的 x 分量"));
+}
+
+#[test]
+fn a_key_is_titled_for_all_rows() {
+    let key = report(KEY, &["--key"]);
+    assert!(key.starts_with("Slider-crank with a crank of r\n"), "{key}");
+    let named = KEY.replace("Slider-crank with", "Variants {variant}: slider-crank with");
+    let key = report(&named, &["--key"]);
+    assert!(key.starts_with("Variants A1–A8: slider-crank with a crank of r\n"), "{key}");
+}
+
+#[test]
+fn folders_of_problems_become_folders_of_sheets() {
+    let folder = Folder::new("sheet-folder").with("set/a.mech", ROWS).with("set/b.mech", TRAIN);
+    folder.write_bytes("set/more/a.mech", SENSE.as_bytes());
+    let out = assur(&folder, &["report", "set", "--sheet", "-o", "pages"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let names = |at: &str| {
+        let entries = std::fs::read_dir(folder.path(at)).unwrap().flatten();
+        let mut names: Vec<_> = entries.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    };
+    assert_eq!(names("pages"), ["b.html", "set-a.html", "set-more-a.html"]);
+    assert!(folder.read("pages/set-more-a.html").contains("A block on a slope"));
+    let out = assur(&folder, &["report", "set/*.mech", "--key", "-o", "keys", "--format", "text"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert_eq!(names("keys"), ["a-key.txt", "b-key.txt"]);
+    let out = assur(&folder, &["report", "set/a.mech", "--sheet", "--per-row", "-o", "rows"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert_eq!(names("rows").len(), 8);
+    assert_eq!(names("rows")[1], "a-2-A2.html");
+    let out = assur(&folder, &["report", "set", "--sheet", "-o", "set/a.mech/x"]);
+    assert_eq!(out.status, 2);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(10) })]
+
+    /// Planetary trains by teeth: only the numbers of teeth are given, and no radius is on any page.
+    #[test]
+    fn trains_by_teeth_have_no_radii(sun in 12_u32..60, planet in 12_u32..60, torque in 1_u32..90, ring_turns: bool) {
+        let ring = sun + 2 * planet;
+        let text = if ring_turns {
+            TRAIN.replace("ground { wheel r teeth 84 }", "shaft ring { wheel r teeth 84 }\nground { }")
+                .replace("drive sun at 900 rpm", "drive sun at 900 rpm\ndrive ring at 100 rpm")
+                .replace("balance torque Mc on carrier", "balance torque Mc on carrier\nbalance torque Mr on ring")
+        } else {
+            TRAIN.to_owned()
+        };
+        let text = text.replace("teeth 24", &format!("teeth {sun}")).replace("teeth 30", &format!("teeth {planet}"));
+        let text = text.replace("teeth 84", &format!("teeth {ring}")).replace("= 40 N*m", &format!("= {torque} N*m"));
+        let sheet = report(&text, &["--sheet"]);
+        let page = report(&text, &[]);
+        for text in [part(&sheet, "Given", "Find"), &page] {
+            prop_assert!(!text.contains("r_p") && !text.contains("r_r") && !text.contains("r_s"), "{}", text);
+            prop_assert!(!text.split_whitespace().any(|word| word == "m"), "{}", text);
+        }
+        prop_assert!(part(&sheet, "Given", "Find").contains(&format!(" {ring}")), "{}", sheet);
+    }
+
+    /// Tables of variants: each page has the number, the name and the values of its row, and no other row's.
+    #[test]
+    fn pages_of_rows_have_their_names(names in prop::collection::btree_set("[A-Z][a-z0-9_]{0,9}", 2..6), first in 60_u32..200) {
+        let names: Vec<&String> = names.iter().collect();
+        let row = |(i, name): (usize, &&String)| format!("  {name}, {}, 500, 900, 2, 3, 40\n", first + 3 * i as u32);
+        let rows: String = names.iter().enumerate().map(row).collect();
+        let head = "  variant, r [mm], l [mm], n [rpm], m [kg], P [kN], phi [deg]\n";
+        let text = format!("{}variants {{\n{head}{rows}}}\n", ROWS.split("variants {").next().unwrap());
+        let text = text.replace("Slider-crank with", "<{variant}> & slider-crank with");
+        let folder = Folder::new("sheet-random").with("a.mech", &text);
+        let out = assur(&folder, &["report", "a.mech", "--sheet", "--per-row", "-o", "s.html"]);
+        prop_assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+        for (i, name) in names.iter().enumerate() {
+            let page = folder.read(&format!("s-{}-{name}.html", i + 1));
+            let title = format!("&lt;{name}&gt; &amp; slider-crank with a crank of {} mm", first + 3 * i as u32);
+            prop_assert!(page.contains(&title), "{}", title);
+            let head = format!("Variant {} ({name})", i + 1);
+            prop_assert!(page.contains(&head), "{}", head);
+            prop_assert!(!page.contains('{') || !page.contains("variant}"), "{}", name);
+        }
+    }
+}
