@@ -14,6 +14,8 @@ use assur_text::diagnostic::Help;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Unit};
 use indexmap::IndexSet;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 /// The name of a column that names its rows.
@@ -82,13 +84,17 @@ pub(crate) fn variants(cx: &mut Context<'_>) {
 /// The columns of a table, of the document or beside it; nothing where one has an error.
 pub(crate) fn columns(cx: &mut Context<'_>, table: &Variants) -> Option<Vec<RowColumn>> {
     let mut all = Vec::new();
-    for (i, column) in table.columns.iter().enumerate() {
-        match table.columns[..i].iter().find(|c| c.name.node == column.name.node) {
-            Some(first) => {
-                cx.error(NameError::duplicate(&column.name, first.name.span, None));
+    let mut firsts: HashMap<&str, Span> = HashMap::new();
+    for column in &table.columns {
+        match firsts.entry(&column.name.node) {
+            Entry::Occupied(first) => {
+                cx.error(NameError::duplicate(&column.name, *first.get(), None));
                 all.push(None);
             }
-            None => all.push(check_column(cx, column)),
+            Entry::Vacant(place) => {
+                place.insert(column.name.span);
+                all.push(check_column(cx, column));
+            }
         }
     }
     all.into_iter().collect()
