@@ -15,8 +15,8 @@ use std::f64::consts::PI;
 
 /// The table of all variants.
 pub struct Variants {
-    /// Its headers.
-    pub headers: Vec<String>,
+    /// Its columns: names with their units.
+    pub columns: Vec<(String, String)>,
     /// Its rows.
     pub rows: Vec<Vec<String>>,
     /// The variant of the scheme.
@@ -27,6 +27,12 @@ pub struct Variants {
 
 /// A given value: its letters, and its figures with the unit.
 pub type GivenRow = [Line; 2];
+
+/// A name of the file in letters, as in a text: `φ` for `phi`.
+#[must_use]
+pub fn in_letters(name: &str) -> String {
+    assur_formula::text(&name_node(&quantity_name(name)))
+}
 
 /// The given values that the solution of a position uses.
 #[must_use]
@@ -112,9 +118,18 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
     }
     blocks.push(heading(Message::Given));
     blocks.extend(exercise.given(language));
-    if let Some(Variants { headers, rows, drawn_for, in_text }) = variants {
+    if let Some(Variants { columns, rows, drawn_for, in_text }) = variants {
         blocks.push(heading(Message::Variants));
-        blocks.push(Block::Table(table(headers, rows)));
+        let header = |(name, unit): &(String, String)| match name.as_str() {
+            "variant" => say(language, Message::Variant, &[]),
+            name if unit.is_empty() => vec![Inline::Math(name_node(&quantity_name(name)))],
+            name => {
+                let unit = format!(", {}", printed_unit(unit).trim_start());
+                vec![Inline::Math(name_node(&quantity_name(name))), text(unit)]
+            }
+        };
+        let headers = columns.iter().map(header).collect();
+        blocks.push(Block::Table(Table { headers, ..table(Vec::new(), rows) }));
         blocks.extend(in_text.then(|| of(Message::TextOf, &drawn_for)));
     }
     blocks.push(heading(Message::Find));

@@ -18,7 +18,7 @@ use assur_solve::solve::Pose;
 use assur_syntax::document::{self, Document, Statement};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
-use assur_worked::{Exercise, GivenRow, Variants, asks_for_positions, given, key, sheet};
+use assur_worked::{Exercise, GivenRow, Variants, asks_for_positions, given, in_letters, key, sheet};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -218,9 +218,9 @@ impl Sheets<'_> {
             row: if let Of::Row(row) = of { row.map(Row::words) } else { None },
         };
         let variants = rows.first().and_then(|first| {
-            let (headers, rows) = self.variants()?;
+            let (columns, rows) = self.variants()?;
             let in_text = self.document.notes.iter().any(|note| names_a_column(&note.node, table));
-            Some(Variants { headers, rows, drawn_for: first.words(), in_text })
+            Some(Variants { columns, rows, drawn_for: first.words(), in_text })
         });
         let document = sheet(&exercise, self.args.language.into(), variants);
         written(self.args, self.format, document, out)
@@ -349,17 +349,14 @@ impl Sheets<'_> {
     }
 
     /// The table of variants without the columns that expectations alone use.
-    fn variants(&self) -> Option<(Vec<String>, Vec<Vec<String>>)> {
+    fn variants(&self) -> Option<(Vec<(String, String)>, Vec<Vec<String>>)> {
         let table = check::table(&self.document)?;
         let used = |name: &str| self.is_used(name);
         let kept: Vec<usize> =
             (0..table.columns.len()).filter(|i| used(&table.columns[*i].name.node)).collect();
         let header = |i: &usize| {
             let column = &table.columns[*i];
-            match &column.unit {
-                Some(unit) => format!("{}, {}", column.name.node, unit.node),
-                None => column.name.node.clone(),
-            }
+            (column.name.node.clone(), column.unit.as_ref().map(|unit| unit.node.clone()).unwrap_or_default())
         };
         let cells = |row: &document::Row| {
             kept.iter()
@@ -393,13 +390,14 @@ fn for_all(document: &Document, rows: &[Row]) -> Document {
             if let Statement::Title(title) = &mut statement.node {
                 title.node = with_names(&title.node, |name| match name {
                     "variant" => Some(range.clone()),
-                    name => is_column(name).then(|| name.to_owned()),
+                    name => is_column(name).then(|| in_letters(name)),
                 });
             }
         }
         for note in &mut document.notes {
-            note.node =
-                with_names(&note.node, |name| is_column(name).then(|| format!("{name} = {{{name}}}")));
+            note.node = with_names(&note.node, |name| {
+                is_column(name).then(|| format!("{} = {{{name}}}", in_letters(name)))
+            });
         }
     }
     document

@@ -51,9 +51,6 @@ impl Course<'_> {
             Stage::Velocities => {
                 let letters = super::of(&Name::new("ω", &label));
                 let origin = self.origin(drive);
-                if origin == Origin::Sense {
-                    self.say(Message::SenseOnly, std::slice::from_ref(&letters));
-                }
                 let rate =
                     self.rate((Name::new("ω", &label), 0, drive), base.body, relative, input.rate, body);
                 match origin {
@@ -99,6 +96,9 @@ impl Course<'_> {
             Origin::Motion if !is_result => self.given(name, value, unit),
             _ if value.abs() == 0.0 => Expr::ZERO,
             _ => {
+                let motion = self.origin(drive) == Origin::Motion;
+                let message = if motion { Message::FreeCoordinate } else { Message::SenseOnly };
+                self.say(message, &[super::of(&name)]);
                 self.taken.insert(name.clone());
                 self.stated(name, value, unit)
             }
@@ -190,9 +190,6 @@ impl Course<'_> {
             if slide.base == 0 { point.clone() } else { format!("{point},{}", self.label(slide.base)) };
         let name = Name::new(letter, &index);
         let rests = stage == Stage::Positions && value.abs() <= self.tiny;
-        if stage == Stage::Velocities && self.origin(drive) == Origin::Sense {
-            self.say(Message::SenseOnly, &[super::of(&name)]);
-        }
         let value = if rests { 0.0 } else { value * slide.sense };
         let along = if stage == Stage::Positions {
             self.given(name.clone(), value, unit)
