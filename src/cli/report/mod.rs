@@ -4,6 +4,7 @@ mod published;
 mod sheets;
 mod sizes;
 mod tables;
+mod texts;
 
 use crate::cli::args::{Report, ReportFormat};
 use crate::cli::draw::file_name;

@@ -1,5 +1,6 @@
 //! Exercise sheets and their keys.
 
+use super::texts::{for_all, names_a_column, numbers, used};
 use super::{KINDS, written};
 use crate::cli::args::{Report, ReportFormat};
 use crate::cli::draw::file_name;
@@ -15,10 +16,10 @@ use assur_model::model::{Level, Value};
 use assur_picture::Scene;
 use assur_position::plan::Effects;
 use assur_solve::solve::Pose;
-use assur_syntax::document::{self, Document, Statement};
+use assur_syntax::document::{self, Document};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
-use assur_worked::{Exercise, GivenRow, Variants, asks_for_positions, given, in_letters, key, sheet};
+use assur_worked::{Exercise, GivenRow, Variants, asks_for_positions, given, key, sheet};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -140,7 +141,7 @@ impl Sheets<'_> {
     /// One sheet, with the table of all variants.
     fn one(&self, rows: &[Row], problems: &mut Problems, out: Option<&str>) -> Result<String, CliError> {
         let Some(first) = rows.first() else { return Ok(String::new()) };
-        let for_all = Arc::new(for_all(&self.document, rows));
+        let for_all = Arc::new(for_all(&self.document, &names(rows)));
         let (compiled, found) =
             pipeline::compile_document(self.source, &for_all, Problems::new(), &first.overrides);
         self.sheet(compiled, found, problems, (out, Of::All(rows)))
@@ -320,7 +321,7 @@ impl Sheets<'_> {
             last = Some(solved);
         }
         let (Some(solved), Some(first)) = (last, rows.first()) else { return Ok(String::new()) };
-        let for_all = Arc::new(for_all(&self.document, rows));
+        let for_all = Arc::new(for_all(&self.document, &names(rows)));
         let named = pipeline::compile_document(self.source, &for_all, Problems::new(), &first.overrides).0;
         let exercise = Exercise {
             mechanism: named.as_ref().map_or(&solved.compiled.mechanism, |named| &named.mechanism),
@@ -374,86 +375,6 @@ impl Sheets<'_> {
     }
 }
 
-/// A document for all rows of its table: letters are in its title in place of the values that go with the row, and before
-/// them in its text.
-fn for_all(document: &Document, rows: &[Row]) -> Document {
-    let table = check::table(document);
-    let mut document = document.clone();
-    let range = match rows {
-        [first, .., last] => format!("{}–{}", first.name(), last.name()),
-        rows => rows.first().map(Row::name).unwrap_or_default(),
-    };
-    if let Some(table) = table.cloned() {
-        let names: Vec<&str> = table.columns.iter().map(|column| column.name.node.as_str()).collect();
-        let is_column = |name: &str| names.contains(&name) && name != "variant";
-        for statement in &mut document.statements {
-            if let Statement::Title(title) = &mut statement.node {
-                title.node = with_names(&title.node, |name| match name {
-                    "variant" => Some(range.clone()),
-                    name => is_column(name).then(|| in_letters(name)),
-                });
-            }
-        }
-        for note in &mut document.notes {
-            note.node = with_names(&note.node, |name| {
-                is_column(name).then(|| format!("{} = {{{name}}}", in_letters(name)))
-            });
-        }
-    }
-    document
-}
-
-/// Whether a text has values that go with the row.
-fn names_a_column(text: &str, table: Option<&document::Variants>) -> bool {
-    let mut found = false;
-    with_names(text, |name| {
-        found |= table.is_some_and(|table| table.columns.iter().any(|column| column.name.node == name));
-        None
-    });
-    found
-}
-
-/// A text with other words in place of some of its `{name}`.
-fn with_names(text: &str, mut words: impl FnMut(&str) -> Option<String>) -> String {
-    let (mut out, mut rest) = (String::new(), text);
-    while let Some((before, after)) = rest.split_once('{') {
-        out.push_str(before);
-        let found = after.split_once('}').and_then(|(name, behind)| Some((words(name.trim())?, behind)));
-        match found {
-            Some((words, behind)) => {
-                out.push_str(&words);
-                rest = behind;
-            }
-            None => {
-                out.push('{');
-                rest = after;
-            }
-        }
-    }
-    out + rest
-}
-
-/// The numbers of a text without expectations and remarks; none where it expects nothing.
-fn numbers(text: &str) -> Vec<f64> {
-    let lines = || text.lines().map(str::trim_start);
-    if !lines().any(|line| line.starts_with("expect")) {
-        return Vec::new();
-    }
-    let lines = lines().filter(|line| !line.starts_with("expect") && !line.starts_with("//"));
-    let words = lines.flat_map(|line| line.split(|c: char| !(c.is_ascii_digit() || c == '.')));
-    words.filter_map(|word| word.parse().ok()).collect()
-}
-
-/// The names that a text uses before its table and outside of expectations; that which a line gives is not used by it.
-fn used(text: &str) -> BTreeSet<String> {
-    let before = text.split_once("variants").map_or(text, |(before, _)| before);
-    let mut used = BTreeSet::new();
-    for line in before.lines().filter(|line| !line.trim_start().starts_with("expect")) {
-        let mut words = line.split_whitespace();
-        let given = words.next().filter(|word| *word == "given").and_then(|_| words.next());
-        let in_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
-        let names = line.split(|c| !in_name(c)).filter(|name| !name.is_empty() && Some(*name) != given);
-        used.extend(names.map(str::to_owned));
-    }
-    used
+fn names(rows: &[Row]) -> Vec<String> {
+    rows.iter().map(Row::name).collect()
 }
