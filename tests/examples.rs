@@ -15,7 +15,7 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
 
 /// Tables are not broken in snapshots.
-const WIDE: Look = Look { colour: false, width: usize::MAX };
+const WIDE: Look = Look { colour: false, width: usize::MAX, fill: false };
 
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");

@@ -25,7 +25,7 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
             Err(error) => return Reply::unusable(error, screen),
         };
         let source = fixed.as_ref().unwrap_or(source);
-        let (compiled, mut problems) = crate::pipeline::compile(source, &overrides);
+        let (compiled, mut problems) = crate::pipeline::look_at(source, &overrides);
         let results = compiled.map_or_else(String::new, |c| {
             let costs = if args.plan && !problems.has_errors() { costs(&c, &mut problems) } else { None };
             let mut report = report::of_structure(source, &c.model(), costs.as_ref());

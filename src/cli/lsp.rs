@@ -15,13 +15,23 @@ use serde_json::{Value, json};
 /// The most bytes of a message; no text of a mechanism is as long.
 const LONGEST: usize = 64 << 20;
 
+/// The most bytes of a line of a header.
+const LONGEST_HEADER: u64 = 4 << 10;
 /// A pause of the author before a text is solved.
 const PAUSE: Duration = Duration::from_millis(50);
 /// A text that takes longer has no answers in the editor.
 const LONGEST_SOLUTION: Duration = Duration::from_secs(2);
 
 /// A message, or why it is none; nothing at the end of the stream.
-type Received = Option<Result<Value, String>>;
+type Received = Option<Result<Value, Unread>>;
+
+/// Why a message is none.
+enum Unread {
+    /// Its body does not read; the next one begins behind it.
+    Body(String),
+    /// Nobody knows where the next one begins.
+    Framing(String),
+}
 
 /// Answers an editor on standard input and output until it says `exit` or closes the stream.
 pub fn run(screen: &Screen) -> Status {
@@ -39,8 +49,12 @@ pub fn run(screen: &Screen) -> Status {
     thread::spawn(move || {
         let mut input = io::stdin().lock();
         while let Ok(Some(message)) = read(&mut input) {
+            let is_lost = matches!(message, Err(Unread::Framing(_)));
             if sender.send(Some(message)).is_err() {
                 return;
+            }
+            if is_lost {
+                break;
             }
         }
         // nobody is there to hear that nobody listens
@@ -58,7 +72,12 @@ pub fn run(screen: &Screen) -> Status {
         Ok(()) => Status::Fine,
         // nobody reads any more
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Status::Fine,
-        Err(_) => Status::Unusable,
+        Err(error) => {
+            if error.kind() == io::ErrorKind::InvalidData {
+                screen.complain(&format!("assur lsp: {error}\n"));
+            }
+            Status::Unusable
+        }
     }
 }
 
@@ -109,22 +128,28 @@ fn serve(server: &mut Server, inbox: &Inbox) -> io::Result<()> {
             }
         }
         let Some(received) = inbox.next() else { return Ok(()) };
-        write(&match received {
-            Ok(message) => server.handle(&message),
-            Err(why) => vec![Server::unreadable(&why)],
-        })?;
+        match received {
+            Ok(message) => write(&server.handle(&message))?,
+            Err(Unread::Body(why)) => write(&[Server::unreadable(&why)])?,
+            Err(Unread::Framing(why)) => {
+                write(&[Server::unreadable(&why)])?;
+                return Err(io::Error::new(io::ErrorKind::InvalidData, why));
+            }
+        }
     }
     Ok(())
 }
 
 /// The next message; nothing at the end of the stream.
 fn read(input: &mut impl BufRead) -> io::Result<Received> {
+    let lost = |why: &str| Ok(Some(Err(Unread::Framing(format!("{why}: the stream cannot be read on")))));
     let mut length = None;
     loop {
-        let mut line = String::new();
-        if input.read_line(&mut line)? == 0 {
+        let mut line = Vec::new();
+        if input.by_ref().take(LONGEST_HEADER).read_until(b'\n', &mut line)? == 0 {
             return Ok(None);
         }
+        let line = String::from_utf8_lossy(&line);
         let line = line.trim();
         if line.is_empty() {
             break;
@@ -134,12 +159,12 @@ fn read(input: &mut impl BufRead) -> io::Result<Received> {
             length = value.trim().parse::<usize>().ok().filter(|length| *length <= LONGEST);
         }
     }
-    let Some(length) = length else { return Ok(Some(Err("no Content-Length before it".to_owned()))) };
+    let Some(length) = length else { return lost("a message without a Content-Length of at most 64 MiB") };
     let mut body = Vec::new();
     if input.take(length as u64).read_to_end(&mut body)? < length {
         return Ok(None);
     }
-    Ok(Some(serde_json::from_slice(&body).map_err(|error| error.to_string())))
+    Ok(Some(serde_json::from_slice(&body).map_err(|error| Unread::Body(error.to_string()))))
 }
 
 fn write(messages: &[Value]) -> io::Result<()> {

@@ -4,6 +4,7 @@ use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anstream::{AutoStream, ColorChoice};
+use terminal_size::{Height, Width, terminal_size_of};
 
 use super::args::Args;
 use super::args::Color;
@@ -15,6 +16,8 @@ use assur_text::source::Source;
 
 /// Width of what is not written to a terminal.
 const WIDTH: usize = 100;
+/// A narrower terminal is taken for one of this width.
+const NARROWEST: usize = 40;
 
 /// Whether something could not be said.
 static UNSAID: AtomicBool = AtomicBool::new(false);
@@ -48,13 +51,16 @@ impl Screen {
     /// How reports are drawn.
     #[must_use]
     pub fn look(&self) -> Look {
-        Look { colour: self.out, width: width(io::stdout().is_terminal()) }
+        let fill = io::stdout().is_terminal();
+        let width = width(columns(fill, || terminal_size_of(io::stdout())));
+        Look { colour: self.out, width, fill }
     }
 
     /// How diagnostics are drawn.
     #[must_use]
     pub fn style(&self) -> Style {
-        Style::Graphical { colour: self.err, width: width(io::stderr().is_terminal()) }
+        let columns = columns(io::stderr().is_terminal(), || terminal_size_of(io::stderr()));
+        Style::Graphical { colour: self.err, width: width(columns) }
     }
 
     /// Diagnostics of a text as they are printed: no more than are wanted.
@@ -109,8 +115,14 @@ impl Screen {
     }
 }
 
-/// The width that COLUMNS names, else the usual one.
-fn width(terminal: bool) -> usize {
-    let columns = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
-    columns.filter(|_| terminal).unwrap_or(WIDTH).max(40)
+/// The columns to fill: those that COLUMNS names, else those of the terminal; a file has the usual ones.
+fn width(of: Option<usize>) -> usize {
+    of.unwrap_or(WIDTH).max(NARROWEST)
+}
+
+/// The columns of a terminal.
+fn columns(is_terminal: bool, size: impl FnOnce() -> Option<(Width, Height)>) -> Option<usize> {
+    let named = || std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
+    let of_terminal = || Some(usize::from(size()?.0.0)).filter(|columns| *columns > 0);
+    is_terminal.then(|| named().or_else(of_terminal)).flatten()
 }

@@ -1,14 +1,16 @@
 //! The rows of a file's own table of variants.
 
+use super::compile::{Compiled, compile_document};
 use super::solved::Solved;
 use super::variant_solver::VariantSolver;
 use crate::exercise::{ForRow, mismatches};
 use assur_check as check;
 use assur_check::{FileRow, Overrides, RowColumn};
-use assur_solve::message::failures;
+use assur_solve::message::{SolveError, failures};
 use assur_solve::solve::{Method, refusals};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
 use std::sync::Arc;
 
 /// A file with a table of variants.
@@ -68,6 +70,17 @@ impl<'a> FileVariants<'a> {
         &self.columns
     }
 
+    /// What all rows are, as far as it is known before one is solved: the first that can be, and all that is to be said.
+    pub fn look(mut self) -> (Option<Compiled>, Problems) {
+        let (mut first, mut problems) = (None, Problems::new());
+        for (i, row) in self.rows.iter().enumerate() {
+            let (compiled, found) = looked_at(&mut self.solver, row);
+            problems.append(ForRow::all(found, &file_row_words(row, i + 1), Some(row.span)));
+            first = first.or(compiled);
+        }
+        (first, problems)
+    }
+
     /// Solves all rows in order. Where they are tested, an expectation that is not met is a problem.
     pub fn solve(mut self, test: bool) -> impl Iterator<Item = SolvedRow> + use<'a> {
         self.rows.into_iter().enumerate().map(move |(i, row)| {
@@ -84,16 +97,46 @@ impl<'a> FileVariants<'a> {
 /// What is wrong with the file whatever the row: the first and the last row have the same errors.
 fn of_every_row(solver: &mut VariantSolver<'_>, rows: &[FileRow]) -> Option<Problems> {
     let [first, .., last] = rows else { return None };
-    let mut refused = |row: &FileRow| {
-        let (compiled, mut problems) = solver.compile(&row.row);
-        if let Some(compiled) = compiled.filter(|_| !problems.has_errors()) {
-            let model = compiled.model();
-            problems.extend(failures(&model, &refusals(&model)));
+    let (_, problems) = looked_at(solver, first);
+    (problems.has_errors() && problems.is_alike(&looked_at(solver, last).1)).then_some(problems)
+}
+
+/// A row before it is solved, with all that refuses it.
+fn looked_at(solver: &mut VariantSolver<'_>, row: &FileRow) -> (Option<Compiled>, Problems) {
+    let (compiled, mut problems) = solver.compile(&row.row);
+    if let Some(compiled) = compiled.as_ref().filter(|_| !problems.has_errors()) {
+        problems.extend(refused(compiled));
+    }
+    (compiled, problems)
+}
+
+/// What cannot be answered of a compiled file at any position.
+fn refused(compiled: &Compiled) -> Vec<SolveError> {
+    let model = compiled.model();
+    failures(&model, &refusals(&model)).collect()
+}
+
+/// A file before anything is solved, with all that makes `solve` refuse it: row by row where it has a table of variants.
+#[must_use]
+pub fn look_at(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Problems) {
+    let (document, mut found) = assur_syntax::parse(source);
+    let document = Arc::new(document);
+    let rows = if found.has_errors() { None } else { FileVariants::of(&document, overrides) };
+    match rows {
+        Some(Ok(rows)) => {
+            let (compiled, problems) = rows.look();
+            found.append(problems);
+            (compiled, found)
         }
-        problems
-    };
-    let problems = refused(first);
-    (problems.has_errors() && problems.is_alike(&refused(last))).then_some(problems)
+        Some(Err(problems)) => (None, problems),
+        None => {
+            let (compiled, mut problems) = compile_document(source, &document, found, overrides);
+            if let Some(compiled) = compiled.as_ref().filter(|_| !problems.has_errors()) {
+                problems.extend(refused(compiled));
+            }
+            (compiled, problems)
+        }
+    }
 }
 
 /// A row of a file in words: `row 3 (r = 120 mm)`, `row 3, variant 7 (r = 120 mm)`.

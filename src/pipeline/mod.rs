@@ -21,7 +21,7 @@ pub use compile::{Compiled, Looked, Origin, check_source, compile, compile_docum
 pub use dimensions::dimensions;
 pub use drawn::{planned_to_draw, solve_document_drawn, solve_drawn, solve_drawn_conducted};
 pub use elsewhere::elsewhere;
-pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
+pub use file_variants::{FileVariants, SolvedRow, file_row_words, look_at, row_words};
 pub use fixed::{certain_edits, fixed};
 pub use followed::{Followed, Sink, SizeError, followed, is_long, most_positions};
 pub use modes::assembly_clauses;

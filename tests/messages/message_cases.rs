@@ -8,7 +8,12 @@ use assur::internals::diagnostic::DiagnosticView;
 /// The files with the number of errors, the code of the first, and what its message or help says.
 const CASES: &[(&str, usize, &str, &[&str])] = &[
     ("use3/messages/cascade-of-a-simulate-line", 1, "syntax::needless_sign", &["write: simulate 2 s"]),
-    ("use3/messages/cascade-of-a-variants-header", 1, "syntax::unexpected", &["names with units"]),
+    (
+        "use3/messages/cascade-of-a-variants-header",
+        1,
+        "syntax::other_word",
+        &["write: r [mm], px [mm], py [mm]"],
+    ),
     (
         "use3/messages/torque-without-balance-name",
         1,

@@ -4,7 +4,7 @@ use crate::elements::{cam, cam_contact, flywheel, geneva};
 use crate::expr::context::Context;
 use crate::links::link;
 use crate::loads::{balance, gravity, load, mass, spring};
-use crate::motion::{assemble, drive, no_motion, pose, simulation};
+use crate::motion::{assemble, drive, no_motion, pose, simulation, spacing};
 use crate::pairs::pair;
 use crate::requests::definitions;
 use crate::trains::{shaft, size, transmission};
@@ -34,4 +34,5 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     flywheel::flywheels(cx);
     simulation::simulation(cx);
     no_motion::no_motion(cx);
+    spacing::spacing(cx);
 }

@@ -41,7 +41,10 @@ pub fn run(args: &Batch, screen: &Screen) -> Status {
     quiet_panics();
     install();
     let threads = args.threads.unwrap_or(0);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
+    let pool = || rayon::ThreadPoolBuilder::new().stack_size(STACK);
+    // where no thread can be had, this one does the work
+    let pool =
+        pool().num_threads(threads).build().or_else(|_| pool().num_threads(1).use_current_thread().build());
     let done = match pool {
         Ok(pool) => pool.install(|| all(args, screen)),
         Err(error) => Err(CliError::Threads { why: error.to_string() }),

@@ -2,11 +2,11 @@
 
 use super::board::Board;
 use super::request::{Refusal, Request};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::io::{self, BufReader, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -29,6 +29,8 @@ pub struct Site {
     port: u16,
     boards: Mutex<BTreeMap<String, Arc<Board>>>,
     open: AtomicUsize,
+    /// Connections that have sent no request yet, the oldest first.
+    silent: Mutex<VecDeque<(usize, TcpStream)>>,
 }
 
 impl Site {
@@ -36,7 +38,12 @@ impl Site {
     pub fn start(port: u16) -> io::Result<Arc<Self>> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
         let port = listener.local_addr()?.port();
-        let site = Arc::new(Self { port, boards: Mutex::default(), open: AtomicUsize::new(0) });
+        let site = Arc::new(Self {
+            port,
+            boards: Mutex::default(),
+            open: AtomicUsize::new(0),
+            silent: Mutex::default(),
+        });
         let serving = Arc::clone(&site);
         thread::Builder::new().spawn(move || serving.accept(&listener))?;
         Ok(site)
@@ -52,21 +59,42 @@ impl Site {
         Ok(address)
     }
 
+    fn silent(&self) -> MutexGuard<'_, VecDeque<(usize, TcpStream)>> {
+        self.silent.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Closes the oldest connection that has sent nothing, if there is one.
+    fn close_silent(&self) -> bool {
+        let oldest = self.silent().pop_front();
+        oldest.is_some_and(|(_, stream)| stream.shutdown(Shutdown::Both).is_ok())
+    }
+
+    /// A connection has sent its request, or is closed.
+    fn is_heard(&self, number: usize) {
+        self.silent().retain(|(other, _)| *other != number);
+    }
+
     fn accept(self: &Arc<Self>, listener: &TcpListener) {
+        let mut number = 0;
         for stream in listener.incoming() {
             let Ok(stream) = stream else {
                 // no files are left: wait for some
                 thread::sleep(Duration::from_millis(50));
                 continue;
             };
-            if self.open.fetch_add(1, Ordering::Relaxed) >= MOST {
+            number += 1;
+            if self.open.fetch_add(1, Ordering::Relaxed) >= MOST && !self.close_silent() {
                 self.open.fetch_sub(1, Ordering::Relaxed);
                 continue;
+            }
+            if let Ok(other) = stream.try_clone() {
+                self.silent().push_back((number, other));
             }
             let site = Arc::clone(self);
             let answering = move || {
                 // a browser that went away needs no answer
-                let _ = site.answer(&stream);
+                let _ = site.answer(&stream, number);
+                site.is_heard(number);
                 site.open.fetch_sub(1, Ordering::Relaxed);
             };
             if thread::Builder::new().spawn(answering).is_err() {
@@ -75,10 +103,11 @@ impl Site {
         }
     }
 
-    fn answer(&self, stream: &TcpStream) -> io::Result<()> {
+    fn answer(&self, stream: &TcpStream, number: usize) -> io::Result<()> {
         stream.set_read_timeout(Some(PATIENCE))?;
         stream.set_write_timeout(Some(PATIENCE))?;
         let request = Request::read(BufReader::new(stream));
+        self.is_heard(number);
         let found = request.as_ref().map_err(|refusal| *refusal).and_then(|request| {
             let (key, part) = request.page(self.port)?;
             let board = self.boards.lock().unwrap_or_else(PoisonError::into_inner).get(key).cloned();

@@ -35,7 +35,7 @@ fn numbers_stand_at_their_decimal_points() {
 
 #[test]
 fn wide_tables_are_broken_and_repeat_their_keys() {
-    insta::assert_snapshot!(render(&sweep(), Look { colour: false, width: 32 }), @r"
+    insta::assert_snapshot!(render(&sweep(), Look { colour: false, width: 32, fill: false }), @r"
     A title
 
     A note.

@@ -1,6 +1,6 @@
 //! Errors of wheels and transmissions.
 
-use assur_text::diagnostic::{Fix, Problem};
+use assur_text::diagnostic::{Fix, Help, Problem};
 use assur_text::source::Span;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -125,7 +125,7 @@ pub enum TrainError {
     #[diagnostic(code("mech::train::planet_distance"), severity(Warning), help("{help}"))]
     PlanetDistance {
         /// The correction.
-        help: String,
+        help: Help,
         /// The planet's shaft.
         shaft: String,
         /// The first mesh.
@@ -141,6 +141,35 @@ pub enum TrainError {
         first_span: Span,
         /// The second mesh.
         #[label(primary, "an arm of {two}")]
+        second_span: Span,
+    },
+    /// Two wheels on one axis that a planet turns alike.
+    #[error(
+        "`{first}` and `{second}` turn alike: both mesh with planet `{shaft}` from outside, at the ratio {ratio} seen from its \
+         carrier"
+    )]
+    #[diagnostic(
+        code("mech::train::turn_alike"),
+        severity(Advice),
+        help(
+            "for a differential give the carrier a second planet that meshes with `{shaft}`, and let `{second}` mesh with that \
+             one: side wheels of a bevel differential turn in opposite senses"
+        )
+    )]
+    TurnAlike {
+        /// The planet.
+        shaft: String,
+        /// The shaft of the first wheel.
+        first: String,
+        /// The shaft of the second.
+        second: String,
+        /// Speed of the wheels for one of the planet's.
+        ratio: String,
+        /// The first mesh.
+        #[label("turns `{first}`")]
+        first_span: Span,
+        /// The second mesh.
+        #[label(primary, "turns `{second}` in the same sense")]
         second_span: Span,
     },
     /// A rope with a wrong end.
@@ -174,6 +203,7 @@ impl Problem for TrainError {
     fn fixes(&self) -> Vec<Fix> {
         match self {
             Self::Efficiency { help, span, .. } => Fix::quoted(help, *span),
+            Self::PlanetDistance { help, .. } => help.fixes().to_vec(),
             _ => Vec::new(),
         }
     }

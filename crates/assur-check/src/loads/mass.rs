@@ -142,7 +142,26 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
         }
         (None, None) => 0.0,
     };
+    if stated.is_none()
+        && let Some((_, span)) = inertia
+    {
+        without_mass(cx, link, body, turning, span);
+    }
     Some(MassProperties { mass, centre, inertia: about_centre })
+}
+
+/// Notes an inertia without a mass, but of a link that turns about a hinge of the ground: there an inertia may be all that is given.
+fn without_mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning, span: Span) {
+    let whole = !body.iter().any(|member| matches!(member.node, Member::Bad(_)));
+    let has = |p: &PairKind, link| p.links().contains(&link);
+    let about_ground = cx.builder.mech.pairs.iter().map(|p| &p.kind);
+    let about_ground = about_ground.filter(|p| matches!(p, PairKind::Revolute(_)));
+    let fixed = about_ground.into_iter().any(|p| has(p, link) && has(p, LinkId::GROUND));
+    if whole && !fixed && matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
+        let point = cx.point_meant(link).unwrap_or("S").to_owned();
+        let link = cx.builder.mech.link(link).name.clone();
+        cx.error(LinkError::NoMass { link, point, span });
+    }
 }
 
 /// Whether the machine moves with a speed, so that inertia forces act.

@@ -6,4 +6,5 @@ pub mod drive_kind;
 pub mod no_motion;
 pub mod pose;
 pub mod simulation;
+pub mod spacing;
 mod step_size;

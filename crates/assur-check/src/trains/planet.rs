@@ -4,9 +4,10 @@ use crate::error::TrainError;
 use crate::expr::context::Context;
 use crate::statements::lines::{braces, end_text};
 use crate::trains::carrier::centre_on;
-use crate::values::format_value::format_value;
+use crate::values::format_value::{digits, format_value, format_value_like};
 use assur_model::model::{Bearing, LinkId, Pair, PairKind, TransmissionKind, Wheel};
-use assur_syntax::document::Joint;
+use assur_syntax::document::{Joint, WheelSize};
+use assur_text::diagnostic::Help;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use indexmap::IndexMap;
@@ -24,6 +25,12 @@ pub(crate) struct Arm {
     span: Span,
     /// What to write to turn it.
     help: String,
+    /// The wheel that meshes with the planet.
+    other: Wheel,
+    /// The mesh is internal.
+    internal: bool,
+    /// The size of that wheel over the size of the planet's.
+    ratio: f64,
 }
 
 /// Arms of planets as their meshes ask for them, by shaft.
@@ -85,26 +92,53 @@ pub(crate) fn arm(
         let more = braces(&joint.properties, &["internal"]);
         format!("write `{line}{more}` for a ring with inner teeth")
     };
-    let asked = Arm { length, turned, mesh: joint.name.node.clone(), span: joint.name.span, help };
+    let (mesh, span) = (joint.name.node.clone(), joint.name.span);
+    let ratio = other.radius / planet.radius;
+    let asked = Arm { length, turned, mesh, span, help, other: other.clone(), internal, ratio };
     let agree = |a: f64, b: f64| (a - b).abs() <= AGREES * b;
     let before = arms.entry(planet.link).or_default();
+    let alike = before.iter().find(|a| {
+        let outer = !a.internal && !internal && a.other.link != other.link;
+        outer && agree(a.ratio, asked.ratio)
+    });
+    let alike = alike.cloned();
     let odd = before.iter().find(|a| !agree(a.length, length)).cloned();
     before.push(asked.clone());
+    if let Some(first) = alike {
+        let name = |link: LinkId| cx.builder.mech.link(link).name.clone();
+        cx.error(TrainError::TurnAlike {
+            shaft: name(planet.link),
+            first: name(first.other.link),
+            second: name(other.link),
+            ratio: digits(-1.0 / asked.ratio).replacen('-', "−", 1),
+            first_span: first.span,
+            second_span: asked.span,
+        });
+    }
     let Some(first) = odd else { return };
     let modules = cx.builder.mech.open_sizes.iter().any(|s| s.teeth);
     // without a module an arm is a sum of teeth
     let text = |arm: f64| match modules {
-        true => format!("{} teeth", crate::values::format_value::digits(2.0 * arm)),
+        true => format!("{} teeth", digits(2.0 * arm)),
         false => format_value(arm, Dimension::LENGTH),
     };
-    let help = if agree(asked.turned, first.length) {
-        format!("{}; then both arms are {}", asked.help, text(first.length))
+    let help: Help = if agree(asked.turned, first.length) {
+        format!("{}; then both arms are {}", asked.help, text(first.length)).into()
     } else if agree(first.turned, length) {
-        format!("{}; then both arms are {}", first.help, text(length))
+        format!("{}; then both arms are {}", first.help, text(length)).into()
     } else {
-        "make the arms equal: with coaxial wheels sun and planet add, ring and planet subtract; the speeds are the \
-         same in both cases"
-            .into()
+        // a ring is made to fit before a sun
+        let ends = if first.internal {
+            [(&first, length), (&asked, first.length)]
+        } else {
+            [(&asked, first.length), (&first, length)]
+        };
+        let fits = ends.into_iter().find_map(|(arm, due)| fitting(cx, arm, planet, due, &text(due)));
+        fits.unwrap_or_else(|| {
+            "make the arms equal: with coaxial wheels sun and planet add, ring and planet subtract; the speeds are the \
+             same in both cases"
+                .into()
+        })
     };
     let error = TrainError::PlanetDistance {
         help,
@@ -117,6 +151,31 @@ pub(crate) fn arm(
         second_span: asked.span,
     };
     cx.error(error);
+}
+
+/// The size with which a wheel that meshes with a planet asks for an arm.
+fn fitting(cx: &Context<'_>, arm: &Arm, planet: &Wheel, due: f64, then: &str) -> Option<Help> {
+    let Wheel { name, radius: now, .. } = &arm.other;
+    let radius = match (arm.internal, *now > planet.radius) {
+        (false, _) => due - planet.radius,
+        (true, true) => due + planet.radius,
+        (true, false) => planet.radius - due,
+    };
+    let (word, value, size) = match cx.values.sizes.declared.get(name)?.member.size.as_ref()? {
+        WheelSize::Teeth(size) => ("teeth", arm.other.teeth? * radius / now, size),
+        WheelSize::Radius(size) => ("radius", radius, size),
+        WheelSize::Diameter(size) => ("diameter", 2.0 * radius, size),
+    };
+    let value = match word {
+        "teeth" if (value - value.round()).abs() > AGREES => return None,
+        "teeth" => format!("{}", value.round()),
+        _ => format_value_like(&cx.names, value, Dimension::LENGTH, size),
+    };
+    let words = format!(
+        "write `wheel {name} {word} {value}`: then both arms are {then}; with coaxial wheels sun and planet add, ring and \
+         planet subtract; the speeds are found in both cases"
+    );
+    (radius > 0.0).then(|| Help::write(size.span, &[value]).in_words(words))
 }
 
 /// Whether a wheel turns on a carrier that moves.

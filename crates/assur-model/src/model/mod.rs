@@ -19,6 +19,7 @@ mod pair;
 mod request;
 mod shape;
 mod simulation;
+mod spacing;
 mod train;
 
 pub use cam_part::{CAM_PARTS, CamPart};
@@ -39,6 +40,7 @@ pub use numbers::NumberPlaces;
 pub use pair::{Bearing, Bond, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 pub use simulation::{Event, Occasion, Simulation, Situation, Steady, Stop};
+pub use spacing::Spacing;
 pub use train::{Grip, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;

@@ -5,7 +5,10 @@ use super::effort::{EffortKind, in_pair};
 use super::joint::BodyId;
 use super::leave_out::links;
 use super::trial::Trial;
-use crate::model::{LinkId, Mechanism, PairId, PairKind};
+use crate::model::{
+    Drive, Expr, FindKind, Level, LinkId, Mechanism, Pair, PairId, PairKind, Positions, Rate,
+    TransmissionKind,
+};
 
 /// Places tried.
 const MOST_TRIED: usize = 24;
@@ -42,7 +45,8 @@ pub(super) fn efforts_beside(
         if now.surplus > left.surplus || now.missing + with.len() > wanted {
             continue;
         }
-        lines.push(line(trial.mechanism, adds, chosen.len(), kind, &place));
+        let is_ring = is_ring(trial.mechanism, &kind);
+        lines.push(line(trial.mechanism, adds, chosen.len(), kind, &place, is_ring));
         if wanted > 1 || !pairs.is_empty() {
             chosen.push(kind);
         }
@@ -53,11 +57,28 @@ pub(super) fn efforts_beside(
     }
     lines
 }
-fn line(mechanism: &Mechanism, adds: Adds, already: usize, kind: EffortKind, place: &str) -> String {
+
+fn line(
+    mechanism: &Mechanism,
+    adds: Adds,
+    already: usize,
+    kind: EffortKind,
+    place: &str,
+    is_ring: bool,
+) -> String {
     let drive = if mechanism.simulation.is_some() { "start" } else { "drive" };
     match (adds, kind) {
-        (Adds::Drives, EffortKind::Coordinate(_)) => format!("{drive} {place} = 100 mm"),
-        (Adds::Drives, _) => format!("{drive} {place} = 45 deg"),
+        (Adds::Drives, _) => {
+            let (position, speed) = match (kind, is_ring) {
+                (EffortKind::Coordinate(_), _) => (" = 100 mm", " at 100 mm/s"),
+                (_, true) => (" = 0 deg", " at 0 rpm"),
+                (_, false) => (" = 45 deg", " at 60 rpm"),
+            };
+            let only_speeds = !matches!(kind, EffortKind::Coordinate(_)) && only_speeds(mechanism);
+            let position = if only_speeds { "" } else { position };
+            let speed = if drive == "drive" && needs_speed(mechanism) { speed } else { "" };
+            format!("{drive} {place}{position}{speed}")
+        }
         (Adds::Balances, EffortKind::Coordinate(_)) => {
             format!("balance force {} in {place}", free_quantity_name(mechanism, "F", already))
         }
@@ -68,6 +89,43 @@ fn line(mechanism: &Mechanism, adds: Adds, already: usize, kind: EffortKind, pla
             format!("balance torque {} on {place}", free_quantity_name(mechanism, "M", already))
         }
     }
+}
+
+/// Drives give speeds alone, or there is none and all that turns are shafts.
+fn only_speeds(mechanism: &Mechanism) -> bool {
+    let is_shaft = |p: &Pair| p.bearing.is_some() || matches!(p.kind, PairKind::Transmission(_));
+    let is_speed = |d: &Drive| matches!(d.positions, Positions::None);
+    match mechanism.drives.is_empty() {
+        true => needs_speed(mechanism) && mechanism.pairs.iter().all(is_shaft),
+        false => mechanism.drives.iter().all(is_speed),
+    }
+}
+
+/// The other drives have a speed, or a question needs one.
+fn needs_speed(mechanism: &Mechanism) -> bool {
+    let mut needed = mechanism.drives.iter().any(|d| d.speed.is_some());
+    let mut ask = |expr: &Expr| expr.queries(&mut |q| needed |= q.facts().level > Level::Positions);
+    mechanism.quantities.iter().for_each(|q| ask(&q.expr));
+    for find in &mechanism.finds {
+        if let FindKind::Value { expr, .. } = &find.kind {
+            ask(expr);
+        }
+    }
+    needed
+}
+
+/// A ring around other wheels: it is mostly held.
+fn is_ring(mechanism: &Mechanism, kind: &EffortKind) -> bool {
+    let EffortKind::Angle(body) = kind else { return false };
+    mechanism.pairs.iter().any(|pair| match &pair.kind {
+        PairKind::Transmission(t) if t.kind == TransmissionKind::Mesh => {
+            let terms = t.laws.first().map(|law| law.terms.as_slice());
+            let Some([(Rate::Turn(a), c_1), (Rate::Turn(b), c_2), ..]) = terms else { return false };
+            let ring = if c_1.abs() > c_2.abs() { a } else { b };
+            c_1 * c_2 < 0.0 && ring.index() == body.0
+        }
+        _ => false,
+    })
 }
 
 /// `M1`, `M2`, … without those that the file has.
@@ -109,7 +167,7 @@ fn places(trial: Trial<'_>, among: &[BodyId]) -> Vec<(EffortKind, String)> {
     // last, the angle of any link: it may get its pair by the same help
     let names = loose.iter().map(|l| (l, &mechanism.link(*l).name)).filter(|(_, name)| !name.contains('.'));
     found.extend(names.map(|(l, name)| (3, EffortKind::Angle(BodyId(l.index())), name.clone())));
-    found.sort_by_key(|f| f.0);
+    found.sort_by_key(|f| (f.0, !is_ring(mechanism, &f.1)));
     let mut places: Vec<(EffortKind, String)> = Vec::new();
     for (_, kind, name) in found {
         // a shaft and its bearing have one name

@@ -12,8 +12,9 @@ use super::joint::{BodyId, JointKind, Replaced};
 use super::leave_out::{Repair, links, one_of};
 use super::names::{MOST_LABELS, names};
 use super::repeated::repeated;
+use super::ring::locked;
 use super::trial::Trial;
-use crate::model::Mechanism;
+use crate::model::{DriveTarget, Expr, Grip, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value};
 use crate::source::Span;
 
 /// Overconstrained parts described.
@@ -129,11 +130,21 @@ fn sum(trial: Trial<'_>, part: &Part) -> String {
     let moving = moving(trial, part);
     let names = names(trial.mechanism, links(trial.replaced, &moving));
     let (free, taken) = (counted(part.freedoms, "freedom"), part.taken());
+    if let Some(why) = locked(trial.mechanism, part) {
+        return why;
+    }
     if !is_rigid(part) {
         let surplus = counted(part.surplus, "condition");
-        return format!(
-            "{names} have {surplus} too many at the marked joints: joints at one point repeat each other"
-        );
+        let is_wheels =
+            |p: &(PairId, usize)| matches!(trial.mechanism.pair(p.0).kind, PairKind::Transmission(_));
+        let why = match part.pairs.as_slice() {
+            [] => "two of them drive the same",
+            pairs if pairs.iter().all(is_wheels) => {
+                "a ring of transmissions turns only where its ratios agree"
+            }
+            _ => "joints at one point repeat each other",
+        };
+        return format!("{names} have {surplus} too many at the marked joints: {why}");
     }
     if moving.len() == part.bodies.len() {
         return format!("{names} have {free} relative to each other and lose {taken} at the marked joints");
@@ -153,9 +164,46 @@ fn to_leave_out(trial: Trial<'_>, defect: &Defect) -> String {
     parts.join(";\n")
 }
 
+/// Two shafts that begin at speeds of their own, with a clutch between them: it slips until the speeds are equal.
+fn slipping(trial: Trial<'_>, part: &Part) -> Option<String> {
+    let mechanism = trial.mechanism;
+    let ([(pair, _)], [_, _]) = (part.pairs.as_slice(), part.efforts.as_slice()) else { return None };
+    let PairKind::Transmission(t) = &mechanism.pair(*pair).kind else { return None };
+    let speed = |l: LinkId| {
+        let start = mechanism.drives.iter().find(|d| d.free && d.target == DriveTarget::Link(l))?;
+        match start.speed {
+            Some(Expr::Constant(Value::Scalar(speed))) => Some(speed),
+            Some(_) => None,
+            None => Some(0.0),
+        }
+    };
+    let [first, second] = t.links.as_slice() else { return None };
+    let (one, other) = (speed(*first)?, speed(*second)?);
+    if t.kind != TransmissionKind::Clutch || one == other {
+        return None;
+    }
+    let faster = if one > other { [first, second] } else { [second, first] };
+    let [a, b] = faster.map(|l| mechanism.link(*l).name.as_str());
+    let name = &mechanism.pair(*pair).name;
+    let torque = t.grip.map_or(1.0, Grip::capacity);
+    let line = |on: &str, sign: &str| {
+        format!("torque {name}_{on} on {on} = {sign}{torque} N*m when omega({a}) > omega({b})")
+    };
+    Some(with_lines(
+        &format!(
+            "the speeds of `{a}` and `{b}` differ, and a clutch that slips is two loads until they are equal; write in place of \
+             `clutch {name}`"
+        ),
+        &[line(a, "-"), line(b, "")],
+    ))
+}
+
 /// How one overconstrained part becomes sound: changes that do it by themselves come first.
 fn of_part(repair: Repair<'_>) -> String {
     let Repair { trial, part, .. } = repair;
+    if let Some(text) = slipping(trial, part) {
+        return text;
+    }
     let sum = sum(trial, part);
     if let Some([first, second]) = repair.repeated() {
         let name = |p| &trial.mechanism.pair(p).name;

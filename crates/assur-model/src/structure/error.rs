@@ -125,7 +125,7 @@ pub enum StructureError {
         labels: Vec<LabeledSpan>,
     },
     /// A link or guide that only repeats others of its kind.
-    #[error("{what} repeats what {others} already: {how}")]
+    #[error("{what} {} what {others} already: {how}", if what.contains("` and `") { "repeat" } else { "repeats" })]
     #[diagnostic(code(mech::determinacy::repeated))]
     Repeated {
         /// The link or pair.

@@ -31,6 +31,7 @@ mod renumber;
 mod repeated;
 mod replace;
 mod result;
+mod ring;
 mod roller;
 mod trial;
 

@@ -7,6 +7,7 @@ use super::defect::Defect;
 use super::error::{StructureError, label, listed};
 use super::joint::{BodyId, BodyOrigin, JointKind, Replaced};
 use super::leave_out::{pairs_of, statement};
+use super::ring::repeated_mesh;
 use super::trial::Trial;
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId};
@@ -23,7 +24,9 @@ struct Bar {
 
 /// What may be left out and changes nothing, in the part with a condition too many.
 pub(super) fn repeated(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<StructureError> {
-    repeated_guide(trial, count, defect).or_else(|| repeated_link(trial, count, defect))
+    repeated_guide(trial, count, defect)
+        .or_else(|| repeated_link(trial, count, defect))
+        .or_else(|| repeated_mesh(trial, count, defect))
 }
 
 fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<StructureError> {

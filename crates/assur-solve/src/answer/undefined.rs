@@ -29,8 +29,8 @@ pub enum NoExtreme {
     Slides,
     /// There are several drives, or none.
     Drives,
-    /// The drive cannot turn fully; the last value, rad, at which the mechanism closes.
-    NoTurn(Option<f64>),
+    /// The drive cannot turn fully; the ends of a range, rad, in which the mechanism closes.
+    NoTurn(Option<[f64; 2]>),
     /// It does not go to and fro.
     Monotonic,
 }

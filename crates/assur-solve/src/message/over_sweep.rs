@@ -3,6 +3,7 @@
 use super::error::SolveError;
 use super::flywheel_error::FlywheelError;
 use super::format::{four, label, short, with_unit};
+use super::speeds::rates;
 use crate::answer::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
 use crate::language::Function;
 use crate::model::{Flywheel, PairId};
@@ -47,31 +48,65 @@ pub(super) fn no_extreme(
             mark("slides");
             (
                 format!("it needs a drive that turns, but `{name}` slides"),
-                "drive the crank: the extremes are found over one turn of it",
+                "drive the crank: the extremes are found over one turn of it".to_owned(),
             )
         }
         NoExtreme::Drives => {
             mark("one of the drives");
             (
                 format!("it needs exactly one drive that turns, but there are {}", drives.len()),
-                "use one drive: with several drives the extremes over one turn are not defined",
+                "use one drive: with several drives the extremes over one turn are not defined".to_owned(),
             )
         }
         NoExtreme::NoTurn(limit) => {
             mark("does not turn fully");
-            let at = limit
-                .map_or_else(|| "at 0 deg".to_owned(), |x| format!("beyond {} deg", four(x.to_degrees())));
-            (
-                format!("`{name}` cannot turn fully: the mechanism does not close {at}"),
-                "give the positions as numbers, or change the lengths so that the shortest link turns fully",
-            )
+            not_fully(model, (function, &pair.name), limit)
         }
         NoExtreme::Monotonic => (
             format!("the coordinate of `{}` does not move forth and back", pair.name),
-            "name the pair of a link that swings or slides between two ends",
+            "name the pair of a link that swings or slides between two ends".to_owned(),
         ),
     };
-    SolveError::NoExtreme { what, why, help: help.to_owned(), labels }
+    SolveError::NoExtreme { what, why, help, labels }
+}
+
+/// A drive that does not turn fully: where it can be, and what to write instead.
+fn not_fully(
+    model: &Model<'_>,
+    (function, pair): (Function, &str),
+    limit: Option<[f64; 2]>,
+) -> (String, String) {
+    let drive = model.mechanism.drives.first();
+    let name = drive.map_or("", |d| d.name.as_str());
+    let Some([from, to]) = limit.map(|ends| ends.map(f64::to_degrees)) else {
+        return (
+            format!("`{name}` cannot turn fully: the mechanism closes at no angle of it"),
+            "change the lengths so that the shortest link turns fully".to_owned(),
+        );
+    };
+    // the ends themselves are dead positions
+    let (first, last) = ((from + 0.5).ceil(), (to - 0.5).floor());
+    let rates = drive.map_or_else(String::new, |d| rates(model.mechanism, d));
+    let range = match first < last {
+        true => format!("write `drive {name} = {first} deg .. {last} deg in 12 steps{rates}`"),
+        false => "change the lengths so that the shortest link turns fully".to_owned(),
+    };
+    let also = match function {
+        Function::Stroke => {
+            format!(
+                ", and `max(displacement({pair})) - min(displacement({pair}))` in place of `stroke({pair})`"
+            )
+        }
+        _ => String::new(),
+    };
+    (
+        format!(
+            "`{name}` cannot turn fully: the mechanism closes from {} deg to {} deg only",
+            four(from),
+            four(to)
+        ),
+        range + &also,
+    )
 }
 
 /// There is no sweep to take functions over.

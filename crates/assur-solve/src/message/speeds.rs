@@ -46,7 +46,19 @@ pub(super) fn needs_speed(
 pub(super) fn empty_range(mechanism: &Mechanism, drive: DriveId, at: f64) -> SolveError {
     let drive = &mechanism.drives[drive.index()];
     let from = drive.written.as_deref().and_then(|written| written.split(" .. ").next()).unwrap_or("…");
-    let (position, turns) = (mechanism.drive_display(drive.target), turns(mechanism, drive));
+    let position = mechanism.drive_display(drive.target);
+    let line = format!("drive {} = {from}{}", drive.name, rates(mechanism, drive));
+    SolveError::EmptyRange {
+        name: drive.name.clone(),
+        at: position.text(Value::Scalar(at), DIGITS),
+        help: format!("write `{line}`, or another end of the range"),
+        span: drive.span.into(),
+    }
+}
+
+/// Speed, acceleration and sense of a drive, as they are written.
+pub(super) fn rates(mechanism: &Mechanism, drive: &Drive) -> String {
+    let turns = turns(mechanism, drive);
     let rate = |rate: &Option<Expr>, word: &str, dimension: Dimension| match rate {
         None => String::new(),
         Some(Expr::Constant(value)) => {
@@ -75,14 +87,7 @@ pub(super) fn empty_range(mechanism: &Mechanism, drive: DriveId, at: f64) -> Sol
         }
         None => "",
     };
-    let rates = rate(&drive.speed, "at", speed) + &rate(&drive.acceleration, "accelerating", acceleration);
-    let line = format!("drive {} = {from}{rates}{sense}", drive.name);
-    SolveError::EmptyRange {
-        name: drive.name.clone(),
-        at: position.text(Value::Scalar(at), DIGITS),
-        help: format!("write `{line}`, or another end of the range"),
-        span: drive.span.into(),
-    }
+    rate(&drive.speed, "at", speed) + &rate(&drive.acceleration, "accelerating", acceleration) + sense
 }
 
 /// Damping where nothing moves.

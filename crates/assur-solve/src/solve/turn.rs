@@ -13,8 +13,8 @@ use std::f64::consts::TAU;
 pub(super) enum NoTurn {
     /// The first position has several assemblies, or none that is as the hints say.
     NotAssembled(Box<Cause>),
-    /// Over the turn; the last drive value that closes, where one does.
-    Open(Option<f64>),
+    /// Over the turn; the ends of a range of drive values that close, where one does.
+    Open(Option<[f64; 2]>),
 }
 
 /// One turn of the drive, sampled with unit speed.
@@ -44,9 +44,11 @@ impl Turn {
         let mut start = State::new(model.plan);
         let values = [DriveValue::Scalar(0.0)];
         rates.at(&values, &mut start.motion.inputs);
-        let mut state = assemble(model, start).map_err(|cause| {
-            if cause.is_open() { NoTurn::Open(None) } else { NoTurn::NotAssembled(Box::new(cause)) }
+        let mut state = assemble(model, start).map_err(|cause| match cause.is_open() {
+            true => NoTurn::Open(range(model, &rates)),
+            false => NoTurn::NotAssembled(Box::new(cause)),
         })?;
+        let first = Tracker::new(model, state.clone(), &values);
         let mut tracker = Tracker::new(model, state.clone(), &values);
         let mut samples = Vec::with_capacity(SAMPLES + 1);
         for i in 0..=SAMPLES {
@@ -54,11 +56,7 @@ impl Turn {
             let at = TAU * i as f64 / SAMPLES as f64;
             let target = [DriveValue::Scalar(at)];
             if i > 0 && tracker.go(model, &rates, &target).is_err() {
-                let limit = tracker.limit(model, &rates, &target);
-                return Err(NoTurn::Open(limit.first().and_then(|v| match v {
-                    DriveValue::Scalar(x) => Some(*x),
-                    _ => None,
-                })));
+                return Err(NoTurn::Open(Some(ends(model, &rates, &first, 0.0))));
             }
             state.start_from(&tracker.state);
             rates.at(&target, &mut state.motion.inputs);
@@ -120,6 +118,31 @@ impl Turn {
         let x = crate::math::root(a.at, end, ends[0], ends[1], |x| at(x).1);
         (x, at(x).0)
     }
+}
+
+/// Steps of a turn in which a position that closes is sought.
+const SOUGHT: i32 = 36;
+
+/// The ends of the first range that closes.
+fn range(model: &Model<'_>, rates: &Rates) -> Option<[f64; 2]> {
+    (1..SOUGHT).find_map(|i| {
+        let at = TAU * f64::from(i) / f64::from(SOUGHT);
+        let mut start = State::new(model.plan);
+        rates.at(&[DriveValue::Scalar(at)], &mut start.motion.inputs);
+        let state = assemble(model, start).ok()?;
+        Some(ends(model, rates, &Tracker::new(model, state, &[DriveValue::Scalar(at)]), at))
+    })
+}
+
+/// How far the mechanism closes on both sides of a position.
+fn ends(model: &Model<'_>, rates: &Rates, from: &Tracker, at: f64) -> [f64; 2] {
+    [-TAU, TAU].map(|way| {
+        let limit = from.clone().limit(model, rates, &[DriveValue::Scalar(at + way)]);
+        match limit.first() {
+            Some(DriveValue::Scalar(x)) => *x,
+            _ => at,
+        }
+    })
 }
 
 /// Coordinate and its derivative with respect to the drive.

@@ -8,7 +8,8 @@ use assur_text::units::lookup;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     quotes_inside(case)
-        .or_else(|| square_brackets(case))
+        .or_else(|| square_brackets(case).filter(|_| case.what != What::Header))
+        .or_else(|| unit_before_name(case))
         .or_else(|| unit_in_parentheses(case))
         .or_else(|| raised(case))
         .or_else(|| in_parentheses(case))
@@ -74,6 +75,27 @@ fn unit_in_parentheses(case: &Case<'_>) -> Option<SyntaxError> {
         wanted: "[".to_owned(),
         at: case.span(open, 1),
         help: case.help(0, case.slice.len(), &new),
+    })
+}
+
+/// `[mm] r` in the header of a table: the unit comes after the name.
+fn unit_before_name(case: &Case<'_>) -> Option<SyntaxError> {
+    let header = case.what == What::Header && case.slice.contains('[');
+    let columns = case.slice.split(',').filter(|_| header);
+    let turned = columns.map(|column| {
+        let (unit, name) = column.trim().strip_prefix('[')?.split_once(']')?;
+        Some(format!("{} [{unit}]", name.trim()))
+    });
+    let turned: Vec<Option<String>> = turned.collect();
+    let written: Vec<&str> = case.slice.split(',').map(str::trim).collect();
+    let (first, new) = written.iter().zip(&turned).find_map(|(old, new)| Some((*old, new.as_ref()?)))?;
+    let line = written.iter().zip(&turned).map(|(old, new)| new.as_deref().unwrap_or(old));
+    let line = line.collect::<Vec<_>>().join(", ");
+    case.reads(&line).then(|| SyntaxError::OtherWord {
+        found: first.to_owned(),
+        wanted: new.clone(),
+        at: case.span(case.slice.find(first).unwrap_or_default(), first.len()),
+        help: case.help(0, case.slice.trim_end().len(), &line),
     })
 }
 

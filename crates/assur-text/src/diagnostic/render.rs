@@ -101,6 +101,10 @@ impl fmt::Debug for Shown<'_> {
                 GraphicalReportHandler::new_themed(theme)
                     .with_width(width)
                     .with_links(false)
+                    // no name, number or unit is broken
+                    .with_break_words(false)
+                    .with_word_separator(textwrap::WordSeparator::AsciiSpace)
+                    .with_word_splitter(textwrap::WordSplitter::NoHyphenation)
                     .debug(&self.problem, f)
             }
             Style::Narrated => NarratableReportHandler::new().debug(&self.problem, f),

@@ -95,6 +95,7 @@ pub const CODES: &[Code] = codes! {
     "geometry" / "drive_without_position",
     "geometry" / "steps",
     "geometry" / "empty_range",
+    "geometry" / "spacing",
     "geometry" / "positions_differ",
     "geometry" / "not_driven",
     "geometry" / "pose_incomplete",
@@ -193,6 +194,7 @@ pub const CODES: &[Code] = codes! {
     "train" / "internal",
     "train" / "centre_distance",
     "train" / "planet_distance",
+    "train" / "turn_alike",
     "train" / "rope_end",
     "train" / "efficiency",
 

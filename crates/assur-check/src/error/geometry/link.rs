@@ -219,6 +219,24 @@ pub enum LinkError {
         #[label("the whole mass at one point")]
         span: Span,
     },
+    /// An inertia without a mass.
+    #[error(
+        "`{link}` moves and has an inertia but no mass: its weight and the force of its mass are left out"
+    )]
+    #[diagnostic(
+        code("mech::geometry::point_mass"),
+        severity(Advice),
+        help("add `mass 1 kg at {point}` with its own value")
+    )]
+    NoMass {
+        /// The link.
+        link: String,
+        /// Where a mass may be.
+        point: String,
+        /// The inertia.
+        #[label("without a mass")]
+        span: Span,
+    },
     /// A mass on the link that does not move.
     #[error("the ground is fixed, so its {what} has no effect")]
     #[diagnostic(

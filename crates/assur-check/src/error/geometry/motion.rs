@@ -152,6 +152,22 @@ pub enum MotionError {
         #[label("one position, in several steps")]
         span: Span,
     },
+    /// Numbers that are too far apart.
+    #[error("numbers near {at} are {step} apart, too much for {against} and the six digits that are printed")]
+    #[diagnostic(code("mech::geometry::spacing"), severity(Warning), help("{help}"))]
+    Spacing {
+        /// The coordinate or the angle.
+        at: String,
+        /// From a number to the next there.
+        step: String,
+        /// What is to be resolved.
+        against: String,
+        /// The correction.
+        help: &'static str,
+        /// The point, the line or the drive.
+        #[label("far from zero")]
+        span: Span,
+    },
     /// A step that gives no number of steps.
     #[error("{message}")]
     #[diagnostic(code("mech::geometry::steps"), help("{help}"))]

@@ -20,6 +20,8 @@ const LARGEST_STEP: f64 = 1e-4;
 const LARGEST_GAP: f64 = 1e-8;
 /// So many positions are held against a reference that takes its time.
 const FEW: usize = 8;
+/// Coordinates and angles greater than this, for the shortest link or for a radian, cost digits that show.
+const ROUNDED: f64 = 1e6;
 /// What rounding alone may do, in units of ε/σ^k: see docs/stability.md.
 const ROUNDING: f64 = 64.0;
 
@@ -112,7 +114,10 @@ pub fn reached(model: &Model<'_>, solution: &Solution, within: f64) -> AchievedA
                 / condition.powi(power)
         }
     };
-    let error = error.max(estimated(&solution.statics));
+    // digits that no number of the file has are in no answer
+    let coarsest = model.mechanism.coarsest().map_or(0.0, |s| s.relative()).max(f64::EPSILON);
+    let lost = if coarsest > ROUNDED * f64::EPSILON { coarsest } else { 0.0 };
+    let error = error.max(lost).max(estimated(&solution.statics));
     AchievedAccuracy { within, error, source, settings, positions: got.len() }
 }
 
