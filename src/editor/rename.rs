@@ -2,6 +2,7 @@
 
 use super::Analysis;
 use super::names::Names;
+use assur_syntax::is_reserved;
 use assur_text::diagnostic::Problem;
 use assur_text::source::{Edit, Source, Span, edited};
 use indexmap::IndexMap;
@@ -30,6 +31,9 @@ impl Analysis {
     /// What the text with the new name would be wrong with, or that it would mean something else.
     pub fn rename(&self, byte: usize, name: &str) -> Result<Vec<Edit>, String> {
         let places = self.names.together(self.renamable(byte)?);
+        if is_reserved(name) {
+            return Err(format!("`{name}` is a word of the language and cannot be a name"));
+        }
         let edits = places.into_iter().map(|at| Edit::new(at, name)).collect::<Vec<_>>();
         let after = Self::of(Source::new(&*self.source.name, edited(&self.source.text, &edits)));
         if let Some(problem) = self.new_error(&after) {

@@ -3,7 +3,10 @@
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
 use assur::internals::exercise::grade::Sheet;
+use assur::internals::report::text::{self, Look};
+use assur::internals::report::{self, AccuracyShown, Precision};
 use assur::internals::source::Source;
+use proptest::prelude::*;
 
 fn said(text: &str, set: &[(&str, &str)]) -> String {
     let source = Source::new("great.mech", text);
@@ -41,4 +44,81 @@ fn columns_that_the_key_does_not_have_are_reported_together() {
         let kept: usize = sheet.left_out.iter().map(|(source, _)| source.text.len()).sum();
         assert!(kept < 1_000, "{count}: {kept} bytes");
     }
+}
+
+/// Coordinates and angles at which numbers are farther apart than the digits that are printed.
+#[test]
+fn digits_that_numbers_do_not_have_are_a_warning() {
+    let far = include_str!("../cases/use3/limits/far-origin.mech");
+    let angle = include_str!("../cases/use3/limits/great-angle.mech");
+    for (case, words) in [(far, "numbers near 1e12 m are"), (angle, "numbers near 1e17 deg are")] {
+        assert!(said(case, &[]).contains(words), "{}", said(case, &[]));
+        let source = Source::new("great.mech", case);
+        let (compiled, _) = assur::internals::compile(&source, &Overrides::none());
+        let (solved, problems) = assur::internals::solve_within(compiled.expect("compiled"), Some(1e-9));
+        assert!(problems.has_errors(), "the accuracy is not reached");
+        // 2e-3 of the shortest link, 0.4 rad
+        let reached = solved.ok().and_then(|s| s.reached).expect("measured");
+        assert!(!reached.is_kept() && reached.error > 1e-3, "{}", reached.error);
+    }
+    // at 1e3 m and 1e3 deg nothing is lost that shows
+    let near = far.replace("1e12 m", "1e3 m");
+    assert_eq!(said(&near, &[]), "");
+    assert_eq!(said(&angle.replace("1e17", "1e5"), &[]), "");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    /// Wherever a number is huge or tiny, nothing printed is `inf` or `NaN`.
+    #[test]
+    fn nothing_printed_is_no_number(place in 0usize..64, power in -110i32..110, digit in 1u8..10, file in 0usize..4) {
+        let text = [
+            include_str!("../../examples/crank-slider.mech"),
+            include_str!("../../examples/loads/spring.mech"),
+            include_str!("../../examples/drives/slider-drive.mech"),
+            include_str!("../../examples/friction/crank-slider.mech"),
+        ][file];
+        let text = text.split("\nexpect").next().unwrap_or_default();
+        let numbers = numbers(text);
+        let (start, end) = numbers[place % numbers.len()];
+        let text = format!("{}{digit}e{power}{}\n", &text[..start], &text[end..]);
+        let source = Source::new("great.mech", &*text);
+        let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
+        let mut out = render(&problems, &source, Style::PLAIN);
+        if let Some(solved) = &solved {
+            let answers = solved.answers(Precision::READABLE);
+            out += &text::render(&report::of_answers("great", &answers, AccuracyShown::EveryPose), Look::PLAIN);
+            out += &report::json::render("great", Some(&answers.model), Some(&answers), &problems.views(&source));
+        }
+        let words = out.split(|c: char| !c.is_alphanumeric()).map(str::to_lowercase);
+        let bad = words.filter(|w| w == "inf" || w == "nan" || w == "infinity").count();
+        prop_assert!(bad == 0, "{}\n{}", text, out);
+    }
+}
+
+/// Where numbers are in statements.
+fn numbers(text: &str) -> Vec<(usize, usize)> {
+    let mut found = Vec::new();
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        let code = if line.starts_with("mech") || line.starts_with("//") { "" } else { line };
+        let bytes = code.as_bytes();
+        let mut i = 0;
+        while i < bytes.len() {
+            let begins = bytes[i].is_ascii_digit()
+                && (i == 0 || !bytes[i - 1].is_ascii_alphanumeric() && bytes[i - 1] != b'_');
+            let mut end = i;
+            while end < bytes.len() && (bytes[end].is_ascii_digit() || bytes[end] == b'.') {
+                end += 1;
+            }
+            if begins && end < bytes.len() && bytes[end] == b' ' && line.contains('=') | line.contains("link")
+            {
+                found.push((at + i, at + end));
+            }
+            i = end.max(i + 1);
+        }
+        at += line.len();
+    }
+    found
 }

@@ -316,6 +316,27 @@ fn the_program_speaks_on_its_streams() {
     assert!(out.stdout.contains("-32700") && out.stdout.contains("capabilities"), "{}", out.stdout);
 }
 
+/// Where the next message begins is not known any more: it says so and ends.
+#[test]
+fn a_stream_without_its_framing_ends_it() {
+    let folder = Folder::new("lsp-lost");
+    let initialize =
+        json!({ "jsonrpc": "2.0", "id": 1, "method": "initialize", "params": { "capabilities": {} } });
+    let first = framed(&[initialize.to_string()]);
+    for rest in [
+        "{\"jsonrpc\": \"2.0\"}\r\n\r\n",
+        "Content-Length: x\r\n\r\n{}",
+        "\r\n",
+        "Content-Length: 99999999999\r\n\r\n{}",
+    ] {
+        let out = with_input(&folder, &["lsp"], &format!("{first}{rest}{first}"));
+        assert_eq!(out.status, 2, "{rest}");
+        assert!(out.stderr.contains("a message without a Content-Length"), "{rest}: {}", out.stderr);
+        assert_eq!(out.stdout.matches("capabilities").count(), 1, "{rest}: what follows is not read");
+        assert!(out.stdout.contains("-32700"), "{rest}: {}", out.stdout);
+    }
+}
+
 #[test]
 fn names_lead_to_their_places() {
     let text = "given φ = 5 mm\nground { B (0, 0) }\nlink crank B-C φ\nrevolute B: ground - crank\ndrive crank = 4 deg\nfind velocity(C)\n";
@@ -355,4 +376,9 @@ fn names_lead_to_their_places() {
     let renamed = text.replace("B (", "Ω (").replace("B-C", "Ω-C").replace("B:", "Ω:");
     assert_eq!(applied(text, &edits), renamed);
     assert_eq!(ask("rename", 3, 9, &json!({ "newName": "crank" })), "`crank` is declared twice");
+    for word in ["at", "and", "in", "module"] {
+        let refused = format!("`{word}` is a word of the language and cannot be a name");
+        assert_eq!(ask("rename", 3, 9, &json!({ "newName": word })), refused);
+        assert_eq!(ask("rename", 2, 5, &json!({ "newName": word })), refused);
+    }
 }

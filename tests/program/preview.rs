@@ -194,6 +194,41 @@ fn a_change_of_the_file_arrives_and_errors_keep_the_picture() {
     assert!(empty["diagnostics"].as_str().unwrap().contains("the file is empty"), "{empty}");
 }
 
+/// Connections that say nothing make room for one that asks.
+#[test]
+fn silent_connections_do_not_keep_a_browser_out() {
+    let folder = Folder::new("preview-silent").with("crank.mech", CRANK);
+    let preview = Preview::of(&folder, &["crank.mech"]);
+    let silent: Vec<TcpStream> = (0..70).map(|_| preview.connect()).collect();
+    let begun = Instant::now();
+    for _ in 0..10 {
+        assert_eq!(status(&preview.get("")), "200 OK");
+    }
+    assert!(begun.elapsed() < Duration::from_secs(5), "{:?}", begun.elapsed());
+    drop(silent);
+}
+
+/// What becomes a pipe is said, and a file in its place is shown again.
+#[test]
+fn a_file_that_becomes_a_pipe_is_said() {
+    let folder = Folder::new("preview-pipe").with("crank.mech", CRANK);
+    let preview = Preview::of(&folder, &["crank.mech"]);
+    let mut events = preview.events();
+    events();
+    std::fs::remove_file(folder.path("crank.mech")).unwrap();
+    assert!(Command::new("mkfifo").arg(folder.path("crank.mech")).status().unwrap().success());
+    let begun = Instant::now();
+    while !events().to_string().contains("is none") {
+        assert!(begun.elapsed() < PATIENCE);
+    }
+    std::fs::remove_file(folder.path("crank.mech")).unwrap();
+    std::fs::write(folder.path("crank.mech"), CRANK.replace("100 mm", "120 mm")).unwrap();
+    while events().to_string().contains("is none") {
+        assert!(begun.elapsed() < PATIENCE);
+    }
+    assert_eq!(status(&preview.get("picture")), "200 OK");
+}
+
 #[test]
 fn names_in_a_picture_are_escaped() {
     let text = CRANK.replace("mech 1\n", "mech 1\nmechanism \"</script><script>alert(1)</script>\"\n");

@@ -26,6 +26,7 @@ pub use comma::{between_digits, readings};
 pub use confusables::skeleton;
 pub use error::SyntaxError;
 pub use tokens::{Token, TokenKind};
+pub use words::is_reserved;
 
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Source, Span};

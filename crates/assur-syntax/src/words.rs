@@ -149,7 +149,7 @@ pub(super) fn is_called(word: &str) -> bool {
 }
 
 /// Whether a word cannot be a name.
-pub(super) fn is_reserved(word: &str) -> bool {
+pub fn is_reserved(word: &str) -> bool {
     words_of(Place::Connecting).chain(words_of(Place::Law)).any(|w| w == word)
 }
 

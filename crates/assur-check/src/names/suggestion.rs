@@ -32,6 +32,12 @@ pub fn suggestion(name: &str, at: Span, all: &[&str], kind: &str) -> Option<Help
     if let Some(stem) = all.iter().find(|known| **known == stem) {
         return Some(Help::write(at, &[(*stem).to_owned()]).in_words(format!("did you mean `{stem}`?")));
     }
+    // `S` where there is `S2` alone
+    let numbered =
+        |known: &&&str| known.strip_prefix(name).is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()));
+    if let [only] = all.iter().filter(numbered).collect::<Vec<_>>()[..] {
+        return Some(Help::write(at, &[(*only).to_owned()]).in_words(format!("did you mean `{only}`?")));
+    }
     match all.len() {
         0 => None,
         1..=8 => Some(format!("the {kind} are {}", quoted(all).join(", ")).into()),

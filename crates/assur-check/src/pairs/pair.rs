@@ -219,7 +219,10 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
                 crate::names::lookalikes::difference(name, point, "here", &format!("in `{link}.{point}`"));
             format!("name the pair `{point}`: {how}")
         }
-        None => elsewhere.or_else(|| write_one(&cx.lines_meant(joint, joint.kind.node))).unwrap_or(choices),
+        None => elsewhere
+            .or_else(|| guided(cx, joint))
+            .or_else(|| write_one(&cx.lines_meant(joint, joint.kind.node)))
+            .unwrap_or(choices),
     };
     let name = name.clone();
     cx.problems.reported.insert(("point", format!("{link}.{name}")));
@@ -233,6 +236,26 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
         span: end.span,
         pair: joint.name.span,
     });
+}
+
+/// The prismatic pair that may be meant where a hinge names a link with a line that no pair uses.
+fn guided(cx: &Context<'_>, joint: &Joint) -> Option<String> {
+    let unused = |line: &str| {
+        !cx.doc.statements.iter().any(|s| match &s.node {
+            Statement::Joint(other) => other.ends.iter().any(|end| match end {
+                End::At(path) => path.tail.as_ref().is_some_and(|tail| tail.node == line),
+                End::Over(_) | End::Under(_) => false,
+            }),
+            _ => false,
+        })
+    };
+    let [End::At(a), End::At(b)] = joint.ends.as_slice() else { return None };
+    let lines = [a, b].into_iter().filter_map(|path| cx.find_link(&path.head.node));
+    let mut lines = lines.flat_map(|link| cx.names.inside[link.index()].lines.keys());
+    if joint.kind.node != JointKind::Revolute || !lines.any(|line| unused(line)) {
+        return None;
+    }
+    write_one(&cx.lines_meant(joint, JointKind::Prismatic))
 }
 
 /// The point that the ground lacks, where the other link has it.

@@ -88,6 +88,10 @@ impl Context<'_> {
             let effort = || if alone { self.no_balance(&name.node) } else { None };
             let results = || if alone { self.results_by_name(&name.node) } else { None };
             let listed = suggestion(&name.node, name.span, &all, "quantities");
+            let listed = listed.map(|help| match help.fixes() {
+                [] => beside_a_list(&help, name),
+                _ => help,
+            });
             let help = pi().or_else(|| unit().or_else(effort).or_else(results).map(Help::from));
             let alone = || self.function_alone(&name.node, name.span).map(Help::from);
             let help = help.or_else(alone).or(listed);
@@ -95,6 +99,16 @@ impl Context<'_> {
             NameError::Unknown { kind: "quantity", name, owner: None, span, help }
         };
         self.error(error);
+    }
+}
+
+/// What a name may be that is near none of those that there are: a unit with a slip, or a value to be given.
+fn beside_a_list(list: &Help, name: &Name) -> Help {
+    let nearest = lookup(&name.node).err().map(|error| error.nearest().to_vec()).unwrap_or_default();
+    match nearest.first().filter(|_| name.node.chars().count() > 2) {
+        Some(unit) => Help::write(name.span, &[unit.clone()])
+            .in_words(format!("write `{unit}` if the unit is meant; {list}")),
+        None => format!("{list}; a new one is a line `given {} = …`", name.node).into(),
     }
 }
 

@@ -287,6 +287,19 @@ fn size(cx: &mut Context<'_>, expr: &Expr, dimension: Dimension, what: &str) -> 
         cx.error(RequestError::NotConstant { what: what.to_owned(), result, span });
         return None;
     }
+    // the module of a wheel is that of all that mesh with it
+    let place = format!("{} {}", expr.span.start, expr.span.end);
+    if cx.problems.reported.contains(&("size", place.clone())) {
+        return None;
+    }
+    let found = read_size(cx, expr, dimension, what);
+    if found.is_none() {
+        cx.problems.reported.insert(("size", place));
+    }
+    found
+}
+
+fn read_size(cx: &mut Context<'_>, expr: &Expr, dimension: Dimension, what: &str) -> Option<f64> {
     let typed = cx.read(expr).filter(|t| !t.pending)?;
     let value = fold::scalar(&cx.fit(typed, Want(dimension).0, what, expr)?.expr)?;
     positive_value(cx, value, expr, dimension, what)

@@ -301,6 +301,10 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
             &with_lines(&format!("a wheel meshes with nothing; add {}", add_words(&meshes, true)), &meshes);
         text += "\nor ";
     }
+    if let Some((name, line)) = guide_of_slot(trial, defect) {
+        text += &format!("in `slot {name}` its slider turns: write `{line}` if it should not");
+        text += "\nor ";
+    }
     let drive = if trial.mechanism.simulation.is_some() { "start" } else { "drive" };
     let pairs =
         (count.drives > 0 || missing > 2).then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
@@ -316,6 +320,19 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
         (lines, 1) => with_lines(&format!("{drive} it: add {}", add_words(lines, true)), lines),
         (lines, _) => with_lines(&format!("{drive} them: add {}", add_words(lines, false)), lines),
     }
+}
+
+/// A slot that leaves its slider loose, where a prismatic pair in its place leaves nothing loose.
+fn guide_of_slot(trial: Trial<'_>, defect: &Defect) -> Option<(String, String)> {
+    let mechanism = trial.mechanism;
+    mechanism.pairs.iter().enumerate().find_map(|(i, pair)| {
+        let PairKind::Slot(g) = &pair.kind else { return None };
+        let loose = defect.loose.contains(&BodyId(g.slider.index())) && !g.point_name.is_empty();
+        let fit = trial.as_prismatic(PairId::at(i)).filter(|_| loose)?.fit();
+        let (slider, base) = (&mechanism.link(g.slider).name, &mechanism.link(g.guide).name);
+        let line = format!("prismatic {}: {slider}.{} - {base}.{}", pair.name, g.point_name, g.line_name);
+        (fit.missing == 0 && fit.surplus == 0).then(|| (pair.name.clone(), line))
+    })
 }
 
 /// Pairs that may be missing, with drives for what they leave loose.

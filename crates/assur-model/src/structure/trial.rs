@@ -74,6 +74,16 @@ impl Trial<'_> {
         (efforts.len() == self.efforts.len()).then(|| Incidence::new(&replaced, &efforts))
     }
 
+    /// Makes a slot a prismatic pair.
+    pub(super) fn as_prismatic(&self, pair: PairId) -> Option<Incidence> {
+        let PairKind::Slot(guide) = &self.mechanism.pair(pair).kind else { return None };
+        let mut mechanism = self.mechanism.clone();
+        mechanism.pairs[pair.index()].kind = PairKind::Prismatic(guide.clone());
+        let replaced = replace::replace(&mechanism);
+        let efforts = effort::of_drives(&mechanism, &replaced);
+        (efforts.len() == self.efforts.len()).then(|| Incidence::new(&replaced, &efforts))
+    }
+
     /// Adds pairs, and drives or unknown efforts.
     pub(super) fn with(&self, pairs: &[PairKind], kinds: &[EffortKind]) -> Incidence {
         let mut replaced = self.replaced.clone();

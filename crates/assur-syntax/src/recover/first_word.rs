@@ -198,6 +198,7 @@ const SYNONYMS: &[(&[&str], &[&str])] = &[
     (&["body", "bar", "rod", "member", "element", "part", "beam", "crank", "lever"], &["link"]),
     (&["frame", "base", "fixed", "earth", "fixed_link"], &["ground"]),
     (&["input", "motor", "driver", "sweep"], &["drive"]),
+    (&["unknown", "reaction", "effort"], &["balance"]),
     (&["load", "apply"], &["force", "torque"]),
     (&["moment", "couple"], &["torque"]),
     (&["print", "output", "calculate", "compute", "solve", "show", "determine", "report", "get"], &["find"]),

@@ -4,10 +4,14 @@ use super::case::Case;
 use super::what::What;
 use crate::error::SyntaxError;
 use crate::words::is_name_char;
+use assur_text::diagnostic::Help;
 use assur_text::units::lookup;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     quotes_inside(case)
+        .or_else(|| position_left_out(case))
+        .or_else(|| without_braces(case))
+        .or_else(|| one_point(case))
         .or_else(|| square_brackets(case).filter(|_| case.what != What::Header))
         .or_else(|| unit_before_name(case))
         .or_else(|| unit_in_parentheses(case))
@@ -49,6 +53,75 @@ fn quotes_inside(case: &Case<'_>) -> Option<SyntaxError> {
         wanted: "'".to_owned(),
         at: case.span(at, found.len()),
         help: case.help(0, case.slice.len(), &new),
+    })
+}
+
+/// `drive crank = at 1500 rpm`
+fn position_left_out(case: &Case<'_>) -> Option<SyntaxError> {
+    let before = case.slice.get(..case.fail)?.trim_end();
+    let asked = matches!(case.token(0), "drive" | "start") && before.ends_with('=');
+    if !asked || case.token(case.fail) != "at" {
+        return None;
+    }
+    let rest = case.slice.get(case.fail + "at".len()..)?;
+    let turns = ["rpm", "rad", "deg", "rev"].iter().any(|unit| rest.contains(unit));
+    let position = if turns { "45 deg" } else { "100 mm" };
+    let new = format!("{position} at");
+    case.reads(&case.with(case.fail, case.fail + "at".len(), &new)).then(|| SyntaxError::MissingWord {
+        missing: position.to_owned(),
+        at: case.span(case.fail, "at".len()),
+        help: case.help(case.fail, case.fail + "at".len(), &new),
+    })
+}
+
+/// `link piston C (0, 0)`, `link piston ( C (0, 0) )`
+fn without_braces(case: &Case<'_>) -> Option<SyntaxError> {
+    if !matches!(case.token(0), "link" | "ground" | "shaft" | "slider") || !case.slice.contains('(') {
+        return None;
+    }
+    let end = case.slice.trim_end().len();
+    let whole = case.slice.get(..end)?;
+    let words = case.words();
+    let inside = whole.find('(').filter(|_| whole.ends_with(')'));
+    let parentheses = inside.map(|open| (open, open + 1, end - 1));
+    let members = words.iter().skip(1).take(5).map(|(at, _)| (*at, *at, end));
+    let mut tried = members.chain(parentheses).filter(|(from, ..)| *from <= case.fail.max(*from));
+    let braces = |(_, inner, to): &(usize, usize, usize)| {
+        format!("{{ {} }}", whole.get(*inner..*to).unwrap_or_default().trim())
+    };
+    // a point with its coordinates comes first
+    let is_point = |inner: usize| {
+        let name = case.token(inner);
+        let rest = whole.get(inner + name.len()..).unwrap_or_default();
+        name.starts_with(char::is_alphabetic) && rest.starts_with(' ') && rest.trim_start().starts_with('(')
+    };
+    let (from, new) = tried.find_map(|place| {
+        let first = whole.get(place.1..).map_or(0, |rest| rest.len() - rest.trim_start().len());
+        let new = braces(&place);
+        if !is_point(place.1 + first) {
+            return None;
+        }
+        case.reads(&case.with(place.0, end, &new)).then_some((place.0, new))
+    })?;
+    Some(SyntaxError::OtherWord {
+        found: whole.get(from..end).unwrap_or_default().to_owned(),
+        wanted: new.clone(),
+        at: case.span(from, end - from),
+        help: case.help(from, end, &new),
+    })
+}
+
+/// `assemble C right of B`: left and right are of a line through two points.
+fn one_point(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let side = words.windows(2).find(|w| matches!(w[0].1, "left" | "right") && w[1].1 == "of")?;
+    let (start, end) = (side[0].0, side[1].0 + "of".len());
+    let fits = |wanted: &str| case.reads(&case.with(start, end, wanted));
+    (case.token(0) == "assemble" && fits("ahead of")).then(|| SyntaxError::OtherWord {
+        found: format!("{} of", side[0].1),
+        wanted: "ahead of".to_owned(),
+        at: case.span(start, end - start),
+        help: Help::one_of(vec![case.help(start, end, "ahead of"), case.help(start, end, "behind")]),
     })
 }
 
@@ -120,7 +193,9 @@ fn repeated(case: &Case<'_>) -> Option<SyntaxError> {
     let (start, end) = if token.is_empty() {
         let sign = before.chars().next_back().filter(|c| "-,+*/=.".contains(*c))?;
         // `r.p.m.` is another matter
-        if sign == '.' && before.rsplit(' ').next()?.matches('.').count() > 1 {
+        let dots = || before.rsplit(' ').next().unwrap_or_default().split('.');
+        let is_number = |part: &&str| part.ends_with(|c: char| c.is_ascii_digit());
+        if sign == '.' && dots().count() > 2 + usize::from(dots().next().as_ref().is_some_and(is_number)) {
             return None;
         }
         (before.len() - sign.len_utf8(), before.len())

@@ -12,6 +12,9 @@ const WHOLE: &[(&str, &str)] = &[
     ("rot/min", "rpm"),
     ("tr/min", "rpm"),
     ("rps", "rev/s"),
+    ("mps", "m/s"),
+    ("rads", "rad/s"),
+    ("radps", "rad/s"),
     ("kmh", "km/h"),
     ("kph", "km/h"),
 ];

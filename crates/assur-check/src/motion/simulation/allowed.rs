@@ -3,7 +3,7 @@
 use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::motion::drive::{count, moves};
-use assur_model::model::{BalanceKind, Positions};
+use assur_model::model::{BalanceKind, LinkId, PairKind, Positions};
 use assur_syntax::document::Statement;
 use assur_text::source::Span;
 
@@ -29,7 +29,16 @@ fn starts_or_drives(cx: &mut Context<'_>, span: Span) {
             let value = drive.written.clone().unwrap_or_else(|| "45 deg".into());
             format!("write `start {} = {value}` in place of its `drive`", drive.name)
         }
-        None => "add `start LINK = 45 deg` with a link or a pair, one for each freedom".to_owned(),
+        None => {
+            let turning = cx.builder.mech.pairs.iter().find_map(|p| match &p.kind {
+                PairKind::Revolute(pins) if pins.iter().any(|pin| pin.link == LinkId::GROUND) => {
+                    pins.iter().find(|pin| pin.link != LinkId::GROUND).map(|pin| pin.link)
+                }
+                _ => None,
+            });
+            let link = turning.map_or("LINK", |link| cx.builder.mech.link(link).name.as_str());
+            format!("add `start {link} = 45 deg`: one line for each freedom, of a link or a pair")
+        }
     };
     cx.error(SimulateError::NoStart { help, span });
 }
