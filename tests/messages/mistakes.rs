@@ -93,7 +93,23 @@ fn written(text: &str, first: &DiagnosticView) -> Vec<String> {
         // a name in the mark begins there
         before.filter(|_| word.len() > 1 && !text[at.start.byte..].starts_with(word)).unwrap_or(at.start.byte)
     };
-    new.map(|new| format!("{}{new}{}", &text[..start(new)], &text[at.end.byte..])).collect()
+    let line = text[..at.start.byte].rfind('\n').map_or(0, |i| i + 1);
+    let line_end = text[at.end.byte..].find('\n').map_or(text.len(), |i| at.end.byte + i);
+    let replaced = |new: &str| {
+        let behind = &text[at.end.byte..];
+        match behind.find(')') {
+            _ if new.contains(": ") => (line, line_end),
+            Some(close) if new.ends_with(')') && behind.starts_with('(') => {
+                (start(new), at.end.byte + close + 1)
+            }
+            _ => (start(new), at.end.byte),
+        }
+    };
+    new.map(|new| {
+        let (from, to) = replaced(new);
+        format!("{}{new}{}", &text[..from], &text[to..])
+    })
+    .collect()
 }
 
 #[test]

@@ -353,3 +353,22 @@ fn a_key_is_comma_separated() {
         assert!(!Path::new(&folder.path(name)).exists());
     }
 }
+
+/// Where no further thread can be had, one does the work. The limit does not hold for root, so that the program runs as another.
+#[cfg(target_os = "linux")]
+#[test]
+fn without_threads_a_batch_goes_on_with_one() {
+    let folder = Folder::new("batch-threads").with("press.mech", PRESS).with("rows.csv", &many(50));
+    let args = ["batch", "press.mech", "--variants", "rows.csv", "--threads", "8"];
+    let whole = assur(&folder, &args);
+    // the program where everyone may run it
+    std::fs::copy(env!("CARGO_BIN_EXE_assur"), folder.path("assur")).unwrap();
+    let mut limited = std::process::Command::new("setpriv");
+    limited.current_dir(folder.path("")).args(["--reuid", "65534", "--clear-groups", "prlimit", "--nproc=1"]);
+    let Ok(out) = limited.arg(folder.path("assur")).args(args).output() else { return };
+    let said = String::from_utf8_lossy(&out.stderr);
+    // where nobody else may run it here nothing is tested
+    if out.status.code() == Some(0) || said.contains("thread") {
+        assert!(said == whole.stderr && out.stdout == whole.stdout.as_bytes(), "{said}");
+    }
+}

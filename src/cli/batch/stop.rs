@@ -32,6 +32,8 @@ mod unix {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
     use signal_hook::iterator::Signals;
     use std::sync::Arc;
+    use std::sync::mpsc::channel;
+    use std::thread::Builder;
     use std::time::Duration;
 
     /// What a program may take to end that was asked to by another.
@@ -45,10 +47,13 @@ mod unix {
                 end(signal);
             }
             if i32::from(signal) != SIGINT {
-                std::thread::spawn(move || {
+                let later = Builder::new().spawn(move || {
                     std::thread::sleep(GRACE);
                     end(signal);
                 });
+                if later.is_err() {
+                    end(signal);
+                }
             }
         });
     }
@@ -69,9 +74,18 @@ mod unix {
         if !is_ignored(SIGHUP) {
             heard.push(SIGHUP);
         }
+        let (sender, receiver) = channel::<Signals>();
+        let listening = Builder::new().spawn(move || {
+            if let Ok(mut signals) = receiver.recv() {
+                signals.forever().filter_map(|s| u8::try_from(s).ok()).for_each(hear);
+            }
+        });
         // where nothing can listen, a signal ends the program as usual
-        let Ok(mut signals) = Signals::new(heard) else { return };
-        std::thread::spawn(move || signals.forever().filter_map(|s| u8::try_from(s).ok()).for_each(hear));
+        if listening.is_ok()
+            && let Ok(signals) = Signals::new(heard)
+        {
+            let _ = sender.send(signals);
+        }
     }
 
     fn end(signal: u8) {
