@@ -9,6 +9,8 @@ use assur_model::model::Display;
 /// Instants of an event that are marked, and those in the description.
 const MOST_MARKED: usize = 40;
 const MOST_DESCRIBED: usize = 8;
+/// So many instants of one event have one name together.
+const MANY: usize = 5;
 /// Size of a name; from name to name, mm.
 const LETTERS: f64 = 3.0;
 const APART: f64 = 1.5;
@@ -24,10 +26,15 @@ pub fn marked_events(
     named: bool,
 ) {
     let named_events = scene.mechanism().events.iter().map(|event| event.name.as_deref().unwrap_or("until"));
-    let mut marks: Vec<(f64, Vec<&str>)> = Vec::new();
+    let mut marks: Vec<(f64, Vec<String>)> = Vec::new();
     for (name, times) in named_events.zip(events) {
         let places = times.iter().take(MOST_MARKED).map(|t| panel.at(printed(along, *t), panel.y.to).x);
-        marks.extend(places.map(|x| (x, vec![name])));
+        let is_many = times.len() >= MANY;
+        let text = if is_many { format!("{name} ×{}", times.len()) } else { name.to_owned() };
+        // the first of many stands for all
+        let names =
+            places.enumerate().map(|(i, x)| (x, if is_many && i > 0 { vec![] } else { vec![text.clone()] }));
+        marks.extend(names);
         if named && !times.is_empty() {
             let shown = times.iter().take(MOST_DESCRIBED).map(|t| scene.place_text(along, *t));
             let more = if times.len() > MOST_DESCRIBED { ", …" } else { "" };
@@ -47,14 +54,14 @@ pub fn marked_events(
         drawing.line(Style::Dashed, Vec2::new(*x, panel.bottom()), Vec2::new(*x, panel.top));
     }
     let (mut right, mut told) = (f64::NEG_INFINITY, Vec::new());
-    for (x, names) in marks.iter().filter(|_| named) {
+    for (x, names) in marks.iter().filter(|mark| named && !mark.1.is_empty()) {
         let text = Text::upright(&names.join(", "));
         let half = 0.5 * text.bounds(LETTERS).size().x;
         let is_new = names.iter().any(|name| !told.contains(name));
         if x - half < right + APART && !is_new {
             continue;
         }
-        told.extend(names);
+        told.extend(names.iter().cloned());
         right = x + half;
         let at = Vec2::new(*x, panel.top);
         drawing.label(Label::at(text, LETTERS, at, 0.6).towards(Vec2::new(0.0, -1.0)).ranked(1));

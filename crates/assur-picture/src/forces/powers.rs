@@ -57,10 +57,11 @@ fn put(scene: &Scene<'_>, nodes: &Nodes, act: &Act, terms: &mut Vec<Term>) {
     let is_placed = is_placed(scene, act.on);
     // of an image the drawing asks only for the body
     let on = LinkId::at(act.on);
-    if act.force != Vec2::zero() {
+    if act.force != Vec2::zero() && !meets(scene, act.cause) {
         let power = act.force.dot(velocity_at(body, act.place));
-        let term = term(terms, name(scene, act, true), power, !is_placed);
-        let (name, at, force) = (term.name.clone(), on_line(scene, act), act.force);
+        let name = name(scene, act, true);
+        let term = term(terms, name.clone(), power, !is_placed);
+        let (at, force) = (on_line(scene, act), act.force);
         if is_placed {
             term.forces.push(Force { name, on, at, force, acts });
         }
@@ -73,6 +74,11 @@ fn put(scene: &Scene<'_>, nodes: &Nodes, act: &Act, terms: &mut Vec<Term>) {
             couple(scene, nodes, (act, body), acts, term);
         }
     }
+}
+
+/// Whether it is from teeth that meet: two opposite forces at one image.
+fn meets(scene: &Scene<'_>, cause: Cause) -> bool {
+    matches!(cause, Cause::Law(slot) if scene.model.plan.laws[slot].meeting.is_some())
 }
 
 /// The term of a name with more power.
