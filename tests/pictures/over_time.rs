@@ -37,3 +37,16 @@ fn a_motion_with_two_instants_has_smooth_curves() {
     // the cursor of the page goes along the plot
     assert!(page.contains("id=\"c\"") && !page.contains("X=null"), "the page has a plot");
 }
+
+/// A ball hits the ground 36 times: four times with the name, once with the number of the other hits.
+#[test]
+fn events_that_come_many_times_are_named_together() {
+    let text = include_str!("../../examples/simulation/bouncing.mech");
+    let Some((source, solved)) = solved("bouncing.mech", text) else { panic!("the ball bounces") };
+    let plot = sheets(&source, &solved, Kind::Plot);
+    let labels: Vec<String> = plot[0].placed.iter().map(|placed| placed.label.text.plain()).collect();
+    let hits = |label: &&String| label.split(", ").any(|name| name.starts_with("hit"));
+    let named: Vec<&String> = labels.iter().filter(hits).collect();
+    assert!(named.len() <= 5 && named.iter().all(|label| label.len() < 24), "{named:?}");
+    assert!(named.iter().any(|label| label.contains("hit ×32")), "{named:?}");
+}

@@ -9,8 +9,8 @@ use assur_model::model::Display;
 /// Instants of an event that are marked, and those in the description.
 const MOST_MARKED: usize = 40;
 const MOST_DESCRIBED: usize = 8;
-/// So many instants of one event have one name together.
-const MANY: usize = 5;
+/// So many instants of one event have its name.
+const FIRST: usize = 4;
 /// Size of a name; from name to name, mm.
 const LETTERS: f64 = 3.0;
 const APART: f64 = 1.5;
@@ -29,11 +29,14 @@ pub fn marked_events(
     let mut marks: Vec<(f64, Vec<String>)> = Vec::new();
     for (name, times) in named_events.zip(events) {
         let places = times.iter().take(MOST_MARKED).map(|t| panel.at(printed(along, *t), panel.y.to).x);
-        let is_many = times.len() >= MANY;
-        let text = if is_many { format!("{name} ×{}", times.len()) } else { name.to_owned() };
-        // the first of many stands for all
-        let names =
-            places.enumerate().map(|(i, x)| (x, if is_many && i > 0 { vec![] } else { vec![text.clone()] }));
+        // the first have their names, and one name stands for the others
+        let rest = times.len().saturating_sub(FIRST);
+        let text = |i: usize| match i {
+            _ if i < FIRST || rest == 1 => vec![name.to_owned()],
+            FIRST => vec![format!("{name} ×{rest}")],
+            _ => Vec::new(),
+        };
+        let names = places.enumerate().map(|(i, x)| (x, text(i)));
         marks.extend(names);
         if named && !times.is_empty() {
             let shown = times.iter().take(MOST_DESCRIBED).map(|t| scene.place_text(along, *t));

@@ -224,7 +224,8 @@ impl LinkShape {
             }
         }
         if self.rails.is_empty() {
-            spanned(&joints, &mut outline);
+            let beside: Vec<Vec2> = self.attached.iter().map(on_paper).collect();
+            spanned(&joints, &beside, &mut outline);
         } else {
             self.with_rails(frame, place, &joints, &mut outline);
         }
@@ -280,21 +281,23 @@ impl LinkShape {
         if joints.is_empty() {
             feet.windows(2).for_each(|w| outline.bars.push((w[0], w[1])));
         }
-        spanned(&off, outline);
+        spanned(&off, &[], outline);
     }
 }
 
 /// Half the length that a slot is longer than its way, mm.
 pub const SLOT_END: f64 = 3.5;
 
-/// A bar through joints in one line, else a plate around them.
-fn spanned(joints: &[Vec2], outline: &mut Outline) {
+/// A bar through joints in one line, else a plate around them; with points beside the line a plate too.
+fn spanned(joints: &[Vec2], beside: &[Vec2], outline: &mut Outline) {
     let Some((a, b)) = farthest(joints) else { return };
     let Some(along) = (b - a).unit() else { return };
-    if joints.iter().all(|j| (*j - a).cross(along).abs() <= IN_LINE) {
-        outline.bars.push((a, b));
+    let is_off = |at: &&Vec2| (**at - a).cross(along).abs() > IN_LINE;
+    if joints.iter().chain(beside).any(|at| is_off(&at)) {
+        let corners: Vec<Vec2> = joints.iter().chain(beside.iter().filter(is_off)).copied().collect();
+        outline.plates.push(hull(&corners));
     } else {
-        outline.plates.push(hull(joints));
+        outline.bars.push((a, b));
     }
 }
 
