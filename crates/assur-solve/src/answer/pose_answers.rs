@@ -1,5 +1,6 @@
 //! Answers questions about one position: from the state of the bodies to the results of the language.
 
+use super::sizes::Sizes;
 use super::switch::Switch;
 use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
@@ -33,6 +34,8 @@ pub struct PoseAnswers<'a> {
     pub ideal: bool,
     /// Parts of expressions that are taken on one side of their corners.
     pub switches: &'a [Switch<'a>],
+    /// What differs by rounding of these is equal in a comparison.
+    pub sizes: &'a Sizes,
 }
 
 pub(super) const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
@@ -52,6 +55,7 @@ impl<'a> PoseAnswers<'a> {
             frictionless: None,
             ideal: false,
             switches: &[],
+            sizes: &statics.sizes,
         }
     }
 

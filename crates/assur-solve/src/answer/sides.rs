@@ -14,8 +14,15 @@ impl PoseAnswers<'_> {
     pub(super) fn comparison(&self, expr: &Expr, how: Comparison, (a, b): (&Expr, &Expr)) -> bool {
         match self.side(expr) {
             Some(Side::Truth(truth)) => truth,
-            _ => compare(how, self.scalar(a), self.scalar(b)),
+            _ => self.compared(how, (a, b)),
         }
+    }
+
+    /// As it is here: what differs by rounding of its terms is equal.
+    fn compared(&self, how: Comparison, (a, b): (&Expr, &Expr)) -> bool {
+        let over = self.scalar(a) - self.scalar(b);
+        let equal = self.sizes.is_nothing(over, self.size(a, self.sizes) + self.size(b, self.sizes));
+        compare(how, if equal { 0.0 } else { over }, 0.0)
     }
 
     pub(super) fn curve(&self, expr: &Expr, (curve, part): (&Curve, CurvePart), x: &Expr) -> f64 {
@@ -38,7 +45,7 @@ impl PoseAnswers<'_> {
     /// The side on which a part is here, whatever it is taken for.
     pub(crate) fn side_here<'e>(&self, switch: &Switch<'e>) -> Switch<'e> {
         let side = match switch.expr {
-            Expr::Compare(how, a, b) => Side::Truth(compare(*how, self.scalar(a), self.scalar(b))),
+            Expr::Compare(how, a, b) => Side::Truth(self.compared(*how, (a, b))),
             Expr::Curve(curve, _, x) => curve.function.piece(self.scalar(x)).map_or(Side::Free, Side::Piece),
             Expr::Call(Function::Abs, args) => {
                 Side::Sign(if args.first().is_some_and(|x| self.scalar(x) < 0.0) { -1.0 } else { 1.0 })
@@ -81,6 +88,17 @@ impl PoseAnswers<'_> {
                 others.map(|j| self.ahead(*function, args, (i, j))).fold(f64::INFINITY, f64::min)
             }
             _ => 1.0,
+        }
+    }
+
+    /// What rounding of that number is small against.
+    pub(crate) fn room_size(&self, switch: &Switch<'_>) -> f64 {
+        let size = |e: &Expr| self.size(e, self.sizes);
+        match switch.expr {
+            Expr::Compare(_, a, b) => size(a) + size(b),
+            Expr::Curve(_, _, x) => size(x),
+            Expr::Call(_, args) => args.iter().map(size).sum(),
+            _ => 0.0,
         }
     }
 

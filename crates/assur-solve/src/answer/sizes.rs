@@ -5,6 +5,7 @@
 //! below [`ROUNDING`] of it is zero.
 
 use super::pose_answers::PoseAnswers;
+use super::size::is_zero;
 use crate::model::{LinkId, LoadId, LoadKind, PairId, PairKind, Query};
 use crate::plan::LoadStep;
 use crate::structure::{EffortKind, EffortSource};
@@ -14,22 +15,41 @@ pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The greatest of what results are made of, over all positions looked at, SI.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Sizes {
+pub struct Sizes {
     /// Coordinates and lengths.
     length: f64,
     /// Angular velocities, and velocities over lengths.
     turning: f64,
     /// Angular accelerations, and what accelerations over lengths are.
     speeding: f64,
+    /// What the loads would make of the angular accelerations, each alone.
+    alone: f64,
+    /// All loads together without those of inertia, N.
+    applied: f64,
     /// All loads together, or a reaction.
     force: f64,
     /// The same of torques.
     moment: f64,
+    /// Rounding is so much greater where the formulas of positions and velocities have lost digits; 0 is not at all.
+    doubt: f64,
     /// Of each quantity of the file, at the position looked at last.
     quantities: Vec<f64>,
 }
 
 impl Sizes {
+    /// Of nothing.
+    pub(crate) const NONE: Self = Self {
+        length: 0.0,
+        turning: 0.0,
+        speeding: 0.0,
+        alone: 0.0,
+        applied: 0.0,
+        force: 0.0,
+        moment: 0.0,
+        doubt: 0.0,
+        quantities: Vec::new(),
+    };
+
     /// Nothing is looked at yet. From here on nothing is allocated.
     #[must_use]
     pub(crate) fn new(quantities: usize) -> Self {
@@ -38,12 +58,15 @@ impl Sizes {
 
     /// Looks at a position. Its quantities are known.
     pub(crate) fn look(&mut self, at: &PoseAnswers<'_>) {
+        // loads are those at speeds that there are
+        let alone = std::mem::take(&mut self.alone);
         self.look_at_motion(at);
         self.look_at_quantities(at);
         if !at.plan.loads.is_empty() {
             self.look_at_forces(at);
             self.look_at_quantities(at);
         }
+        self.alone = alone;
     }
 
     fn look_at_motion(&mut self, at: &PoseAnswers<'_>) {
@@ -55,10 +78,9 @@ impl Sizes {
                 self.length = self.length.max(point.norm()).max(body.position(point).norm());
             }
         }
-        let over_length = |x: f64| if self.length > 0.0 { x / self.length } else { 0.0 };
         for body in bodies {
-            self.turning = self.turning.max(body.omega.abs()).max(over_length(body.v.norm()));
-            self.speeding = self.speeding.max(body.alpha.abs()).max(over_length(body.a.norm()));
+            self.turning = self.turning.max(body.omega.abs()).max(self.over_length(body.v.norm()));
+            self.speeding = self.speeding.max(body.alpha.abs()).max(self.over_length(body.a.norm()));
         }
         self.speeding = self.speeding.max(self.turning * self.turning);
     }
@@ -72,14 +94,17 @@ impl Sizes {
     }
 
     fn look_at_forces(&mut self, at: &PoseAnswers<'_>) {
+        // what depends on forces has no other size here than its own: it would grow from look to look
+        let before = (std::mem::take(&mut self.force), std::mem::take(&mut self.moment));
         let (mut force, mut moment) = (0.0, 0.0);
+        let (mut inertia_force, mut inertia_moment) = (0.0, 0.0);
         for load in &at.plan.loads {
             match load {
                 LoadStep::Mass { mass, moment_of_inertia, weight, inertia, .. } => {
                     force += weight.norm();
                     if *inertia {
-                        force += mass * self.acceleration();
-                        moment += moment_of_inertia * self.speeding;
+                        inertia_force += mass * self.acceleration();
+                        inertia_moment += moment_of_inertia * self.speeding();
                     }
                 }
                 LoadStep::Force { force: applied, .. } => force += applied.norm(),
@@ -91,10 +116,38 @@ impl Sizes {
                 LoadStep::Evaluated(id) => force += at.load_size(*id, self),
             }
         }
+        self.applied = self.applied.max(force + self.over_length(moment));
         let reactions = &at.state.forces.reactions;
-        force = reactions.iter().fold(force, |most, reaction| most.max(reaction.force.norm()));
-        self.force = self.force.max(force);
-        self.moment = self.moment.max(moment);
+        force =
+            reactions.iter().fold(force + inertia_force, |most, reaction| most.max(reaction.force.norm()));
+        self.force = before.0.max(force);
+        self.moment = before.1.max(moment + inertia_moment);
+    }
+
+    /// Loads would accelerate bodies so much, over the length.
+    pub(crate) fn may_accelerate(&mut self, speeding: f64) {
+        if speeding.is_finite() {
+            self.alone = self.alone.max(speeding);
+        }
+    }
+
+    /// Rounding at this position is so much greater than [`ROUNDING`].
+    pub(crate) const fn doubt(&mut self, times: f64) {
+        self.doubt = times;
+    }
+
+    /// Whether what has a size is zero but for rounding of positions and velocities.
+    pub(super) fn is_nothing(&self, x: f64, size: f64) -> bool {
+        is_zero(x, size * self.doubt.max(1.0))
+    }
+
+    /// All loads together without those of inertia, N.
+    pub(crate) const fn applied(&self) -> f64 {
+        self.applied
+    }
+
+    fn over_length(&self, x: f64) -> f64 {
+        if self.length > 0.0 { x / self.length } else { 0.0 }
     }
 
     /// Of a quantity of the file.
@@ -102,24 +155,43 @@ impl Sizes {
         self.quantities.get(index).copied().unwrap_or(f64::NAN)
     }
 
-    fn speed(&self) -> f64 {
-        self.length * self.turning
+    /// Coordinates and lengths, m.
+    pub(crate) const fn length(&self) -> f64 {
+        self.length
     }
 
-    fn acceleration(&self) -> f64 {
-        self.length * self.speeding
+    /// Angular velocities, rad/s.
+    pub(crate) fn turning(&self) -> f64 {
+        self.turning.max(self.alone.sqrt())
     }
 
-    fn all_force(&self) -> f64 {
-        self.force + if self.length > 0.0 { self.moment / self.length } else { 0.0 }
+    /// Angular accelerations, rad/s².
+    pub(crate) const fn speeding(&self) -> f64 {
+        self.speeding.max(self.alone)
     }
 
-    fn all_moment(&self) -> f64 {
+    /// Velocities, m/s.
+    pub(crate) fn speed(&self) -> f64 {
+        self.length * self.turning()
+    }
+
+    /// m/s².
+    pub(crate) fn acceleration(&self) -> f64 {
+        self.length * self.speeding()
+    }
+
+    /// N.
+    pub(crate) fn all_force(&self) -> f64 {
+        self.force + self.over_length(self.moment)
+    }
+
+    /// N·m.
+    pub(crate) fn all_moment(&self) -> f64 {
         self.moment + self.force * self.length
     }
 
     fn power(&self) -> f64 {
-        self.all_moment() * self.turning
+        self.all_moment() * self.turning()
     }
 }
 
@@ -135,17 +207,17 @@ impl PoseAnswers<'_> {
             // an angle is that of a direction and whole turns
             Query::Angle(_) | Query::TransmissionAngle(_) | Query::PressureAngle(_) => 1.0 + itself(),
             Query::Displacement(pair) | Query::Travel(pair) => of_pair(*pair, 1.0) + itself(),
-            Query::Omega(_) | Query::Turning(..) => sizes.turning,
-            Query::Alpha(_) => sizes.speeding,
-            Query::RelativeVelocity(pair) => of_pair(*pair, sizes.turning),
-            Query::RelativeAcceleration(pair) => of_pair(*pair, sizes.speeding),
+            Query::Omega(_) | Query::Turning(..) => sizes.turning(),
+            Query::Alpha(_) => sizes.speeding(),
+            Query::RelativeVelocity(pair) => of_pair(*pair, sizes.turning()),
+            Query::RelativeAcceleration(pair) => of_pair(*pair, sizes.speeding()),
             Query::LinkDirection(_) | Query::Efficiency => 1.0,
             Query::LineOffset(_) | Query::InertiaArm(_) => length + itself(),
             Query::InertiaForce(link) => {
                 self.mechanism.link(*link).mass.map_or(0.0, |m| m.mass * sizes.acceleration())
             }
             Query::InertiaTorque(link) => {
-                self.mechanism.link(*link).mass.map_or(0.0, |m| m.inertia * sizes.speeding)
+                self.mechanism.link(*link).mass.map_or(0.0, |m| m.inertia * sizes.speeding())
             }
             Query::Reaction(..)
             | Query::Normal(..)
@@ -164,7 +236,7 @@ impl PoseAnswers<'_> {
             Query::Balance(id) => self.effort_size(EffortSource::Balance(*id), sizes),
             Query::Effort(id) => self.effort_size(EffortSource::Drive(*id), sizes),
             Query::Load(id) => self.load_size(*id, sizes),
-            Query::LoadPower(id) if self.is_torque(*id) => self.load_size(*id, sizes) * sizes.turning,
+            Query::LoadPower(id) if self.is_torque(*id) => self.load_size(*id, sizes) * sizes.turning(),
             Query::LoadPower(id) => self.load_size(*id, sizes) * sizes.speed(),
             Query::FrictionPower(_) | Query::BalancePower(_) | Query::EffortPower(_) => sizes.power(),
             Query::SpringPower(spring) => {

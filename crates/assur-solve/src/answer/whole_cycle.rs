@@ -1,6 +1,7 @@
 //! What needs no position: dead positions, strokes, functions over the sweep, flywheels.
 
 use super::cycle_answers::{CycleAnswer, FlywheelAnswer};
+use super::sizes::Sizes;
 use crate::model::{PairId, Situation};
 use std::f64::consts::TAU;
 
@@ -18,6 +19,8 @@ pub struct WholeCycle {
     pub situations: Vec<(Situation, f64, Option<f64>)>,
     /// After what time a steady motion comes again, s, where one is asked for.
     pub period: Option<f64>,
+    /// The greatest of what the results of a motion under loads are made of.
+    pub(crate) sizes: Sizes,
     /// Flywheels, by index into [`crate::model::Mechanism::flywheels`].
     pub flywheels: Vec<FlywheelAnswer>,
     /// The same without friction, where the file asks for any.
@@ -46,6 +49,7 @@ impl WholeCycle {
         events: Vec::new(),
         situations: Vec::new(),
         period: None,
+        sizes: Sizes::NONE,
         flywheels: Vec::new(),
         ideal_flywheels: Vec::new(),
     };

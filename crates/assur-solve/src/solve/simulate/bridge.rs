@@ -9,6 +9,12 @@ use crate::math::Vec2;
 use crate::math::chebyshev::{NODES, Nodes, add_rows, polynomials, tail};
 use crate::position::{BodyState, Branch, Motion, State};
 
+/// Of the numbers of a body: how often they are differentiated, and which are lengths.
+const ORDERS: [usize; WIDTH] = [0, 0, 0, 0, 1, 1, 1, 2, 2, 2];
+const IS_LENGTH: [bool; WIDTH] = [true, true, false, false, true, true, false, true, true, false];
+/// Rounding of all terms of a series over that of its last ones.
+const OF_ALL: f64 = NODES as f64;
+
 /// The way over a change point.
 #[derive(Clone, Debug)]
 pub(super) struct Bridge {
@@ -27,6 +33,8 @@ pub(super) struct Bridge {
     conditions: Vec<f64>,
     /// Memory for the numbers at a place.
     numbers: Vec<f64>,
+    /// What positions, velocities and accelerations are not known to, of the extent or 1, at a unit rate.
+    pub rough: [f64; 3],
 }
 
 impl Bridge {
@@ -74,7 +82,7 @@ impl Bridge {
                 let q = nodes.at(low, high, node);
                 at(q, if q < change { &below } else { &above })
             };
-            if let Some(series) = smooth(positions, equations.extent()) {
+            if let Some((series, rough)) = smooth(positions, equations.extent()) {
                 let numbers = vec![0.0; series[0].len()];
                 let here = equations.here().1;
                 let conditions = if equations.condition() < CLOSE {
@@ -83,7 +91,18 @@ impl Bridge {
                     here.motion.conditions.clone()
                 };
                 let beside = false;
-                return Some(Self { low, high, ahead, beside, below, above, series, conditions, numbers });
+                return Some(Self {
+                    low,
+                    high,
+                    ahead,
+                    beside,
+                    below,
+                    above,
+                    series,
+                    conditions,
+                    numbers,
+                    rough,
+                });
             }
             reach *= 0.5;
         }
@@ -124,11 +143,12 @@ impl Bridge {
     }
 }
 
-/// The series of all that moves over these positions; `None` where they do not close or are not smooth.
+/// The series of all that moves over these positions, with what their orders are not known to; `None` where they do not close or
+/// are not smooth.
 fn smooth(
     mut positions: impl FnMut(usize, &Nodes) -> Option<State>,
     extent: f64,
-) -> Option<[Vec<f64>; NODES]> {
+) -> Option<([Vec<f64>; NODES], [f64; 3])> {
     let nodes = Nodes::new();
     let mut values: [Vec<f64>; NODES] = std::array::from_fn(|_| Vec::new());
     for (node, values) in values.iter_mut().enumerate() {
@@ -140,12 +160,12 @@ fn smooth(
     }
     let series = nodes.coefficients_of_all(&values);
     let [.., a, b, c] = &series;
-    for (number, ((a, b), c)) in a.iter().zip(b).zip(c).enumerate().filter(|(number, _)| number % WIDTH < 4) {
-        // positions tell whether it is smooth; rates have fewer digits where the formulas are near to fail
-        let length = number % WIDTH < 2;
-        if tail(&[*a, *b, *c]) > SMOOTH * if length { extent } else { 1.0 } {
-            return None;
-        }
+    let mut rough = [0.0_f64; 3];
+    for (number, ((a, b), c)) in a.iter().zip(b).zip(c).enumerate() {
+        let order = ORDERS[number % WIDTH];
+        let unit = if IS_LENGTH[number % WIDTH] { extent } else { 1.0 };
+        rough[order] = rough[order].max(tail(&[*a, *b, *c]) / unit);
     }
-    Some(series)
+    // positions tell whether it is smooth; rates have fewer digits where the formulas are near to fail
+    (rough[0] <= SMOOTH).then_some((series, rough.map(|left| OF_ALL * left)))
 }

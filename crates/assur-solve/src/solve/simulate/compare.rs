@@ -3,7 +3,8 @@
 use super::equations::Equations;
 use super::functions::OverRun;
 use super::records::Records;
-use super::sizes::Sizes;
+use super::seen::LEAST_CONDITION;
+use crate::answer::{ROUNDING, Sizes};
 use crate::position::BodyState;
 
 /// Kinds of results whose errors are judged apart.
@@ -26,11 +27,9 @@ pub const STATES: usize = 8;
 
 /// Rounding of positions, directions, velocities, accelerations and forces grows by this power of the condition.
 const GROWS: [i32; STATES] = [1, 1, 2, 2, 3, 3, 3, 3];
-/// The exponents of length, mass and time of each kind.
-const DIMENSIONS: [[i8; 3]; STATES] =
-    [[1, 0, 0], [0, 0, 0], [1, 0, -1], [0, 0, -1], [1, 0, -2], [0, 0, -2], [1, 1, -2], [2, 1, -2]];
-/// Rounding is not said to grow more than by this condition.
-const LEAST_CONDITION: f64 = 1e-3;
+
+/// How often they are differentiated.
+const ORDERS: [usize; STATES] = [0, 0, 1, 1, 2, 2, 2, 2];
 
 /// Works differ by rounding of both runs.
 const SAME: f64 = 2.0;
@@ -51,8 +50,6 @@ pub(in crate::solve) struct Outcome<'r> {
     pub opens: Option<f64>,
     /// The last instant that was reached, s.
     pub end: f64,
-    /// The least condition where a change point was passed: on the way over it what is computed has no condition of its own.
-    pub least: f64,
 }
 
 /// The worst difference.
@@ -80,6 +77,9 @@ impl Compared {
         measured: &Kinds,
     ) -> Self {
         let (coarse, fine) = (coarse_run.records, fine_run.records);
+        equations.sizes.clone_from(&measured.sizes);
+        equations.rough =
+            std::array::from_fn(|kind| coarse_run.kinds.rough[kind].max(fine_run.kinds.rough[kind]));
         let mut kinds = measured.clone();
         let mut bodies: Vec<BodyState> = Vec::new();
         let mut forces: Vec<Efforts> = Vec::new();
@@ -90,7 +90,7 @@ impl Compared {
             forces.clear();
             forces.extend(efforts(equations));
             equations.place_record(fine, index);
-            let nothing = kinds.nothing(equations, fine_run.least);
+            let nothing = Kinds::nothing(equations);
             kinds.bodies(&bodies, &equations.trial.motion.bodies, &nothing);
             kinds.forces(forces.iter().copied().zip(efforts(equations)), &nothing);
         }
@@ -188,21 +188,32 @@ pub(in crate::solve) struct Kinds {
     magnitude: [f64; STATES],
     /// Some of it is more than rounding.
     beyond: [bool; STATES],
-    /// What is large in the run.
-    sizes: Sizes,
+    /// What results of the run are made of.
+    pub sizes: Sizes,
+    /// What positions, velocities and accelerations on its way over change points are not known to, of the greatest.
+    pub rough: [f64; 3],
 }
 
 impl Kinds {
-    /// What is zero of each kind but for rounding in the state that was found last, at no greater a condition than this.
-    fn nothing(&mut self, equations: &Equations<'_, '_>, least: f64) -> [f64; STATES] {
-        self.sizes.look(equations);
-        let forces = efforts(equations).map(|(x, y, _)| libm::hypot(x, y)).fold(0.0, f64::max);
+    /// What is zero of each kind but for rounding in the state that was found last.
+    fn nothing(equations: &mut Equations<'_, '_>) -> [f64; STATES] {
+        equations.look_at_sizes();
+        let sizes = &equations.sizes;
+        let all = [
+            sizes.length(),
+            1.0,
+            sizes.speed(),
+            sizes.turning(),
+            sizes.acceleration(),
+            sizes.speeding(),
+            sizes.all_force(),
+            sizes.all_moment(),
+        ];
         let conditions = equations.trial.motion.conditions.iter();
-        let condition = conditions.fold(least, |least, c| least.min(c.abs())).max(LEAST_CONDITION);
+        let condition = conditions.fold(1.0_f64, |least, c| least.min(c.abs())).max(LEAST_CONDITION);
         std::array::from_fn(|kind| {
-            let of_motion = self.sizes.rounding(DIMENSIONS[kind]);
-            let all = if kind == 7 { of_motion.max(self.sizes.of_force(forces)) } else { of_motion };
-            all / condition.powi(GROWS[kind])
+            let rounding = ROUNDING / condition.powi(GROWS[kind]);
+            all[kind] * rounding.max(equations.rough[ORDERS[kind]])
         })
     }
 
@@ -215,12 +226,17 @@ impl Kinds {
     }
 
     /// The magnitudes at the end of a step: what is small at every instant that is printed may be small beside the motion.
-    pub(super) fn measure(&mut self, equations: &Equations<'_, '_>) {
+    pub(super) fn measure(&mut self, equations: &mut Equations<'_, '_>) {
+        let nothing = Self::nothing(equations);
         let bodies = &equations.trial.motion.bodies;
-        self.sizes.look_at_loads(equations);
-        let nothing = self.nothing(equations, 1.0);
         self.bodies(bodies, bodies, &nothing);
         self.forces(efforts(equations).zip(efforts(equations)), &nothing);
+    }
+
+    /// What the equations have found of the run at the end of a part of it.
+    pub(super) fn found(&mut self, equations: &Equations<'_, '_>) {
+        self.sizes.clone_from(&equations.sizes);
+        self.rough = std::array::from_fn(|kind| self.rough[kind].max(equations.rough[kind]));
     }
 
     fn bodies(&mut self, coarse: &[BodyState], fine: &[BodyState], nothing: &[f64; STATES]) {

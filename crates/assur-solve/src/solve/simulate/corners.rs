@@ -5,6 +5,7 @@
 
 use super::equations::Equations;
 use super::records::within_step;
+use super::seen::OF_MOTION;
 use super::slipping::Mode;
 use crate::answer::{PoseAnswers, Switch};
 use crate::math::ode::event::first_crossing;
@@ -75,7 +76,10 @@ impl Corners {
         let mut first: Option<(f64, usize)> = None;
         for index in 0..self.ranges.len() {
             let (least, greatest) = self.ranges[index];
-            if least > CLEAR * (greatest - least) {
+            if least > CLEAR * (greatest - least)
+                || (index < ENDS * equations.switches.len()
+                    && greatest.max(-least) <= self.nothing(equations, method, index))
+            {
                 continue;
             }
             let crossing = first_crossing(step, Some(true), |t| self.room(equations, method, index, t));
@@ -140,6 +144,19 @@ impl Corners {
         if known { equations.room(index) } else { f64::NAN }
     }
 
+    /// What is zero but for rounding of a number of a switch.
+    fn nothing<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        index: usize,
+    ) -> f64 {
+        self.room(equations, method, index, method.t());
+        equations.look_at_sizes();
+        let size = equations.seen().room_size(&equations.switches[index / ENDS]);
+        equations.rounding_of(size, OF_MOTION)
+    }
+
     /// The step has ended, where a side ends or before it: goes over to the other side, and whether it does.
     pub fn turn<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &M) -> bool {
         let t = method.t();
@@ -167,6 +184,7 @@ impl<'a> Equations<'a, '_> {
         if (smooth && self.seams() == 0) || !self.observe(t, y, false) {
             return;
         }
+        self.look_at_sizes();
         self.take_senses();
         self.take_seams();
         let mut switches = std::mem::take(&mut self.switches);

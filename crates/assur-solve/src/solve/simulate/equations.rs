@@ -4,12 +4,13 @@
 use super::bridge::Bridge;
 use super::chart::Chart;
 use super::drives::{moves, prescribed};
+use super::leap::Seen;
 use super::loads::{loads_need_angles, sides};
 use super::passage::Passage;
 use super::setup::{Begin, is_length};
 use super::slipping::{Mode, Slipping};
 use super::walk::Walk;
-use crate::answer::{Switch, WholeCycle};
+use crate::answer::{Sizes, Switch, WholeCycle};
 use crate::math::Vec2;
 use crate::math::ode::{System, Undefined};
 use crate::model::{DriveTarget, Load, LoadId, Value};
@@ -79,6 +80,12 @@ pub(super) struct Equations<'a, 's> {
     pub closed: Vec<usize>,
     /// The greatest term of the acceleration of the one coordinate that rubs, and the greatest of what is left of all of them.
     pub terms: (f64, f64),
+    /// The greatest of what results are made of, so far.
+    pub sizes: Sizes,
+    /// What positions, velocities and accelerations on the way over change points are not known to, of the greatest.
+    pub rough: [f64; 3],
+    /// What was seen of change points since the present step began.
+    pub seen: Seen,
     /// Memory for rates that nobody looks at.
     quiet: Vec<f64>,
     /// Why the last evaluation has no value.
@@ -138,6 +145,9 @@ impl<'a, 's> Equations<'a, 's> {
             slipping: None,
             closed: Vec::new(),
             terms: (0.0, 0.0),
+            sizes: Sizes::new(model.mechanism.quantities.len()),
+            rough: [0.0; 3],
+            seen: Seen::default(),
             quiet: vec![0.0; unknowns],
             why: None,
         }
@@ -218,6 +228,11 @@ impl<'a, 's> Equations<'a, 's> {
         known
     }
 
+    /// Whether a state was evaluated last.
+    pub fn is_at(&self, t: f64, y: &[f64]) -> bool {
+        self.at.0.to_bits() == t.to_bits() && self.at.1 == y
+    }
+
     /// What was evaluated last is no state that a step ended with.
     pub const fn forget(&mut self) {
         self.at.0 = f64::NAN;
@@ -231,6 +246,11 @@ impl<'a, 's> Equations<'a, 's> {
     /// The same at another instant; nothing where the equations have no value.
     pub fn fastest(&mut self, t: f64, y: &[f64]) -> f64 {
         if self.observe(t, y, false) { self.fastest_in(&self.trial) } else { 0.0 }
+    }
+
+    /// The same in the state that was evaluated last.
+    pub fn fastest_seen(&self) -> f64 {
+        self.fastest_in(&self.trial)
     }
 
     fn fastest_in(&self, state: &State) -> f64 {
@@ -323,11 +343,13 @@ impl System<f64> for Equations<'_, '_> {
                 None => self.slipping_rates(y, dy),
             };
             self.why = found.err();
+            self.note_stage();
             self.at.0 = t;
             self.at.1.copy_from_slice(y);
             return if self.why.is_none() { Ok(()) } else { Err(Undefined) };
         }
         self.reduce(y[0]);
+        self.note_stage();
         if let Some(group) = self.trial.motion.open {
             self.why = Some(Halt::Open { group });
             return Err(Undefined);
@@ -359,7 +381,7 @@ impl System<f64> for Equations<'_, '_> {
     }
 
     fn accepted(&mut self, t: f64, y: &[f64]) {
-        if self.at.0.to_bits() != t.to_bits() || self.at.1 != y {
+        if !self.is_at(t, y) {
             let mut dy = std::mem::take(&mut self.quiet);
             let known = self.rates(t, y, &mut dy).is_ok();
             self.quiet = dy;
@@ -384,6 +406,7 @@ impl System<f64> for Equations<'_, '_> {
         self.accepted.0 = t;
         self.accepted.1.start_from(&self.trial);
         self.accepted.2.clone_from(&self.angles);
+        self.seen = Seen::begin(self.condition());
         self.walk_begins(y[0]);
     }
 }

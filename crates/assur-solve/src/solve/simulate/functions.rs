@@ -3,6 +3,7 @@
 use super::equations::Equations;
 use super::part::{is_known, part};
 use super::records::within_step;
+use super::seen::{OF_FORCES, OF_MOTION};
 use super::watch::{AT_ONCE, Watch};
 use crate::math::lobatto::{PLACES, Short};
 use crate::math::ode::Integrator;
@@ -49,7 +50,8 @@ pub(super) struct Function<'m> {
     stays: bool,
     /// Extremes that were as good as the greatest, in order, where the first of them counts: when, s, and how great.
     near: Vec<(f64, f64)>,
-    /// What its series may leave off, however small it is.
+    /// What its series may leave off, however small it is: where it is drawn a part of what is seen, otherwise what is zero of it
+    /// but for rounding.
     pub(super) rounding: f64,
     /// All its series, where it is drawn.
     course: Vec<Short>,
@@ -94,10 +96,10 @@ impl Function<'_> {
     }
 
     /// Whether the series over a part of a step, through these values, says all there is to say of it.
-    fn is_known(&self, series: &Short, values: &[f64; PLACES], (smooth, rounding): (f64, f64)) -> bool {
+    fn is_known(&self, series: &Short, values: &[f64; PLACES], smooth: f64) -> bool {
         let smooth = if self.cycle.how == CycleFunction::Argmax { SMOOTH } else { smooth };
         let greatest = greatest(values).max(self.greatest);
-        if series.tail() <= (smooth * greatest).max(self.rounding).max(rounding) {
+        if series.tail() <= (smooth * greatest).max(self.rounding) {
             return true;
         }
         // an extreme that is known already is not surpassed
@@ -113,10 +115,11 @@ impl Function<'_> {
     }
 
     /// Takes a part of a step; of extremes that differ by no more than this part of the greatest value the first counts.
-    fn take(&mut self, series: &Short, values: &[f64; PLACES], (same, rounding): (f64, f64)) {
+    fn take(&mut self, series: &Short, values: &[f64; PLACES], same: f64, drawn: bool) {
         self.lasted += series.to - series.from;
         self.greatest = self.greatest.max(greatest(values));
-        let rounding = rounding.max(DIGITS * self.greatest);
+        let nothing = if drawn { 0.0 } else { self.rounding };
+        let rounding = nothing.max(DIGITS * self.greatest);
         let left_off = if series.tail() > rounding { series.tail() / self.greatest } else { 0.0 };
         let Some(sign) = self.sign() else {
             self.value += series.integral();
@@ -239,13 +242,12 @@ impl Watch<'_> {
             let each = || asked.iter().zip(&*set_of).map(|(&f, &set)| (f, &series[set], &values[set]));
             let known = each().all(|(f, series, values)| {
                 let function = &self.functions[f];
-                function.is_known(series, values, (self.smooth, self.rounding(function)))
+                function.is_known(series, values, self.smooth)
             });
             if known || (anyway && step == 1) {
                 for (f, series, values) in each() {
-                    let rounding = self.rounding(&self.functions[f]);
                     let function = &mut self.functions[f];
-                    function.take(series, values, (self.same, rounding));
+                    function.take(series, values, self.same, self.drawn);
                     if self.drawn && function.source == f {
                         function.course.push(*series);
                     }
@@ -283,8 +285,8 @@ impl Watch<'_> {
     /// Notes the values of what counts at a place of the step, where they have any with the unknowns there.
     fn note(&mut self, equations: &mut Equations<'_, '_>, (t, place): (f64, usize), memory: &mut Memory) {
         if equations.observe(t, &self.y, self.deep_functions) {
-            if place == 0 {
-                self.sizes.look(equations);
+            if place == 0 && !self.drawn {
+                self.look_at_rounding(equations, memory);
             }
             for (values, &source) in memory.values.iter_mut().zip(&memory.sets) {
                 values[place] = equations.value(&self.functions[source].cycle.expr);
@@ -292,14 +294,21 @@ impl Watch<'_> {
         }
     }
 
-    /// What is rounding of a function so far.
-    fn rounding(&self, function: &Function<'_>) -> f64 {
-        if self.drawn { 0.0 } else { self.sizes.rounding(function.cycle.dimension) }
+    /// What is zero of the functions that count but for rounding.
+    fn look_at_rounding(&mut self, equations: &mut Equations<'_, '_>, memory: &Memory) {
+        equations.look_at_sizes();
+        let grows = if self.deep_functions { OF_FORCES } else { OF_MOTION };
+        for &f in &memory.asked {
+            let function = &mut self.functions[f];
+            let nothing = equations.nothing(&function.cycle.expr, grows);
+            function.rounding = function.rounding.max(nothing);
+        }
     }
 
     /// What the series of all functions leave off that their values are of, of the greatest.
     pub fn left_off(&self) -> f64 {
-        self.functions.iter().map(|function| function.left_off).fold(0.0, f64::max)
+        let counts = |function: &&Function<'_>| self.drawn || function.greatest > function.rounding;
+        self.functions.iter().filter(counts).map(|function| function.left_off).fold(0.0, f64::max)
     }
 
     /// The first instant within a step at which the part of a function begins or ends.
@@ -328,21 +337,24 @@ impl Watch<'_> {
             CycleFunction::Argmax => f.at,
             CycleFunction::Max | CycleFunction::Min | CycleFunction::Integral => f.value,
         };
-        let scale = |f: &Function<'_>| match f.cycle.how {
-            CycleFunction::Argmax => end - self.begin,
-            CycleFunction::Integral => f.greatest * length(f),
-            CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => f.greatest,
-        };
-        self.functions
-            .iter()
-            .map(|f| {
-                let rounding = match f.cycle.how {
-                    CycleFunction::Argmax => 0.0,
-                    CycleFunction::Integral => self.rounding(f) * length(f),
-                    CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => self.rounding(f),
+        // what its value, its greatest magnitude and its rounding are multiplied by
+        let times = |f: &Function<'_>| if f.cycle.how == CycleFunction::Integral { length(f) } else { 1.0 };
+        let over = |f: &Function<'_>| {
+            // of what is zero everywhere the first instant counts
+            let nothing = !self.drawn && f.greatest <= f.rounding;
+            let at = if nothing { self.begin } else { f.first(self.same) };
+            if f.cycle.how == CycleFunction::Argmax {
+                return OverRun {
+                    value: if nothing { at } else { value(f) },
+                    scale: end - self.begin,
+                    at,
+                    rounding: 0.0,
                 };
-                OverRun { value: value(f), scale: scale(f), at: f.first(self.same), rounding }
-            })
-            .collect()
+            }
+            let rounding = if self.drawn { 0.0 } else { f.rounding * times(f) };
+            let known = if value(f).abs() <= rounding { 0.0 } else { value(f) };
+            OverRun { value: known, scale: f.greatest * times(f), at, rounding }
+        };
+        self.functions.iter().map(over).collect()
     }
 }

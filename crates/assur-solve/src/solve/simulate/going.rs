@@ -21,7 +21,7 @@ use crate::solve::failure::Halt;
 /// Below this |σ| of a group the run ends before its dead position is in the way of the digits.
 const DEAD: f64 = 1e-4;
 /// Other coordinates are looked for again where the condition has fallen by this.
-const AGAIN: f64 = 0.5;
+pub(super) const AGAIN: f64 = 0.5;
 /// After so many steps it is looked at how many there will be.
 const LOOKED_AT: usize = 20_000;
 /// What is looked at within a step turns with the bodies: none turns by more than this, rad, or what comes again would be lost.
@@ -285,6 +285,8 @@ impl Going<'_, '_> {
         if short.and_then(|()| self.corners.shorten(equations, method)).is_err() {
             return Err(Ended::Halted(equations.halt()));
         }
+        // after what is taken on its sides: beyond them nothing is what it seems
+        self.keep_assemblies(equations, method).map_err(Ended::Halted)?;
         self.terms = (self.terms.0.max(equations.terms.0), self.terms.1.max(equations.terms.1));
         Ok(())
     }

@@ -106,6 +106,9 @@ impl Equations<'_, '_> {
         if self.bridge.is_none() {
             let sense = if y[1] == 0.0 { 0.0 } else { y[1].signum() };
             self.bridge = Bridge::near(self, y[0], sense).map(Box::new);
+            if let Some(bridge) = &self.bridge {
+                self.rough = std::array::from_fn(|kind| self.rough[kind].max(bridge.rough[kind]));
+            }
             return self.bridge.is_some();
         }
         false

@@ -3,6 +3,7 @@
 use super::chart::Given;
 use super::equations::Equations;
 use super::report::Energy;
+use super::seen::OF_MOTION;
 use super::slipping::Mode;
 use crate::math::Vec2;
 use crate::math::ode::{Integrator, System};
@@ -118,15 +119,12 @@ impl Records {
     }
 }
 
-/// Of what works are made of, forces times speeds, this part is rounding.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-
 /// Keeps what is wanted at an instant.
 pub(super) struct Recorder {
     records: Records,
-    /// What the terms of all powers came to by the begin of the last step, J.
+    /// What rounding of all powers came to by the begin of the last step, J.
     sizes: Vec<f64>,
-    /// Their sizes in it, W, and at its end.
+    /// It in that step, W, and at its end.
     powers: Vec<[f64; 2]>,
     y: Vec<f64>,
     dy: Vec<f64>,
@@ -239,10 +237,12 @@ impl Recorder {
         if self.sizes.is_empty() || !equations.observe(method.t(), method.y(), true) {
             return;
         }
+        equations.look_at_sizes();
         let length = method.t() - method.previous_t();
         for (id, (size, [power, at_end])) in self.sizes.iter_mut().zip(&mut self.powers).enumerate() {
             *size += self.length * *power;
-            let before = std::mem::replace(at_end, equations.power_size(id));
+            let power_there = equations.nothing(&equations.model.mechanism.works[id], OF_MOTION);
+            let before = std::mem::replace(at_end, power_there);
             *power = at_end.max(before);
         }
         self.length = length;
@@ -258,7 +258,7 @@ impl Recorder {
 
 /// What is rounding of works some time after the begin of a step, s.
 fn nothing<'a>(sizes: &'a [f64], powers: &'a [[f64; 2]], after: f64) -> impl Iterator<Item = f64> + 'a {
-    sizes.iter().zip(powers).map(move |(size, [power, _])| ROUNDING * (size + after * power))
+    sizes.iter().zip(powers).map(move |(size, [power, _])| size + after * power)
 }
 
 /// The unknowns at an instant within the last step, or at one of its ends; `false` where there are none.

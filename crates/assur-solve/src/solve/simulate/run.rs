@@ -256,6 +256,7 @@ impl Going<'_, '_> {
         }
         let Reached { ended, counts, end, left_off, .. } = found;
         self.crossed.append(&mut equations.crossed);
+        self.kinds.found(equations);
         Part { ended, by: By { method: Some(name), why }, counts, end, left_off }
     }
 
@@ -426,7 +427,6 @@ impl Run {
             },
             halted: self.stopped.is_some(),
             end: self.end,
-            least: if self.crossed.is_empty() { 1.0 } else { self.worst_condition.0 },
         }
     }
 

@@ -2,16 +2,23 @@
 
 use super::equations::Equations;
 use super::loads::sides;
-use crate::answer::PoseAnswers;
+use crate::answer::{PoseAnswers, ROUNDING};
 use crate::model::{DriveTarget, Expr};
 use crate::position::Model;
 use std::f64::consts::TAU;
+
+/// Rounding is not said to grow more than by this condition.
+pub(super) const LEAST_CONDITION: f64 = 1e-3;
+
+/// By what power of the condition rounding of positions and velocities grows, and that of accelerations and forces.
+pub(super) const OF_MOTION: i32 = 2;
+pub(super) const OF_FORCES: i32 = 3;
 
 impl Equations<'_, '_> {
     /// Answers in the state that is observed.
     pub fn view(&self) -> PoseAnswers<'_> {
         let view = PoseAnswers::new(self.model, &self.trial, &self.angles, self.statics);
-        PoseAnswers { switches: sides(self.held, &self.switches), ..view }
+        PoseAnswers { switches: sides(self.held, &self.switches), sizes: &self.sizes, ..view }
     }
 
     /// The powers whose works are asked for, at rates of which the actual ones are this part.
@@ -21,10 +28,34 @@ impl Equations<'_, '_> {
         }
     }
 
-    /// The size of the terms that one of these powers is made of, the greater the nearer a dead position is.
-    pub fn power_size(&mut self, id: usize) -> f64 {
-        let power = &self.model.mechanism.works[id];
-        self.named(|view| view.size_of_power(power)) / self.condition().powi(2)
+    /// Looks at what results are made of in the state that is observed, and at what each of its loads would do alone.
+    pub fn look_at_sizes(&mut self) {
+        let mut sizes = std::mem::take(&mut self.sizes);
+        self.named(|view| sizes.look(view));
+        let (order, force, length) = (self.order(), sizes.applied(), sizes.length());
+        for coordinate in 0..order {
+            let mass = self.reduced.mass()[coordinate * (order + 1)];
+            let alone = (0..order).map(|i| if i == coordinate { 1.0 } else { 0.0 });
+            let speed = self.reduced.greatest_speed(length, alone);
+            sizes.may_accelerate(force * length * speed * speed / mass);
+        }
+        sizes.doubt(self.rounding_of(1.0, OF_MOTION) / ROUNDING);
+        self.sizes = sizes;
+    }
+
+    /// What an expression is zero but for rounding below, in the state that is observed; NaN where it has no value.
+    pub fn nothing(&mut self, expr: &Expr, grows: i32) -> f64 {
+        let sizes = std::mem::take(&mut self.sizes);
+        let size = self.named(|view| view.size(expr, &sizes));
+        self.sizes = sizes;
+        self.rounding_of(size, grows)
+    }
+
+    /// Rounding of terms of a size, which grows by this power of the condition where the step begins and in the state observed.
+    pub fn rounding_of(&self, size: f64, grows: i32) -> f64 {
+        let rough = self.rough[if grows == OF_FORCES { 2 } else { 1 }];
+        let condition = self.condition().min(self.trial_condition()).max(LEAST_CONDITION);
+        size * rough.max(ROUNDING / condition.powi(grows))
     }
 
     /// The value of an expression in the state that is observed.
@@ -61,7 +92,7 @@ impl Equations<'_, '_> {
     fn evaluate_on_sides(&mut self, held: bool) {
         let switches = sides(held, &self.switches);
         let view = PoseAnswers::new(self.model, &self.trial, &self.angles, self.statics);
-        let view = PoseAnswers { switches, ..view };
+        let view = PoseAnswers { switches, sizes: &self.sizes, ..view };
         match self.quantities.take() {
             None => view.evaluated_loads(&mut self.evaluated),
             Some(memory) => {

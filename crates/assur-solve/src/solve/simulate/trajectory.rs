@@ -71,13 +71,13 @@ impl Trajectory {
             halted: halt
                 .is_some_and(|cause| !matches!(cause, Cause::Halted { halt, .. } if halt.is_inaccurate())),
             end: self.report.end,
-            least: if self.report.crossed.is_empty() { 1.0 } else { self.report.worst_condition.0 },
         }
     }
 
     /// Puts what the run has found beside its instants to what needs no position.
     pub fn tell(&self, mechanism: &Mechanism, statics: &mut WholeCycle) {
         statics.events.clone_from(&self.report.events);
+        statics.sizes.clone_from(&self.kinds.sizes);
         statics.period = self.report.steady.map(|steady| steady.period);
         statics.situations = self.report.situations(mechanism);
         let answer = |&OverRun { value, scale, at, .. }: &OverRun| CycleAnswer {

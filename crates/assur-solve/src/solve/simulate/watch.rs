@@ -5,7 +5,7 @@ use super::depends::{comes_again, is_deep, is_kept, is_linkage};
 use super::equations::Equations;
 use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
 use super::records::within_step;
-use super::sizes::Sizes;
+use super::seen::{OF_FORCES, OF_MOTION};
 use crate::math::lobatto::Extremes;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
@@ -24,6 +24,9 @@ const AGAIN: f64 = 10.0;
 /// The way in which a value leaves zero is looked at after this part of the step.
 const SOON: f64 = 1.0 / 256.0;
 
+/// In shorter steps than this over the greatest angular velocity what is small may be on its way.
+const SHORT: f64 = 1e-6;
+
 /// Crossings of one event within a step that are passed over at most.
 const MOST_TRIES: usize = 4;
 
@@ -38,8 +41,6 @@ pub(super) struct Watch<'m> {
     /// Something looked at may come again with the turns of a body, however smooth its speed is.
     pub comes_again: bool,
     pub(super) places: Extremes,
-    /// What is large so far.
-    pub(super) sizes: Sizes,
     /// What series of functions may leave off, of the greatest value.
     pub(super) smooth: f64,
     /// Of extremes that differ by no more than this part of the greatest value the first counts.
@@ -98,7 +99,6 @@ impl<'m> Watch<'m> {
             deep_functions,
             comes_again,
             places: Extremes::new(),
-            sizes: Sizes::new(equations),
             smooth: SMOOTH.max(OF_TOLERANCE * tolerance),
             same: 0.0,
             drawn: false,
@@ -155,6 +155,9 @@ impl<'m> Watch<'m> {
                 continue;
             }
             let crossing = self.crossing(equations, method, index, step, passed);
+            if crossing.is_some() && self.is_nothing(equations, method, index) {
+                continue;
+            }
             // the other way does not count, but what follows it in the same step may
             let (mut counted, mut tries) = (crossing, 0);
             while let Some(crossing) = counted {
@@ -189,8 +192,34 @@ impl<'m> Watch<'m> {
         method: &mut M,
         index: usize,
     ) -> bool {
-        let (from, to) = (method.previous_t(), method.t());
         let most = ROUNDING * self.greatest[index];
+        self.stays_below(equations, method, (index, most))
+    }
+
+    /// Whether it stays below what rounding makes of the terms it is made of.
+    fn is_nothing<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        index: usize,
+    ) -> bool {
+        let value = &self.events[index].value;
+        self.value(equations, method, method.t(), value);
+        equations.look_at_sizes();
+        let grows = if self.deep { OF_FORCES } else { OF_MOTION };
+        let most = equations.nothing(value, grows);
+        // in a step of no length nothing changes: there it must have been nothing all the time
+        let short = (method.t() - method.previous_t()) * equations.sizes.turning() < SHORT;
+        (!short || self.greatest[index] <= most) && self.stays_below(equations, method, (index, most))
+    }
+
+    fn stays_below<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        (index, most): (usize, f64),
+    ) -> bool {
+        let (from, to) = (method.previous_t(), method.t());
         let value = &self.events[index].value;
         [from, from + 0.4 * (to - from), to]
             .into_iter()
