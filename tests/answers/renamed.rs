@@ -69,7 +69,7 @@ fn a_name_that_cannot_be_is_refused_in_the_words_of_check() {
         ("A-B", "A", "`A` is declared twice"),
         ("link crank", "ground", "`ground` is declared twice"),
         ("given r", "а", "two different names look like `а`"),
-        ("given r", "cw", "cannot read this `given`: expected a name"),
+        ("given r", "cw", "`cw` is a word of the language and cannot be a name"),
         ("given r", "5 mm", "cannot read this `given`: expected a name"),
         ("given r", "", "cannot read this `given`: expected a name"),
         ("given r", "A.B", "cannot read this `given`: expected `=`"),

@@ -12,6 +12,8 @@ pub enum Removal {
     Drive(usize),
     /// A slot in place of a prismatic pair.
     AsSlot(usize),
+    /// A prismatic pair in place of a slot whose slider turns.
+    AsPrismatic(usize),
 }
 
 /// Changes that belong together.
@@ -34,7 +36,11 @@ fn way(text: &str) -> Vec<Proposal> {
     let loosens = text.contains("after which");
     let text = text.split([';']).next().unwrap_or_default();
     if let Some(written) = text.strip_prefix('+') {
-        let name = written.trim_start_matches("`slot ").split(':').next().unwrap_or_default();
+        let of = |word: &str| written.strip_prefix(word)?.split(':').next();
+        if let Some(name) = of("`prismatic ") {
+            return vec![Proposal { removals: vec![Removal::AsPrismatic(number(name))], loosens }];
+        }
+        let name = of("`slot ").unwrap_or_default();
         return vec![Proposal { removals: vec![Removal::AsSlot(number(name))], loosens }];
     }
     let text = text.trim_start_matches('-');
@@ -89,6 +95,13 @@ pub fn apply(linkage: &Linkage, removals: &[Removal]) -> Linkage {
                 for pair in out.pairs.iter_mut().filter(|p| p.number == *pair) {
                     if let Kind::Prismatic(a, b) = pair.kind {
                         pair.kind = Kind::Slot(a, b);
+                    }
+                }
+            }
+            Removal::AsPrismatic(pair) => {
+                for pair in out.pairs.iter_mut().filter(|p| p.number == *pair) {
+                    if let Kind::Slot(a, b) = pair.kind {
+                        pair.kind = Kind::Prismatic(a, b);
                     }
                 }
             }

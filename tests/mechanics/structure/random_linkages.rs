@@ -1,7 +1,7 @@
 //! 3,000 random linkages: no sound one is refused, none is accepted that is over- or underconstrained anywhere, and what a
 //! help proposes does what it says.
 
-use super::help::{apply, pastes, removals};
+use super::help::{Removal, apply, pastes, removals};
 use super::linkage::{Kind, Linkage, Pair, link_name};
 use super::oracle::{Truth, truth};
 use crate::support::random::Random;
@@ -191,7 +191,7 @@ fn judge(seed: u64, tally: &mut Tally) {
         Change::Surplus(number) if real.surplus > 0 => {
             tally.surplus += 1;
             let proposals = removals(&found.help);
-            let alone = |r: &super::help::Removal| *r == super::help::Removal::Pair(number);
+            let alone = |r: &Removal| *r == Removal::Pair(number);
             let place = proposals.iter().position(|p| p.removals.len() == 1 && alone(&p.removals[0]));
             tally.surplus_named += usize::from(place.is_some());
             tally.places.extend(place);
@@ -233,7 +233,10 @@ fn fixes(seed: u64, (linkage, text): (&Linkage, &str), real: &Truth, found: &Ver
     for proposal in &proposals {
         tally.fixes += 1;
         let now = truth(&apply(linkage, &proposal.removals), seed);
-        let fixed = now.surplus < real.surplus && (now.missing == real.missing) != proposal.loosens;
+        let fixed = match proposal.removals.as_slice() {
+            [Removal::AsPrismatic(_)] => now.missing < real.missing && now.surplus == real.surplus,
+            _ => now.surplus < real.surplus && (now.missing == real.missing) != proposal.loosens,
+        };
         if !fixed {
             tally.wrong_fixes.push(format!("{proposal:?}: {real:?} -> {now:?}\n{}\n{text}", found.help));
         }

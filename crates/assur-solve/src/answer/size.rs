@@ -4,13 +4,8 @@
 //! derivative. A number that depends on the reciprocal of what is zero but for rounding has no size.
 
 use super::pose_answers::PoseAnswers;
-use super::sizes::{ROUNDING, Sizes};
+use super::sizes::{ROUNDING, Sizes, is_zero};
 use crate::model::{Axis, BinaryOp, CurvePart, Expr, Function, Value};
-
-/// Whether a number is zero but for rounding.
-pub(crate) fn is_zero(x: f64, size: f64) -> bool {
-    x.abs() <= ROUNDING * size
-}
 
 /// A value with its size.
 #[derive(Clone, Copy, Debug)]

@@ -3,8 +3,7 @@
 use super::equations::Equations;
 use super::functions::OverRun;
 use super::records::Records;
-use super::seen::LEAST_CONDITION;
-use crate::answer::{ROUNDING, Sizes};
+use crate::answer::{LEAST_CONDITION, ROUNDING, Sizes};
 use crate::position::BodyState;
 
 /// Kinds of results whose errors are judged apart.

@@ -5,9 +5,8 @@
 
 use super::equations::Equations;
 use super::records::within_step;
-use super::seen::OF_MOTION;
 use super::slipping::Mode;
-use crate::answer::{PoseAnswers, Switch};
+use crate::answer::{OF_MOTION, PoseAnswers, Switch};
 use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Integrator, Undefined};
 

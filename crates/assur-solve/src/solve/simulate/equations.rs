@@ -4,11 +4,11 @@
 use super::bridge::Bridge;
 use super::chart::Chart;
 use super::drives::{moves, prescribed};
-use super::leap::Seen;
 use super::loads::{loads_need_angles, sides};
 use super::passage::Passage;
 use super::setup::{Begin, is_length};
 use super::slipping::{Mode, Slipping};
+use super::stages::Stages;
 use super::walk::Walk;
 use crate::answer::{Sizes, Switch, WholeCycle};
 use crate::math::Vec2;
@@ -85,7 +85,7 @@ pub(super) struct Equations<'a, 's> {
     /// What positions, velocities and accelerations on the way over change points are not known to, of the greatest.
     pub rough: [f64; 3],
     /// What was seen of change points since the present step began.
-    pub seen: Seen,
+    pub stages: Stages,
     /// Memory for rates that nobody looks at.
     quiet: Vec<f64>,
     /// Why the last evaluation has no value.
@@ -147,7 +147,7 @@ impl<'a, 's> Equations<'a, 's> {
             terms: (0.0, 0.0),
             sizes: Sizes::new(model.mechanism.quantities.len()),
             rough: [0.0; 3],
-            seen: Seen::default(),
+            stages: Stages::default(),
             quiet: vec![0.0; unknowns],
             why: None,
         }
@@ -317,10 +317,19 @@ impl<'a, 's> Equations<'a, 's> {
         }
     }
 
+    /// The least condition figure of the state that was evaluated last.
+    pub fn trial_condition(&self) -> f64 {
+        least_condition(&self.trial)
+    }
+
     /// The least condition figure of the state from which the present step begins.
     pub fn condition(&self) -> f64 {
-        self.accepted.1.motion.conditions.iter().fold(1.0, |least, c| least.min(c.abs()))
+        least_condition(&self.accepted.1)
     }
+}
+
+fn least_condition(state: &State) -> f64 {
+    state.motion.conditions.iter().fold(1.0, |least, c| least.min(c.abs()))
 }
 
 /// Below this one friction does so since the position is dead.
@@ -343,13 +352,13 @@ impl System<f64> for Equations<'_, '_> {
                 None => self.slipping_rates(y, dy),
             };
             self.why = found.err();
-            self.note_stage();
+            self.stages.note(self.trial_condition());
             self.at.0 = t;
             self.at.1.copy_from_slice(y);
             return if self.why.is_none() { Ok(()) } else { Err(Undefined) };
         }
         self.reduce(y[0]);
-        self.note_stage();
+        self.stages.note(self.trial_condition());
         if let Some(group) = self.trial.motion.open {
             self.why = Some(Halt::Open { group });
             return Err(Undefined);
@@ -406,7 +415,7 @@ impl System<f64> for Equations<'_, '_> {
         self.accepted.0 = t;
         self.accepted.1.start_from(&self.trial);
         self.accepted.2.clone_from(&self.angles);
-        self.seen = Seen::begin(self.condition());
+        self.stages = Stages::begin(self.condition());
         self.walk_begins(y[0]);
     }
 }

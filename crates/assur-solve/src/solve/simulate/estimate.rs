@@ -9,6 +9,7 @@ use super::compare::Compared;
 use super::report::Method;
 use super::run::Run;
 use super::trace::Fraction;
+use crate::answer::LEAST_CONDITION;
 
 /// The error of a finer run is that of the coarser one times what both witnesses tell, but for chance: over the examples, at
 /// tolerances from 1e-3 to 1e-13, 97 of 100 are no more than so many times greater.
@@ -36,8 +37,6 @@ const OF_EVENT: f64 = 30.0;
 /// Over a change point of several coordinates accelerations are found from positions close to it: near there they are known to so
 /// many roundings, as the angular acceleration of a coupler that does not turn shows.
 const OF_CHANGE: f64 = 2e5;
-/// Rounding is not said to grow more than by this condition.
-const LEAST_CONDITION: f64 = 1e-3;
 /// Rounding differs in two runs of other steps: of DOP853 it is not said to be more than so many times the difference.
 const APART: f64 = 3.0;
 /// A difference of no more than so many roundings is taken as it is.

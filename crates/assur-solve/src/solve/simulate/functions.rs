@@ -3,8 +3,8 @@
 use super::equations::Equations;
 use super::part::{is_known, part};
 use super::records::within_step;
-use super::seen::{OF_FORCES, OF_MOTION};
 use super::watch::{AT_ONCE, Watch};
+use crate::answer::{OF_FORCES, OF_MOTION};
 use crate::math::lobatto::{PLACES, Short};
 use crate::math::ode::Integrator;
 use crate::model::{Bound, Cycle, CycleFunction, Part};

@@ -15,17 +15,11 @@ use crate::solve::failure::Halt;
 
 /// Two bodies turn against each other at most so much faster than the faster one.
 const AGAINST: f64 = 2.0;
-/// Parts of a step that are looked at first.
-const PARTS: usize = 4;
 /// Where |σ| is known to pass no place below this, none passes zero.
 const NOTHING: f64 = 1e-3;
 /// Where the step begins with less, the way over was looked for already; otherwise it is to end with about so much.
 const LOOKED: f64 = AGAIN * CAREFUL;
 const BEFORE: f64 = 0.8 * LOOKED;
-
-/// Of stages of a step, two that follow each other are so far apart at most, parts of the step; there are so many of them.
-const APART: f64 = 0.35;
-const STAGES: u32 = 11;
 
 /// A place of a step: the instant, s, |σ|, and how fast it may change, 1/s.
 type Place = (f64, f64, f64);
@@ -46,7 +40,7 @@ impl Going<'_, '_> {
         let (from, to) = (method.previous_t(), method.t());
         let begin = (from, equations.condition(), AGAINST * equations.fastest_accepted());
         let Some(end) = self.place(equations, method, to) else { return Ok(()) };
-        if is_clear(begin, end) || equations.seen.is_clear((to - from) * begin.2.max(end.2)) {
+        if is_clear(begin, end) || equations.stages.is_clear((to - from) * begin.2.max(end.2)) {
             return Ok(());
         }
         let Some((before, zero)) = self.first_zero(equations, method, (begin, end)) else { return Ok(()) };
@@ -63,31 +57,23 @@ impl Going<'_, '_> {
         Ok(())
     }
 
-    /// The last place before the first zero of |σ| in a step, and where that is, s.
+    /// The last place before the first zero of |σ| between two places of a step, and where that is, s.
     fn first_zero<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
-        (begin, end): (Place, Place),
+        (last, next): (Place, Place),
     ) -> Option<(Place, f64)> {
-        let mut last = begin;
-        let mut ahead = vec![end];
-        #[allow(clippy::cast_precision_loss)] // few
-        for part in (1..PARTS).rev() {
-            let t = begin.0 + (end.0 - begin.0) * part as f64 / PARTS as f64;
-            ahead.push(self.place(equations, method, t)?);
+        if is_clear(last, next) {
+            return None;
         }
-        while let Some(next) = ahead.pop() {
-            if is_clear(last, next) {
-                last = next;
-            } else if last.1.max(next.1) < NOTHING || !(next.0 - last.0 > f64::EPSILON * next.0.abs()) {
-                return Some((last, 0.5 * (last.0 + next.0)));
-            } else {
-                ahead.push(next);
-                ahead.push(self.place(equations, method, 0.5 * (last.0 + next.0))?);
-            }
+        let apart = next.0 - last.0;
+        if last.1.max(next.1) < NOTHING || apart <= f64::EPSILON * next.0.abs() {
+            return Some((last, last.0 + 0.5 * apart));
         }
-        None
+        let middle = self.place(equations, method, last.0 + 0.5 * apart)?;
+        let before = self.first_zero(equations, method, (last, middle));
+        before.or_else(|| self.first_zero(equations, method, (middle, next)))
     }
 
     fn place<M: Integrator<f64>>(
@@ -102,44 +88,15 @@ impl Going<'_, '_> {
     }
 }
 
-/// Whether |σ| stays above zero between two places.
+/// Whether |σ| stays above zero between two places; where no group has two assemblies it is 1.
 fn is_clear((t, a, speed): Place, (to, b, other): Place) -> bool {
-    a + b > (to - t) * speed.max(other)
-}
-
-/// What was seen of |σ| in the stages since the present step began.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Seen {
-    least: f64,
-    stages: u32,
-}
-
-impl Seen {
-    /// A step begins where |σ| is so.
-    pub const fn begin(condition: f64) -> Self {
-        Self { least: condition, stages: 0 }
-    }
-
-    fn is_clear(self, turned: f64) -> bool {
-        self.stages >= STAGES && self.least > 0.5 * APART * turned
-    }
+    (a == 1.0 && b == 1.0) || a + b > (to - t) * speed.max(other)
 }
 
 impl Equations<'_, '_> {
-    /// A stage has been evaluated.
-    pub fn note_stage(&mut self) {
-        self.seen.least = self.seen.least.min(self.trial_condition());
-        self.seen.stages += 1;
-    }
-
     /// Whether the step that was made last leads over a change point.
     fn is_on_the_way_over(&self) -> bool {
         self.bridge.is_some() || self.passage.is_some()
-    }
-
-    /// The least condition figure of the state that was evaluated last.
-    pub fn trial_condition(&self) -> f64 {
-        self.trial.motion.conditions.iter().fold(1.0, |least, c| least.min(c.abs()))
     }
 
     /// Evaluates a state, if it is not that of the last evaluation.

@@ -49,6 +49,7 @@ mod seen;
 mod setup;
 mod sliding;
 mod slipping;
+mod stages;
 mod standing;
 mod starting;
 mod steady;

@@ -3,8 +3,8 @@
 use super::chart::Given;
 use super::equations::Equations;
 use super::report::Energy;
-use super::seen::OF_MOTION;
 use super::slipping::Mode;
+use crate::answer::OF_MOTION;
 use crate::math::Vec2;
 use crate::math::ode::{Integrator, System};
 use crate::position::{Against, BodyState, Branch, Grip};

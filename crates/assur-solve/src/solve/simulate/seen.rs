@@ -2,17 +2,10 @@
 
 use super::equations::Equations;
 use super::loads::sides;
-use crate::answer::{PoseAnswers, ROUNDING};
+use crate::answer::{LEAST_CONDITION, OF_FORCES, OF_MOTION, PoseAnswers, ROUNDING};
 use crate::model::{DriveTarget, Expr};
 use crate::position::Model;
 use std::f64::consts::TAU;
-
-/// Rounding is not said to grow more than by this condition.
-pub(super) const LEAST_CONDITION: f64 = 1e-3;
-
-/// By what power of the condition rounding of positions and velocities grows, and that of accelerations and forces.
-pub(super) const OF_MOTION: i32 = 2;
-pub(super) const OF_FORCES: i32 = 3;
 
 impl Equations<'_, '_> {
     /// Answers in the state that is observed.

@@ -5,7 +5,7 @@ use super::depends::{comes_again, is_deep, is_kept, is_linkage};
 use super::equations::Equations;
 use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
 use super::records::within_step;
-use super::seen::{OF_FORCES, OF_MOTION};
+use crate::answer::{OF_FORCES, OF_MOTION};
 use crate::math::lobatto::Extremes;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
