@@ -37,6 +37,8 @@ SCENES = ROOT / "tests/pictures/snapshots"
 WIDTHS = [390, 900, 1600]
 # frames of an animation with and without a script
 FRAMES = 24
+# frames in which labels may lie on each other
+COVERED = 0.01
 # of the length that holds a text, mm between a frame and its scheme, share of pixels
 WIDTH, FRAME, PIXELS = 0.08, 0.08, 0.02
 
@@ -133,6 +135,8 @@ class Check:
                 self.fault(name, [f"it does not stop after a {press}"])
         on = b.run("(() => { let n = 0; for (let i = 0; i < N; i++) { show(i); n += overlaps(document.querySelector('svg.fig'), 0.05).length > 0 } show(0); return n / N })()")
         self.covered.append((on, name))
+        if on > COVERED:
+            self.fault(name, [f"labels lie on each other in {100 * on:.1f} % of the frames"])
         self.quiet(name)
 
     def frames(self, name, source, poses):

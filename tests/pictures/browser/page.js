@@ -25,7 +25,10 @@ function shownAs(label) {
 // The boxes of all labels of a picture where they are now, in its units.
 function boxes(svg) {
   const back = svg.getScreenCTM().inverse();
-  return [...svg.querySelectorAll('g.lab')].map(label => {
+  // those that fade are not seen soon, however long it takes
+  const fades = label => label.closest('[style]')?.style.opacity === '0';
+  const seen = [...svg.querySelectorAll('g.lab')].filter(label => !fades(label));
+  return seen.map(label => {
     const all = [...label.querySelectorAll('text')].map(t => ink(t).box);
     const m = back.multiply(label.getScreenCTM());
     const box = [0, 1].map(i => Math.min(...all.map(b => b[i]))).concat([2, 3].map(i => Math.max(...all.map(b => b[i]))));

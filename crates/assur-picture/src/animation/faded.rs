@@ -4,7 +4,7 @@ use super::moved::Moved;
 use assur_drawing::{Placed, Rect};
 
 /// Boxes that share less than this are apart, mm.
-const TOUCH: f64 = 0.2;
+const TOUCH: f64 = 0.05;
 
 /// A label that gives way to others.
 pub struct Faded {
