@@ -109,7 +109,7 @@ fn levers_have_friction_and_cylinders() {
     // F_b = 747.59 N at 1.2 m/s under 60°
     let balance = power(&lever, "F_b").expect("the balance");
     let force: f64 = 747.5923987641834;
-    assert!((balance - force * 1.2 * 60.0_f64.to_radians().sin()).abs() < 0.01, "{balance}");
+    assert!((balance - force * 1.2 * libm::sin(60.0_f64.to_radians())).abs() < 0.01, "{balance}");
     for (term, arrow) in [("F_fH", "F_fH"), ("M_f1", "F_Mf1′"), ("M_f2", "F_Mf2"), ("M_f3", "F_Mf3")] {
         assert!(power(&lever, term).is_some_and(|power| power < 0.0), "{term}");
         assert_eq!(marks(&lever, "vector", arrow).count(), 1, "{arrow}");

@@ -42,6 +42,9 @@ pub struct Sheets<'a> {
     written: Vec<f64>,
 }
 
+/// The name and the unit of a column of variants.
+type Column = (String, String);
+
 /// A row of variants: its number, its name and its values.
 struct Row {
     number: usize,
@@ -350,7 +353,7 @@ impl Sheets<'_> {
     }
 
     /// The table of variants without the columns that expectations alone use.
-    fn variants(&self) -> Option<(Vec<(String, String)>, Vec<Vec<String>>)> {
+    fn variants(&self) -> Option<(Vec<Column>, Vec<Vec<String>>)> {
         let table = check::table(&self.document)?;
         let used = |name: &str| self.is_used(name);
         let kept: Vec<usize> =

@@ -52,8 +52,11 @@ fn scale(sheet: &Sheet) -> Option<f64> {
     said.into_iter().next()
 }
 
+/// What an arrow is named, where it ends and which way it points.
+type Arrow<'s> = (&'s str, Vec2, Vec2);
+
 /// The arrows of a sheet in ground axes: name, point in mm, direction; and its couples: name, sense.
-fn drawn(sheet: &Sheet) -> (Vec<(&str, Vec2, Vec2)>, Vec<(&str, f64)>) {
+fn drawn(sheet: &Sheet) -> (Vec<Arrow<'_>>, Vec<(&str, f64)>) {
     let (mut forces, mut couples) = (Vec::new(), Vec::new());
     for mark in &sheet.drawing.marks {
         let group = &sheet.drawing.groups[mark.group];

@@ -106,7 +106,7 @@ impl Context<'_> {
 fn beside_a_list(list: &Help, name: &Name) -> Help {
     let nearest = lookup(&name.node).err().map(|error| error.nearest().to_vec()).unwrap_or_default();
     match nearest.first().filter(|_| name.node.chars().count() > 2) {
-        Some(unit) => Help::write(name.span, &[unit.clone()])
+        Some(unit) => Help::write(name.span, std::slice::from_ref(unit))
             .in_words(format!("write `{unit}` if the unit is meant; {list}")),
         None => format!("{list}; a new one is a line `given {} = …`", name.node).into(),
     }

@@ -148,6 +148,7 @@ impl Sentence for QuestionMessage {
 
 impl QuestionMessage {
     /// English, Russian, Chinese.
+    #[allow(clippy::too_many_lines, reason = "a table: one line per message")]
     const fn templates(self) -> [&'static str; 3] {
         match self {
             Self::Reactions => ["all reactions", "все реакции", "所有约束反力"],
