@@ -105,8 +105,13 @@ fn light_links_keep_their_way_over_change_points() {
             None => line.to_owned(),
         });
         let text = light.collect::<Vec<String>>().join("\n");
-        // by energy, and by DOP853 beside a damper that does nothing to what turns uniformly
-        let load = if case % 2 == 0 { "" } else { "torque T on a = 3 N*m when omega(a) < 0 rad/s" };
+        // by energy, by DOP853 beside a load that is off, and driven by time alone
+        let load = if case % 3 == 1 { "torque T on a = 3 N*m when omega(a) < 0 rad/s" } else { "" };
+        let (start, driven) = (
+            format!("start a = {angle} deg at {speed} rad/s"),
+            format!("drive a = {angle} deg + {speed} rad/s * time"),
+        );
+        let text = if case % 3 == 2 { text.replace(&start, &driven) } else { text };
         let end = angle + (0.3 * speed).to_degrees();
         right(
             &format!("{text}\n{load}\nfind angle(a), angle(c), omega(c)"),

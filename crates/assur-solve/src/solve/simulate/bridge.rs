@@ -3,17 +3,13 @@
 //! There the formulas divide nothing by nothing, yet all that moves is a smooth function of the coordinate. It is taken from
 //! regular positions on both sides, by Chebyshev's series over a short way.
 
-use super::change::{CHANGES, CLOSE, FARTHEST, REACH, SMOOTH, WIDTH, change_point, put_numbers};
+use super::change::{
+    CHANGES, CLOSE, FARTHEST, IS_LENGTH, OF_ALL, ORDERS, REACH, SMOOTH, WIDTH, change_point, put_numbers,
+};
 use super::equations::Equations;
 use crate::math::Vec2;
 use crate::math::chebyshev::{NODES, Nodes, add_rows, polynomials, tail};
 use crate::position::{BodyState, Branch, Motion, State};
-
-/// Of the numbers of a body: how often they are differentiated, and which are lengths.
-const ORDERS: [usize; WIDTH] = [0, 0, 0, 0, 1, 1, 1, 2, 2, 2];
-const IS_LENGTH: [bool; WIDTH] = [true, true, false, false, true, true, false, true, true, false];
-/// Rounding of all terms of a series over that of its last ones.
-const OF_ALL: f64 = NODES as f64;
 
 /// The way over a change point.
 #[derive(Clone, Debug)]

@@ -1,6 +1,7 @@
 //! Where a change point is, and how far to both sides it is gone over.
 
 use crate::math::Vec2;
+use crate::math::chebyshev::NODES;
 use crate::position::{BodyState, Branch, State};
 
 /// A bridge reaches at most so far to both sides, of the coordinate, rad or parts of the extent.
@@ -20,6 +21,12 @@ const STEPS: usize = 16;
 const PART: f64 = 0.9;
 /// Numbers of a body.
 pub(super) const WIDTH: usize = 10;
+
+/// Of the numbers of a body: how often they are differentiated, and which are lengths.
+pub(super) const ORDERS: [usize; WIDTH] = [0, 0, 0, 0, 1, 1, 1, 2, 2, 2];
+pub(super) const IS_LENGTH: [bool; WIDTH] = [true, true, false, false, true, true, false, true, true, false];
+/// Rounding of all terms of a series over that of its last ones.
+pub(super) const OF_ALL: f64 = NODES as f64;
 
 /// Moves a body as these numbers say: place, direction, velocity, angular velocity, acceleration, angular acceleration.
 pub(super) fn put_numbers(body: &mut BodyState, n: &[f64]) {

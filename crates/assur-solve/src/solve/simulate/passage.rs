@@ -4,7 +4,9 @@
 //! accelerations without any of the free coordinates are taken from regular positions on both sides, along the one coordinate, by
 //! Chebyshev's series.
 
-use super::change::{CHANGES, FARTHEST, REACH, SMOOTH, WIDTH, change_point, put_numbers};
+use super::change::{
+    CHANGES, FARTHEST, IS_LENGTH, OF_ALL, ORDERS, REACH, SMOOTH, WIDTH, change_point, put_numbers,
+};
 use crate::math::Vec2;
 use crate::math::chebyshev::{NODES, Nodes, add_rows, polynomials};
 use crate::plan::Plan;
@@ -45,6 +47,8 @@ pub(super) struct Passage {
     /// All numbers at the nodes, and at the place itself.
     values: [Vec<f64>; NODES],
     numbers: Vec<f64>,
+    /// What positions, velocities and accelerations were not known to at its begin, of the greatest.
+    pub rough: [f64; 3],
 }
 
 impl Passage {
@@ -86,6 +90,7 @@ impl Passage {
                     nodes: Nodes::new(),
                     values: std::array::from_fn(|_| Vec::new()),
                     numbers: Vec::new(),
+                    rough: [0.0; 3],
                 };
                 // the one that comes to it first: of the others it moves away
                 let rate = here.motion.inputs[drive].rate.abs();
@@ -100,6 +105,7 @@ impl Passage {
         for _ in 0..3 {
             let mut state = here.clone();
             if passage.covers(passage.here) && passage.run(plan, &mut reduced, &mut state) {
+                passage.rough = passage.roughness(WIDTH + UNIT * reduced.free().len());
                 return Some(passage);
             }
             passage.reach *= 0.5;
@@ -184,6 +190,25 @@ impl Passage {
             }
         }
         smooth
+    }
+
+    /// What the series leave off of each order, of its greatest number; each body has so many numbers.
+    fn roughness(&self, each: usize) -> [f64; 3] {
+        let (mut greatest, mut left) = ([0.0_f64; 3], [0.0_f64; 3]);
+        for index in (0..self.values[0].len()).filter(|index| index % each < WIDTH) {
+            let (order, is_length) = (ORDERS[index % each], IS_LENGTH[index % each]);
+            let unit = if is_length { self.extent } else { 1.0 };
+            let value = |node: usize| self.values[node][index];
+            for node in 0..NODES {
+                greatest[order] = greatest[order].max(value(node).abs() / unit);
+            }
+            for k in NODES - 3..NODES {
+                left[order] = left[order].max(self.nodes.coefficient(k, value).abs() / unit);
+            }
+        }
+        std::array::from_fn(
+            |order| if greatest[order] > 0.0 { OF_ALL * left[order] / greatest[order] } else { 0.0 },
+        )
     }
 
     /// Finds about where the change point is, from where it was.

@@ -101,6 +101,9 @@ impl Equations<'_, '_> {
             let mut here = here.clone();
             self.inputs_at(t, y, &mut here.motion);
             self.passage = Passage::near(plan, &self.reduced, &here, self.extent()).map(Box::new);
+            if let Some(passage) = &self.passage {
+                self.rough = std::array::from_fn(|kind| self.rough[kind].max(passage.rough[kind]));
+            }
             return self.passage.is_some();
         }
         if self.bridge.is_none() {
