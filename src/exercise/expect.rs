@@ -2,7 +2,7 @@
 
 use super::compare::{bound, equal, is_within};
 use super::error::ExpectError;
-use super::undefined::{not_happened, truth, why_undefined, without_cycle, without_function};
+use super::undefined::{not_happened, truth, why_undefined, without_cycle};
 use assur_model::model::{
     At, Comparison, Display, Expect, Expr, Find, FindKind, Occasion, Relation, Tolerance, Value,
 };
@@ -64,15 +64,27 @@ struct Key<'a> {
 }
 
 impl<'a> Key<'a> {
-    /// The functions over the sweep that `find` asks for and that do not exist, as far as no expectation names them.
+    /// The functions and instants that `find` asks for and that do not exist, as far as no expectation names them.
     fn answers(&self) -> Vec<ExpectError> {
         let (model, solution) = (self.model, self.solution);
+        // of a motion that fails the cause is said already
+        let fails = solution.simulation.is_some() && solution.poses.iter().any(|pose| pose.outcome.is_err());
+        if fails {
+            return Vec::new();
+        }
         let expected = |name: &str| model.mechanism.expects.iter().any(|expect| expect.text == name);
         let answer = |find: &Find| {
             let FindKind::Value { expr, .. } = &find.kind else { return None };
-            let why = without_function(model, solution, expr).filter(|_| !expected(&find.name))?;
-            let help =
-                "look at the poses there, or ask over a shorter sweep on which the quantity is defined";
+            let why = without_cycle(model, solution, expr).filter(|_| !expected(&find.name))?;
+            let help = match &model.mechanism.simulation {
+                Some(_) => {
+                    "let `simulate` end later, or ask for a part of the motion that exists and in which the quantity is defined: \
+                     `max(…, after = …, before = …)`"
+                }
+                None => {
+                    "look at the poses there, or ask over a shorter sweep on which the quantity is defined"
+                }
+            };
             Some(ExpectError::NoAnswer { text: find.name.clone(), why, span: find.span, help })
         };
         model.mechanism.finds.iter().filter_map(answer).collect()

@@ -57,25 +57,19 @@ pub fn why_undefined(model: &Model<'_>, expr: &Expr) -> Option<String> {
     why
 }
 
-/// Why a function over the sweep or the motion in an expression has none where its part of it exists.
-pub(super) fn without_function(model: &Model<'_>, solution: &Solution, expr: &Expr) -> Option<String> {
-    let mut why = None;
-    expr.parts(&mut |part| {
-        why = why.take().or_else(|| match part {
-            Expr::Quantity(id) => {
-                let quantity = model.mechanism.quantities.get(id.index())?;
-                without_function(model, solution, &quantity.expr)
-            }
-            Expr::Query(Query::Cycle(index)) => {
-                solution.statics.cycles.get(*index)?.why.map(|why| undefined(model, why))
-            }
-            _ => None,
-        });
+/// Why a function has no value: its quantity, or an end of its part of the motion.
+fn no_cycle(model: &Model<'_>, solution: &Solution, index: usize) -> Option<String> {
+    let why = solution.statics.cycles.get(index).and_then(|c| c.why);
+    let part = model.mechanism.cycles.get(index).map(|cycle| cycle.part);
+    let bounds = part.into_iter().flat_map(|part| [part.after, part.before]).flatten();
+    let mut missing = bounds.filter_map(|bound| match bound {
+        Bound::Event(event, which) => not_happened(model, solution, event, which),
+        Bound::At(_) => None,
     });
-    why
+    why.map(|why| undefined(model, why)).or_else(|| missing.next())
 }
 
-/// Why a function over the sweep in an expression has no value.
+/// Why a function over the sweep or the motion, or the instant of an event, in an expression has no value.
 pub(super) fn without_cycle(model: &Model<'_>, solution: &Solution, expr: &Expr) -> Option<String> {
     let mut why = None;
     expr.parts(&mut |part| {
@@ -84,16 +78,7 @@ pub(super) fn without_cycle(model: &Model<'_>, solution: &Solution, expr: &Expr)
                 let quantity = model.mechanism.quantities.get(id.index());
                 quantity.and_then(|q| without_cycle(model, solution, &q.expr))
             }
-            Expr::Query(Query::Cycle(index)) => {
-                let why = solution.statics.cycles.get(*index).and_then(|c| c.why);
-                let part = model.mechanism.cycles.get(*index).map(|cycle| cycle.part);
-                let bounds = part.into_iter().flat_map(|part| [part.after, part.before]).flatten();
-                let mut missing = bounds.filter_map(|bound| match bound {
-                    Bound::Event(event, which) => not_happened(model, solution, event, which),
-                    Bound::At(_) => None,
-                });
-                why.map(|why| undefined(model, why)).or_else(|| missing.next())
-            }
+            Expr::Query(Query::Cycle(index)) => no_cycle(model, solution, *index),
             Expr::Query(Query::EventTime(event, which)) => not_happened(model, solution, *event, *which),
             _ => None,
         };

@@ -9,6 +9,8 @@ pub enum Undefined {
     Locked(SweepPlace),
     /// The mechanism does not close there.
     Open(SweepPlace),
+    /// It has none at this instant of a motion, s.
+    Then(f64),
     /// It changes too often.
     Unresolved,
 }

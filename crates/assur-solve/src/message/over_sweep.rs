@@ -25,6 +25,10 @@ pub fn undefined(model: &Model<'_>, why: Undefined) -> String {
         Undefined::At(s) => format!("the quantity is not defined{}", place(s)),
         Undefined::Locked(s) => format!("friction locks the mechanism{}", place(s)),
         Undefined::Open(s) => format!("the mechanism does not close{}", place(s)),
+        Undefined::Then(t) => {
+            let shown = model.mechanism.display_of(Dimension::TIME);
+            format!("the quantity is not defined at {} {}", four(t / shown.factor), shown.unit)
+        }
         Undefined::Unresolved => "the quantity changes too often over the sweep".to_owned(),
     }
 }

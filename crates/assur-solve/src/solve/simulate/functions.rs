@@ -30,6 +30,8 @@ pub(crate) struct OverRun {
     pub at: f64,
     /// Values that differ by no more are the same but for rounding.
     pub rounding: f64,
+    /// Where it was seen to have no value, s.
+    pub lost: Option<f64>,
 }
 
 /// A function over the run as far as it is known.
@@ -46,6 +48,8 @@ pub(super) struct Function<'m> {
     lasted: f64,
     /// What the series leave off that its value is of, of the greatest.
     left_off: f64,
+    /// Where it was seen to have no value, s: from there on it is not looked at.
+    lost: Option<f64>,
     /// The extreme is one of a part that does not change.
     stays: bool,
     /// Extremes that were as good as the greatest, in order, where the first of them counts: when, s, and how great.
@@ -77,6 +81,7 @@ impl<'m> Function<'m> {
             greatest: 0.0,
             lasted: 0.0,
             left_off: 0.0,
+            lost: None,
             stays: false,
             near: Vec::new(),
             rounding: 0.0,
@@ -242,11 +247,14 @@ impl Watch<'_> {
             let each = || asked.iter().zip(&*set_of).map(|(&f, &set)| (f, &series[set], &values[set]));
             let known = each().all(|(f, series, values)| {
                 let function = &self.functions[f];
-                function.is_known(series, values, self.smooth)
+                function.lost.is_some() || function.is_known(series, values, self.smooth)
             });
             if known || (anyway && step == 1) {
                 for (f, series, values) in each() {
                     let function = &mut self.functions[f];
+                    if function.lost.is_some() {
+                        continue;
+                    }
                     function.take(series, values, self.same, self.drawn);
                     if self.drawn && function.source == f {
                         function.course.push(*series);
@@ -267,7 +275,9 @@ impl Watch<'_> {
         };
         let Memory { asked, sets, set_of, values, .. } = memory;
         asked.clear();
-        asked.extend((0..self.functions.len()).filter(|&f| !self.bare && counts(&self.functions[f])));
+        let looked_at =
+            |f: &usize| !self.bare && self.functions[*f].lost.is_none() && counts(&self.functions[*f]);
+        asked.extend((0..self.functions.len()).filter(looked_at));
         // several functions may be of one expression
         sets.clear();
         set_of.clear();
@@ -290,6 +300,12 @@ impl Watch<'_> {
             }
             for (values, &source) in memory.values.iter_mut().zip(&memory.sets) {
                 values[place] = equations.value(&self.functions[source].cycle.expr);
+            }
+            for (&f, &set) in memory.asked.iter().zip(&memory.set_of) {
+                if !memory.values[set][place].is_finite() {
+                    let lost = &mut self.functions[f].lost;
+                    *lost = Some(lost.map_or(t, |before| before.min(t)));
+                }
             }
         }
     }
@@ -332,6 +348,7 @@ impl Watch<'_> {
         let whole = |f: &Function<'_>| f.cycle.part == Part::default();
         let length = |f: &Function<'_>| if whole(f) { end - self.begin } else { f.lasted };
         let value = |f: &Function<'_>| match f.cycle.how {
+            _ if f.lost.is_some() => f64::NAN,
             _ if !whole(f) && !is_known(f.cycle, &self.times) => f64::NAN,
             CycleFunction::Mean => f.value / length(f),
             CycleFunction::Argmax => f.at,
@@ -340,20 +357,17 @@ impl Watch<'_> {
         // what its value, its greatest magnitude and its rounding are multiplied by
         let times = |f: &Function<'_>| if f.cycle.how == CycleFunction::Integral { length(f) } else { 1.0 };
         let over = |f: &Function<'_>| {
+            let (found, lost) = (value(f), f.lost);
             // of what is zero everywhere the first instant counts
             let nothing = !self.drawn && f.greatest <= f.rounding;
             let at = if nothing { self.begin } else { f.first(self.same) };
             if f.cycle.how == CycleFunction::Argmax {
-                return OverRun {
-                    value: if nothing { at } else { value(f) },
-                    scale: end - self.begin,
-                    at,
-                    rounding: 0.0,
-                };
+                let value = if nothing && !found.is_nan() { at } else { found };
+                return OverRun { value, scale: end - self.begin, at, rounding: 0.0, lost };
             }
             let rounding = if self.drawn { 0.0 } else { f.rounding * times(f) };
-            let known = if value(f).abs() <= rounding { 0.0 } else { value(f) };
-            OverRun { value: known, scale: f.greatest * times(f), at, rounding }
+            let value = if found.abs() <= rounding { 0.0 } else { found };
+            OverRun { value, scale: f.greatest * times(f), at, rounding, lost }
         };
         self.functions.iter().map(over).collect()
     }

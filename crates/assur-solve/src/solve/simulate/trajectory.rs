@@ -13,7 +13,7 @@ use super::run::{Run, run};
 use super::setup::{Begin, at_rest, begin, outputs, scales};
 use super::starting;
 use super::steady::steady;
-use crate::answer::{CycleAnswer, WholeCycle};
+use crate::answer::{CycleAnswer, Undefined, WholeCycle};
 use crate::math::lobatto::Short;
 use crate::model::{Mechanism, Simulation, Steady};
 use crate::position::{Branch, DriveInput, DriveValue, Model, State};
@@ -80,7 +80,8 @@ impl Trajectory {
         statics.sizes.clone_from(&self.kinds.sizes);
         statics.period = self.report.steady.map(|steady| steady.period);
         statics.situations = self.report.situations(mechanism);
-        let answer = |&OverRun { value, scale, at, .. }: &OverRun| CycleAnswer {
+        let answer = |&OverRun { value, scale, at, lost, .. }: &OverRun| CycleAnswer {
+            why: lost.map(Undefined::Then),
             value,
             scale,
             at,
