@@ -29,6 +29,7 @@ pub use template::Template;
 pub use values::overrides::Overrides;
 pub use values::row::{ColumnUse, Row, RowCell, RowColumn};
 use values::texts;
+pub use values::texts::with_names;
 
 /// Parts that the tests look at alone.
 #[doc(hidden)]

@@ -19,14 +19,14 @@ pub fn for_all(document: &Document, rows: &[String]) -> Document {
         let is_column = |name: &str| names.contains(&name) && name != "variant";
         for statement in &mut document.statements {
             if let Statement::Title(title) = &mut statement.node {
-                title.node = with_names(&title.node, |name| match name {
+                title.node = check::with_names(&title.node, |name| match name {
                     "variant" => Some(range.clone()),
                     name => is_column(name).then(|| in_letters(name)),
                 });
             }
         }
         for note in &mut document.notes {
-            note.node = with_names(&note.node, |name| {
+            note.node = check::with_names(&note.node, |name| {
                 is_column(name).then(|| format!("{} = {{{name}}}", in_letters(name)))
             });
         }
@@ -37,31 +37,11 @@ pub fn for_all(document: &Document, rows: &[String]) -> Document {
 /// Whether a text has values that go with the row.
 pub fn names_a_column(text: &str, table: Option<&Variants>) -> bool {
     let mut found = false;
-    with_names(text, |name| {
+    check::with_names(text, |name| {
         found |= table.is_some_and(|table| table.columns.iter().any(|column| column.name.node == name));
         None
     });
     found
-}
-
-/// A text with other words in place of some of its `{name}`.
-fn with_names(text: &str, mut words: impl FnMut(&str) -> Option<String>) -> String {
-    let (mut out, mut rest) = (String::new(), text);
-    while let Some((before, after)) = rest.split_once('{') {
-        out.push_str(before);
-        let found = after.split_once('}').and_then(|(name, behind)| Some((words(name.trim())?, behind)));
-        match found {
-            Some((words, behind)) => {
-                out.push_str(&words);
-                rest = behind;
-            }
-            None => {
-                out.push('{');
-                rest = after;
-            }
-        }
-    }
-    out + rest
 }
 
 /// The numbers of a text without expectations and remarks; none where it expects nothing.

@@ -9,16 +9,19 @@ use assur_text::source::{Span, Spanned};
 /// The text with the value in place of every `{name}` of a `given` or a constant `let`, in the unit it is written in. Other
 /// braces stay as they are. The names are noted as used at the place of the text.
 pub fn filled(text: &str, at: Span, names: &mut Names<'_>, definitions: &Definitions) -> String {
+    with_names(text, |name| value(name, at, names, definitions))
+}
+
+/// A text with other words in place of some of its `{name}`.
+pub fn with_names(text: &str, mut words: impl FnMut(&str) -> Option<String>) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some((before, after)) = rest.split_once('{') {
         out.push_str(before);
-        let value = after.split_once('}').and_then(|(name, behind)| {
-            value(name.trim(), at, names, definitions).map(|value| (value, behind))
-        });
-        match value {
-            Some((value, behind)) => {
-                out.push_str(&value);
+        let found = after.split_once('}').and_then(|(name, behind)| Some((words(name.trim())?, behind)));
+        match found {
+            Some((words, behind)) => {
+                out.push_str(&words);
                 rest = behind;
             }
             None => {

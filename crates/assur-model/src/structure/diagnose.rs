@@ -138,7 +138,7 @@ fn sum(trial: Trial<'_>, part: &Part) -> String {
         let is_wheels =
             |p: &(PairId, usize)| matches!(trial.mechanism.pair(p.0).kind, PairKind::Transmission(_));
         let why = match part.pairs.as_slice() {
-            [] => "two of them drive the same",
+            [] => "two drives or starts give one coordinate",
             pairs if pairs.iter().all(is_wheels) => {
                 "a ring of transmissions turns only where its ratios agree"
             }

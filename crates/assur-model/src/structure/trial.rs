@@ -67,18 +67,19 @@ impl Trial<'_> {
     /// Makes a prismatic pair a slot. `None` where something is driven: its joint is counted anew.
     pub(super) fn as_slot(&self, pair: PairId) -> Option<Incidence> {
         let PairKind::Prismatic(guide) = &self.mechanism.pair(pair).kind else { return None };
-        let mut mechanism = self.mechanism.clone();
-        mechanism.pairs[pair.index()].kind = PairKind::Slot(guide.clone());
-        let replaced = replace::replace(&mechanism);
-        let efforts = effort::of_drives(&mechanism, &replaced);
-        (efforts.len() == self.efforts.len()).then(|| Incidence::new(&replaced, &efforts))
+        self.with_kind(pair, PairKind::Slot(guide.clone()))
     }
 
     /// Makes a slot a prismatic pair.
     pub(super) fn as_prismatic(&self, pair: PairId) -> Option<Incidence> {
         let PairKind::Slot(guide) = &self.mechanism.pair(pair).kind else { return None };
+        self.with_kind(pair, PairKind::Prismatic(guide.clone()))
+    }
+
+    /// Makes a pair one of another kind.
+    fn with_kind(&self, pair: PairId, kind: PairKind) -> Option<Incidence> {
         let mut mechanism = self.mechanism.clone();
-        mechanism.pairs[pair.index()].kind = PairKind::Prismatic(guide.clone());
+        mechanism.pairs[pair.index()].kind = kind;
         let replaced = replace::replace(&mechanism);
         let efforts = effort::of_drives(&mechanism, &replaced);
         (efforts.len() == self.efforts.len()).then(|| Incidence::new(&replaced, &efforts))

@@ -192,7 +192,8 @@ impl Passage {
         smooth
     }
 
-    /// What the series leave off of each order, of its greatest number; each body has so many numbers.
+    /// The greatest last term of the series of positions, velocities and accelerations, over the greatest number of that order; `each` is
+    /// how many numbers a body has.
     fn roughness(&self, each: usize) -> [f64; 3] {
         let (mut greatest, mut left) = ([0.0_f64; 3], [0.0_f64; 3]);
         for index in (0..self.values[0].len()).filter(|index| index % each < WIDTH) {

@@ -1,6 +1,6 @@
 //! What is seen of change points in the stages of a step.
 
-/// Of stages of a step, two that follow each other are so far apart at most, parts of the step; there are so many of them.
+/// The widest gap between two neighbouring stages of a step, as a part of the step; a step has at least so many stages.
 const APART: f64 = 0.35;
 const SEEN: u32 = 11;
 
