@@ -8,6 +8,7 @@ use assur_model::model::{
 };
 use assur_solve::message::failure;
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, PoseOrigin, Solution, State, compare};
+use assur_text::diagnostic::Problems;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -40,20 +41,22 @@ pub struct Outcome {
 
 /// Holds the solution against the answer key: one outcome per expectation and pose, in the order of the file.
 ///
-/// The second list names what could not be evaluated: each of them is an error of the file. A value that differs from
-/// the expected one is not among them, see [`super::mismatches`].
+/// What could not be evaluated joins `problems`: each of them is an error of the file. A value that differs from the
+/// expected one is not among them, see [`super::mismatches`]. Of a motion that has failed the cause is there already: what
+/// `find` misses then is not said.
 #[must_use]
-pub fn evaluate(model: &Model<'_>, solution: &Solution) -> (Vec<Outcome>, Vec<ExpectError>) {
+pub fn evaluate(model: &Model<'_>, solution: &Solution, problems: &mut Problems) -> Vec<Outcome> {
     let mut key = Key { model, solution, outcomes: Vec::new(), errors: Vec::new() };
     for (index, expect) in model.mechanism.expects.iter().enumerate() {
         if let Err(error) = key.expect(index, expect) {
             key.errors.push(error);
         }
     }
-    let answers = key.answers();
-    let mut errors = ExpectError::of_failed_poses(key.errors);
-    errors.extend(answers);
-    (key.outcomes, errors)
+    let has_failed = solution.simulation.is_some() && problems.has_errors();
+    let missing = if has_failed { Vec::new() } else { key.answers() };
+    problems.extend(ExpectError::of_failed_poses(key.errors));
+    problems.extend(missing);
+    key.outcomes
 }
 
 struct Key<'a> {
@@ -67,11 +70,6 @@ impl<'a> Key<'a> {
     /// The functions and instants that `find` asks for and that do not exist, as far as no expectation names them.
     fn answers(&self) -> Vec<ExpectError> {
         let (model, solution) = (self.model, self.solution);
-        // of a motion that fails the cause is said already
-        let fails = solution.simulation.is_some() && solution.poses.iter().any(|pose| pose.outcome.is_err());
-        if fails {
-            return Vec::new();
-        }
         let expected = |name: &str| model.mechanism.expects.iter().any(|expect| expect.text == name);
         let answer = |find: &Find| {
             let FindKind::Value { expr, .. } = &find.kind else { return None };

@@ -138,8 +138,7 @@ impl Checked {
             Err(problems) => (None, problems),
             Ok(None) => (None, Problems::new()),
             Ok(Some((solution, mut problems))) => {
-                let (outcomes, errors) = exercise::evaluate(model, &solution);
-                problems.extend(errors);
+                let outcomes = exercise::evaluate(model, &solution, &mut problems);
                 let precision = Precision::READABLE;
                 let answers = Answers {
                     model: *model,

@@ -70,13 +70,7 @@ impl QuickRows {
                 Err(problems) => return (None, problems),
             }
         }
-        outcomes.clear();
-        let model = compiled.model();
-        if !model.mechanism.expects.is_empty() {
-            let (found, errors) = exercise::evaluate(&model, solution);
-            *outcomes = found;
-            problems.extend(errors);
-        }
+        *outcomes = exercise::evaluate(&compiled.model(), solution, &mut problems);
         (Some(&self.solved), problems)
     }
 }

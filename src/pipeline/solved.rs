@@ -59,8 +59,7 @@ fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, 
         Err(problems) => (Err(compiled), problems),
         Ok(None) => (Err(compiled), Problems::new()),
         Ok(Some((solution, mut problems))) => {
-            let (outcomes, errors) = exercise::evaluate(&compiled.model(), &solution);
-            problems.extend(errors);
+            let outcomes = exercise::evaluate(&compiled.model(), &solution, &mut problems);
             (Ok(Solved { compiled, solution, outcomes, reached: None }), problems)
         }
     }
