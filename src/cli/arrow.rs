@@ -59,7 +59,6 @@ pub fn positions(
 
 struct Out<'p, 'o, 'w> {
     rows: ArrowRows,
-    /// Columns show angles.
     angles: bool,
     error: Option<String>,
     failed: bool,

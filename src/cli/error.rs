@@ -6,67 +6,39 @@ use thiserror::Error;
 /// An error that is not one of the text. Its message says all there is to say: it has no code to be explained.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum CliError {
-    /// No such file.
     #[error("there is no file or folder `{name}`")]
-    Missing {
-        /// As given.
-        name: String,
-    },
+    Missing { name: String },
     /// The file cannot be read.
     #[error("`{name}` cannot be read: {why}")]
     Unreadable {
-        /// As given.
         name: String,
         /// The message of the system.
         why: String,
     },
-    /// No text.
     #[error("`{name}` is not UTF-8 text: byte {at} cannot be read")]
     #[diagnostic(help("save the file in the encoding UTF-8"))]
     NotUtf8 {
-        /// As given.
         name: String,
         /// The first byte that cannot be read, from 1.
         at: usize,
     },
     /// Too long a text, or one without end.
     #[error("`{name}` is longer than {most} MB, the most that is read")]
-    TooLong {
-        /// As given.
-        name: String,
-        /// MB.
-        most: u64,
-    },
-    /// An empty folder.
+    TooLong { name: String, most: u64 },
     #[error("there is no .mech file in the folder `{name}`")]
     #[diagnostic(help(
         "name a file itself to read it although .gitignore names it: such files are left out"
     ))]
-    NoMechFiles {
-        /// As given.
-        name: String,
-    },
+    NoMechFiles { name: String },
     /// A glob that matches nothing.
     #[error("no file matches `{pattern}`")]
-    NoMatch {
-        /// As given.
-        pattern: String,
-    },
-    /// No glob.
+    NoMatch { pattern: String },
     #[error("`{pattern}` is not a pattern of file names: {why}")]
-    BadPattern {
-        /// As given.
-        pattern: String,
-        /// The mistake.
-        why: String,
-    },
+    BadPattern { pattern: String, why: String },
     /// Several files, one drawing.
     #[error("`{name}` can contain the drawing of one file only, but there are several")]
     #[diagnostic(help("use `--plot` with one file"))]
-    OneDrawing {
-        /// The drawing.
-        name: String,
-    },
+    OneDrawing { name: String },
     /// Fixes without a file to write them to.
     #[error("`--fix` changes files, and standard input is none")]
     #[diagnostic(help("name a file: `assur check --fix engine.mech`"))]
@@ -74,10 +46,7 @@ pub enum CliError {
     /// A preview without a file to follow.
     #[error("`assur preview` follows one file, and `{name}` is none")]
     #[diagnostic(help("name a file: `assur preview engine.mech`"))]
-    PreviewsNoFile {
-        /// As given.
-        name: String,
-    },
+    PreviewsNoFile { name: String },
     /// A page that cannot be served.
     #[error("the page cannot be served{port}: {why}")]
     #[diagnostic(help("without `--port` the system chooses one that is free"))]
@@ -94,17 +63,13 @@ pub enum CliError {
     /// Several pictures, one place.
     #[error("`{name}` can contain one picture only, but there are several")]
     #[diagnostic(help("write them to a folder: `-o pictures/`"))]
-    OnePicture {
-        /// The place.
-        name: String,
-    },
+    OnePicture { name: String },
     /// A format that the name of the output is not of.
     #[error("`{name}` is no name of a {ending} file")]
     #[diagnostic(help(
         "let the name end in `{ending}`, leave `--format` out, or write to standard output: `-o -`"
     ))]
     OtherFormat {
-        /// As given.
         name: String,
         /// `.svg`
         ending: &'static str,
@@ -112,17 +77,11 @@ pub enum CliError {
     /// Several worked solutions, one place.
     #[error("`{name}` can contain one worked solution only, but there are several files")]
     #[diagnostic(help("write each to a folder: `assur report homework -o pages`"))]
-    OneReport {
-        /// The place.
-        name: String,
-    },
+    OneReport { name: String },
     /// A name that says no format.
     #[error("the ending of `{name}` is not a format of worked solutions")]
     #[diagnostic(help("write `.html`, `.md`, `.typ` or `.txt`, or add `--format html`"))]
-    ReportFormat {
-        /// As given.
-        name: String,
-    },
+    ReportFormat { name: String },
     /// The other poses of a list.
     #[error("pose {first} is drawn, the first of {count}")]
     #[diagnostic(
@@ -138,61 +97,41 @@ pub enum CliError {
     /// No table of variants.
     #[error("`{name}` has no table of variants")]
     #[diagnostic(help("name one: `--variants TABLE.csv`, or write `variants {{ … }}` into the file"))]
-    NoTable {
-        /// The file.
-        name: String,
-    },
+    NoTable { name: String },
     /// A build without pixels.
     #[cfg(not(feature = "png"))]
     #[error("`{name}` cannot be written: this build of assur draws no PNG")]
     #[diagnostic(help(
         "write `.svg` or `.html`, or install assur with PNG: `cargo install assur --features png`"
     ))]
-    NoPng {
-        /// As given.
-        name: String,
-    },
+    NoPng { name: String },
     /// A build without files of columns.
     #[error("`{name}` takes the feature `{feature}`, which this build of assur does not have")]
     #[diagnostic(help(
         "use comma-separated values, or install it: `cargo install assur --features {feature}`"
     ))]
-    NoColumns {
-        /// As given.
-        name: String,
-        /// The feature.
-        feature: &'static str,
-    },
+    NoColumns { name: String, feature: &'static str },
     /// An answer key as a table of columns.
     #[error("`{name}` cannot be written: an answer key is comma-separated values")]
     #[diagnostic(help("let its name end in `.csv`; `assur grade` reads no other keys"))]
-    KeyOfColumns {
-        /// As given.
-        name: String,
-    },
-    /// No font.
+    KeyOfColumns { name: String },
     #[cfg(feature = "png")]
     #[error("`{name}` cannot be written: no font for its letters is installed")]
     #[diagnostic(help("install one of {families}, e.g. `apt install fonts-liberation`, or write `.svg`"))]
     NoFont {
-        /// As given.
         name: String,
         /// What is looked for.
         families: String,
     },
-    /// No such row.
     #[error("no row of variants is named `{name}`")]
     NoRow {
-        /// As given.
         name: String,
-        /// What there is.
         #[help]
         help: String,
     },
     /// An option that changes no picture that is asked for.
     #[error("`{option}` changes no picture that is asked for")]
     NoEffect {
-        /// The option.
         option: String,
         /// Pictures that it changes.
         #[help]
@@ -201,9 +140,7 @@ pub enum CliError {
     /// No cam, or several and no choice.
     #[error("{message}")]
     NoCam {
-        /// The mistake.
         message: String,
-        /// The correction.
         #[help]
         help: String,
     },
@@ -211,7 +148,6 @@ pub enum CliError {
     #[error("`{name}` cannot be written: {why}")]
     #[diagnostic(help("the existing file was not changed"))]
     Unwritable {
-        /// As given.
         name: String,
         /// The message of the system.
         why: String,
@@ -243,39 +179,29 @@ pub enum CliError {
     /// Results in the place of what they are made from.
     #[error("`{name}` is both an input and the output")]
     #[diagnostic(help("write the results to another file"))]
-    Overwrites {
-        /// As given.
-        name: String,
-    },
-    /// A signal.
+    Overwrites { name: String },
     #[error("interrupted after {rows} rows")]
     #[diagnostic(help("{}", if kept.is_empty() { "all printed rows are complete".to_owned() }
         else { format!("the complete rows are kept in {kept}") }))]
     Interrupted {
         /// How many are done.
         rows: usize,
-        /// Where they are.
         kept: String,
     },
-    /// No threads.
     #[error("the threads cannot be started: {why}")]
     Threads {
         /// The message of the system.
         why: String,
     },
-    /// No such code.
     #[error("there is no diagnostic `{code}`")]
     UnknownCode {
-        /// As given.
         code: String,
-        /// Similar names.
         #[help]
         help: String,
     },
     /// No such topic of the manual.
     #[error("there is no command and no topic `{name}`")]
     UnknownTopic {
-        /// As given.
         name: String,
         /// What may be meant.
         #[help]
@@ -284,28 +210,18 @@ pub enum CliError {
     /// A file in a folder that does not exist.
     #[error("there is no folder `{name}`")]
     #[diagnostic(help("create it first: `mkdir -p {name}`"))]
-    NoFolder {
-        /// The folder.
-        name: String,
-    },
+    NoFolder { name: String },
     /// Several pictures in the place of a file.
     #[error("`{name}` is a file, not a folder for pictures")]
     #[diagnostic(help("name a folder, or a file that ends in `.svg` or `.html`"))]
-    NotAFolder {
-        /// As given.
-        name: String,
-    },
+    NotAFolder { name: String },
     /// A new file would replace another.
     #[error("`{name}` exists already")]
     #[diagnostic(help("choose another name; the existing file was not changed"))]
-    Exists {
-        /// Its name.
-        name: String,
-    },
+    Exists { name: String },
     /// A new file that cannot be written.
     #[error("`{name}` cannot be written: {why}")]
     NotCreated {
-        /// Its name.
         name: String,
         /// The message of the system.
         why: String,
@@ -313,25 +229,16 @@ pub enum CliError {
     /// Points for what is not in the key.
     #[error("`--points`: the key has no `{name}`")]
     NoQuantity {
-        /// As given.
         name: String,
         /// What may be meant.
         #[help]
         help: String,
     },
-    /// Our own mistake.
     #[error("internal error of assur {version} in `{file}`: {what}")]
     #[diagnostic(help(
         "report it with the file and this message: it is an error of the program, not of your file"
     ))]
-    Internal {
-        /// The file.
-        file: String,
-        /// The message.
-        what: String,
-        /// Our version.
-        version: &'static str,
-    },
+    Internal { file: String, what: String, version: &'static str },
 }
 
 impl assur_text::diagnostic::Problem for CliError {}

@@ -13,7 +13,6 @@ use super::error::CliError;
 use super::sink::Sink;
 use assur_text::source::Source;
 
-/// Standard input's name.
 const STDIN: &str = "-";
 /// A longer text is not read, bytes.
 const LONGEST: u64 = 100_000_000;
@@ -71,9 +70,7 @@ pub fn made_folder(folder: &Path) -> Result<(), CliError> {
 /// A text to be read.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
-    /// Standard input.
     Stdin,
-    /// A file.
     File(PathBuf),
 }
 

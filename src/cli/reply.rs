@@ -15,7 +15,6 @@ const SET_VALUE: &str = "mech::request::set_value";
 /// Exit status; the worst of all files counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Status {
-    /// All is well.
     #[default]
     Fine = 0,
     /// A problem is wrong.
@@ -45,11 +44,8 @@ impl Status {
 /// The reply about one file.
 #[derive(Debug, Default)]
 pub struct Reply {
-    /// For standard output.
     pub results: String,
-    /// For standard error.
     pub diagnostics: String,
-    /// How it ends.
     pub status: Status,
 }
 
@@ -80,7 +76,6 @@ pub struct Printer<'s> {
     apart: &'s str,
     /// A file before this one has results.
     before: bool,
-    /// This one has.
     begun: bool,
     whole: bool,
 }

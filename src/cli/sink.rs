@@ -38,7 +38,6 @@ enum Target {
 /// The destination of results.
 pub struct Sink {
     target: Target,
-    /// As given.
     name: PathBuf,
     /// Where it is in the end.
     path: PathBuf,
@@ -46,7 +45,6 @@ pub struct Sink {
 }
 
 impl Sink {
-    /// Standard output.
     pub fn stdout() -> Self {
         let target = Target::Stdout(BufWriter::with_capacity(BUFFER, io::stdout()));
         Self { target, name: PathBuf::from("-"), path: PathBuf::new(), closed: false }

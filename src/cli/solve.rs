@@ -26,7 +26,6 @@ use assur_text::source::Source;
 use assur_text::units::significant;
 use std::sync::Arc;
 
-/// Prints the answers.
 pub fn run(args: &Solve, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
     let inputs = files::expand(&args.problem.files);

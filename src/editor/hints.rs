@@ -21,9 +21,7 @@ pub enum HintKind {
 /// A text as it was when it had answers.
 #[derive(Clone, Debug)]
 pub struct Earlier {
-    /// It.
     pub analysis: Arc<Analysis>,
-    /// Its answers.
     pub results: Arc<Results>,
 }
 
@@ -32,7 +30,6 @@ pub struct Earlier {
 pub struct Hint {
     /// The byte behind which it is shown.
     pub at: usize,
-    /// What is shown.
     pub text: String,
     /// What it is about.
     pub kind: HintKind,

@@ -10,9 +10,7 @@ use assur_text::units::lookup;
 /// A text for a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hover {
-    /// The place.
     pub at: Span,
-    /// Markdown.
     pub text: String,
 }
 

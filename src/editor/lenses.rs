@@ -13,22 +13,17 @@ use assur_text::source::Span;
 /// What a lens does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// Shows the answers.
     Solve,
     /// Compares the answers with the expectations, of all rows where there is a table.
     Test,
-    /// Shows the mechanism.
     Preview,
 }
 
 /// An action at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lens {
-    /// The place.
     pub at: Span,
-    /// What is shown.
     pub title: String,
-    /// What it does.
     pub action: Action,
 }
 

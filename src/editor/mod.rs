@@ -44,17 +44,12 @@ use std::sync::Arc;
 /// A text with all that is found in it before anything is solved: names, units, structure.
 #[derive(Debug)]
 pub struct Analysis {
-    /// The text.
     pub source: Source,
-    /// Its statements.
     pub document: Arc<Document>,
-    /// Its tokens.
     pub tokens: Vec<Token>,
     /// What is wrong with it.
     pub problems: Problems,
-    /// Its names.
     pub names: Names,
-    /// Whether it reads.
     is_read: bool,
     /// It compiled, where it can be.
     compiled: Option<Compiled>,

@@ -8,12 +8,9 @@ use assur_text::source::Span;
 use indexmap::{IndexMap, IndexSet};
 use unicode_normalization::UnicodeNormalization;
 
-/// A declared name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Declaration {
-    /// It.
     pub name: String,
-    /// What it is.
     pub kind: SymbolKind,
     /// Where it is declared.
     pub at: Span,

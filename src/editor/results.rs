@@ -29,7 +29,6 @@ struct Series {
     values: Vec<Option<Value>>,
 }
 
-/// A solved text.
 #[derive(Debug)]
 pub struct Results {
     /// Its positions; nothing where there is none.

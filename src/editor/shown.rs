@@ -36,7 +36,6 @@ pub struct Shown {
 /// A name with the statement that declares it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Declared {
-    /// The name.
     pub name: String,
     /// As groups of a picture are called: `link`, `pair`, else empty.
     pub class: &'static str,
@@ -44,7 +43,6 @@ pub struct Declared {
     pub line: usize,
     /// The first line of the statement.
     pub text: String,
-    /// All of it.
     #[serde(skip)]
     pub whole: Span,
 }

@@ -9,7 +9,6 @@ use assur_text::language::{Form, Function};
 pub struct Signature {
     /// `velocity(link, point)`
     pub label: String,
-    /// What it means.
     pub means: String,
     /// The arguments, as they are written in the label.
     pub arguments: Vec<String>,

@@ -24,13 +24,9 @@ pub enum SymbolKind {
     Element,
     /// A force, a torque, an unknown effort.
     Load,
-    /// A pose.
     Pose,
-    /// An event.
     Event,
-    /// An asserted group.
     Group,
-    /// A named answer.
     Answer,
 }
 
@@ -56,16 +52,12 @@ impl SymbolKind {
     }
 }
 
-/// A declared name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Symbol {
-    /// It.
     pub name: String,
-    /// What it is.
     pub kind: SymbolKind,
     /// All that declares it.
     pub whole: Span,
-    /// Its name there.
     pub at: Span,
     /// What belongs to it.
     pub parts: Vec<Symbol>,

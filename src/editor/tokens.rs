@@ -24,7 +24,6 @@ pub const TOKEN_COLOURS: [&str; 12] = [
 /// A part of the text in one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Coloured {
-    /// The part.
     pub at: Span,
     /// Its kind, a place in [`TOKEN_COLOURS`].
     pub colour: usize,

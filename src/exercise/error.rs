@@ -12,7 +12,6 @@ use assur_text::source::Span;
 /// An expectation that does not hold, or that cannot be evaluated.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum ExpectError {
-    /// The answer differs.
     #[error("{message}")]
     #[diagnostic(code(mech::expect::mismatch))]
     Mismatch {
@@ -20,7 +19,6 @@ pub enum ExpectError {
         message: String,
         /// By how much it differs, and how much is allowed.
         difference: String,
-        /// Where.
         #[label("{difference}")]
         span: Span,
         /// The common mistake that explains it.
@@ -34,11 +32,9 @@ pub enum ExpectError {
         help("add a pose, as in `at pose 1` or `at crank = 30 deg`, or list one value per pose")
     )]
     NeedsPose {
-        /// The quantity.
         text: String,
         /// How many poses there are.
         poses: usize,
-        /// Where.
         #[label("the pose is missing")]
         span: Span,
     },
@@ -46,13 +42,10 @@ pub enum ExpectError {
     #[error("`{text}` has {poses} pose{}, but {values} values are expected", if *poses == 1 { "" } else { "s" })]
     #[diagnostic(code(mech::expect::count), help("list one value per pose, in the order of the sweep"))]
     ListLength {
-        /// The quantity.
         text: String,
         /// Values in the list.
         values: usize,
-        /// Poses.
         poses: usize,
-        /// Where.
         #[label("{values} values")]
         span: Span,
     },
@@ -60,9 +53,7 @@ pub enum ExpectError {
     #[error("there is no pose `{name}`")]
     #[diagnostic(code(mech::expect::unknown_pose))]
     UnknownPose {
-        /// The name.
         name: String,
-        /// Where.
         #[label("no pose of this name")]
         span: Span,
         /// The poses there are.
@@ -73,13 +64,11 @@ pub enum ExpectError {
     #[error("`{text}`{} cannot be compared: {reason}", and_more(*more))]
     #[diagnostic(code(mech::expect::pose_failed), help("choose a pose that can be solved"))]
     PoseFailed {
-        /// The quantity.
         text: String,
         /// How many other expectations cannot be compared either.
         more: usize,
         /// Why the pose has no solution, and which it is.
         reason: String,
-        /// Where.
         #[label("expected here")]
         span: Span,
     },
@@ -87,11 +76,8 @@ pub enum ExpectError {
     #[error("`{text}` is not defined: {why}")]
     #[diagnostic(code(mech::expect::undefined))]
     NoAnswer {
-        /// The quantity.
         text: String,
-        /// Why not.
         why: String,
-        /// Where.
         #[label("asked for here")]
         span: Span,
         /// A cause to check.
@@ -102,13 +88,11 @@ pub enum ExpectError {
     #[error("`{text}` is not defined{pose}{}", why.as_ref().map(|w| format!(": {w}")).unwrap_or_default())]
     #[diagnostic(code(mech::expect::undefined))]
     NoValue {
-        /// The quantity.
         text: String,
         /// ` at pose 3`, or empty.
         pose: String,
         /// Why not, where that is known.
         why: Option<String>,
-        /// Where.
         #[label("no value to compare")]
         span: Span,
         /// A cause to check.

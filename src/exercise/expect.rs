@@ -29,7 +29,6 @@ pub struct Outcome {
     pub got: Value,
     /// The greatest difference allowed, SI; `None` for comparisons and conditions.
     pub within: Option<f64>,
-    /// Whether it holds.
     pub passed: bool,
     /// Compared modulo a turn.
     pub angle: bool,

@@ -1,5 +1,7 @@
 //! The front door of the library: a text goes in, answers come out by name.
 
+#![warn(missing_docs)]
+
 mod again;
 mod answer;
 mod cells;

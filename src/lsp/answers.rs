@@ -27,7 +27,6 @@ struct Whole {
 /// Our own request: the mechanism at a position.
 const PICTURE: &str = "assur/picture";
 
-/// What it carries.
 #[derive(Deserialize)]
 struct PictureParams {
     uri: Uri,

@@ -4,7 +4,6 @@ use crate::editor::HintKind;
 use assur_text::source::Encoding;
 use serde_json::{Value, json};
 
-/// A client.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Client {
     /// How it counts columns.
@@ -13,7 +12,6 @@ pub struct Client {
     pub pulls: bool,
     /// It shows faded what is not needed.
     pub fades: bool,
-    /// It opens addresses.
     pub shows_documents: bool,
     /// It takes a notice when a text is solved.
     pub hears_solved: bool,

@@ -40,7 +40,6 @@ impl Sent {
         json!({ "resultId": self.keep(&uri, data), "edits": edits })
     }
 
-    /// Forgets a text.
     pub fn forget(&self, uri: &str) {
         self.inside.borrow_mut().last.remove(uri);
     }

@@ -32,7 +32,6 @@ enum Stage {
     /// Nothing but `initialize` is answered.
     #[default]
     New,
-    /// Everything is answered.
     Ready,
     /// `shutdown` came; `exit` follows.
     Closed,

@@ -20,7 +20,6 @@ use std::sync::Arc;
 /// Why solving is to stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// A message waits.
     Later,
     /// It takes too long.
     Never,

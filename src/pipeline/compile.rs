@@ -15,9 +15,7 @@ use std::sync::Arc;
 /// A checked mechanism with its structure and its plan.
 #[derive(Clone, Debug)]
 pub struct Compiled {
-    /// The mechanism.
     pub mechanism: Mechanism,
-    /// Its structure.
     pub structure: Structure,
     /// How it is solved.
     pub plan: Plan,
@@ -28,9 +26,7 @@ pub struct Compiled {
 /// A document with the values that replace some of its own.
 #[derive(Clone, Debug)]
 pub struct Origin {
-    /// The document.
     pub document: Arc<Document>,
-    /// The values.
     pub overrides: Overrides,
 }
 

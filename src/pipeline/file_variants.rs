@@ -22,11 +22,9 @@ pub struct FileVariants<'a> {
 
 /// A row of it, solved or not, with all that is to be said of it.
 pub struct SolvedRow {
-    /// The row.
     pub row: FileRow,
     /// Counted from 1.
     pub number: usize,
-    /// Its solution.
     pub solved: Option<Solved>,
     /// What was found on the way; it names the row.
     pub problems: Problems,
@@ -64,7 +62,6 @@ impl<'a> FileVariants<'a> {
         Self { solver: self.solver.by(method), ..self }
     }
 
-    /// Its columns.
     #[must_use]
     pub fn columns(&self) -> &[RowColumn] {
         &self.columns

@@ -23,7 +23,6 @@ const TOLD: usize = 1000;
 
 /// Where positions go that are not kept. Each method says whether to go on.
 pub trait Sink {
-    /// Takes a position.
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool;
 
     /// How a motion under loads is integrated.
@@ -108,7 +107,6 @@ pub enum SizeError {
         positions: usize,
         /// How many are kept.
         most: usize,
-        /// The drives.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },

@@ -23,19 +23,14 @@ pub enum OpenSizeError {
     #[error("`{what}` depends on the {size} of `{wheel}`, which is not given")]
     #[diagnostic(code(mech::train::missing_radius))]
     MissingRadius {
-        /// The question.
         what: String,
-        /// The wheel.
         wheel: String,
         /// `radius`, `module`
         size: &'static str,
-        /// The correction.
         #[help]
         help: String,
-        /// The question.
         #[label(primary, "depends on it")]
         span: miette::SourceSpan,
-        /// The wheel's place.
         #[label("no {size}")]
         wheel_span: miette::SourceSpan,
     },

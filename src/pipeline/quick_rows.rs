@@ -15,7 +15,6 @@ pub struct QuickRows {
     patches: RowPatches,
     /// The joints whose numbers depend on the row.
     differ: Vec<bool>,
-    /// The last row.
     solved: Solved,
     /// Where it has one position, and nothing is to be said of it.
     again: Option<Again>,

@@ -15,9 +15,7 @@ use std::sync::Arc;
 /// A compiled mechanism, solved, with the outcomes of its expectations.
 #[derive(Debug)]
 pub struct Solved {
-    /// The solved file.
     pub compiled: Compiled,
-    /// Its poses.
     pub solution: Solution,
     /// Its expectations, one per pose.
     pub outcomes: Vec<Outcome>,

@@ -58,7 +58,6 @@ fn in_time(compiled: &Compiled, count: usize) -> Vec<Pose> {
 struct Way {
     from: Expr,
     to: Expr,
-    /// As written.
     steps: usize,
 }
 
@@ -79,7 +78,6 @@ impl Way {
         Some(Self { from: end(*first), to: end(first + TAU), steps: STEPS })
     }
 
-    /// Its positions.
     fn solved(&self, compiled: &Compiled, steps: usize) -> Vec<Pose> {
         let mut mechanism = compiled.mechanism.clone();
         if let [drive] = mechanism.drives.as_mut_slice() {

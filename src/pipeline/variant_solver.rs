@@ -36,7 +36,6 @@ enum Quick {
     After(usize),
     /// Looked for in vain.
     None,
-    /// Found.
     Rows(Box<QuickRows>),
 }
 

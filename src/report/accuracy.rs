@@ -15,7 +15,6 @@ pub enum AccuracyShown {
     EveryPose,
 }
 
-/// Digits of conditions.
 const DIGITS: usize = 3;
 /// Conditions that differ by a smaller part are equal but for rounding.
 const EQUAL: f64 = 1e-9;

@@ -6,12 +6,9 @@ use assur_solve::measure::accuracy::AchievedAccuracy;
 use assur_solve::solve::{DriveValue, Greatest, Model, Pose, PoseOrigin, Solution};
 use assur_text::units::{Dimension, significant};
 
-/// A solved file.
 #[derive(Clone, Copy, Debug)]
 pub struct Answers<'a> {
-    /// The solved file.
     pub model: Model<'a>,
-    /// Its poses.
     pub solution: &'a Solution,
     /// The outcomes of its expectations.
     pub outcomes: &'a [Outcome],
@@ -24,7 +21,6 @@ pub struct Answers<'a> {
 /// How numbers are rounded for people.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Precision {
-    /// Significant digits.
     pub digits: usize,
     /// Numbers below this part of the greatest one in their column are printed as 0: they are rounding errors.
     pub noise: f64,
@@ -33,7 +29,6 @@ pub struct Precision {
 }
 
 impl Precision {
-    /// For people.
     pub const READABLE: Self = Self { digits: 6, noise: 1e-13, coarse_residuals: false };
     /// Independent of the last digits of the arithmetic.
     pub const STABLE: Self = Self { digits: 6, noise: 1e-9, coarse_residuals: true };

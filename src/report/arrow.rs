@@ -10,7 +10,6 @@ use assur_solve::solve::{Model, Pose};
 /// Positions of a record batch.
 const BATCH: usize = 4096;
 
-/// Writes positions.
 pub struct ArrowRows {
     rows: NumberRows,
     head: Head,

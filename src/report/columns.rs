@@ -20,7 +20,6 @@ pub(super) struct Quantity {
     pub missing: &'static str,
 }
 
-/// An unknown effort.
 #[derive(Clone, Debug)]
 pub(super) struct EffortEntry {
     /// The balance's name, or `effort(crank)`.
@@ -154,7 +153,6 @@ pub(super) struct Part {
 pub(super) enum Cell {
     /// A number in the author's unit.
     Number(f64),
-    /// A condition.
     Bool(bool),
     /// It has no value here.
     None,

@@ -5,16 +5,12 @@
 pub struct Report {
     /// The mechanism's title; the file's name where it has none.
     pub title: String,
-    /// The problem's text.
     pub notes: Vec<String>,
-    /// Its sections.
     pub sections: Vec<Section>,
 }
 
-/// A section.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Section {
-    /// Its heading.
     pub heading: String,
     /// Its contents, in this order.
     pub blocks: Vec<Block>,
@@ -29,14 +25,12 @@ pub enum Block {
     List(Vec<String>),
     /// Names with what is said of them, one per line.
     Facts(Vec<(String, String)>),
-    /// A table.
     Table(Table),
 }
 
 /// A table of texts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Table {
-    /// Its columns.
     pub columns: Vec<Column>,
     /// Its rows, each as long as `columns`.
     pub rows: Vec<Vec<String>>,
@@ -47,7 +41,6 @@ pub struct Table {
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// Header.
     pub header: String,
     /// The alignment of its cells.
     pub align: Align,
@@ -65,7 +58,6 @@ pub enum Align {
 }
 
 impl Section {
-    /// An empty section.
     pub fn new(heading: impl Into<String>) -> Self {
         Self { heading: heading.into(), blocks: Vec::new() }
     }

@@ -11,13 +11,10 @@ use assur_text::units::push_row;
 /// Memory for the numbers of lines.
 #[derive(Debug, Default)]
 pub struct LineMemory {
-    /// Of several positions.
     pub(super) numbers: BlockNumbers,
-    /// Of one.
     pub(super) row: Vec<f64>,
 }
 
-/// Writes lines.
 #[derive(Clone, Debug)]
 pub struct CsvLines {
     columns: AnswerColumns,
@@ -53,7 +50,6 @@ impl CsvLines {
         }
     }
 
-    /// The first line.
     #[must_use]
     pub fn header(&self) -> String {
         let mut line = if self.file.is_some() { "file," } else { "" }.to_owned();

@@ -9,11 +9,8 @@ use assur_solve::solve::Model;
 /// The numbers of a group: links, lower pairs, higher pairs of the mechanism as declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct GroupCount {
-    /// Links n.
     pub n: usize,
-    /// Lower pairs.
     pub lower: usize,
-    /// Higher pairs.
     pub higher: usize,
     /// Rollers that turn freely.
     pub passive: usize,

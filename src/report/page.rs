@@ -13,7 +13,6 @@ pub enum Page {
     Json,
     /// Comma-separated values, table below table.
     Csv,
-    /// GitHub's Markdown.
     Markdown,
     /// Sections and tables of a LaTeX document, for `\input`.
     Latex,

@@ -11,7 +11,6 @@ use assur_text::units::Dimension;
 /// The reaction between two links of a pair, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReactionEntry {
-    /// The pair.
     pub pair: PairId,
     /// The link it comes from: the first as written.
     pub from: LinkId,

@@ -32,7 +32,6 @@ pub struct NumberRows {
 }
 
 impl NumberRows {
-    /// For these columns.
     #[must_use]
     pub const fn of(columns: AnswerColumns) -> Self {
         Self { columns, whole: None, numbers: None, wide: None }
@@ -213,7 +212,6 @@ impl AnswerColumns {
 }
 
 impl Answer {
-    /// Adds its cells.
     fn push_cells(&self, value: Option<Value>, out: &mut Vec<f64>) {
         match (value, self.vector) {
             (Some(Value::Vector(v)), true) => out.extend([v.x, v.y].map(|x| self.display.of_si(x))),

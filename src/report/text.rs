@@ -8,7 +8,6 @@ use unicode_width::UnicodeWidthStr;
 /// How a report is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
-    /// With colours.
     pub colour: bool,
     /// Columns to fill: wider tables are broken into several.
     pub width: usize,
@@ -50,7 +49,6 @@ pub fn render(report: &Report, look: Look) -> String {
     out
 }
 
-/// A section alone.
 #[must_use]
 pub fn section(section: &Section, look: Look) -> String {
     let mut out = String::new();

@@ -20,7 +20,6 @@ pub(super) const SCHEMA: &str = "assur.accuracy/1";
 /// How much is shown of what was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
-    /// The answer alone.
     Answer,
     /// All that was measured after it.
     Details,
@@ -278,7 +277,6 @@ fn positions(reached: &AchievedAccuracy) -> String {
     format!("{} position{}", reached.positions, if reached.positions == 1 { "" } else { "s" })
 }
 
-/// Settings in words.
 fn words(settings: &Settings) -> String {
     let numbers = match settings.scalar {
         Numbers::Double => "f64",

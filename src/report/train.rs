@@ -9,7 +9,6 @@ use assur_position::plan::{TrainMember, TrainMotion, TrainSource};
 use assur_solve::solve::{Model, Pose, PoseAnswers, Solved};
 use assur_text::units::{Dimension, significant};
 
-/// Digits of coefficients.
 const DIGITS: usize = 6;
 
 /// What kind of group it is; a train of one transmission by its word.
@@ -106,7 +105,6 @@ pub(super) fn motion_in_words(model: &Model<'_>, train: &TrainMotion) -> String 
 /// Forces and torques of a transmission at a pose, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Pull {
-    /// The transmission.
     pub pair: PairId,
     /// The part of a rope.
     pub part: usize,

@@ -13,7 +13,6 @@ use arrow_schema::DataType;
 pub enum Column {
     /// NaN where one is missing.
     Numbers(Vec<f64>),
-    /// Names of rows.
     Names(Vec<Option<String>>),
 }
 

@@ -38,7 +38,6 @@ impl Texts {
         Self { text, ends }
     }
 
-    /// Adds one.
     pub fn push(&mut self, text: &str) {
         self.text.push_str(text);
         self.ends.push(self.text.len());

@@ -181,7 +181,6 @@ fn fill_texts(cx: &mut Context<'_>) {
     }
 }
 
-/// All else.
 fn meaning(cx: &mut Context<'_>) {
     curves(cx);
     constants(cx);

@@ -7,10 +7,8 @@ use crate::values::row::Row;
 use assur_math::math::Vec2;
 use assur_model::model::{Axis, BinaryOp, Expr, Function, QuantityId, Value};
 
-/// A register.
 pub(crate) type Register = usize;
 
-/// An operation.
 #[derive(Clone, Copy, Debug)]
 enum Operation {
     /// A number of the file.
@@ -80,9 +78,7 @@ pub(crate) struct Program {
 pub(crate) enum Compiled {
     /// It depends on no column.
     Constant(Value),
-    /// A number.
     Number(Register),
-    /// A vector.
     Vector(Register, Register),
     /// It depends on results of a position.
     Result,

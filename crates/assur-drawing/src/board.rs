@@ -18,7 +18,6 @@ const NEAR: usize = 16;
 /// By how much a place is cheaper than another at least, mm.
 const CHEAPER: f64 = 1e-9;
 
-/// Who sits where.
 pub(crate) struct Board<'a> {
     places: Vec<Places>,
     grounds: &'a Grounds<'a>,

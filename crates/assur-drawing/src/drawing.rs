@@ -22,16 +22,13 @@ pub(crate) const CAPTION: f64 = 4.0;
 /// Marks that belong together: those of a link, of a pair, of a vector.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
-    /// What it is.
     pub class: &'static str,
-    /// Its name.
     pub name: String,
 }
 
 /// A line below the drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Caption {
-    /// Its text.
     pub text: Text,
     /// A bar of a length, mm, and what it stands for.
     pub bar: Option<(f64, Text)>,
@@ -52,7 +49,6 @@ pub struct Drawing {
     pub marks: Vec<Mark>,
     /// Labels that look for a place.
     pub labels: Vec<Label>,
-    /// Lines below.
     pub captions: Vec<Caption>,
     /// What the sheet has room for beside the marks, where they move.
     pub room: Option<Rect>,
@@ -63,9 +59,7 @@ pub struct Drawing {
 /// A label in its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
-    /// The label.
     pub label: Label,
-    /// Its box.
     pub bounds: Rect,
     /// The line to what it is about, where that is far.
     pub leader: Option<(Vec2, Vec2)>,
@@ -76,7 +70,6 @@ pub struct Placed {
 pub struct Sheet {
     /// All but the places of labels.
     pub drawing: Drawing,
-    /// The labels.
     pub placed: Vec<Placed>,
     /// All of it, with white around.
     pub bounds: Rect,
@@ -87,7 +80,6 @@ pub struct Sheet {
 }
 
 impl Drawing {
-    /// Nothing yet.
     #[must_use]
     pub fn new(id: &str, title: String, description: String) -> Self {
         let none = Group { class: "", name: String::new() };
@@ -106,17 +98,14 @@ impl Drawing {
         self.current = 0;
     }
 
-    /// Adds a mark.
     pub fn mark(&mut self, style: Style, shape: Shape) {
         self.marks.push(Mark { shape, style, group: self.current });
     }
 
-    /// Adds a line.
     pub fn line(&mut self, style: Style, from: Vec2, to: Vec2) {
         self.mark(style, Shape::Line(from, to));
     }
 
-    /// Adds a label.
     pub fn label(&mut self, label: Label) {
         self.labels.push(Label { group: self.current, ..label });
     }

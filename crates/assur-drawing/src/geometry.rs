@@ -14,9 +14,7 @@ pub struct Rect {
 /// A straight part of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// One end.
     pub a: Vec2,
-    /// The other.
     pub b: Vec2,
 }
 
@@ -70,13 +68,11 @@ impl Rect {
         Self { min: self.min + by, max: self.max + by }
     }
 
-    /// Width and height.
     #[must_use]
     pub fn size(&self) -> Vec2 {
         if self.is_nothing() { Vec2::zero() } else { self.max - self.min }
     }
 
-    /// Its middle.
     #[must_use]
     pub fn centre(&self) -> Vec2 {
         (self.min + self.max) * 0.5
@@ -141,7 +137,6 @@ impl Segment {
         (self.a + d * t - p).norm()
     }
 
-    /// Its box.
     #[must_use]
     pub fn bounds(&self) -> Rect {
         let Self { a, b } = *self;

@@ -14,7 +14,6 @@ const PER_LINE: f64 = 0.9;
 /// Price of a place that marks lie on in all later frames, in millimetres of distance.
 const LATER: f64 = 20.0;
 
-/// What is drawn.
 struct Ground {
     /// What no label may touch, and which of it is where.
     obstacles: Vec<Obstacle>,

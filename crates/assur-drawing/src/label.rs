@@ -17,11 +17,9 @@ pub enum Anchor {
 /// A label that looks for a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// What it says.
     pub text: Text,
     /// Size of its letters, mm.
     pub size: f64,
-    /// Its colour.
     pub role: Role,
     /// What it is about.
     pub anchor: Anchor,
@@ -50,7 +48,6 @@ impl Label {
         Self { text, size, role: Role::Ink, anchor, towards: None, rank: 4, ring: None, group: 0 }
     }
 
-    /// In a colour.
     #[must_use]
     pub const fn coloured(mut self, role: Role) -> Self {
         self.role = role;
@@ -64,14 +61,12 @@ impl Label {
         self
     }
 
-    /// With a rank.
     #[must_use]
     pub const fn ranked(mut self, rank: u8) -> Self {
         self.rank = rank;
         self
     }
 
-    /// In a circle.
     #[must_use]
     pub const fn ringed(mut self, radius: f64) -> Self {
         self.ring = Some(radius);

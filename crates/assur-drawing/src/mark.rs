@@ -7,7 +7,6 @@ use std::f64::consts::TAU;
 
 /// Length of an arrow's head, mm.
 const HEAD: f64 = 2.6;
-/// Half its width.
 const HALF_HEAD: f64 = 0.75;
 /// The part of a short arrow that is head.
 const HEAD_PART: f64 = 0.6;
@@ -17,55 +16,40 @@ const ARC_PARTS: f64 = 0.35;
 /// The shape of a mark; all in millimetres, y down.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// A line.
     Line(Vec2, Vec2),
     /// Lines from point to point.
     Lines {
-        /// The points.
         points: Vec<Vec2>,
         /// Back to the first.
         closed: bool,
     },
     /// Separate lines: hatching.
     Strokes(Vec<(Vec2, Vec2)>),
-    /// A circle.
     Circle {
-        /// Its centre.
         centre: Vec2,
-        /// Its radius.
         radius: f64,
     },
     /// An arc from an angle by an angle, rad, counted from x towards y (which is down).
     Arc {
-        /// Its centre.
         centre: Vec2,
-        /// Its radius.
         radius: f64,
-        /// Where it begins.
         from: f64,
         /// How far it goes.
         sweep: f64,
     },
     /// A sector of a circle, between two angles.
     Sector {
-        /// Its centre.
         centre: Vec2,
-        /// Its radius.
         radius: f64,
-        /// Where it begins.
         from: f64,
         /// How far it goes.
         sweep: f64,
     },
-    /// An arrow.
     Arrow(Vec2, Vec2),
     /// An arc with a head at its end.
     ArcArrow {
-        /// Its centre.
         centre: Vec2,
-        /// Its radius.
         radius: f64,
-        /// Where it begins.
         from: f64,
         /// How far it goes.
         sweep: f64,
@@ -75,9 +59,7 @@ pub enum Shape {
 /// A shape in a style, of a group.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// Its shape.
     pub shape: Shape,
-    /// Its style.
     pub style: Style,
     /// Its group: index into the drawing's.
     pub group: usize,
@@ -88,7 +70,6 @@ pub struct Mark {
 pub enum Obstacle {
     /// A stroke with half its width.
     Stroke(Segment, f64),
-    /// A disc.
     Disc(Vec2, f64),
 }
 
@@ -113,7 +94,6 @@ fn each_part(centre: Vec2, radius: f64, from: f64, sweep: f64, mut tell: impl Fn
 }
 
 impl Shape {
-    /// A polygon.
     #[must_use]
     pub const fn polygon(points: Vec<Vec2>) -> Self {
         Self::Lines { points, closed: true }

@@ -11,9 +11,7 @@ const APART: f64 = 0.9;
 
 /// A label with its box and its leader line.
 pub struct Outside {
-    /// The label.
     pub label: usize,
-    /// Its box.
     pub bounds: Rect,
     /// From the anchor to the box.
     pub leader: (Vec2, Vec2),

@@ -3,23 +3,15 @@
 /// What a colour is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
-    /// Lines and text.
     Ink,
-    /// The background.
     Paper,
     /// Axes, paths, other poses.
     Grey,
-    /// Velocities and drives.
     Blue,
-    /// Accelerations and friction.
     Vermilion,
-    /// Unknown forces.
     Green,
-    /// Inside of links.
     Tint,
-    /// Areas.
     BlueTint,
-    /// Areas.
     VermilionTint,
 }
 
@@ -29,11 +21,8 @@ pub enum Theme {
     /// Light, dark where the reader wants it, darker inks in print.
     #[default]
     Auto,
-    /// Light everywhere.
     Light,
-    /// Dark everywhere.
     Dark,
-    /// Black and white.
     Mono,
 }
 
@@ -42,17 +31,14 @@ pub enum Theme {
 pub struct Palette(pub [&'static str; 9]);
 
 impl Palette {
-    /// On white.
     pub const LIGHT: Self =
         Self(["#111", "#fff", "#6b7280", "#0072b2", "#b84a00", "#0b6e4f", "#f0f0f0", "#dfeef6", "#fae7db"]);
     /// On a dark screen.
     pub const DARK: Self = Self([
         "#ececec", "#16181c", "#9aa3af", "#56b4e9", "#f0a35e", "#4ecb9f", "#26292e", "#1f3442", "#40301f",
     ]);
-    /// On paper.
     pub const PRINT: Self =
         Self(["#000", "#fff", "#666", "#005b8f", "#a84300", "#075239", "#f0f0f0", "#dfeef6", "#fae7db"]);
-    /// Without colours.
     pub const MONO: Self =
         Self(["#000", "#fff", "#555", "#000", "#000", "#000", "#f0f0f0", "#e8e8e8", "#d8d8d8"]);
 

@@ -12,7 +12,6 @@ use assur_math::math::Vec2;
 
 /// What is kept free around a label, mm.
 pub(crate) const APART: f64 = 0.35;
-/// Rounds of improvement.
 const ROUNDS: usize = 8;
 /// How far labels may be from what is drawn, mm.
 const MARGIN: f64 = 30.0;
@@ -20,7 +19,6 @@ const MARGIN: f64 = 30.0;
 /// What there is later, where the marks move and labels with them.
 #[derive(Clone, Debug, Default)]
 pub struct Later {
-    /// The marks.
     pub marks: Vec<Mark>,
     /// How far each label has moved.
     pub shifts: Vec<Vec2>,

@@ -12,7 +12,6 @@ pub const FAMILIES: [&str; 5] =
     ["Times New Roman", "Tinos", "Liberation Serif", "Nimbus Roman", "TeX Gyre Termes"];
 /// The same as a rule.
 const FAMILY: &str = r#""Times New Roman",Tinos,"Liberation Serif","Nimbus Roman","TeX Gyre Termes",serif"#;
-/// Colours of texts.
 const COLOURS: [Role; 4] = [Role::Grey, Role::Blue, Role::Vermilion, Role::Green];
 
 /// The kinds of stroke of a sheet, those that have arrows' heads, and the colours of its texts.

@@ -1,6 +1,5 @@
 //! Scale factors of the series: 1, 2, 2.5, 4 or 5 × 10ᵏ units per millimetre.
 
-/// The series.
 pub const SERIES: [f64; 5] = [1.0, 2.0, 2.5, 4.0, 5.0];
 
 /// A scale factor: `mantissa` × 10^`exponent` units per millimetre of paper.
@@ -8,7 +7,6 @@ pub const SERIES: [f64; 5] = [1.0, 2.0, 2.5, 4.0, 5.0];
 pub struct Scale {
     /// One of the series.
     pub mantissa: f64,
-    /// Power of ten.
     pub exponent: i32,
 }
 

@@ -5,17 +5,13 @@ use crate::palette::Role;
 /// How a mark is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Style {
-    /// A link.
     Link,
-    /// Outlines of symbols.
     Medium,
     /// Hatching, arcs of angles, dimensions, leader lines.
     Thin,
-    /// Another pose.
     Ghost,
     /// Lines of a grid.
     Grid,
-    /// An axis.
     Axis,
     /// A dashed line of the construction.
     Dashed,
@@ -25,7 +21,6 @@ pub enum Style {
     Hinge,
     /// The circle of a mass centre.
     Centre,
-    /// Filled with ink.
     Solid,
     /// A block, filled with paper.
     Block,
@@ -33,25 +28,19 @@ pub enum Style {
     Inset,
     /// A link with three joints and more, a cam: outline and tint.
     Plate,
-    /// An absolute velocity.
     Velocity,
-    /// A relative velocity.
     VelocityPart,
-    /// An absolute acceleration.
     Acceleration,
     /// A normal or a Coriolis part.
     AccelerationPart,
     /// A tangential or a sliding part.
     AccelerationTangent,
-    /// A load.
     Force,
     /// An unknown effort or reaction.
     Unknown,
     /// A part of it.
     UnknownPart,
-    /// A drive.
     Drive,
-    /// A friction circle.
     FrictionCircle,
     /// An area of want.
     Want,
@@ -61,15 +50,10 @@ pub enum Style {
     Hatch,
     /// Curves of a diagram, in their order: each has its own dashes.
     Curve1,
-    /// The second.
     Curve2,
-    /// The third.
     Curve3,
-    /// The fourth.
     Curve4,
-    /// The fifth.
     Curve5,
-    /// The sixth.
     Curve6,
     /// The circle around the number of a link.
     Number,
@@ -133,7 +117,6 @@ pub struct Paint {
     pub class: &'static str,
     /// Colour and width of the stroke, mm.
     pub stroke: Option<(Role, f64)>,
-    /// Colour inside.
     pub fill: Option<Role>,
     /// Dashes and gaps, mm.
     pub dashes: &'static str,

@@ -198,7 +198,6 @@ fn within(out: &mut String, class: Option<&Option<String>>, write: impl FnOnce(&
     out.push('\n');
 }
 
-/// A mark alone.
 #[must_use]
 pub fn mark_svg(mark: &Mark) -> String {
     let mut out = String::new();

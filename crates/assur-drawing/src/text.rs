@@ -20,9 +20,7 @@ const LONGEST: f64 = 14.0;
 /// Where a run is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
-    /// On the line.
     Base,
-    /// An index below.
     Sub,
     /// An exponent above; an index that follows is below it.
     Sup,
@@ -31,18 +29,15 @@ pub enum Level {
 /// Letters of one kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Run {
-    /// The letters.
     pub letters: String,
     /// Slanted: quantities and points.
     pub italic: bool,
-    /// Where it is.
     pub level: Level,
 }
 
 /// A text of one line.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
-    /// Its runs.
     pub runs: Vec<Run>,
     /// What was left out of a long name: all of it.
     pub full: Option<String>,
@@ -51,13 +46,11 @@ pub struct Text {
 /// A run with its place relative to the begin of the line, and its size, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Set<'a> {
-    /// The run.
     pub run: &'a Run,
     /// Begin of its base line; y down.
     pub at: Vec2,
     /// Size of the font.
     pub size: f64,
-    /// Its width.
     pub width: f64,
 }
 
@@ -74,7 +67,6 @@ impl Text {
         Self::default().and(letters, true, Level::Base)
     }
 
-    /// One more run.
     #[must_use]
     pub fn and(mut self, letters: &str, italic: bool, level: Level) -> Self {
         let mut rest = letters;
@@ -141,7 +133,6 @@ impl Text {
         text
     }
 
-    /// As read aloud.
     #[must_use]
     pub fn plain(&self) -> String {
         if let Some(full) = &self.full {

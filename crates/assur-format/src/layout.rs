@@ -21,9 +21,7 @@ pub(crate) struct Piece {
     pub(crate) is_apart: bool,
 }
 
-/// A line.
 pub(crate) struct Line {
-    /// Its pieces.
     pub(crate) pieces: Range<usize>,
     /// Whether an empty line is before it.
     pub(crate) is_after_empty: bool,

@@ -14,24 +14,19 @@ use std::sync::Arc;
 /// An equation whose left side has its value from outside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
-    /// What is found.
     pub left: Arc<Quantity>,
-    /// What it is.
     pub right: Expr,
 }
 
 /// An equation with its digits chosen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Set {
-    /// The left side.
     pub left: Node,
     /// The right side in letters; none where it has numbers alone.
     pub letters: Option<Node>,
     /// In numbers; none where there is but one.
     pub numbers: Option<Node>,
-    /// The result.
     pub result: Figures,
-    /// Its unit.
     pub unit: Unit,
     /// It misses what is printed: the sign before the result is "≈".
     pub approximate: bool,
@@ -71,7 +66,6 @@ impl Equation {
         if off <= rounding + DISAGREES * f64::EPSILON * scale { None } else { Some(off / scale) }
     }
 
-    /// With its digits.
     #[must_use]
     pub fn set(&self) -> Set {
         let (result, count, balances) = digits::of(self.left.value, &self.right);

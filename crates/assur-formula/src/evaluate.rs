@@ -7,7 +7,6 @@ use crate::unit::Unit;
 const RADIAN: f64 = std::f64::consts::PI / 180.0;
 
 impl Expr {
-    /// Its value.
     #[must_use]
     pub fn value(&self) -> f64 {
         self.value_of(&|q| q.value)

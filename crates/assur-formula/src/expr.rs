@@ -6,7 +6,6 @@ use std::sync::Arc;
 /// A formula. Angles are in degrees.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expr {
-    /// A whole number.
     Int(i64),
     /// A whole number of degrees.
     Degrees(i64),
@@ -14,21 +13,16 @@ pub enum Expr {
     Number(f64),
     /// π
     Pi,
-    /// A quantity.
     Leaf(Arc<Quantity>),
-    /// The negative.
     Neg(Box<Self>),
     /// Two or more terms; none is a negative but by its value.
     Sum(Vec<(Sign, Self)>),
     /// Two or more factors.
     Product(Vec<Self>),
-    /// A fraction.
     Ratio(Box<Self>, Box<Self>),
     /// A power from the second on.
     Power(Box<Self>, u8),
-    /// The root.
     Root(Box<Self>),
-    /// The magnitude.
     Abs(Box<Self>),
     /// A function of an angle, an angle, or a power of e.
     Of(Function, Box<Self>),
@@ -43,27 +37,19 @@ pub enum Sign {
     Minus,
 }
 
-/// A function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
-    /// sin
     Sin,
-    /// cos
     Cos,
-    /// tan
     Tan,
-    /// arcsin
     Arcsin,
-    /// arccos
     Arccos,
-    /// arctan
     Arctan,
     /// The power of e.
     Exp,
 }
 
 impl Function {
-    /// Its name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -102,13 +88,11 @@ impl Expr {
         count == 0
     }
 
-    /// The square.
     #[must_use]
     pub fn squared(self) -> Self {
         self.power(2)
     }
 
-    /// The cube.
     #[must_use]
     pub fn cubed(self) -> Self {
         self.power(3)
@@ -124,7 +108,6 @@ impl Expr {
         }
     }
 
-    /// The root.
     #[must_use]
     pub fn root(self) -> Self {
         match self {
@@ -133,7 +116,6 @@ impl Expr {
         }
     }
 
-    /// The magnitude.
     #[must_use]
     pub fn abs(self) -> Self {
         match self {
@@ -163,13 +145,11 @@ impl Expr {
         }
     }
 
-    /// sin
     #[must_use]
     pub fn sin(self) -> Self {
         self.of(Function::Sin)
     }
 
-    /// cos
     #[must_use]
     pub fn cos(self) -> Self {
         self.of(Function::Cos)
@@ -203,7 +183,6 @@ impl Expr {
         }
     }
 
-    /// Visits all quantities.
     pub fn visit(&self, see: &mut dyn FnMut(&Arc<Quantity>)) {
         match self {
             Self::Int(_) | Self::Degrees(_) | Self::Number(_) | Self::Pi => {}

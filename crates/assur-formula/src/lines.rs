@@ -5,7 +5,6 @@ use crate::node::Node;
 /// An equation as lines: what is found, then the lines of its sides.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lines {
-    /// What is found.
     pub left: Node,
     /// Lines, each a side or a part of one. The second says that a line goes on with a side.
     pub rows: Vec<(Node, bool)>,

@@ -3,13 +3,10 @@
 /// The letters of a quantity: `R` with the index 12 and the mark t.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Name {
-    /// The letter.
     pub letter: String,
-    /// The index.
     pub sub: String,
     /// The mark above: n, t, k.
     pub sup: String,
-    /// With an arrow.
     pub vector: bool,
 }
 
@@ -20,7 +17,6 @@ impl Name {
         Self { letter: letter.to_owned(), sub: sub.to_owned(), ..Self::default() }
     }
 
-    /// With a mark.
     #[must_use]
     pub fn marked(&self, sup: &str) -> Self {
         Self { sup: sup.to_owned(), ..self.clone() }
@@ -41,7 +37,6 @@ impl Name {
         if self.sub.is_empty() { self.letter.clone() } else { self.sub.clone() }
     }
 
-    /// As a vector.
     #[must_use]
     pub fn arrow(&self) -> Self {
         Self { vector: true, ..self.clone() }

@@ -9,18 +9,13 @@ pub enum Node {
     Row(Vec<Node>),
     /// Letters of a quantity: letter, index, mark, arrow.
     Letter {
-        /// The letter.
         letter: String,
-        /// The index.
         sub: String,
-        /// The mark above.
         sup: String,
-        /// With an arrow.
         arrow: bool,
         /// The power; 1 is the quantity itself.
         power: u8,
     },
-    /// A number.
     Number(Figures),
     /// A number of degrees.
     Degrees(Figures),
@@ -34,26 +29,20 @@ pub enum Node {
     Times,
     /// Product with a point.
     Dot,
-    /// A fraction.
     Fraction(Box<Node>, Box<Node>),
     /// A power of what is not a letter.
     Power(Box<Node>, u8),
-    /// A root.
     Root(Box<Node>),
-    /// In bars.
     Bars(Box<Node>),
-    /// In brackets.
     Brackets(Box<Node>),
     /// A function with what it is of.
     Function(&'static str, Box<Node>),
     /// A unit after a number.
     Unit(&'static str),
-    /// Upright words.
     Words(String),
 }
 
 impl Node {
-    /// Nothing.
     #[must_use]
     pub const fn empty() -> Self {
         Self::Row(Vec::new())

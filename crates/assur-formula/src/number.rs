@@ -3,7 +3,6 @@
 /// A printed number: sign and digits with a decimal point, and a power of ten.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figures {
-    /// Without its sign.
     pub digits: String,
     /// It has a minus sign.
     pub negative: bool,
@@ -22,7 +21,6 @@ impl Figures {
         Self { digits: "0".to_owned(), negative: false, exponent: 0 }
     }
 
-    /// A whole number.
     #[must_use]
     pub fn whole(n: i64) -> Self {
         Self { digits: n.unsigned_abs().to_string(), negative: n < 0, exponent: 0 }

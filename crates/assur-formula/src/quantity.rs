@@ -9,11 +9,8 @@ use std::sync::Arc;
 /// A quantity with its value: in SI, angles in degrees.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
-    /// Its letters.
     pub name: Name,
-    /// Its value.
     pub value: f64,
-    /// Its unit.
     pub unit: Unit,
     /// What it is large against: less than a part of this is rounding.
     pub scale: f64,

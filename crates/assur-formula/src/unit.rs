@@ -3,7 +3,6 @@
 /// The unit of a quantity: SI, and degrees for angles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Unit {
-    /// A plain number.
     #[default]
     One,
     /// m
@@ -44,7 +43,6 @@ pub enum Unit {
     TorsionDamping,
     /// kg/m³
     Density,
-    /// rpm
     Speed,
     /// J
     Work,

@@ -14,7 +14,6 @@ use thiserror::Error;
 /// Why there is no picture.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum Missing {
-    /// No diagram.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Diagram(#[from] NoDiagram),
@@ -27,7 +26,6 @@ pub enum Missing {
         /// What it is about.
         #[label("these are the positions")]
         at: Option<Span>,
-        /// What to write.
         #[help]
         help: String,
     },
@@ -42,30 +40,23 @@ pub enum Missing {
         /// What it is about.
         #[label("without a speed")]
         at: Option<Span>,
-        /// What to write.
         #[help]
         help: String,
     },
-    /// No forces.
     #[error("there are no forces to draw: {why}")]
     #[diagnostic(code("mech::picture::no_forces"))]
     NoForces {
-        /// What is missing.
         why: String,
         /// What it is about.
         #[label("{what}")]
         at: Option<Span>,
-        /// What that is.
         what: &'static str,
-        /// What to write.
         #[help]
         help: String,
     },
-    /// No such point.
     #[error("there is no point `{name}` whose path could be drawn")]
     #[diagnostic(code("mech::picture::no_point"))]
     NoPoint {
-        /// As given.
         name: String,
         /// Its link, where there is one.
         #[label("this link has no such point")]
@@ -81,11 +72,9 @@ pub enum Missing {
         help("give the only drive a range: `drive crank = 0 deg .. 360 deg in 12 steps`")
     )]
     NoWay {
-        /// The drive.
         #[label("one position")]
         at: Option<Span>,
     },
-    /// No friction.
     #[error("there is no friction to draw: no pair has a friction circle or a coefficient")]
     #[diagnostic(
         code("mech::picture::no_friction"),
@@ -94,7 +83,6 @@ pub enum Missing {
         )
     )]
     NoFriction,
-    /// No shafts.
     #[error("there is no train to draw: no shaft or slider is declared without a position")]
     #[diagnostic(
         code("mech::picture::no_train"),
@@ -109,7 +97,6 @@ pub enum Missing {
         wanted: String,
         /// What would come of it.
         why: &'static str,
-        /// What fits.
         #[help]
         help: String,
     },
@@ -124,7 +111,6 @@ pub enum Missing {
     NotPlaced {
         /// `a plan shows velocities of points`.
         needs: &'static str,
-        /// The first link.
         #[label("has no position")]
         at: Option<Span>,
     },
@@ -153,7 +139,6 @@ impl Missing {
         Self::NoPoint { name: name.to_owned(), at: link.map(|link| link.span), help }
     }
 
-    /// No forces.
     pub(crate) fn no_forces(why: &str, help: &str) -> Self {
         Self::NoForces { why: why.to_owned(), at: None, what: "", help: help.to_owned() }
     }

@@ -15,13 +15,9 @@ const PLACE: f64 = 1e-8;
 
 /// Dimensions: exponents of length, mass and time, and the kind of angle.
 pub const VELOCITY: [i8; 4] = [1, 0, -1, 0];
-/// Of accelerations.
 pub const ACCELERATION: [i8; 4] = [1, 0, -2, 0];
-/// Of angular velocities.
 pub const TURNING: [i8; 4] = [0, 0, -1, 0];
-/// Of forces.
 pub const FORCE: [i8; 4] = [1, 1, -2, 0];
-/// Of moments.
 pub const MOMENT: [i8; 4] = [2, 1, -2, 0];
 
 /// What is no greater than this is rounding beside another number.

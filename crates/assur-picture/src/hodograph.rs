@@ -27,7 +27,6 @@ const POLE: f64 = 0.9;
 /// An arrow on the curve is so long, mm.
 const ALONG: f64 = 4.0;
 
-/// Which vectors.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Of {
     Velocity,

@@ -18,7 +18,6 @@ use assur_model::model::{Level, LinkId};
 /// A kind of picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
-    /// The kinematic scheme.
     Scheme,
     /// The plan of velocities.
     Velocities,
@@ -26,11 +25,9 @@ pub enum Kind {
     Accelerations,
     /// A free body and a polygon of forces per structural group.
     Forces,
-    /// Zhukovsky's lever.
     Lever,
     /// Friction circles, angles and action lines.
     Friction,
-    /// Shafts in section.
     Train,
     /// Numbers over the sweep.
     Plot,
@@ -46,7 +43,6 @@ pub enum Kind {
     Animation,
 }
 
-/// All kinds.
 pub const KINDS: [Kind; 13] = [
     Kind::Scheme,
     Kind::Velocities,
@@ -66,7 +62,6 @@ pub const KINDS: [Kind; 13] = [
 /// How pictures are drawn.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// The scheme.
     pub scheme: Scheme,
     /// The items of `find` that are plotted, by index; all that change where there are none.
     pub plotted: Vec<usize>,

@@ -20,12 +20,10 @@ pub enum NoDiagram {
         what: &'static str,
         /// What the file does not give.
         why: &'static str,
-        /// The drive.
         #[label("{label}")]
         at: Option<Span>,
         /// What is said of it.
         label: &'static str,
-        /// What to write.
         #[help]
         help: String,
     },
@@ -35,22 +33,17 @@ pub enum NoDiagram {
     NoQuantity {
         /// `no item of `find` is a number`
         why: String,
-        /// The first item.
         #[label("asked for here")]
         at: Option<Span>,
-        /// What to write.
         #[help]
         help: String,
     },
-    /// No flywheel.
     #[error("there is no work to draw: the file declares no flywheel")]
     #[diagnostic(code("mech::picture::no_flywheel"))]
     NoFlywheel {
-        /// What to write.
         #[help]
         help: String,
     },
-    /// No cam.
     #[error("there is no cam to draw: the file designs none")]
     #[diagnostic(
         code("mech::picture::no_cam"),
@@ -72,7 +65,6 @@ pub enum NoDiagram {
         at: Option<Span>,
         /// What is said of it.
         label: &'static str,
-        /// What there is.
         #[help]
         help: String,
     },

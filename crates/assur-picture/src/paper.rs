@@ -18,7 +18,6 @@ pub enum Scaled {
     Force,
 }
 
-/// All of them.
 pub const SCALED: [Scaled; 4] = [Scaled::Length, Scaled::Velocity, Scaled::Acceleration, Scaled::Force];
 
 /// With a greater factor than this many times the fitting one nothing can be seen.
@@ -45,7 +44,6 @@ impl Scaled {
         }
     }
 
-    /// Its unit.
     #[must_use]
     pub const fn unit(self) -> &'static str {
         match self {

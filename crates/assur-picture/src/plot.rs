@@ -30,9 +30,7 @@ const LONGEST: usize = 44;
 
 /// A number that is plotted.
 struct Item {
-    /// As written.
     plain: String,
-    /// Its label.
     name: Text,
     display: Display,
     expr: Expr,

@@ -12,15 +12,12 @@ use assur_solve::solve::{BodyState, DriveValue, Greatest, Model, Pose, Solution,
 pub struct Scene<'a> {
     /// The mechanism with its structure and its plan.
     pub model: Model<'a>,
-    /// All positions.
     pub solution: &'a Solution,
     /// The one that is shown.
     pub pose: &'a Pose,
-    /// Its state.
     pub solved: &'a Solved,
     /// The name of the file.
     pub file: &'a str,
-    /// Its text.
     pub text: &'a str,
     /// What the quantities of all positions are large against.
     pub greatest: Greatest,
@@ -54,7 +51,6 @@ impl<'a> Scene<'a> {
         found.ok_or_else(|| Missing::no_position(model.mechanism, solution, name))
     }
 
-    /// The mechanism.
     #[must_use]
     pub const fn mechanism(&self) -> &'a Mechanism {
         self.model.mechanism
@@ -83,7 +79,6 @@ impl<'a> Scene<'a> {
         self.solution.poses.iter().chain(self.turn).filter_map(|p| p.outcome.as_ref().ok()).map(|s| &s.state)
     }
 
-    /// A link.
     #[must_use]
     pub fn body(&self, link: LinkId) -> &'a BodyState {
         &self.solved.state.motion.bodies[link.index()]

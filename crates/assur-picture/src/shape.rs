@@ -37,7 +37,6 @@ pub struct LinkShape {
 pub struct Rail {
     /// A point, m.
     pub at: Vec2,
-    /// Its direction.
     pub along: Vec2,
     /// The least and the greatest coordinate that is needed, m.
     pub way: (f64, f64),
@@ -48,7 +47,6 @@ pub struct Rail {
 /// The lines of a link on paper.
 #[derive(Clone, Debug, Default)]
 pub struct Outline {
-    /// Bars.
     pub bars: Vec<(Vec2, Vec2)>,
     /// Plates: three corners and more.
     pub plates: Vec<Vec<Vec2>>,

@@ -6,7 +6,6 @@ use assur_text::source::Span;
 pub struct Change {
     pub span: Span,
     pub kind: Kind,
-    /// The correction.
     pub with: &'static str,
 }
 

@@ -7,7 +7,6 @@ use thiserror::Error;
 
 /// Characters that the language does not have. `help` is the corrected line.
 #[derive(Clone, Debug, Diagnostic, Error)]
-#[allow(missing_docs)] // the message is the documentation of each
 pub enum CharacterError {
     #[error("full-width characters cannot be read")]
     #[diagnostic(code(mech::syntax::full_width))]

@@ -7,7 +7,6 @@ use thiserror::Error;
 
 /// A mistake in the text. `help` is, where possible, the corrected line.
 #[derive(Clone, Debug, Diagnostic, Error)]
-#[allow(missing_docs)] // the message is the documentation of each
 pub enum SyntaxError {
     #[error("the file is empty")]
     #[diagnostic(

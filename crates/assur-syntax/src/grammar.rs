@@ -2,7 +2,6 @@
 
 pub use parser::{Grammar, Rule};
 
-#[allow(missing_docs)]
 mod parser {
     #[derive(pest_derive::Parser)]
     #[grammar = "../../../grammar/mech.pest"]

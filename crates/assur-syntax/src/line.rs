@@ -6,7 +6,6 @@ use assur_text::source::{Edit, Span};
 /// The line, or lines, around a place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
-    /// Its first byte.
     pub(super) start: usize,
     /// Its end, without the line end.
     pub(super) end: usize,

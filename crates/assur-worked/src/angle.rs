@@ -8,7 +8,6 @@ use assur_math::math::Vec2;
 pub struct Angle {
     /// The angle; none where it is 0.
     pub part: Option<Expr>,
-    /// Quarter turns.
     pub quarters: i64,
 }
 
@@ -19,7 +18,6 @@ impl Angle {
     /// Along the x axis.
     pub const ZERO: Self = Self { part: None, quarters: 0 };
 
-    /// An angle.
     pub fn of(part: Expr) -> Self {
         Self { part: Some(part).filter(|p| !p.is_zero()), quarters: 0 }
     }
@@ -66,7 +64,6 @@ impl Angle {
         }
     }
 
-    /// cos
     pub fn cos(&self) -> Expr {
         let Some(part) = &self.part else { return Expr::Int([1, 0, -1, 0][self.index()]) };
         match self.index() {
@@ -77,7 +74,6 @@ impl Angle {
         }
     }
 
-    /// sin
     pub fn sin(&self) -> Expr {
         let Some(part) = &self.part else { return Expr::Int([0, 1, 0, -1][self.index()]) };
         match self.index() {

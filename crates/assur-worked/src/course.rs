@@ -29,7 +29,6 @@ pub struct Body {
 
 /// The solution of one position, as it is written.
 pub struct Course<'a> {
-    /// The position.
     pub scene: Scene<'a>,
     /// The language of its sentences.
     pub language: Language,
@@ -41,7 +40,6 @@ pub struct Course<'a> {
     pub disagreements: Vec<String>,
     /// Values without a formula in the sections on what needs no position.
     pub design_values: Vec<Quantity>,
-    /// The bodies.
     pub bodies: Vec<Option<Body>>,
     /// All that has been found, by its letters.
     pub found: BTreeMap<Name, Expr>,
@@ -140,12 +138,10 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// The structure.
     pub fn structure(&self) -> &'a Structure {
         self.scene.model.structure
     }
 
-    /// The state.
     pub fn state(&self) -> &'a State {
         &self.scene.solved.state
     }
@@ -155,12 +151,10 @@ impl<'a> Course<'a> {
         &self.state().motion.bodies[body]
     }
 
-    /// A heading.
     pub fn heading(&mut self, level: u8, words: impl Into<String>) {
         self.blocks.push(Block::Heading(level, words.into()));
     }
 
-    /// A sentence.
     pub fn say(&mut self, message: impl Sentence, parts: &[Line]) {
         if message.awaits_an_equation() {
             self.awaiting.push(self.blocks.len());
@@ -190,7 +184,6 @@ impl<'a> Course<'a> {
         self.say(message, &[vec![Inline::Figure(reference)]]);
     }
 
-    /// A remark.
     pub fn remark(&mut self, message: impl Sentence, parts: &[Line]) {
         let line = if self.shown { say(self.language, message, parts) } else { Line::new() };
         self.blocks.push(Block::Remark(line));
@@ -212,14 +205,12 @@ impl<'a> Course<'a> {
         plain(&say(self.language, message, &[]))
     }
 
-    /// A table.
     pub fn table(&mut self, table: Table) {
         if !table.rows.is_empty() {
             self.blocks.push(Block::Table(table));
         }
     }
 
-    /// A vector equation.
     pub fn vectors(&mut self, terms: Vec<Term>) {
         self.blocks.push(Block::Vectors(terms));
     }

@@ -5,7 +5,6 @@ use assur_formula::{Lines, Name, Node, name_node};
 /// A part of a line of text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Inline {
-    /// Words.
     Text(String),
     /// Letters or numbers of a formula.
     Math(Node),
@@ -34,13 +33,10 @@ pub type Line = Vec<Inline>;
 pub enum Block {
     /// A heading of the second level or below.
     Heading(u8, String),
-    /// A paragraph.
     Paragraph(Line),
     /// A remark in softer print.
     Remark(Line),
-    /// An equation.
     Equation(Lines),
-    /// A table.
     Table(Table),
     /// A vector equation with what is known of its terms.
     Vectors(Vec<Term>),
@@ -48,14 +44,10 @@ pub enum Block {
     Figures(Vec<Figure>),
 }
 
-/// A table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
-    /// Its header cells.
     pub headers: Vec<Line>,
-    /// Its rows.
     pub rows: Vec<Vec<Line>>,
-    /// Columns of numbers.
     pub numbers: Vec<usize>,
 }
 
@@ -64,44 +56,34 @@ pub struct Table {
 pub struct Term {
     /// The sign before it.
     pub sign: &'static str,
-    /// It.
     pub name: Name,
     /// Its magnitude, "?" where that is not known.
     pub magnitude: Line,
-    /// Its direction.
     pub direction: Line,
 }
 
-/// A figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// Its picture.
     pub svg: String,
     /// The name of its picture, for files.
     pub name: String,
-    /// What it shows.
     pub caption: String,
 }
 
-/// A document.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
-    /// Its title.
     pub title: String,
     /// The language of its sentences.
     pub language: &'static str,
     /// The words that writers need: contents, figure, rows of vector equations.
     pub labels: Labels,
-    /// Its parts.
     pub blocks: Vec<Block>,
 }
 
 /// Words that writers put before parts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Labels {
-    /// Contents
     pub contents: &'static str,
-    /// Figure
     pub figure: &'static str,
     /// Equation, magnitude, direction
     pub rows: [&'static str; 3],
@@ -135,12 +117,10 @@ pub fn cited(mut blocks: Vec<Block>, label: &str) -> Vec<Block> {
     blocks
 }
 
-/// Words.
 pub fn text(words: impl Into<String>) -> Inline {
     Inline::Text(words.into())
 }
 
-/// Letters.
 pub fn letter(name: &Name) -> Inline {
     Inline::Math(name_node(name))
 }

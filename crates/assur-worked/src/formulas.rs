@@ -15,9 +15,7 @@ const SAME: f64 = 1e-9;
 /// A quantity that the file works out from results of a position.
 #[derive(Clone, Debug)]
 pub struct Formula {
-    /// Its letters.
     pub name: Name,
-    /// Its unit.
     pub unit: Unit,
     /// What it is, for its value.
     pub of: model::Expr,

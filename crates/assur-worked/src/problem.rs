@@ -92,7 +92,6 @@ impl Course<'_> {
         all.into_iter().filter(|(there, _)| *there).map(|(_, m)| m).collect()
     }
 
-    /// A caption.
     pub fn caption(&self, message: Message, part: &str) -> String {
         plain(&say(self.language, message, &[vec![text(part)]]))
     }

@@ -9,7 +9,6 @@ use assur_math::math::Vec2;
 use assur_model::model::{Display, FindKind, PairId, PairKind, Value};
 use assur_text::units::{Dimension, significant};
 
-/// Digits of results.
 const DIGITS: usize = 5;
 /// What differs by less than this part of it is the same.
 const SAME: f64 = 1e-9;

@@ -17,7 +17,6 @@ use std::f64::consts::PI;
 pub struct Variants {
     /// Its columns: names with their units.
     pub columns: Vec<(String, String)>,
-    /// Its rows.
     pub rows: Vec<Vec<String>>,
     /// The variant of the scheme.
     pub drawn_for: String,
@@ -56,7 +55,6 @@ const NEAR: f64 = 6e-3;
 pub struct Asked {
     /// What `assur grade` reads it by.
     pub name: String,
-    /// Its unit.
     pub unit: String,
     /// SI value of one unit.
     pub factor: f64,
@@ -70,17 +68,14 @@ pub struct Asked {
 
 /// A problem as an exercise.
 pub struct Exercise<'a> {
-    /// The problem.
     pub mechanism: &'a Mechanism,
     /// The name of its file.
     pub file: &'a str,
-    /// Its text.
     pub text: &'a str,
     /// Its position, where it has one.
     pub scene: Option<Scene<'a>>,
     /// The position of the scheme, another one where positions are asked for.
     pub shown: Option<Scene<'a>>,
-    /// What is asked.
     pub asked: Vec<Asked>,
     /// Other numbers that are answers, in the units of the file: expected ones that the file does not give.
     pub hidden: Vec<f64>,

@@ -14,11 +14,8 @@ const SAME: f64 = 1e-9;
 /// A quantity of a spline; without a formula it is part of the same system of equations.
 #[derive(Clone, Debug)]
 pub struct Term {
-    /// Its letters.
     pub name: Name,
-    /// Its value.
     pub value: f64,
-    /// Its unit.
     pub unit: Unit,
     /// What it follows from.
     pub right: Option<Expr>,

@@ -11,7 +11,6 @@ const ROUNDING: f64 = 1e-11;
 
 /// Linear equations, each a sum that is zero.
 pub struct System<'a> {
-    /// The unknowns.
     pub unknowns: &'a [Name],
     /// Quantities that depend on unknowns, by what they are.
     pub defined: BTreeMap<Name, Expr>,

@@ -16,25 +16,17 @@ use assur_text::units::Dimension;
 pub enum Part {
     /// Text, scheme, given values.
     Problem,
-    /// Structure.
     Structure,
-    /// Positions.
     Positions,
-    /// Velocities.
     Velocities,
-    /// Accelerations.
     Accelerations,
     /// Loads and inertia forces.
     Inertia,
-    /// Reactions and balance.
     Forces,
-    /// Check.
     Check,
-    /// Results.
     Results,
 }
 
-/// All parts.
 const PARTS: [Part; 9] = [
     Part::Problem,
     Part::Structure,
@@ -58,20 +50,15 @@ impl Part {
 /// A size that the file works out from its given values.
 #[derive(Clone, Debug)]
 pub struct Size {
-    /// Its letters.
     pub name: Name,
     /// Its value, SI; an angle in degrees.
     pub value: f64,
-    /// Its unit.
     pub unit: Unit,
-    /// What it is.
     pub right: Expr,
 }
 
-/// A worked solution.
 #[derive(Clone, Debug, Default)]
 pub struct Worked {
-    /// What is written.
     pub document: Document,
     /// The equations in it.
     pub equations: Vec<Equation>,

@@ -112,7 +112,6 @@ impl Table {
         Ok(Self { head, schema, writer, name: name.to_owned() })
     }
 
-    /// Lines as bytes.
     pub fn written(&mut self, filled: Filled<'_>) -> Result<Vec<u8>, CliError> {
         let Filled { answers, labels, givens, .. } = filled;
         let RowAnswers { rows, poses, events, values, errors } = answers;

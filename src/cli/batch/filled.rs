@@ -11,7 +11,6 @@ use assur_solve::solve::NumberColumns;
 pub struct Cited<'a> {
     /// Counted from 1.
     pub number: usize,
-    /// Its name.
     pub label: Option<&'a str>,
     /// Its cells as written.
     pub written: &'a AsWritten<'a>,
@@ -47,7 +46,6 @@ pub struct Filled<'a> {
 }
 
 impl<'a> Filled<'a> {
-    /// Nothing yet.
     pub fn of(job: &'a Job) -> Self {
         let layout = job.layout();
         let givens = job.givens().map(|_| Vec::new()).collect();
@@ -79,7 +77,6 @@ impl<'a> Filled<'a> {
         }
     }
 
-    /// Takes lines back.
     pub fn truncate(&mut self, count: usize) {
         self.answers.truncate(count);
         self.labels.truncate(count);

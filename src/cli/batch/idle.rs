@@ -8,12 +8,10 @@ use std::sync::{Mutex, PoisonError};
 pub struct Idle<'r>(Mutex<Vec<VariantSolver<'r>>>);
 
 impl<'r> Idle<'r> {
-    /// One of them.
     pub fn take(&self) -> Option<VariantSolver<'r>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).pop()
     }
 
-    /// Takes one back.
     pub fn give(&self, solver: VariantSolver<'r>) {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).push(solver);
     }

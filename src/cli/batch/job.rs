@@ -36,9 +36,7 @@ const BUFFER: usize = 1 << 17;
 /// A file that could be read, with its rows.
 #[derive(Debug)]
 pub struct Job {
-    /// Its text.
     pub source: Source,
-    /// Its contents.
     pub document: Arc<Document>,
     /// What replaces the values of all rows.
     pub overrides: Overrides,

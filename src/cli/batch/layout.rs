@@ -8,7 +8,6 @@ use crate::report::csv::LINE_END;
 use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::rows::{FULL, write_text};
 
-/// Digits for people.
 const READABLE: usize = 6;
 
 /// The columns of a batch.
@@ -19,12 +18,10 @@ pub struct Layout {
     several: bool,
     /// An answer key: no givens, no drives, no errors.
     pub key: bool,
-    /// Significant digits.
     pub digits: usize,
 }
 
 impl Layout {
-    /// Those of answers.
     pub fn of(jobs: &[Job], format: Format) -> Self {
         Self::new(jobs, false, if format.is_read() { READABLE } else { FULL })
     }

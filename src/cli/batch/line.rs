@@ -24,11 +24,8 @@ use assur_text::units::write_significant;
 
 /// Where a row is written.
 pub struct Written<'a, 'f> {
-    /// The file.
     pub job: &'a Job,
-    /// How.
     pub format: Format,
-    /// The columns.
     pub layout: &'a Layout,
     /// Those of the key, where one is wanted.
     pub key: Option<&'a Layout>,

@@ -44,12 +44,10 @@ impl Out {
         false
     }
 
-    /// Adds a text.
     pub fn write(&mut self, text: impl AsRef<[u8]>) -> Result<(), CliError> {
         self.sink.write(text)
     }
 
-    /// Adds columns.
     pub fn fill(&mut self, filled: Filled<'_>) -> Result<(), CliError> {
         #[cfg(feature = "arrow")]
         if let Some(table) = &mut self.table {

@@ -18,10 +18,8 @@ const PIECE: usize = 32;
 /// The number of pieces of a large chunk.
 const PIECES: usize = 64;
 
-/// What rows gave.
 #[derive(Default)]
 pub struct Piece<'r> {
-    /// Lines of answers.
     pub out: String,
     /// Columns of answers, where they are written as such.
     pub filled: Option<Filled<'r>>,

@@ -13,7 +13,6 @@ use assur_text::source::{Source, Span};
 pub enum Rows {
     /// The file as written.
     One,
-    /// Its own table.
     Own(Vec<FileRow>),
     /// A separate table of text.
     Csv(String),
@@ -22,7 +21,6 @@ pub enum Rows {
     Columns(String),
 }
 
-/// Rows in memory.
 pub enum Chunk<'a> {
     /// The file as written.
     One,
@@ -90,7 +88,6 @@ pub struct Input<'a> {
     pub label: Option<String>,
     /// Its cells as they are written in a separate table.
     pub written: AsWritten<'a>,
-    /// Its numbers.
     pub row: Row,
     /// Its place in the file's own table.
     pub span: Option<Span>,

@@ -23,9 +23,7 @@ const EXPLAINED: usize = 3;
 
 /// A job and what to write of it.
 pub struct Run<'a> {
-    /// The job.
     pub job: &'a Job,
-    /// How.
     pub format: Format,
     /// The columns of the answers.
     pub layout: &'a Layout,
@@ -33,7 +31,6 @@ pub struct Run<'a> {
     pub key: Option<&'a Layout>,
     /// Answers are written as columns.
     pub columns: bool,
-    /// Where diagnostics go.
     pub screen: &'a Screen,
 }
 

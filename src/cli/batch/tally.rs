@@ -71,12 +71,10 @@ impl Tally {
         self.groups.get(&(kind, code.to_owned())).map_or(0, |g| g.count)
     }
 
-    /// Rows without answers.
     pub const fn failed(&self) -> usize {
         self.failed
     }
 
-    /// All rows.
     pub const fn rows(&self) -> usize {
         self.solved + self.failed
     }

@@ -12,7 +12,6 @@ use std::borrow::Cow;
 use std::cell::RefCell;
 use std::path::PathBuf;
 
-/// Where pictures go.
 pub enum Output {
     /// Standard output: one picture.
     Stdout(Option<DrawFormat>),

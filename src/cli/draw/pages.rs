@@ -19,21 +19,17 @@ use assur_worked::{Language, drawing_in, phrase};
 pub struct Page {
     /// Of its file, without its ending.
     pub name: String,
-    /// It.
     pub text: String,
-    /// Of its file.
     pub ending: &'static str,
 }
 
 /// What pictures are made of.
 pub struct Pages<'d, 'a> {
-    /// What is wanted.
     pub drawing: &'d Drawing<'a>,
     /// The text of the file.
     pub source: &'d Source,
     /// The same as statements.
     pub document: &'d Document,
-    /// The solution.
     pub solved: &'d Solved,
     /// The row of variants.
     pub row: &'d DrawnRow,
@@ -46,7 +42,6 @@ struct Ways {
 }
 
 impl Pages<'_, '_> {
-    /// All pictures.
     pub fn all(&self, problems: &mut Problems) -> Vec<Page> {
         let pictures = &self.drawing.pictures;
         let of_cams = |picture: &Picture| picture.kind == Kind::Cam;

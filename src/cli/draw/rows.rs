@@ -48,7 +48,6 @@ impl DrawnRow {
 pub enum Refused {
     /// What is wrong with a table, or with the file.
     Table(Source, Problems),
-    /// The command line.
     Cli(CliError),
 }
 

@@ -40,7 +40,6 @@ impl Refusal {
 }
 
 impl Request {
-    /// Reads a head.
     pub fn read(stream: impl BufRead) -> Result<Self, Refusal> {
         let mut lines = stream.take(LONGEST);
         let mut line = || {

@@ -12,7 +12,6 @@ use std::time::Duration;
 
 /// The page around a picture.
 const PAGE: &str = include_str!("page.html");
-/// Requests at once.
 const MOST: usize = 64;
 /// What a browser may take to send a request, or to read an answer.
 const PATIENCE: Duration = Duration::from_secs(10);

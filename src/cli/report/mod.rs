@@ -29,7 +29,6 @@ use std::sync::Arc;
 /// What is solved for a solution: all that its pictures show.
 const KINDS: [Kind; 4] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces];
 
-/// Writes worked solutions.
 pub fn run(args: &Report, screen: &Screen) -> Status {
     let inputs = files::expand(&args.files);
     let refused = |error| {

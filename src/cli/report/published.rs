@@ -9,7 +9,6 @@ const EXACT: f64 = 1e-6;
 const PUBLISHED: f64 = 1e-4;
 /// A deviation below this part is rounding.
 const ROUNDING: f64 = 1e-12;
-/// Digits of both.
 const DIGITS: usize = 6;
 
 /// The values that are expected twice; none where there are none.

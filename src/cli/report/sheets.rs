@@ -89,7 +89,6 @@ impl Row {
 }
 
 impl<'a> Sheets<'a> {
-    /// Of a file.
     pub fn new(args: &'a Report, format: ReportFormat, source: &'a Source, document: Arc<Document>) -> Self {
         let text = &source.text;
         Self { args, format, source, document, used: used(text), written: numbers(text) }
@@ -97,7 +96,6 @@ impl<'a> Sheets<'a> {
 }
 
 impl Sheets<'_> {
-    /// Writes them.
     pub fn reply(&self, found: Problems, screen: &Screen) -> Reply {
         let mut problems = found;
         let rows = self.rows(&mut problems);

@@ -122,7 +122,6 @@ impl<'a> Results<'a> {
         Some(quantity(name, 1.0, Unit::One))
     }
 
-    /// A named quantity.
     fn named(&self, name: &str) -> Option<Expr> {
         let index = self.mechanism.quantities.iter().position(|q| q.name == name)?;
         let name = quantity_name(name);

@@ -20,9 +20,7 @@ pub enum ChangeKind {
 /// A change that is offered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// What it does.
     pub title: String,
-    /// Its edits.
     pub edits: Vec<Edit>,
     /// What it is for.
     pub kind: ChangeKind,

@@ -21,13 +21,9 @@ pub enum CompletionKind {
     Snippet,
     /// A property in braces.
     Property,
-    /// A function.
     Function,
-    /// A unit.
     Unit,
-    /// A declared name.
     Name,
-    /// A value.
     Value,
 }
 
@@ -40,11 +36,8 @@ pub struct Completion {
     pub insert: String,
     /// Whether it has places to fill.
     pub is_snippet: bool,
-    /// What it is.
     pub kind: CompletionKind,
-    /// What it means.
     pub means: String,
-    /// What it replaces.
     pub at: Span,
 }
 

@@ -32,7 +32,6 @@ fn properties(of: &str) -> Vec<Completion> {
     found
 }
 
-/// Words between others.
 pub fn within() -> Vec<Completion> {
     let places = [WordPlace::Connecting, WordPlace::Contextual, WordPlace::Law];
     let words = rows(&places).map(|row| Completion::plain(row.word, CompletionKind::Word, row.means));

@@ -21,7 +21,6 @@ const SHOWN: usize = 160;
 pub(super) enum Role {
     /// A name of rows, in the order of [`NAMES`].
     Name(usize),
-    /// Who answered.
     Person,
     /// A quantity, and the unit of this column: a key of several files may have it in several units.
     Quantity(usize, Unit),

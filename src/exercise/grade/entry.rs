@@ -9,11 +9,9 @@ const LONG: usize = 60;
 /// What stands in a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Entry {
-    /// Nothing.
     Empty,
     /// A number, SI.
     Number(f64),
-    /// True or false.
     Bool(bool),
     /// What cannot be read.
     Unreadable(Box<Unread>),
@@ -22,9 +20,7 @@ pub enum Entry {
 /// What cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unread {
-    /// As written.
     pub text: String,
-    /// Why.
     pub why: String,
 }
 

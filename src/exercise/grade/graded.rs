@@ -11,7 +11,6 @@ use indexmap::{IndexMap, IndexSet};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// All answers.
 #[derive(Clone, Debug)]
 pub struct Graded {
     /// The rules by which they are marked.

@@ -8,13 +8,9 @@ use std::sync::Arc;
 /// What became of one answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Within the tolerance.
     Right,
-    /// Outside.
     Wrong(Option<Box<Slip>>),
-    /// No answer.
     Missing,
-    /// Not a number.
     Unreadable(Box<Unread>),
     /// The key has no value there: what was written where it is not a number.
     NotAsked(Box<Unread>),
@@ -25,7 +21,6 @@ pub enum Verdict {
 pub struct Known(f64);
 
 impl Known {
-    /// The number.
     #[must_use]
     pub const fn get(self) -> Option<f64> {
         if self.0.is_nan() { None } else { Some(self.0) }
@@ -38,7 +33,6 @@ impl From<Option<f64>> for Known {
     }
 }
 
-/// One answer.
 #[derive(Clone, Debug)]
 pub struct Mark {
     /// Which of the quantities.
@@ -55,7 +49,6 @@ pub struct Mark {
     pub verdict: Verdict,
     /// Whether it is part of the totals.
     pub counts: bool,
-    /// Points earned.
     pub points: f64,
     /// Points that can be earned.
     pub possible: f64,
@@ -68,7 +61,6 @@ pub struct GradedRow {
     pub line: Option<usize>,
     /// What names the row.
     pub names: Arc<RowNames>,
-    /// Who answered.
     pub person: Option<Arc<str>>,
     /// One mark per quantity that the key or the student has a value for.
     pub marks: Box<[Mark]>,
@@ -106,25 +98,21 @@ pub struct NotCounted {
 /// A sum of marks.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sum {
-    /// Right answers.
     pub right: usize,
     /// All answers that count.
     pub total: usize,
-    /// Points earned.
     pub points: f64,
     /// Points that can be earned.
     pub possible: f64,
 }
 
 impl Sum {
-    /// Of some marks.
     pub fn of<'a>(marks: impl IntoIterator<Item = &'a Mark>) -> Self {
         let mut sum = Self::default();
         sum.add(marks);
         sum
     }
 
-    /// Adds marks.
     pub(super) fn add<'a>(&mut self, marks: impl IntoIterator<Item = &'a Mark>) {
         for mark in marks.into_iter().filter(|m| m.counts) {
             self.right += usize::from(mark.verdict == Verdict::Right);

@@ -7,7 +7,6 @@ use std::sync::Arc;
 
 /// Rows of the key that a student was to answer and did not.
 pub(super) struct Owed {
-    /// Which rows.
     pub rows: Vec<usize>,
     /// Whether these are the student's own rows; else nothing tells which variant is, and these stand for it.
     pub known: bool,

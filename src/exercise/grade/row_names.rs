@@ -17,7 +17,6 @@ pub struct RowNames {
 }
 
 impl RowNames {
-    /// Of a row.
     pub(super) fn of(each: [Option<String>; 4]) -> Arc<Self> {
         let short = each[0].as_deref().map(stem);
         Arc::new(Self { each, short })

@@ -10,11 +10,9 @@ use std::path::Path;
 pub(super) struct Wanted<'a> {
     /// Its line in the file.
     pub line: usize,
-    /// Its text.
     pub text: &'a str,
     /// What names it, in the order of [`NAMES`].
     pub names: &'a [Option<String>; 4],
-    /// Who answered.
     pub person: Option<&'a str>,
 }
 

@@ -4,7 +4,6 @@ use super::sheet::{Sheet, SheetRow};
 use super::slip::{SLIPS, Slip};
 use assur_text::diagnostic::did_you_mean;
 
-/// The usual tolerance.
 const WITHIN: f64 = 0.03;
 
 /// Sums of more points are no numbers that anybody reads.
@@ -40,16 +39,13 @@ impl Default for Rules {
 /// Which counts of several submissions of one student for one row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Submissions {
-    /// The first line.
     First,
     /// The line with the most points, the later of two that are equal.
     Best,
-    /// The last line.
     Last,
 }
 
 impl Submissions {
-    /// Its name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -54,14 +54,10 @@ pub(super) struct PointsRow {
     pub points: Vec<f64>,
 }
 
-/// A sheet.
 #[derive(Clone, Debug)]
 pub struct Sheet {
-    /// Its quantities.
     pub quantities: Vec<Quantity>,
-    /// Its rows.
     pub rows: Vec<SheetRow>,
-    /// Its first line.
     pub header: Source,
     /// Which names of rows its columns are.
     pub named: [bool; 4],

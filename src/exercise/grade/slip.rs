@@ -5,7 +5,6 @@ use std::f64::consts::{PI, TAU};
 /// What was probably done wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Slip {
-    /// The other sign.
     Sign,
     /// Both components have the other sign: the force on the other link of the pair.
     OtherLink,
@@ -22,20 +21,17 @@ pub enum Slip {
     Opposite,
     /// The supplement of an angle, 180° − ψ.
     Supplement,
-    /// The other component.
     Swapped,
     /// The magnitude of the vector.
     Magnitude,
     /// Another quantity of the same row.
     OtherQuantity {
-        /// Its name.
         name: String,
         /// With the other sign.
         sign: bool,
     },
     /// The same quantity of another row.
     OtherRow(String),
-    /// Not far off.
     Close,
 }
 

@@ -11,12 +11,9 @@ pub enum TableError {
     #[error("this header cannot be read: {why}")]
     #[diagnostic(code("mech::table::header"))]
     Header {
-        /// The mistake.
         why: String,
-        /// The correction.
         #[help]
         help: String,
-        /// The place.
         #[label("a name with its unit is expected here")]
         span: Span,
     },
@@ -31,7 +28,6 @@ pub enum TableError {
     Empty {
         /// `no header`, `no rows`
         what: &'static str,
-        /// The place.
         #[label("no rows below this")]
         span: Option<Span>,
     },
@@ -43,14 +39,10 @@ pub enum TableError {
         line: usize,
         /// Column of the table, from 1.
         column: usize,
-        /// Its header.
         name: String,
-        /// The mistake.
         why: String,
-        /// The correction.
         #[help]
         help: Option<String>,
-        /// The cell.
         #[label("not a number")]
         span: Span,
     },
@@ -62,9 +54,7 @@ pub enum TableError {
         line: usize,
         /// Column of the table, from 1.
         column: usize,
-        /// Its header.
         name: String,
-        /// The place.
         #[label("missing here")]
         span: Span,
     },
@@ -72,7 +62,6 @@ pub enum TableError {
     #[error("the value of `{name}` is {what}")]
     #[diagnostic(code("mech::table::missing_cell"), help("give every row a number in every column"))]
     Absent {
-        /// The column.
         name: String,
         /// `missing`, `infinite`
         what: &'static str,
@@ -83,11 +72,9 @@ pub enum TableError {
     TooMany {
         /// Line in the file.
         line: usize,
-        /// Number of cells.
         found: usize,
         /// `2 columns`
         columns: String,
-        /// Similar names.
         #[help]
         help: String,
         /// The cells too many.
@@ -100,12 +87,9 @@ pub enum TableError {
     Line {
         /// Line in the file.
         line: usize,
-        /// The mistake.
         why: String,
-        /// The correction.
         #[help]
         help: &'static str,
-        /// The place.
         #[label("here")]
         span: Span,
     },
@@ -113,12 +97,9 @@ pub enum TableError {
     #[error("the key has no `{name}`")]
     #[diagnostic(code("mech::table::unknown_column"))]
     UnknownColumn {
-        /// Its name.
         name: String,
-        /// Similar names.
         #[help]
         help: String,
-        /// The header.
         #[label("not in the key")]
         span: Span,
     },
@@ -126,12 +107,9 @@ pub enum TableError {
     #[error("{why}")]
     #[diagnostic(code("mech::table::unit"))]
     Unit {
-        /// The mistake.
         why: String,
-        /// The correction.
         #[help]
         help: Option<String>,
-        /// The place.
         #[label("does not fit")]
         span: Span,
     },
@@ -139,12 +117,9 @@ pub enum TableError {
     #[error("`{name}` appears twice in the header")]
     #[diagnostic(code("mech::table::column_twice"), help("leave one of the columns out"))]
     Twice {
-        /// The name.
         name: String,
-        /// The first.
         #[label("first here")]
         first: Span,
-        /// The second.
         #[label(primary, "again here")]
         again: Span,
     },
@@ -154,12 +129,9 @@ pub enum TableError {
     UnknownRow {
         /// Line in the file.
         line: usize,
-        /// The mistake.
         why: String,
-        /// The correction.
         #[help]
         help: String,
-        /// The line.
         #[label("this row")]
         span: Span,
     },

@@ -57,9 +57,7 @@ impl Separator {
 /// A cell: its text without quotes and blanks around it, and its place in the line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cell<'a> {
-    /// The text.
     pub text: Cow<'a, str>,
-    /// The place.
     pub span: Span,
 }
 

@@ -25,11 +25,8 @@ pub type Fault = (Source, Box<TableError>);
 
 /// A table that is being read.
 pub struct Table<R> {
-    /// Its name.
     pub name: String,
-    /// Its first line.
     pub header: Source,
-    /// The columns.
     pub columns: Variants,
     /// The separator of cells.
     pub separator: Separator,
@@ -56,7 +53,6 @@ pub struct RawRow<'a> {
     pub number: usize,
     /// Its line in the file, counted from 1.
     pub line: usize,
-    /// Its text.
     pub bytes: &'a [u8],
 }
 
@@ -210,9 +206,7 @@ fn decimal_comma(text: &str, cells: &[Cell<'_>], separator: Separator, one_more:
 /// A row in numbers, and what the column `variant` calls it.
 #[derive(Default)]
 pub struct Read<'a> {
-    /// Its numbers.
     pub row: Row,
-    /// Its name.
     pub label: Option<String>,
     /// Its cells as written.
     pub cells: Vec<Cell<'a>>,

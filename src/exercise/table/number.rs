@@ -10,7 +10,6 @@ const EXACT: usize = 22;
 /// A number with what its figures say of its precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Written {
-    /// Its value.
     pub value: f64,
     /// One unit in the last digit written.
     pub digit: f64,

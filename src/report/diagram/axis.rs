@@ -2,7 +2,6 @@
 
 /// A logarithmic axis and where it lies.
 pub(super) struct Axis {
-    /// Powers of ten.
     from: f64,
     to: f64,
     start: f64,

@@ -12,7 +12,6 @@ use assur_math::math::Vec2;
 
 /// The width of all of it, mm: that of a small page, and on a telephone letters that can be read.
 const PAGE: f64 = 118.0;
-/// Sizes of letters.
 const TITLE: f64 = 4.6;
 const WORDS: f64 = 3.8;
 const NUMBERS: f64 = 3.4;

@@ -11,7 +11,6 @@ pub use tables::reports;
 use crate::exercise::grade::{Graded, Mark, Verdict};
 use assur_text::units::significant;
 
-/// Digits of answers.
 const DIGITS: usize = 6;
 
 /// `3 %`

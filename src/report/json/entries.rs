@@ -32,11 +32,8 @@ impl Pair {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub(super) enum Reading {
-    /// A number.
     Number(Number),
-    /// A vector.
     Pair(Pair),
-    /// A condition.
     Bool(bool),
 }
 

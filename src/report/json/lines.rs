@@ -18,7 +18,6 @@ use assur_text::units::{Columns, Template};
 /// Positions at which the pieces are looked for.
 const TRIES: usize = 8;
 
-/// Writes lines.
 #[derive(Clone, Debug)]
 pub struct JsonLines {
     file: String,

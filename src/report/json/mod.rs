@@ -90,7 +90,6 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// A row.
     #[must_use]
     pub fn of(row: usize, name: Option<String>, numbers: &Row) -> Self {
         let numbers = numbers.entries().filter(|(column, _)| column.what != ColumnUse::Label);

@@ -14,7 +14,6 @@ use std::f64::consts::PI;
 
 /// Lengths that agree to this part of the distance of the centres are equal.
 const EQUAL: f64 = 1e-9;
-/// The most slots.
 const MOST: f64 = 1000.0;
 
 /// Enters all pins in several slots.

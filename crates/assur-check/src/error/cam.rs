@@ -11,16 +11,12 @@ pub enum CamError {
     #[error("the phases of cam `{name}` take {total}, {over} more than one turn")]
     #[diagnostic(code("mech::cam::turn_exceeded"), help("make one of them shorter by {over}"))]
     TurnExceeded {
-        /// The cam.
         name: String,
         /// Sum of the angles.
         total: String,
-        /// The excess.
         over: String,
-        /// The cam's name.
         #[label("{total} in all")]
         span: Span,
-        /// The last phase.
         #[label(primary, "does not fit into the turn")]
         last: Span,
     },
@@ -33,15 +29,12 @@ pub enum CamError {
         )
     )]
     DoesNotReturn {
-        /// The cam.
         name: String,
-        /// The remaining lift.
         left: String,
         /// Sum of the rises.
         rises: String,
         /// Sum of the falls.
         falls: String,
-        /// The last phase.
         #[label("after this phase")]
         span: Span,
     },
@@ -54,13 +47,11 @@ pub enum CamError {
         )
     )]
     BelowBase {
-        /// The cam.
         name: String,
         /// The start of the fall.
         from: String,
         /// How far it falls.
         by: String,
-        /// The phase.
         #[label("falls by {by}")]
         span: Span,
     },
@@ -72,7 +63,6 @@ pub enum CamError {
         message: String,
         /// The radii that fit.
         help: String,
-        /// The base radius.
         #[label("does not fit the follower")]
         span: Span,
     },
@@ -80,9 +70,7 @@ pub enum CamError {
     #[error("{message}")]
     #[diagnostic(code("mech::cam::table"), help("{help}"))]
     Table {
-        /// What is wrong.
         message: String,
-        /// The correction.
         help: String,
         /// The curve's name, or the phase.
         #[label(primary, "here")]
@@ -98,13 +86,9 @@ pub enum CamError {
         )
     )]
     Swing {
-        /// The cam.
         name: String,
-        /// The cam angle.
         at: String,
-        /// How far below.
         least: String,
-        /// The last phase.
         #[label("the motion")]
         span: Span,
     },
@@ -112,15 +96,11 @@ pub enum CamError {
     #[error("the profile of cam `{name}` is undercut at {at}: {bend}")]
     #[diagnostic(code("mech::cam::undercut"), help("{help}"))]
     Undercut {
-        /// The cam.
         name: String,
-        /// The cam angle.
         at: String,
-        /// The radii.
         bend: String,
         /// A base radius that is enough.
         help: String,
-        /// The cam's name.
         #[label("the follower cannot follow this law")]
         span: Span,
     },
@@ -128,15 +108,11 @@ pub enum CamError {
     #[error("the profile of cam `{name}` comes to a point at {at}: {bend}")]
     #[diagnostic(code("mech::cam::pointed"), severity(warning), help("{help}"))]
     Pointed {
-        /// The cam.
         name: String,
-        /// The cam angle.
         at: String,
-        /// The radii.
         bend: String,
         /// A better base radius.
         help: String,
-        /// The cam's name.
         #[label("pointed")]
         span: Span,
     },
@@ -150,15 +126,10 @@ pub enum CamError {
         )
     )]
     Shock {
-        /// The cam.
         name: String,
-        /// The cam angle.
         at: String,
-        /// Velocity before.
         before: String,
-        /// Velocity after.
         behind: String,
-        /// The cam's name.
         #[label("the velocity jumps at {at}")]
         span: Span,
     },
@@ -166,16 +137,12 @@ pub enum CamError {
     #[error("`{pair}`: {message}")]
     #[diagnostic(code("mech::cam::other_follower"), help("{help}"))]
     OtherFollower {
-        /// The contact.
         pair: String,
         /// The difference, with both numbers.
         message: String,
-        /// The correction.
         help: String,
-        /// The contact.
         #[label(primary, "touches here")]
         span: Span,
-        /// The cam.
         #[label("designed here")]
         cam: Span,
     },

@@ -5,16 +5,13 @@ use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// Errors of curves.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum CurveError {
     /// It has the name of a function.
     #[error("`{name}` is a function of the language, and cannot name a curve")]
     #[diagnostic(code("mech::curve::name"), help("give the curve another name, as in `curve {name}_1 {{`"))]
     Name {
-        /// The name.
         name: String,
-        /// Its place.
         #[label(primary, "already a function")]
         span: Span,
     },
@@ -22,13 +19,9 @@ pub enum CurveError {
     #[error("curve `{name}`: {message}")]
     #[diagnostic(code("mech::curve::table"), help("{help}"))]
     Table {
-        /// The curve.
         name: String,
-        /// What is wrong.
         message: String,
-        /// The correction.
         help: String,
-        /// Its place.
         #[label(primary, "here")]
         span: Span,
     },
@@ -41,16 +34,13 @@ pub enum CurveError {
         )
     )]
     Order {
-        /// The curve.
         name: String,
         /// The argument of the row before.
         before: String,
         /// That of this row.
         here: String,
-        /// The row.
         #[label(primary, "not above {before}")]
         span: Span,
-        /// The row before.
         #[label("{before}")]
         last: Span,
     },
@@ -58,15 +48,11 @@ pub enum CurveError {
     #[error("curve `{name}` is periodic, but begins with {first} and ends with {last}")]
     #[diagnostic(code("mech::curve::ends"), help("{help}"))]
     Ends {
-        /// The curve.
         name: String,
-        /// The first value.
         first: String,
-        /// The last value.
         last: String,
         /// The row to write, or the word to leave out.
         help: String,
-        /// The last row.
         #[label(primary, "should end with {first}")]
         span: Span,
     },
@@ -76,7 +62,6 @@ pub enum CurveError {
     Slope {
         /// A call that can be read.
         help: String,
-        /// The argument.
         #[label(primary, "not a call of a curve")]
         span: Span,
     },
@@ -89,16 +74,11 @@ pub enum CurveError {
         )
     )]
     Outside {
-        /// The curve.
         name: String,
-        /// The argument.
         argument: String,
-        /// Its table.
         extent: String,
-        /// The call.
         #[label(primary, "{argument}")]
         span: Span,
-        /// The curve.
         #[label("{extent}")]
         declared: Span,
     },

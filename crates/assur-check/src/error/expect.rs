@@ -5,7 +5,6 @@ use assur_text::source::{Edit, Span};
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// Errors of expectations.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum ExpectError {
     /// A quantity without an expected value.
@@ -19,7 +18,6 @@ pub enum ExpectError {
         text: String,
         /// Its kind, with its article.
         is: String,
-        /// Its place.
         #[label(primary, "not a condition")]
         span: Span,
     },
@@ -32,7 +30,6 @@ pub enum ExpectError {
     ConditionWithValue {
         /// The expectation, as written.
         text: String,
-        /// Its place.
         #[label(primary, "a condition")]
         span: Span,
     },
@@ -40,7 +37,6 @@ pub enum ExpectError {
     #[error("a condition has no tolerance")]
     #[diagnostic(code("mech::expect::tolerance_of_truth"), help("leave out `within …`"))]
     ToleranceOfCondition {
-        /// The tolerance.
         #[label(primary, "a condition is true or false")]
         span: Span,
     },
@@ -48,7 +44,6 @@ pub enum ExpectError {
     #[error("an expected zero needs a tolerance with a unit")]
     #[diagnostic(code("mech::expect::zero"), help("write `within {example}`"))]
     Zero {
-        /// The zero.
         #[label(primary, "a relative tolerance of zero is zero")]
         span: Span,
         /// A tolerance that would do.
@@ -63,7 +58,6 @@ pub enum ExpectError {
         )
     )]
     NoTolerance {
-        /// The value.
         #[label(primary, "computed, not written as a number")]
         span: Span,
     },
@@ -73,7 +67,6 @@ pub enum ExpectError {
     PlusMinus {
         /// The statement with `within`.
         line: String,
-        /// The signs.
         #[label(primary, "`within` instead of this")]
         span: Span,
     },
@@ -84,7 +77,6 @@ pub enum ExpectError {
         help("write `within 1e-9`, `within 0.1 %`, or one with a unit")
     )]
     Tolerance {
-        /// The tolerance.
         #[label(primary, "not greater than zero")]
         span: Span,
     },
@@ -92,7 +84,6 @@ pub enum ExpectError {
     #[error("any value would meet this tolerance: {why}")]
     #[diagnostic(code("mech::expect::any_value"), help("{help}"))]
     AnyValue {
-        /// The reason.
         why: String,
         /// The tolerance, or the value that it is inferred from.
         #[label(primary, "too wide")]
@@ -107,7 +98,6 @@ pub enum ExpectError {
         help("write the value that is expected, as in `expect Mb = 26 N*m`")
     )]
     Itself {
-        /// Both sides.
         #[label(primary, "both sides are equal")]
         span: Span,
     },
@@ -120,13 +110,11 @@ pub enum ExpectError {
     ToleranceUnit {
         /// The expectation, as written.
         text: String,
-        /// Its dimension.
         is: String,
         /// The dimension of the tolerance.
         found: String,
         /// The unit it should have.
         unit: String,
-        /// The tolerance.
         #[label(primary, "{found}")]
         span: Span,
     },
@@ -143,10 +131,8 @@ pub enum ExpectError {
         count: String,
         /// A drive of the sweep.
         drive: String,
-        /// Its place.
         #[label(primary, "the pose is missing")]
         span: Span,
-        /// The sweep.
         #[label("this goes through several poses")]
         sweep: Span,
     },
@@ -154,17 +140,13 @@ pub enum ExpectError {
     #[error("{values} values are expected, but the file has {poses}")]
     #[diagnostic(code("mech::expect::count"), help("{help}"))]
     Count {
-        /// How many values.
         values: usize,
         /// `12 poses`
         poses: String,
-        /// The values.
         #[label(primary, "{values} values")]
         span: Span,
-        /// The sweep.
         #[label("{poses}")]
         sweep: Option<Span>,
-        /// The correction.
         help: String,
     },
     /// A list for a quantity with one value for the whole motion.
@@ -173,9 +155,7 @@ pub enum ExpectError {
     ListOfOne {
         /// The expectation, as written.
         text: String,
-        /// How many values.
         count: usize,
-        /// The values.
         #[label(primary, "{count} values")]
         span: Span,
     },
@@ -183,22 +163,17 @@ pub enum ExpectError {
     #[error("a list gives one value per pose and cannot be combined with `at …`")]
     #[diagnostic(code("mech::expect::list_at_pose"), help("keep one value, or leave out `at …`"))]
     ListAtPose {
-        /// The values.
         #[label(primary, "{count} values")]
         span: Span,
-        /// How many.
         count: usize,
     },
     /// A pose that does not exist.
     #[error("there is no pose `{name}`")]
     #[diagnostic(code("mech::expect::unknown_pose"))]
     UnknownPose {
-        /// Its name.
         name: String,
-        /// Its span.
         #[label(primary, "no such pose")]
         span: Span,
-        /// The existing poses.
         #[help]
         help: Option<Help>,
     },

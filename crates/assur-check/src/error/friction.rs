@@ -3,10 +3,8 @@
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
-/// Warnings about friction.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum FrictionError {
-    /// Friction without motion.
     #[error("friction is left out: the direction in which `{drive}` moves is not given")]
     #[diagnostic(
         code("mech::friction::no_motion"),
@@ -18,7 +16,6 @@ pub enum FrictionError {
         drive: String,
         /// `turning ccw`
         sense: String,
-        /// The properties.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },

@@ -11,14 +11,10 @@ pub enum GearError {
     #[error("{message}")]
     #[diagnostic(code("mech::gear::incomplete"), help("{help}"))]
     Incomplete {
-        /// The missing size.
         message: String,
-        /// The correction.
         help: String,
-        /// The question.
         #[label(primary, "asked here")]
         span: Span,
-        /// The mesh.
         #[label("the mesh")]
         mesh: Span,
     },
@@ -33,11 +29,9 @@ pub enum GearError {
         )
     )]
     NoMesh {
-        /// The mesh.
         mesh: String,
         /// The value it would have.
         involute: String,
-        /// Its declaration.
         #[label("shifted too far")]
         span: Span,
     },
@@ -51,17 +45,13 @@ pub enum GearError {
         help("write `shift {proposed}` or give it more teeth: {teeth} are enough without a shift")
     )]
     Undercut {
-        /// The wheel.
         wheel: String,
-        /// Its shift.
         shift: String,
-        /// The least one.
         least: String,
         /// Both shifts as they may be written.
         proposed: String,
         /// A sufficient number of teeth.
         teeth: String,
-        /// The mesh.
         #[label("in this mesh")]
         span: Span,
     },
@@ -71,9 +61,7 @@ pub enum GearError {
     Interference {
         /// The interfering parts, with the numbers.
         message: String,
-        /// The correction.
         help: String,
-        /// The mesh.
         #[label("these teeth interfere")]
         span: Span,
     },
@@ -83,11 +71,8 @@ pub enum GearError {
     )]
     #[diagnostic(code("mech::gear::pointed"), help("use a smaller profile shift, or a smaller addendum"))]
     Pointed {
-        /// The wheel.
         wheel: String,
-        /// Its thickness.
         thickness: String,
-        /// The mesh.
         #[label("in this mesh")]
         span: Span,
     },
@@ -99,11 +84,8 @@ pub enum GearError {
         help("use more teeth, a smaller pressure angle, or smaller shifts: it should be 1.2 or more")
     )]
     ContactRatio {
-        /// The mesh.
         mesh: String,
-        /// Its contact ratio.
         ratio: String,
-        /// Its declaration.
         #[label("does not run smoothly")]
         span: Span,
     },

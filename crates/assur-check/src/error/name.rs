@@ -5,7 +5,6 @@ use assur_text::source::{Span, Spanned};
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
-/// Errors of names.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum NameError {
     /// Nothing of that name is declared.
@@ -14,11 +13,8 @@ pub enum NameError {
     Unknown {
         /// The kind that is expected: `link`, `point`.
         kind: &'static str,
-        /// The name.
         name: String,
-        /// The link searched.
         owner: Option<String>,
-        /// Its span.
         #[label(primary, "not declared")]
         span: Span,
         /// Similar names, or all that exist.
@@ -29,19 +25,15 @@ pub enum NameError {
     #[error("`{name}` is {is}, not {wanted}")]
     #[diagnostic(code("mech::name::wrong_kind"))]
     WrongKind {
-        /// The name.
         name: String,
         /// Its kind, with its article.
         is: String,
         /// The expected kind, with its article.
         wanted: String,
-        /// Its span.
         #[label(primary, "{wanted} is expected here")]
         span: Span,
-        /// Its declaration.
         #[label("declared here")]
         declared: Option<Span>,
-        /// The correction.
         #[help]
         help: Option<String>,
     },
@@ -49,14 +41,10 @@ pub enum NameError {
     #[error("`{name}` is declared twice")]
     #[diagnostic(code("mech::name::duplicate"), help("{help}"))]
     Duplicate {
-        /// The correction.
         help: String,
-        /// The name.
         name: String,
-        /// The second declaration.
         #[label(primary, "declared again here")]
         again: Span,
-        /// The first.
         #[label("first declared here")]
         first: Option<Span>,
     },
@@ -64,12 +52,10 @@ pub enum NameError {
     #[error("`{name}` is already declared, and a `find` takes no value")]
     #[diagnostic(code("mech::name::duplicate"))]
     ValueInFind {
-        /// The name.
         name: String,
         /// The item of the `find`.
         #[label(primary, "a question with a value")]
         span: Span,
-        /// The declaration.
         #[label("declared here")]
         declared: Span,
         /// The lines to write.
@@ -85,12 +71,9 @@ pub enum NameError {
         )
     )]
     SameNumber {
-        /// The number.
         number: String,
-        /// The second.
         #[label(primary, "again here")]
         again: Span,
-        /// The first.
         #[label("first here")]
         first: Span,
     },
@@ -100,7 +83,6 @@ pub enum NameError {
     LookAlike {
         /// The one with letters of another script.
         name: String,
-        /// Its span.
         #[label(primary, "looks like the other one")]
         span: Span,
         /// The span of the other one.
@@ -113,14 +95,11 @@ pub enum NameError {
     #[error("`{name}` is defined in terms of itself: {chain}")]
     #[diagnostic(code("mech::name::cycle"), help("define one of them without the others"))]
     Cycle {
-        /// The name.
         name: String,
         /// All names of the circle.
         chain: String,
-        /// The definition.
         #[label(primary, "circular definition starts here")]
         span: Span,
-        /// The other definitions.
         #[label(collection)]
         others: Vec<LabeledSpan>,
     },
@@ -128,9 +107,7 @@ pub enum NameError {
     #[error("several points have the name `{name}`, and no pin joins them")]
     #[diagnostic(code("mech::name::ambiguous_point"))]
     AmbiguousPoint {
-        /// The name.
         name: String,
-        /// Its span.
         #[label(primary, "the link is missing")]
         span: Span,
         /// The points as they can be written.

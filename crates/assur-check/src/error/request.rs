@@ -15,7 +15,6 @@ pub enum RequestError {
         help("use numbers, `given` and those `let` that depend only on them")
     )]
     NotConstant {
-        /// Its purpose.
         what: String,
         /// The result it depends on.
         result: String,
@@ -30,9 +29,7 @@ pub enum RequestError {
         help("use numbers, `given`, `let`, `dead(…)` and `stroke(…)`: this value determines the poses")
     )]
     NeedsPose {
-        /// Its purpose.
         what: String,
-        /// Its span.
         #[label(primary, "differs from pose to pose")]
         span: Span,
     },
@@ -40,13 +37,10 @@ pub enum RequestError {
     #[error("`{function}` takes {takes}, found {found}")]
     #[diagnostic(code("mech::request::arguments"), help("write `{usage}`"))]
     Arguments {
-        /// The function.
         function: String,
         /// `one argument`, `one or two arguments`
         takes: &'static str,
-        /// The number given.
         found: usize,
-        /// The call.
         #[label(primary, "{found} given")]
         span: Span,
         /// How it is written.
@@ -56,11 +50,9 @@ pub enum RequestError {
     #[error("`{function}` takes a group, not the links {links}")]
     #[diagnostic(code("mech::request::arguments"), help("{help}"))]
     LinksForGroup {
-        /// The function.
         function: String,
         /// The links, as written.
         links: String,
-        /// The call.
         #[label(primary, "a group is expected")]
         span: Span,
         /// The lines to write.
@@ -70,11 +62,9 @@ pub enum RequestError {
     #[error("`{function}` takes {wanted} here")]
     #[diagnostic(code("mech::request::argument"), help("write `{usage}`"))]
     Argument {
-        /// The function.
         function: String,
         /// `a point`, `a link`
         wanted: String,
-        /// The argument.
         #[label(primary, "{wanted} is expected")]
         span: Span,
         /// How it is written.
@@ -84,16 +74,12 @@ pub enum RequestError {
     #[error("`{function}({pair})` acts on {count} links with opposite signs, and no link is named")]
     #[diagnostic(code("mech::request::which_link"))]
     WhichLink {
-        /// The function.
         function: String,
-        /// The pair.
         pair: String,
         /// How many links the pair joins.
         count: usize,
-        /// The call.
         #[label(primary, "the link is missing")]
         span: Span,
-        /// The choices.
         #[help]
         help: String,
     },
@@ -101,11 +87,8 @@ pub enum RequestError {
     #[error("`{pair}` does not join `{link}`")]
     #[diagnostic(code("mech::request::link_not_in_pair"), help("{help}"))]
     LinkNotInPair {
-        /// The pair.
         pair: String,
-        /// The link.
         link: String,
-        /// Its span.
         #[label(primary, "not a link of `{pair}`")]
         span: Span,
         /// Where the pair is declared.
@@ -118,19 +101,15 @@ pub enum RequestError {
     #[error("`{function}` is not defined for `{pair}`, {kind}")]
     #[diagnostic(code("mech::request::not_of_this_pair"))]
     NotOfThisPair {
-        /// The function.
         function: String,
-        /// The pair.
         pair: String,
         /// Its kind, with its article.
         kind: String,
-        /// The call.
         #[label(primary, "asked here")]
         span: Span,
         /// Where the pair is declared.
         #[label("declared here")]
         declared: Span,
-        /// Another question.
         #[help]
         help: Option<String>,
     },
@@ -138,14 +117,11 @@ pub enum RequestError {
     #[error("`{pair}` joins {count} links and has no single relative motion")]
     #[diagnostic(code("mech::request::which_two"))]
     WhichTwo {
-        /// The pair.
         pair: String,
         /// How many links it joins.
         count: usize,
-        /// The call.
         #[label(primary, "asked here")]
         span: Span,
-        /// An example.
         #[help]
         help: String,
     },
@@ -156,9 +132,7 @@ pub enum RequestError {
         help("add them in its braces: `contacts -20 mm, 25 mm`")
     )]
     NoContacts {
-        /// The pair.
         pair: String,
-        /// The call.
         #[label(primary, "asked here")]
         span: Span,
         /// Where the pair is declared.
@@ -172,9 +146,7 @@ pub enum RequestError {
         help("add a mass in its braces: `mass 2 kg at S; inertia 0.1 kg*m^2`")
     )]
     NoMass {
-        /// The link.
         link: String,
-        /// The call.
         #[label(primary, "asked here")]
         span: Span,
         /// Where the link is declared.
@@ -185,12 +157,9 @@ pub enum RequestError {
     #[error("nothing drives `{name}`")]
     #[diagnostic(code("mech::request::not_driven"))]
     NotDriven {
-        /// The name.
         name: String,
-        /// Its span.
         #[label(primary, "no drive of that name")]
         span: Span,
-        /// The existing drives.
         #[help]
         help: Option<String>,
     },
@@ -205,7 +174,6 @@ pub enum RequestError {
         name: String,
         /// The first unknown effort.
         balance: String,
-        /// The call.
         #[label(primary, "asked here")]
         span: Span,
         /// Where the unknown effort is declared.
@@ -216,11 +184,9 @@ pub enum RequestError {
     #[error("this expression has {count} parts in a row; at most {most} can be read")]
     #[diagnostic(code("mech::request::too_long"), help("divide it among several `let` statements"))]
     TooLong {
-        /// How many.
         count: usize,
         /// How many may be.
         most: usize,
-        /// The expression.
         #[label(primary, "too long")]
         span: Span,
     },
@@ -228,11 +194,9 @@ pub enum RequestError {
     #[error("`{function}` needs exactly one drive, but there are {count}")]
     #[diagnostic(code("mech::request::which_drive"), help("use it in a mechanism with one drive"))]
     WhichDrive {
-        /// The function.
         function: String,
         /// How many there are.
         count: usize,
-        /// The call.
         #[label(primary, "asked here")]
         span: Span,
     },
@@ -240,9 +204,7 @@ pub enum RequestError {
     #[error("`{path}` is not a quantity")]
     #[diagnostic(code("mech::request::no_value"))]
     NoValue {
-        /// Its text.
         path: String,
-        /// Its span.
         #[label(primary, "a value is expected here")]
         span: Span,
         /// Quantities that it has.
@@ -253,12 +215,9 @@ pub enum RequestError {
     #[error("there is no part `.{part}` here")]
     #[diagnostic(code("mech::request::part"))]
     Part {
-        /// The part.
         part: String,
-        /// Its span.
         #[label(primary, "no such part")]
         span: Span,
-        /// The existing parts.
         #[help]
         help: Option<String>,
     },
@@ -270,12 +229,9 @@ pub enum RequestError {
         help("leave one of them out, or give it another name: `NAME = {name}`")
     )]
     AskedTwice {
-        /// Its name.
         name: String,
-        /// The second one.
         #[label(primary, "again here")]
         again: Span,
-        /// The first.
         #[label("first asked here")]
         first: Span,
     },
@@ -290,10 +246,8 @@ pub enum RequestError {
         found: String,
         /// `2 columns`
         columns: String,
-        /// The row.
         #[label(primary, "{found}")]
         span: Span,
-        /// The header.
         #[label("{columns}")]
         header: Option<Span>,
     },
@@ -308,14 +262,11 @@ pub enum RequestError {
         })
     )]
     RowName {
-        /// What is written.
         name: String,
         /// The table has a column `variant`.
         has_column: bool,
-        /// Its place.
         #[label(primary, "not a number")]
         span: Span,
-        /// The header.
         #[label("the columns")]
         header: Option<Span>,
     },
@@ -326,9 +277,7 @@ pub enum RequestError {
         help("add the column, or write `given {name} = …` in the file")
     )]
     KeyColumn {
-        /// Its name.
         name: String,
-        /// The header.
         #[label("no `{name}` here")]
         span: Span,
     },
@@ -336,14 +285,11 @@ pub enum RequestError {
     #[error("`--set {name}=…`: {why}")]
     #[diagnostic(code("mech::request::set_unknown"))]
     SetUnknown {
-        /// The name.
         name: String,
-        /// The reason.
         why: String,
         /// Its declaration, if there is one.
         #[label("declared here")]
         declared: Option<Span>,
-        /// Similar names.
         #[help]
         help: Option<String>,
     },
@@ -351,16 +297,12 @@ pub enum RequestError {
     #[error("`--set {name}={text}`: {why}")]
     #[diagnostic(code("mech::request::set_value"))]
     SetValue {
-        /// The name.
         name: String,
         /// The value as written.
         text: String,
-        /// The reason.
         why: String,
-        /// Its declaration.
         #[label("the value it would replace")]
         declared: Span,
-        /// The correction.
         #[help]
         help: Option<String>,
     },

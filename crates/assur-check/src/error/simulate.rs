@@ -14,12 +14,9 @@ pub enum SimulateError {
     Twice {
         /// The word of the statement.
         word: &'static str,
-        /// What to do.
         help: String,
-        /// The second.
         #[label(primary, "again here")]
         again: Span,
-        /// The first.
         #[label("first here")]
         first: Span,
     },
@@ -29,12 +26,9 @@ pub enum SimulateError {
     )]
     #[diagnostic(code("mech::simulate::twice"), help("leave out `at …` and `accelerating …`"))]
     RateTwice {
-        /// The drive.
         name: String,
-        /// The rate.
         #[label(primary, "again here")]
         again: Span,
-        /// The position.
         #[label("has its own rate")]
         first: Span,
     },
@@ -44,12 +38,9 @@ pub enum SimulateError {
     StartedTwice {
         /// What is given twice.
         what: String,
-        /// What to do.
         help: String,
-        /// The start.
         #[label(primary, "started here")]
         again: Span,
-        /// The other statement.
         #[label("given here")]
         first: Span,
     },
@@ -59,9 +50,7 @@ pub enum SimulateError {
     Missing {
         /// The word of the statement.
         word: &'static str,
-        /// What to add.
         help: String,
-        /// The statement.
         #[label("no `simulate`")]
         span: Span,
     },
@@ -69,7 +58,6 @@ pub enum SimulateError {
     #[error("the motion follows from the loads where a coordinate is free, and this file has no `start`")]
     #[diagnostic(code("mech::simulate::no_start"), help("{help}"))]
     NoStart {
-        /// What to write.
         help: String,
         /// The statement `simulate`.
         #[label("nothing is free")]
@@ -79,14 +67,10 @@ pub enum SimulateError {
     #[error("{what}")]
     #[diagnostic(code("mech::simulate::stop"), help("{help}"))]
     Stop {
-        /// The mistake.
         what: String,
-        /// The correction.
         help: String,
-        /// The stop.
         #[label(primary, "here")]
         span: Span,
-        /// The other one.
         #[label("first here")]
         first: Option<Span>,
     },
@@ -97,11 +81,8 @@ pub enum SimulateError {
         help("name its link, as in `start {link} = 45 deg`, or a pair")
     )]
     Point {
-        /// The point.
         name: String,
-        /// Its link.
         link: String,
-        /// Its place.
         #[label("a point")]
         span: Span,
     },
@@ -112,11 +93,8 @@ pub enum SimulateError {
         help("write the earlier instant first: `simulate 0 s .. 2 s`")
     )]
     Interval {
-        /// The first instant.
         from: String,
-        /// The last.
         to: String,
-        /// Both.
         #[label("no time between them")]
         span: Span,
     },
@@ -129,9 +107,7 @@ pub enum SimulateError {
         )
     )]
     Within {
-        /// The number.
         within: String,
-        /// Its place.
         #[label("not between 0 and 1")]
         span: Span,
     },
@@ -142,13 +118,9 @@ pub enum SimulateError {
         help("ask for an instant of the motion, or let `simulate` include it")
     )]
     Outside {
-        /// The instant.
         time: String,
-        /// The first instant.
         from: String,
-        /// The last.
         to: String,
-        /// Its place.
         #[label(primary, "outside")]
         span: Span,
         /// The statement `simulate`.
@@ -162,13 +134,11 @@ pub enum SimulateError {
         help("say for which instant it is, as in `at time = 0.5 s`, or give {count} values")
     )]
     WhichInstant {
-        /// What is expected.
         text: String,
         /// How many instants are printed.
         count: usize,
         /// How many values there are, with the verb.
         values: String,
-        /// The values.
         #[label(primary, "for which instant?")]
         span: Span,
         /// The statement `simulate`.
@@ -179,11 +149,9 @@ pub enum SimulateError {
     #[error("there is no event `{name}`")]
     #[diagnostic(code("mech::simulate::unknown_event"), help("{help}"))]
     UnknownEvent {
-        /// The name.
         name: String,
         /// The one that may be meant, or how to declare it.
         help: Help,
-        /// Its place.
         #[label("not declared")]
         span: Span,
     },
@@ -196,9 +164,7 @@ pub enum SimulateError {
         )
     )]
     NoCondition {
-        /// What it is.
         is: String,
-        /// Its place.
         #[label("when?")]
         span: Span,
     },
@@ -209,7 +175,6 @@ pub enum SimulateError {
         help("write it as a comparison of numbers, or as several with `and`, `or`, `not`")
     )]
     NoMargin {
-        /// Its place.
         #[label("no comparison of numbers")]
         span: Span,
     },
@@ -217,7 +182,6 @@ pub enum SimulateError {
     #[error("`time` is the instant of the motion in a file with `simulate`")]
     #[diagnostic(code("mech::simulate::time"), help("give the quantity another name"))]
     Time {
-        /// The declaration.
         #[label(primary, "declared here")]
         span: Span,
         /// The statement `simulate`.
@@ -228,11 +192,9 @@ pub enum SimulateError {
     #[error("{what} belongs to positions that are given, and this file follows a motion")]
     #[diagnostic(code("mech::simulate::positions"), help("{help}"))]
     Positions {
-        /// What it is.
         what: String,
         /// What to write instead.
         help: String,
-        /// Its place.
         #[label(primary, "of given positions")]
         span: Span,
         /// The statement `simulate`.
@@ -243,11 +205,9 @@ pub enum SimulateError {
     #[error("{what} has no meaning where the motion follows from the loads")]
     #[diagnostic(code("mech::simulate::no_meaning"), help("{help}"))]
     NoMeaning {
-        /// What it is.
         what: String,
         /// What to write instead.
         help: String,
-        /// Its place.
         #[label("no meaning here")]
         span: Span,
     },
@@ -255,13 +215,10 @@ pub enum SimulateError {
     #[error("{count} for {driven}: nothing holds a free coordinate")]
     #[diagnostic(code("mech::simulate::balance"), help("{help}"))]
     Balance {
-        /// How many balances.
         count: String,
         /// How many coordinates are prescribed.
         driven: String,
-        /// What to do.
         help: String,
-        /// The balance.
         #[label("not needed")]
         span: Span,
     },

@@ -17,18 +17,12 @@ pub enum TrainError {
     SameShaft {
         /// The transmission, with its article.
         what: &'static str,
-        /// Its name.
         name: String,
-        /// The first wheel.
         first: String,
-        /// The second wheel.
         second: String,
-        /// Their link.
         link: String,
-        /// The first.
         #[label("on `{link}`")]
         first_span: Span,
-        /// The second.
         #[label(primary, "on `{link}` too")]
         second_span: Span,
     },
@@ -36,16 +30,12 @@ pub enum TrainError {
     #[error("no link holds the axes of `{first}` and `{second}` at a fixed distance: {why}")]
     #[diagnostic(code("mech::train::no_carrier"))]
     NoCarrier {
-        /// The first wheel.
         first: String,
-        /// The second wheel.
         second: String,
         /// The links on which they turn.
         why: String,
-        /// The correction.
         #[help]
         help: String,
-        /// The transmission.
         #[label(primary, "joins them")]
         span: Span,
     },
@@ -53,17 +43,13 @@ pub enum TrainError {
     #[error("`{shaft}` cannot turn: its axis is on the ground and it meshes with the fixed wheel `{fixed}`")]
     #[diagnostic(code("mech::train::no_carrier"))]
     Stands {
-        /// The shaft.
         shaft: String,
         /// The wheel of the ground.
         fixed: String,
-        /// The correction.
         #[help]
         help: String,
-        /// The mesh.
         #[label(primary, "with a fixed wheel")]
         span: Span,
-        /// The shaft.
         #[label("on the ground")]
         shaft_span: Span,
     },
@@ -73,10 +59,8 @@ pub enum TrainError {
     Sizes {
         /// The sizes that do not agree, with the numbers.
         message: String,
-        /// The correction.
         #[help]
         help: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -87,13 +71,9 @@ pub enum TrainError {
         help("make one wheel larger, it is the ring; or leave out `internal` if both have outer teeth")
     )]
     Internal {
-        /// The first wheel.
         first: String,
-        /// The second wheel.
         second: String,
-        /// Their size.
         size: String,
-        /// The mesh.
         #[label(primary, "internal")]
         span: Span,
     },
@@ -104,17 +84,13 @@ pub enum TrainError {
         help("move one of the axes, or change a size: {rule} must equal the distance of the axes")
     )]
     CentreDistance {
-        /// The first wheel.
         first: String,
-        /// The second wheel.
         second: String,
         /// The distance of their axes.
         distance: String,
         /// `the sum of their radii`
         rule: &'static str,
-        /// Its value.
         due: String,
-        /// The mesh.
         #[label(primary, "cannot touch")]
         span: Span,
     },
@@ -124,22 +100,16 @@ pub enum TrainError {
     )]
     #[diagnostic(code("mech::train::planet_distance"), severity(Warning), help("{help}"))]
     PlanetDistance {
-        /// The correction.
         help: Help,
-        /// The planet's shaft.
         shaft: String,
-        /// The first mesh.
         first: String,
-        /// The second mesh.
         second: String,
         /// The arm of the first.
         one: String,
         /// The arm of the second.
         two: String,
-        /// The first mesh.
         #[label("an arm of {one}")]
         first_span: Span,
-        /// The second mesh.
         #[label(primary, "an arm of {two}")]
         second_span: Span,
     },
@@ -157,7 +127,6 @@ pub enum TrainError {
         )
     )]
     TurnAlike {
-        /// The planet.
         shaft: String,
         /// The shaft of the first wheel.
         first: String,
@@ -165,10 +134,8 @@ pub enum TrainError {
         second: String,
         /// Speed of the wheels for one of the planet's.
         ratio: String,
-        /// The first mesh.
         #[label("turns `{first}`")]
         first_span: Span,
-        /// The second mesh.
         #[label(primary, "turns `{second}` in the same sense")]
         second_span: Span,
     },
@@ -176,12 +143,9 @@ pub enum TrainError {
     #[error("{message}")]
     #[diagnostic(code("mech::train::rope_end"))]
     RopeEnd {
-        /// The mistake.
         message: String,
-        /// The correction.
         #[help]
         help: String,
-        /// Its span.
         #[label(primary, "here")]
         span: Span,
     },
@@ -189,11 +153,8 @@ pub enum TrainError {
     #[error("the efficiency must be between 0 and 1; got {value}")]
     #[diagnostic(code("mech::train::efficiency"), help("{help}"))]
     Efficiency {
-        /// The value written.
         value: String,
-        /// The correction.
         help: String,
-        /// Its span.
         #[label(primary, "out of range")]
         span: Span,
     },

@@ -13,12 +13,10 @@ pub enum UnitsError {
     #[error("{why}")]
     #[diagnostic(code("mech::unit::unknown"))]
     Unknown {
-        /// The reason.
         why: String,
         /// What the help replaces.
         #[label(primary, "not a unit")]
         span: Span,
-        /// Similar units.
         #[help]
         help: Option<Help>,
     },
@@ -28,9 +26,7 @@ pub enum UnitsError {
     Missing {
         /// The purpose of the number.
         what: String,
-        /// The expected dimension.
         want: Dimension,
-        /// The number.
         #[label(primary, "a number without a unit")]
         span: Span,
         /// Its use, if that is elsewhere.
@@ -44,16 +40,11 @@ pub enum UnitsError {
     #[error("{what} should be {want}, but this is {found}")]
     #[diagnostic(code("mech::unit::mismatch"))]
     Mismatch {
-        /// Its purpose.
         what: String,
-        /// The expected dimension.
         want: String,
-        /// The dimension found.
         found: String,
-        /// Its span.
         #[label(primary, "{found}")]
         span: Span,
-        /// A correction.
         #[help]
         help: Option<String>,
     },
@@ -63,17 +54,12 @@ pub enum UnitsError {
     Operands {
         /// `added`, `compared`, …
         verb: &'static str,
-        /// The left one.
         left: String,
-        /// The right one.
         right: String,
-        /// Its span.
         #[label("{left}")]
         left_span: Span,
-        /// Its span.
         #[label(primary, "{right}")]
         right_span: Span,
-        /// A correction.
         #[help]
         help: Option<String>,
     },
@@ -81,11 +67,9 @@ pub enum UnitsError {
     #[error("{what} is an angular velocity, and `{unit}` may mean revolutions or radians")]
     #[diagnostic(code("mech::unit::hertz"))]
     Hertz {
-        /// Its purpose.
         what: String,
         /// `Hz`, `1/min`
         unit: String,
-        /// Its span.
         #[label(primary, "revolutions or radians?")]
         span: Span,
         /// Its use, if that is elsewhere.
@@ -99,16 +83,13 @@ pub enum UnitsError {
     #[error("{what} should be {want}, but this is {found}")]
     #[diagnostic(code("mech::unit::shape"))]
     Shape {
-        /// Its purpose.
         what: String,
         /// `a vector`
         want: &'static str,
         /// `a number`
         found: &'static str,
-        /// Its span.
         #[label(primary, "{found}")]
         span: Span,
-        /// A correction.
         #[help]
         help: Option<String>,
     },
@@ -118,12 +99,10 @@ pub enum UnitsError {
     Power {
         /// `the square root of a length`
         what: String,
-        /// The base.
         #[label(primary, "{base}")]
         span: Span,
         /// The dimension of the base.
         base: Dimension,
-        /// A correction.
         #[help]
         help: Option<String>,
     },
@@ -133,10 +112,8 @@ pub enum UnitsError {
     NoValue {
         /// `division by zero`
         why: &'static str,
-        /// Its span.
         #[label(primary, "{why}")]
         span: Span,
-        /// The numbers.
         #[help]
         help: Option<String>,
     },
@@ -150,12 +127,9 @@ pub enum UnitsError {
         )
     )]
     AlsoAName {
-        /// The word.
         name: String,
-        /// The unit.
         #[label(primary, "read as a unit")]
         span: Span,
-        /// The name's declaration.
         #[label("declared here")]
         declared: Span,
     },

@@ -11,7 +11,6 @@ use assur_text::diagnostic::{self, Problem};
 
 /// The parts of the stage, for what needs more than one of them.
 pub struct Context<'a> {
-    /// What is checked.
     pub doc: &'a Document,
     /// All names declared in the document.
     pub names: Names<'a>,

@@ -28,11 +28,9 @@ const USUAL: &[(&str, &str)] = &[
 /// A property that is as it should be.
 #[derive(Clone, Debug)]
 pub(crate) struct Read {
-    /// Its word.
     pub name: &'static str,
     /// Its value in SI.
     pub value: Value,
-    /// Its place.
     pub span: Span,
 }
 
@@ -41,11 +39,8 @@ pub(crate) struct Read {
 pub(crate) enum Value {
     /// None, or a block of its own.
     Flag,
-    /// A number.
     Number(f64),
-    /// Two numbers.
     Two([f64; 2]),
-    /// A word.
     Word(&'static str),
 }
 

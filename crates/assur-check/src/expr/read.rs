@@ -363,7 +363,6 @@ impl Context<'_> {
     }
 }
 
-/// The model's comparison.
 pub const fn comparison_of(op: CompareOp) -> Comparison {
     match op {
         CompareOp::Less => Comparison::Less,

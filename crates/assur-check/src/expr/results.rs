@@ -10,11 +10,8 @@ use assur_text::source::Span;
 /// A call as the functions of results see it.
 #[derive(Clone, Copy)]
 pub(crate) struct Call<'c> {
-    /// The function.
     pub name: &'c Name,
-    /// Its arguments.
     pub args: &'c [Arg],
-    /// The whole call.
     pub span: Span,
     /// Whether the sign of the result matters.
     pub sign: Sign,

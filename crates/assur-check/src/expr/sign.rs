@@ -3,7 +3,6 @@
 /// Whether the sign of a value matters where it stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// It does.
     Matters,
     /// Only the magnitude is asked: within `mag()` and `abs()`.
     Free,

@@ -27,11 +27,8 @@ const WHOLE_TURN: f64 = 1e-9;
 /// How a driven thing moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Moves {
-    /// By an angle.
     Turning,
-    /// By a length.
     Sliding,
-    /// By a vector.
     Freely,
 }
 

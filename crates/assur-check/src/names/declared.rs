@@ -9,7 +9,6 @@ use indexmap::{IndexMap, IndexSet};
 /// A declared name: what it is and where.
 #[derive(Clone, Debug)]
 pub struct Declared<T> {
-    /// Its kind.
     pub what: T,
     /// Where the name stands.
     pub span: Span,
@@ -34,7 +33,6 @@ pub enum QuantityKind<'a> {
     Flywheel(usize),
     /// A column of variants that no `given` declares: for an `expect`.
     Column(&'a Column),
-    /// A curve.
     Curve(&'a Curve),
 }
 
@@ -58,21 +56,15 @@ impl QuantityKind<'_> {
 /// What a thing's name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ThingKind {
-    /// A link.
     Link,
     /// A pair or a transmission.
     Joint(JointKind),
-    /// An asserted group.
     Group,
-    /// A spring.
     Spring,
-    /// A cam.
     Cam,
-    /// A shaft.
     Shaft,
     /// A slider on a rope.
     Slider,
-    /// A wheel.
     Wheel,
     /// An idler of a rope, declared by `over(C)`.
     Idler,
@@ -102,7 +94,6 @@ impl ThingKind {
 pub struct Inside {
     /// Points, in the order written.
     pub points: IndexMap<String, Span>,
-    /// Lines.
     pub lines: IndexMap<String, Span>,
     /// Circles and cam profiles.
     pub circles: IndexMap<String, Span>,
@@ -110,7 +101,6 @@ pub struct Inside {
     pub bad: IndexSet<String>,
 }
 
-/// All declared names.
 #[derive(Debug, Default)]
 pub struct Names<'a> {
     /// given, let, loads, balances, flywheels, `find NAME =`.
@@ -121,13 +111,11 @@ pub struct Names<'a> {
     pub links: IndexMap<String, LinkId>,
     /// The id of each pair that is in the mechanism.
     pub pairs: IndexMap<String, PairId>,
-    /// Numbers of links.
     pub numbers: IndexMap<String, Span>,
     /// What belongs to each link, by its id.
     pub inside: Vec<Inside>,
     /// The links that declare a point of a name.
     pub bearers: IndexMap<String, Vec<LinkId>>,
-    /// Poses.
     pub poses: IndexMap<String, Span>,
     /// Events, in the order of the file.
     pub events: IndexMap<String, Span>,

@@ -50,7 +50,6 @@ fn compare(cx: &mut Scope<'_, '_>, list: &[(String, Span)]) {
     }
 }
 
-/// Which letters differ.
 pub(crate) fn difference(first: &str, second: &str, at_first: &str, at_second: &str) -> String {
     let differs = first.chars().zip(second.chars()).find(|(a, b)| a != b);
     match differs {

@@ -8,7 +8,6 @@ use assur_text::diagnostic::Problem;
 
 /// A document, and where its names, its links and what is wrong with them go.
 pub struct Scope<'s, 'a> {
-    /// What is checked.
     pub doc: &'a Document,
     /// All names declared in the document.
     pub names: &'s mut Names<'a>,

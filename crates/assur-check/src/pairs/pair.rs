@@ -65,11 +65,9 @@ fn pair(
 
 /// An end of a joint: a link and the name of a part of it.
 pub(crate) struct Joined {
-    /// The link.
     pub link: LinkId,
     /// Its part, with the place where it is named; the pair's name where the part is not.
     pub part: Name,
-    /// The whole end.
     pub span: Span,
     /// Only the link is named.
     pub implied: bool,

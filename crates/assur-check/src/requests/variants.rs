@@ -24,11 +24,9 @@ const LABEL: &str = "variant";
 /// A row of a file's own table.
 #[derive(Clone, Debug)]
 pub struct FileRow {
-    /// Its numbers.
     pub row: Row,
     /// Its name in the column `variant`.
     pub label: Option<String>,
-    /// Its place.
     pub span: Span,
 }
 

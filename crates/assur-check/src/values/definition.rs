@@ -7,7 +7,6 @@ use indexmap::IndexMap;
 /// A definition that has been read.
 #[derive(Clone, Debug)]
 pub enum Settled {
-    /// A value.
     Constant(Typed),
     /// One value per pose.
     Result(QuantityId, Type),

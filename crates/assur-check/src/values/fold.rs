@@ -61,7 +61,6 @@ pub fn polar(magnitude: Expr, angle: Expr) -> Expr {
     }
 }
 
-/// A component.
 pub fn component(v: Expr, axis: Axis) -> Expr {
     match (vector(&v), axis) {
         (Some(v), Axis::X) => Expr::number(v.x),
@@ -97,7 +96,6 @@ pub fn power(base: Expr, exponent: Expr) -> Expr {
     }
 }
 
-/// A comparison.
 pub fn compare(op: Comparison, a: Expr, b: Expr) -> Expr {
     match (scalar(&a), scalar(&b)) {
         (Some(x), Some(y)) => truth_of(match op {
@@ -110,7 +108,6 @@ pub fn compare(op: Comparison, a: Expr, b: Expr) -> Expr {
     }
 }
 
-/// Both.
 pub fn and(a: Expr, b: Expr) -> Expr {
     match (boolean(&a), boolean(&b)) {
         (Some(true), _) => b,
@@ -120,7 +117,6 @@ pub fn and(a: Expr, b: Expr) -> Expr {
     }
 }
 
-/// Either.
 pub fn or(a: Expr, b: Expr) -> Expr {
     match (boolean(&a), boolean(&b)) {
         (Some(false), _) => b,
@@ -130,7 +126,6 @@ pub fn or(a: Expr, b: Expr) -> Expr {
     }
 }
 
-/// Not.
 pub fn not(e: Expr) -> Expr {
     match boolean(&e) {
         Some(t) => truth_of(!t),

@@ -5,7 +5,6 @@ use crate::values::row::{ColumnUse, Row};
 use crate::values::typed::Typed;
 use indexmap::IndexMap;
 
-/// Values from outside.
 pub struct Outside<'a> {
     /// Values set from outside.
     pub overrides: &'a Overrides,

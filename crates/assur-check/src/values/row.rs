@@ -17,7 +17,6 @@ pub enum ColumnUse {
 /// A column of a table of variants, checked against a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowColumn {
-    /// Its name.
     pub name: String,
     /// The unit of its numbers.
     pub unit: Unit,
@@ -40,7 +39,6 @@ impl RowColumn {
 /// A number of a row.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RowCell {
-    /// SI.
     pub value: f64,
     /// One unit in the last digit written, SI.
     pub digit: f64,
@@ -97,7 +95,6 @@ impl Row {
         self.cells.get(column).copied()
     }
 
-    /// Its columns.
     pub(crate) const fn columns(&self) -> &Arc<[RowColumn]> {
         &self.columns
     }

@@ -8,7 +8,6 @@ use std::collections::BTreeSet;
 /// A wheel as declared.
 #[derive(Clone, Copy, Debug)]
 pub struct DeclaredWheel<'a> {
-    /// Its statement.
     pub member: &'a WheelMember,
     /// The link it sits on.
     pub link: LinkId,

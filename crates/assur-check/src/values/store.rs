@@ -17,7 +17,6 @@ pub type Gears = IndexMap<String, Option<GearPair>>;
 /// A curve that can be called.
 #[derive(Clone)]
 pub struct CheckedCurve {
-    /// The curve.
     pub curve: Arc<Curve>,
     /// The dimension of its argument.
     pub argument: Dimension,
@@ -27,7 +26,6 @@ pub struct CheckedCurve {
 
 /// Definitions and what they come to.
 pub struct Values<'a> {
-    /// Values from outside.
     pub outside: Outside<'a>,
     /// The units of the document's numbers, and how often each is used.
     pub units: UnitUse,

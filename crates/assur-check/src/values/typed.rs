@@ -9,7 +9,6 @@ use assur_text::units::{Dimension, Kind};
 pub enum Dim {
     /// The literal `0`, or what is not known because it cannot be solved yet: fits anything.
     Any,
-    /// This one.
     Of(Dimension),
 }
 
@@ -50,9 +49,7 @@ impl Dim {
 /// The type of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Type {
-    /// A number.
     Number(Dim),
-    /// A vector.
     Vector(Dim),
     /// A condition: true or false.
     Bool,
@@ -113,7 +110,6 @@ pub fn phrase(d: Dimension) -> String {
 pub struct Typed {
     /// The expression in SI.
     pub expr: model::Expr,
-    /// Its type.
     pub ty: Type,
     /// Something in it cannot be solved yet; the expression stands for nothing.
     pub pending: bool,
@@ -130,7 +126,6 @@ impl Typed {
         Self { expr: model::Expr::Constant(Value::Scalar(0.0)), ty, pending: true }
     }
 
-    /// A constant number.
     pub const fn constant(x: f64, d: Dimension) -> Self {
         Self::new(model::Expr::number(x), Type::number(d))
     }

@@ -13,7 +13,6 @@ pub fn latex(node: &Node) -> String {
     out
 }
 
-/// An equation.
 #[must_use]
 pub fn latex_lines(lines: &Lines) -> String {
     if let [(row, _)] = lines.rows.as_slice() {
@@ -87,7 +86,6 @@ fn number(figures: &Figures, out: &mut String) {
     }
 }
 
-/// A unit.
 #[must_use]
 pub fn unit_latex(unit: &str) -> String {
     let body = unit.replace('·', "\\cdot ").replace('²', "^2").replace('³', "^3").replace('°', "^{\\circ}");

@@ -13,7 +13,6 @@ pub fn mathml(node: &Node) -> String {
     out + "</math>"
 }
 
-/// An equation.
 #[must_use]
 pub fn mathml_lines(lines: &Lines) -> String {
     let mut out = "<math displaystyle=\"true\">".to_owned();

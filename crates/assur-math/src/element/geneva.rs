@@ -23,7 +23,6 @@ const EQUAL: f64 = 1e-9;
 pub struct Geneva {
     /// Radius of the pin's circle over the distance of the centres.
     pub ratio: f64,
-    /// Number of slots.
     pub slots: u32,
     /// Half of the crank's angle while the pin is in a slot, rad.
     half: f64,

@@ -23,7 +23,6 @@ pub struct Nodes {
 pub struct Series {
     /// Where the interval begins.
     pub from: f64,
-    /// Where it ends.
     pub to: f64,
     coefficients: Vec<f64>,
 }
@@ -35,7 +34,6 @@ impl Default for Nodes {
 }
 
 impl Nodes {
-    /// The nodes.
     #[must_use]
     #[allow(clippy::cast_precision_loss)] // far below 2^52
     pub fn new() -> Self {
@@ -273,7 +271,6 @@ impl Series {
         tail(&self.coefficients)
     }
 
-    /// Its value.
     #[must_use]
     pub fn value(&self, x: f64) -> f64 {
         value((self.from, self.to), &self.coefficients, x)
@@ -315,7 +312,6 @@ impl Series {
         Self { from: self.from, to: self.to, coefficients }
     }
 
-    /// The derivative.
     #[must_use]
     pub fn derivative(&self) -> Self {
         let n = self.coefficients.len();

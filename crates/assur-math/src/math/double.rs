@@ -7,9 +7,7 @@ use super::{Scalar, V2};
 /// The unevaluated sum of two `f64`, the second at most half a unit in the last place of the first: about 32 digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Double {
-    /// Leading part.
     pub high: f64,
-    /// Rest.
     pub low: f64,
 }
 

@@ -6,7 +6,6 @@ use std::f64::consts::PI;
 
 /// The greatest degree of a series.
 const DEGREE: usize = 16;
-/// Its places.
 pub const PLACES: usize = DEGREE + 1;
 
 /// The places on [−1, 1] and the cosines of the transform.
@@ -22,7 +21,6 @@ impl Default for Extremes {
 }
 
 impl Extremes {
-    /// The places.
     #[must_use]
     #[allow(clippy::cast_precision_loss)] // far below 2^52
     pub fn new() -> Self {
@@ -60,7 +58,6 @@ impl Extremes {
 pub struct Short {
     /// Where its interval begins.
     pub from: f64,
-    /// Where it ends.
     pub to: f64,
     coefficients: [f64; PLACES],
     count: usize,
@@ -79,7 +76,6 @@ impl Short {
         tail(self.coefficients())
     }
 
-    /// Its value.
     #[must_use]
     pub fn value(&self, x: f64) -> f64 {
         value((self.from, self.to), self.coefficients(), x)

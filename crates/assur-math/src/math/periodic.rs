@@ -10,7 +10,6 @@ use std::f64::consts::TAU;
 /// A mean with the error it was estimated to have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mean {
-    /// The mean.
     pub value: f64,
     /// Estimated error, rounding included.
     pub error: f64,

@@ -17,7 +17,6 @@ const PLACES: [[f64; 2]; 8] = [
     [0.0, 0.0],
 ];
 
-/// Their weights.
 const KRONROD: [[f64; 2]; 8] = [
     [0.022_935_322_010_529_224, 5.957_180_517_223_158e-19],
     [0.063_092_092_629_978_56, -4.536_585_404_360_517e-18],
@@ -40,7 +39,6 @@ const GAUSS: [[f64; 2]; 4] = [
 /// How the integrand grows towards an end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// It is smooth.
     Smooth,
     /// As one over the root of the distance, as time does towards a turning point.
     InverseRoot,
@@ -49,7 +47,6 @@ pub enum End {
 /// A place within the interval, with its distances from both ends: next to an end their difference would lose digits.
 #[derive(Clone, Copy, Debug)]
 pub struct Place<S> {
-    /// The argument.
     pub x: S,
     /// It less the beginning.
     pub from_start: S,
@@ -57,10 +54,8 @@ pub struct Place<S> {
     pub to_end: S,
 }
 
-/// An integral.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integral<S> {
-    /// Its value.
     pub value: S,
     /// The estimate of its error.
     pub error: S,

@@ -22,9 +22,7 @@ fn gcd(a: i128, b: i128) -> i128 {
 }
 
 impl Ratio {
-    /// Zero.
     pub const ZERO: Self = Self { numerator: 0, denominator: 1 };
-    /// One.
     pub const ONE: Self = Self { numerator: 1, denominator: 1 };
 
     /// The fraction of two whole numbers; `None` where the denominator is zero or the terms do not fit.
@@ -61,7 +59,6 @@ impl Ratio {
         if shift >= 0 { Self::new(figures.checked_mul(power)?, 1) } else { Self::new(figures, power) }
     }
 
-    /// The nearest number.
     #[must_use]
     #[allow(clippy::cast_precision_loss)] // each term is rounded once
     pub fn value(self) -> f64 {

@@ -30,7 +30,6 @@ pub trait Scalar:
     fn of(x: f64) -> Self;
     /// Square root; NaN below zero.
     fn sqrt(self) -> Self;
-    /// Magnitude.
     fn abs(self) -> Self;
     /// The greater of the two.
     fn max(self, other: Self) -> Self;

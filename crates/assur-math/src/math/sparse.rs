@@ -43,7 +43,6 @@ impl Sparse {
         self.sign
     }
 
-    /// Nothing is factored.
     pub(super) const fn forget(&mut self) {
         self.sign = 0.0;
     }

@@ -15,7 +15,6 @@ pub enum Between {
     /// Monotone cubics: continuous slope.
     #[default]
     Monotone,
-    /// Straight lines.
     Straight,
     /// A cubic spline: continuous second derivative.
     Spline,

@@ -7,9 +7,7 @@ use super::Scalar;
 /// A vector of the plane. As a direction it is the pair (cos, sin).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct V2<S> {
-    /// Component along x.
     pub x: S,
-    /// Component along y.
     pub y: S,
 }
 
@@ -23,7 +21,6 @@ impl<S: Scalar> V2<S> {
         Self { x, y }
     }
 
-    /// The null vector.
     #[inline(always)]
     #[must_use]
     pub fn zero() -> Self {
@@ -37,7 +34,6 @@ impl<S: Scalar> V2<S> {
         Self::new(S::of(v.x), S::of(v.y))
     }
 
-    /// Scalar product.
     #[inline(always)]
     pub fn dot(self, o: Self) -> S {
         self.x * o.x + self.y * o.y
@@ -56,7 +52,6 @@ impl<S: Scalar> V2<S> {
         Self::new(-self.y, self.x)
     }
 
-    /// Magnitude.
     #[inline(always)]
     pub fn norm(self) -> S {
         self.dot(self).sqrt()

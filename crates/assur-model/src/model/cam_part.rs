@@ -17,13 +17,11 @@ pub enum CamPart {
     Pitch,
     /// Place of contact in the axes of the cam.
     Point,
-    /// Pressure angle.
     PressureAngle,
     /// Radius of curvature of the pitch curve.
     CurvatureRadius,
 }
 
-/// Parts by name.
 pub const CAM_PARTS: [(&str, CamPart); 11] = [
     ("s", CamPart::Lift(0)),
     ("s'", CamPart::Lift(1)),

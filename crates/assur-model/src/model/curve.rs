@@ -8,7 +8,6 @@ use crate::units::significant;
 /// A curve: a function from a table.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// Its name.
     pub name: String,
     /// Place of its name.
     pub span: Span,
@@ -28,7 +27,6 @@ impl PartialEq for Curve {
 /// What is asked of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurvePart {
-    /// The value.
     Value,
     /// The derivative by the argument.
     Slope,

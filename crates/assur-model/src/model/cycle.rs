@@ -8,7 +8,6 @@ use crate::source::Span;
 pub struct Cycle {
     /// Place of the call.
     pub span: Span,
-    /// The computed quantity.
     pub how: CycleFunction,
     /// Of what: a number.
     pub expr: Expr,
@@ -21,9 +20,7 @@ pub struct Cycle {
 /// A part of a motion under loads; the whole of it where no bound is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Part {
-    /// Where it begins.
     pub after: Option<Bound>,
-    /// Where it ends.
     pub before: Option<Bound>,
 }
 
@@ -39,9 +36,7 @@ pub enum Bound {
 /// Functions over the sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CycleFunction {
-    /// The greatest value.
     Max,
-    /// The least value.
     Min,
     /// The mean over the drive's way.
     Mean,

@@ -9,11 +9,9 @@ use crate::source::Span;
 /// A designed plate cam.
 #[derive(Clone, Debug)]
 pub struct PlateCam {
-    /// Its name.
     pub name: String,
     /// Place of the name.
     pub span: Span,
-    /// Its geometry.
     pub cam: Cam,
     /// Its speed, rad/s, > 0, where given: rates of the follower by time depend on it.
     pub speed: Option<f64>,
@@ -22,7 +20,6 @@ pub struct PlateCam {
 /// A contact of a designed cam with the follower it was designed for. Cam and follower are joined to the same frame.
 #[derive(Clone, Debug)]
 pub struct CamContact {
-    /// The pair.
     pub pair: PairId,
     /// The cam: index into [`super::Mechanism::cams`].
     pub cam: usize,
@@ -37,7 +34,6 @@ pub struct CamContact {
     /// Unit direction from the cam's centre towards the follower, in the frame's axes: along the way of a translating
     /// one, towards the pivot of an oscillating one.
     pub towards: Vec2,
-    /// The follower's link.
     pub follower: LinkId,
     /// The roller, where it is a link of its own, and the pair on which it turns.
     pub roller: Option<(LinkId, PairId)>,
@@ -68,7 +64,6 @@ pub struct Table {
 /// One kind of number in a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableEntry {
-    /// Its name.
     pub name: String,
     /// How it is printed.
     pub display: Display,

@@ -10,11 +10,9 @@ use std::sync::Arc;
 /// A value in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A number.
     Scalar(f64),
     /// A vector in ground axes.
     Vector(Vec2),
-    /// A condition.
     Bool(bool),
 }
 
@@ -43,7 +41,6 @@ impl Value {
 /// An expression whose types and dimensions are checked. Angles are in radians; `%` is folded into the numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expr {
-    /// A constant.
     Constant(Value),
     /// (x, y).
     Vector(Box<Expr>, Box<Expr>),
@@ -57,19 +54,14 @@ pub enum Expr {
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// Raised to a power.
     Power(Box<Expr>, Box<Expr>),
-    /// A mathematical function.
     Call(Function, Vec<Expr>),
     /// A comparison of two scalars.
     Compare(Comparison, Box<Expr>, Box<Expr>),
-    /// Both.
     And(Box<Expr>, Box<Expr>),
-    /// Either.
     Or(Box<Expr>, Box<Expr>),
-    /// Not.
     Not(Box<Expr>),
     /// Another quantity of this pose.
     Quantity(QuantityId),
-    /// A result.
     Query(Query),
     /// The same without friction.
     Frictionless(Box<Expr>),
@@ -90,7 +82,6 @@ pub enum BinaryOp {
     Div,
 }
 
-/// Comparisons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Comparison {
     /// <
@@ -106,40 +97,27 @@ pub enum Comparison {
 /// Components of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// To the right.
     X,
-    /// Up.
     Y,
 }
 
-/// Mathematical functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
-    /// Square root.
     Sqrt,
     /// Magnitude of a scalar.
     Abs,
-    /// Sine.
     Sin,
-    /// Cosine.
     Cos,
-    /// Tangent.
     Tan,
-    /// Inverse sine.
     Asin,
-    /// Inverse cosine.
     Acos,
-    /// Inverse tangent.
     Atan,
-    /// Power of e.
     Exp,
-    /// Natural logarithm.
     Log,
     /// Angle of (x, y) from `atan2(y, x)`.
     Atan2,
     /// Magnitude of a vector (of a scalar: `Abs`).
     Mag,
-    /// Scalar product.
     Dot,
     /// z of the vector product.
     Cross,
@@ -312,18 +290,15 @@ pub enum SubstitutionPart {
 /// A quantity with one value per pose.
 #[derive(Clone, Debug)]
 pub struct Quantity {
-    /// Name.
     pub name: String,
     /// Place of the name.
     pub span: Span,
-    /// Its kind.
     pub expr: Expr,
     /// How it is printed.
     pub display: Display,
 }
 
 impl Expr {
-    /// A constant number.
     #[must_use]
     pub const fn number(x: f64) -> Self {
         Self::Constant(Value::Scalar(x))

@@ -6,21 +6,16 @@ use assur_text::language::Function;
 /// How far motion is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// Positions only.
     #[default]
     Positions,
-    /// And velocities.
     Velocities,
-    /// And accelerations.
     Accelerations,
 }
 
 /// The kind of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
-    /// A number.
     Number,
-    /// A vector.
     Vector,
     /// A condition, true or false.
     Condition,
@@ -31,11 +26,9 @@ pub enum Answer {
 /// The subject of a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum About {
-    /// A link.
     Link(LinkId),
     /// The links of a pair.
     Pair(PairId),
-    /// A point.
     Point(PointRef),
 }
 
@@ -89,7 +82,6 @@ const VECTOR: Facts = Facts { answer: Answer::Vector, ..NUMBER };
 const RATE: Facts = Facts { level: Level::Velocities, ..NUMBER };
 /// A number that is known once all positions are.
 const OF_SOLUTION: Facts = Facts { poseless: true, of_solution: true, ..NUMBER };
-/// A power.
 const POWER: Facts = Facts { from_loads: Some("a power"), ..RATE };
 /// A number of the events of a motion.
 const EVENT: Facts = of_motion("an event of the motion", Answer::Number);

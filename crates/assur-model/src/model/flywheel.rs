@@ -29,9 +29,7 @@ pub struct Flywheel {
 /// The effort whose work a flywheel evens out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlywheelTorque {
-    /// An unknown effort.
     Balance(BalanceId),
-    /// An applied load.
     Load(LoadId),
 }
 

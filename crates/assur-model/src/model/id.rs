@@ -28,19 +28,14 @@ ids! {
     LinkId,
     /// A pair as declared.
     PairId,
-    /// A drive.
     DriveId,
-    /// An applied load.
     LoadId,
-    /// A spring.
     SpringId,
-    /// An unknown effort.
     BalanceId,
     /// A quantity with one value per pose.
     QuantityId,
 }
 
 impl LinkId {
-    /// The ground.
     pub const GROUND: Self = Self(0);
 }

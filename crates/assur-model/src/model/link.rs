@@ -12,11 +12,8 @@ pub struct Link {
     pub number: Option<String>,
     /// Place of the name.
     pub span: Span,
-    /// Named points.
     pub points: Vec<Point>,
-    /// Named lines.
     pub lines: Vec<Line>,
-    /// Named circles.
     pub circles: Vec<Circle>,
     /// Profiles of designed cams.
     pub cam_profiles: Vec<CamProfile>,
@@ -38,7 +35,6 @@ pub struct MassProperties {
 /// A point of a link.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Name.
     pub name: String,
     /// Place of the name.
     pub span: Span,
@@ -49,7 +45,6 @@ pub struct Point {
 /// A directed, unbounded line of a link.
 #[derive(Clone, Debug)]
 pub struct Line {
-    /// Name.
     pub name: String,
     /// Place of the name.
     pub span: Span,
@@ -62,7 +57,6 @@ pub struct Line {
 /// A circle of a link.
 #[derive(Clone, Debug)]
 pub struct Circle {
-    /// Name.
     pub name: String,
     /// Place of the name.
     pub span: Span,
@@ -75,7 +69,6 @@ pub struct Circle {
 /// The profile of a designed cam on a link. The axes of the cam are those of the link.
 #[derive(Clone, Debug)]
 pub struct CamProfile {
-    /// Name.
     pub name: String,
     /// The cam: index into [`super::Mechanism::cams`].
     pub cam: usize,

@@ -22,14 +22,12 @@ pub enum Place {
     Ground(Expr),
 }
 
-/// An applied load.
 #[derive(Clone, Debug)]
 pub struct Load {
     /// Name, where it has one.
     pub name: Option<String>,
     /// Place of the statement.
     pub span: Span,
-    /// The load.
     pub kind: LoadKind,
     /// Acts only while this condition is true.
     pub when: Option<Expr>,
@@ -42,9 +40,7 @@ pub enum LoadKind {
     Force {
         /// The link it acts on.
         on: LinkId,
-        /// Where.
         at: Place,
-        /// The force.
         value: Expr,
         /// The link whose axes the components are in.
         frame: Option<LinkId>,
@@ -53,16 +49,13 @@ pub enum LoadKind {
     ForceAgainstMotion {
         /// The link it acts on.
         on: LinkId,
-        /// Where.
         at: Place,
-        /// Its magnitude.
         value: Expr,
     },
     /// A torque on a link, N m, counter-clockwise positive.
     Torque {
         /// The link it acts on.
         on: LinkId,
-        /// The torque.
         value: Expr,
         /// `value` is a magnitude that acts against the angular velocity.
         against_motion: bool,
@@ -71,7 +64,6 @@ pub enum LoadKind {
     InPair {
         /// The pair: prismatic, slot, cylinder or revolute of two links.
         pair: PairId,
-        /// The effort.
         value: Expr,
     },
 }
@@ -135,13 +127,11 @@ impl Load {
 /// A spring, with a parallel damper, between two points.
 #[derive(Clone, Debug)]
 pub struct Spring {
-    /// Name.
     pub name: String,
     /// Place of the name.
     pub span: Span,
     /// One end: link and point in its frame, m.
     pub from: (LinkId, Vec2),
-    /// The other end.
     pub to: (LinkId, Vec2),
     /// N/m.
     pub stiffness: f64,
@@ -163,11 +153,9 @@ pub struct TorsionSpring {
 /// An unknown effort, found from equilibrium.
 #[derive(Clone, Debug)]
 pub struct Balance {
-    /// Name.
     pub name: String,
     /// Place of the name.
     pub span: Span,
-    /// The unknown effort.
     pub kind: BalanceKind,
 }
 
@@ -178,9 +166,7 @@ pub enum BalanceKind {
     Torque(LinkId),
     /// A force on a link from outside along a direction, positive along it.
     Force {
-        /// The link.
         on: LinkId,
-        /// Where.
         at: Place,
         /// Unit direction in ground axes or in the axes of `frame`.
         along: Vec2,

@@ -56,13 +56,10 @@ pub struct Mechanism {
     pub links: Vec<Link>,
     /// All pairs as declared; a pin in several links is one of them.
     pub pairs: Vec<Pair>,
-    /// All wheels.
     pub wheels: Vec<Wheel>,
     /// Sizes that are not given, and assumed.
     pub open_sizes: Vec<OpenSize>,
-    /// Asserted structural groups.
     pub groups: Vec<GroupAssertion>,
-    /// The drives.
     pub drives: Vec<Drive>,
     /// Motion under given loads, from the positions and speeds of the drives that are starts.
     pub simulation: Option<Simulation>,
@@ -84,11 +81,8 @@ pub struct Mechanism {
     pub gravity: Option<Gravity>,
     /// Applied forces and torques.
     pub loads: Vec<Load>,
-    /// Springs.
     pub springs: Vec<Spring>,
-    /// Unknown efforts.
     pub balances: Vec<Balance>,
-    /// Designed cams.
     pub cams: Vec<PlateCam>,
     /// Their contacts with followers.
     pub cam_contacts: Vec<CamContact>,
@@ -98,7 +92,6 @@ pub struct Mechanism {
     pub ignore_inertia: bool,
     /// Quantities with one value per pose: `let` from results and named items of `find`.
     pub quantities: Vec<Quantity>,
-    /// The questions.
     pub finds: Vec<Find>,
     /// The questions among them that `find powers` asks: from which one on, and up to which.
     pub powers: Option<(usize, usize)>,
@@ -127,16 +120,13 @@ pub struct GroupAssertion {
     pub name: String,
     /// Span of the statement.
     pub span: Span,
-    /// The links named.
     pub links: Vec<LinkId>,
 }
 
 /// A `given` or `let` with its value.
 #[derive(Clone, Debug)]
 pub struct NamedValue {
-    /// Name.
     pub name: String,
-    /// SI value.
     pub value: Value,
     /// How to print it.
     pub display: Display,

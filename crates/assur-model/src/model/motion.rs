@@ -52,9 +52,7 @@ pub enum Positions {
     Numbers(Arc<Vec<f64>>),
     /// `from .. to in n steps`.
     Range {
-        /// First value.
         from: Expr,
-        /// Last value.
         to: Expr,
         /// Number of steps, ≥ 1.
         steps: usize,
@@ -80,7 +78,6 @@ pub struct NamedPose {
     pub name: String,
     /// Place of the statement.
     pub span: Span,
-    /// Drive values.
     pub at: Vec<(DriveId, Expr)>,
 }
 
@@ -89,7 +86,6 @@ pub struct NamedPose {
 pub struct Hint {
     /// Place of the clause.
     pub span: Span,
-    /// Its contents.
     pub kind: HintKind,
 }
 
@@ -101,20 +97,15 @@ pub type LinkPoint = (LinkId, Vec2);
 pub enum HintKind {
     /// The point lies left (or right) of the line from one point to another.
     Side {
-        /// The point.
         point: LinkPoint,
-        /// Seen from here
         from: LinkPoint,
-        /// towards here.
         to: LinkPoint,
         /// Left, or right.
         left: bool,
     },
     /// The point lies ahead of (or behind) another along the guide of a prismatic pair.
     Along {
-        /// The point.
         point: LinkPoint,
-        /// The other point.
         other: LinkPoint,
         /// The prismatic pair whose line gives the direction.
         pair: PairId,
@@ -123,18 +114,11 @@ pub enum HintKind {
     },
     /// The pair's coordinate is greater (or less) than a value, SI.
     Coordinate {
-        /// The pair.
         pair: PairId,
-        /// The bound.
         bound: f64,
         /// Greater, or less.
         greater: bool,
     },
     /// The point is near a place in ground axes, m.
-    Near {
-        /// The point.
-        point: LinkPoint,
-        /// The place.
-        place: Vec2,
-    },
+    Near { point: LinkPoint, place: Vec2 },
 }

@@ -5,10 +5,8 @@ use crate::math::Vec2;
 use crate::source::Span;
 use assur_text::language::JointKind;
 
-/// A kinematic pair.
 #[derive(Clone, Debug)]
 pub struct Pair {
-    /// Name.
     pub name: String,
     /// Place of the name.
     pub span: Span,
@@ -91,9 +89,7 @@ pub enum PairKind {
     },
     /// Barrel and rod between two points: two links, two revolutes and a prismatic pair.
     Cylinder {
-        /// The barrel's link.
         barrel: LinkId,
-        /// The rod's link.
         rod: LinkId,
         /// Where the barrel is hinged.
         from: Pin,
@@ -107,7 +103,6 @@ pub enum PairKind {
 /// A point of a link at a hinge.
 #[derive(Clone, Debug)]
 pub struct Pin {
-    /// The link.
     pub link: LinkId,
     /// Name of the point.
     pub name: String,
@@ -147,14 +142,12 @@ pub struct Profile {
     pub link: LinkId,
     /// Name of the point, line or circle.
     pub name: String,
-    /// Its shape.
     pub shape: ProfileShape,
 }
 
 /// Shapes of profiles, in the frame of their link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ProfileShape {
-    /// A point.
     Point(Vec2),
     /// A circle: centre and radius, m.
     Circle(Vec2, f64),
@@ -167,9 +160,7 @@ pub enum ProfileShape {
 /// What holds only as long as forces act as it takes them: beyond that a motion is another one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bond {
-    /// A contact presses.
     Presses,
-    /// A rope pulls.
     Pulls,
     /// Power runs from the first wheel of a belt to the second: its slip is of the speed of the first.
     Drives,
@@ -206,7 +197,6 @@ impl PairKind {
         }
     }
 
-    /// The statement's word.
     #[must_use]
     pub const fn word(&self) -> &'static str {
         self.statement().word()

@@ -10,7 +10,6 @@ pub struct Find {
     pub name: String,
     /// Place of the item.
     pub span: Span,
-    /// The question.
     pub kind: FindKind,
 }
 
@@ -19,7 +18,6 @@ pub struct Find {
 pub enum FindKind {
     /// A value at every pose.
     Value {
-        /// The expression.
         expr: Expr,
         /// How it is printed.
         display: Display,
@@ -39,11 +37,8 @@ pub struct Expect {
     pub text: String,
     /// Place of the statement.
     pub span: Span,
-    /// The computed quantity.
     pub expr: Expr,
-    /// The expectation.
     pub relation: Relation,
-    /// Tolerance.
     pub tolerance: Tolerance,
     /// Its pose; `None`: the only pose of the file, all poses for a list, or no pose needed.
     pub at: Option<At>,
@@ -51,7 +46,6 @@ pub struct Expect {
     pub angle: bool,
     /// How it is printed.
     pub display: Display,
-    /// Needs no pose.
     pub poseless: bool,
 }
 
@@ -71,7 +65,6 @@ pub enum Relation {
 pub enum Tolerance {
     /// Relative to the expected value.
     Relative(f64),
-    /// Absolute.
     Absolute(f64),
     /// Inferred from the digits written, one per expected value: absolute, SI.
     Written(Vec<f64>),
@@ -97,6 +90,5 @@ pub enum At {
 pub struct Unsupported {
     /// Its name, as in "friction in a pair".
     pub what: String,
-    /// Its place.
     pub span: Span,
 }

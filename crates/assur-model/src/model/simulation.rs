@@ -47,12 +47,7 @@ impl Simulation {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steady {
     /// Turns of a link that is started or driven.
-    Turns {
-        /// The link.
-        link: LinkId,
-        /// How many.
-        count: u32,
-    },
+    Turns { link: LinkId, count: u32 },
     /// From one time that an event happens to the next: index into [`super::Mechanism::events`].
     Cycle(usize),
 }
@@ -86,11 +81,9 @@ pub enum Situation {
 /// `stop G > 0 mm { restitution 0.7 }`
 #[derive(Clone, Debug)]
 pub struct Stop {
-    /// The pair.
     pub pair: PairId,
     /// Place of the statement.
     pub span: Span,
-    /// Its coordinate turns.
     pub turns: bool,
     /// 1 where the coordinate stays above the bound, −1 where it stays below.
     pub side: f64,
@@ -103,9 +96,7 @@ pub struct Stop {
 /// The instant of a motion that an expectation is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Occasion {
-    /// The first instant.
     Begin,
-    /// The last.
     End,
     /// An event, by index into [`super::Mechanism::events`], and which time, counted from 1.
     Event(usize, usize),

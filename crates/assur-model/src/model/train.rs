@@ -8,7 +8,6 @@ use assur_text::language::JointKind;
 /// A wheel of a link.
 #[derive(Clone, Debug)]
 pub struct Wheel {
-    /// Name.
     pub name: String,
     /// Place of the name.
     pub span: Span,
@@ -20,16 +19,13 @@ pub struct Wheel {
     pub radius: f64,
     /// The radius depends on a size that is assumed: by teeth alone only ratios of radii are known.
     pub open: bool,
-    /// Number of teeth.
     pub teeth: Option<f64>,
 }
 
 /// A size that the file leaves open and that is assumed: no answer may depend on it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenSize {
-    /// The wheel.
     pub wheel: String,
-    /// Its place.
     pub span: Span,
     /// The number of teeth is known, and the module is not.
     pub teeth: bool,
@@ -61,7 +57,6 @@ pub struct Law {
 /// A transmission between wheels, shafts and sliders.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transmission {
-    /// Which.
     pub kind: TransmissionKind,
     /// The ends, as written: `w1`, `over(C)`.
     pub ends: Vec<String>,
@@ -82,7 +77,6 @@ pub struct Transmission {
 /// What a transmission by friction can transmit before it slips.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Grip {
-    /// A belt.
     Belt {
         /// Angle of contact on the smaller pulley, rad.
         wrap: f64,
@@ -113,13 +107,9 @@ impl Grip {
 /// The kinds of transmission.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TransmissionKind {
-    /// Two gear wheels.
     Mesh,
-    /// A rope.
     Rope,
-    /// A belt.
     Belt,
-    /// A chain.
     Chain,
     /// A gear wheel on a toothed line.
     Rack,
@@ -134,7 +124,6 @@ pub enum TransmissionKind {
 /// Two wheels whose teeth meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
-    /// The links.
     pub links: [LinkId; 2],
     /// The axes in the frames of the links, m.
     pub centres: [Vec2; 2],
@@ -162,7 +151,6 @@ impl TransmissionKind {
         }
     }
 
-    /// The statement's word.
     #[must_use]
     pub const fn word(self) -> &'static str {
         self.statement().word()

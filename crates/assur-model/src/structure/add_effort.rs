@@ -10,7 +10,6 @@ use crate::model::{
     TransmissionKind,
 };
 
-/// Places tried.
 const MOST_TRIED: usize = 24;
 /// Lines offered as alternatives.
 const MOST_SHOWN: usize = 3;

@@ -11,7 +11,6 @@ use crate::model::{
     Circle, Guide, Line, LinkId, Mechanism, PairKind, Pin, Point, Profile, ProfileShape, Wheel,
 };
 
-/// Pairs tried.
 const MOST_TRIED: usize = 96;
 /// Lines offered as alternatives.
 const MOST_SHOWN: usize = 4;
@@ -34,7 +33,6 @@ struct Candidate {
     used: usize,
 }
 
-/// Pairs to add.
 pub(super) enum Missing {
     /// Any one of these lines holds everything.
     OneOf(Vec<String>),

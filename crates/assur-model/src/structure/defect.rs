@@ -13,7 +13,6 @@ use crate::model::PairId;
 /// Random numbers of motions begin here.
 const MOTIONS: u64 = 1 << 56;
 
-/// The undetermined part.
 #[derive(Clone, Debug)]
 pub(super) struct Defect {
     /// Parts with too many conditions, each overconstrained by itself.
@@ -24,7 +23,6 @@ pub(super) struct Defect {
     pub fit: Fit,
 }
 
-/// An overconstrained part.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Part {
     /// Links, the ground among them where a condition touches it.
@@ -35,7 +33,6 @@ pub(super) struct Part {
     pub efforts: Vec<usize>,
     /// Freedoms of the links against each other.
     pub freedoms: usize,
-    /// Conditions too many.
     pub surplus: usize,
 }
 
@@ -46,7 +43,6 @@ impl Part {
     }
 }
 
-/// The remainder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Fit {
     /// Freedoms that no condition takes.

@@ -17,7 +17,6 @@ use super::trial::Trial;
 use crate::model::{DriveTarget, Expr, Grip, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value};
 use crate::source::Span;
 
-/// Overconstrained parts described.
 const MOST_PARTS: usize = 3;
 
 /// Motion: conditions of pairs and drives against freedoms of links.

@@ -26,13 +26,11 @@ pub struct Echelon {
 }
 
 impl Echelon {
-    /// No rows.
     #[must_use]
     pub fn new(columns: usize) -> Self {
         Self { pivots: vec![None; columns], rank: 0 }
     }
 
-    /// These rows.
     pub fn of<'a>(columns: usize, rows: impl IntoIterator<Item = &'a Row>) -> Self {
         let mut echelon = Self::new(columns);
         for row in rows {

@@ -8,9 +8,7 @@ use crate::model::{BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, Mechani
 /// A driven freedom, or the effort that acts in it.
 #[derive(Clone, Debug)]
 pub struct Effort {
-    /// Its declaration.
     pub source: EffortSource,
-    /// Its span.
     pub kind: EffortKind,
     /// Other places where the same effort acts.
     pub also: Vec<EffortKind>,
@@ -19,9 +17,7 @@ pub struct Effort {
 /// Where an effort is declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EffortSource {
-    /// A drive.
     Drive(DriveId),
-    /// A balance.
     Balance(BalanceId),
 }
 
@@ -31,14 +27,7 @@ pub enum EffortKind {
     /// The angle of a body to the ground; a torque on it from outside.
     Angle(BodyId),
     /// The angle of `second` less that of `first` in a revolute joint; the torque of `first` on `second`.
-    RelativeAngle {
-        /// The joint.
-        joint: JointId,
-        /// Measured from.
-        first: BodyId,
-        /// The body measured.
-        second: BodyId,
-    },
+    RelativeAngle { joint: JointId, first: BodyId, second: BodyId },
     /// The coordinate of a prismatic joint; the force of the guide on the slider along it.
     Coordinate(JointId),
     /// A force on a body from outside along a line.

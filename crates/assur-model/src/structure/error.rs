@@ -14,12 +14,9 @@ pub enum StructureError {
     #[error("link `{name}` is not joined to any other link")]
     #[diagnostic(code(mech::determinacy::floating_link))]
     FloatingLink {
-        /// Its name.
         name: String,
-        /// The correction.
         #[help]
         help: String,
-        /// Its span.
         #[label("no pair names this link")]
         span: miette::SourceSpan,
     },
@@ -27,12 +24,9 @@ pub enum StructureError {
     #[error("{names} are joined to each other, but not to the ground")]
     #[diagnostic(code(mech::determinacy::not_grounded))]
     NotGrounded {
-        /// Their names.
         names: String,
-        /// The correction.
         #[help]
         help: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -47,11 +41,8 @@ pub enum StructureError {
         )
     )]
     OuterLink {
-        /// The drive.
         drive: String,
-        /// The pair.
         pair: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -64,13 +55,11 @@ pub enum StructureError {
         )
     )]
     FreeRoller {
-        /// The roller.
         name: String,
         /// The pair on which it turns.
         pair: String,
         /// The loads that would turn it.
         what: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -82,10 +71,8 @@ pub enum StructureError {
         formula: String,
         /// `but no drive is declared`, `but 1 drive is declared`.
         drives: String,
-        /// The correction.
         #[help]
         help: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -97,10 +84,8 @@ pub enum StructureError {
         formula: String,
         /// `but 2 drives are declared`.
         drives: String,
-        /// The correction.
         #[help]
         help: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -114,13 +99,11 @@ pub enum StructureError {
         )
     )]
     Immobile {
-        /// Their names.
         names: String,
         /// `does` or `do`.
         moves: &'static str,
         /// The pairs that hold them.
         pairs: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -132,12 +115,10 @@ pub enum StructureError {
         what: String,
         /// The others with their verb.
         others: String,
-        /// The reason.
         how: &'static str,
         /// The count and what to write.
         #[help]
         help: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -149,10 +130,8 @@ pub enum StructureError {
         formula: String,
         /// `and 2 drives are declared`.
         drives: String,
-        /// The correction.
         #[help]
         help: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -162,10 +141,8 @@ pub enum StructureError {
     Efforts {
         /// The reason, with the count in figures.
         why: String,
-        /// The correction.
         #[help]
         help: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -173,14 +150,11 @@ pub enum StructureError {
     #[error("`{name}` is not a structural group: {formula}, not 0")]
     #[diagnostic(code(mech::determinacy::not_a_group))]
     NotAGroup {
-        /// Its name.
         name: String,
         /// The count in figures.
         formula: String,
-        /// The correction.
         #[help]
         help: String,
-        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -188,12 +162,10 @@ pub enum StructureError {
     #[error("`{name}` satisfies the count of a group, but its links cannot be solved by themselves")]
     #[diagnostic(code(mech::determinacy::part_of_larger))]
     PartOfLarger {
-        /// Its name.
         name: String,
         /// The groups found that hold its links.
         #[help]
         help: String,
-        /// Its span.
         #[label("asserted here")]
         span: miette::SourceSpan,
     },
@@ -201,12 +173,9 @@ pub enum StructureError {
     #[error("`{name}` satisfies the count of a group, but consists of smaller groups")]
     #[diagnostic(code(mech::determinacy::contains_smaller), severity(warning))]
     ContainsSmaller {
-        /// Its name.
         name: String,
-        /// The groups found.
         #[help]
         help: String,
-        /// Its span.
         #[label("asserted here")]
         span: miette::SourceSpan,
     },

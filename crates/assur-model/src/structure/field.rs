@@ -10,11 +10,8 @@ const PRIME: u64 = (1 << 61) - 1;
 pub struct Number(pub u64);
 
 impl Number {
-    /// Zero.
     pub const ZERO: Self = Self(0);
-    /// One.
     pub const ONE: Self = Self(1);
-    /// Minus one.
     pub const MINUS_ONE: Self = Self(PRIME - 1);
 
     /// The random number of a seed, the same on every machine (the mixing steps of SplitMix64).

@@ -18,7 +18,6 @@ pub struct Group {
     pub efforts: Vec<usize>,
     /// Laws inside it; on the side of forces, those whose multipliers are found in it.
     pub laws: Vec<JointId>,
-    /// Its kind.
     pub kind: GroupKind,
     /// Class after Artobolevsky: I for a driven link, II for a dyad, III and higher for the rest.
     pub class: u8,
@@ -59,20 +58,15 @@ pub enum GroupKind {
 /// The five dyads, by outer, inner and outer pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dyad {
-    /// Three revolutes.
     Rrr,
-    /// Outer prismatic.
     Rrp,
-    /// Inner prismatic.
     Rpr,
-    /// Both outer prismatic.
     Prp,
     /// Inner and one outer prismatic.
     Rpp,
 }
 
 impl Dyad {
-    /// Its usual name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -5,7 +5,6 @@ use super::joint::{BodyId, JointId};
 /// A joint of a group, reduced to two bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GroupJoint {
-    /// The joint.
     pub joint: JointId,
     /// Its body in the group.
     pub body: BodyId,

@@ -8,7 +8,6 @@ use crate::model::{LinkId, Mechanism, PairId};
 pub struct BodyId(pub usize);
 
 impl BodyId {
-    /// The ground.
     pub const GROUND: Self = Self(0);
 }
 
@@ -41,18 +40,15 @@ pub enum BodyOrigin {
 pub struct Joint {
     /// The pair it belongs to.
     pub pair: PairId,
-    /// Its kind.
     pub kind: JointKind,
 }
 
-/// Kinds of joint.
 #[derive(Clone, Debug)]
 pub enum JointKind {
     /// Points (in the frames of their bodies, m) that coincide. Two members make one lower pair, k make k − 1.
     Revolute(Vec<(BodyId, Vec2)>),
     /// A body that slides along a line without turning against it.
     Prismatic {
-        /// The sliding body.
         slider: BodyId,
         /// Its point, in its frame, m.
         point: Vec2,
@@ -90,7 +86,6 @@ pub enum BodyRate {
 pub struct Replaced {
     /// Bodies, the links first and in their order.
     pub bodies: Vec<Body>,
-    /// Joints.
     pub joints: Vec<Joint>,
     /// Links whose rotation changes nothing: it is held at zero.
     pub passive: Vec<LinkId>,

@@ -10,7 +10,6 @@ use crate::model::{LinkId, Mechanism, PairId, PairKind};
 
 /// Changes tried of each sort.
 const MOST_TRIED: usize = 48;
-/// Alternatives named.
 const MOST_NAMED: usize = 12;
 
 /// A change after which the part is sound.

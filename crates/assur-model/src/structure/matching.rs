@@ -3,7 +3,6 @@
 /// A scalar condition (or, on the side of forces, a scalar unknown) and the freedoms it can take.
 #[derive(Clone, Debug)]
 pub struct Condition {
-    /// Nodes it touches.
     pub nodes: Vec<usize>,
 }
 

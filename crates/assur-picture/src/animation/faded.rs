@@ -8,9 +8,7 @@ const TOUCH: f64 = 0.05;
 
 /// A label that gives way to others.
 pub struct Faded {
-    /// Its index.
     pub label: usize,
-    /// In which frames.
     pub frames: Vec<bool>,
 }
 

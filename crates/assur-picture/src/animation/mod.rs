@@ -27,7 +27,6 @@ use assur_solve::solve::{Cause, DriveValue, Pose};
 use faded::Faded;
 use moved::{Moved, Mover};
 
-/// The most frames.
 const MOST: usize = 400;
 /// Room for labels around what moves, mm.
 const LABELS: f64 = 6.0;

@@ -18,7 +18,6 @@ const STILL: f64 = 1e-5;
 pub struct Body {
     /// About which they turn, in the first frame.
     pub centre: Vec2,
-    /// Whether they turn.
     pub turns: bool,
     /// Whether a turn would be seen: not of circles.
     pub directed: bool,
@@ -31,7 +30,6 @@ pub struct Body {
 pub struct Follower {
     /// The place in the first frame.
     pub at: Vec2,
-    /// The body.
     pub body: usize,
 }
 
@@ -75,7 +73,6 @@ impl Redrawn {
 /// What moves in a drawing.
 #[derive(Default)]
 pub struct Moved {
-    /// What moves together.
     pub bodies: Vec<Body>,
     /// What goes with them.
     pub followers: Vec<Follower>,

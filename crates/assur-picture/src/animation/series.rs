@@ -40,7 +40,6 @@ fn digits(out: &mut String, step: i64) {
 /// Series of many things, each text once.
 #[derive(Default)]
 pub struct Distinct {
-    /// The texts.
     pub texts: Vec<String>,
     known: std::collections::HashMap<String, usize>,
 }

@@ -72,7 +72,6 @@ fn transforms(body: &Body, every: usize) -> String {
     out
 }
 
-/// A shift.
 fn shifted(shifts: impl Iterator<Item = Vec2>) -> String {
     let mut values = String::new();
     for shift in shifts {

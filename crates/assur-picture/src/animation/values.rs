@@ -18,7 +18,6 @@ pub struct Column {
     pub name: String,
     /// What stands behind it: `°`, ` N·m`.
     pub unit: String,
-    /// Its decimals.
     pub decimals: u8,
     /// It in units of the last decimal; none where it has no value.
     pub numbers: Vec<Option<i64>>,

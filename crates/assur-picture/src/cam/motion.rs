@@ -16,7 +16,6 @@ const STAGES: f64 = 7.0;
 /// Points of a curve per part of the motion.
 const POINTS: u32 = 48;
 
-/// A panel's number.
 struct Shown {
     quantity: Quantity,
     /// What it is multiplied by: powers of the speed.

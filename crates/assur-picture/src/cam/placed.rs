@@ -7,7 +7,6 @@ use assur_model::model::{CamContact, PlateCam};
 
 /// A cam in its place.
 pub struct PlacedCam<'a> {
-    /// The cam.
     pub plate: &'a PlateCam,
     /// The contact in which it is.
     pub contact: Option<&'a CamContact>,
@@ -40,7 +39,6 @@ impl<'a> PlacedCam<'a> {
         Self { plate, contact: Some(contact), phi, at: cam.at(phi), centre, towards }
     }
 
-    /// Its geometry.
     pub const fn cam(&self) -> &'a Cam {
         &self.plate.cam
     }

@@ -16,7 +16,6 @@ use assur_model::model::LinkId;
 
 /// What symbols and labels take beside the cam, mm.
 const AROUND: Vec2 = Vec2::new(30.0, 26.0);
-/// Size of names.
 const NAMES: f64 = 4.2;
 /// How far the normal goes beyond contact and tip, mm.
 const NORMAL: (f64, f64) = (10.0, 20.0);

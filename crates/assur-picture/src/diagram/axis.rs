@@ -13,12 +13,9 @@ const DECIMALS: i32 = 4;
 /// The least number that is written with a power of ten.
 const LARGE: f64 = 1e5;
 
-/// An axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
-    /// Its least number.
     pub from: f64,
-    /// Its greatest.
     pub to: f64,
     /// From tick to tick.
     step: f64,

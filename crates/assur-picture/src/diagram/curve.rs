@@ -59,7 +59,6 @@ impl Curve {
         })
     }
 
-    /// Whether it changes.
     #[must_use]
     pub fn changes(&self) -> bool {
         let (least, greatest) = self.range();

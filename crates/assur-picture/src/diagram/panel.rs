@@ -37,7 +37,6 @@ impl Panel {
         Vec2::new(self.x.share(x) * self.size.x, self.top + (1.0 - up) * self.size.y)
     }
 
-    /// The lower edge.
     #[must_use]
     pub fn bottom(&self) -> f64 {
         self.top + self.size.y
@@ -86,7 +85,6 @@ impl Panel {
         }
     }
 
-    /// A filled dot.
     pub fn dot(&self, drawing: &mut Drawing, x: f64, y: f64) -> Vec2 {
         let at = self.at(x, y);
         drawing.mark(Style::Solid, Shape::Circle { centre: at, radius: 0.7 });

@@ -15,19 +15,15 @@ pub enum Acts {
     Load,
     /// The reaction of a pair, and whether a group before has found it.
     Reaction {
-        /// The pair.
         pair: PairId,
-        /// It is known.
         known: bool,
     },
-    /// An unknown effort.
     Effort,
 }
 
 /// A force on a part.
 #[derive(Clone, Debug)]
 pub struct Force {
-    /// Its name.
     pub name: Text,
     /// The link on which it acts.
     pub on: LinkId,
@@ -42,7 +38,6 @@ pub struct Force {
 /// A couple on a part.
 #[derive(Clone, Debug)]
 pub struct Couple {
-    /// Its name.
     pub name: Text,
     /// The link on which it acts.
     pub on: LinkId,
@@ -66,7 +61,6 @@ impl Acts {
 pub struct Acting {
     /// Forces, link by link.
     pub forces: Vec<Force>,
-    /// Couples.
     pub couples: Vec<Couple>,
     /// Couples of some pairs are not determined: their forces are where they balance.
     pub open: bool,

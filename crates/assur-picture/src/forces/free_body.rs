@@ -24,7 +24,6 @@ const COUPLE: (f64, f64) = (5.5, 1.75);
 const ONE_POINT: f64 = 1e-9;
 /// What arrows and names take, mm.
 const AROUND: Vec2 = Vec2::new(50.0, 44.0);
-/// Sizes of letters.
 const LETTERS: f64 = 4.0;
 const POINT: f64 = 4.4;
 /// Arms shorter than this are not drawn, mm; the most of them.

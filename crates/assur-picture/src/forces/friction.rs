@@ -30,7 +30,6 @@ const MAGNIFIED: f64 = 3.0;
 const TURN: (f64, f64) = (6.0, 1.0);
 /// What arrows and names take, mm.
 const AROUND: Vec2 = Vec2::new(40.0, 36.0);
-/// Sizes of letters.
 const LETTERS: f64 = 4.0;
 const POINT: f64 = 4.4;
 

@@ -19,7 +19,6 @@ use assur_model::model::{DriveTarget, LinkId, PairKind};
 const ARROW: (f64, f64) = (8.0, 12.0);
 /// What arrows and names take, mm.
 const AROUND: Vec2 = Vec2::new(60.0, 50.0);
-/// Sizes of letters.
 const POINT: f64 = 4.2;
 const LETTERS: f64 = 4.0;
 /// Images that are one, mm.

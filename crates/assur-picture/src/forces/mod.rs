@@ -23,7 +23,6 @@ use miette::Diagnostic;
 
 /// What is freed at once: a group, or one link of a group that is solved as a whole.
 pub struct Part {
-    /// Its links.
     pub links: Vec<LinkId>,
     /// The pair between the two links of a dyad.
     pub inner: Option<PairId>,

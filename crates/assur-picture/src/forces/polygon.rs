@@ -12,7 +12,6 @@ use assur_drawing::{Drawing, Label, Level, Rect, Scale, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::PairKind;
 
-/// Sizes of letters.
 const POINT: f64 = 3.8;
 const VECTOR: f64 = 4.0;
 /// Vectors shorter than this have no head.

@@ -17,7 +17,6 @@ const ARM: f64 = 0.2;
 
 /// A term of the sum of moments about the pole.
 pub struct Term {
-    /// Its name.
     pub name: Text,
     /// The power, W.
     pub power: f64,

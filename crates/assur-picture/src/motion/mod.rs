@@ -49,7 +49,6 @@ struct PlanOf {
     absolute: Vec<Vec2>,
     /// Other vectors that are drawn.
     parts: Vec<Part>,
-    /// The largest vector.
     largest: f64,
     /// Vectors too short to be drawn, with their values.
     short: Vec<Text>,

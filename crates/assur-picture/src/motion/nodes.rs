@@ -9,11 +9,9 @@ use assur_solve::solve::BodyState;
 /// A point of a link whose velocity and acceleration have an image.
 #[derive(Clone, Debug)]
 pub struct Node {
-    /// Its name.
     pub name: String,
     /// The number of the link, where several links have a point there.
     pub sub: Option<String>,
-    /// The link.
     pub link: LinkId,
     /// Its place, m.
     pub at: Vec2,
@@ -37,7 +35,6 @@ pub struct Sliding {
 /// The points of a plan.
 #[derive(Clone, Debug, Default)]
 pub struct Nodes {
-    /// The points.
     pub nodes: Vec<Node>,
     /// Sliding between moving links.
     pub sliding: Vec<Sliding>,
@@ -210,7 +207,6 @@ impl Node {
         if self.fixed { Vec2::zero() } else { acceleration(scene.body(self.link), self.at) }
     }
 
-    /// Its image.
     pub fn image(&self) -> Text {
         super::small(&self.name, self.sub.as_deref())
     }
@@ -227,7 +223,6 @@ pub fn velocity(body: &BodyState, at: Vec2) -> Vec2 {
     body.v + (at - body.p).perp() * body.omega
 }
 
-/// Its acceleration.
 pub fn acceleration(body: &BodyState, at: Vec2) -> Vec2 {
     let r = at - body.p;
     body.a + r.perp() * body.alpha - r * (body.omega * body.omega)

@@ -11,7 +11,6 @@ use assur_model::model::Display;
 pub struct Dimension {
     /// The name of its value.
     pub name: String,
-    /// The link.
     pub link: LinkId,
     /// What is measured, in the link's axes.
     pub of: Measured,
@@ -24,23 +23,18 @@ pub struct Dimension {
 pub enum Measured {
     /// From point to point along a direction.
     Length {
-        /// The first.
         from: Vec2,
-        /// The second.
         to: Vec2,
         /// The direction, of unit length.
         along: Vec2,
     },
-    /// A radius.
     Radius {
-        /// The centre.
         centre: Vec2,
         /// The radius, m.
         radius: f64,
     },
 }
 
-/// Size of names.
 const NAME: f64 = 3.8;
 /// The nearest dimension line to what it measures, from line to line, and how many there are.
 const NEAREST: f64 = 7.5;

@@ -17,7 +17,6 @@ const COUPLE: (f64, f64) = (6.0, 1.75);
 const DRIVE: (f64, f64) = (8.7, 1.1);
 /// Radius of the arc of an angle, and of the line from which it is measured.
 const ANGLE: (f64, f64) = (10.0, 13.0);
-/// Sizes of letters.
 const LETTERS: f64 = 4.2;
 const SMALL: f64 = 3.8;
 /// Arrows from one point are at least as far apart, mm.

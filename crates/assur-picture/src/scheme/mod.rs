@@ -35,14 +35,12 @@ pub enum Loads {
     All,
     /// Not the unknown efforts.
     Given,
-    /// None.
     None,
 }
 
 /// What a scheme shows, and how large.
 #[derive(Clone, Debug)]
 pub struct Scheme {
-    /// Loads.
     pub loads: Loads,
     /// The most that the mechanism takes, mm.
     pub size: Vec2,
@@ -236,7 +234,6 @@ struct Sketch<'a, 's> {
     labelled: Vec<Vec2>,
     /// Hinges on the ground.
     supports: Vec<Vec2>,
-    /// Rods of followers.
     rods: Vec<(LinkId, Vec2, Vec2)>,
     /// Whether loads and efforts have their numbers.
     numbers: bool,

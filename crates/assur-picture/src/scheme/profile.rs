@@ -69,7 +69,6 @@ impl Freed<'_> {
         geneva::extent(scene, |link| self.0.contains(&link), bounds);
     }
 
-    /// Draws them.
     pub fn draw(&self, scene: &Scene<'_>, shapes: &[LinkShape], frame: &Frame, drawing: &mut Drawing) {
         let sketch = Sketch::new(scene, shapes, frame);
         sketch.genevas(|link| self.0.contains(&link), drawing);

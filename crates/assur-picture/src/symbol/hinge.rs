@@ -14,7 +14,6 @@ const BASE: f64 = 9.4;
 /// From line to line of hatching, and how far each goes down.
 const HATCH: (f64, f64) = (1.6, 1.56);
 
-/// A hinge.
 pub fn moving(drawing: &mut Drawing, at: Vec2) {
     drawing.mark(Style::Hinge, Shape::Circle { centre: at, radius: RADIUS });
 }

@@ -17,7 +17,6 @@ pub fn centre(drawing: &mut Drawing, at: Vec2) {
     }
 }
 
-/// A point.
 pub fn point(drawing: &mut Drawing, at: Vec2) {
     drawing.mark(Style::Solid, Shape::Circle { centre: at, radius: POINT });
 }

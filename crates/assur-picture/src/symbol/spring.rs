@@ -5,7 +5,6 @@ use assur_math::math::Vec2;
 
 /// Teeth of the zigzag; the length of the spring does not change their number.
 const TEETH: usize = 7;
-/// Half its width.
 const HALF: f64 = 2.5;
 /// Straight parts at both ends, as a part of the length, and at most, mm.
 const ENDS: (f64, f64) = (0.2, 8.0);

@@ -18,7 +18,6 @@ const MOST: usize = 10;
 const BEYOND: f64 = 4.0;
 /// How far wheels that mesh may be from touching.
 const TOUCH: f64 = 0.05;
-/// Sizes of letters.
 const NAME: f64 = 3.6;
 const LETTERS: f64 = 4.0;
 

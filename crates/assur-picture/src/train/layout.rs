@@ -18,10 +18,8 @@ const BEHIND: f64 = 12.5;
 /// Between two wheels of a belt, and between shafts that nothing joins.
 const GAP: f64 = 16.0;
 
-/// A shaft.
 #[derive(Clone, Debug)]
 pub struct Shaft {
-    /// Its link.
     pub link: LinkId,
     /// The link on which it turns.
     pub on: LinkId,
@@ -40,7 +38,6 @@ pub struct Drawn {
     pub wheel: usize,
     /// Its radius, mm.
     pub radius: f64,
-    /// Its column.
     pub x: f64,
     /// Height of its axis.
     pub level: f64,
@@ -48,12 +45,9 @@ pub struct Drawn {
     pub ring_at: Option<f64>,
 }
 
-/// All places.
 #[derive(Clone, Debug, Default)]
 pub struct Layout {
-    /// Shafts.
     pub shafts: Vec<Shaft>,
-    /// Wheels.
     pub wheels: Vec<Drawn>,
     /// Sliders with the middle of their blocks, on paper.
     pub sliders: Vec<(LinkId, Vec2)>,

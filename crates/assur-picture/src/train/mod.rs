@@ -16,7 +16,6 @@ use assur_model::model::{BalanceKind, DriveTarget, LinkId, LoadId, LoadKind, Pai
 use layout::{Layout, Shaft};
 use std::f64::consts::FRAC_PI_2;
 
-/// Sizes of letters.
 const NAME: f64 = 3.8;
 const LETTERS: f64 = 4.2;
 /// Half the length of a bearing, and its distance from the shaft.
@@ -127,7 +126,6 @@ fn bearing(drawing: &mut Drawing, at: Vec2) {
     }
 }
 
-/// Sliders as blocks.
 fn sliders(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
     for (link, at) in &layout.sliders {
         drawing.begin("link", &scene.mechanism().link(*link).name);

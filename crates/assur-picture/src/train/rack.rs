@@ -12,9 +12,7 @@ const GAP: f64 = 1.1;
 
 /// A rack with its wheel.
 pub struct Rack<'l> {
-    /// Its transmission.
     pub pair: &'l Transmission,
-    /// The wheel.
     pub wheel: &'l Drawn,
     /// The link of the rack.
     pub link: LinkId,

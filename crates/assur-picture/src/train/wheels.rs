@@ -15,7 +15,6 @@ const GAP: f64 = 0.55;
 /// How far a ring goes beyond its teeth, and beside them.
 const RING: Vec2 = Vec2::new(8.0, 4.5);
 
-/// All wheels.
 pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
     for drawn in &layout.wheels {
         let wheel = &scene.mechanism().wheels[drawn.wheel];

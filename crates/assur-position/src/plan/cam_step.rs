@@ -6,7 +6,6 @@ use crate::model::CamContact;
 /// A designed cam with its follower, one of which moves the other, with the imaginary block that stands for the contact.
 #[derive(Clone, Debug)]
 pub struct CamStep {
-    /// The cam.
     pub cam: Cam,
     /// Where it touches which follower.
     pub contact: CamContact,

@@ -24,7 +24,6 @@ pub struct Checks {
 /// What a joint joins: slots of bodies, places in their frames, m.
 #[derive(Clone, Debug)]
 pub enum JointCheck {
-    /// Points that coincide.
     Hinge(Vec<(usize, Vec2)>),
     /// A body on a line.
     Guide {
@@ -48,7 +47,6 @@ pub struct ReactionCheck {
     pub at: (usize, Vec2),
     /// The body it acts on.
     pub body: usize,
-    /// The other body.
     pub base: usize,
     /// The point of the other body, where that is one of given motion and the joint a hinge.
     pub driven: Option<Vec2>,

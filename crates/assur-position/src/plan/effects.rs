@@ -13,13 +13,9 @@ pub struct Effects {
     pub timed: bool,
     /// The motion follows from the loads: they are summed up at every position, whether forces are asked for or not.
     pub simulated: bool,
-    /// Reactions and efforts.
     pub forces: bool,
-    /// Inertia forces.
     pub inertia: bool,
-    /// Weights.
     pub gravity: bool,
-    /// Springs.
     pub springs: bool,
     /// Friction in the pairs.
     pub friction: bool,

@@ -11,15 +11,9 @@ use crate::math::Vec2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EffortLine {
     /// A torque on `body`, with the opposite on `base` (the ground where it comes from outside).
-    Torque {
-        /// The body.
-        body: usize,
-        /// The other body.
-        base: usize,
-    },
+    Torque { body: usize, base: usize },
     /// A force on `body` along a line, in ground axes.
     Force {
-        /// The body.
         body: usize,
         /// Slot of the effort's line, set before the forces are solved.
         line: usize,
@@ -34,25 +28,20 @@ pub enum EffortLine {
 pub enum ForceStep {
     /// One body on a revolute with one unknown effort.
     Turn {
-        /// The revolute.
         hinge: Hinge,
-        /// The effort.
         effort: EffortLine,
         /// Slot of the effort, and the sign with which it acts on the body.
         value: (usize, f64),
     },
     /// One body on a guide with one unknown effort.
     Shift {
-        /// The guide.
         guide: Guide,
-        /// The effort.
         effort: EffortLine,
         /// Slot of the effort, and the sign with which it acts on the body.
         value: (usize, f64),
     },
     /// Dyad RRR: outer, inner (force on the second link), outer.
     Rrr {
-        /// Outer revolutes.
         outer: [Hinge; 2],
         /// The inner revolute in the frames of the links, and its slot; the sign turns the force on the second link
         /// into that kept.
@@ -60,11 +49,9 @@ pub enum ForceStep {
         /// The step of motion of the same group.
         motion: Option<usize>,
     },
-    /// Dyad RRP.
     Rrp {
         /// Outer revolute of the link.
         outer: Hinge,
-        /// Inner revolute.
         inner: Inner,
         /// Guide of the slider.
         guide: Guide,
@@ -82,32 +69,23 @@ pub enum ForceStep {
         /// The driven joint of each link with its effort, if it has one.
         driven: [Option<DrivenPart>; 2],
     },
-    /// Dyad RPR.
     Rpr {
-        /// Outer revolutes.
         outer: [Hinge; 2],
-        /// The inner guide.
         guide: Guide,
     },
-    /// Dyad PRP.
     Prp {
-        /// The guides.
         ways: [Guide; 2],
-        /// The inner revolute.
         inner: Inner,
     },
-    /// Dyad RPP.
     Rpp {
         /// Outer revolute of the first body.
         outer: Hinge,
-        /// The inner guide.
         inner: Guide,
         /// Guide of the second body.
         guide: Guide,
     },
     /// A body between two guides; the couples are not determined.
     Translation {
-        /// The guides.
         ways: [Guide; 2],
     },
     /// Bodies held by laws between their rates.
@@ -138,7 +116,6 @@ pub enum ForceStep {
 pub struct DrivenPart {
     /// The joint, counted on the far half.
     pub joint: OuterJoint,
-    /// The effort.
     pub effort: EffortLine,
     /// Slot of the effort, and the sign with which it acts on the far half.
     pub value: (usize, f64),

@@ -6,7 +6,6 @@ use crate::model::{PairId, ProfileShape};
 /// Friction in one joint: an effort that opposes the relative motion, in proportion to the reaction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionElement {
-    /// The pair.
     pub pair: PairId,
     /// Slot of the body the effort is counted on.
     pub body: usize,
@@ -17,14 +16,12 @@ pub struct FrictionElement {
     pub through: usize,
     /// Slot of the reaction.
     pub slot: usize,
-    /// The law.
     pub kind: FrictionLaw,
     /// Hinge of several links that its own link does not carry: the force on `body` is the sum of these reactions, a range
     /// of [`super::Plan::pin_slots`], instead of the one in `slot`.
     pub pin: Option<(usize, usize)>,
 }
 
-/// Laws of friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrictionLaw {
     /// A torque ρ |f| about a hinge.
@@ -33,24 +30,16 @@ pub enum FrictionLaw {
         radius: f64,
     },
     /// A force f |N| along a guide.
-    Guide {
-        /// Equivalent coefficient.
-        coefficient: f64,
-        /// The guide.
-        guide: Guide,
-    },
+    Guide { coefficient: f64, guide: Guide },
     /// A force f (|N_1| + |N_2|) along a guide with two contact points.
     BothEnds {
-        /// Coefficient.
         coefficient: f64,
-        /// The guide.
         guide: Guide,
         /// Coordinates of the contact points relative to the pair's point, m.
         contacts: [f64; 2],
     },
     /// A force f |N| along the tangent of a contact, or along a slot. `slot` holds the normal force.
     Contact {
-        /// Coefficient.
         coefficient: f64,
         /// The profile on `body`.
         first: ProfileShape,

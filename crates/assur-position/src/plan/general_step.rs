@@ -62,7 +62,6 @@ pub enum UnknownForce {
     Hinge {
         /// Slot of the reaction.
         slot: usize,
-        /// The hinge.
         hinge: Hinge,
     },
     /// The couple of a prismatic joint on its slider.
@@ -73,16 +72,13 @@ pub enum UnknownForce {
     Torque {
         /// Slot of the effort.
         effort: usize,
-        /// The body.
         body: usize,
-        /// The other body.
         base: usize,
     },
     /// A force on the slider of a prismatic joint along its line.
     Along {
         /// Slot of the effort.
         effort: usize,
-        /// The joint.
         guide: Guide,
     },
     /// A force on a body along the line of an effort: its slot.

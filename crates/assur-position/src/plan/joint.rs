@@ -36,8 +36,6 @@ pub struct Guide {
 /// The second outer joint of a dyad on the side of forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OuterJoint {
-    /// A revolute.
     Hinge(Hinge),
-    /// A guide.
     Guide(Guide),
 }

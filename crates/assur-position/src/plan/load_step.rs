@@ -22,12 +22,10 @@ pub enum LoadStep {
         weight: Vec2,
         /// Weight over mass, m/s².
         gravity: Vec2,
-        /// With inertia forces.
         inertia: bool,
     },
     /// A force that does not change, at a point of a body.
     Force {
-        /// The load.
         load: LoadId,
         /// Slot of the body.
         body: usize,
@@ -40,7 +38,6 @@ pub enum LoadStep {
     },
     /// A torque that does not change.
     Torque {
-        /// The load.
         load: LoadId,
         /// Slot of the body.
         body: usize,
@@ -51,7 +48,6 @@ pub enum LoadStep {
     Evaluated(LoadId),
     /// A spring with a damper beside it.
     Spring {
-        /// The spring.
         spring: SpringId,
         /// Its ends: slots of bodies and points in their frames, m.
         ends: [Anchor; 2],

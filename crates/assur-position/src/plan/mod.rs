@@ -62,7 +62,6 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
     plan_with(mechanism, structure, Effects::of(mechanism))
 }
 
-/// Plans these effects.
 #[must_use]
 pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects) -> Plan {
     let mut plan = Plan {

@@ -20,15 +20,12 @@ use crate::structure::GroupJoint;
 pub struct Plan {
     /// Number of bodies, imaginary ones among them.
     pub bodies: usize,
-    /// Number of drives.
     pub drives: usize,
     /// Bodies driven at a point: slot, the point in the body's frame (m), slot of the drive.
     pub outer: Vec<(usize, Vec2, usize)>,
-    /// Steps of motion.
     pub motion: Vec<MotionStep>,
     /// Designed cams with their followers.
     pub cams: Vec<CamStep>,
-    /// Geneva wheels.
     pub genevas: Vec<GenevaStep>,
     /// Number of contacts of designed cams.
     pub cam_contacts: usize,
@@ -50,7 +47,6 @@ pub struct Plan {
     pub loads: Vec<LoadStep>,
     /// Lines of unknown forces.
     pub lines: Vec<ForceLine>,
-    /// Steps of forces.
     pub forces: Vec<ForceStep>,
     /// Systems of the general steps of forces.
     pub balance_systems: Vec<BalanceSystem>,
@@ -68,9 +64,7 @@ pub struct Plan {
     pub efforts: usize,
     /// The equations by which positions are checked.
     pub checks: Checks,
-    /// The computed quantity.
     pub effects: Effects,
-    /// How accurately.
     pub settings: Settings,
     /// See [`Plan::is_batchable`].
     pub closed: bool,

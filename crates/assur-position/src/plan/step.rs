@@ -11,7 +11,6 @@ pub type Arm = Option<Vec2>;
 /// A point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Anchor {
-    /// The body's slot.
     pub body: usize,
     /// The point in the body's frame, m.
     pub at: Vec2,
@@ -101,7 +100,6 @@ pub struct DrivenLeg {
     /// From the outer revolute to the inner one, in the body's frame, m; of a leg with a driven joint the part that does
     /// not change.
     pub arm: ExactVec,
-    /// The driven joint.
     pub joint: Option<DrivenJoint>,
 }
 
@@ -110,7 +108,6 @@ pub struct DrivenLeg {
 pub enum DrivenJoint {
     /// A guide on the first body.
     Shift {
-        /// The guide.
         slide: Slide,
         /// Slot of the drive.
         drive: usize,
@@ -137,7 +134,6 @@ pub enum DrivenJoint {
 pub enum MotionStep {
     /// A body on a revolute at a driven angle.
     Turn {
-        /// Group.
         branch: usize,
         /// Slot of the body.
         body: usize,
@@ -154,27 +150,19 @@ pub enum MotionStep {
     },
     /// A body on a guide at a driven coordinate.
     Shift {
-        /// Group.
         branch: usize,
-        /// The guide.
         slide: Slide,
         /// Slot of the drive.
         drive: usize,
     },
-    /// Dyad RRR.
     Rrr {
-        /// Group.
         branch: usize,
-        /// The two links.
         legs: [Leg; 2],
-        /// Their lengths.
         sides: Sides<f64>,
     },
     /// Dyad RRP: the slider carries the inner revolute.
     Rrp {
-        /// Group.
         branch: usize,
-        /// The link.
         leg: Leg,
         /// The guide of the slider.
         slide: Slide,
@@ -185,16 +173,12 @@ pub enum MotionStep {
     },
     /// Dyad RRR with driven joints inside its links.
     DrivenRrr {
-        /// Group.
         branch: usize,
-        /// The two links.
         legs: [DrivenLeg; 2],
     },
     /// Dyad RRP with a driven joint inside its link.
     DrivenRrp {
-        /// Group.
         branch: usize,
-        /// The link.
         leg: DrivenLeg,
         /// The guide of the slider.
         slide: Slide,
@@ -205,7 +189,6 @@ pub enum MotionStep {
     },
     /// Dyad RPR: the first body carries the line.
     Rpr {
-        /// Group.
         branch: usize,
         /// The outer revolutes on their bases.
         bases: [Anchor; 2],
@@ -218,11 +201,8 @@ pub enum MotionStep {
         /// The second outer revolute from the sliding point, in the axes of the line, m.
         from_point: ExactVec,
     },
-    /// Dyad PRP.
     Prp {
-        /// Group.
         branch: usize,
-        /// The guides.
         slides: [Slide; 2],
         /// The inner revolute in the frames of the sliders.
         pins: [Arm; 2],
@@ -231,7 +211,6 @@ pub enum MotionStep {
     },
     /// Dyad RPP: the first body is hung by a revolute and slides along a line of the second, which slides on a base.
     Rpp {
-        /// Group.
         branch: usize,
         /// The outer revolute on its base.
         base: Anchor,
@@ -239,54 +218,43 @@ pub enum MotionStep {
         pin: Arm,
         /// The inner guide, on the second body.
         inner: Slide,
-        /// The outer guide.
         outer: Slide,
     },
     /// A body between two guides that fix its angle alike.
     Translation {
-        /// Group.
         branch: usize,
-        /// The guides.
         slides: [Slide; 2],
     },
     /// Bodies moved by laws between their rates.
     Train {
-        /// Group.
         branch: usize,
         /// Index into [`super::Plan::trains`].
         train: usize,
     },
     /// A link on three legs.
     Triad {
-        /// Group.
         branch: usize,
-        /// Its links.
         triad: Box<TriadMotion>,
     },
     /// The follower of a designed cam.
     Cam {
-        /// Group.
         branch: usize,
         /// Index into [`super::Plan::cams`].
         cam: usize,
     },
     /// A designed cam that its follower turns.
     CamTurned {
-        /// Group.
         branch: usize,
         /// Index into [`super::Plan::cams`].
         cam: usize,
     },
-    /// A Geneva wheel.
     Geneva {
-        /// Group.
         branch: usize,
         /// Index into [`super::Plan::genevas`].
         geneva: usize,
     },
     /// Anything else, by Newton's method.
     General {
-        /// Group.
         branch: usize,
         /// Index into [`super::Plan::general`].
         problem: usize,

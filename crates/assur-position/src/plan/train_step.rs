@@ -20,7 +20,6 @@ pub struct TrainMotion {
 /// A body of a train.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TrainMember {
-    /// On a revolute.
     Turn {
         /// Slot of the body.
         body: usize,
@@ -29,7 +28,6 @@ pub enum TrainMember {
         /// The revolute in the body's frame.
         pin: Arm,
     },
-    /// On a guide.
     Shift(Slide),
 }
 
@@ -40,12 +38,10 @@ pub enum TrainSource {
     Turn {
         /// Slot of the body.
         body: usize,
-        /// By its direction.
         followed: bool,
     },
     /// The coordinate of a guide.
     Slide(Slide),
-    /// A drive.
     Drive(usize),
     /// A coordinate that does not change: the constants of the laws.
     Constant,
@@ -54,7 +50,6 @@ pub enum TrainSource {
 /// A law as the forces see it.
 #[derive(Clone, Debug)]
 pub struct PlannedLaw {
-    /// The transmission.
     pub pair: PairId,
     /// Its place among the laws of the transmission.
     pub index: usize,

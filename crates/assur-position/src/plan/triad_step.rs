@@ -8,13 +8,11 @@ use crate::math::Vec2;
 /// The motion of a triad.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriadMotion {
-    /// Its legs.
     pub legs: [TriadLeg; 3],
     /// Slot of the link they carry.
     pub body: usize,
     /// The mean of its pins, in its frame, m.
     pub mean: Vec2,
-    /// Its pins.
     pub plate: Plate,
 }
 
@@ -25,7 +23,6 @@ pub enum TriadLeg {
     Link(Leg),
     /// A slider on a guide.
     Slider {
-        /// The guide.
         slide: Slide,
         /// The inner revolute in the slider's frame, m.
         pin: Arm,
@@ -37,7 +34,6 @@ pub enum TriadLeg {
 /// The forces of a link on three legs, each a link between two joints of which at most one is a guide.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriadForces {
-    /// Its legs.
     pub legs: [TriadForceLeg; 3],
     /// Slot of the link they carry.
     pub body: usize,
@@ -57,7 +53,6 @@ pub struct TriadForceLeg {
 /// What joins a leg to the link it helps to carry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TriadHold {
-    /// A revolute.
     Pin {
         /// In the frame of the leg.
         leg: Arm,
@@ -72,6 +67,5 @@ pub enum TriadHold {
         /// 1 / distance of the two, 1/m.
         inverse: f64,
     },
-    /// A guide.
     Guide(Guide),
 }

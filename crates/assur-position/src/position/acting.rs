@@ -59,7 +59,6 @@ impl<S: Scalar> Act<S> {
 }
 
 impl<S: Scalar> State<S> {
-    /// All reactions.
     #[cfg_attr(in_one, inline(always))]
     pub(super) fn reactions_act(&self, checks: &Checks, mut act: impl FnMut(Act<S>)) {
         for (slot, reaction) in checks.reactions.iter().enumerate() {
@@ -71,7 +70,6 @@ impl<S: Scalar> State<S> {
         }
     }
 
-    /// All unknown efforts.
     #[cfg_attr(in_one, inline(always))]
     pub(super) fn efforts_act(&self, checks: &Checks, mut act: impl FnMut(Act<S>)) {
         for (slot, effort) in &checks.efforts {

@@ -163,7 +163,6 @@ impl<S: Scalar> Sums<S> {
         Self { total, most_force, most_moment }
     }
 
-    /// The list.
     #[inline(always)]
     pub fn into_memory(self) -> Vec<Wrench<S>> {
         self.total

@@ -56,13 +56,11 @@ impl DriveColumns {
         }
     }
 
-    /// Number of positions.
     #[must_use]
     pub fn len(&self) -> usize {
         self.positions
     }
 
-    /// There are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.positions == 0

@@ -8,12 +8,10 @@ pub enum Consistent {
     One,
     /// Several, one of which is reported.
     Several {
-        /// How many.
         count: usize,
         /// The one reported is reached continuously from that without friction and losses.
         followed: bool,
     },
-    /// None.
     None,
     /// The search was given up.
     Undecided,

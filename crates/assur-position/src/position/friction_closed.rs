@@ -54,7 +54,6 @@ struct Dyad {
 enum Sense {
     /// As without friction: a force beyond infinity comes back reversed.
     Kept,
-    /// As at present.
     Present,
     /// As at present, with the guide pressing on one side.
     OneSide(f64),
@@ -66,7 +65,6 @@ enum Found {
     Motion(Vec2),
     /// All forces have passed infinity.
     Locked,
-    /// Neither.
     Nothing,
 }
 

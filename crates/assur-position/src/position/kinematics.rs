@@ -16,7 +16,6 @@ pub struct DriveInput<S = f64> {
     pub value: S,
     /// Speed, rad/s or m/s.
     pub rate: S,
-    /// Acceleration.
     pub acceleration: S,
     /// Velocity of a driven point, m/s.
     pub velocity: V2<S>,
@@ -38,7 +37,6 @@ pub(super) struct Shared<S> {
 /// How the bodies move at one position, or at several side by side.
 #[derive(Clone, Debug, Default)]
 pub struct Motion<S = f64> {
-    /// Drives.
     pub inputs: Vec<DriveInput<S>>,
     /// Bodies, the ground first.
     pub bodies: Vec<BodyState<S>>,
@@ -68,7 +66,6 @@ pub struct Motion<S = f64> {
 }
 
 impl<S: Scalar + Default> Motion<S> {
-    /// All at rest.
     pub(super) fn at_rest(plan: &Plan) -> Self {
         let groups = plan.motion.len();
         let mut bodies = vec![BodyState::rest(); plan.bodies];

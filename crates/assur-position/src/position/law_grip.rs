@@ -20,7 +20,6 @@ impl State {
         self.site_rate(&law.terms[0].0) - carrier
     }
 
-    /// Its acceleration.
     #[must_use]
     pub fn law_acceleration(&self, law: &PlannedLaw) -> f64 {
         let carrier = law.terms.get(2).map_or(0.0, |term| self.site_acceleration(&term.0));

@@ -7,11 +7,8 @@ use crate::structure::{JointKind, Structure};
 /// A compiled mechanism: what every position is solved from.
 #[derive(Clone, Copy, Debug)]
 pub struct Model<'a> {
-    /// The mechanism.
     pub mechanism: &'a Mechanism,
-    /// Its structure.
     pub structure: &'a Structure,
-    /// Its plan.
     pub plan: &'a Plan,
 }
 

@@ -25,7 +25,6 @@ impl pulp::NullaryFnOnce for Closed<'_, f64> {
     }
 }
 
-/// One position.
 pub(super) fn run_one(plan: &Plan, state: &mut State) {
     let one = One { plan, state };
     #[cfg(target_arch = "x86_64")]

@@ -24,7 +24,6 @@ const SAME_PLACE: f64 = 1e-9;
 pub(super) struct Column {
     /// Of the body's origin.
     pub v: Vec2,
-    /// Of its rotation.
     pub omega: f64,
 }
 
@@ -41,7 +40,6 @@ pub struct Reduced {
     inputs: Vec<DriveInput>,
     /// M, by rows.
     mass: Vec<f64>,
-    /// Its factors.
     factors: Lu,
     /// The masses and the loads that are numbers.
     known: Loads,

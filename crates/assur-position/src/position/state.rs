@@ -23,7 +23,6 @@ pub struct Branch {
 }
 
 impl Branch {
-    /// The first assembly.
     pub const FIRST: Self = Self { root: 1.0, sides: [1.0, 1.0], general_sides: 0 };
 }
 
@@ -34,7 +33,6 @@ pub struct State<S = f64> {
     pub branches: Vec<Branch>,
     /// How the bodies move.
     pub motion: Motion<S>,
-    /// The forces.
     pub forces: Forces<S>,
     /// Memory for the steps that have no closed form.
     pub scratch: Scratch,

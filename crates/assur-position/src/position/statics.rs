@@ -12,9 +12,7 @@ pub struct Forces<S = f64> {
     pub applied: Vec<Wrench<S>>,
     /// Loads, to which the steps of forces add the reactions found so far.
     pub wrenches: Vec<Wrench<S>>,
-    /// Reactions by slot.
     pub reactions: Vec<Reaction<S>>,
-    /// Unknown efforts.
     pub efforts: Vec<S>,
     /// Lines of unknown forces: point and unit direction in ground axes.
     pub lines: Vec<(V2<S>, V2<S>)>,
@@ -33,7 +31,6 @@ pub struct Forces<S = f64> {
 }
 
 impl<S: Scalar + Default> Forces<S> {
-    /// None yet.
     pub(super) fn none(plan: &Plan) -> Self {
         Self {
             applied: vec![Wrench::default(); plan.bodies],

@@ -30,7 +30,6 @@ pub struct Checked {
     pub closure: Wide,
     /// The same; nothing where it is not known.
     pub equilibrium: Wide,
-    /// The same.
     pub power: Wide,
     /// The least condition figure of all groups.
     pub condition: Wide,

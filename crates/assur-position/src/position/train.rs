@@ -104,7 +104,6 @@ impl State {
         }
     }
 
-    /// Its derivative.
     pub(super) fn site_acceleration(&self, site: &LawSite) -> f64 {
         match site {
             LawSite::Turn(body) => self.motion.bodies[*body].alpha,

@@ -66,7 +66,6 @@ impl State {
         Consistent::One
     }
 
-    /// All consistent directions.
     #[cold]
     #[inline(never)]
     fn search_losses(&mut self, plan: &Plan, train: &TrainForces, work: &mut TrainWork) -> Consistent {

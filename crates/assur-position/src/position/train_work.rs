@@ -6,13 +6,11 @@ use crate::plan::TrainForces;
 /// Memory of a train group of forces.
 #[derive(Clone, Debug, Default)]
 pub struct TrainWork {
-    /// The system.
     pub(super) system: Lu,
     /// Loads on the members' coordinates.
     pub(super) loads: Vec<f64>,
     /// Forces that members get from those that stand on them.
     pub(super) carried: Vec<(Vec2, f64)>,
-    /// The unknowns.
     pub(super) found: Vec<f64>,
     /// Unknowns with directions of the power that are tried.
     pub(super) trial: Vec<f64>,

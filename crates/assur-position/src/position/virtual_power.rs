@@ -29,7 +29,6 @@ struct Heavy {
     moment_of_inertia: f64,
     /// N.
     weight: Vec2,
-    /// With inertia forces.
     moves: bool,
     /// The origin rests, and there is no weight.
     turns: bool,

@@ -32,7 +32,6 @@ pub enum DriveValue {
     Scalar(f64),
     /// Place of a driven point, m.
     Point(Vec2),
-    /// Rates only.
     None,
 }
 

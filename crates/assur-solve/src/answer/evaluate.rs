@@ -104,7 +104,6 @@ impl PoseAnswers<'_> {
     }
 }
 
-/// Two operands.
 pub(super) fn binary(op: BinaryOp, a: Value, b: Value) -> Value {
     use BinaryOp::{Add, Div, Mul, Sub};
     use Value::{Scalar, Vector};
@@ -135,7 +134,6 @@ fn power(base: f64, exponent: f64) -> f64 {
     if exponent == 2.0 { base * base } else { known(libm::pow)(base, exponent) }
 }
 
-/// A comparison.
 #[must_use]
 pub fn compare(how: Comparison, a: f64, b: f64) -> bool {
     match how {

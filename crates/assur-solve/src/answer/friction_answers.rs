@@ -10,11 +10,9 @@ const NOTHING: f64 = 1e-13;
 /// Friction between two links at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairFriction {
-    /// The pair.
     pub pair: PairId,
     /// The link on which the effort acts.
     pub on: LinkId,
-    /// The other link.
     pub from: LinkId,
     /// It turns: speed in rad/s, effort in N m; otherwise m/s and N.
     pub turns: bool,

@@ -7,7 +7,6 @@ use std::sync::Arc;
 /// A curve, and the argument at which it has no value.
 #[derive(Clone, Debug)]
 pub struct LeftCurve {
-    /// The curve.
     pub curve: Arc<Curve>,
     /// The argument, SI.
     pub argument: f64,

@@ -10,7 +10,6 @@ const PARTS: u32 = 32;
 /// Halvings between two of them.
 const HALVINGS: usize = 45;
 
-/// A locked position.
 pub(crate) struct Locked<'a> {
     pub model: &'a Model<'a>,
     /// The position with its loads and senses.

@@ -13,7 +13,6 @@ pub enum Shown {
     Drive(usize),
     /// An item of `find` that is a value.
     Find(usize),
-    /// An unknown effort.
     Effort(usize),
     /// The force on a link in a pair.
     Force(JointReaction),
@@ -23,7 +22,6 @@ pub enum Shown {
     Known(Option<Value>),
 }
 
-/// Columns of numbers.
 #[derive(Clone, Debug, Default)]
 pub struct NumberColumns(Vec<Column>);
 

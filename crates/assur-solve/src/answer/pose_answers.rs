@@ -14,13 +14,9 @@ use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 /// One position, seen from the language. Angles are those followed over the sweep.
 #[derive(Clone, Copy)]
 pub struct PoseAnswers<'a> {
-    /// The mechanism.
     pub mechanism: &'a Mechanism,
-    /// Its structure.
     pub structure: &'a Structure,
-    /// Its plan.
     pub plan: &'a Plan,
-    /// The position.
     pub state: &'a State,
     /// Angles of the bodies by slot, continuous, rad; after them the whole turns of each pair, as `first_angles` gives them.
     pub angles: &'a [f64],
@@ -30,7 +26,6 @@ pub struct PoseAnswers<'a> {
     pub quantities: &'a [Value],
     /// The same position without friction and its quantities, where the file declares any.
     pub frictionless: Option<(&'a State, &'a [Value])>,
-    /// Asked without friction.
     pub ideal: bool,
     /// Parts of expressions that are taken on one side of their corners.
     pub switches: &'a [Switch<'a>],

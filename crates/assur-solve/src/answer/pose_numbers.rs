@@ -35,7 +35,6 @@ pub enum Source {
     Crossing(PairId, LinkId, Guide),
     /// The forces at the two contact points of a guide, each after its place.
     Contacts(PairId, Guide),
-    /// An unknown effort.
     Effort(usize),
     /// An item of `find`.
     Find(usize),
@@ -43,7 +42,6 @@ pub enum Source {
     Equilibrium,
     /// The residual of the powers.
     Power,
-    /// The condition figure.
     Condition,
 }
 
@@ -55,9 +53,7 @@ pub(super) const NO_FORCE: f64 = 1e-12;
 pub struct Beside<'a> {
     /// The values of the drives.
     pub drives: &'a [DriveValue],
-    /// Its residuals.
     pub residuals: &'a Residuals,
-    /// Its condition figure.
     pub condition: f64,
 }
 

@@ -10,7 +10,6 @@ use crate::model::{Axis, BinaryOp, CurvePart, Expr, Function, Value};
 /// A value with its size.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Measured {
-    /// The value.
     pub value: Value,
     /// What its rounding is small against; NaN where it has no value, whatever was computed.
     pub size: f64,

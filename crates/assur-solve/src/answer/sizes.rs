@@ -22,7 +22,6 @@ pub(crate) fn is_zero(x: f64, size: f64) -> bool {
 /// The greatest of what results are made of, over all positions looked at, SI.
 #[derive(Clone, Debug, Default)]
 pub struct Sizes {
-    /// Coordinates and lengths.
     pub(super) length: f64,
     /// Angular velocities, and velocities over lengths.
     pub(super) turning: f64,
@@ -43,7 +42,6 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    /// Of nothing.
     pub(crate) const NONE: Self = Self {
         length: 0.0,
         turning: 0.0,

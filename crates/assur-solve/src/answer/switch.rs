@@ -15,7 +15,6 @@ pub struct Switch<'m> {
 /// A side of a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Side {
-    /// As it is.
     Free,
     /// A comparison that is so.
     Truth(bool),

@@ -32,7 +32,6 @@ pub struct WholeCycle {
 pub struct Extremes {
     /// The least coordinate, m or rad.
     pub least: f64,
-    /// The greatest.
     pub greatest: f64,
     /// Drive value of the least in [0, 2π), rad.
     pub at_least: f64,
@@ -41,7 +40,6 @@ pub struct Extremes {
 }
 
 impl WholeCycle {
-    /// Nothing asked for.
     pub const EMPTY: Self = Self {
         extremes: Vec::new(),
         criticals: Vec::new(),

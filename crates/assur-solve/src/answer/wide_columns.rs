@@ -12,7 +12,6 @@ use crate::position::{BodyState, DriveValue, Model, State, Wide, in_avx2};
 use crate::structure::EffortSource;
 use assur_text::units::Conversion;
 
-/// Columns of numbers.
 #[derive(Clone, Debug)]
 pub struct WideColumns(pub(super) Vec<Column>);
 
@@ -42,7 +41,6 @@ pub(crate) enum WideBeside {
     Equilibrium,
     /// The residual of the powers.
     Power,
-    /// The condition figure.
     Condition,
 }
 
@@ -56,11 +54,9 @@ pub(super) enum WideExpr {
     Acceleration(LinkId, Vec2),
     Omega(LinkId),
     Alpha(LinkId),
-    /// An unknown effort.
     Effort(usize),
     /// The force on a link in a pair.
     Force(JointReaction),
-    /// The couple.
     Couple(JointReaction),
     Crossing(Box<WideCrossing>),
     Component(Box<Self>, Axis),

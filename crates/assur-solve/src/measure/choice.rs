@@ -7,9 +7,7 @@ use super::runs::{MethodStudy, RunRow, RunStudy};
 /// An accuracy by a method: places in the lists of a study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Choice {
-    /// The method.
     pub method: usize,
-    /// Its accuracy.
     pub row: usize,
 }
 

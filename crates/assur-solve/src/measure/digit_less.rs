@@ -9,7 +9,6 @@ use crate::solve::{Conduct, Method, Solution, Trials};
 /// Counts of the same answers for two accuracies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DigitLess {
-    /// What was wanted.
     pub within: f64,
     /// Evaluations of the equations of a motion in all its runs; samples of functions over a sweep.
     pub took: usize,

@@ -51,7 +51,6 @@ pub struct RunStudy {
     pub recommendation: Option<Choice>,
 }
 
-/// One method.
 #[derive(Clone, Debug)]
 pub struct MethodStudy {
     /// The method that does all of it; else the solver's own choice.
@@ -66,16 +65,13 @@ pub struct MethodStudy {
     pub price: Price,
 }
 
-/// One accuracy.
 #[derive(Clone, Debug)]
 pub struct RunRow {
     /// The loosest accuracy that has this run.
     pub within: f64,
-    /// The finest.
     pub finest: f64,
     /// Accepted steps of the run that is printed.
     pub steps: usize,
-    /// Rejected ones.
     pub rejected: usize,
     /// Evaluations of the run that is printed.
     pub printed: usize,
@@ -85,7 +81,6 @@ pub struct RunRow {
     pub micros: f64,
     /// What the clock said of them.
     pub measured: f64,
-    /// The greatest error.
     pub error: f64,
     /// The error of each kind.
     pub each: [f64; KINDS.len()],
@@ -140,7 +135,6 @@ pub fn study_runs(
 /// The motion that counts as exact.
 struct Exact {
     trial: Trial,
-    /// Its own error.
     floor: f64,
     /// It has twice the digits.
     precise: bool,

@@ -6,7 +6,6 @@ use thiserror::Error;
 /// What a search over all states of the forces came to.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum ConsistentError {
-    /// Several states.
     #[error("{count} states of the forces are consistent with the {what}{pose}{more}; {reported}")]
     #[diagnostic(
         code(mech::solve::several_balances),
@@ -14,7 +13,6 @@ pub enum ConsistentError {
         help("reduce the {what} until only one state is left, or check this one against the real machine")
     )]
     Several {
-        /// How many.
         count: usize,
         /// `friction` or `losses`.
         what: &'static str,
@@ -24,7 +22,6 @@ pub enum ConsistentError {
         more: String,
         /// Which one is reported.
         reported: String,
-        /// The pairs.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -37,9 +34,7 @@ pub enum ConsistentError {
     Undecided {
         /// `friction` or `losses`.
         what: &'static str,
-        /// Where.
         pose: String,
-        /// The pairs.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -47,12 +42,10 @@ pub enum ConsistentError {
     #[error("the train is self-locking{pose}: no direction of the power flow is consistent with its losses")]
     #[diagnostic(code(mech::train::blocked))]
     Blocked {
-        /// Where.
         pose: String,
         /// What makes it so.
         #[help]
         help: String,
-        /// The transmissions.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },

@@ -19,13 +19,10 @@ pub enum SolveError {
         help("remove it to solve the rest of the file; `assur check` shows the structure of the whole file")
     )]
     NotSupportedYet {
-        /// What it is.
         what: String,
-        /// Its places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// No assembly.
     #[error("the mechanism does not close{pose}: {gap}")]
     #[diagnostic(code(mech::assembly::does_not_close))]
     DoesNotClose {
@@ -33,7 +30,6 @@ pub enum SolveError {
         pose: String,
         /// By how much, between which points.
         gap: String,
-        /// What to do.
         #[help]
         help: String,
         /// The pairs of the group.
@@ -44,7 +40,6 @@ pub enum SolveError {
     #[error("the mechanism has {count} assemblies{pose}, and {which}")]
     #[diagnostic(code(mech::assembly::ambiguous))]
     Ambiguous {
-        /// How many.
         count: usize,
         /// ` at pose 3 (crank = 60 deg)`, or empty.
         pose: String,
@@ -53,7 +48,6 @@ pub enum SolveError {
         /// The lines to paste.
         #[help]
         help: String,
-        /// The pairs concerned.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -71,15 +65,12 @@ pub enum SolveError {
     Elsewhere {
         /// The link that is farthest from where it began.
         link: String,
-        /// Distance and angle.
         by: String,
         /// Drive values of the position that is left out.
         at: String,
-        /// The drives.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// Hints that contradict.
     #[error("no assembly{pose} satisfies `assemble`")]
     #[diagnostic(code(mech::assembly::hint_not_met))]
     HintNotMet {
@@ -88,11 +79,9 @@ pub enum SolveError {
         /// The assemblies there are.
         #[help]
         help: String,
-        /// The hints.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// Dead position.
     #[error("dead position{pose}: {stands}")]
     #[diagnostic(code(mech::solve::dead_position))]
     DeadPosition {
@@ -100,7 +89,6 @@ pub enum SolveError {
         pose: String,
         /// How its links stand, with the condition figure.
         stands: String,
-        /// What to do.
         #[help]
         help: String,
         /// The pairs of the group.
@@ -116,15 +104,11 @@ pub enum SolveError {
         )
     )]
     CurveLeft {
-        /// The curve.
         name: String,
         /// ` at pose 3 (crank = 60 deg)`, or empty.
         pose: String,
-        /// The argument.
         argument: String,
-        /// Its table.
         extent: String,
-        /// The curve.
         #[label("{extent}")]
         span: Span,
     },
@@ -137,9 +121,7 @@ pub enum SolveError {
         )
     )]
     WayTooLong {
-        /// Where.
         pose: String,
-        /// The drives.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -153,13 +135,10 @@ pub enum SolveError {
         )
     )]
     IllConditioned {
-        /// Where.
         pose: String,
         /// The links of the group.
         links: String,
-        /// Its condition figure.
         condition: f64,
-        /// Digits left.
         digits: u32,
         /// `velocities`, `accelerations`, `forces`
         what: &'static str,
@@ -177,7 +156,6 @@ pub enum SolveError {
         )
     )]
     NotCertified {
-        /// Where.
         pose: String,
         /// The links of the group.
         links: String,
@@ -193,11 +171,9 @@ pub enum SolveError {
     #[error("no assembly of {links} was found{pose}")]
     #[diagnostic(code(mech::assembly::not_found))]
     NotFound {
-        /// Where.
         pose: String,
         /// The links of the group.
         links: String,
-        /// What to do.
         #[help]
         help: String,
         /// The pairs of the group.
@@ -212,10 +188,8 @@ pub enum SolveError {
         positions: String,
         /// The ranges that do not, in words.
         ranges: String,
-        /// What to write.
         #[help]
         help: String,
-        /// The drive.
         #[label("this sweep")]
         span: miette::SourceSpan,
     },
@@ -231,9 +205,7 @@ pub enum SolveError {
     BranchSwitch {
         /// The links of the group.
         links: String,
-        /// Pose before.
         from: String,
-        /// Pose after.
         to: String,
         /// Drive values of the change.
         near: String,
@@ -251,7 +223,6 @@ pub enum SolveError {
         )
     )]
     ContactPulls {
-        /// Its name.
         name: String,
         /// Where it pulls most.
         pose: String,
@@ -259,7 +230,6 @@ pub enum SolveError {
         normal: String,
         /// At how many other poses it pulls too.
         more: String,
-        /// Its place.
         #[label("parts here")]
         span: miette::SourceSpan,
     },
@@ -271,10 +241,8 @@ pub enum SolveError {
         what: &'static str,
         /// `a speed`, `a speed or a sense`
         needs: &'static str,
-        /// What to write.
         #[help]
         help: String,
-        /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -287,9 +255,7 @@ pub enum SolveError {
         )
     )]
     FreeRotation {
-        /// The roller.
         name: String,
-        /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -303,9 +269,7 @@ pub enum SolveError {
         depends: &'static str,
         /// `1 rad/s of `crank``
         unit: String,
-        /// What to write.
         help: String,
-        /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -313,9 +277,7 @@ pub enum SolveError {
     #[error("damping is left out: no drive has a speed")]
     #[diagnostic(code(mech::request::no_damping), severity(Warning), help("{help}"))]
     NoDamping {
-        /// What to write.
         help: String,
-        /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -334,7 +296,6 @@ pub enum SolveError {
         pairs: String,
         /// `it closes` or `they close`
         chain: &'static str,
-        /// The pairs.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -344,12 +305,9 @@ pub enum SolveError {
     NoExtreme {
         /// `dead(G, 1)`, `stroke(G)`, …
         what: String,
-        /// Why.
         why: String,
-        /// What to do.
         #[help]
         help: String,
-        /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -357,13 +315,9 @@ pub enum SolveError {
     #[error("the range of `{name}` has no length: it ends where it begins, at {at}")]
     #[diagnostic(code(mech::geometry::empty_range), help("{help}"))]
     EmptyRange {
-        /// The drive.
         name: String,
-        /// Its one position.
         at: String,
-        /// What to write.
         help: String,
-        /// The drive.
         #[label("one position, in several steps")]
         span: miette::SourceSpan,
     },
@@ -371,9 +325,7 @@ pub enum SolveError {
     #[error("no function over the sweep can be found: {why}")]
     #[diagnostic(code(mech::solve::no_sweep))]
     NoSweep {
-        /// Why.
         why: String,
-        /// What to write.
         #[help]
         help: String,
         /// What asks for it, and the drive.
@@ -384,11 +336,8 @@ pub enum SolveError {
     #[error("the forces cannot be found{pose}: {why}")]
     #[diagnostic(code(mech::solve::effort_cannot_hold))]
     EffortCannotHold {
-        /// Where.
         pose: String,
-        /// What holds nothing.
         why: String,
-        /// What to do.
         #[help]
         help: String,
         /// The effort and the pairs of the group.
@@ -399,7 +348,6 @@ pub enum SolveError {
     #[error("`{link}` does not turn against {seen_from}{pose}{more}: its instant centre is at infinity")]
     #[diagnostic(code(mech::solve::no_centre), severity(warning), help("{help}"))]
     NoCentre {
-        /// The link.
         link: String,
         /// `the ground`, or the other link.
         seen_from: String,
@@ -409,7 +357,6 @@ pub enum SolveError {
         more: String,
         /// What to ask for instead.
         help: String,
-        /// Its place.
         #[label("no value")]
         span: miette::SourceSpan,
     },
@@ -417,11 +364,9 @@ pub enum SolveError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Simulate(#[from] SimulateError),
-    /// A flywheel.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Flywheel(#[from] FlywheelError),
-    /// Friction.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Friction(#[from] FrictionError),
@@ -440,9 +385,7 @@ pub enum SolveError {
         help("check units and powers of ten of lengths, speeds, masses and loads")
     )]
     NotFinite {
-        /// Where.
         pose: String,
-        /// What it is.
         what: String,
         /// Its place, and the drives.
         #[label(collection)]

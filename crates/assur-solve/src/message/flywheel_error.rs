@@ -10,14 +10,10 @@ pub enum FlywheelError {
     #[error("flywheel `{name}` cannot be found: {why}")]
     #[diagnostic(code(mech::solve::no_flywheel))]
     NoFlywheel {
-        /// Its name.
         name: String,
-        /// Why.
         why: String,
-        /// What to do.
         #[help]
         help: String,
-        /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -31,13 +27,11 @@ pub enum FlywheelError {
         )
     )]
     NeedlessFlywheel {
-        /// Its name.
         name: String,
         /// Mean reduced moment of inertia of the links.
         have: String,
         /// Moment of inertia needed in all.
         needed: String,
-        /// Its place.
         #[label("asked for here")]
         span: miette::SourceSpan,
     },

@@ -135,7 +135,6 @@ pub(super) fn links(model: &Model<'_>, group: &Group) -> String {
     }
 }
 
-/// Marks a place.
 pub(super) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {
     LabeledSpan::new_with_span(Some(text.into()), span)
 }

@@ -9,7 +9,6 @@ use crate::solve::Locking;
 use crate::units::{Dimension, significant};
 use miette::LabeledSpan;
 
-/// Digits in messages.
 const DIGITS: usize = 4;
 
 /// Nothing slides in a pair with friction.

@@ -21,7 +21,6 @@ pub enum FrictionError {
         /// Where it would move.
         #[help]
         help: String,
-        /// The pairs.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -36,7 +35,6 @@ pub enum FrictionError {
         asked: String,
         /// The first of it.
         first: String,
-        /// Where.
         pose: String,
         /// ` and at 2 more poses`, or empty.
         more: String,
@@ -48,13 +46,10 @@ pub enum FrictionError {
     #[error("no sliding in `{pair}`{pose}{more}: friction is taken as zero")]
     #[diagnostic(code("mech::friction::no_sliding"), severity(Advice))]
     NoSliding {
-        /// The pair.
         pair: String,
-        /// Where.
         pose: String,
         /// ` and at 2 more poses`, or empty.
         more: String,
-        /// The pair.
         #[label("no relative motion")]
         span: miette::SourceSpan,
     },
@@ -68,13 +63,10 @@ pub enum FrictionError {
         help("for the beginning of a motion give the drive a small speed in its sense, as `at 1e-6 m/s`")
     )]
     NoTurning {
-        /// The transmission.
         pair: String,
-        /// Where.
         pose: String,
         /// ` and at 2 more poses`, or empty.
         more: String,
-        /// The transmission.
         #[label("no motion")]
         span: miette::SourceSpan,
     },

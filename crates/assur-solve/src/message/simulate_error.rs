@@ -11,13 +11,10 @@ pub enum SimulateError {
     #[error("the motion cannot go on at {time}: {group} in a dead position, |σ| = {condition}")]
     #[diagnostic(code(mech::simulate::dead_position))]
     Dead {
-        /// The instant.
         time: String,
         /// The links of the group, with the verb.
         group: String,
-        /// The condition figure.
         condition: String,
-        /// What to do.
         #[help]
         help: String,
         /// The starts, and the pairs of the group.
@@ -28,12 +25,9 @@ pub enum SimulateError {
     #[error("`{name}` can have no speed where it starts: it is in its dead position there")]
     #[diagnostic(code(mech::simulate::dead_position))]
     NoRate {
-        /// The coordinate.
         name: String,
-        /// What to write.
         #[help]
         help: String,
-        /// The start.
         #[label("no motion of the links gives it this speed")]
         span: Span,
     },
@@ -41,7 +35,6 @@ pub enum SimulateError {
     #[error("two motions begin where `{name}` starts, and nothing says which is meant")]
     #[diagnostic(code(mech::simulate::two_motions))]
     TwoMotions {
-        /// The coordinate.
         name: String,
         /// The lines that choose one.
         #[help]
@@ -54,16 +47,13 @@ pub enum SimulateError {
     #[error("nothing resists the acceleration of {coordinates} at {time}: {what} without inertia")]
     #[diagnostic(code(mech::simulate::no_inertia))]
     NoInertia {
-        /// The free coordinates.
         coordinates: String,
-        /// The instant.
         time: String,
         /// What moves without inertia.
         what: &'static str,
         /// Which links could have some.
         #[help]
         help: String,
-        /// The starts.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -76,9 +66,7 @@ pub enum SimulateError {
         )
     )]
     NoValue {
-        /// The instant.
         time: String,
-        /// The loads.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -93,7 +81,6 @@ pub enum SimulateError {
         )
     )]
     TooManySteps {
-        /// The most steps.
         most: usize,
         /// The instant that was reached.
         time: String,
@@ -136,20 +123,17 @@ pub enum SimulateError {
         help("let `simulate` go on for longer, or leave `until` out")
     )]
     NeverEnded {
-        /// The last instant.
         time: String,
         /// The statement `until`.
         #[label("does not happen")]
         span: Span,
     },
-    /// Friction that jams.
     #[error("friction jams the motion at {time}: no acceleration satisfies its laws, or several do")]
     #[diagnostic(
         code(mech::simulate::jam),
         help("with less friction, or a longer guide, the motion goes on")
     )]
     Jam {
-        /// The instant.
         time: String,
         /// The pairs that rub.
         #[label(collection)]
@@ -163,10 +147,8 @@ pub enum SimulateError {
         what: String,
         /// What it does there.
         text: &'static str,
-        /// What to do.
         #[help]
         help: String,
-        /// The pair.
         #[label("{text}")]
         span: Span,
     },
@@ -174,18 +156,12 @@ pub enum SimulateError {
     #[error("`{name}` is {by} {side} its stop at {time}")]
     #[diagnostic(code(mech::simulate::stop_passed))]
     StopPassed {
-        /// The pair.
         name: String,
-        /// By how much.
         by: String,
-        /// On which side.
         side: &'static str,
-        /// The first instant.
         time: String,
-        /// What to do.
         #[help]
         help: String,
-        /// The stop.
         #[label("passed")]
         span: Span,
     },
@@ -198,11 +174,8 @@ pub enum SimulateError {
         )
     )]
     StopsAtOnce {
-        /// The pairs.
         names: String,
-        /// The instant.
         time: String,
-        /// The stops.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -219,7 +192,6 @@ pub enum SimulateError {
     Shaken {
         /// The pair of the stop.
         name: String,
-        /// The instant.
         time: String,
         /// The stop, and what rubs.
         #[label(collection)]
@@ -232,11 +204,8 @@ pub enum SimulateError {
         help("let `simulate` end before {time}, or give the contact less friction")
     )]
     Rolls {
-        /// The contact.
         name: String,
-        /// The instant.
         time: String,
-        /// The contact.
         #[label("comes to rest")]
         span: Span,
     },
@@ -244,9 +213,7 @@ pub enum SimulateError {
     #[error("{what}")]
     #[diagnostic(code(mech::simulate::no_cycle), help("{help}"))]
     NoCycle {
-        /// Why not.
         what: String,
-        /// What to do.
         help: &'static str,
         /// The statement `simulate`.
         #[label("does not come again")]

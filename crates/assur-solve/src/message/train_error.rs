@@ -12,12 +12,9 @@ pub enum TrainError {
     NoPosition {
         /// What is asked, or what must be known.
         what: String,
-        /// The drive.
         drive: String,
-        /// What to write.
         #[help]
         help: String,
-        /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -27,12 +24,9 @@ pub enum TrainError {
     )]
     #[diagnostic(code(mech::train::no_place))]
     NoPlace {
-        /// The pair.
         pair: String,
-        /// What to write.
         #[help]
         help: String,
-        /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -42,12 +36,9 @@ pub enum TrainError {
     )]
     #[diagnostic(code(mech::train::no_place))]
     FrictionWithoutPlace {
-        /// The pairs.
         pairs: String,
-        /// What to write.
         #[help]
         help: String,
-        /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -61,15 +52,12 @@ pub enum TrainError {
         )
     )]
     RopePushes {
-        /// The rope.
         name: String,
         /// Where it pulls least.
         pose: String,
         /// `, and at 3 other poses`
         more: String,
-        /// Its pull there.
         tension: String,
-        /// Its place.
         #[label("slack")]
         span: miette::SourceSpan,
     },
@@ -81,7 +69,6 @@ pub enum TrainError {
     Slips {
         /// `belt` or `clutch`.
         what: &'static str,
-        /// Its name.
         name: String,
         /// Where it must transmit most.
         pose: String,
@@ -91,9 +78,7 @@ pub enum TrainError {
         wanted: String,
         /// The greatest that it can transmit.
         capacity: String,
-        /// What to change.
         help: String,
-        /// Its place.
         #[label("slips")]
         span: miette::SourceSpan,
     },
@@ -103,15 +88,11 @@ pub enum TrainError {
     )]
     #[diagnostic(code(mech::train::slip_backwards), help("{help}"))]
     SlipBackwards {
-        /// The belt.
         name: String,
-        /// Where.
         pose: String,
         /// The wheel written first.
         driver: String,
-        /// What to write.
         help: String,
-        /// Its place.
         #[label("the first wheel must drive")]
         span: miette::SourceSpan,
     },
@@ -119,14 +100,12 @@ pub enum TrainError {
     #[error("the load cannot drive the mechanism{pose}{more}: it is self-locking")]
     #[diagnostic(code(mech::train::self_locking), severity(warning))]
     SelfLocking {
-        /// Where.
         pose: String,
         /// `, and at 3 other poses`
         more: String,
         /// What makes it so.
         #[help]
         help: String,
-        /// The transmissions.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },

@@ -9,7 +9,6 @@ use crate::math::{Double, Scalar, V2, Vec2};
 use crate::position::{BodyState, DriveInput, Model, State};
 use crate::structure::{BodyRate, EffortKind, EffortSource, JointId, JointKind};
 
-/// A scalar equation.
 pub(super) enum Constraint<'a> {
     /// Two points coincide along an axis of the ground.
     Together { a: (usize, Vec2), b: (usize, Vec2), axis: Vec2 },

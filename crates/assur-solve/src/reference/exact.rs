@@ -9,11 +9,8 @@ use crate::structure::JointKind;
 /// One position with twice the digits; without forces the lists of forces are empty.
 #[derive(Clone, Debug)]
 pub struct Exact {
-    /// Bodies by slot.
     pub bodies: Vec<BodyState<Double>>,
-    /// Reactions by slot.
     pub reactions: Vec<Reaction<Double>>,
-    /// Efforts by slot.
     pub efforts: Vec<Double>,
     /// Efforts of friction, by element.
     pub frictions: Vec<Double>,

@@ -38,7 +38,6 @@ pub struct Reference {
     pub applied: Vec<Wrench<Double>>,
     /// Reactions by slot. Couples of guides that close a chain of them are not determined and stand in one of them.
     pub reactions: Vec<Reaction<Double>>,
-    /// Unknown efforts.
     pub efforts: Vec<Double>,
     /// Efforts of friction, by element.
     pub frictions: Vec<Double>,

@@ -22,7 +22,6 @@ const FAR: f64 = 0.1;
 /// Corrections of velocities and accelerations.
 const CORRECTIONS: usize = 3;
 
-/// The bodies' motion.
 pub(super) struct Motion<'a> {
     pub bodies: Vec<BodyState<Double>>,
     pub constraints: Vec<Constraint<'a>>,

@@ -17,7 +17,6 @@ pub(super) enum Kind {
     Force(usize, V2<D>),
     /// The couple in a guide, by slot.
     Couple(usize),
-    /// An unknown effort.
     Effort(usize),
     /// The multiplier of a law.
     Multiplier(usize),

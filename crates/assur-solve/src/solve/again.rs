@@ -27,7 +27,6 @@ pub struct Reads {
 }
 
 impl Reads {
-    /// All there is.
     pub const ALL: Self = Self { residuals: true, angles: true };
     /// Nothing but the answers.
     pub const ANSWERS: Self = Self { residuals: false, angles: false };

@@ -23,7 +23,6 @@ struct Candidate {
 #[derive(Clone)]
 pub(super) struct Assembly {
     branch: Branch,
-    /// Signed condition figure.
     pub conditioning: f64,
     certificate: f64,
     bodies: Vec<BodyState>,

@@ -27,13 +27,11 @@ pub struct Assemblies {
 pub struct GroupAssemblies {
     /// Index into [`crate::structure::Structure::motion`].
     pub group: usize,
-    /// Its assemblies.
     pub assemblies: Vec<GroupAssembly>,
     /// There is no proof that there are no others.
     pub searched: bool,
 }
 
-/// One assembly.
 #[derive(Debug)]
 pub struct GroupAssembly {
     /// The clause that chooses it; none where there is no other.

@@ -175,7 +175,6 @@ impl Block {
         self.free
     }
 
-    /// Whether none is.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.free == 0

@@ -12,34 +12,27 @@ use crate::structure::{BodyOrigin, Dyad, Group, GroupKind, JointKind};
 pub enum Clause {
     /// A hinge lies on one side of the line through two others.
     Side {
-        /// The hinge.
         hinge: PairId,
-        /// Seen from here
         from: PairId,
-        /// towards here.
         to: PairId,
         /// Left, or right.
         left: bool,
     },
     /// A hinge lies ahead of another along a guide, or behind it.
     Along {
-        /// The hinge.
         hinge: PairId,
-        /// The other hinge.
         other: PairId,
         /// Ahead, or behind.
         ahead: bool,
     },
     /// The coordinate of a pair has this sign.
     Sign {
-        /// The pair.
         pair: PairId,
         /// Greater than zero, or less.
         positive: bool,
     },
     /// The angle of a revolute is in a range.
     Between {
-        /// The revolute.
         pair: PairId,
         /// Greater than this, rad, if there is a lower bound.
         above: Option<f64>,
@@ -48,7 +41,6 @@ pub enum Clause {
     },
     /// A point lies near a place.
     Near {
-        /// The point.
         point: NamedPoint,
         /// The place, m.
         place: Vec2,
@@ -58,7 +50,6 @@ pub enum Clause {
 /// A point of a link by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NamedPoint {
-    /// The link.
     pub link: LinkId,
     /// Index into [`crate::model::Link::points`].
     pub index: usize,

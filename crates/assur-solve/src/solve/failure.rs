@@ -14,7 +14,6 @@ use crate::structure::{BodyId, Group, Structure};
 pub struct Failure {
     /// The position; absent where the cause concerns none, or a position that the file does not name.
     pub pose: Option<Box<Wanted>>,
-    /// The cause.
     pub cause: Cause,
 }
 
@@ -58,17 +57,11 @@ pub enum Cause {
     /// The position is too far from the one before.
     TooFar,
     /// Velocities and forces do not exist: the determinant of a group vanishes.
-    Dead {
-        /// The group.
-        group: GroupId,
-        /// Its condition figure.
-        condition: f64,
-    },
+    Dead { group: GroupId, condition: f64 },
     /// An unknown effort cannot hold the links of its group.
     CannotHold {
         /// Index into [`Structure::forces`].
         group: usize,
-        /// Its condition figure.
         condition: f64,
     },
     /// A result has no digit left.
@@ -83,7 +76,6 @@ pub enum Cause {
     Blocked,
     /// The coordinate of a pair has no extremes.
     NoExtreme {
-        /// The pair.
         pair: PairId,
         /// The function that needs them.
         function: Function,
@@ -98,14 +90,12 @@ pub enum Cause {
     Halted {
         /// The instant, s.
         time: f64,
-        /// Why not.
         halt: Halt,
     },
     /// A flywheel cannot be found.
     NoFlywheel {
         /// Index into [`crate::model::Mechanism::flywheels`].
         flywheel: usize,
-        /// Why not.
         why: NoFlywheel,
     },
 }
@@ -117,7 +107,6 @@ pub enum Halt {
     Dead {
         /// Index into [`Structure::motion`].
         group: usize,
-        /// Its condition figure.
         condition: f64,
     },
     /// A group does not close however short the step.
@@ -131,7 +120,6 @@ pub enum Halt {
         drive: usize,
         /// A coordinate that has a speed there, and its value.
         other: DriveTarget,
-        /// rad or m.
         value: f64,
     },
     /// A start in a change point.
@@ -156,13 +144,9 @@ pub enum Halt {
     /// Nothing is free, and something rubs or there is a stop.
     NothingFree,
     /// Friction would hold a cam on its follower, so that they roll on each other.
-    Rolls {
-        /// Which.
-        pair: PairId,
-    },
+    Rolls { pair: PairId },
     /// Forces act as a pair does not take them: a contact would have to pull, a rope to push.
     Opens {
-        /// Which.
         pair: PairId,
         /// What it does no more.
         bond: Bond,
@@ -193,12 +177,7 @@ pub enum Halt {
     /// It was told to end.
     Interrupted,
     /// The accuracy is not reached with the digits there are.
-    Accuracy {
-        /// The wanted accuracy.
-        wanted: f64,
-        /// The estimated error.
-        reached: f64,
-    },
+    Accuracy { wanted: f64, reached: f64 },
 }
 
 impl Halt {
@@ -216,7 +195,6 @@ pub enum NoCycle {
     NotReached(f64),
     /// After so many trials the state at the end still differs from that at the begin by this part.
     Differs {
-        /// Trials.
         trials: usize,
         /// By how much, of the greatest of its kind.
         by: f64,
@@ -237,13 +215,10 @@ pub enum GroupId {
 pub enum Lost {
     /// The position of a body.
     Position(BodyId),
-    /// Its velocity.
     Velocity(BodyId),
-    /// Its acceleration.
     Acceleration(BodyId),
     /// The reaction in a pair.
     Reaction(PairId),
-    /// An unknown effort.
     Effort,
     /// The pairs do not meet.
     Closure,
@@ -279,7 +254,6 @@ impl Cause {
 }
 
 impl GroupId {
-    /// The group itself.
     #[must_use]
     pub fn of(self, structure: &Structure) -> &Group {
         match self {

@@ -15,7 +15,6 @@ pub enum GroupGap {
         distance: f64,
         /// Lengths of the links, m.
         lengths: [f64; 2],
-        /// What is missing.
         gap: Option<Gap>,
     },
     /// A link does not reach the path of the hinge at its end.
@@ -38,13 +37,10 @@ pub enum GroupGap {
     Driven,
     /// A link does not close on its three legs.
     Legs(Option<Miss>),
-    /// Guides are parallel.
     Parallel,
     /// The follower of a designed cam stands at a lift that the cam has not, m or rad.
     Lift {
-        /// The contact.
         pair: PairId,
-        /// The lift.
         lift: f64,
         /// The least and the greatest of the cam.
         range: [f64; 2],

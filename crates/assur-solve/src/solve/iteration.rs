@@ -27,7 +27,6 @@ pub enum Begun {
 /// The steps of Newton's method by which a group is found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Iteration {
-    /// Where they begin.
     pub begun: Begun,
     /// The steps; the last one leads to the position.
     pub steps: Vec<NewtonStep>,

@@ -38,7 +38,6 @@ pub enum Note {
     },
     /// The load cannot drive the mechanism.
     SelfLocking {
-        /// The first position.
         pose: Wanted,
         /// The number of others.
         more: usize,
@@ -49,16 +48,13 @@ pub enum Note {
         count: usize,
         /// The one reported is reached continuously from that without friction and losses.
         followed: bool,
-        /// The first position.
         pose: Wanted,
         /// The number of others.
         more: usize,
     },
-    /// A rope pushes.
     RopePushes(Pull),
     /// A belt or a clutch must transmit more than its friction can.
     Slips(Pull),
-    /// A contact pulls.
     ContactPulls(Pull),
     /// The sweep closes over a part only.
     PartialSweep {
@@ -71,13 +67,10 @@ pub enum Note {
     },
     /// The group with the fewest digits left.
     IllConditioned {
-        /// The position.
         pose: Wanted,
-        /// The group.
         group: GroupId,
         /// Its condition figure σ.
         condition: f64,
-        /// The digits left.
         digits: u32,
         /// What loses the others.
         loss: Loss,
@@ -95,14 +88,12 @@ pub enum Note {
     },
     /// Dampers where no drive has a speed or a sense.
     NoDamping {
-        /// The first drive.
         drive: DriveId,
         /// The springs with damping.
         springs: Vec<SpringId>,
     },
     /// Forces depend on speeds, and the drive has a sense alone.
     UnitSpeed {
-        /// The first drive.
         drive: DriveId,
         /// The springs with damping.
         springs: Vec<SpringId>,
@@ -111,9 +102,7 @@ pub enum Note {
     },
     /// Nothing slides in a pair with friction.
     NoSliding {
-        /// The pair.
         pair: PairId,
-        /// The first position.
         pose: Wanted,
         /// The number of others.
         more: usize,
@@ -126,7 +115,6 @@ pub enum Note {
         find: usize,
         /// The link, and that against which it does not turn.
         links: [LinkId; 2],
-        /// The first position.
         pose: Wanted,
         /// The number of others.
         more: usize,
@@ -135,7 +123,6 @@ pub enum Note {
     NoEffort {
         /// Indices into [`crate::model::Mechanism::finds`].
         finds: Vec<usize>,
-        /// The first position.
         pose: Wanted,
         /// The number of others.
         more: usize,
@@ -145,7 +132,6 @@ pub enum Note {
 /// A force that a contact or a rope cannot take.
 #[derive(Clone, Debug)]
 pub struct Pull {
-    /// The pair.
     pub pair: PairId,
     /// Normal force of the contact, or tension of the rope, where it is least, N; of what slips the force (N) or torque
     /// (N m) wanted, with a minus.
@@ -159,7 +145,6 @@ pub struct Pull {
 /// The worst position of those whose certificate fails.
 #[derive(Clone, Debug)]
 pub struct Uncertified {
-    /// The position.
     pub pose: Wanted,
     /// Index into [`crate::structure::Structure::motion`].
     pub group: usize,
@@ -194,11 +179,8 @@ pub struct Closing {
 /// What loses digits near a dead position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loss {
-    /// Velocities.
     Velocities,
-    /// Accelerations.
     Accelerations,
-    /// Forces.
     Forces,
     /// Forces that friction multiplies.
     ForcesNearLocking,
@@ -207,7 +189,6 @@ pub enum Loss {
 /// The first position at which friction locks the mechanism.
 #[derive(Clone, Debug)]
 pub struct Locking {
-    /// The position.
     pub pose: Wanted,
     /// The number of others.
     pub more: usize,

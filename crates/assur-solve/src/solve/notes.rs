@@ -32,7 +32,6 @@ pub(super) struct Notes {
     /// The fewest digits left, with their note.
     fewest: Option<(f64, Note)>,
     pulls: Vec<Pull>,
-    /// Ropes that push.
     slack: Vec<Pull>,
     /// Belts and clutches that slip.
     slips: Vec<Pull>,

@@ -8,12 +8,7 @@ use crate::source::Span;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
     /// A construct that is understood and cannot be solved yet, as the checker calls it.
-    Unsupported {
-        /// What it is.
-        what: String,
-        /// Its places.
-        places: Vec<Span>,
-    },
+    Unsupported { what: String, places: Vec<Span> },
     /// A designed cam and its follower of which neither moves the other by itself.
     CamFollower(PairId),
     /// Forces through the contact of a designed cam that no step knows.
@@ -24,23 +19,19 @@ pub enum Refusal {
     GenevaForces(PairId),
     /// Rates are asked for, and no drive has a speed, or not even a sense.
     NeedsSpeed {
-        /// The first drive.
         drive: DriveId,
         /// The highest derivative that is needed.
         level: Level,
-        /// What needs it.
         places: Vec<Span>,
     },
     /// The range of a drive ends where it begins, which is known only once dead positions are found.
     EmptyRange {
-        /// The drive.
         drive: DriveId,
         /// Its one position, rad or m.
         at: f64,
     },
     /// The rotation of a roller that turns freely is asked for.
     FreeRotation {
-        /// The roller.
         roller: LinkId,
         /// Where it is asked for.
         places: Vec<Span>,
@@ -54,7 +45,6 @@ pub enum Refusal {
     },
     /// A reaction that is asked for has no place.
     NoPlace {
-        /// The pair.
         pair: PairId,
         /// Where it is asked for.
         place: Span,
@@ -72,7 +62,6 @@ pub enum Unpositioned {
     Group(usize),
     /// A result that is asked for.
     Asked {
-        /// What it is.
         what: &'static str,
         /// Where it is asked for.
         place: Span,

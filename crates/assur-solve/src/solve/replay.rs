@@ -53,7 +53,6 @@ impl<'a> Replay<'a> {
         }
     }
 
-    /// Number of positions.
     #[must_use]
     pub fn len(&self) -> usize {
         self.starts.len()

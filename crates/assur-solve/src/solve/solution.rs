@@ -38,7 +38,6 @@ pub struct OpenSizes {
     pub laws: Vec<usize>,
 }
 
-/// One position.
 #[derive(Debug)]
 pub struct Pose {
     /// `1`, `2`, … for a sweep; the name of a pose of its own; for an added one the drive values in words.
@@ -51,7 +50,6 @@ pub struct Pose {
     pub outcome: Result<Solved, Failure>,
 }
 
-/// A solved position.
 #[derive(Clone, Debug, Default)]
 pub struct Solved {
     /// Bodies, reactions, efforts.

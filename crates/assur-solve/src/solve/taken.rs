@@ -121,7 +121,6 @@ pub(super) fn vector(v: V2<Wide>, lane: usize) -> Vec2 {
     Vec2::new(v.x.0[lane], v.y.0[lane])
 }
 
-/// Whether it does.
 fn is_uneven(old: Vec2, new: Vec2) -> bool {
     let jumps = old.y.is_sign_negative() != new.y.is_sign_negative() && (old.x < 0.0 || new.x < 0.0);
     old.dot(new) <= 0.0 || jumps

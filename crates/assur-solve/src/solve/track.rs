@@ -21,7 +21,6 @@ pub(super) const CAREFUL: f64 = 0.3;
 /// A group whose |σ| stays above this on its way keeps its assembly: between two places it passes no change point. The
 /// rounding of lengths alone makes it about the root of the unit roundoff.
 const CHANGES: f64 = 3e-7;
-/// Golden section's share.
 const GOLDEN: f64 = 0.381_966_011_250_105;
 
 /// So many places before the present one are kept.
@@ -40,7 +39,6 @@ pub(super) struct Place {
 /// A change to the other assembly.
 #[derive(Clone, Debug)]
 pub(crate) struct Switch {
-    /// The group.
     pub group: usize,
     /// Drive values just behind it.
     pub at: Vec<DriveValue>,
@@ -284,7 +282,6 @@ impl Tracker {
         Self::keep(&mut self.history, &self.values, poses);
     }
 
-    /// Keeps a place.
     pub(super) fn keep(
         history: &mut Vec<Rc<Place>>,
         values: &[DriveValue],

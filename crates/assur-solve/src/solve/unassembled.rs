@@ -23,7 +23,6 @@ pub(super) fn does_not_close(model: &Model<'_>, state: State, group: usize) -> C
     Cause::DoesNotClose { group, gap: group_gap(model, &state, group) }
 }
 
-/// Several assemblies remain.
 pub(super) fn ambiguous(model: &Model<'_>, states: &[&State]) -> Cause {
     let mut groups = Vec::new();
     // a group whose assembly the groups before it decide leaves nothing to choose

@@ -6,7 +6,6 @@ use assur_text::source::Spanned;
 /// The members of a body in the order written.
 pub type Body = Vec<Spanned<Member>>;
 
-/// One member.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Member {
     /// `S2 (l/3, 0)`
@@ -34,37 +33,28 @@ pub enum Member {
 /// A point by its coordinates in the link's frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointMember {
-    /// Its name.
     pub name: Name,
-    /// A vector.
     pub at: Expr,
 }
 
 /// A point by its distances from two others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointFrom {
-    /// Its name.
     pub name: Name,
     /// The distance from the first point.
     pub first_distance: Expr,
-    /// The first point.
     pub first: Name,
     /// The distance from the second point.
     pub second_distance: Expr,
-    /// The second point.
     pub second: Name,
     /// On which side it lies, seen from the first point towards the second.
     pub side: Spanned<super::Side>,
 }
 
-/// A directed line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LineMember {
-    /// Its name.
     pub name: Name,
-    /// Its origin.
     pub through: Name,
-    /// Its direction.
     pub direction: LineDirection,
 }
 
@@ -77,23 +67,18 @@ pub enum LineDirection {
     To(Name),
 }
 
-/// A circle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CircleMember {
-    /// Its name.
     pub name: Name,
     /// Its centre, a point of the link.
     pub centre: Name,
-    /// Its radius.
     pub radius: Expr,
 }
 
 /// The profile of a designed cam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProfileMember {
-    /// Its name.
     pub name: Name,
-    /// The cam.
     pub of: Name,
     /// The point of the link about which the cam turns.
     pub centre: Name,
@@ -102,29 +87,23 @@ pub struct ProfileMember {
 /// A mass or a weight, and the point where it sits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct At {
-    /// How much.
     pub value: Expr,
-    /// The mass centre.
     pub at: Option<Name>,
 }
 
 /// A moment of inertia.
 #[derive(Clone, Debug, PartialEq)]
 pub struct About {
-    /// How much.
     pub value: Expr,
     /// About which point; the mass centre where nothing is said.
     pub about: Option<Name>,
 }
 
-/// A wheel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WheelMember {
-    /// Its name.
     pub name: Name,
     /// Its size, where it is given.
     pub size: Option<WheelSize>,
-    /// Its module.
     pub module: Option<Expr>,
     /// Its centre, on a link.
     pub at: Option<Name>,

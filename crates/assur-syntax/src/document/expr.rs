@@ -6,9 +6,7 @@ use assur_text::source::{Span, Spanned};
 /// An expression and its place. Brackets leave no node; the place of what they enclose includes them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// Its kind.
     pub kind: ExprKind,
-    /// Its span.
     pub span: Span,
 }
 
@@ -23,7 +21,6 @@ pub enum ExprKind {
     Member(Box<Expr>, Name),
     /// `velocity(C)`, `journal_torque(load = 5 N)`
     Call {
-        /// The function's name.
         function: Name,
         /// Its arguments in the order written.
         args: Vec<Arg>,
@@ -58,7 +55,6 @@ pub struct Number {
 pub struct Arg {
     /// `load` in `load = 5 N`.
     pub name: Option<Name>,
-    /// Its value.
     pub value: Expr,
 }
 
@@ -90,7 +86,6 @@ pub enum BinaryOp {
     Or,
 }
 
-/// A comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CompareOp {
     /// `<`

@@ -18,11 +18,9 @@ pub struct Ground {
 pub struct Link {
     /// The number used in printed symbols.
     pub number: Option<Spanned<String>>,
-    /// Its name.
     pub name: Name,
     /// `A-B r`
     pub bar: Option<Bar>,
-    /// Its members.
     pub body: Body,
 }
 
@@ -33,36 +31,29 @@ pub struct Bar {
     pub from: Name,
     /// The point on the x axis.
     pub to: Name,
-    /// Their distance.
     pub length: Expr,
 }
 
 /// `shaft P on H { wheel p teeth 18 }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shaft {
-    /// Its name.
     pub name: Name,
     /// The carrier it turns on.
     pub on: Option<Name>,
-    /// Its members.
     pub body: Body,
 }
 
 /// `slider A`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slider {
-    /// Its name.
     pub name: Name,
-    /// Its members.
     pub body: Body,
 }
 
 /// A pair or a transmission between links.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// Which.
     pub kind: Spanned<JointKind>,
-    /// Its name.
     pub name: Name,
     /// What it joins, in the order written; two or more.
     pub ends: Vec<End>,
@@ -95,22 +86,18 @@ impl End {
 /// `friction 0.1`, `contacts -20 mm, 25 mm`, `with_cam`, `rim { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Property {
-    /// The word.
     pub name: Name,
     /// Its values; none for a word that stands alone.
     pub values: Vec<Expr>,
     /// The properties in its own braces.
     pub properties: Vec<Property>,
-    /// The whole property.
     pub span: Span,
 }
 
 /// `spring k: BDE.D - ground.C { … }`, `spring t in B { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
-    /// Its name.
     pub name: Name,
-    /// What it joins.
     pub site: SpringSite,
     /// Stiffness, free length or angle, damping.
     pub properties: Vec<Property>,
@@ -119,7 +106,6 @@ pub struct Spring {
 /// What a spring joins.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SpringSite {
-    /// Two points.
     Points(Path, Path),
     /// The two links of a revolute pair.
     Pair(Name),
@@ -128,16 +114,13 @@ pub enum SpringSite {
 /// `group rod_piston: rod, piston`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// Its name.
     pub name: Name,
-    /// Its links.
     pub links: Vec<Name>,
 }
 
 /// `cam plate { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cam {
-    /// Its name.
     pub name: Name,
     /// The contents of its braces.
     pub members: Vec<Spanned<CamMember>>,
@@ -174,13 +157,11 @@ pub struct Follower {
 /// A part of the cam's turn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Phase {
-    /// Which.
     pub kind: Spanned<PhaseKind>,
     /// The angle the cam turns.
     pub angle: Expr,
     /// How far the follower goes.
     pub through: Option<Expr>,
-    /// By which law.
     pub law: Option<Spanned<CamLaw>>,
 }
 
@@ -189,9 +170,7 @@ pub struct Phase {
 pub enum PhaseKind {
     /// The follower goes out.
     Rise,
-    /// It stands.
     Dwell,
-    /// It comes back.
     Fall,
 }
 

@@ -70,7 +70,6 @@ pub struct Trivia {
     pub blank_lines: Vec<usize>,
 }
 
-/// One statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
     /// `mech 1`
@@ -149,16 +148,13 @@ pub struct Bad {
 /// `NAME = EXPRESSION` after `given` or `let`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
-    /// The name defined.
     pub name: Name,
-    /// Its value.
     pub value: Expr,
 }
 
 /// Properties for every joint of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AllJoints {
-    /// Which joints.
     pub kind: Spanned<JointKind>,
     /// What holds for each of them that does not say otherwise.
     pub properties: Vec<Property>,

@@ -15,9 +15,7 @@ pub enum Turn {
 /// A sense of travel along a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// The coordinate grows.
     Forward,
-    /// It shrinks.
     Back,
 }
 
@@ -26,16 +24,13 @@ pub enum Way {
 pub enum Side {
     /// Counter-clockwise of its direction.
     Left,
-    /// Clockwise of it.
     Right,
 }
 
 /// An order along a directed line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// Further along.
     Ahead,
-    /// Less far.
     Behind,
 }
 
@@ -55,9 +50,7 @@ pub struct Drive {
     pub target: Path,
     /// Where it stands; absent where only rates are given.
     pub position: Option<DrivePosition>,
-    /// Its speed.
     pub rate: Option<Sensed>,
-    /// Its acceleration.
     pub acceleration: Option<Sensed>,
     /// The sense of a motion without speed.
     pub direction: Option<Spanned<Direction>>,
@@ -75,9 +68,7 @@ pub enum DrivePosition {
 /// `0 deg .. 360 deg in 12 steps`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Course {
-    /// The first value.
     pub from: Expr,
-    /// The last value.
     pub to: Expr,
     /// How it is divided.
     pub steps: Steps,
@@ -116,7 +107,6 @@ pub enum Direction {
 pub struct Setting {
     /// The drive, or `time`.
     pub target: Path,
-    /// Its value.
     pub value: Sensed,
 }
 
@@ -125,14 +115,12 @@ pub struct Setting {
 pub struct Pose {
     /// Its name, which may begin with a digit.
     pub name: Name,
-    /// The drives' values.
     pub settings: Vec<Setting>,
 }
 
 /// `assemble s > 0, F behind B`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assemble {
-    /// Its clauses.
     pub clauses: Vec<Spanned<AssembleClause>>,
 }
 
@@ -141,7 +129,6 @@ pub struct Assemble {
 pub enum AssembleClause {
     /// `C near (420 mm, 0)`
     Near {
-        /// What.
         what: Path,
         /// A place in the ground's axes.
         at: Expr,
@@ -155,41 +142,26 @@ pub enum AssembleClause {
     },
     /// `C left of B-D`
     Side {
-        /// What.
         what: Path,
-        /// Which side.
         side: Spanned<Side>,
         /// From where one looks.
         from: Path,
-        /// Whereto.
         to: Path,
     },
     /// `F ahead of B`, `F behind B`
     Order {
-        /// What.
         what: Path,
         /// Further or less far along the guide.
         order: Spanned<Order>,
-        /// Than what.
         than: Path,
     },
     /// `s > 0`
-    Sign {
-        /// A pair.
-        what: Path,
-        /// The comparison.
-        op: Spanned<CompareOp>,
-        /// With what.
-        bound: Expr,
-    },
+    Sign { what: Path, op: Spanned<CompareOp>, bound: Expr },
 }
 
-/// Force or torque.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LoadKind {
-    /// A force.
     Force,
-    /// A torque.
     Torque,
 }
 
@@ -199,12 +171,7 @@ pub enum Site {
     /// `in c1`: between the two links of a pair.
     Pair(Name),
     /// `on crank at B`: on one link.
-    Link {
-        /// The link.
-        link: Name,
-        /// Its point.
-        at: Option<Place>,
-    },
+    Link { link: Name, at: Option<Place> },
 }
 
 /// The point of a force.
@@ -219,9 +186,7 @@ pub enum Place {
 /// `balance force Fb on crank at B along 90 deg in crank`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Balance {
-    /// Force or torque.
     pub kind: Spanned<LoadKind>,
-    /// The unknown's name.
     pub name: Name,
     /// On what it acts.
     pub site: Site,
@@ -236,13 +201,10 @@ pub struct Balance {
 /// `force R on ram at Q = 1400 N against motion when …`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Load {
-    /// Force or torque.
     pub kind: Spanned<LoadKind>,
-    /// Its name.
     pub name: Option<Name>,
     /// On what it acts.
     pub site: Site,
-    /// How much.
     pub value: Sensed,
     /// The link its direction turns with; the ground where nothing is said.
     pub frame: Option<Name>,

@@ -6,7 +6,6 @@ use assur_text::source::{Span, Spanned};
 /// `find F_I3 = inertia_force(piston), Mb as kN*m, reactions`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Find {
-    /// Its items.
     pub items: Vec<FindItem>,
 }
 
@@ -15,7 +14,6 @@ pub struct Find {
 pub struct FindItem {
     /// The name it is given.
     pub name: Option<Name>,
-    /// The question.
     pub value: Expr,
     /// What is asked, printed from the tree: what it is called where it has no name.
     pub text: String,
@@ -23,7 +21,6 @@ pub struct FindItem {
     pub steps: Option<Expr>,
     /// `as kN*m`: the unit to print it in, not looked up.
     pub unit: Option<Spanned<String>>,
-    /// The whole item.
     pub span: Span,
 }
 
@@ -36,7 +33,6 @@ pub struct Expect {
     pub text: String,
     /// The values after `=`; empty for a condition such as `locked()` or `a > b`.
     pub values: Vec<Expr>,
-    /// The tolerance.
     pub within: Option<Expr>,
     /// The pose it holds for.
     pub at: Option<ExpectAt>,
@@ -56,7 +52,6 @@ pub enum ExpectAt {
 /// `variants { … }`
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Variants {
-    /// The header.
     pub columns: Vec<Column>,
     /// The rows; a row's length may differ from the header's.
     pub rows: Vec<Row>,
@@ -67,7 +62,6 @@ pub struct Variants {
 /// `curve p periodic { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// Its name.
     pub name: Name,
     /// What is between its points; absent for monotone cubics.
     pub between: Option<CurveBetween>,
@@ -107,9 +101,7 @@ pub struct Column {
 /// A row of plain numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Its cells.
     pub cells: Vec<Spanned<Cell>>,
-    /// The whole row.
     pub span: Span,
 }
 

@@ -10,18 +10,15 @@ pub struct Start {
     pub target: Path,
     /// Its first value; absent of a shaft whose place nothing asks for.
     pub value: Option<Sensed>,
-    /// Its first rate.
     pub rate: Option<Sensed>,
 }
 
 /// `simulate 0 s .. 0.03 s in 30 steps within 1e-9`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Simulate {
-    /// How long.
     pub course: TimeCourse,
     /// The number of steps between printed instants.
     pub steps: Option<Expr>,
-    /// The wanted accuracy.
     pub within: Option<Expr>,
 }
 
@@ -32,14 +29,12 @@ pub enum TimeCourse {
     Between {
         /// The first instant, where it is written.
         from: Option<Expr>,
-        /// The last.
         to: Expr,
     },
     /// `steady turn of crank`, `steady cycle of down`
     Steady(Steady),
 }
 
-/// What comes again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steady {
     /// From `steady` on.
@@ -53,9 +48,7 @@ pub struct Steady {
 /// `event top: omega(bar) = 0 rad/s falling`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
-    /// Its name.
     pub name: Name,
-    /// When it happens.
     pub passing: Passing,
 }
 
@@ -69,11 +62,9 @@ pub struct Until {
 /// `stop G > 0 mm { restitution 0.7 }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stop {
-    /// The pair.
     pub pair: Name,
     /// On which side of the bound its coordinate stays.
     pub op: Spanned<CompareOp>,
-    /// The bound.
     pub bound: Expr,
     /// `{ … }`
     pub properties: Vec<Property>,

@@ -230,7 +230,6 @@ impl Lower<'_> {
         &word[..first.end]
     }
 
-    /// The digits alone.
     pub(super) fn number(&mut self, pair: &P<'_>) -> Number {
         let text = pair.as_str().replace('−', "-");
         let value = text.parse::<f64>().unwrap_or(f64::NAN);
@@ -341,7 +340,6 @@ fn comparing(op: &str) -> Option<CompareOp> {
     }
 }
 
-/// A comparison sign.
 pub(super) fn compare(pair: &P<'_>) -> Option<Spanned<CompareOp>> {
     Some(Spanned::new(comparing(pair.as_str())?, span(pair)))
 }

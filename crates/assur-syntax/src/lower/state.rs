@@ -5,11 +5,9 @@ use std::collections::BTreeSet;
 
 /// The state of the walk.
 pub struct Lower<'a> {
-    /// The author's text.
     pub text: &'a str,
     /// The text that the grammar read, of the same length.
     pub read: &'a str,
-    /// The problems found.
     pub problems: Problems,
     /// Words of the language that were meant as names, and reported.
     pub reserved: BTreeSet<String>,

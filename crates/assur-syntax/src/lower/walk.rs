@@ -27,7 +27,6 @@ impl<'i> Parts<'i> {
         }
     }
 
-    /// The next part.
     pub(super) fn any(&mut self) -> Option<P<'i>> {
         self.skip();
         self.pairs.next()

@@ -15,9 +15,7 @@ use pest::error::{ErrorVariant, InputLocation};
 /// A piece of text, and where and why reading it alone fails.
 #[derive(Clone)]
 pub(super) struct Case<'a> {
-    /// The author's text.
     pub(super) text: &'a str,
-    /// The piece.
     pub(super) slice: &'a str,
     /// Where the piece begins in the text.
     pub(super) offset: usize,

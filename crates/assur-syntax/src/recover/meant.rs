@@ -355,7 +355,6 @@ fn inches(case: &Case<'_>) -> Option<SyntaxError> {
     })
 }
 
-/// Directions in words.
 const DIRECTIONS: &[(&[&str], &str)] = &[
     (&["right", "rightward", "rightwards"], "@ 0 deg"),
     (&["up", "upward", "upwards"], "@ 90 deg"),

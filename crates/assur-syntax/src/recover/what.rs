@@ -5,7 +5,6 @@ use crate::grammar::Rule;
 /// The kind of part being read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum What {
-    /// A statement.
     Statement,
     /// A member of a link.
     Member,

@@ -67,14 +67,11 @@ pub enum TokenKind {
 /// A token and its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// What it is.
     pub kind: TokenKind,
-    /// Its place.
     pub span: Span,
 }
 
 impl Token {
-    /// It as written.
     #[must_use]
     pub fn text(self, text: &str) -> &str {
         text.get(self.span.start..self.span.end).unwrap_or_default()

@@ -146,7 +146,6 @@ impl fmt::Display for Help {
     }
 }
 
-/// Words alone.
 impl From<String> for Help {
     fn from(text: String) -> Self {
         Self { text, fixes: Vec::new() }

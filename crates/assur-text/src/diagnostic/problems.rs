@@ -23,15 +23,12 @@ pub trait Problem: Diagnostic + Send + Sync + 'static {
 pub struct Undeclared<'p> {
     /// The kind that is expected: `link`, `point`.
     pub kind: &'static str,
-    /// The name.
     pub name: &'p str,
     /// The link in which it was looked for.
     pub owner: Option<&'p str>,
-    /// Its place.
     pub at: Span,
 }
 
-/// Any stage's diagnostic.
 pub type AnyDiagnostic = Arc<dyn Problem>;
 
 /// All errors, warnings and notes about one text.
@@ -45,13 +42,11 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// Nothing yet.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// These alone.
     #[must_use]
     pub fn of<D: Problem>(problems: impl IntoIterator<Item = D>) -> Self {
         let mut all = Self::new();
@@ -69,7 +64,6 @@ impl Problems {
         self.more_warnings += more;
     }
 
-    /// Adds one.
     pub fn push(&mut self, problem: impl Problem) {
         self.items.push(Arc::new(problem));
     }

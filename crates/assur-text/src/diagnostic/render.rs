@@ -13,12 +13,7 @@ use std::fmt::{self, Display, Write};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
     /// With the lines of the text and marks below them.
-    Graphical {
-        /// With colours.
-        colour: bool,
-        /// Columns to fill.
-        width: usize,
-    },
+    Graphical { colour: bool, width: usize },
     /// In words alone, for screen readers.
     Narrated,
 }

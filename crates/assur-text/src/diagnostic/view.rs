@@ -14,9 +14,7 @@ pub struct DiagnosticView {
     pub code: Option<String>,
     /// `error`, `warning` or `advice`
     pub severity: &'static str,
-    /// The mistake.
     pub message: String,
-    /// The correction.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub help: Option<String>,
     /// The places it is about, the primary one first.
@@ -26,13 +24,10 @@ pub struct DiagnosticView {
 /// A place in the text with what is said of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SpanView {
-    /// The text's name.
     pub file: String,
-    /// Its first character.
     pub start: Place,
     /// One past its last.
     pub end: Place,
-    /// Its text.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub label: Option<String>,
 }

@@ -19,11 +19,8 @@ pub enum Kind {
 /// with a plain number keeps the kind, and a product with anything else is free.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Dimension {
-    /// Exponent of length.
     pub length: i8,
-    /// Exponent of mass.
     pub mass: i8,
-    /// Exponent of time.
     pub time: i8,
     /// Angle, plain number, or free.
     pub kind: Kind,
@@ -34,31 +31,20 @@ const fn free(length: i8, mass: i8, time: i8) -> Dimension {
 }
 
 impl Dimension {
-    /// A plain number.
     pub const NUMBER: Self = Self { kind: Kind::Plain, ..free(0, 0, 0) };
-    /// An angle.
     pub const ANGLE: Self = Self { kind: Kind::Angle, ..free(0, 0, 0) };
-    /// A length.
     pub const LENGTH: Self = free(1, 0, 0);
-    /// A mass.
     pub const MASS: Self = free(0, 1, 0);
-    /// A time.
     pub const TIME: Self = free(0, 0, 1);
-    /// A velocity.
     pub const VELOCITY: Self = free(1, 0, -1);
-    /// An acceleration.
     pub const ACCELERATION: Self = free(1, 0, -2);
-    /// An angular velocity.
     pub const ANGULAR_VELOCITY: Self = Self { kind: Kind::Angle, ..free(0, 0, -1) };
-    /// An angular acceleration.
     pub const ANGULAR_ACCELERATION: Self = Self { kind: Kind::Angle, ..free(0, 0, -2) };
     /// Turns per time of which nobody said whether they are revolutions or radians.
     pub const FREQUENCY: Self = Self { kind: Kind::Plain, ..free(0, 0, -1) };
-    /// A force.
     pub const FORCE: Self = free(1, 1, -2);
     /// A torque, a work, an energy.
     pub const TORQUE: Self = free(2, 1, -2);
-    /// A power.
     pub const POWER: Self = free(2, 1, -3);
     /// A moment of inertia.
     pub const INERTIA: Self = free(2, 1, 0);
@@ -68,15 +54,11 @@ impl Dimension {
     pub const DAMPING: Self = free(0, 1, -1);
     /// A rotary damping: torque per angular velocity.
     pub const ROTARY_DAMPING: Self = free(2, 1, -1);
-    /// A pressure.
     pub const PRESSURE: Self = free(-1, 1, -2);
-    /// A density.
     pub const DENSITY: Self = free(-3, 1, 0);
     /// A weight per volume.
     pub const WEIGHT_DENSITY: Self = free(-2, 1, -2);
-    /// An area.
     pub const AREA: Self = free(2, 0, 0);
-    /// A volume.
     pub const VOLUME: Self = free(3, 0, 0);
 
     const fn exponents(self) -> (i8, i8, i8) {

@@ -6,11 +6,8 @@ use std::fmt;
 /// A function of the language.
 #[derive(Clone, Copy, Debug)]
 pub struct FunctionRow {
-    /// Which.
     pub function: Function,
-    /// Its name.
     pub name: &'static str,
-    /// Its subject.
     pub group: FunctionGroup,
     /// A call that can be read, with names that are usual.
     pub usage: &'static str,
@@ -21,20 +18,16 @@ pub struct FunctionRow {
 /// One way to call a function.
 #[derive(Clone, Copy, Debug)]
 pub struct Form {
-    /// Its arguments.
     pub takes: &'static [Argument],
-    /// The result.
     pub gives: Gives,
     /// Its meaning, in one sentence without its full stop.
     pub means: &'static str,
 }
 
-/// An argument.
 #[derive(Clone, Copy, Debug)]
 pub struct Argument {
     /// What the reference calls it; the name before `=` where it is written with one.
     pub name: &'static str,
-    /// Its kind.
     pub takes: Takes,
     /// It may be left out.
     pub optional: bool,
@@ -47,7 +40,6 @@ pub struct Argument {
 pub enum Takes {
     /// A value, of this dimension where only one will do.
     Value(Option<Dimension>),
-    /// A constant angle.
     Angle,
     /// `1` or `2`.
     OneOrTwo,
@@ -61,17 +53,12 @@ pub enum Takes {
     Link,
     /// A pair or a transmission.
     Pair,
-    /// A slider.
     Slider,
-    /// A wheel.
     Wheel,
-    /// A mesh.
     Mesh,
-    /// A rope.
     Rope,
     /// An end of a rope.
     RopeEnd,
-    /// A named group.
     Group,
     /// The target of a drive.
     Drive,
@@ -79,11 +66,8 @@ pub enum Takes {
     Effort,
     /// A `given`.
     Given,
-    /// A designed cam.
     Cam,
-    /// A flywheel.
     Flywheel,
-    /// An event.
     Event,
     /// A whole number, as written.
     Count,
@@ -107,29 +91,18 @@ pub enum Gives {
 /// The subject of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FunctionGroup {
-    /// Mathematics.
     Math,
-    /// Formulas for bearings.
     Bearing,
-    /// Motion.
     Motion,
-    /// Forces.
     Force,
-    /// Inertia.
     Inertia,
-    /// Friction and losses.
     Friction,
-    /// The whole cycle.
     Cycle,
-    /// Designed cams.
     Cam,
-    /// Pairs of gears.
     Gear,
     /// Wheels, ropes, trains.
     Train,
-    /// Flywheels.
     Flywheel,
-    /// Motion under loads.
     Simulation,
 }
 
@@ -154,7 +127,6 @@ impl Function {
         &FUNCTIONS[self as usize]
     }
 
-    /// Its name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.row().name

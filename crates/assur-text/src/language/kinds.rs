@@ -16,10 +16,8 @@ macro_rules! kinds {
         pub const $table: &[Word] = &[$(Word { word: $word, means: $means, example: $example },)*];
 
         impl $kind {
-            /// Every kind.
             pub const ALL: &[Self] = &[$(Self::$variant),*];
 
-            /// Its word.
             #[must_use]
             pub const fn word(self) -> &'static str {
                 $table[self as usize].word

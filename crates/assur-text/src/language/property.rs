@@ -6,11 +6,9 @@ use std::fmt;
 /// A property that a statement may have in its braces.
 #[derive(Clone, Copy, Debug)]
 pub struct Property {
-    /// Its word.
     pub name: &'static str,
     /// The values after it.
     pub takes: PropertyValue,
-    /// How it looks.
     pub example: &'static str,
     /// Its meaning, in one sentence without its full stop.
     pub means: &'static str,
@@ -19,7 +17,6 @@ pub struct Property {
 /// The values of a property.
 #[derive(Clone, Copy, Debug)]
 pub enum PropertyValue {
-    /// Nothing.
     Flag,
     /// A value of this dimension.
     Any(Dimension),
@@ -27,7 +24,6 @@ pub enum PropertyValue {
     Positive(Dimension),
     /// A value not less than zero.
     NotNegative(Dimension),
-    /// Two values.
     Two(Dimension),
     /// One of these words, or a value greater than zero.
     Word(&'static [&'static str], Dimension),

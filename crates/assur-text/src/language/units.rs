@@ -10,9 +10,7 @@ pub struct Symbol {
     pub text: &'static str,
     /// How many SI units it is.
     pub factor: f64,
-    /// Its dimension.
     pub dimension: Dimension,
-    /// Other spellings.
     pub also: &'static [&'static str],
 }
 
@@ -22,7 +20,6 @@ const fn row(text: &'static str, factor: f64, dimension: Dimension, also: &'stat
 
 /// Standard gravity, which defines lbf and kgf.
 const G: f64 = 9.806_65;
-/// The international pound.
 const LB: f64 = 0.453_592_37;
 /// The international foot and inch.
 const FT: f64 = 0.3048;

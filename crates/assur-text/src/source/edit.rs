@@ -7,7 +7,6 @@ use super::Span;
 pub struct Edit {
     /// The part; empty where something is added.
     pub span: Span,
-    /// What replaces it.
     pub with: String,
 }
 

@@ -3,7 +3,6 @@
 /// What a column counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
-    /// Bytes.
     Utf8,
     /// Units of UTF-16.
     #[default]
@@ -13,9 +12,7 @@ pub enum Encoding {
 /// A place between characters, both from 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct LineColumn {
-    /// The line.
     pub line: usize,
-    /// The column.
     pub column: usize,
 }
 

@@ -11,7 +11,6 @@ pub use shown::{is_obeyed, shown, shown_in_line};
 /// A range of bytes in a source text, end exclusive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {
-    /// First byte.
     pub start: usize,
     /// One past the last byte.
     pub end: usize,
@@ -43,9 +42,7 @@ impl From<Span> for miette::SourceSpan {
 /// A value with its span.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spanned<T> {
-    /// The thing.
     pub node: T,
-    /// Its place.
     pub span: Span,
 }
 
@@ -61,7 +58,6 @@ impl<T> Spanned<T> {
 pub struct Source {
     /// The file's name as given, `-` for standard input.
     pub name: String,
-    /// The text.
     pub text: String,
     /// The number of lines before it, if it is a part of a file.
     pub lines_before: usize,

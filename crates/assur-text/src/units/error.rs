@@ -8,7 +8,6 @@ pub enum UnitError {
     /// A part of the word is in no table.
     #[error("`{part}` is not a unit")]
     Unknown {
-        /// The part.
         part: String,
         /// First byte of the part.
         start: usize,

@@ -10,13 +10,11 @@ const HALF: usize = 16;
 /// So many numbers are written before the first of them is copied: what was only just written is slow to read.
 const GROUP: usize = 128;
 
-/// The pieces.
 #[derive(Clone, Debug, Default)]
 pub struct Template {
     all: Pieces,
     /// With the steady numbers written in.
     varying: Pieces,
-    /// The steady numbers.
     constants: Vec<(usize, f64)>,
 }
 

@@ -8,7 +8,6 @@ use std::fmt;
 pub struct Unit {
     /// How many SI units it is.
     pub factor: f64,
-    /// Its dimension.
     pub dimension: Dimension,
     /// Its spelling, as found in the text.
     pub text: String,
@@ -51,11 +50,8 @@ pub(super) fn whole_reciprocal(factor: f64) -> Option<f64> {
 /// From SI into a unit, as [`Unit::from_si`], with what does not depend on the number found once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Conversion {
-    /// SI.
     None,
-    /// Times a number.
     Times(f64),
-    /// Over a number.
     Over(f64),
 }
 

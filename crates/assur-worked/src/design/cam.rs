@@ -8,7 +8,6 @@ use assur_formula::{Expr, Function, Name, Unit, with_digits};
 use assur_math::element::cam::{Cam, Follower, Law, Phase, Shape};
 use assur_model::model::{Mechanism, PlateCam};
 
-/// Degrees per rad.
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
 /// The most pieces of a spline that are written one by one.

@@ -7,7 +7,6 @@ use crate::words::DesignMessage as Message;
 use assur_formula::{Expr, Function, Unit};
 use assur_math::element::cam::{Cam, Follower, Law, Part, Quantity, Shape};
 
-/// Degrees per rad.
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 /// Angles nearer than this are one, rad.
 const NEAR: f64 = 1e-9;

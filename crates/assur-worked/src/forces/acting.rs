@@ -10,11 +10,9 @@ use std::collections::BTreeMap;
 /// A known force on a body.
 #[derive(Clone, Debug)]
 pub struct Force {
-    /// Its letters.
     pub name: Name,
     /// Its place in the frame of the body, m.
     pub at: Vec2,
-    /// Its components.
     pub parts: [Expr; 2],
     /// Its magnitude and direction in a vector equation.
     pub known: [Line; 2],
@@ -27,11 +25,9 @@ pub struct Force {
 /// A known couple on a body.
 #[derive(Clone, Debug)]
 pub struct Couple {
-    /// Its value.
     pub value: Expr,
     /// It is a load.
     pub load: bool,
-    /// It is friction.
     pub rubs: bool,
 }
 
@@ -62,7 +58,6 @@ pub struct Acting {
 }
 
 impl Acting {
-    /// Nothing yet.
     pub fn of(bodies: usize, reactions: usize) -> Self {
         Self {
             forces: vec![Vec::new(); bodies],

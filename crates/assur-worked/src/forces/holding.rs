@@ -13,7 +13,6 @@ use std::sync::Arc;
 /// A force or couple that holds a pair, and that the balance of a link gives.
 #[derive(Clone, Debug)]
 pub struct Hold {
-    /// The pair.
     pair: PairId,
     /// Its letters, value and unit.
     name: Name,
@@ -134,7 +133,6 @@ impl Course<'_> {
 }
 
 impl Hold {
-    /// Its letters.
     pub(super) const fn name(&self) -> &Name {
         &self.name
     }

@@ -19,7 +19,6 @@ pub(super) struct CamLaw {
     pub angle: f64,
     /// Lift, first and second derivative: m, or rad where the follower turns.
     pub values: [f64; 3],
-    /// The follower turns.
     pub turns: bool,
 }
 

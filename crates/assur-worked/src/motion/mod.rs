@@ -34,11 +34,9 @@ use assur_position::plan::{Anchor, Arm, Leg, MotionStep};
 /// Which part of motion is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
-    /// Where bodies are.
     Positions,
     /// How fast they move.
     Velocities,
-    /// Their accelerations.
     Accelerations,
 }
 

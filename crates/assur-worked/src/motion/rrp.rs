@@ -11,7 +11,6 @@ use assur_position::plan::{Arm, Leg, Slide};
 
 /// A line of known length that ends on a guide.
 pub(super) struct Reached {
-    /// Its direction.
     pub angle: Expr,
     /// The guide, a point of it, and how far to its left the line ends.
     pub guide: Angle,

@@ -21,27 +21,17 @@ pub enum Message {
     Results,
     /// Header: given, value, quantity, unit and the like.
     Given,
-    /// Header.
     Value,
-    /// Header.
     Quantity,
     /// Header: the letters of a quantity.
     Letters,
-    /// Header.
     Unit,
-    /// Header.
     Pair,
-    /// Header.
     Links,
-    /// Header.
     Kind,
-    /// Header.
     Class,
-    /// Header.
     Group,
-    /// Header.
     OuterPairs,
-    /// Header.
     InnerPairs,
     /// Cell: revolute pair.
     Revolute,
@@ -59,13 +49,9 @@ pub enum Message {
     Lower,
     /// Cell: higher pair.
     Higher,
-    /// Kinds of groups.
     Driven,
-    /// A train.
     Train,
-    /// A triad.
     Triad,
-    /// A general group.
     General,
     /// A dyad with a driven link.
     DrivenLegs,
@@ -85,7 +71,6 @@ pub enum Message {
     Lever,
     /// Units and senses of equations.
     Conventions,
-    /// Mobility.
     MobilityIs,
     /// Replaced higher pairs; 0: pairs.
     Replaced,
@@ -135,9 +120,7 @@ pub enum Message {
     TwoSlides,
     /// A body between guides; 0: it.
     BetweenGuides,
-    /// The word guide.
     Guide,
-    /// Found above.
     Found,
     /// A link turns counter-clockwise; 0: it, 1: its ω.
     TurnsCounterClockwise,
@@ -205,15 +188,11 @@ pub enum Message {
     BalanceShift,
     /// Sense of an effort; 0: it.
     ForceAlongLine,
-    /// Sense.
     ForceAgainstLine,
     /// A free coordinate has no effort.
     NoEffort,
-    /// Sense.
     ActsCounterClockwise,
-    /// Sense.
     ActsClockwise,
-    /// Virtual power.
     VirtualPower,
     /// The powers are not all derived.
     PowerOpen,
@@ -223,7 +202,6 @@ pub enum Message {
     OpenSizes,
     /// Quantities over a sweep.
     SweepStated,
-    /// Angles of wheels.
     TrainPlaces,
     /// The laws of a train.
     LawsOfTrain,
@@ -247,9 +225,7 @@ pub enum Message {
     TextOf,
     /// The scheme is at another position.
     OtherPose,
-    /// Heading.
     Variants,
-    /// Header.
     Variant,
     /// Heading: what to find.
     Find,
@@ -263,7 +239,6 @@ pub enum Message {
     TogetherForces,
     /// Equilibrium of a link; 0: it.
     EquilibriumOf,
-    /// Hinges close.
     Closes,
     /// Points that the file asks for.
     AskedFor,
@@ -285,7 +260,6 @@ pub enum Message {
     SeePolygon,
     /// The lever; 0: the figure.
     SeeLever,
-    /// Velocities are ratios.
     Rates,
     /// A load by an expression; 0: its letters, 1: the expression.
     LoadHere,
@@ -303,7 +277,6 @@ pub enum Message {
     TeethPress,
     /// Reactions of bearings of a train.
     BearingsOf,
-    /// Powers through transmissions.
     TrainPowers,
     /// Row: seen from the carrier.
     CarrierLocked,

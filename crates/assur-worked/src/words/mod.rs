@@ -24,17 +24,13 @@ use crate::document::{Inline, Labels, Line};
 /// A language of sentences.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
-    /// English
     #[default]
     English,
-    /// Chinese
     Chinese,
-    /// Russian
     Russian,
 }
 
 impl Language {
-    /// Its code.
     #[must_use]
     pub const fn code(self) -> &'static str {
         match self {
@@ -107,7 +103,6 @@ impl Sentence for Message {
 /// The letters of a course.
 #[derive(Clone, Copy, Debug)]
 pub struct Letters {
-    /// Mobility.
     pub mobility: &'static str,
     /// Number of lower pairs: letter and index.
     pub lower: (&'static str, &'static str),

@@ -253,7 +253,6 @@ pub(super) const TITLES: &[[&str; 3]] = &[
     ["{}: {} over time", "{}：{}，随时间", "{}: {} по времени"],
 ];
 
-/// Items of lists.
 pub(super) const ITEMS: &[[&str; 3]] = &[
     ["springs {}", "弹簧 {}", "пружины {}"],
     ["{} (hinge {})", "{}（转动副 {}）", "{} (шарнир {})"],

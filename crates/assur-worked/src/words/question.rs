@@ -5,7 +5,6 @@ use super::{Language, Sentence};
 /// A quantity that is asked for; {0} is the point, link or pair, {1} the link that a force is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum QuestionMessage {
-    /// All reactions.
     Reactions,
     /// A component of {0}.
     AlongX,
@@ -49,7 +48,6 @@ pub enum QuestionMessage {
     Friction,
     /// Power lost by friction in {0}.
     FrictionPower,
-    /// Efficiency.
     Efficiency,
     /// Whether the mechanism locks itself.
     Locked,
@@ -69,9 +67,7 @@ pub enum QuestionMessage {
     Load,
     /// Power of {0}.
     Power,
-    /// Kinetic energy.
     KineticEnergy,
-    /// Potential energy.
     PotentialEnergy,
     /// Travel in {0}.
     Travel,
@@ -91,7 +87,6 @@ pub enum QuestionMessage {
     SlackSide,
     /// Dead position of {0}.
     DeadPosition,
-    /// Period.
     Period,
     /// Instant of {0}.
     EventTime,

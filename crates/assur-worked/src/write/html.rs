@@ -25,7 +25,6 @@ pub fn html(document: &Document) -> String {
     out
 }
 
-/// What is numbered.
 #[derive(Default)]
 struct Counted {
     sections: usize,

@@ -1,6 +1,5 @@
 //! The rules of a page: light, dark, phone, paper.
 
-/// The rules.
 pub(super) const STYLE: &str = "\
 :root{--ink:#111;--soft:#5b6470;--pap:#fff;--line:#d4d8de;--acc:#0072b2}
 @media (prefers-color-scheme:dark){:root{--ink:#ececec;--soft:#a4adb8;--pap:#16181c;--line:#3a3f47;--acc:#56b4e9}}

@@ -14,11 +14,8 @@ pub enum LinkError {
     NotPositive {
         /// The size, with its article.
         what: String,
-        /// Its value.
         value: String,
-        /// The correction.
         help: String,
-        /// The value's place.
         #[label("{value}")]
         span: Span,
     },
@@ -28,9 +25,7 @@ pub enum LinkError {
     Negative {
         /// The size, with its article.
         what: String,
-        /// Its value.
         value: String,
-        /// The value's place.
         #[label("{value}")]
         span: Span,
     },
@@ -38,12 +33,9 @@ pub enum LinkError {
     #[error("{what} is given twice")]
     #[diagnostic(code("mech::geometry::stated_twice"), help("keep one of the two"))]
     StatedTwice {
-        /// What.
         what: String,
-        /// The second statement.
         #[label(primary, "given again here")]
         again: Span,
-        /// The first one.
         #[label("first given here")]
         first: Span,
     },
@@ -57,12 +49,9 @@ pub enum LinkError {
         )
     )]
     SecondMass {
-        /// The link.
         link: String,
-        /// The second one.
         #[label(primary, "given again here")]
         again: Span,
-        /// The first one.
         #[label("first given here")]
         first: Span,
     },
@@ -73,30 +62,22 @@ pub enum LinkError {
         help("change a side of the triangle {sides}: {correction}")
     )]
     PointDoesNotClose {
-        /// The point.
         point: String,
         /// The comparison, with numbers.
         reason: String,
-        /// The gap.
         by: String,
         /// `short` or `long`.
         too: &'static str,
-        /// The three lengths.
         sides: String,
         /// Bounds for one of them.
         correction: String,
-        /// The point's name.
         #[label(primary, "no such point")]
         span: Span,
-        /// The first distance.
         #[label("{first_distance}")]
         first: Span,
-        /// Its value.
         first_distance: String,
-        /// The second distance.
         #[label("{second_distance}")]
         second: Span,
-        /// Its value.
         second_distance: String,
     },
     /// A direction or a triangle needs two points, but they coincide.
@@ -108,11 +89,8 @@ pub enum LinkError {
     SamePlace {
         /// The item that needs them.
         what: String,
-        /// One point.
         first_name: String,
-        /// The other.
         second_name: String,
-        /// Their position.
         place: String,
         /// The span of the first.
         #[label("`{first_name}`")]
@@ -130,9 +108,7 @@ pub enum LinkError {
     CircularPoints {
         /// The points in order.
         chain: String,
-        /// One of them.
         point: String,
-        /// Their names.
         #[label(collection, "depends on the next one")]
         spans: Vec<Span>,
     },
@@ -143,13 +119,10 @@ pub enum LinkError {
         help("give the mass centre: `{member} at {point}`")
     )]
     MassWithoutPlace {
-        /// The link.
         link: String,
-        /// The member.
         member: String,
         /// A point of the link.
         point: String,
-        /// The member.
         #[label(primary, "the point is missing")]
         span: Span,
         /// The pair on which it turns.
@@ -165,11 +138,8 @@ pub enum LinkError {
         )
     )]
     WeightWithoutGravity {
-        /// The link.
         link: String,
-        /// The weight.
         weight: String,
-        /// The member.
         #[label("a weight is a mass times gravity")]
         span: Span,
     },
@@ -186,9 +156,7 @@ pub enum LinkError {
     InertiaTooSmall {
         /// The point it is about.
         point: String,
-        /// As given.
         inertia: String,
-        /// The link's mass.
         mass: String,
         /// From the mass centre to the point.
         distance: String,
@@ -196,10 +164,8 @@ pub enum LinkError {
         least: String,
         /// The value about the mass centre.
         left: String,
-        /// The inertia's place.
         #[label(primary, "{inertia}")]
         span: Span,
-        /// The mass's place.
         #[label("{mass}, {distance} from `{point}`")]
         mass_span: Span,
     },
@@ -213,9 +179,7 @@ pub enum LinkError {
         )
     )]
     PointMass {
-        /// The link.
         link: String,
-        /// The mass.
         #[label("the whole mass at one point")]
         span: Span,
     },
@@ -229,11 +193,9 @@ pub enum LinkError {
         help("add `mass 1 kg at {point}` with its own value")
     )]
     NoMass {
-        /// The link.
         link: String,
         /// Where a mass may be.
         point: String,
-        /// The inertia.
         #[label("without a mass")]
         span: Span,
     },
@@ -245,11 +207,9 @@ pub enum LinkError {
         help("leave it out, or give it to the moving link")
     )]
     MassOnGround {
-        /// The ground's name.
         link: String,
         /// `mass` or `inertia`.
         what: &'static str,
-        /// The member.
         #[label("on the ground")]
         span: Span,
     },

@@ -16,11 +16,9 @@ pub enum LoadError {
     ForceWithoutPlace {
         /// The force, with its article.
         what: String,
-        /// The link.
         link: String,
         /// As it should look.
         example: String,
-        /// The link's place.
         #[label("the point is missing")]
         span: Span,
     },
@@ -28,11 +26,9 @@ pub enum LoadError {
     #[error("the force `{name}` has no direction")]
     #[diagnostic(code("mech::geometry::force_without_direction"), help("give its direction: `{example}`"))]
     ForceWithoutDirection {
-        /// The balance.
         name: String,
         /// As it should look.
         example: String,
-        /// The statement.
         #[label("the direction is missing")]
         span: Span,
     },
@@ -42,7 +38,6 @@ pub enum LoadError {
     Form {
         /// The words that do not fit together.
         message: String,
-        /// The correction.
         help: String,
         /// The word or value.
         #[label("does not fit here")]
@@ -52,15 +47,11 @@ pub enum LoadError {
     #[error("`{pair}` is {is}: {fits} acts between its links, not {given}")]
     #[diagnostic(code("mech::geometry::wrong_effort"), help("{help}"))]
     WrongEffort {
-        /// The pair.
         pair: String,
-        /// Its kind.
         is: String,
         /// The effort that acts in it.
         fits: String,
-        /// The effort written.
         given: String,
-        /// The correction.
         help: String,
         /// The pair in the load.
         #[label(primary, "{is}")]
@@ -79,7 +70,6 @@ pub enum LoadError {
         on: String,
         /// What it may depend on.
         help: String,
-        /// Its place.
         #[label("{on}")]
         span: Span,
     },

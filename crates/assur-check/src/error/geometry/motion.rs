@@ -17,12 +17,9 @@ pub enum MotionError {
         )
     )]
     NoPhase {
-        /// The pair.
         name: String,
-        /// Its place here.
         #[label(primary, "not a mesh, a belt or a chain")]
         span: Span,
-        /// Its declaration.
         #[label("declared here")]
         declared: Span,
     },
@@ -35,10 +32,8 @@ pub enum MotionError {
     DrivenTwice {
         /// The name of the drive.
         name: String,
-        /// The second drive.
         #[label(primary, "driven again here")]
         again: Span,
-        /// The first.
         #[label("already driven here")]
         first: Span,
     },
@@ -51,7 +46,6 @@ pub enum MotionError {
     StartWithoutPosition {
         /// The start with example values.
         name: String,
-        /// The statement.
         #[label("no position")]
         span: Span,
     },
@@ -59,13 +53,11 @@ pub enum MotionError {
     #[error("`{name}` is {is} and has no coordinate")]
     #[diagnostic(code("mech::geometry::no_coordinate"), help("{help}"))]
     NoCoordinate {
-        /// The name.
         name: String,
         /// Its kind, with its article.
         is: String,
         /// Names that can be used.
         help: String,
-        /// Its place.
         #[label("no coordinate")]
         span: Span,
     },
@@ -73,11 +65,9 @@ pub enum MotionError {
     #[error("{what} on the ground has no effect: the ground is fixed")]
     #[diagnostic(code("mech::geometry::on_ground"), help("{help}"))]
     OnGround {
-        /// Links that move.
         help: String,
         /// What, with its article.
         what: String,
-        /// Where.
         #[label("the ground")]
         span: Span,
     },
@@ -87,9 +77,7 @@ pub enum MotionError {
     WrongSense {
         /// The words that do not fit together.
         message: String,
-        /// The correction.
         help: String,
-        /// The word.
         #[label("does not fit here")]
         span: Span,
     },
@@ -104,7 +92,6 @@ pub enum MotionError {
         name: String,
         /// A speed of zero.
         zero: String,
-        /// The acceleration.
         #[label("acceleration without speed")]
         span: Span,
     },
@@ -119,9 +106,7 @@ pub enum MotionError {
     WithoutPosition {
         /// The name of the drive.
         name: String,
-        /// A position.
         example: String,
-        /// The drive.
         #[label("the position is missing")]
         span: Span,
     },
@@ -132,11 +117,9 @@ pub enum MotionError {
         help("write for example `0 deg .. 360 deg in 12 steps`, one pose every 30 deg")
     )]
     Steps {
-        /// The value given.
         value: String,
         /// The most there may be.
         most: usize,
-        /// Its place.
         #[label("{value}")]
         span: Span,
     },
@@ -144,11 +127,9 @@ pub enum MotionError {
     #[error("the range of `{name}` has no length: it ends where it begins")]
     #[diagnostic(code("mech::geometry::empty_range"), help("write `{line}`, or another end of the range"))]
     EmptyRange {
-        /// What is driven.
         name: String,
         /// The drive at one position.
         line: String,
-        /// The drive.
         #[label("one position, in several steps")]
         span: Span,
     },
@@ -162,7 +143,6 @@ pub enum MotionError {
         step: String,
         /// What is to be resolved.
         against: String,
-        /// The correction.
         help: &'static str,
         /// The point, the line or the drive.
         #[label("far from zero")]
@@ -174,11 +154,9 @@ pub enum MotionError {
     StepSize {
         /// What is wrong, with the numbers.
         message: String,
-        /// The correction.
         help: String,
         /// The words at its place.
         label: &'static str,
-        /// Its place.
         #[label("{label}")]
         span: Span,
     },
@@ -193,12 +171,9 @@ pub enum MotionError {
     PositionsDiffer {
         /// Of the first drive.
         first_count: usize,
-        /// Of the second.
         count: usize,
-        /// The first drive.
         #[label("{first_count} positions")]
         first: Span,
-        /// The second.
         #[label(primary, "{count} positions")]
         span: Span,
     },
@@ -210,7 +185,6 @@ pub enum MotionError {
         name: String,
         /// The name of the drive.
         help: Help,
-        /// Its place.
         #[label("no drive moves it")]
         span: Span,
     },
@@ -221,16 +195,11 @@ pub enum MotionError {
         help("add `{example}`, with its own value: `{drive}` goes through several positions")
     )]
     PoseIncomplete {
-        /// The pose.
         what: String,
-        /// The drive.
         drive: String,
-        /// The missing part.
         example: String,
-        /// The pose.
         #[label(primary, "the position of `{drive}` is missing")]
         span: Span,
-        /// The drive.
         #[label("several positions")]
         drive_span: Span,
     },
@@ -241,14 +210,11 @@ pub enum MotionError {
         help("write `pose {pose}'`; poses of the sweep are numbered from 1 to {count}")
     )]
     PoseOfSweep {
-        /// The name.
         pose: String,
         /// How many poses the sweep has.
         count: usize,
-        /// The pose.
         #[label(primary, "this name is taken")]
         span: Span,
-        /// The drive.
         #[label("{count} poses")]
         drive: Span,
     },
@@ -256,11 +222,8 @@ pub enum MotionError {
     #[error("`ahead` and `behind` need a guide, and `{point}` slides on none")]
     #[diagnostic(code("mech::geometry::no_guide"), help("{help}"))]
     NoGuide {
-        /// The point.
         point: String,
-        /// The correction.
         help: String,
-        /// Its place.
         #[label("not the point of a prismatic pair")]
         span: Span,
     },
@@ -274,12 +237,9 @@ pub enum MotionError {
         )
     )]
     NearWithDead {
-        /// The drive.
         drive: String,
-        /// The clause.
         #[label(primary, "refers to the first pose")]
         span: Span,
-        /// The drive.
         #[label("depends on `dead`, `stroke` or `time_ratio`")]
         drive_span: Span,
     },
@@ -287,13 +247,9 @@ pub enum MotionError {
     #[error("`{name}` is {is}, which has no single point")]
     #[diagnostic(code("mech::geometry::no_single_point"), help("name a point of a link, as in `{example}`"))]
     NoSinglePoint {
-        /// The pair.
         name: String,
-        /// Its kind.
         is: String,
-        /// A point.
         example: String,
-        /// Its place.
         #[label("the point is not clear")]
         span: Span,
     },
@@ -304,9 +260,7 @@ pub enum MotionError {
         help("name two different points: `C left of B-D` looks from B towards D")
     )]
     NoDirection {
-        /// The point.
         name: String,
-        /// The two points.
         #[label("the same point")]
         span: Span,
     },

@@ -12,9 +12,7 @@ pub enum PairError {
     #[error("`{link}` has no {what} `{name}`")]
     #[diagnostic(code("mech::geometry::nothing_to_join"), help("{help}"))]
     NothingToJoin {
-        /// The link.
         link: String,
-        /// The expected kind.
         what: String,
         /// Its name, that of the pair.
         name: String,
@@ -23,7 +21,6 @@ pub enum PairError {
         /// The link in the pair.
         #[label(primary, "the {what} `{name}` of `{link}` is joined here")]
         span: Span,
-        /// The pair's name.
         #[label("the name of the pair is also the name of the {what}s it joins")]
         pair: Span,
     },
@@ -37,9 +34,7 @@ pub enum PairError {
         wants: String,
         /// The things it joins here.
         got: String,
-        /// The correction.
         help: String,
-        /// The ends.
         #[label("{got}")]
         span: Span,
     },
@@ -47,18 +42,13 @@ pub enum PairError {
     #[error("{what} `{name}` joins `{link}` with itself")]
     #[diagnostic(code("mech::geometry::joined_with_itself"), help("{help}"))]
     JoinedWithItself {
-        /// The correction.
         help: String,
         /// Pair, spring …
         what: String,
-        /// Its name.
         name: String,
-        /// The link.
         link: String,
-        /// The first end.
         #[label("`{link}` here")]
         first: Span,
-        /// The second end.
         #[label(primary, "and here")]
         second: Span,
     },
@@ -71,16 +61,11 @@ pub enum PairError {
         )
     )]
     JoinedTwice {
-        /// The second pair.
         name: String,
-        /// One point.
         first_point: String,
-        /// The other point.
         second_point: String,
-        /// The second pair.
         #[label(primary, "joined again here")]
         again: Span,
-        /// The first pair.
         #[label("already joined here")]
         first: Span,
     },
@@ -95,20 +80,15 @@ pub enum PairError {
         )
     )]
     HeldTwice {
-        /// The sliding link.
         link: String,
-        /// The first pair.
         first_name: String,
-        /// The second pair.
         name: String,
         /// A free name for a line.
         line: String,
         /// The point that slides.
         point: String,
-        /// The second pair.
         #[label(primary, "fixes it again")]
         again: Span,
-        /// The first pair.
         #[label("fixes the angle of `{link}`")]
         first: Span,
     },
@@ -116,11 +96,8 @@ pub enum PairError {
     #[error("{profiles} cannot form a contact")]
     #[diagnostic(code("mech::geometry::no_contact"), help("{help}"))]
     NoContact {
-        /// The two profiles.
         profiles: String,
-        /// The correction.
         help: String,
-        /// The ends.
         #[label("a contact is a circle on a circle, a line or a point, or a point on a line")]
         span: Span,
     },
@@ -130,11 +107,9 @@ pub enum PairError {
     UnknownProperty {
         /// The statement, with its article.
         what: String,
-        /// The property.
         name: String,
         /// Similar properties, or all that exist.
         help: Help,
-        /// Its place.
         #[label("not known here")]
         span: Span,
     },
@@ -142,16 +117,12 @@ pub enum PairError {
     #[error("`{name}` takes {wants}")]
     #[diagnostic(code("mech::geometry::property_value"), help("write `{example}`"))]
     PropertyValue {
-        /// The property.
         name: String,
         /// The values it takes.
         wants: String,
-        /// A correct example.
         example: String,
-        /// Its place.
         #[label("{got}")]
         span: Span,
-        /// The values found.
         got: String,
     },
     /// A property that needs another one, or contradicts another one.
@@ -160,9 +131,7 @@ pub enum PairError {
     Incomplete {
         /// The missing or contradicting property.
         message: String,
-        /// The correction.
         help: String,
-        /// Its span.
         #[label("{label}")]
         span: Span,
         /// The text of the label.
@@ -175,9 +144,7 @@ pub enum PairError {
         help("give the two ends of the sliding surface along the line, as in `contacts -20 mm, 25 mm`")
     )]
     ContactsCoincide {
-        /// Their coordinate.
         at: String,
-        /// Their place.
         #[label("{at} and {at}")]
         span: Span,
     },
@@ -185,9 +152,7 @@ pub enum PairError {
     #[error("{message}")]
     #[diagnostic(code("mech::geometry::geneva"), help("{help}"))]
     Geneva {
-        /// What is wrong.
         message: String,
-        /// The correction.
         help: String,
         /// The number of its slots.
         #[label(primary, "here")]
@@ -199,13 +164,11 @@ pub enum PairError {
     )]
     #[diagnostic(code("mech::geometry::geneva_shock"), severity(Warning), help("{help}"))]
     GenevaShock {
-        /// The pair.
         name: String,
         /// The ratio of the angular velocities.
         ratio: String,
         /// The proportions without a shock.
         help: String,
-        /// The pair.
         #[label("velocity jumps here")]
         span: Span,
     },
@@ -213,9 +176,7 @@ pub enum PairError {
     #[error("{message}")]
     #[diagnostic(code("mech::geometry::no_group"), help("name different moving links"))]
     NoGroup {
-        /// The mistake.
         message: String,
-        /// The link.
         #[label("not a link of a group")]
         span: Span,
     },

@@ -11,7 +11,6 @@ use assur_syntax::document::{Expr, ExprKind};
 use assur_text::language::Function;
 use assur_text::units::Dimension;
 
-/// What turns.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Bearing {
     Journal,

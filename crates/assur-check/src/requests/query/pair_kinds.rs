@@ -7,7 +7,6 @@ type Kinds = (fn(&PairKind) -> bool, Option<&'static str>);
 
 /// Pairs in which a point slides along a line.
 pub(super) const ALONG_LINE: Kinds = (slides, Some("it is defined where a point slides along a line"));
-/// Prismatic pairs.
 pub(super) const GUIDE: Kinds = (is_guide, Some("it is defined for prismatic pairs"));
 
 const fn slides(kind: &PairKind) -> bool {

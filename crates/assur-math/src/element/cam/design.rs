@@ -6,14 +6,11 @@ use super::program::{Part, Program};
 use super::{Follower, Shape};
 use crate::element::search::greatest;
 
-/// A plate cam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cam {
     /// Least radius of the pitch curve; for a flat face least distance of the face from the centre, m.
     pub base_radius: f64,
-    /// It turns counter-clockwise.
     pub ccw: bool,
-    /// What it moves.
     pub follower: Follower,
     /// How the follower moves.
     pub program: Program,

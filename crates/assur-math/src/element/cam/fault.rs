@@ -11,17 +11,9 @@ pub enum Misfit {
     /// The line of the follower passes outside the base circle.
     Offset,
     /// Arm, pivot distance and base radius make no triangle: the base radius must lie between these, m.
-    Triangle {
-        /// Least.
-        least: f64,
-        /// Greatest.
-        most: f64,
-    },
+    Triangle { least: f64, most: f64 },
     /// A flat face cannot reach the base circle: its radius must be less than this, m.
-    Face {
-        /// Greatest.
-        most: f64,
-    },
+    Face { most: f64 },
     /// At its greatest lift the follower has turned past the line that it may reach, rad.
     TooHigh {
         /// Its angle at lift zero.

@@ -3,7 +3,6 @@
 /// The end of a follower that touches the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
-    /// A knife edge.
     Knife,
     /// A roller of this radius, m.
     Roller(f64),
@@ -16,7 +15,6 @@ pub enum Shape {
 pub enum Follower {
     /// It moves along a line.
     Translating {
-        /// Its end.
         shape: Shape,
         /// Distance of the line of the knife edge or roller centre from the cam's centre; positive on that side on which
         /// it lessens the pressure angle of the rise.
@@ -24,7 +22,6 @@ pub enum Follower {
     },
     /// It turns about a pivot.
     Oscillating {
-        /// Its end.
         shape: Shape,
         /// Distance of the knife edge or roller centre from the pivot; of no meaning for a flat face.
         arm: f64,
@@ -38,7 +35,6 @@ pub enum Follower {
 }
 
 impl Follower {
-    /// Its end.
     #[must_use]
     pub const fn shape(&self) -> Shape {
         match self {

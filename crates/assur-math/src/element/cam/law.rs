@@ -9,13 +9,10 @@ use crate::math::Angular;
 /// A law of motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
-    /// No motion.
     Dwell,
-    /// Constant speed.
     Uniform,
     /// Constant acceleration, then constant deceleration.
     Parabolic,
-    /// A half cosine.
     Harmonic,
     /// The acceleration is a whole sine.
     Cycloidal,

@@ -44,7 +44,6 @@ pub struct CamPoint {
 pub enum Quantity {
     /// Lift (0) or one of its derivatives (1 to 3) by the cam angle.
     Lift(u8),
-    /// Pressure angle.
     PressureAngle,
     /// Radius of curvature of the pitch curve (for a flat face of the profile), negative where it is hollow.
     CurvatureRadius,

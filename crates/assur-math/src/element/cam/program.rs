@@ -19,14 +19,12 @@ pub struct Phase {
     pub from: f64,
     /// Change of the lift, m or rad: positive for a rise, zero for a dwell.
     pub change: f64,
-    /// By which law.
     pub law: Law,
 }
 
 /// A part of the turn over which one formula holds, ends included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
-    /// The phase.
     phase: usize,
     /// The part of its law.
     part: usize,

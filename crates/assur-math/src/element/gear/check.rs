@@ -10,7 +10,6 @@ pub enum GearFault {
     Undercut {
         /// Which wheel, 0 or 1.
         wheel: usize,
-        /// Its shift.
         shift: f64,
         /// The least shift without undercut.
         least: f64,
@@ -23,10 +22,7 @@ pub enum GearFault {
         thickness: f64,
     },
     /// A pair of teeth parts before the next one meets.
-    Gap {
-        /// The contact ratio.
-        ratio: f64,
-    },
+    Gap { ratio: f64 },
     /// The tip of the other wheel reaches below the involute of this one: radius of curvature where it touches, and where the
     /// involute begins, m.
     Tip {
@@ -52,7 +48,6 @@ pub enum GearFault {
     },
 }
 
-/// Relative rounding.
 const NEAR: f64 = 1e-12;
 
 impl GearPair {

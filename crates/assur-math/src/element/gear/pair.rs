@@ -14,15 +14,12 @@ use std::f64::consts::PI;
 /// What a pair is given by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Teeth {
-    /// Numbers of teeth.
     pub z: [f64; 2],
     /// Module, m.
     pub module: f64,
     /// Pressure angle of the basic rack, rad.
     pub pressure_angle: f64,
-    /// Addendum in modules.
     pub addendum: f64,
-    /// Clearance in modules.
     pub clearance: f64,
     /// Profile shifts in modules.
     pub shift: [f64; 2],
@@ -59,12 +56,10 @@ pub struct Gear {
     pub x_min: f64,
 }
 
-/// A pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GearPair {
     /// What it is given by.
     pub teeth: Teeth,
-    /// The wheels.
     pub gears: [Gear; 2],
     /// Centre distance, m.
     pub a: f64,
@@ -78,7 +73,6 @@ pub struct GearPair {
     pub c: f64,
     /// Length of contact, m.
     pub g: f64,
-    /// Contact ratio.
     pub ratio: f64,
     /// Number of teeth without undercut at no shift.
     pub z_min: f64,

@@ -6,7 +6,6 @@ use crate::math::{Vec2, acceleration_at, velocity_at};
 /// A point of a body.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// Which body.
     pub body: usize,
     /// The point in the body's frame, m.
     pub r: Vec2,
@@ -15,7 +14,6 @@ pub struct Point {
 /// A line of a body.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// Which body.
     pub body: usize,
     /// Its origin in the body's frame, m.
     pub r: Vec2,
@@ -59,18 +57,14 @@ pub enum Constraint {
     },
     /// A point keeps an offset to the left of a line. λ: the force on its body, along the line's left normal.
     Offset {
-        /// The point.
         point: Point,
-        /// The line.
         line: Line,
         /// Offset, m.
         law: Law,
     },
     /// A point has a given coordinate along a line. λ: the force on its body, along the line.
     Coordinate {
-        /// The point.
         point: Point,
-        /// The line.
         line: Line,
         /// Coordinate from the line's origin, m.
         law: Law,

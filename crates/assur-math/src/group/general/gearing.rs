@@ -14,7 +14,6 @@ const BEYOND: f64 = 1e-9;
 /// A law between the motions of any number of bodies.
 #[derive(Clone, Debug)]
 pub struct Gearing {
-    /// Its terms.
     pub terms: Vec<GearTerm>,
     /// The sum, in the unit of coefficients times coordinates.
     pub value: f64,
@@ -25,9 +24,7 @@ pub struct Gearing {
 /// A coordinate with its coefficient.
 #[derive(Clone, Copy, Debug)]
 pub struct GearTerm {
-    /// The coordinate.
     pub of: Geared,
-    /// Its coefficient.
     pub coefficient: f64,
 }
 
@@ -36,7 +33,6 @@ pub struct GearTerm {
 pub enum Geared {
     /// The angle of a body: `angle` where its direction is `near`, within half a turn of it.
     Turn {
-        /// Which body.
         body: usize,
         /// A direction near by.
         near: Vec2,
@@ -44,12 +40,7 @@ pub enum Geared {
         angle: f64,
     },
     /// The coordinate of a point along a line.
-    Slide {
-        /// The point.
-        point: Point,
-        /// The line.
-        line: Line,
-    },
+    Slide { point: Point, line: Line },
 }
 
 impl Geared {

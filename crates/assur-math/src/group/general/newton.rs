@@ -16,12 +16,7 @@ const SMALL: f64 = 1e-12;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Failure {
     /// The constraints are not three per body, or name a body that is not there.
-    Shape {
-        /// Scalar constraints.
-        rows: usize,
-        /// Three per body.
-        unknowns: usize,
-    },
+    Shape { rows: usize, unknowns: usize },
     /// The group does not close from where the iteration began.
     NotClosed {
         /// By how much the constraints are open, all together, where they are least so, m.
@@ -274,7 +269,6 @@ impl General {
         self.jacobian.factor()
     }
 
-    /// Rows and residuals.
     fn evaluate(&mut self, poses: &[Pose]) {
         self.rows.clear();
         for c in &self.constraints {

@@ -16,7 +16,6 @@ const DIRECTIONS: u32 = 1440;
 pub enum Miss {
     /// Two links with the plate between them do not close. Lengths in the order base, first leg, plate, second leg.
     Pair {
-        /// The legs.
         legs: [usize; 2],
         /// The four lengths, m.
         lengths: [f64; 4],
@@ -27,7 +26,6 @@ pub enum Miss {
     },
     /// With the other legs on it the plate's pin does not reach its place.
     Third {
-        /// The leg.
         leg: usize,
         /// Its pin comes as near, or gets as far, as this, m: from the hinge of the leg, or from its guide.
         reached: f64,

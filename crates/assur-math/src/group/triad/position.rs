@@ -95,7 +95,6 @@ pub struct Plate {
     shares: [f64; 3],
 }
 
-/// A position found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Followed {
     /// G and the direction of the plate.

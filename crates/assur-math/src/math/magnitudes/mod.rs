@@ -42,7 +42,6 @@ pub struct Magnitudes {
 }
 
 impl Part {
-    /// Its value.
     #[must_use]
     pub fn at(&self, x: &[f64]) -> Vec2 {
         self.slopes.iter().zip(x).fold(self.constant, |sum, (slope, x)| sum + *slope * *x)
@@ -50,7 +49,6 @@ impl Part {
 }
 
 impl Magnitudes {
-    /// Number of unknowns.
     #[must_use]
     pub fn len(&self) -> usize {
         self.weights.len()

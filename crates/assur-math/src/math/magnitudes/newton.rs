@@ -3,16 +3,13 @@
 use super::Magnitudes;
 use crate::math::{Lu, Vec2};
 
-/// Most steps.
 const STEPS: usize = 60;
 /// A step of this part of the terms is rounding.
 const ROUNDED: f64 = 4e-16;
 /// A step below this part of the terms that does not fall any more is rounding too.
 const RESTLESS: f64 = 1e-11;
 
-/// A solution.
 pub struct Found {
-    /// The unknowns.
     pub x: Vec<f64>,
     /// Sign of the determinant of the system with the directions of the solution; 1 with all weights zero.
     pub sign: f64,

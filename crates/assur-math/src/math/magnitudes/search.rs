@@ -31,7 +31,6 @@ enum Sector {
 /// All solutions of a system with magnitudes.
 #[derive(Clone, Debug, Default)]
 pub struct Solutions {
-    /// The solutions found.
     pub found: Vec<Vec<f64>>,
     /// There are no others.
     pub complete: bool,

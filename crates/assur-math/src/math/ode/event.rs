@@ -12,13 +12,10 @@ use std::ops::ControlFlow;
 /// A function passes zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing<S> {
-    /// Where.
     pub t: S,
-    /// From below.
     pub rising: bool,
 }
 
-/// Places.
 const PLACES: usize = 10;
 
 /// Parts of the step.
@@ -28,7 +25,6 @@ const PARTS: [f64; PLACES] =
 /// Where the polynomial is looked at between two places.
 const INSIDE: usize = 3;
 
-/// Places at most.
 const MORE: usize = PLACES + INSIDE * (PLACES - 1);
 
 /// The value of the polynomial there: the weight of each place (Lagrange).

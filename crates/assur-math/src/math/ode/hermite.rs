@@ -3,7 +3,6 @@
 
 use super::Real;
 
-/// The polynomial.
 #[derive(Clone, Debug)]
 pub(super) struct Hermite<S> {
     /// Parts of the step.

@@ -101,7 +101,6 @@ pub enum Stopped {
 
 /// What all methods offer.
 pub trait Integrator<S: Real> {
-    /// Where it stands.
     fn progress(&self) -> &Progress<S>;
     /// Where it stands, to set its bounds.
     fn progress_mut(&mut self) -> &mut Progress<S>;
@@ -157,11 +156,9 @@ pub trait Integrator<S: Real> {
     fn t(&self) -> S {
         self.progress().t1
     }
-    /// The state there.
     fn y(&self) -> &[S] {
         &self.progress().y1
     }
-    /// The rates there.
     fn rates(&self) -> &[S] {
         &self.progress().f1
     }
@@ -169,11 +166,9 @@ pub trait Integrator<S: Real> {
     fn previous_t(&self) -> S {
         self.progress().t0
     }
-    /// The state there.
     fn previous_y(&self) -> &[S] {
         &self.progress().y0
     }
-    /// The rates there.
     fn previous_rates(&self) -> &[S] {
         &self.progress().f0
     }

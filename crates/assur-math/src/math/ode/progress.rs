@@ -7,7 +7,6 @@ use super::{Real, Step, Stopped, System, Undefined, epsilon, nonzero};
 pub struct Counts {
     /// Evaluations of the rates.
     pub evaluations: usize,
-    /// Accepted steps.
     pub steps: usize,
     /// Trials that were rejected: by their error, or because a stage had no value.
     pub rejected: usize,
@@ -44,11 +43,9 @@ pub struct Progress<S> {
     pub errors: (S, S),
 }
 
-/// A trial step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Trial<S> {
     pub h: S,
-    /// Where it ends.
     pub t: S,
     /// It ends at the end.
     pub last: bool,

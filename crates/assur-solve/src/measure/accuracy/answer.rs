@@ -15,11 +15,8 @@ pub enum Source {
 /// Motion, reactions and efforts at one position.
 #[derive(Clone, Debug, Default)]
 pub struct Answer {
-    /// Bodies by slot.
     pub bodies: Vec<BodyState<Double>>,
-    /// Reactions by slot.
     pub reactions: Vec<Reaction<Double>>,
-    /// Efforts by slot.
     pub efforts: Vec<Double>,
     /// The greatest force of a load on a body, N.
     pub load: f64,
@@ -71,7 +68,6 @@ impl Answer {
         Self { bodies: exact.bodies, reactions: exact.reactions, efforts: exact.efforts, load }
     }
 
-    /// Of a reference.
     #[must_use]
     pub fn reference(exact: Reference) -> Self {
         let load = greatest(&exact.applied);

@@ -19,7 +19,6 @@ pub struct PositionChoice {
     pub within: Option<f64>,
     /// What the solver takes for it.
     pub settings: Settings,
-    /// Microseconds per position.
     pub micros: f64,
     /// The greatest error, that of functions over the sweep among them.
     pub error: f64,

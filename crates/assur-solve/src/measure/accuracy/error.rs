@@ -29,7 +29,6 @@ pub struct Scales {
     pub acceleration: f64,
     /// N.
     pub force: f64,
-    /// N m.
     pub moment: f64,
 }
 
@@ -38,13 +37,9 @@ pub struct Scales {
 pub struct Error {
     /// Of positions and directions.
     pub position: f64,
-    /// Of velocities.
     pub velocity: f64,
-    /// Of accelerations.
     pub acceleration: f64,
-    /// Of forces.
     pub force: f64,
-    /// Of moments.
     pub moment: f64,
 }
 

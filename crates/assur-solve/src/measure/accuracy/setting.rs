@@ -2,7 +2,6 @@
 
 use crate::plan::{ForceStep, LoadStep, MotionStep, Plan, Settings};
 
-/// What is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// What numbers are computed with.
@@ -19,7 +18,6 @@ pub enum Kind {
     Root,
 }
 
-/// One setting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// In words: a scalar, a tolerance.
@@ -47,7 +45,6 @@ impl Row {
 /// Settings of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
-    /// What is set.
     pub kind: Kind,
     /// From coarse to fine.
     pub rows: Vec<Row>,
@@ -63,7 +60,6 @@ pub struct NotApplicable {
 }
 
 impl Kind {
-    /// Its name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -35,7 +35,6 @@ pub struct AccuracyStudy {
     pub full: Error,
     /// What can be set.
     pub knobs: Vec<Setting>,
-    /// What cannot.
     pub absent: Vec<NotApplicable>,
     /// Microseconds per position of each effect on top of those before it.
     pub effects: Vec<(&'static str, f64)>,

@@ -34,7 +34,6 @@ pub struct AchievedAccuracy {
     pub error: f64,
     /// What it was measured against.
     pub source: Source,
-    /// The settings.
     pub settings: Settings,
     /// Positions that were held against the reference.
     pub positions: usize,
@@ -47,14 +46,10 @@ pub enum AccuracyError {
     #[error("an accuracy of {wanted} cannot be reached: the error of the answers is {reached}")]
     #[diagnostic(code(mech::accuracy::out_of_reach))]
     OutOfReach {
-        /// What is wanted.
         wanted: String,
-        /// What is reached.
         reached: String,
-        /// What to do.
         #[help]
         help: String,
-        /// The drives.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },

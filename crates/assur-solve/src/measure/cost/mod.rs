@@ -32,9 +32,7 @@ const POSITIONS: usize = 64;
 pub struct Costs {
     /// How many places the plan was run at.
     pub places: usize,
-    /// Which.
     pub over: Over,
-    /// The whole plan.
     pub total: f64,
     /// The effects of the plan by name, positions first.
     pub effects: Vec<(&'static str, f64)>,

@@ -8,7 +8,6 @@ use crate::solve::{Conduct, SimulationReport, Trials};
 
 /// A run that takes longer is not repeated, s.
 const LONG: f64 = 20e-3;
-/// Else so often.
 const REPEATS: usize = 5;
 
 /// What a motion took.

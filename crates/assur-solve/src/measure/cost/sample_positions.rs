@@ -15,7 +15,6 @@ pub enum Over {
     Turn,
 }
 
-/// An assembled place.
 pub(super) struct Place {
     /// Inputs, assemblies, bodies.
     pub state: State,

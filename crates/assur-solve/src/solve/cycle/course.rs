@@ -86,7 +86,6 @@ impl Course {
 /// Numbers that have their points at the same places.
 #[derive(Clone, Debug, Default)]
 pub struct CourseSet {
-    /// The numbers.
     pub exprs: Vec<Expr>,
     /// What is no greater than this is rounding, SI.
     pub rounding: f64,

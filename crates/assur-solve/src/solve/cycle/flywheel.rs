@@ -37,7 +37,6 @@ pub(super) struct Asked {
     pub ideal: bool,
 }
 
-/// Finds a flywheel.
 pub(super) fn flywheel(
     model: &Model<'_>,
     statics: &WholeCycle,

@@ -17,7 +17,6 @@ const VERY_COARSE: f64 = 1e-5;
 /// What a series of a panel that was halved so often still leaves off is rounding below this part of the size of its function.
 const NOISE: f64 = 16.0 * f64::EPSILON;
 const HALVED: u32 = 3;
-/// The most panels.
 const MOST: usize = 2000;
 
 /// A quantity over the sweep.
@@ -38,7 +37,6 @@ pub(super) struct Piecewise {
 /// A place where a quantity may be greatest or least.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Candidate {
-    /// The place.
     pub at: f64,
     /// The value of the panel's series there.
     pub value: f64,

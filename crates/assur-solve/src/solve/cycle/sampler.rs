@@ -63,7 +63,6 @@ pub(super) struct Sample {
 /// Solves the mechanism at places of the sweep.
 pub(super) struct Sampler<'a> {
     model: Model<'a>,
-    /// The sweep.
     pub interval: &'a Interval,
     /// What a series may leave off, of the greatest value, where it is as long as the sweep.
     pub tolerance: f64,
@@ -215,7 +214,6 @@ impl<'a> Sampler<'a> {
         need
     }
 
-    /// Counts positions anew.
     pub(super) const fn begin(&mut self) {
         self.samples = 0;
         self.last = None;

@@ -27,11 +27,9 @@ pub(super) struct Chart {
 struct Back {
     /// By slot of a reaction: slots here with their signs.
     reactions: Vec<Vec<(usize, f64)>>,
-    /// By unknown effort.
     efforts: Vec<Option<usize>>,
     /// By element of friction: element here and sign.
     friction: Vec<Option<(usize, f64)>>,
-    /// Groups of forces.
     groups: usize,
 }
 

@@ -43,7 +43,6 @@ pub(in crate::solve) struct Outcome<'r> {
     pub functions: &'r [OverRun],
     /// The greatest magnitudes of each kind, where they are measured.
     pub kinds: &'r Kinds,
-    /// It ended early.
     pub halted: bool,
     /// When a contact parts or a rope slackens, s, if it ends so.
     pub opens: Option<f64>,
@@ -51,11 +50,9 @@ pub(in crate::solve) struct Outcome<'r> {
     pub end: f64,
 }
 
-/// The worst difference.
 pub(super) struct Compared {
     /// Relative to the greatest magnitude of its kind.
     pub error: f64,
-    /// Its kind.
     pub worst: &'static str,
     /// The differences of every kind.
     pub each: [f64; KINDS.len()],
@@ -64,7 +61,6 @@ pub(super) struct Compared {
 }
 
 impl Compared {
-    /// Nothing is known.
     pub const UNKNOWN: Self =
         Self { error: f64::INFINITY, worst: KINDS[0], each: [1.0; KINDS.len()], is_rounding: false };
 

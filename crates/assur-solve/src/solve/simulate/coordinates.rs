@@ -193,7 +193,6 @@ impl<'w> Charts<'w> {
 }
 
 impl Change {
-    /// The free coordinates.
     pub fn coordinates(&self, written: &Model<'_>) -> Vec<DriveTarget> {
         let model = self.chart.as_deref().map_or(*written, Chart::model);
         model.mechanism.drives.iter().filter(|d| d.free).map(|d| d.target).collect()

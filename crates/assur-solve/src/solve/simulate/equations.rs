@@ -24,7 +24,6 @@ pub(super) struct Equations<'a, 's> {
     pub model: &'s Model<'a>,
     /// The coordinates, where they are not those written.
     pub chart: Option<&'s Chart>,
-    /// Those written.
     pub written: Vec<DriveTarget>,
     /// The assemblies at the first instant.
     pub begins: &'s [Branch],
@@ -46,7 +45,6 @@ pub(super) struct Equations<'a, 's> {
     pub reduced: Reduced,
     /// The state of the last evaluation.
     pub trial: State,
-    /// Its unknowns.
     at: (f64, Vec<f64>),
     /// The state from which the present step begins, with the angles of its bodies and its instant.
     pub accepted: (f64, State, Vec<f64>),
@@ -153,7 +151,6 @@ impl<'a, 's> Equations<'a, 's> {
         }
     }
 
-    /// Free coordinates.
     pub fn order(&self) -> usize {
         self.reduced.free().len()
     }

@@ -165,7 +165,6 @@ fn most_possible(sign: f64, series: &Short) -> f64 {
     if sign > 0.0 { greatest } else { -least }
 }
 
-/// The greatest magnitude.
 fn greatest(values: &[f64; PLACES]) -> f64 {
     values.iter().fold(0.0_f64, |most, x| most.max(x.abs()))
 }

@@ -36,7 +36,6 @@ pub struct TimeCourse {
 /// What is drawn over a motion.
 #[derive(Clone, Debug, Default)]
 pub struct OverTime {
-    /// The numbers.
     pub courses: Vec<TimeCourse>,
     /// Instants of every event, s.
     pub events: Vec<Vec<f64>>,
@@ -68,7 +67,6 @@ impl TimeCourse {
         Self { lines, ..Self::default() }
     }
 
-    /// The greatest magnitude.
     fn most(&self) -> f64 {
         self.lines.iter().flatten().fold(0.0_f64, |most, point| most.max(point.1.abs()))
     }

@@ -278,7 +278,6 @@ impl Passage {
     }
 }
 
-/// Puts a coordinate.
 fn set(state: &mut State, drive: usize, value: f64) {
     let input = &mut state.motion.inputs[drive];
     (input.value, input.place) = (value, Vec2::direction(value));

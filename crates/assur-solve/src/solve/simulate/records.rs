@@ -12,9 +12,7 @@ use crate::position::{Against, BodyState, Branch, Grip};
 /// What wants an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Origin {
-    /// It is printed.
     Printed,
-    /// An expectation.
     Expected(usize),
 }
 
@@ -31,7 +29,6 @@ impl Stand {
         Self { p: body.p, u: body.u, turned: body.turned }
     }
 
-    /// Puts bodies there.
     pub fn put(stands: &[Self], bodies: &mut [BodyState]) {
         for (body, stand) in bodies.iter_mut().zip(stands) {
             (body.p, body.u, body.turned) = (stand.p, stand.u, stand.turned);
@@ -42,13 +39,11 @@ impl Stand {
 /// The free coordinates at each instant, one after another.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Records {
-    /// Free coordinates.
     pub order: usize,
     /// How many instants were reached.
     pub count: usize,
     /// The instants, s.
     pub times: Vec<f64>,
-    /// What wants them.
     pub origins: Vec<Origin>,
     /// Coordinates, rates and accelerations: three times `order` numbers each.
     pub numbers: Vec<f64>,
@@ -66,7 +61,6 @@ pub(crate) struct Records {
     pub angles: Vec<f64>,
     /// Where the bodies stand, for steps of motion that start from there.
     pub stands: Vec<Stand>,
-    /// Bodies.
     pub bodies: usize,
     /// The whole position, of instants that were found in other coordinates than those written.
     pub given: Vec<Option<Box<Given>>>,

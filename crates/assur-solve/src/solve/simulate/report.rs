@@ -31,7 +31,6 @@ pub struct SimulationReport {
     pub printed: usize,
     /// The tolerance of the run that is printed.
     pub tolerance: f64,
-    /// The wanted accuracy.
     pub within: f64,
     /// The estimated error, the worst of all kinds, relative to the greatest of its kind.
     pub error: f64,
@@ -132,7 +131,6 @@ pub enum NotByEnergy {
 pub enum On {
     /// The sense of the motion.
     Sense,
-    /// Time.
     Time,
     /// Speeds, accelerations or forces.
     Speeds,

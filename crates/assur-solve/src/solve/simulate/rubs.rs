@@ -5,16 +5,13 @@ use crate::model::{PairId, ProfileShape};
 use crate::plan::{FrictionElement, FrictionLaw, LawSite, Plan, PlannedLaw};
 use crate::position::State;
 
-/// Something that rubs.
 #[derive(Clone, Copy)]
 pub(super) enum Rubs<'p> {
     Pair(&'p FrictionElement),
-    /// With its slot.
     Law(&'p PlannedLaw, usize),
 }
 
 impl<'p> Rubs<'p> {
-    /// By its number.
     pub fn of(plan: &'p Plan, index: usize) -> Self {
         match plan.friction.get(index) {
             Some(element) => Self::Pair(element),

@@ -27,7 +27,6 @@ use crate::solve::failure::Halt;
 /// Steps of a run at least, where something may end a rest.
 const AT_REST: f64 = 200.0;
 
-/// A run.
 pub(super) struct Run {
     pub method: Method,
     /// Why it does not follow from the energy, where it was looked at.
@@ -66,7 +65,6 @@ pub(super) struct Run {
     pub shift: f64,
     /// By how much rounding of the energy may shift its instants, s.
     pub late: f64,
-    /// Its tolerance.
     pub tolerance: f64,
     /// The part that its steps are of those of the run before.
     pub part: Option<Fraction>,
@@ -166,7 +164,6 @@ struct Reached {
     counts: Counts,
     /// Its last instant, s.
     end: f64,
-    /// Its unknowns there.
     y: Vec<f64>,
     left_off: LeftOff,
 }

@@ -25,7 +25,6 @@ pub(super) struct Outputs<'c> {
     pub events: Vec<(usize, usize, usize)>,
     /// Expectations of the last instant, wherever it is.
     pub end: Vec<usize>,
-    /// Events are printed.
     pub prints_events: bool,
     pub conduct: Conduct<'c>,
     /// An event that does not count before an instant, s; without bound the one with which a period begins and ends.

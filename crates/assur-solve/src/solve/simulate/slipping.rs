@@ -13,7 +13,6 @@ use crate::structure::EffortSource;
 pub(super) enum Mode {
     /// In this sense, ±1.
     Moving(f64),
-    /// Not at all.
     Resting,
 }
 

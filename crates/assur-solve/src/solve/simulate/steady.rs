@@ -25,7 +25,6 @@ const FINEST: f64 = 1e-13;
 const SETTLED: f64 = 0.05;
 /// Steps that do not shrink below this are those of trials that are not accurate enough: where loads jump.
 const STALLED: f64 = 1e-5;
-/// Trials at most.
 const MOST: usize = 200;
 /// Steps of Newton's method with one set of derivatives, as long as each leaves less than this part.
 const FAST: f64 = 0.1;

@@ -25,7 +25,6 @@ pub(super) enum Fraction {
 }
 
 impl Fraction {
-    /// The part.
     const fn of_length(self) -> f64 {
         match self {
             Self::Half => 0.5,

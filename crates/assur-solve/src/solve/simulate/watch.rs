@@ -36,7 +36,6 @@ pub(super) struct Watch<'m> {
     pub(super) functions: Vec<Function<'m>>,
     /// An event depends on accelerations or forces.
     deep: bool,
-    /// A function does.
     pub(super) deep_functions: bool,
     /// Something looked at may come again with the turns of a body, however smooth its speed is.
     pub comes_again: bool,
@@ -378,7 +377,6 @@ impl<'m> Watch<'m> {
         self.times[event].len() > self.begun[event]
     }
 
-    /// Whether any has.
     pub fn any_happened(&self) -> bool {
         (0..self.times.len()).any(|event| self.happened(event))
     }

@@ -13,7 +13,6 @@ pub enum DesignMessage {
     CycleOf,
     /// Extreme positions of a pair; 0: it.
     ExtremesOf,
-    /// Ratio of times.
     TimesOf,
     /// Heading; 0: flywheel, 1: link.
     FlywheelOf,
@@ -25,7 +24,6 @@ pub enum DesignMessage {
     FlywheelExtremes,
     /// The size of a flywheel.
     FlywheelInertia,
-    /// The rim.
     FlywheelRim,
     /// Heading; 0: cam.
     CamOf,
@@ -39,23 +37,14 @@ pub enum DesignMessage {
     CamRise,
     /// A stage; 0: angles, 1: law.
     CamFall,
-    /// A law.
     LawUniform,
-    /// A law.
     LawParabolic,
-    /// A law.
     LawHarmonic,
-    /// A law.
     LawCycloidal,
-    /// A law.
     LawPoly345,
-    /// A law.
     LawPoly4567,
-    /// A law.
     LawModifiedTrapezoid,
-    /// A law.
     LawModifiedSine,
-    /// A law.
     LawSpline,
     /// The slopes of splines through tables of lifts.
     CamSlopes,
@@ -71,7 +60,6 @@ pub enum DesignMessage {
     FaceLetters,
     /// Heading; 0: mesh.
     GearsOf,
-    /// The inverse involute.
     InvoluteSolved,
 }
 

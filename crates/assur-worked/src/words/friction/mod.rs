@@ -37,7 +37,6 @@ pub enum FrictionMessage {
     PairMovesNegative,
     /// The sense of a pair that begins to move; 0: pair, 1: body, 2: friction.
     PairBeginsPositive,
-    /// The same.
     PairBeginsNegative,
     /// A pair of the ground moves; 0: pair, 1: link, 2: rate, 3: friction.
     PairOnGroundPositive,
@@ -51,23 +50,17 @@ pub enum FrictionMessage {
     Change,
     /// Heading: what friction takes.
     Losses,
-    /// Powers lost.
     PairsLose,
-    /// Efforts without friction.
     WithoutFriction,
     /// Efficiency of driving efforts.
     EffortsDrive,
     /// Efficiency of resisting efforts.
     EffortsResist,
-    /// Verdict.
     NotLocked,
-    /// Verdict.
     LocksItself,
-    /// Verdict.
     OnlyFriction,
     /// A critical value; 0: given, 1: it.
     LocksFrom,
-    /// A locked position.
     Locked,
     /// Pairs share by friction what they hold.
     FrictionShares,

@@ -11,19 +11,14 @@ use super::{Language, Sentence};
 pub enum RunMessage {
     /// Heading: a motion under loads.
     Run,
-    /// Kinetic energy.
     EnergyHere,
     /// Reduced mass and load.
     Reduced,
     /// The equation of motion.
     ReducedMotion,
-    /// Balance of energy.
     EnergyOfRun,
-    /// Events.
     EventsOfRun,
-    /// Header.
     Event,
-    /// Header.
     Instants,
     /// How a run was integrated; 0: method, 1: steps, 2: evaluations, 3: error.
     RunMethod,

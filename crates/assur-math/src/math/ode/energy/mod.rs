@@ -42,7 +42,6 @@ const HALVED: usize = 40;
 /// A way is not longer than the motion at the present acceleration would need up to the end, by this factor.
 const BEYOND: f64 = 1.2;
 
-/// Where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Motion {
     /// On its way in this sense.

@@ -37,7 +37,6 @@ pub(super) struct Way {
     mass: [f64; NODES],
     force: [f64; NODES],
     force_slope: [f64; NODES],
-    /// The kinetic energy.
     energy: [f64; NODES + 1],
     /// What else adds up along it.
     works: Vec<[f64; NODES + 1]>,

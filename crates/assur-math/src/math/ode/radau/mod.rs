@@ -47,7 +47,6 @@ impl<S: Real> Polynomial<S> {
         s * (a[i] + (s + second) * (b[i] + (s + first) * c[i]))
     }
 
-    /// Through the stages.
     fn set(&mut self, [z_1, z_2, z_3]: &[Vec<S>; 3]) {
         let [c_1, c_2, one] = PLACES.map(wide::<S>);
         let [a, b, c] = &mut self.0;
@@ -71,9 +70,7 @@ enum Derived {
 /// Where the stages lie on the polynomial of the last step.
 #[derive(Clone, Copy, Debug)]
 enum Guess {
-    /// Beyond its end.
     Beyond,
-    /// In it.
     Within,
 }
 

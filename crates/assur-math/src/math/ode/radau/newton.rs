@@ -7,7 +7,6 @@ use super::super::elimination::Elimination;
 use super::super::{Progress, Real, System, Undefined, eighth_root, epsilon, finite, wide};
 use super::coefficients::{ALPHA, BACK, BETA, ERROR, FORWARD, PLACES, REAL};
 
-/// Iterations at most.
 pub(super) const MOST: usize = 7;
 /// Where convergence is at least so fast the derivatives are kept.
 pub(super) const FAST: f64 = 1e-3;
@@ -15,7 +14,6 @@ pub(super) const FAST: f64 = 1e-3;
 /// How the iterations ended.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Ended<S> {
-    /// After so many.
     Converged(usize),
     /// They do not converge, or too slowly: the step is to be changed by this factor.
     Failed(S),
@@ -37,7 +35,6 @@ pub(super) struct Stages<S> {
     trial: Vec<S>,
     /// θ/(1 − θ) of the last iterations, θ the ratio of two changes.
     contraction: S,
-    /// The ratio itself.
     pub theta: S,
 }
 
