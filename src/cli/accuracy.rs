@@ -4,18 +4,20 @@ use std::path::Path;
 
 use super::args::{Accuracy, Format};
 use super::batch::end_at_once;
-use super::clock::processor_seconds;
 use super::error::CliError;
 use super::files;
 use super::motion::OnTheWay;
 use super::reply::{Reply, Status, complaint, for_each_file};
-use super::screen::Screen;
+use super::screen::{Screen, processor_seconds};
 use super::sink::Sink;
 use crate::pipeline::{Solved, solve_source_conducted};
 use crate::report::{self, Shown};
 use assur_model::model::Simulation;
-use assur_solve::measure::accuracy::{self, AccuracyError, AccuracyStudy, study};
-use assur_solve::measure::{RunStudy, study_runs};
+use assur_solve::measure::{
+    RunStudy,
+    accuracy::{self, AccuracyError, AccuracyStudy, study},
+    study_runs,
+};
 use assur_solve::message;
 use assur_solve::solve::Conduct;
 use assur_text::diagnostic::Problems;

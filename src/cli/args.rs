@@ -1,21 +1,19 @@
 //! The manual of the command line.
 
-mod batch;
 mod command;
 mod draw;
-mod fmt;
 mod format;
 mod pages;
 mod report;
 
-pub use batch::Batch;
-pub(in crate::cli) use batch::ending;
 pub use command::Command;
 pub use draw::{Draw, DrawFormat, LoadsArg, Picture, ThemeArg};
-pub use fmt::Fmt;
 pub use format::{BatchFormat, Format, ProfileFormat, SolveFormat};
+pub use pages::Batch;
+pub use pages::Fmt;
 #[cfg(feature = "lsp")]
 pub use pages::Lsp;
+pub(in crate::cli) use pages::ending;
 pub use pages::{Completions, Explain, Help, Info, InfoFormat, Man, New, Preview, StartKind};
 pub use report::{Report, ReportFormat};
 

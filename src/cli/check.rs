@@ -1,14 +1,12 @@
 //! `assur check`
 
 use super::args::Check;
-use super::clock::processor_seconds;
 use super::error::CliError;
 use super::files::replace;
 use super::reply::{Reply, Status, for_each_file};
-use super::screen::Screen;
+use super::screen::{Screen, processor_seconds};
 use crate::pipeline::Compiled;
-use crate::report;
-use crate::report::document::Report;
+use crate::report::{self, document::Report};
 use assur_check::Overrides;
 use assur_solve::measure::Costs;
 use assur_solve::message::failures;

@@ -6,7 +6,6 @@ pub mod args;
 mod arrow;
 mod batch;
 mod check;
-mod clock;
 mod draw;
 mod error;
 mod explain;
@@ -15,7 +14,6 @@ mod fmt;
 mod grade;
 mod help;
 mod info;
-mod install;
 #[cfg(feature = "lsp")]
 mod lsp;
 mod motion;
@@ -76,8 +74,8 @@ pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::New(args) => new::run(&args, &screen),
         #[cfg(feature = "lsp")]
         Command::Lsp(_) => lsp::run(&screen),
-        Command::Completions(args) => install::completions(&args, &screen),
-        Command::Man(args) => install::manual(&args, &screen),
+        Command::Completions(args) => info::completions(&args, &screen),
+        Command::Man(args) => info::manual(&args, &screen),
         Command::Info(args) => info::run(&args, &screen),
         Command::Help(args) => help::run(&args, &screen),
     };

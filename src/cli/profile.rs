@@ -25,7 +25,7 @@ pub fn run(args: &Profile, screen: &Screen) -> Status {
                         format => format.page(screen.look()).render(&of_cam(source, plate, table)),
                     }
                 }
-                ProfileFormat::Dxf => report::dxf::render(plate, args.steps as usize),
+                ProfileFormat::Dxf => report::element::dxf(plate, args.steps as usize),
             },
             Some((_, Err(error))) => {
                 problems.push(error);

@@ -1,18 +1,15 @@
 //! The streams of the program.
 
-use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
-use std::sync::atomic::{AtomicBool, Ordering};
-
-use anstream::{AutoStream, ColorChoice};
-use terminal_size::{Height, Width, terminal_size_of};
-
-use super::args::Args;
-use super::args::Color;
+use super::args::{Args, Color};
 use super::error::CliError;
 use super::reply::complaint;
 use crate::report::text::Look;
+use anstream::{AutoStream, ColorChoice};
 use assur_text::diagnostic::{Problems, Style, render_most};
 use assur_text::source::Source;
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+use terminal_size::{Height, Width, terminal_size_of};
 
 /// Width of what is not written to a terminal.
 const WIDTH: usize = 100;
@@ -125,4 +122,22 @@ fn columns(is_terminal: bool, size: impl FnOnce() -> Option<(Width, Height)>) ->
     let named = || std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
     let of_terminal = || Some(usize::from(size()?.0.0)).filter(|columns| *columns > 0);
     is_terminal.then(|| named().or_else(of_terminal)).flatten()
+}
+
+// The clock of this machine, for what is measured.
+
+/// Seconds that this thread has had on a processor: others that run on the machine do not count. Where the system has no such clock,
+/// those that pass.
+#[cfg(unix)]
+pub fn processor_seconds() -> f64 {
+    let now = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    #[allow(clippy::cast_precision_loss)] // seconds and less than a thousand million
+    let [seconds, parts] = [now.tv_sec as f64, now.tv_nsec as f64];
+    seconds + 1e-9 * parts
+}
+
+#[cfg(not(unix))]
+pub fn processor_seconds() -> f64 {
+    static BEGIN: std::sync::LazyLock<std::time::Instant> = std::sync::LazyLock::new(std::time::Instant::now);
+    BEGIN.elapsed().as_secs_f64()
 }

@@ -1,8 +1,8 @@
 //! The text in the one style: all of it, some lines, what a key has ended.
 
 use super::Analysis;
-use assur_syntax::TokenKind;
-use assur_text::source::Edit;
+use assur_syntax::{Token, TokenKind};
+use assur_text::source::{Edit, Span};
 use std::ops::RangeInclusive;
 
 impl Analysis {
@@ -52,5 +52,79 @@ impl Analysis {
             }
         }
         None
+    }
+}
+
+// What can be folded away.
+
+/// Braces, and neighbouring lines of comments; each goes over several lines.
+#[must_use]
+pub fn folds(text: &str, tokens: &[Token]) -> Vec<Span> {
+    let mut found = Vec::new();
+    let mut open = Vec::new();
+    let mut comments: Option<Span> = None;
+    let mut is_line_start = true;
+    for token in tokens {
+        match token.kind {
+            TokenKind::Brace => open.push(token.span),
+            TokenKind::BraceEnd => found.extend(open.pop().map(|start| start.to(token.span))),
+            _ => {}
+        }
+        match token.kind {
+            TokenKind::Comment if is_line_start => {
+                comments = Some(comments.map_or(token.span, |before| before.to(token.span)));
+            }
+            TokenKind::Newline if !is_line_start => {}
+            // an empty line, or something else than a comment
+            _ => found.extend(comments.take()),
+        }
+        is_line_start = token.kind == TokenKind::Newline;
+    }
+    found.extend(comments);
+    found.retain(|span| text.get(span.start..span.end).is_some_and(|part| part.contains('\n')));
+    found.sort();
+    found
+}
+
+// Ever larger parts of a text around a place.
+
+impl Analysis {
+    /// The word at a byte, what is in brackets around it, with them, the statement, the text: each within the next.
+    #[must_use]
+    pub fn selections(&self, byte: usize) -> Vec<Span> {
+        let holds = |span: Span| span.start <= byte && byte <= span.end;
+        let words = self.tokens.iter().filter(|t| t.kind != TokenKind::Newline).map(|t| t.span);
+        let statements = self.document.statements.iter().map(|s| s.span);
+        let all =
+            words.chain(self.brackets()).chain(statements).chain([Span::new(0, self.source.text.len())]);
+        let mut around = all.filter(|span| holds(*span)).collect::<Vec<_>>();
+        around.sort_by_key(|span| span.end - span.start);
+        let mut found: Vec<Span> = Vec::new();
+        for span in around {
+            let is_larger = |last: &Span| span.start <= last.start && last.end <= span.end && span != *last;
+            if found.last().is_none_or(is_larger) {
+                found.push(span);
+            }
+        }
+        found
+    }
+
+    /// What is between brackets, without them and with them.
+    fn brackets(&self) -> Vec<Span> {
+        let (mut open, mut found) = (Vec::new(), Vec::new());
+        for token in &self.tokens {
+            match token.kind {
+                TokenKind::Open | TokenKind::Call | TokenKind::Square | TokenKind::Brace => {
+                    open.push(token.span)
+                }
+                TokenKind::Close | TokenKind::SquareEnd | TokenKind::BraceEnd => {
+                    if let Some(start) = open.pop() {
+                        found.extend([Span::new(start.end, token.span.start), start.to(token.span)]);
+                    }
+                }
+                _ => {}
+            }
+        }
+        found
     }
 }

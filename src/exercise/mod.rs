@@ -1,10 +1,7 @@
 //! The answer key: the expectations of a file.
 
-#[doc(hidden)]
-pub mod compare;
 mod error;
-mod expect;
-mod for_row;
+pub mod expect;
 pub mod grade;
 mod mismatch;
 pub mod table;
@@ -12,6 +9,6 @@ mod undefined;
 
 pub use error::ExpectError;
 pub use expect::{Outcome, evaluate};
-pub use for_row::ForRow;
+pub use mismatch::ForRow;
 pub use mismatch::{in_one, mismatches};
 pub use undefined::why_undefined;

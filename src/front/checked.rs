@@ -1,12 +1,10 @@
 //! A text that is checked once, and solved at any positions.
 
-use super::again::OnePosition;
 use super::columns::Columns;
-use super::diagnostics::Diagnostics;
 use super::filling::{Blank, Filling};
 use super::positions::{self, Drive, GivenPositions, PositionsError};
-use super::solution::Expectation;
-use super::workers::Workers;
+use super::solution::{Diagnostics, Expectation};
+use super::workers::{OnePosition, Workers};
 use crate::exercise;
 use crate::pipeline::{Compiled, followed, solve_conducted};
 use crate::report::{Answers, Precision};

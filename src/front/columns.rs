@@ -1,7 +1,6 @@
 //! The answers of many positions as columns of numbers.
 
-use super::diagnostics::Diagnostics;
-use super::solution::Expectation;
+use super::solution::{Diagnostics, Expectation};
 use std::ops::{Deref, Range};
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! Pictures of a text.
 
-use super::diagnostics::Diagnostics;
 use super::problem::Problem;
+use super::solution::Diagnostics;
 use crate::pipeline::{self, Solved};
 use assur_drawing::Theme;
 use assur_picture::{KINDS, Kind, Missing, Options, Scene};

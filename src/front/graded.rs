@@ -1,6 +1,6 @@
 //! Answers marked by a key.
 
-use super::diagnostics::Diagnostics;
+use super::solution::Diagnostics;
 use crate::exercise::grade::{self, Credit, Points, Rules, Sheet};
 use crate::exercise::table::Fault;
 use crate::report;

@@ -1,16 +1,15 @@
 //! Rows of variants from columns in memory.
 
-use super::cells::{Cells, digits_count, header_line, read_row};
 use super::columns::WrittenUnit;
-use super::diagnostics::Diagnostics;
-use super::row_answers::{Line, RowAnswers};
+use super::row_answers::{Cells, Line, RowAnswers, digits_count, header_line, read_row};
+use super::solution::Diagnostics;
 use super::stages::{InOrder, Stages, work};
 use super::workers::Workers;
 use crate::exercise::table::Table;
 use crate::pipeline::{Compiled, VariantSolver};
-use crate::report::rows::AnswerColumns;
-use crate::report::{NumberField, Precision};
-use assur_check::{self as check, ColumnUse, Overrides, Row, RowColumn};
+use crate::report::{NumberField, Precision, rows::AnswerColumns};
+use assur_check as check;
+use assur_check::{ColumnUse, Overrides, Row, RowColumn};
 use assur_solve::solve::{NumberColumns, Watch};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;

@@ -1,7 +1,7 @@
 //! Pieces of work in two stages on several threads, with something that is done here and in their order between the stages, and behind
 //! them. A piece stays with one thread, and so does its memory: that thread has them in its cache.
 
-use super::queues::{Line, Waiting};
+use super::side_by_side::{Line, Waiting};
 use super::workers::Workers;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};

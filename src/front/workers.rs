@@ -1,5 +1,13 @@
 //! Who does work that can be divided.
 
+use super::columns::Columns;
+use super::filling::Filling;
+use super::positions::{GivenPositions, PositionsError, place};
+use crate::pipeline::{Compiled, Sink};
+use crate::report::{Answers, Precision};
+use assur_model::model::{Mechanism, Positions};
+use assur_solve::solve::{Again, Model, Reads, Solution};
+
 /// Who solves positions and rows that do not depend on one another: the caller alone, or several threads of its own.
 ///
 /// The results are the same, bit by bit, whoever does the work.
@@ -31,3 +39,62 @@ pub trait Workers: Sync {
 pub struct Alone;
 
 impl Workers for Alone {}
+
+// One position after another, each in the memory of the last.
+
+/// Memory for one position at a time.
+pub(super) struct OnePosition {
+    mechanism: Mechanism,
+    /// Once it was looked for; `None` in it where a position takes more than this memory.
+    again: Option<Option<Again>>,
+    solution: Solution,
+}
+
+/// Columns show the residuals.
+const READS: Reads = Reads { residuals: true, angles: false };
+
+impl std::fmt::Debug for OnePosition {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("OnePosition").field("solution", &self.solution).finish_non_exhaustive()
+    }
+}
+
+impl OnePosition {
+    pub fn of(compiled: &Compiled) -> Self {
+        let mut mechanism = compiled.mechanism.clone();
+        (mechanism.poses, mechanism.expects) = (Vec::new(), Vec::new());
+        Self { mechanism, again: None, solution: Solution::default() }
+    }
+
+    /// The columns of a position; `None` where it takes more than this memory.
+    pub fn solve(
+        &mut self,
+        compiled: &Compiled,
+        given: GivenPositions,
+        mut filling: Filling<'_>,
+    ) -> Result<Option<Columns>, PositionsError> {
+        place(&compiled.mechanism, given, &mut self.mechanism)?;
+        let Compiled { structure, plan, .. } = compiled;
+        let model = Model { mechanism: &self.mechanism, structure, plan };
+        if !is_one(&self.mechanism) {
+            return Ok(None);
+        }
+        let Some(again) = self.again.get_or_insert_with(|| Again::of(&model, READS)) else { return Ok(None) };
+        if !again.solve(&model, &mut self.solution) {
+            return Ok(None);
+        }
+        let solution = &self.solution;
+        let precision = Precision::READABLE;
+        let answers = Answers { model, solution, outcomes: &[], reached: None, precision };
+        for pose in &solution.poses {
+            filling.add(&answers, pose);
+        }
+        Ok(Some(filling.end()))
+    }
+}
+
+/// Whether every drive has one position.
+fn is_one(mechanism: &Mechanism) -> bool {
+    let one = |positions: &Positions| matches!(positions, Positions::List(list) if list.len() == 1);
+    mechanism.drives.iter().all(|drive| one(&drive.positions))
+}

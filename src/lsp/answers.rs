@@ -1,10 +1,9 @@
 //! Which question a request asks.
 
 use super::asked::Asked;
-use super::capabilities::{EXPLAIN, SOLVE, TEST};
-use super::client::Client;
-use super::colours::Sent;
+use super::client::{Client, EXPLAIN, SOLVE, TEST};
 use super::error::Failure;
+use super::shown::Sent;
 use super::texts::{Texts, params};
 use crate::editor::{folds, symbols};
 use assur_text::diagnostic::explain;

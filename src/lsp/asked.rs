@@ -1,16 +1,19 @@
 //! An open text of which something is asked, and what is found in it in the words of the protocol.
 
-use super::capabilities::EXPLAIN;
-use super::client::Client;
+use super::client::{Client, EXPLAIN};
 use super::convert::{edits, range, span};
 use super::error::Failure;
-use crate::editor::{Analysis, Change, ChangeKind, Declaration, Earlier, Hover, Results, Symbol, SymbolKind};
+use crate::editor::{
+    Analysis, Change, ChangeKind, Completion, CompletionKind, Declaration, Earlier, Hover, Results,
+    Signature, Symbol, SymbolKind,
+};
 use assur_text::diagnostic::{Fix, Problem};
 use assur_text::source::{Edit, Lines, Span};
 use gen_lsp_types::{
-    CodeAction, CodeActionKind, Command, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity,
-    DiagnosticTag, DocumentSymbol, FoldingRange, Location, MarkupContent, MarkupKind, Position, TextEdit,
-    WorkspaceEdit,
+    CodeAction, CodeActionKind, Command, CompletionItemKind, Diagnostic, DiagnosticRelatedInformation,
+    DiagnosticSeverity, DiagnosticTag, DocumentHighlight, DocumentHighlightKind, DocumentSymbol,
+    FoldingRange, InsertTextFormat, Location, MarkupContent, MarkupKind, Position, PrepareRenamePlaceholder,
+    TextEdit, WorkspaceEdit,
 };
 use miette::Severity;
 use serde_json::{Value, json};
@@ -223,5 +226,99 @@ const fn kind(kind: SymbolKind) -> gen_lsp_types::SymbolKind {
         SymbolKind::Element => Kind::Object,
         SymbolKind::Load | SymbolKind::Pose | SymbolKind::Event => Kind::Event,
         SymbolKind::Group => Kind::Namespace,
+    }
+}
+
+// Help while a text is typed: completions, signatures.
+
+impl Asked<'_> {
+    pub fn completions(&self, byte: usize) -> Vec<Value> {
+        // the line that is typed has no answers yet
+        let results = self.results.or(self.earlier.map(|earlier| &*earlier.results));
+        let all = self.analysis.complete(byte, results).into_iter().enumerate();
+        all.map(|(index, one)| self.completion(index, &one)).collect()
+    }
+
+    fn completion(&self, index: usize, one: &Completion) -> Value {
+        let kind = match one.kind {
+            CompletionKind::Word => CompletionItemKind::Keyword,
+            CompletionKind::Snippet => CompletionItemKind::Snippet,
+            CompletionKind::Property => CompletionItemKind::Property,
+            CompletionKind::Function => CompletionItemKind::Function,
+            CompletionKind::Unit => CompletionItemKind::Unit,
+            CompletionKind::Name => CompletionItemKind::Variable,
+            CompletionKind::Value => CompletionItemKind::Value,
+        };
+        let format = if one.is_snippet { InsertTextFormat::Snippet } else { InsertTextFormat::PlainText };
+        json!({
+            "label": one.label,
+            "kind": kind,
+            "detail": one.means,
+            "sortText": format!("{index:04}"),
+            "insertTextFormat": format,
+            "textEdit": { "range": self.range(one.at), "newText": one.insert },
+        })
+    }
+
+    pub fn signatures(&self, byte: usize) -> Value {
+        let all = self.analysis.signatures(byte);
+        let signature = |one: &Signature| {
+            let arguments = one.arguments.iter().map(|label| json!({ "label": label })).collect::<Vec<_>>();
+            json!({ "label": one.label, "documentation": one.means, "parameters": arguments })
+        };
+        let Some(active) = all.first().map(|one| one.active) else { return Value::Null };
+        json!({
+            "signatures": all.iter().map(signature).collect::<Vec<_>>(),
+            "activeSignature": 0,
+            "activeParameter": active,
+        })
+    }
+}
+
+// Where a name leads to and where it is used; another name.
+
+impl Asked<'_> {
+    fn location(&self, at: Span) -> Location {
+        Location { uri: self.uri.into(), range: self.range(at) }
+    }
+
+    /// The declarations to which a name leads. A pair leads to the points that it finds by its name.
+    pub fn definition(&self, byte: usize) -> Vec<Location> {
+        let names = &self.analysis.names;
+        let Some(name) = names.at(byte) else { return Vec::new() };
+        let found = names.declarations(name).into_iter().map(|d| d.at).collect::<Vec<_>>();
+        let elsewhere = found.iter().filter(|at| **at != name).copied().collect::<Vec<_>>();
+        let shown = if elsewhere.is_empty() { found } else { elsewhere };
+        shown.into_iter().map(|at| self.location(at)).collect()
+    }
+
+    pub fn references(&self, byte: usize, with_declarations: bool) -> Result<Vec<Location>, Failure> {
+        let names = &self.analysis.names;
+        let all = names.at(byte).map(|name| names.occurrences(name)).unwrap_or_default();
+        let shown = all.into_iter().filter(|at| with_declarations || !names.is_declaration(*at));
+        Ok(shown.map(|at| self.location(at)).collect())
+    }
+
+    /// The places of what has the name at a byte; those where it is declared as written.
+    pub fn highlights(&self, byte: usize) -> Vec<DocumentHighlight> {
+        let names = &self.analysis.names;
+        let all = names.at(byte).map(|name| names.occurrences(name)).unwrap_or_default();
+        let highlight = |at: Span| {
+            let declared = names.is_declaration(at);
+            let kind = if declared { DocumentHighlightKind::Write } else { DocumentHighlightKind::Read };
+            DocumentHighlight { range: self.range(at), kind: Some(kind) }
+        };
+        all.into_iter().map(highlight).collect()
+    }
+
+    pub fn prepare_rename(&self, byte: usize) -> Result<PrepareRenamePlaceholder, Failure> {
+        let at = self.analysis.renamable(byte).map_err(Failure::request)?;
+        let placeholder = self.analysis.source.text.get(at.start..at.end).unwrap_or_default().to_owned();
+        Ok(PrepareRenamePlaceholder { range: self.range(at), placeholder })
+    }
+
+    pub fn rename(&self, byte: usize, name: &str) -> Result<WorkspaceEdit, Failure> {
+        let edits = self.analysis.rename(byte, name).map_err(Failure::request)?;
+        Ok(self.change(&edits))
     }
 }

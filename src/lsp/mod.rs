@@ -3,25 +3,21 @@
 
 mod answers;
 mod asked;
-mod capabilities;
 mod client;
-mod colours;
 mod convert;
 mod error;
-mod names;
 mod preview;
 mod shown;
 mod texts;
-mod typing;
 
 use crate::editor::Results;
 use asked::Asked;
 use client::Client;
-use colours::Sent;
 use error::Failure;
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod, TextDocumentPositionParams};
 pub use preview::{Pages, View};
 use serde_json::{Value, json};
+use shown::Sent;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use texts::Texts;
 pub use texts::{Patience, Stop};
@@ -88,8 +84,7 @@ impl Server {
     fn after_command(&self, params: &Value, result: &Value) -> Vec<Value> {
         // clients do nothing with what a command returns; who names `false` behind the text does
         let is_quiet = params["arguments"].as_array().is_some_and(|all| all.contains(&Value::Bool(false)));
-        let lenses =
-            if params["command"] == capabilities::TEST { self.client.lenses_again() } else { Vec::new() };
+        let lenses = if params["command"] == client::TEST { self.client.lenses_again() } else { Vec::new() };
         if is_quiet {
             return lenses;
         }
@@ -201,7 +196,7 @@ impl Server {
     fn initialize(&mut self, params: &Value) -> Value {
         self.stage = Stage::Ready;
         self.client = Client::of(params);
-        capabilities::result(self.client)
+        client::result(self.client)
     }
 
     fn notice(&mut self, method: &str, params: &Value) -> Vec<Value> {

@@ -1,7 +1,7 @@
 //! Pages of open texts in a browser, and pictures of them.
 
 use super::Server;
-use super::capabilities::PREVIEW;
+use super::client::PREVIEW;
 use super::convert::span;
 use super::error::Failure;
 use super::texts::params;

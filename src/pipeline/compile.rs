@@ -5,11 +5,12 @@ use assur_check::Overrides;
 use assur_model::model::Mechanism;
 use assur_model::structure::{self, Structure};
 use assur_position::plan::{self, Plan};
-use assur_solve::solve::Model;
+use assur_solve::message::clause;
+use assur_solve::solve::{Model, assemblies};
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{DiagnosticView, Problems};
-use assur_text::source::Source;
+use assur_text::source::{Edit, Source, edited};
 use std::sync::Arc;
 
 /// A checked mechanism with its structure and its plan.
@@ -158,4 +159,58 @@ pub(super) fn plan_mechanism(
             (None, problems)
         }
     }
+}
+
+// The clauses that choose between the assemblies of a mechanism at its first position.
+
+/// The clauses of all groups that have several assemblies, as they follow `assemble`; whether the file chooses so.
+#[must_use]
+pub fn assembly_clauses(compiled: &Compiled) -> Vec<(String, bool)> {
+    let model = compiled.model();
+    let groups = assemblies(&model).map(|found| found.groups).unwrap_or_default();
+    let all = groups.iter().flat_map(|group| &group.assemblies);
+    all.filter_map(|one| {
+        let line = clause(&model, one.clause.as_ref()?);
+        Some((line.strip_prefix("assemble ").unwrap_or(&line).to_owned(), one.chosen))
+    })
+    .collect()
+}
+
+// Applies fixes about which there is no doubt.
+
+/// How often a text is looked at again: a fix can reveal what it hid.
+const ROUNDS: usize = 20;
+
+/// A text with all certain fixes, and how many were applied.
+#[must_use]
+pub fn fixed(source: &Source, overrides: &Overrides) -> (Source, usize) {
+    let mut source = source.clone();
+    let mut count = 0;
+    for _ in 0..ROUNDS {
+        let (edits, fixes) = certain_edits(&check_source(&source, overrides).1);
+        if fixes == 0 {
+            break;
+        }
+        source.text = edited(&source.text, &edits);
+        count += fixes;
+    }
+    (source, count)
+}
+
+/// The edits of the certain fixes that do not touch each other, in order, and how many fixes they are.
+#[must_use]
+pub fn certain_edits(problems: &Problems) -> (Vec<Edit>, usize) {
+    let mut fixes = problems.fixes();
+    fixes.retain(|fix| fix.certain && !fix.edits.is_empty());
+    fixes.sort_by(|a, b| a.edits.cmp(&b.edits));
+    let (mut edits, mut count, mut end) = (Vec::<Edit>::new(), 0, None);
+    for fix in fixes {
+        let start = fix.edits[0].span.start;
+        if end.is_none_or(|end| start > end) {
+            end = fix.edits.last().map(|edit| edit.span.end);
+            edits.extend(fix.edits);
+            count += 1;
+        }
+    }
+    (edits, count)
 }

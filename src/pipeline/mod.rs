@@ -3,32 +3,26 @@
 mod compile;
 mod critical;
 mod dimensions;
-mod drawn;
-mod elsewhere;
 mod file_variants;
-mod fixed;
 mod followed;
-mod modes;
 mod open_sizes;
-mod other_assembly;
-mod quick_rows;
 mod solved;
 mod test;
 mod turn;
 mod variant_solver;
 
+pub use compile::assembly_clauses;
 pub use compile::{Compiled, Looked, Origin, check_source, compile, compile_document, look};
+pub use compile::{certain_edits, fixed};
 pub use dimensions::dimensions;
-pub use drawn::{planned_to_draw, solve_document_drawn, solve_drawn, solve_drawn_conducted};
-pub use elsewhere::elsewhere;
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, look_at, row_words};
-pub use fixed::{certain_edits, fixed};
 pub use followed::{Followed, Sink, SizeError, followed, is_long, most_positions};
-pub use modes::assembly_clauses;
 pub use open_sizes::OpenSizeError;
 pub use solved::{
     Solved, solve, solve_conducted, solve_each, solve_source, solve_source_conducted, solve_within,
 };
+pub use solved::{planned_to_draw, solve_document_drawn, solve_drawn, solve_drawn_conducted};
 pub use test::{diagnose, test_document, test_source, test_text};
+pub use turn::elsewhere;
 pub use turn::{turn, turn_in};
 pub use variant_solver::VariantSolver;

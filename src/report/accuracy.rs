@@ -38,7 +38,7 @@ pub(super) fn section(answers: &Answers<'_>, shown: AccuracyShown, report: &mut 
             line.into_iter().for_each(|line| section.text(line));
         }
         AccuracyShown::EveryPose => {
-            super::digit_less::line(answers).into_iter().for_each(|line| section.text(line));
+            super::cost::line(answers).into_iter().for_each(|line| section.text(line));
             section.table(table(answers, &poses));
             section.table(cycle::accuracy(answers, |r| order_of(r, precision)));
         }

@@ -2,8 +2,12 @@
 
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
+use super::rows::AnswerColumns;
 use crate::exercise::Outcome;
+use assur_model::model::Value;
+use assur_solve::solve::Pose;
 use assur_text::units::significant;
+use assur_worked::Asked;
 
 /// A difference that is shown though the key allows it, in parts of the expected value.
 const VISIBLE: f64 = 0.01;
@@ -58,8 +62,8 @@ fn table(failed: &[&Outcome], digits: usize) -> Table {
     let mut table = Table::new(columns, 2);
     for outcome in failed {
         let expected = outcome.expectation(digits);
-        let within = outcome.within.map(|w| outcome.display.text(assur_model::model::Value::Scalar(w), 3));
-        let difference = assur_model::model::Value::Scalar(outcome.difference().magnitude());
+        let within = outcome.within.map(|w| outcome.display.text(Value::Scalar(w), 3));
+        let difference = Value::Scalar(outcome.difference().magnitude());
         table.row(vec![
             outcome.text.clone(),
             outcome.pose.clone().unwrap_or_else(|| NONE.to_owned()),
@@ -73,5 +77,37 @@ fn table(failed: &[&Outcome], digits: usize) -> Table {
 }
 
 fn expected_is_truth(outcome: &Outcome) -> bool {
-    matches!(outcome.expected, assur_model::model::Value::Bool(_))
+    matches!(outcome.expected, Value::Bool(_))
+}
+
+// What a file asks for with its answers at a position: the columns of an answer key.
+
+impl AnswerColumns {
+    /// The questions with their answers at a pose; those that need none where there is none.
+    #[must_use]
+    pub fn asked(&self, answers: &Answers<'_>, pose: Option<&Pose>) -> Vec<Asked> {
+        let (whole, greatest) = (self.whole(answers), answers.greatest());
+        let values = match pose {
+            Some(pose) => self.values(answers, pose, &whole),
+            None => whole,
+        };
+        let of = |(answer, value): (&super::rows::Answer, Option<Value>)| {
+            let display = &answer.display;
+            let value = if pose.is_some() { answer.cleared(value, &greatest) } else { value };
+            let value = value.map(|value| match value {
+                Value::Scalar(x) => Value::Scalar(display.of_si(x)),
+                Value::Vector(v) => Value::Vector(display.of_si_vector(v)),
+                truth @ Value::Bool(_) => truth,
+            });
+            Asked {
+                name: answer.name.clone(),
+                unit: display.unit.clone(),
+                factor: display.factor,
+                vector: answer.vector,
+                whole: matches!(answer.content, super::rows::Content::Find { poseless: true, .. }),
+                value,
+            }
+        };
+        self.answers.iter().zip(values).skip(self.drives).map(of).collect()
+    }
 }

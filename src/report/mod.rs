@@ -9,19 +9,15 @@ pub mod arrow;
 mod brief;
 mod columns;
 mod cost;
-mod cost_words;
 pub mod csv;
 mod cycle;
 pub mod diagram;
-mod digit_less;
 pub mod document;
-pub mod dxf;
-mod element;
+pub mod element;
 mod expectations;
 mod friction;
 pub mod grade;
 pub mod json;
-mod key;
 mod latex;
 pub mod lines;
 pub mod manual;
@@ -29,16 +25,13 @@ pub mod markdown;
 mod mobility;
 mod modes;
 mod page;
-mod pair;
 mod plan;
 mod powers;
 mod reactions;
-mod replacement;
 mod results;
 mod row_numbers;
 pub mod rows;
 mod run_tradeoff;
-mod sections;
 mod simulation;
 #[doc(hidden)]
 pub mod symbols;
@@ -70,7 +63,7 @@ pub fn of_structure(source: &Source, model: &Model<'_>, costs: Option<&Costs>) -
     if has_mechanism(model) {
         mobility::sections(model, &mut report);
     }
-    replacement::section(model, &mut report);
+    reactions::section(model, &mut report);
     train::laws(model, &mut report);
     element::cams(model, &mut report);
     plan::sections(source, model, costs, &mut report);

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-use super::cost_words::{change, count, digits, part, size, time};
+use super::cost::{change, count, digits, part, size, time};
 use super::document::{Column, Report, Section, Table};
 use super::headed;
 use super::tradeoff::{SCHEMA, Shown};

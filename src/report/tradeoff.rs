@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::answers::NONE;
-use super::cost_words::{digits, part, size, time};
+use super::cost::{digits, part, size, time};
 use super::document::{Column, Report, Section, Table};
 use super::headed;
 use assur_position::plan::{Numbers, Settings};

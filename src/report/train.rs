@@ -2,7 +2,7 @@
 
 use super::answers::{Answers, with_unit};
 use super::document::{Column, Report, Section, Table};
-use super::pair::pair_text;
+use super::reactions::pair_text;
 use assur_model::model::{Law, LinkId, Mechanism, PairId, PairKind, Rate, Transmission, TransmissionKind};
 use assur_model::structure::{BodyId, Group, GroupKind};
 use assur_position::plan::{TrainMember, TrainMotion, TrainSource};

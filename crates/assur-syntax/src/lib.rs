@@ -2,15 +2,10 @@
 //!
 //! Parsing cannot fail: a part that cannot be read is reported and kept as `Bad`.
 
-mod change;
-mod character_error;
 mod comma;
 mod confusables;
 mod error;
 mod fixes;
-mod foreign;
-mod grammar;
-mod line;
 mod lower;
 mod prepare;
 mod recover;
@@ -21,19 +16,19 @@ mod words;
 
 pub mod document;
 
-pub use character_error::CharacterError;
 pub use comma::{between_digits, readings};
 pub use confusables::skeleton;
 pub use error::SyntaxError;
+pub use prepare::CharacterError;
 pub use tokens::{Token, TokenKind};
 pub use words::is_reserved;
 
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Source, Span};
 use document::Document;
-use grammar::{Grammar, Rule};
 use pest::Parser;
 use pest::iterators::Pairs;
+use words::{Grammar, Rule};
 
 /// Reads a text. Every mistake is reported, and the document contains all parts that could be read.
 #[must_use]

@@ -9,12 +9,12 @@
 //!
 //! Brackets nested deeper than [`DEPTH`] are blanked out here, before anything descends into them.
 
-use super::change::{Change, Kind};
-use super::character_error::CharacterError;
 use super::error::SyntaxError;
-use super::foreign;
-use assur_text::diagnostic::Problems;
-use assur_text::source::Span;
+use super::trivia::Line;
+use assur_text::diagnostic::{Fix, Help, Problem, Problems};
+use assur_text::source::{Edit, Span};
+use miette::Diagnostic;
+use thiserror::Error;
 
 /// How many brackets may be nested.
 pub(super) const DEPTH: usize = 64;
@@ -39,8 +39,8 @@ pub(super) fn prepare(text: &str, problems: &mut Problems) -> String {
         deep: None,
     };
     prepare.run(problems);
-    problems.extend(foreign::comments(text, &prepare.comments));
-    foreign::report(text, &prepare.changes, problems);
+    problems.extend(comments(text, &prepare.comments));
+    report(text, &prepare.changes, problems);
     prepare.out
 }
 
@@ -278,4 +278,162 @@ fn ascii(c: char) -> Option<&'static str> {
         "!\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~";
     let index = (c as usize).checked_sub(0xFF01)?;
     PLAIN.get(index..=index)
+}
+
+// Characters that were replaced to make a text readable.
+
+/// A replacement that is reported.
+pub struct Change {
+    pub span: Span,
+    pub kind: Kind,
+    pub with: &'static str,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub enum Kind {
+    FullWidth,
+    Quote,
+    Sign,
+    Invisible,
+}
+
+// What is reported of characters and comments of other kinds.
+
+/// One diagnostic for all comments of other languages: they are one habit.
+pub(super) fn comments(text: &str, comments: &[Span]) -> Option<SyntaxError> {
+    let first = *comments.first()?;
+    let sign = if text[first.start..].starts_with('#') { "#" } else { "/*" };
+    let line = Line::around(text, first.start);
+    let written = |from: usize, to: usize| text.get(from..to).unwrap_or_default();
+    let before = written(line.start, first.start).trim();
+    let closed = first.end > first.start + 1;
+    let (comment, behind) = if closed {
+        (written(first.start + 2, first.end - 2), written(first.end, Line::around(text, first.end).end))
+    } else {
+        (written(first.start + sign.len(), line.end), "")
+    };
+    let lines = comment.contains('\n');
+    let code = [before, behind.trim()].join(" ").trim().to_owned();
+    let mut help = match (lines, code.is_empty()) {
+        (true, _) => "begin each line of this comment with `//`".to_owned(),
+        (false, true) => format!("write: // {}", comment.trim()),
+        (false, false) => format!("write: {code}  // {}", comment.trim()),
+    };
+    if let more @ 1.. = comments.len() - 1 {
+        let plural = if more == 1 { "comment" } else { "comments" };
+        help = format!("{help}\nand so for {more} more {plural}");
+    }
+    let at = Span::new(first.start, first.start + sign.len());
+    // a sign for a whole comment is one at each of its lines
+    let signs = comments.iter().map(|comment| Edit::new(Span::new(comment.start, comment.start + 1), "//"));
+    let all_plain = comments.iter().all(|comment| text[comment.start..].starts_with('#'));
+    let help = if all_plain { Help::lines(text, at, signs.collect()).in_words(help) } else { help.into() };
+    Some(SyntaxError::CommentSign { at, found: sign.to_owned(), help })
+}
+
+/// One diagnostic for each kind on a line.
+pub(super) fn report(text: &str, changes: &[Change], problems: &mut Problems) {
+    let mut rest = changes;
+    while let Some(first) = rest.first() {
+        let line = Line::around(text, first.span.start);
+        let count = rest.iter().take_while(|c| c.span.start < line.end.max(first.span.end)).count();
+        let (here, later) = rest.split_at(count);
+        let edits = here.iter().map(|change| Edit::new(change.span, change.with)).collect();
+        let help = Help::lines(text, Span::new(line.start, line.end), edits);
+        for kind in [Kind::FullWidth, Kind::Quote, Kind::Sign, Kind::Invisible] {
+            if let Some(problem) = describe(text, here, kind, &help) {
+                problems.push(problem);
+            }
+        }
+        rest = later;
+    }
+}
+
+fn describe(text: &str, changes: &[Change], kind: Kind, help: &Help) -> Option<CharacterError> {
+    let first = changes.iter().find(|c| c.kind == kind)?;
+    let found = text[first.span.start..].chars().next()?;
+    let help = help.clone();
+    // The first run of neighbours.
+    let mut at = first.span;
+    for change in changes.iter().filter(|c| c.kind == kind && c.with != "\"") {
+        if change.span.start == at.end {
+            at.end = change.span.end;
+        }
+    }
+    Some(match kind {
+        Kind::FullWidth => CharacterError::FullWidth { at, help },
+        Kind::Quote => CharacterError::CurlyQuotes { at: first.span, help },
+        Kind::Sign => CharacterError::ForeignSign { found, at: first.span, wanted: first.with, help },
+        Kind::Invisible => {
+            CharacterError::InvisibleCharacter { found: u32::from(found), at: first.span, help }
+        }
+    })
+}
+
+// Errors of the characters of a text, before it is read.
+
+/// Characters that the language does not have. `help` is the corrected line.
+#[derive(Clone, Debug, Diagnostic, Error)]
+pub enum CharacterError {
+    #[error("full-width characters cannot be read")]
+    #[diagnostic(code(mech::syntax::full_width))]
+    FullWidth {
+        #[label("written in full width")]
+        at: Span,
+        #[help]
+        help: Help,
+    },
+
+    #[error("use straight quotes (`\"`)")]
+    #[diagnostic(code(mech::syntax::curly_quotes))]
+    CurlyQuotes {
+        #[label("this is another kind of quote")]
+        at: Span,
+        #[help]
+        help: Help,
+    },
+
+    #[error("`{found}` is not used here")]
+    #[diagnostic(code(mech::syntax::foreign_sign))]
+    ForeignSign {
+        found: char,
+        #[label("written `{wanted}` in this language")]
+        at: Span,
+        wanted: &'static str,
+        #[help]
+        help: Help,
+    },
+
+    #[error("invisible character (U+{found:04X})")]
+    #[diagnostic(code(mech::syntax::invisible_character))]
+    InvisibleCharacter {
+        found: u32,
+        #[label("invisible")]
+        at: Span,
+        #[help]
+        help: Help,
+    },
+
+    #[error("this line ends with a carriage return alone")]
+    #[diagnostic(
+        code(mech::syntax::lone_carriage_return),
+        severity(Warning),
+        help("save the file with line ends LF or CR LF")
+    )]
+    LoneCarriageReturn {
+        #[label("CR without LF")]
+        at: Span,
+    },
+}
+
+impl Problem for CharacterError {
+    fn fixes(&self) -> Vec<Fix> {
+        match self {
+            Self::FullWidth { help, .. }
+            | Self::CurlyQuotes { help, .. }
+            | Self::ForeignSign { help, .. }
+            | Self::InvisibleCharacter { help, .. } => help.clone().certain().fixes().to_vec(),
+            Self::LoneCarriageReturn { .. } => Vec::new(),
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Words of the language, and what the grammar's rules are called when speaking to people.
 
-use crate::grammar::Rule;
 use assur_text::language::{Function, MEMBERS, PAIRS, Place, STATEMENTS, words_of};
+pub use parser::{Grammar, Rule};
 
 /// What may stand at a place.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -156,4 +156,12 @@ pub fn is_reserved(word: &str) -> bool {
 /// Whether a character may stand in a name.
 pub(super) fn is_name_char(c: char) -> bool {
     c.is_alphanumeric() || matches!(c, '_' | '\'' | '\u{2080}'..='\u{2089}')
+}
+
+// What pest makes of the grammar.
+
+mod parser {
+    #[derive(pest_derive::Parser)]
+    #[grammar = "../../../grammar/mech.pest"]
+    pub struct Grammar;
 }

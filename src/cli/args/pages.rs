@@ -1,7 +1,9 @@
 //! The manual of commands with few options.
 
+use super::{BatchFormat, Problem, accuracy, threads};
 use clap::ValueEnum;
 use clap::builder::NonEmptyStringValueParser;
+use std::ops::RangeInclusive;
 
 /// Arguments of `explain`.
 #[derive(Clone, Debug, clap::Args)]
@@ -99,3 +101,78 @@ pub struct Preview {
 #[cfg(feature = "lsp")]
 #[derive(Clone, Debug, clap::Args)]
 pub struct Lsp {}
+
+// The manual of `fmt`.
+
+/// Arguments of `fmt`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Fmt {
+    /// Files, folders, globs, or `-` for standard input, which is printed formatted
+    #[arg(required = true, value_name = "FILES")]
+    pub files: Vec<String>,
+    /// Change no file: print what would change as a diff, and exit with 1 if there is anything
+    #[arg(long)]
+    pub check: bool,
+    /// Name of the text on standard input in diagnostics and diffs
+    #[arg(long, value_name = "NAME")]
+    pub stdin_filename: Option<String>,
+    /// Change these lines of the file only, e.g. 10:20
+    #[arg(long, value_name = "FIRST:LAST", value_parser = lines)]
+    pub range: Option<RangeInclusive<usize>>,
+}
+
+/// Lines from 1, the last included.
+fn lines(text: &str) -> Result<RangeInclusive<usize>, String> {
+    let number = |part: &str| part.trim().parse::<usize>().ok().filter(|n| *n > 0);
+    let range = text.split_once(':').and_then(|(first, last)| Some(number(first)?..=number(last)?));
+    range.filter(|lines| !lines.is_empty()).ok_or_else(|| "write two lines, e.g. 10:20".to_owned())
+}
+
+// The manual of `batch`.
+
+/// Arguments of `batch`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Batch {
+    /// Files to solve
+    #[command(flatten)]
+    pub problem: Problem,
+    /// Table of variants that replaces those of the files: names with units in the header, plain numbers below. Comma-separated
+    /// values; by its ending also .arrow, .arrows, .feather or .parquet, where this build reads them
+    #[arg(long, value_name = "TABLE.csv")]
+    pub variants: Option<String>,
+    /// Output format [default: by the ending of --out, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<BatchFormat>,
+    /// Write the answers to this file (created only when complete)
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+    /// Write the answer key for `assur grade` to this file, as comma-separated values
+    #[arg(long, value_name = "KEY.csv")]
+    pub key: Option<String>,
+    /// Maximum relative error of every row, e.g. 1e-6; the fastest sufficient settings are used
+    #[arg(long, value_name = "ERROR", value_parser = accuracy)]
+    pub within: Option<f64>,
+    /// Number of threads [default: all processors]
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
+}
+
+impl Batch {
+    /// The kinds of tables of variants that this build reads.
+    pub fn tables() -> impl Iterator<Item = &'static str> {
+        let all = [("csv", true), ("arrow", cfg!(feature = "arrow")), ("parquet", cfg!(feature = "parquet"))];
+        all.into_iter().filter_map(|(kind, has)| has.then_some(kind))
+    }
+
+    /// The format of the option, else of the file name.
+    #[must_use]
+    pub fn format(&self) -> BatchFormat {
+        let of_name = self.out.as_deref().and_then(ending).and_then(BatchFormat::of_ending);
+        self.format.or(of_name).unwrap_or_default()
+    }
+}
+
+/// The ending of a file's name.
+pub(in crate::cli) fn ending(name: &str) -> Option<&str> {
+    name.rsplit_once('.').map(|(_, ending)| ending)
+}

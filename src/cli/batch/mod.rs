@@ -3,17 +3,13 @@
 #[cfg(feature = "arrow")]
 mod columns;
 mod filled;
-mod idle;
 mod job;
 mod layout;
 mod line;
-mod out;
 mod piece;
-mod progress;
 mod rows;
 mod run;
 mod stop;
-mod tally;
 
 use std::path::Path;
 
@@ -24,14 +20,14 @@ use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
 use super::sink::{Sink, place};
 use assur_text::source::shown_in_line;
+use filled::Out;
 pub use job::open_table;
 use job::{Job, has_columns, lacking};
 use layout::Layout;
-use out::Out;
 use run::Run;
 
+use run::Tally;
 pub use stop::{end_at_once, install, looks, outlive_limits, signal};
-use tally::Tally;
 
 /// Stack of a thread: that of the main thread.
 const STACK: usize = 8 << 20;

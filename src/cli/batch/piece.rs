@@ -1,17 +1,14 @@
 //! Rows that one thread takes at a time.
 
-use std::ops::Range;
-
-use rayon::prelude::*;
-
 use super::filled::{Cited, Filled};
-use super::idle::Idle;
-
 use super::line::{Said, Written, write_row};
 use super::rows::Chunk;
 use super::run::Run;
 use super::stop;
 use crate::pipeline::VariantSolver;
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 /// Rows that one thread takes at a time, at least; of motions under loads, which take longer, one.
 const PIECE: usize = 32;
@@ -90,5 +87,21 @@ impl<'r> Run<'r> {
             piece.said.push(said);
         }
         piece
+    }
+}
+
+// What one thread has found out about the rows of a file serves the next.
+
+/// Solvers that no thread uses at the moment: what one has found out about the rows serves the next.
+#[derive(Default)]
+pub struct Idle<'r>(Mutex<Vec<VariantSolver<'r>>>);
+
+impl<'r> Idle<'r> {
+    pub fn take(&self) -> Option<VariantSolver<'r>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).pop()
+    }
+
+    pub fn give(&self, solver: VariantSolver<'r>) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(solver);
     }
 }

@@ -3,18 +3,15 @@
 mod output;
 pub use output::file_name;
 mod pages;
-mod plotted;
 #[cfg(feature = "png")]
 mod png;
-mod poses;
 mod rows;
 
 use super::args::{Draw, Picture};
 use super::error::CliError;
 use super::files;
 use super::motion::OnTheWay;
-use super::reply::Printer;
-use super::reply::{Reply, Status, complaint, for_each_input};
+use super::reply::{Printer, Reply, Status, complaint, for_each_input};
 use super::screen::Screen;
 use crate::pipeline;
 use assur_check::Overrides;
@@ -71,7 +68,7 @@ struct Drawing<'a> {
 
 impl Drawing<'_> {
     fn of_file(&self, source: &Source) -> Reply {
-        let extended = plotted::extended(source, &self.overrides, &self.pictures);
+        let extended = pages::extended(source, &self.overrides, &self.pictures);
         let source = extended.as_ref().unwrap_or(source);
         let (document, mut found) = syntax::parse(source);
         let document = Arc::new(document);

@@ -1,15 +1,15 @@
 //! The pictures of a solved file, as text.
 
 use super::rows::DrawnRow;
-use super::{Drawing, output, plotted, poses};
-use crate::cli::args::Picture;
-use crate::cli::error::CliError;
+use super::{Drawing, output};
+use crate::cli::{args::Picture, error::CliError};
 use crate::pipeline::{self, Solved};
+use assur_check::Overrides;
 use assur_drawing::Theme;
 use assur_math::math::Vec2;
-use assur_model::model::Mechanism;
+use assur_model::model::{Mechanism, Positions};
 use assur_picture::{Kind, Missing, Options, Scales, Scene, Scheme};
-use assur_solve::solve::Pose;
+use assur_solve::solve::{Pose, PoseOrigin};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -52,7 +52,7 @@ impl Pages<'_, '_> {
         let scenes = self.scenes(problems);
         let (mut pages, mut lacking) = (Vec::new(), Vec::new());
         for picture in pictures {
-            let plotted = plotted::items(self.source, &self.solved.compiled.mechanism, &picture.of);
+            let plotted = items(self.source, &self.solved.compiled.mechanism, &picture.of);
             let options = Options { plotted, of: picture.of.clone(), ..self.options() };
             let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
             for scene in &scenes[..shown.min(scenes.len())] {
@@ -193,7 +193,7 @@ impl Pages<'_, '_> {
         let (solved, named) = (self.solved, &self.drawing.args.pose);
         let file = (self.source.name.as_str(), self.source.text.as_str());
         let of = |name: Option<&str>| Scene::of(solved.compiled.model(), &solved.solution, file, name);
-        let listed = if named.is_empty() { poses::listed(solved) } else { Vec::new() };
+        let listed = if named.is_empty() { listed(solved) } else { Vec::new() };
         let drawn = if self.drawing.output.is_single() { listed.len().min(1) } else { listed.len() };
         if drawn < listed.len() && !self.drawing.pictures.iter().all(|picture| picture.kind.is_of_sweep()) {
             let (first, count) = (listed[0].to_owned(), listed.len());
@@ -231,4 +231,81 @@ fn stem(name: &str) -> String {
 fn path_in_one(name: &str) -> String {
     let parts = name.split(['/', '\\']).filter(|part| !part.is_empty() && *part != "." && *part != "..");
     stem(&parts.collect::<Vec<_>>().join("-"))
+}
+
+// Numbers to plot that are written on the command line: they become items of `find` behind the text, so that they are
+// checked, and followed over the sweep, as if they stood in it.
+
+/// The text with items of `find` for what is plotted and not asked for in it; none where it has all.
+pub fn extended(source: &Source, overrides: &Overrides, pictures: &[Picture]) -> Option<Source> {
+    let wanted = pictures.iter().filter(|p| p.kind == Kind::Plot).flat_map(|p| parts(&p.of));
+    let wanted: Vec<&str> = wanted.collect();
+    if wanted.is_empty() {
+        return None;
+    }
+    let compiled = pipeline::compile(source, overrides).0;
+    let known = |part: &&str| compiled.as_ref().is_some_and(|c| position(&c.mechanism, part).is_some());
+    let mut text = String::new();
+    for part in wanted.into_iter().filter(|part| !known(part)) {
+        let line = format!("\nfind {part}");
+        if !text.contains(&line) {
+            text += &line;
+        }
+    }
+    (!text.is_empty()).then(|| Source::new(&source.name, source.text.clone() + &text + "\n"))
+}
+
+/// The items of `find` that a plot shows, by index.
+pub fn items(source: &Source, mechanism: &Mechanism, wanted: &str) -> Vec<usize> {
+    let of = |part: &str| {
+        let written = |i: &usize| {
+            let span = mechanism.finds[*i].span;
+            source.text.get(span.start..span.end).is_some_and(|text| same(text, part))
+        };
+        position(mechanism, part).or_else(|| (0..mechanism.finds.len()).find(written))
+    };
+    parts(wanted).into_iter().filter_map(of).collect()
+}
+
+/// The item of `find` of a name.
+fn position(mechanism: &Mechanism, name: &str) -> Option<usize> {
+    mechanism.finds.iter().position(|find| same(&find.name, name))
+}
+
+/// Whether two texts differ in blanks alone.
+fn same(a: &str, b: &str) -> bool {
+    let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).collect::<String>();
+    letters(a) == letters(b)
+}
+
+/// The parts of a list between its commas, those in brackets aside.
+fn parts(list: &str) -> Vec<&str> {
+    let (mut parts, mut depth, mut start) = (Vec::new(), 0_i32, 0);
+    for (at, c) in list.char_indices() {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            ',' if depth == 0 => {
+                parts.push(list[start..at].trim());
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(list[start..].trim());
+    parts.retain(|part| !part.is_empty());
+    parts
+}
+
+// The positions that are drawn where none is named.
+
+/// The names of the solved poses of a list, those of `pose` with them; none where a drive goes through a range.
+pub fn listed(solved: &Solved) -> Vec<&str> {
+    let drives = &solved.compiled.mechanism.drives;
+    if drives.iter().any(|drive| matches!(drive.positions, Positions::Range { .. })) {
+        return Vec::new();
+    }
+    let asked = |origin: PoseOrigin| !matches!(origin, PoseOrigin::Expected(_));
+    let poses = solved.solution.poses.iter().filter(|pose| asked(pose.origin) && pose.outcome.is_ok());
+    poses.map(|pose| pose.name.as_str()).collect()
 }

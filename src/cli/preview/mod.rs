@@ -2,10 +2,8 @@
 
 mod board;
 mod file;
-mod opener;
 #[cfg(feature = "lsp")]
 mod pages;
-mod request;
 mod site;
 
 use super::args::Preview;
@@ -45,7 +43,7 @@ fn shown(args: &Preview, screen: &Screen) -> Result<Status, CliError> {
         return Ok(Status::Unusable);
     }
     if !args.no_open {
-        opener::open(&address);
+        site::open(&address);
     }
     file.show(source, &board, screen)
 }

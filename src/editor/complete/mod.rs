@@ -2,15 +2,13 @@
 
 mod names;
 mod place;
-mod snippet;
-mod units;
 mod words;
 
 use super::{Analysis, Results};
 use assur_syntax::TokenKind;
 use assur_text::source::Span;
 pub(super) use place::Place;
-pub(super) use units::alike as units_alike;
+pub(super) use place::alike as units_alike;
 
 /// What a completion is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +52,7 @@ impl Completion {
     }
 
     fn snippet(label: &str, kind: CompletionKind, means: &str, example: &str) -> Self {
-        Self { insert: snippet::of(example), is_snippet: true, ..Self::plain(label, kind, means) }
+        Self { insert: place::of(example), is_snippet: true, ..Self::plain(label, kind, means) }
     }
 }
 
@@ -77,9 +75,9 @@ impl Analysis {
     fn offered(&self, place: &Place<'_>, results: Option<&Results>) -> Vec<Completion> {
         match place.before {
             Some(TokenKind::Dot) => self.parts(place),
-            Some(TokenKind::Number) => [units::offered(self, place), words::within()].concat(),
-            Some(TokenKind::Square) => units::offered(self, place),
-            _ if place.back(1) == "as" => units::offered(self, place),
+            Some(TokenKind::Number) => [place::offered(self, place), words::within()].concat(),
+            Some(TokenKind::Square) => place::offered(self, place),
+            _ if place.back(1) == "as" => place::offered(self, place),
             _ if place.begins() => words::beginnings(place),
             _ => {
                 let mut found = self.names_at(place);

@@ -2,13 +2,15 @@
 
 use super::mark::{GradedRow, Mark, NotCounted, Part, Sum};
 use super::marker::Marker;
-use super::owed::{Assignment, Owed};
+use super::rows::{Assignment, Owed};
 use super::rules::{Rules, Submissions};
 use super::sheet::{Quantity, Sheet, SheetRow};
-use super::warning::LeftOut;
-use crate::exercise::table::Fault;
+use crate::exercise::table::{Fault, TableError};
+use assur_text::diagnostic::Problem;
 use indexmap::{IndexMap, IndexSet};
+use miette::{Diagnostic, LabeledSpan, Severity};
 use std::collections::BTreeSet;
+use std::fmt::{self, Display};
 use std::sync::Arc;
 
 #[derive(Clone, Debug)]
@@ -245,5 +247,56 @@ impl<'a> Grading<'a> {
         };
         let others = self.places.iter().zip(&self.quantities).skip(self.answers.quantities.len());
         others.filter(|(place, _)| asked(**place)).map(|(_, quantity)| quantity.name.clone()).collect()
+    }
+}
+
+// What is left out of the marking, as a warning.
+
+/// An error of one column or line of answers, the rest of which is marked.
+#[derive(Clone, Debug)]
+pub struct LeftOut(pub TableError);
+
+impl LeftOut {
+    /// Whether it is a column, not a line.
+    #[must_use]
+    pub const fn is_column(error: &TableError) -> bool {
+        matches!(error, TableError::Header { .. } | TableError::UnknownColumn { .. })
+    }
+
+    /// What is wrong, with the line: `line 7: the key has no row 99`.
+    #[must_use]
+    pub fn words(error: &TableError) -> String {
+        match error {
+            TableError::UnknownColumn { .. } => format!("header: {error}"),
+            _ => error.to_string(),
+        }
+    }
+}
+
+impl Display for LeftOut {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl std::error::Error for LeftOut {}
+
+impl Problem for LeftOut {}
+
+impl Diagnostic for LeftOut {
+    fn code<'b>(&'b self) -> Option<Box<dyn Display + 'b>> {
+        self.0.code()
+    }
+
+    fn severity(&self) -> Option<Severity> {
+        Some(Severity::Warning)
+    }
+
+    fn help<'b>(&'b self) -> Option<Box<dyn Display + 'b>> {
+        self.0.help()
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        self.0.labels()
     }
 }

@@ -1,7 +1,6 @@
 //! Marks, and what they add up to.
 
-use super::entry::Unread;
-use super::row_names::RowNames;
+use super::sheet::{RowNames, Unread};
 use super::slip::Slip;
 use std::sync::Arc;
 

@@ -1,11 +1,10 @@
 //! One answer held against the key.
 
-use super::entry::{Entry, Unread};
 use super::mark::{Known, Mark, Verdict};
 use super::rules::Rules;
-use super::sheet::Sheet;
+use super::sheet::{Entry, Sheet, Unread};
 use super::slip::{self, Slip};
-use crate::exercise::compare::is_within;
+use crate::exercise::expect::is_within;
 use assur_text::units::Dimension;
 use std::f64::consts::{PI, TAU};
 

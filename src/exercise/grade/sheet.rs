@@ -1,13 +1,14 @@
 //! Sheets of a key and of answers: quantities by name with their units, rows by number, variant, file and pose.
 
 use super::columns::Role;
-use super::entry::{Entry, plain};
-use super::row_names::RowNames;
 use super::rows::{Wanted, find};
 use super::rules::MOST_POINTS;
-use crate::exercise::table::{Cell, Fault, Lines, RawRow, Separator, Table, TableError, cells, from_cell};
+use crate::exercise::table::{
+    Cell, Fault, Lines, RawRow, Separator, Table, TableError, Written, cells, from_cell,
+};
 use assur_text::source::{Source, Span, shown};
-use assur_text::units::{Dimension, Unit};
+use assur_text::units::{Dimension, Unit, lookup};
+use std::collections::BTreeMap;
 use std::io::{self, BufRead};
 use std::sync::Arc;
 use unicode_normalization::UnicodeNormalization;
@@ -244,4 +245,167 @@ fn name_in(cell: &Cell<'_>) -> Option<String> {
     let text: String = shown(&cell.text).nfc().collect();
     let name = from_cell(&text).split_whitespace().collect::<Vec<_>>().join(" ");
     (!name.is_empty()).then_some(name)
+}
+
+// What names a row.
+
+/// More characters of the name of a file, a row, a variant or a position are not shown.
+const LONGEST: usize = 60;
+
+/// What names a row: most lines of answers share the names of their row of the key.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct RowNames {
+    /// In the order of [`NAMES`]; `None` where nothing stands there.
+    pub each: [Option<String>; 4],
+    /// The file without folder and ending, where that names no other file.
+    short: Option<String>,
+}
+
+impl RowNames {
+    pub(super) fn of(each: [Option<String>; 4]) -> Arc<Self> {
+        let short = each[0].as_deref().map(stem);
+        Arc::new(Self { each, short })
+    }
+
+    /// With the names of others where these have none.
+    pub(super) fn and(self: &Arc<Self>, others: [Option<String>; 4]) -> Arc<Self> {
+        if self.each.iter().zip(&others).all(|(own, other)| own.is_some() || other.is_none()) {
+            return Arc::clone(self);
+        }
+        let mut others = others;
+        let all = Self::of(std::array::from_fn(|i| self.each[i].clone().or_else(|| others[i].take())));
+        Arc::new(Self {
+            short: self.short.clone().or_else(|| all.short.clone()),
+            ..Arc::unwrap_or_clone(all)
+        })
+    }
+
+    /// Of the problem and the position alone: which row it is, is not known.
+    pub(super) fn of_problem(&self) -> Arc<Self> {
+        let each = [self.each[0].clone(), None, None, self.each[3].clone()];
+        Arc::new(Self { each, short: self.short.clone() })
+    }
+
+    /// Names files by their paths where two of the rows have the same name without folder and ending.
+    pub(super) fn shorten(rows: &mut [SheetRow]) {
+        let mut paths: BTreeMap<String, Option<String>> = BTreeMap::new();
+        for names in rows.iter().map(|row| &row.names) {
+            let (Some(path), Some(short)) = (&names.each[0], &names.short) else { continue };
+            let known = paths.entry(short.clone()).or_insert_with(|| Some(path.clone()));
+            if known.as_ref() != Some(path) {
+                *known = None;
+            }
+        }
+        for row in rows {
+            let is_ambiguous = |short: &String| paths.get(short).is_some_and(Option::is_none);
+            if row.names.short.as_ref().is_some_and(is_ambiguous) {
+                let names = Arc::make_mut(&mut row.names);
+                names.short.clone_from(&names.each[0]);
+            }
+        }
+    }
+
+    /// In words, the file shortly: `engine`, `row 3`, `pose 1`.
+    #[must_use]
+    pub fn words(&self) -> Vec<String> {
+        let others = NAMES.iter().zip(&self.each).skip(1);
+        let others = others.filter_map(|(what, name)| Some(format!("{what} {}", cut(name.as_deref()?))));
+        self.short.as_deref().map(cut).into_iter().chain(others).collect()
+    }
+}
+
+/// A file without folder and ending.
+fn stem(path: &str) -> String {
+    let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+    let stem = name.strip_suffix(".mech").unwrap_or(name);
+    if stem.is_empty() { path.to_owned() } else { stem.to_owned() }
+}
+
+/// The names of a row as they are written: `file a/engine.mech`, `row 3`.
+pub(super) fn as_written(names: &[Option<String>; 4]) -> Vec<String> {
+    let shown = NAMES.iter().zip(names).filter_map(|(what, name)| Some((*what, name.as_deref()?)));
+    shown.map(|(what, name)| format!("{what} {name}")).collect()
+}
+
+/// A text of others, cut where it is long.
+#[must_use]
+pub fn cut(text: &str) -> String {
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+// What stands in a cell of a sheet.
+
+/// Longer texts are not repeated in the reason why they cannot be read, bytes.
+const LONG: usize = 60;
+
+/// What stands in a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Entry {
+    Empty,
+    /// A number, SI.
+    Number(f64),
+    Bool(bool),
+    /// What cannot be read.
+    Unreadable(Box<Unread>),
+}
+
+/// What cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unread {
+    pub text: String,
+    pub why: String,
+}
+
+impl Unread {
+    /// A text with the reason.
+    pub(super) fn new(text: &str, why: impl Into<String>) -> Box<Self> {
+        Box::new(Self { text: text.to_owned(), why: why.into() })
+    }
+}
+
+impl Entry {
+    /// Reads a cell: a number, in the column's unit or in one of its own; true or false; nothing.
+    pub(super) fn read(text: &str, unit: &Unit) -> Self {
+        match text {
+            "" | "-" | "—" => return Self::Empty,
+            "true" => return Self::Bool(true),
+            "false" => return Self::Bool(false),
+            _ => {}
+        }
+        let (value, why) = match plain(text) {
+            Ok(value) => (Some(unit.to_si(value)), String::new()),
+            Err(why) => (with_unit(text, unit), why),
+        };
+        match value {
+            Some(x) if x.is_finite() => Self::Number(x),
+            Some(_) => Self::Unreadable(Unread::new(text, "it is too large")),
+            None if text.len() > LONG => Self::Unreadable(Unread::new(text, "it is not a number")),
+            None => Self::Unreadable(Unread::new(text, why)),
+        }
+    }
+
+    /// The same answer given again in another column.
+    pub(super) fn and(&mut self, text: &str, other: Self) {
+        match (&*self, other) {
+            (_, Self::Empty) => {}
+            (Self::Empty, other) => *self = other,
+            _ => *self = Self::Unreadable(Unread::new(text, "it is given in two columns")),
+        }
+    }
+}
+
+/// A number; a cell of its own may have a decimal comma.
+pub(super) fn plain(text: &str) -> Result<f64, String> {
+    Written::read(text, Separator::Semicolon).map(|written| written.value).map_err(|(why, _)| why)
+}
+
+/// A number with a unit of its own, SI.
+fn with_unit(text: &str, unit: &Unit) -> Option<f64> {
+    let begins_unit = |c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E') || matches!(c, '%' | '°');
+    let (number, word) = text.split_at(text.find(begins_unit)?);
+    let own = lookup(word.trim()).ok().filter(|own| own.dimension.fits(unit.dimension))?;
+    Some(own.to_si(plain(number.trim()).ok()?))
 }

@@ -1,14 +1,12 @@
 //! Tables of comma-separated values: read line by line, so that their length does not matter.
 
 mod error;
-mod formula;
-mod header;
 mod line;
 mod number;
 
 pub use error::TableError;
-pub use formula::{as_cell, from_cell};
 pub use line::{Cell, Separator, cells};
+pub use line::{as_cell, from_cell};
 pub use number::Written;
 
 use assur_check::{ColumnUse, Row, RowCell, RowColumn};
@@ -94,8 +92,8 @@ impl<R: BufRead> Table<R> {
         let separator = Separator::of(&header.text);
         let first = String::from_utf8_lossy(reader.fill_buf()?);
         let first = first.lines().next().unwrap_or_default();
-        let found = header::columns(&header.text, separator, line_text(&bytes))
-            .and_then(|found| header::separators(&header.text, separator, first).map_or(Ok(found), Err));
+        let found = line::columns(&header.text, separator, line_text(&bytes))
+            .and_then(|found| line::separators(&header.text, separator, first).map_or(Ok(found), Err));
         let found = match found {
             Ok(found) => found,
             Err(error) => return Ok(Err((header, Box::new(error)))),

@@ -1,6 +1,5 @@
 //! What accuracy costs, as a picture: error against time of a motion under loads, prices of effects and digits of positions.
 
-mod axis;
 mod positions;
 mod runs;
 

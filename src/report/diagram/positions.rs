@@ -1,7 +1,7 @@
 //! What a position takes: each effect on top of those before it, and digits.
 
 use super::{LEFT, NUMBERS, RIGHT, WORDS, head, paragraph, written};
-use crate::report::cost_words::{digits, part, time};
+use crate::report::cost::{digits, part, time};
 use crate::report::tradeoff::{in_short, most_saved, prices};
 use assur_drawing::{Drawing, Role, Shape, Style, Theme};
 use assur_math::math::Vec2;

@@ -1,13 +1,10 @@
 //! A solved file as JSON: `docs/json-schema/solution-1.json`. SI and radians, fixed order of keys; what was not asked
 //! for, or does not exist, is left out.
 
-mod cycle;
 mod entries;
 mod lines;
 mod pose;
-mod reached;
 mod simulation;
-mod structure;
 mod train;
 
 use serde::Serialize;
@@ -19,14 +16,14 @@ use assur_model::model::{Find, FindKind, TableEntry};
 use assur_solve::solve::{Model, Pose};
 use assur_text::diagnostic::DiagnosticView;
 use assur_text::source::is_obeyed;
-use cycle::{AccuracyView, FlywheelView};
+use entries::ReachedView;
+use entries::StructureView;
+use entries::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
 pub use lines::JsonLines;
 use pose::PoseView;
-use reached::ReachedView;
 use simulation::SimulationView;
 use std::fmt::Write;
-use structure::StructureView;
 
 /// Name and version of the format.
 const SCHEMA: &str = "assur.solution/1";
@@ -149,8 +146,8 @@ pub fn render_row(
         simulation: answers.and_then(SimulationView::of),
         poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
         cycle: Entries(answers.map(of_cycle).unwrap_or_default()),
-        cycle_accuracy: answers.map_or_else(|| Entries(Vec::new()), cycle::accuracy),
-        flywheels: answers.map_or_else(|| Entries(Vec::new()), cycle::flywheels),
+        cycle_accuracy: answers.map_or_else(|| Entries(Vec::new()), entries::accuracy),
+        flywheels: answers.map_or_else(|| Entries(Vec::new()), entries::flywheels),
         tables: Entries(answers.map(tables).unwrap_or_default()),
         expectations: answers.map(|a| a.outcomes.iter().filter_map(expectation).collect()),
         diagnostics,

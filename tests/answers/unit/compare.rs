@@ -1,7 +1,7 @@
 //! How values are compared.
 
-use assur::internals::exercise::compare::equal::{difference, shaped_like};
-use assur::internals::exercise::compare::is_within;
+use assur::internals::exercise::expect::equal::{difference, shaped_like};
+use assur::internals::exercise::expect::is_within;
 use assur::internals::math::Vec2;
 use assur::internals::model::Value;
 use std::f64::consts::{PI, TAU};

@@ -1,6 +1,5 @@
 //! 2-vectors, the scalar trait, exact ratios, small linear solves with their condition, integrals and integrators.
 
-mod angular;
 pub mod chebyshev;
 mod dense;
 mod double;
@@ -10,28 +9,25 @@ pub mod lobatto;
 #[doc(hidden)]
 pub mod magnitudes;
 pub mod ode;
-pub mod periodic;
 pub mod quadrature;
 pub mod ratio;
-mod real;
-mod rigid;
 mod root;
 mod scalar;
 mod sparse;
 mod table_function;
 mod vec2;
 
-pub use angular::Angular;
 pub use dense::{Dense, Lu};
 pub use double::Double;
 pub use factors::Factors;
 pub use lanes::Lanes;
 pub use magnitudes::{Magnitudes, Part, Solutions};
 pub use ratio::Ratio;
-pub use real::Real;
-pub use rigid::{acceleration_at, velocity_at};
 pub use root::{root, root_within};
+pub use scalar::Real;
 pub use scalar::{Scalar, Truths};
 pub use sparse::Sparse;
 pub use table_function::{Between, Beyond, Piece, TableFault, TableFunction};
+pub use vec2::Angular;
 pub use vec2::{V2, Vec2};
+pub use vec2::{acceleration_at, velocity_at};

@@ -1,8 +1,8 @@
 //! Vectors of the plane, x to the right and y up.
 
+use super::{Double, Scalar};
+use std::f64::consts::PI;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
-
-use super::Scalar;
 
 /// A vector of the plane. As a direction it is the pair (cos, sin).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -146,4 +146,47 @@ impl<S: Scalar> SubAssign for V2<S> {
     fn sub_assign(&mut self, o: Self) {
         *self = *self - o;
     }
+}
+
+// Numbers that may be angles.
+
+/// A number of which sine and cosine can be formed.
+pub trait Angular: Scalar<Mask = bool> {
+    /// π.
+    fn pi() -> Self;
+    /// Sine and cosine of an angle, rad.
+    fn sine_cosine(self) -> (Self, Self);
+}
+
+impl Angular for f64 {
+    fn pi() -> Self {
+        PI
+    }
+    fn sine_cosine(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+}
+
+impl Angular for Double {
+    fn pi() -> Self {
+        Self::PI
+    }
+    fn sine_cosine(self) -> (Self, Self) {
+        let u = self.as_direction();
+        (u.y, u.x)
+    }
+}
+
+// A rigid body in the plane: the motion of one of its points from the motion of another.
+
+/// Velocity of the point at `r` from O: v = v_O + ω × r.
+#[inline(always)]
+pub fn velocity_at<S: Scalar>(v_o: V2<S>, omega: S, r: V2<S>) -> V2<S> {
+    v_o + r.perp() * omega
+}
+
+/// Acceleration of the point at `r` from O: a = a_O + α × r − ω² r.
+#[inline(always)]
+pub fn acceleration_at<S: Scalar>(a_o: V2<S>, omega: S, alpha: S, r: V2<S>) -> V2<S> {
+    a_o + r.perp() * alpha - r * (omega * omega)
 }

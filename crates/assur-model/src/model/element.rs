@@ -1,10 +1,10 @@
 //! Machine elements as designed, and tables of what they are.
 
-use super::{Display, LinkId, PairId};
-use crate::element::cam::Cam;
-use crate::element::geneva::Geneva;
-use crate::math::Vec2;
+use super::{BalanceId, Display, LinkId, LoadId, PairId};
+use crate::element::{cam::Cam, geneva::Geneva};
+use crate::math::{Piece, TableFunction, Vec2};
 use crate::source::Span;
+use crate::units::significant;
 
 /// A designed plate cam.
 #[derive(Clone, Debug)]
@@ -98,4 +98,140 @@ pub struct GenevaPair {
     pub frame_hub: Vec2,
     /// Unit direction from the crank's centre to the wheel's, in the frame's axes.
     pub towards: Vec2,
+}
+
+// Flywheels that are to be found, and what is asked of them.
+
+/// A flywheel that is to be found.
+#[derive(Clone, Debug)]
+pub struct Flywheel {
+    /// Its name, that of its moment of inertia too.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// The link it sits on.
+    pub on: LinkId,
+    /// The effort whose work it evens out; `None`: the one unknown effort.
+    pub torque: Option<FlywheelTorque>,
+    /// Greatest less least speed over the mean speed, δ > 0.
+    pub fluctuation: f64,
+    /// Mean speed of its shaft, rad/s, where the drive has none.
+    pub speed: Option<f64>,
+    /// Angular velocity of its shaft over that of the link `on`, where the shaft is no part of the file.
+    pub ratio: f64,
+    /// The reduced moment of inertia of the links takes its share.
+    pub with_links: bool,
+    /// Its rim, where described.
+    pub rim: Option<Rim>,
+}
+
+/// The effort whose work a flywheel evens out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FlywheelTorque {
+    Balance(BalanceId),
+    Load(LoadId),
+}
+
+/// The rim of a flywheel: a ring in which all of its mass sits on one diameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rim {
+    /// Mean diameter, m.
+    pub diameter: f64,
+    /// Density, kg/m³.
+    pub density: f64,
+    /// Radial height over axial width.
+    pub height_to_width: f64,
+}
+
+/// A question about a flywheel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FlywheelPart {
+    /// Its moment of inertia, kg m². Needs no pose.
+    Inertia,
+    /// The fluctuation \[W\], the greatest less the least of the work, J. Needs no pose.
+    Fluctuation,
+    /// Axial width of the rim, m. Needs no pose.
+    RimWidth,
+    /// Radial height of the rim, m. Needs no pose.
+    RimHeight,
+    /// Mass of the rim, kg. Needs no pose.
+    RimMass,
+    /// The torque reduced to its shaft, N m.
+    Torque,
+    /// Moment of inertia of all moving links reduced to its shaft, kg m².
+    LinksInertia,
+    /// Work of the torque less its mean since the sweep's beginning, J.
+    Work,
+}
+
+impl FlywheelPart {
+    /// Whether it has one value, whatever the pose.
+    #[must_use]
+    pub const fn needs_no_pose(self) -> bool {
+        !matches!(self, Self::Torque | Self::LinksInertia | Self::Work)
+    }
+}
+
+// Functions that the file gives by tables of values.
+
+/// A curve: a function from a table.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    pub name: String,
+    /// Place of its name.
+    pub span: Span,
+    /// The function, SI to SI.
+    pub function: TableFunction,
+    /// The unit of its arguments.
+    pub argument: Display,
+}
+
+/// A long table is seldom compared with another one.
+impl PartialEq for Curve {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other) || (self.span == other.span && self.function == other.function)
+    }
+}
+
+/// What is asked of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurvePart {
+    Value,
+    /// The derivative by the argument.
+    Slope,
+}
+
+impl Curve {
+    /// The value or the slope at an argument, SI; not a number beyond the table.
+    #[must_use]
+    pub fn at(&self, part: CurvePart, x: f64) -> f64 {
+        match part {
+            CurvePart::Value => self.function.value(x),
+            CurvePart::Slope => self.function.derivatives(x)[1],
+        }
+    }
+
+    /// The same of the function that holds on a piece, also beside it.
+    #[must_use]
+    pub fn on(&self, part: CurvePart, piece: Piece, x: f64) -> f64 {
+        let [value, slope, ..] = self.function.derivatives_on(piece, x);
+        match part {
+            CurvePart::Value => value,
+            CurvePart::Slope => slope,
+        }
+    }
+
+    /// An argument in the unit of the table.
+    #[must_use]
+    pub fn shown(&self, argument: f64) -> String {
+        let text = significant(self.argument.of_si(argument), 6);
+        format!("{text} {}", self.argument.unit).trim_end().to_owned()
+    }
+
+    /// The arguments of the table: `0 deg to 360 deg`.
+    #[must_use]
+    pub fn extent(&self) -> String {
+        let (first, last) = self.function.range();
+        format!("{} to {}", self.shown(first), self.shown(last))
+    }
 }

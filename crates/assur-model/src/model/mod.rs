@@ -2,14 +2,10 @@
 //! structure is found.
 
 mod cam_part;
-mod curve;
-mod cycle;
 mod display;
 mod element;
 mod expr;
 mod facts;
-mod figures;
-mod flywheel;
 mod id;
 mod link;
 mod load;
@@ -17,21 +13,19 @@ mod motion;
 mod numbers;
 mod pair;
 mod request;
-mod shape;
 mod simulation;
-mod spacing;
 mod train;
 
 pub use cam_part::{CAM_PARTS, CamPart};
-pub use curve::{Curve, CurvePart};
-pub use cycle::{Bound, Cycle, CycleFunction, Part};
 pub use display::Display;
+pub use display::Spacing;
 pub use element::{CamContact, GenevaPair, PlateCam, Table, TableEntry};
+pub use element::{Curve, CurvePart};
+pub use element::{Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
 pub use facts::{About, Answer, Facts, Level};
-pub use flywheel::{Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring, TorsionSpring};
@@ -39,8 +33,8 @@ pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Posit
 pub use numbers::NumberPlaces;
 pub use pair::{Bearing, Bond, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
+pub use simulation::{Bound, Cycle, CycleFunction, Part};
 pub use simulation::{Event, Occasion, Simulation, Situation, Steady, Stop};
-pub use spacing::Spacing;
 pub use train::{Grip, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;

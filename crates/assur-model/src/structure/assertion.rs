@@ -1,9 +1,9 @@
 //! `group NAME: links` — asserted groups against those found.
 
+use super::count::Structure;
 use super::error::{StructureError, label, whole, with_lines};
 use super::group::{Group, GroupKind};
 use super::joint::{BodyId, BodyOrigin};
-use super::result::Structure;
 use crate::model::{GroupAssertion, LinkId, Mechanism, PairId, PairKind};
 
 /// Errors and warnings; groups that are asserted get their names.

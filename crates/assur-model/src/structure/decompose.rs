@@ -5,13 +5,11 @@
 //! group; this is the fine decomposition of Dulmage and Mendelsohn, so that the groups are the smallest possible.
 
 use super::defect::Defect;
-use super::echelon::{Echelon, row};
+use super::echelon::{Echelon, Number, row};
 use super::effort::Effort;
-use super::field::Number;
 use super::group::{Group, Inside};
-use super::group_joint::GroupJoint;
 use super::incidence::{Incidence, Owner};
-use super::joint::{BodyId, JointId, JointKind, Replaced};
+use super::joint::{BodyId, GroupJoint, JointId, JointKind, Replaced};
 use super::matching::{Matching, components, match_all};
 
 /// Which of the two dual problems is split.

@@ -4,8 +4,7 @@
 //! rows. Dependencies that share a condition form one overconstrained part. A freedom is left where a motion keeps all
 //! conditions. The total can agree with both present, so that the count 3n − 2P_L − P_H of the whole decides nothing.
 
-use super::echelon::{Echelon, row};
-use super::field::Number;
+use super::echelon::{Echelon, Number, row};
 use super::incidence::{Incidence, Owner};
 use super::joint::{BodyId, BodyOrigin, JointId, JointKind, Replaced};
 use crate::model::PairId;

@@ -1,11 +1,11 @@
 //! Errors of the structure, with the count and the pairs concerned.
 
+use crate::model::{LinkId, Mechanism};
+use crate::source::Span;
 use assur_text::diagnostic::{Fix, Problem};
 use assur_text::source::Edit;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
-
-use crate::source::Span;
 
 /// A defect of the structure.
 #[derive(Clone, Debug, Error, Diagnostic)]
@@ -236,4 +236,22 @@ pub(super) fn with_lines(sentence: &str, lines: &[String]) -> String {
 /// A whole number with the minus sign of text.
 pub(super) fn whole(x: i64) -> String {
     if x < 0 { format!("−{}", x.unsigned_abs()) } else { x.to_string() }
+}
+
+// Names of links in a message.
+
+/// More labels than this tell nothing.
+pub(super) const MOST_LABELS: usize = 12;
+/// More names than this are counted.
+const MOST_NAMES: usize = 6;
+
+/// `` `a`, `b` and `c` ``, the last ones counted where there are many.
+pub(super) fn names(mechanism: &Mechanism, links: impl Iterator<Item = LinkId>) -> String {
+    let mut names: Vec<String> = links.map(|l| format!("`{}`", mechanism.link(l).name)).collect();
+    let more = names.len().saturating_sub(MOST_NAMES);
+    if more > 1 {
+        names.truncate(MOST_NAMES);
+        names.push(format!("{more} more"));
+    }
+    listed(&names, "and")
 }

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use super::field::Number;
+use super::echelon::Number;
 use super::joint::{BodyId, BodyOrigin, JointId, JointKind, Replaced};
 use crate::math::Vec2;
 

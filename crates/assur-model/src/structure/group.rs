@@ -1,8 +1,7 @@
 //! Structural groups: what belongs to one, and which kind it is.
 
 use super::effort::{Effort, EffortKind};
-use super::group_joint::GroupJoint;
-use super::joint::{BodyId, JointId, JointKind, Replaced};
+use super::joint::{BodyId, GroupJoint, JointId, JointKind, Replaced};
 use crate::model::LinkId;
 
 /// A structural group: bodies that are solved together.
@@ -89,7 +88,7 @@ impl Group {
         replaced: &Replaced,
     ) -> Self {
         let order = joints.iter().filter(|j| !j.inner).count();
-        let class = super::class::class(&bodies, &joints, &efforts);
+        let class = super::count::class(&bodies, &joints, &efforts);
         let mut group =
             Self { name: None, bodies, joints, efforts, laws, kind: GroupKind::General, class, order };
         if !group.laws.is_empty() {

@@ -2,9 +2,8 @@
 //! unknowns over equations of equilibrium): which freedoms each touches, and its row among the equations of velocity at a
 //! random position.
 
-use super::echelon::{Row, row};
+use super::echelon::{Number, Row, row};
 use super::effort::{Effort, EffortKind};
-use super::field::Number;
 use super::generic::{Generic, Vector};
 use super::joint::{BodyId, BodyRate, Joint, JointId, JointKind, Replaced};
 use super::matching::Condition;

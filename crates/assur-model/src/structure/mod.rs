@@ -4,8 +4,6 @@
 mod add_effort;
 mod add_pair;
 mod assertion;
-mod chains;
-mod class;
 mod count;
 mod decompose;
 mod defect;
@@ -14,34 +12,28 @@ mod diagnose;
 pub mod echelon;
 mod effort;
 mod error;
-#[doc(hidden)]
-pub mod field;
 mod floating;
 mod generic;
 mod group;
-mod group_joint;
-mod immobile;
 mod incidence;
 mod joint;
 mod leave_out;
 #[doc(hidden)]
 pub mod matching;
-mod names;
 mod renumber;
 mod repeated;
 mod replace;
-mod result;
 mod ring;
 mod roller;
 mod trial;
 
 pub use count::Count;
+pub use count::Structure;
 pub use effort::{Effort, EffortKind, EffortSource};
 pub use error::StructureError;
 pub use group::{Dyad, Group, GroupKind};
-pub use group_joint::GroupJoint;
+pub use joint::GroupJoint;
 pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
-pub use result::Structure;
 
 use crate::model::Mechanism;
 use incidence::Incidence;
@@ -80,7 +72,7 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
             (Vec::new(), Some(diagnose::of_forces(trial, &count, &defect)))
         }
     };
-    let immobile = immobile::immobile(trial, &driven);
+    let immobile = floating::immobile(trial, &driven);
     let mut structure = Structure {
         passive: replaced.passive.clone(),
         undetermined_couples: replaced.undetermined_couples(),

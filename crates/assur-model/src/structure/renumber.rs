@@ -1,8 +1,8 @@
 //! The same structure with the numbers of another mechanism, in the memory that it has.
 
 use super::EffortKind;
+use super::count::Structure;
 use super::joint::{Joint, JointKind};
-use super::result::Structure;
 use crate::model::{Guide, Mechanism, PairId, PairKind};
 
 impl Structure {

@@ -1,10 +1,10 @@
 //! Changes of a mechanism, tried before a help speaks of them.
 
-use super::chains::mark_chains;
 use super::effort::{self, Effort, EffortKind, EffortSource};
 use super::incidence::Incidence;
 use super::joint::{BodyId, BodyOrigin, Joint, JointKind, Replaced};
 use super::replace;
+use super::replace::mark_chains;
 use crate::model::{DriveId, LinkId, Mechanism, PairId, PairKind};
 
 /// A mechanism to be changed.

@@ -1,7 +1,6 @@
 //! Elimination over the prime field.
 
-use assur_model::structure::echelon::{Echelon, Row, row};
-use assur_model::structure::field::Number;
+use assur_model::structure::echelon::{Echelon, Number, Row, row};
 
 fn some(columns: &[usize], seed: u64) -> Row {
     row(columns.iter().map(|&c| (c, Number::random(seed + c as u64))).collect())

@@ -1,6 +1,6 @@
 //! Numbers modulo the prime.
 
-use assur_model::structure::field::Number;
+use assur_model::structure::echelon::Number;
 
 #[test]
 fn inverses() {

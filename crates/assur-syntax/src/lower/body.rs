@@ -7,9 +7,9 @@ use crate::document::{
     Name, PointFrom, PointMember, ProfileMember, Shaft, Side, Slider, Statement, WheelMember, WheelSize,
 };
 use crate::error::SyntaxError;
-use crate::grammar::Rule;
-use crate::line::corrected;
 use crate::recover::What;
+use crate::trivia::corrected;
+use crate::words::Rule;
 use assur_text::source::{Span, Spanned};
 
 impl Lower<'_> {

@@ -4,8 +4,8 @@ use super::state::Lower;
 use super::walk::{P, Parts, name, nfc, span};
 use crate::document::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, Path, Sensed, Turn, UnaryOp};
 use crate::error::SyntaxError;
-use crate::grammar::Rule;
-use crate::line::corrected;
+use crate::trivia::corrected;
+use crate::words::Rule;
 use assur_text::source::{Span, Spanned};
 use assur_text::units;
 

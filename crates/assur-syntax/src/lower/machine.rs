@@ -7,8 +7,8 @@ use crate::document::{
     AllJoints, Brake, Cam, CamLaw, CamMember, End, Flywheel, Follower, Group, Joint, JointKind, Phase,
     PhaseKind, Property, Spring, SpringSite,
 };
-use crate::grammar::Rule;
 use crate::recover::What;
+use crate::words::Rule;
 use assur_text::source::Spanned;
 
 impl Lower<'_> {

@@ -4,9 +4,7 @@
 //! That does not happen, but a reader of texts should not depend on it.
 
 mod body;
-mod decimal;
 mod expr;
-mod inner;
 mod label;
 mod lenient;
 mod machine;
@@ -18,10 +16,10 @@ mod walk;
 
 use super::document::{Bad, Definition, Statement};
 use super::error::SyntaxError;
-use super::grammar::{Grammar, Rule};
-use super::line::corrected;
 use super::prepare::whole_end;
 use super::recover::{self, What};
+use super::trivia::corrected;
+use super::words::{Grammar, Rule};
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Span, Spanned};
 use pest::Parser;

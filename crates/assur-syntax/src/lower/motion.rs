@@ -8,7 +8,7 @@ use crate::document::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Expr, ExprKind, Load,
     LoadKind, Number, Order, Place, Pose, Sensed, Setting, Site, Steps, Way,
 };
-use crate::grammar::Rule;
+use crate::words::Rule;
 use assur_text::source::Spanned;
 
 impl Lower<'_> {

@@ -8,9 +8,9 @@ use crate::document::{
     Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Expr, Find, FindItem, Row, Variants,
 };
 use crate::error::SyntaxError;
-use crate::grammar::Rule;
-use crate::line::corrected;
 use crate::recover::What;
+use crate::trivia::corrected;
+use crate::words::Rule;
 use assur_text::source::{Span, Spanned};
 use pest::iterators::Pair;
 

@@ -4,7 +4,7 @@ use super::expr::compare;
 use super::state::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{Event, Passage, Passing, Simulate, Start, Steady, Stop, TimeCourse, Until};
-use crate::grammar::Rule;
+use crate::words::Rule;
 use assur_text::source::Spanned;
 
 impl Lower<'_> {

@@ -1,8 +1,8 @@
 //! Walking over pest's pairs.
 
 use crate::document::Name;
-use crate::grammar::Rule;
 use crate::prepare::{FILL, whole_end};
+use crate::words::Rule;
 use assur_text::source::{Span, Spanned};
 use pest::iterators::{Pair, Pairs};
 use std::iter::Peekable;

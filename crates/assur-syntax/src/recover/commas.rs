@@ -1,7 +1,7 @@
 //! Commas and semicolons within numbers and brackets.
 
 use super::case::Case;
-use super::what::What;
+use super::phrase::What;
 use crate::comma;
 use crate::error::SyntaxError;
 use assur_text::diagnostic::Help;

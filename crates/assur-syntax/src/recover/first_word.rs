@@ -1,11 +1,10 @@
 //! Pieces that begin with a wrong word.
 
 use super::case::Case;
-use super::what::What;
+use super::phrase::What;
 use crate::error::SyntaxError;
-use crate::grammar::{Grammar, Rule};
-use crate::line::{Line, corrected};
-use crate::words::{self, is_name_char};
+use crate::trivia::{Line, corrected};
+use crate::words::{self, Grammar, Rule, is_name_char};
 use assur_text::diagnostic::{Help, did_you_mean};
 use assur_text::language::{Place, words_of};
 use assur_text::source::Span;

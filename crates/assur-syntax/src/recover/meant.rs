@@ -1,7 +1,7 @@
 //! What is said in other words: directions, places, and parts left out, where only one line can be meant.
 
 use super::case::Case;
-use super::what::What;
+use super::phrase::What;
 use crate::error::SyntaxError;
 use crate::words::is_name_char;
 use assur_text::diagnostic::Help;

@@ -7,23 +7,19 @@ mod case;
 mod commas;
 mod first_word;
 mod meant;
-mod name;
-mod order;
 mod phrase;
-mod points;
 mod range;
 mod separator;
 mod several;
 mod swap;
 mod unnamed;
-mod what;
 mod within;
 
-pub(super) use what::What;
+pub(super) use phrase::What;
 
 use super::document::{Bad, Name};
 use super::error::SyntaxError;
-use super::line::{Line, corrected};
+use super::trivia::{Line, corrected};
 use super::words::{self, Expected, is_name_char, is_reserved};
 use assur_text::diagnostic::{Help, Problems, did_you_mean};
 use assur_text::language::{Place, words_of};
@@ -45,13 +41,13 @@ fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| range::explain(case))
         .or_else(|| swap::of_without_brackets(case))
         .or_else(|| meant::explain(case))
-        .or_else(|| name::explain(case))
+        .or_else(|| case::explain(case))
         .or_else(|| phrase::explain(case))
         .or_else(|| within::explain(case))
         .or_else(|| separator::members(case))
         .or_else(|| brackets::explain(case))
         .or_else(|| swap::explain(case))
-        .or_else(|| order::explain(case))
+        .or_else(|| separator::explain(case))
         .or_else(|| within::missing(case))
         .or_else(|| several::explain(case))
 }

@@ -1,11 +1,10 @@
 //! Words of other languages for a sign, a size or a place.
 
 use super::case::Case;
-use super::points::points_in;
-use super::what::What;
+use super::unnamed::points_in;
 use crate::error::SyntaxError;
-use crate::line::Line;
-use crate::words::is_name_char;
+use crate::trivia::Line;
+use crate::words::{Rule, is_name_char};
 use assur_text::diagnostic::Help;
 use assur_text::language::Collection;
 use assur_text::units::{Dimension, lookup};
@@ -271,4 +270,36 @@ fn comma_in_list(case: &Case<'_>) -> Option<SyntaxError> {
         at: case.span(case.fail, here.len()),
         help: case.help(before.len(), case.fail, ", "),
     })
+}
+
+// The kind of part that was being read when a mistake was found.
+
+/// The kind of part being read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum What {
+    Statement,
+    /// A member of a link.
+    Member,
+    /// A property in braces.
+    Property,
+    /// A part of a cam.
+    CamMember,
+    /// The header of a table of variants.
+    Header,
+    /// A row of such a table.
+    Row,
+}
+
+impl What {
+    /// The rule that reads it alone.
+    pub const fn rule(self) -> Rule {
+        match self {
+            Self::Statement => Rule::one_statement,
+            Self::Member => Rule::one_member,
+            Self::Property => Rule::one_property,
+            Self::CamMember => Rule::one_cam_member,
+            Self::Header => Rule::one_header,
+            Self::Row => Rule::one_row,
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Sweeps of a drive as other languages write them: with a step, with colons, or without a number of steps.
 
 use super::case::Case;
-use super::what::What;
+use super::phrase::What;
 use crate::error::SyntaxError;
 
 /// The most steps that are proposed.

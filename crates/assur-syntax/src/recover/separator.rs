@@ -1,9 +1,10 @@
 //! Statements or members that nothing separates.
 
 use super::case::Case;
-use super::what::What;
+use super::phrase::What;
 use crate::error::SyntaxError;
 use crate::words::{self, is_name_char};
+use assur_text::units::is_unit;
 
 /// A statement's word in the middle, with a statement on both sides of it.
 pub(super) fn statements(case: &Case<'_>) -> Option<SyntaxError> {
@@ -58,4 +59,62 @@ fn is_member(case: &Case<'_>, part: &str) -> bool {
         _ => words::is_cam_member(word) || part.contains(' '),
     };
     known && !part.is_empty() && case.reads(part)
+}
+
+// Parts of a statement or member in another order.
+
+/// Longer pieces are not tried: every place between two words is.
+const LONGEST: usize = 200;
+
+/// `link crank 40 mm A-B`, `drive crank at 1500 rpm = 45 deg`: two neighbours exchanged, one of which begins or ends where
+/// reading stopped.
+pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+    if case.slice.len() > LONGEST || matches!(case.what, What::Header | What::Row) {
+        return None;
+    }
+    let fail = case.fail;
+    let rest = case.slice.get(fail..)?;
+    let end = fail + rest.find('{').map_or(rest, |brace| &rest[..brace]).trim_end().len();
+    let cuts = starts(case.slice, end);
+    let behind = cuts.iter().filter(|at| **at > fail).map(|at| (fail, *at, end));
+    let first = cuts.first().copied()?;
+    let before = cuts.iter().rev().filter(|at| **at < fail && **at > first).map(|at| (*at, fail, end));
+    behind.chain(before).find_map(|(start, middle, end)| exchanged(case, start, middle, end))
+}
+
+/// The piece with the parts on both sides of a place exchanged.
+fn exchanged(case: &Case<'_>, start: usize, middle: usize, end: usize) -> Option<SyntaxError> {
+    let (first, second) = (case.slice.get(start..middle)?.trim(), case.slice.get(middle..end)?.trim());
+    let wanted = format!("{second} {first}");
+    // what begins with an operator belongs to what stands before it
+    let whole = |part: &str| part.starts_with(|c| is_name_char(c) || matches!(c, '=' | '(' | '@' | '"'));
+    (whole(first) && whole(second) && case.reads(&case.with(start, end, &wanted))).then(|| {
+        SyntaxError::OtherWord {
+            found: case.slice.get(start..end).unwrap_or_default().to_owned(),
+            wanted: wanted.clone(),
+            at: case.span(start, end - start),
+            help: case.help(start, end, &wanted),
+        }
+    })
+}
+
+/// Where words begin that follow a blank, except units after their numbers.
+fn starts(slice: &str, end: usize) -> Vec<usize> {
+    let mut blank = true;
+    let mut starts = Vec::new();
+    for (at, c) in slice.char_indices().take_while(|(at, _)| *at < end) {
+        if blank && !c.is_whitespace() && !is_unit_behind(slice, at) {
+            starts.push(at);
+        }
+        blank = c.is_whitespace();
+    }
+    starts
+}
+
+/// Whether a unit stands there, with its number before it.
+fn is_unit_behind(slice: &str, at: usize) -> bool {
+    let (before, rest) = slice.split_at(at);
+    let number = before.trim_end().rsplit(char::is_whitespace).next().unwrap_or_default();
+    let word = rest.split(|c| !is_name_char(c)).next().unwrap_or_default();
+    number.parse::<f64>().is_ok() && is_unit(word)
 }

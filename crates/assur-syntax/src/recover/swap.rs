@@ -1,10 +1,9 @@
 //! Pieces that read with one sign or word exchanged, left out, or put into brackets.
 
 use super::case::Case;
-use super::what::What;
+use super::phrase::What;
 use crate::error::SyntaxError;
-use crate::grammar::Rule;
-use crate::words::{self, Expected, is_name_char, is_reserved};
+use crate::words::{self, Expected, Rule, is_name_char, is_reserved};
 use assur_text::language::{Place, words_of};
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {

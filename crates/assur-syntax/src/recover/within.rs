@@ -2,8 +2,7 @@
 
 use super::case::Case;
 use crate::error::SyntaxError;
-use crate::grammar::Rule;
-use crate::words::{self, Expected, is_name_char, is_reserved};
+use crate::words::{self, Expected, Rule, is_name_char, is_reserved};
 use assur_text::diagnostic::did_you_mean;
 use assur_text::units::is_unit;
 

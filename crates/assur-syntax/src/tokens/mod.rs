@@ -5,8 +5,8 @@
 
 mod characters;
 
-use crate::grammar::Rule;
 use crate::prepare::whole_end;
+use crate::words::Rule;
 use assur_text::source::Span;
 use characters::Characters;
 use pest::iterators::Pairs;

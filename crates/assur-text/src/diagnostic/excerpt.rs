@@ -1,9 +1,9 @@
 //! The lines of a text that a diagnostic marks, with one line of context: what is drawn costs no more than these lines,
 //! however long the text is, and long lines are cut around the marks.
 
-use super::lines::Lines;
 use crate::source::{Source, shown_in_line};
 use miette::{LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
+use std::ops::Range;
 
 /// Longer lines are cut, bytes.
 const LONG: usize = 240;
@@ -157,11 +157,7 @@ fn without_controls(text: &str) -> String {
 }
 
 /// The parts of a line that are shown.
-fn kept(
-    text: &str,
-    line: std::ops::Range<usize>,
-    ends: impl Iterator<Item = usize>,
-) -> Vec<std::ops::Range<usize>> {
+fn kept(text: &str, line: Range<usize>, ends: impl Iterator<Item = usize>) -> Vec<Range<usize>> {
     if line.len() <= LONG {
         return vec![line];
     }
@@ -170,7 +166,7 @@ fn kept(
         let to = text.ceil_char_boundary((byte + AROUND).clamp(line.start, line.end));
         from..to
     };
-    let mut parts: Vec<std::ops::Range<usize>> = Vec::new();
+    let mut parts: Vec<Range<usize>> = Vec::new();
     for part in ends.map(near) {
         match parts.last_mut() {
             Some(last) if part.start <= last.end => last.end = last.end.max(part.end),
@@ -206,5 +202,48 @@ impl SourceCode for Excerpt {
             column.map_or(inner.column(), |c| c.1),
             (inner.line_count() + piece.first).min(own + NEAR),
         )))
+    }
+}
+
+// Where the lines of a text begin: found once for all that is said about it.
+
+/// The lines of a text. They end in `\n`, `\r\n` or a lone `\r`.
+pub(super) struct Lines {
+    starts: Vec<usize>,
+    length: usize,
+}
+
+impl Lines {
+    /// Those of a text.
+    pub fn of_text(text: &str) -> Self {
+        let bytes = text.as_bytes();
+        let ends = bytes.iter().enumerate().filter(|(i, b)| match b {
+            b'\n' => true,
+            b'\r' => bytes.get(i + 1) != Some(&b'\n'),
+            _ => false,
+        });
+        let starts = std::iter::once(0).chain(ends.map(|(i, _)| i + 1)).collect();
+        Self { starts, length: bytes.len() }
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.starts.len()
+    }
+
+    /// The line of a byte, from 0.
+    pub fn of(&self, byte: usize) -> usize {
+        self.starts.partition_point(|&start| start <= byte) - 1
+    }
+
+    /// The bytes of a line with those that end it.
+    pub fn range_with_end(&self, line: usize) -> Range<usize> {
+        self.starts[line]..self.starts.get(line + 1).copied().unwrap_or(self.length)
+    }
+
+    /// The bytes of a line without those that end it.
+    pub fn range(&self, text: &str, line: usize) -> Range<usize> {
+        let Range { start, end } = self.range_with_end(line);
+        start..start + text[start..end].trim_end_matches(['\n', '\r']).len()
     }
 }

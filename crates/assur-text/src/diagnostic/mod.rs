@@ -5,7 +5,6 @@
 
 mod excerpt;
 mod fix;
-mod lines;
 mod problems;
 mod render;
 mod suggest;

@@ -1,12 +1,13 @@
 //! Rendering of diagnostics.
 
-use super::excerpt::Excerpt;
-use super::lines::Lines;
+use super::excerpt::{Excerpt, Lines};
 use super::problems::is_error;
 use super::{Problem, Problems};
 use crate::source::{Source, shown};
-use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan};
-use miette::{NarratableReportHandler, ReportHandler, Severity, SourceCode};
+use miette::{
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NarratableReportHandler, ReportHandler,
+    Severity, SourceCode,
+};
 use std::fmt::{self, Display, Write};
 
 /// How diagnostics are drawn.

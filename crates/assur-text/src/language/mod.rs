@@ -1,25 +1,23 @@
 //! The language as data: what the checker, suggestions, completions and the reference read.
 
 mod codes;
-mod collection;
 mod dimension;
 mod function;
 mod functions;
 mod kinds;
 mod properties;
-mod property;
 mod units;
 mod words;
 
 pub use codes::{CODES, Code, explain};
-pub use collection::{COLLECTIONS, Collection};
 pub use dimension::{Dimension, Kind};
 pub use function::{Argument, Form, FunctionGroup, FunctionRow, Gives, Takes};
 pub use functions::{FUNCTIONS, Function};
+pub use kinds::{COLLECTIONS, Collection};
 pub use kinds::{CamLaw, JointKind, LAWS, PAIRS};
 pub use properties::{
     BRAKE, CAM, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, STOP, TORSION_SPRING, properties_of_pair,
 };
-pub use property::{Property, PropertyValue};
+pub use properties::{Property, PropertyValue};
 pub use units::{Symbol, UNITS, symbol};
 pub use words::{CAM_MEMBERS, CONNECTING, CONTEXTUAL, MEMBERS, Place, STATEMENTS, WORDS, Word, words_of};

@@ -1,5 +1,9 @@
 //! Lines and columns of a text, as editors count them.
 
+use super::Span;
+use std::borrow::Cow;
+use std::fmt::Write;
+
 /// What a column counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Encoding {
@@ -68,4 +72,74 @@ fn units(text: &str, encoding: Encoding) -> usize {
         Encoding::Utf8 => text.len(),
         Encoding::Utf16 => text.encode_utf16().count(),
     }
+}
+
+// Changes of a text.
+
+/// A part of a text and what is to be in its place.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Edit {
+    /// The part; empty where something is added.
+    pub span: Span,
+    pub with: String,
+}
+
+impl Edit {
+    /// `with` in the place of what is at `span`.
+    pub fn new(span: Span, with: impl Into<String>) -> Self {
+        Self { span, with: with.into() }
+    }
+}
+
+/// A text with edits made, which are in order and do not overlap; one that does not fit the text is left out.
+#[must_use]
+pub fn edited(text: &str, edits: &[Edit]) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut from = 0;
+    for edit in edits {
+        let at = if edit.span == Span::END { Span::new(text.len(), text.len()) } else { edit.span };
+        let fits = text.is_char_boundary(at.end) && at.start <= at.end;
+        let Some(kept) = text.get(from..at.start).filter(|_| fits) else { continue };
+        out.push_str(kept);
+        out.push_str(&edit.with);
+        from = at.end;
+    }
+    out.push_str(&text[from..]);
+    out
+}
+
+// Texts of others as a reader sees them: nothing in them commands the terminal or turns the line around.
+
+/// Whether a terminal obeys the character instead of showing it: controls, and marks of writing direction.
+#[must_use]
+pub fn is_obeyed(c: char) -> bool {
+    let turns =
+        matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    turns || c.is_control()
+}
+
+/// The text with such characters as `\u{1b}`; ends of lines and tabs stay.
+#[must_use]
+pub fn shown(text: &str) -> Cow<'_, str> {
+    escaped(text, |c| is_obeyed(c) && !matches!(c, '\n' | '\t'))
+}
+
+/// The same within a line: ends of lines and tabs are escaped too.
+#[must_use]
+pub fn shown_in_line(text: &str) -> Cow<'_, str> {
+    escaped(text, is_obeyed)
+}
+
+fn escaped(text: &str, obeyed: impl Fn(char) -> bool) -> Cow<'_, str> {
+    let Some(first) = text.find(&obeyed) else { return Cow::Borrowed(text) };
+    let mut out = text[..first].to_owned();
+    for c in text[first..].chars() {
+        if obeyed(c) {
+            // writing to a String does not fail
+            let _ = write!(out, "{}", c.escape_unicode());
+        } else {
+            out.push(c);
+        }
+    }
+    Cow::Owned(out)
 }

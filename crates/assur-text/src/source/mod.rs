@@ -1,12 +1,10 @@
 //! Files and spans in a text.
 
-mod edit;
 mod lines;
-mod shown;
 
-pub use edit::{Edit, edited};
+pub use lines::{Edit, edited};
 pub use lines::{Encoding, LineColumn, Lines};
-pub use shown::{is_obeyed, shown, shown_in_line};
+pub use lines::{is_obeyed, shown, shown_in_line};
 
 /// A range of bytes in a source text, end exclusive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -2,19 +2,16 @@
 //!
 //! Inside, everything is SI and radians; a [`Unit`] stands at the border, where numbers come in and answers go out.
 
-mod error;
-mod factors;
-mod lookup;
 mod number;
 mod spelling;
 mod template;
 mod unit;
 
 pub use crate::language::{Dimension, Kind};
-pub use error::UnitError;
-pub use factors::{Factor, factors};
-pub use lookup::{is_unit, lookup};
 pub use number::{push_row, push_significant, significant, write_significant};
 pub use spelling::meant;
 pub use template::{Columns, Pieces, Template};
+pub use unit::UnitError;
 pub use unit::{Conversion, Unit};
+pub use unit::{Factor, factors};
+pub use unit::{is_unit, lookup};

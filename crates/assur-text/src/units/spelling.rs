@@ -1,6 +1,6 @@
 //! Suggestions for an unknown unit.
 
-use super::factors::factors;
+use super::unit::factors;
 use crate::diagnostic::did_you_mean;
 use crate::language::{Symbol, UNITS, symbol};
 

@@ -1,9 +1,7 @@
 //! Involute spur gears.
 
-mod check;
-mod involute;
 mod pair;
 
-pub use check::GearFault;
-pub use involute::{inverse_involute, involute};
+pub use pair::GearFault;
 pub use pair::{Gear, GearPair, NoMesh, Teeth};
+pub use pair::{inverse_involute, involute};

@@ -8,7 +8,6 @@
 //!   da₂ = d₂ − 2m (h* − x₂), where nothing needs shortening
 //! - ε = (z₁ (tan α_a1 − tan α_w) ± z₂ (tan α_a2 − tan α_w)) / 2π
 
-use super::involute::{inverse_involute, involute};
 use std::f64::consts::PI;
 
 /// What a pair is given by.
@@ -171,5 +170,161 @@ impl GearPair {
     pub fn forces(&self) -> [f64; 3] {
         let tangential = 2.0 / self.gears[0].dw;
         [tangential, tangential * libm::tan(self.alpha_w), 2.0 / self.gears[0].db]
+    }
+}
+
+// The involute function inv α = tan α − α and its inverse.
+
+/// Beyond this angle tan α − α loses nothing, rad.
+const DIRECT: f64 = 1.0;
+
+/// inv α = tan α − α, rad, accurate for small angles too: tan α − α = (sin α − α cos α) / cos α with the series
+/// sin α − α cos α = Σ (−1)ⁿ⁺¹ 2n α²ⁿ⁺¹ / (2n + 1)!.
+#[must_use]
+pub fn involute(alpha: f64) -> f64 {
+    if alpha.abs() > DIRECT {
+        return libm::tan(alpha) - alpha;
+    }
+    let square = alpha * alpha;
+    // αⁿ/n! with its sign, n = 2k + 1
+    let (mut power, mut sum, mut n) = (alpha, 0.0, 1.0);
+    for _ in 0..12 {
+        power *= -square / ((n + 1.0) * (n + 2.0));
+        n += 2.0;
+        sum -= power * (n - 1.0);
+    }
+    sum / libm::cos(alpha)
+}
+
+/// The angle in [0, π/2) whose involute is `value`; `None` where that is negative or not finite.
+///
+/// Newton's method from above, d(inv α)/dα = tan² α; started at the root of the leading term it converges monotonically.
+#[must_use]
+pub fn inverse_involute(value: f64) -> Option<f64> {
+    if !(value >= 0.0 && value.is_finite()) {
+        return None;
+    }
+    if value == 0.0 {
+        return Some(0.0);
+    }
+    // inv α ≥ α³/3, and α < π/2
+    let mut alpha = libm::cbrt(3.0 * value).min(std::f64::consts::FRAC_PI_2 - 1.0 / (value + 2.0));
+    for _ in 0..100 {
+        let tan = libm::tan(alpha);
+        let step = (involute(alpha) - value) / (tan * tan);
+        alpha -= step;
+        if step.abs() <= 2.0 * f64::EPSILON * alpha {
+            break;
+        }
+    }
+    Some(alpha)
+}
+
+// Whether the teeth of a pair run together.
+
+/// What is wrong with a pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GearFault {
+    /// The rack cuts into the flank: the shift is less than the least one.
+    Undercut {
+        /// Which wheel, 0 or 1.
+        wheel: usize,
+        shift: f64,
+        /// The least shift without undercut.
+        least: f64,
+    },
+    /// The flanks of a tooth meet below the tip circle: its thickness there would be this, m.
+    Pointed {
+        /// Which wheel, 0 or 1.
+        wheel: usize,
+        /// Thickness, m.
+        thickness: f64,
+    },
+    /// A pair of teeth parts before the next one meets.
+    Gap { ratio: f64 },
+    /// The tip of the other wheel reaches below the involute of this one: radius of curvature where it touches, and where the
+    /// involute begins, m.
+    Tip {
+        /// The wheel whose flank is met, 0 or 1.
+        wheel: usize,
+        /// Radius of curvature that the other tip reaches, m.
+        reached: f64,
+        /// Radius of curvature at which the involute begins, m.
+        begin: f64,
+    },
+    /// The tip circle of a ring lies inside its base circle: diameters, m.
+    RingTip {
+        /// Tip diameter, m.
+        tip: f64,
+        /// Base diameter, m.
+        base: f64,
+    },
+    /// The tips of pinion and ring meet away from the line of contact: the gap between them is this angle of the pinion,
+    /// rad, negative.
+    Overlap {
+        /// The gap, rad.
+        gap: f64,
+    },
+}
+
+const NEAR: f64 = 1e-12;
+
+impl GearPair {
+    /// All that is wrong with the pair.
+    #[must_use]
+    pub fn faults(&self) -> Vec<GearFault> {
+        let mut found = Vec::new();
+        for (wheel, gear) in self.gears.iter().enumerate() {
+            let shift = self.teeth.shift[wheel];
+            if shift < gear.x_min - NEAR {
+                found.push(GearFault::Undercut { wheel, shift, least: gear.x_min });
+            }
+            if gear.sa <= 0.0 {
+                found.push(GearFault::Pointed { wheel, thickness: gear.sa });
+            }
+        }
+        let ring = self.gears[1];
+        if self.teeth.internal && ring.da < ring.db {
+            found.push(GearFault::RingTip { tip: ring.da, base: ring.db });
+            return found;
+        }
+        found.extend([0, 1].into_iter().filter_map(|wheel| self.tip_reaches(wheel)));
+        found.extend(self.overlap());
+        if self.ratio < 1.0 {
+            found.push(GearFault::Gap { ratio: self.ratio });
+        }
+        found
+    }
+
+    /// Whether the other tip meets a flank below its involute. Where the flank is undercut the rack has taken away what the
+    /// tip would meet; the flanks of a ring end outside, at its root.
+    fn tip_reaches(&self, wheel: usize) -> Option<GearFault> {
+        let undercut = self.teeth.shift[wheel] < self.gears[wheel].x_min - NEAR;
+        if self.teeth.internal && wheel == 1 || undercut {
+            return None;
+        }
+        let sin = libm::sin(self.teeth.pressure_angle);
+        let gear = &self.gears[wheel];
+        let cut = (self.teeth.addendum - self.teeth.shift[wheel]) * self.teeth.module / sin;
+        let begin = 0.5 * gear.d * sin - cut;
+        let [reached, _] = self.lowest(wheel);
+        (reached < begin - NEAR * gear.d).then_some(GearFault::Tip { wheel, reached, begin })
+    }
+
+    /// The gap between the tips of pinion and ring where their tip circles cross:
+    /// z₁ (inv α_a1 + δ₁) − z₂ (inv α_a2 + δ₂) + (z₂ − z₁) inv α_w ≥ 0 with the angles δ of the crossing against the line
+    /// of centres.
+    fn overlap(&self) -> Option<GearFault> {
+        let [one, two] = &self.gears;
+        let (r_1, r_2, a) = (0.5 * one.da, 0.5 * two.da, self.a);
+        if !self.teeth.internal || r_1 + a <= r_2 {
+            return None;
+        }
+        let delta_1 = libm::acos(((r_2 * r_2 - r_1 * r_1 - a * a) / (2.0 * a * r_1)).clamp(-1.0, 1.0));
+        let delta_2 = libm::acos(((r_2 * r_2 - r_1 * r_1 + a * a) / (2.0 * a * r_2)).clamp(-1.0, 1.0));
+        let [z_1, z_2] = self.teeth.z;
+        let gap = z_1 * (involute(one.alpha_a) + delta_1) - z_2 * (involute(two.alpha_a) + delta_2)
+            + (z_2 - z_1) * involute(self.alpha_w);
+        (gap < 0.0).then_some(GearFault::Overlap { gap: gap / z_1 })
     }
 }

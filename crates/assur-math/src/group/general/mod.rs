@@ -37,7 +37,6 @@
 //! Its sign is the same throughout one branch. The condition figure is 1 / (‖J‖ ‖J⁻¹‖) of the row-scaled Jacobian.
 
 mod assemblies;
-mod certificate;
 mod constraint;
 mod gearing;
 mod newton;

@@ -36,12 +36,11 @@
 //! Source: J.-P. Merlet, Parallel Robots, 2nd ed., sections 4.4 and 5 (planar 3-RRR: sextic, Jacobian, singularities); the
 //! forms here are derived anew.
 
-mod gap;
 pub mod modes;
 pub mod position;
 
-pub use gap::{Miss, gap};
 pub use modes::modes;
+pub use modes::{Miss, gap};
 pub use position::{End, Followed, Plate};
 
 use crate::math::{Scalar, V2};

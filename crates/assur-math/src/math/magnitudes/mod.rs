@@ -7,7 +7,6 @@
 //! where the parts p of row i are numbers or plane vectors. With the sign of every number and the direction of every vector
 //! given the system is linear. It may have one solution, several, or none.
 
-mod follow;
 #[doc(hidden)]
 pub mod newton;
 mod search;

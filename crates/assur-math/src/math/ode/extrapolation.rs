@@ -2,9 +2,9 @@
 //! Nørsett, Wanner, volume I, section II.9): its numbers are ratios of integers, so that the order goes as far as the digits
 //! do. The reference method in double-double: over an orbit its error stays near the tolerance down to 1e-26.
 
-use super::first_step::first_step;
-use super::hermite::Hermite;
+use super::event::Hermite;
 use super::progress::Trial;
+use super::tolerance::first_step;
 use super::{
     Integrator, Progress, Real, Step, Stopped, System, Tolerance, Undefined, epsilon, finite, nonzero,
     rough_root,

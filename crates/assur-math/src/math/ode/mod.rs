@@ -19,8 +19,6 @@ mod elimination;
 mod energy;
 pub mod event;
 mod extrapolation;
-mod first_step;
-mod hermite;
 mod progress;
 mod tolerance;
 
@@ -34,7 +32,7 @@ pub use progress::{Counts, Progress};
 pub use radau::Radau;
 pub use tolerance::Tolerance;
 
-use super::real::{eighth_root, epsilon, finite, nonzero, rough_root, wide};
+use super::scalar::{eighth_root, epsilon, finite, nonzero, rough_root, wide};
 
 pub use super::Real;
 

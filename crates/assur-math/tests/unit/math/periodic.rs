@@ -1,6 +1,6 @@
 //! Means over a period.
 
-use assur_math::math::periodic::mean;
+use assur_math::math::quadrature::mean;
 use std::f64::consts::TAU;
 
 /// 1/(1 − 2q cos x + q²) has the mean 1/(1 − q²) and the coefficients q^k.

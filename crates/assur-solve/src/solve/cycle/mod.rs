@@ -21,7 +21,7 @@ use super::failure::{Cause, Failure};
 use super::note::Note;
 use super::positions::Sweep;
 use crate::answer::{CycleAnswer, ROUNDING, Undefined, WholeCycle, is_zero};
-use crate::math::periodic::{Mean, mean};
+use crate::math::quadrature::{Mean, mean};
 use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
 use crate::position::Model;
 use depends::{asks_for_ideal_flywheels, counts_turns, depends_on_forces, depends_on_nothing_else};

@@ -5,8 +5,8 @@
 #[doc(hidden)]
 pub mod coefficients;
 
-use super::first_step::first_step;
 use super::progress::Trial;
+use super::tolerance::first_step;
 use super::{
     Integrator, Progress, Real, Step, Stopped, System, Tolerance, Undefined, eighth_root, epsilon, finite,
     nonzero, wide,

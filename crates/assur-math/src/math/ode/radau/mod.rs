@@ -1,15 +1,14 @@
 //! Radau IIA of order 5: implicit, with three stages, stable for every decay (Hairer and Wanner, volume II, sections IV.5 to
 //! IV.8). Its continuous output is the polynomial of the stages, of order 3, without more evaluations.
 
-mod coefficients;
 mod newton;
 
-use super::first_step::first_step;
 use super::progress::Trial;
+use super::tolerance::first_step;
 use super::{
     Integrator, Progress, Real, Step, Stopped, System, Tolerance, Undefined, epsilon, finite, nonzero, wide,
 };
-use coefficients::PLACES;
+use newton::PLACES;
 use newton::{Ended, FAST, MOST, Stages};
 
 const SAFETY: f64 = 0.9;

@@ -3,9 +3,9 @@
 //! With z_i what a stage adds to y₀, w = T⁻¹z and A⁻¹ = TΛT⁻¹ the 3n equations fall into n real ones with γ/h − J and n
 //! complex ones with (α + iβ)/h − J, written as 2n real ones.
 
-use super::super::elimination::Elimination;
-use super::super::{Progress, Real, System, Undefined, eighth_root, epsilon, finite, wide};
-use super::coefficients::{ALPHA, BACK, BETA, ERROR, FORWARD, PLACES, REAL};
+use super::super::{
+    Progress, Real, System, Undefined, eighth_root, elimination::Elimination, epsilon, finite, wide,
+};
 
 pub(super) const MOST: usize = 7;
 /// Where convergence is at least so fast the derivatives are kept.
@@ -246,3 +246,63 @@ fn mean<'a, S: Real>(ratios: impl Iterator<Item = (&'a S, &'a S)>, n: usize) -> 
     });
     (sum / S::of(n as f64)).sqrt()
 }
+
+// The numbers of Radau IIA of order 5 (Hairer and Wanner, volume II, sections IV.5 and IV.8), from their closed forms with 60
+// digits, each in two parts.
+
+/// Places of the stages: (4 ∓ √6)/10 and 1.
+pub(super) const PLACES: [[f64; 2]; 3] = [
+    [0.155_051_025_721_682_2, -5.032_819_811_655_113e-18],
+    [0.644_948_974_278_317_8, 4.389_062_567_353_559e-17],
+    [1.0, 0.0],
+];
+
+/// The real eigenvalue of A⁻¹: 30/(6 + ∛81 − ∛9).
+pub(super) const REAL: [f64; 2] = [3.637_834_252_744_496, -5.658_101_760_568_156e-17];
+
+/// The others, α ± iβ.
+pub(super) const ALPHA: [f64; 2] = [2.681_082_873_627_752_3, -1.937_540_961_221_905_3e-16];
+
+/// See [`ALPHA`].
+pub(super) const BETA: [f64; 2] = [3.050_430_199_247_410_5, 2.404_406_906_936_987_5e-17];
+
+/// T, with A⁻¹ T = T Λ, Λ = diag(γ, [α, −β; β, α]).
+pub(super) const FORWARD: [[[f64; 2]; 3]; 3] = [
+    [
+        [0.094_438_762_488_975_24, -3.236_875_075_018_586_7e-18],
+        [-0.141_255_295_020_954_2, 5.097_153_543_846_629e-18],
+        [-0.030_029_194_105_147_424, -3.654_270_423_242_518_3e-19],
+    ],
+    [
+        [0.250_213_122_965_333_3, -1.193_443_450_208_261e-17],
+        [0.204_129_352_293_799_94, -1.073_425_497_858_164_6e-17],
+        [0.382_942_112_757_261_9, 1.678_767_066_471_906_4e-17],
+    ],
+    [[1.0, 0.0], [1.0, 0.0], [0.0, 0.0]],
+];
+
+/// T⁻¹.
+pub(super) const BACK: [[[f64; 2]; 3]; 3] = [
+    [
+        [4.178_718_591_551_905, -4.430_871_935_084_940_6e-16],
+        [0.327_682_820_761_062_37, 2.152_707_279_858_693e-17],
+        [0.523_376_445_499_449_5, 4.281_235_710_695_699e-17],
+    ],
+    [
+        [-4.178_718_591_551_905, 4.430_871_935_084_940_6e-16],
+        [-0.327_682_820_761_062_37, -2.152_707_279_858_693e-17],
+        [0.476_623_554_500_550_44, 1.269_879_412_430_084_1e-17],
+    ],
+    [
+        [-0.502_872_634_945_786_8, -5.318_243_780_009_011_6e-17],
+        [2.571_926_949_855_605, 2.135_976_914_942_942e-16],
+        [-0.596_039_204_828_224_9, -2.751_960_296_811_238_6e-18],
+    ],
+];
+
+/// Weights of the stages in the estimate of the error: −(13 + 7√6)/3, (−13 + 7√6)/3, −1/3.
+pub(super) const ERROR: [[f64; 2]; 3] = [
+    [-10.048_809_399_827_416, 3.821_678_988_093_678e-16],
+    [1.382_142_733_160_749, -8.610_842_557_599_271e-17],
+    [-0.333_333_333_333_333_3, -1.850_371_707_708_594e-17],
+];
