@@ -3,6 +3,7 @@
 # built already.
 set -e
 draw() { if [ -n "$ASSUR" ]; then "$ASSUR" draw "$@"; else cargo run --release --quiet -- draw "$@"; fi; }
+draw examples/press.mech friction -o docs/pictures/press.svg
 draw examples/kinetostatics/six-bar.mech --path coupler.S2 --path crank.B -o docs/pictures/six-bar.svg
 draw examples/shaper/shaper-a.mech accelerations --pose 3 -o docs/pictures/shaper-accelerations.svg
 draw examples/shaper/shaper-a.mech --pose 3 --ghosts 12 -o docs/pictures/shaper.svg

@@ -7,7 +7,11 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum CliError {
     #[error("there is no file or folder `{name}`")]
-    Missing { name: String },
+    Missing {
+        name: String,
+        #[help]
+        help: Option<String>,
+    },
     /// The file cannot be read.
     #[error("`{name}` cannot be read: {why}")]
     Unreadable {

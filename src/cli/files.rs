@@ -126,6 +126,13 @@ pub fn expand(names: &[String]) -> Vec<Result<Input, CliError>> {
     inputs
 }
 
+/// A name that nothing has: of a file without its ending, the file is offered.
+pub fn missing(name: &str) -> CliError {
+    let with_ending = format!("{name}.mech");
+    let help = Path::new(&with_ending).is_file().then(|| format!("did you mean `{with_ending}`?"));
+    CliError::Missing { name: name.to_owned(), help }
+}
+
 fn inputs_of(name: &str) -> Result<Found, CliError> {
     let path = Path::new(name);
     if name == STDIN {
@@ -139,11 +146,7 @@ fn inputs_of(name: &str) -> Result<Found, CliError> {
     if path.exists() {
         return Ok(vec![Ok(Input::File(path.to_owned()))]);
     }
-    if name.contains(['*', '?', '[', '{']) {
-        matches_of(name)
-    } else {
-        Err(CliError::Missing { name: name.to_owned() })
-    }
+    if name.contains(['*', '?', '[', '{']) { matches_of(name) } else { Err(missing(name)) }
 }
 
 /// Files that match a glob; `*` stops at `/`, `**` does not.

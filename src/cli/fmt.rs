@@ -120,7 +120,7 @@ fn summary(args: &Fmt, tally: &Tally) -> String {
     }
     let files = if all == 1 { "1 file".to_owned() } else { format!("{all} files") };
     let done = if args.check { "not formatted" } else { "formatted" };
-    let kept = if args.check { "formatted" } else { "unchanged" };
+    let kept = if args.check { "already formatted" } else { "unchanged" };
     let mut parts = Vec::new();
     for (count, what) in
         [(changed, done), (same, kept), (left, "with errors, not changed"), (unwritten, "not written")]

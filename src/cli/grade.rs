@@ -5,6 +5,7 @@ use std::io::BufReader;
 
 use super::args::{Format, Grade};
 use super::error::CliError;
+use super::files;
 use super::reply::{Status, complaint};
 use super::screen::Screen;
 use crate::exercise::grade::{Credit, LeftOut, Points, Rules, Sheet, grade};
@@ -67,7 +68,7 @@ fn rules(args: &Grade) -> Rules {
 /// A sheet; `None` where it has an error, which is reported.
 fn sheet(name: &str, key: Option<&Sheet>, screen: &Screen) -> Result<Option<Sheet>, CliError> {
     let fail = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => CliError::Missing { name: name.to_owned() },
+        std::io::ErrorKind::NotFound => files::missing(name),
         _ => CliError::Unreadable { name: name.to_owned(), why: error.to_string() },
     };
     let file = File::open(name).map_err(fail)?;

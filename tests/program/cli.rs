@@ -56,6 +56,7 @@ fn what_cannot_be_used_ends_with_2() {
     folder.write_bytes("latin1.mech", b"mechanism \"Kurbel \xfc\"\n");
     for (name, says) in [
         ("missing.mech", "there is no file or folder `missing.mech`"),
+        ("latin1", "did you mean `latin1.mech`?"),
         ("latin1.mech", "byte 19 cannot be read"),
         ("empty", "no .mech file in the folder `empty`"),
         ("*.nothing", "no file matches `*.nothing`"),

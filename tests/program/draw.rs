@@ -81,6 +81,19 @@ fn all_pictures_of_several_files_are_on_one_page() {
 }
 
 #[test]
+fn among_several_files_those_without_positions_are_passed_over() {
+    let sizes = "given r = 1 mm\nlet y = 2*r\nfind y\n";
+    let folder = Folder::new("draw-sizes").with("a.mech", &one()).with("b.mech", sizes);
+    let out = assur(&folder, &["draw", "a.mech", "b.mech", "-o", "all.html"]);
+    assert_eq!(
+        (out.status, out.stdout.as_str(), out.stderr.as_str()),
+        (0, "", "b.mech has no position to draw\n")
+    );
+    assert_eq!(folder.read("all.html").matches("<svg").count(), 1);
+    assert_eq!(assur(&folder, &["draw", "b.mech"]).status, 1);
+}
+
+#[test]
 fn what_cannot_be_drawn_is_said() {
     let still = GOOD.replace(" at 100 rad/s", "").replace(", v_C = velocity(C)", "");
     let folder = Folder::new("draw-not").with("a.mech", &still).with("wrong.mech", "link a A-B\n");
@@ -331,5 +344,5 @@ fn the_pictures_of_the_documents_are_of_now() {
         assert!(out.stdout == there, "{file} is not what is drawn: run docs/pictures.sh");
         count += 1;
     }
-    assert_eq!(count, 10);
+    assert_eq!(count, 11);
 }

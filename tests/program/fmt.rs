@@ -36,10 +36,13 @@ fn check_prints_a_diff_and_changes_nothing() {
     let diff = "--- a/a.mech\n+++ b/a.mech\n@@ -1,3 +1,3 @@\n-mech  1\n-given r=100mm\n-given long = 2 m;\n";
     let added = FORMATTED.lines().map(|line| format!("+{line}\n")).collect::<String>();
     assert_eq!(out.stdout, format!("{diff}{added}"));
-    assert_eq!(out.stderr, "a.mech is not formatted\n2 files: 1 not formatted, 1 formatted\n");
+    assert_eq!(out.stderr, "a.mech is not formatted\n2 files: 1 not formatted, 1 already formatted\n");
     assert_eq!(folder.read("a.mech"), WRITTEN);
     let out = assur(&folder, &["fmt", "--check", "b.mech"]);
-    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", "1 file: 1 formatted\n"));
+    assert_eq!(
+        (out.status, out.stdout.as_str(), out.stderr.as_str()),
+        (0, "", "1 file: 1 already formatted\n")
+    );
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Every folder uses only those that ARCHITECTURE.md lets it use, and every test is named there.
+//! Every folder uses only those that `crates/README.md` lets it use, every test is named in `tests/README.md`, and ARCHITECTURE.md
+//! names files that exist.
 
 use std::path::{Path, PathBuf};
 
@@ -13,12 +14,12 @@ struct Row {
     uses: Vec<String>,
 }
 
-fn page() -> String {
-    std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md")
+fn page(name: &str) -> String {
+    std::fs::read_to_string(root().join(name)).expect("a page")
 }
 
 fn table() -> Vec<Row> {
-    let text = page();
+    let text = page("crates/README.md");
     let mut rows: Vec<Row> = Vec::new();
     for line in text.lines().filter(|l| l.starts_with("| `") && l.contains("src")) {
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
@@ -139,10 +140,9 @@ fn clocks_and_threads_are_of_the_command_line() {
 
 /// The paths in the first column of the table of tests.
 fn tests_named() -> Vec<String> {
-    let text = page();
-    let (_, tests) = text.split_once("\n## Tests\n").expect("a heading");
+    let text = page("tests/README.md");
     let first = |line: &str| line.strip_prefix("| `")?.split(" | ").next().map(str::to_owned);
-    let cells = tests.lines().filter_map(first).collect::<Vec<_>>();
+    let cells = text.lines().filter_map(first).collect::<Vec<_>>();
     cells.iter().flat_map(|cell| cell.split(", ")).map(|path| path.trim_matches('`').to_owned()).collect()
 }
 
@@ -169,4 +169,16 @@ fn every_test_is_named() {
         let unit = format!("crates/{}/tests/unit", krate.file_name().to_string_lossy());
         assert!(named.contains(&unit) || !root().join(&unit).exists(), "not in the table: {unit}");
     }
+}
+
+#[test]
+fn files_of_a_change_are_there() {
+    let text = page("ARCHITECTURE.md");
+    let (_, rest) = text.split_once("\n## A change: where does it go?\n").expect("a heading");
+    let (rows, _) = rest.split_once("\n## ").expect("a heading after it");
+    let paths: Vec<&str> = rows.split('`').skip(1).step_by(2).filter(|word| word.contains('/')).collect();
+    assert!(paths.len() > 20, "the table is read: {paths:?}");
+    let gone: Vec<_> = paths.into_iter().filter(|path| !root().join(path).exists()).collect();
+    assert!(gone.is_empty(), "{gone:?}");
+    assert!(text.len() <= 16_000, "{} bytes", text.len());
 }

@@ -1,4 +1,4 @@
-//! Floors within a stage use only those that ARCHITECTURE.md lets them use, and no ring of files is long.
+//! Floors within a stage use only those that `crates/README.md` lets them use, and no ring of files is long.
 
 use crate::folder;
 
@@ -32,7 +32,7 @@ fn root() -> PathBuf {
 
 /// The tables of floors, by the folder they are of.
 fn tables() -> Vec<(PathBuf, Vec<Row>)> {
-    let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let text = std::fs::read_to_string(root().join("crates/README.md")).expect("crates/README.md");
     let mut tables = Vec::new();
     for part in text.split("| floor of `").skip(1) {
         let (folder, rest) = part.split_once('`').expect("the folder in backticks");

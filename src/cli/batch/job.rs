@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::super::args::{Format, ending};
 use super::super::error::CliError;
+use super::super::files::missing;
 use super::super::reply::Status;
 use super::super::screen::Screen;
 #[cfg(feature = "arrow")]
@@ -65,7 +66,7 @@ pub fn open_table(name: &str) -> Result<Result<Csv, Fault>, CliError> {
 /// A table that cannot be read.
 pub fn unread(name: &str, error: &std::io::Error) -> CliError {
     match error.kind() {
-        std::io::ErrorKind::NotFound => CliError::Missing { name: name.to_owned() },
+        std::io::ErrorKind::NotFound => missing(name),
         _ => CliError::Unreadable { name: name.to_owned(), why: error.to_string() },
     }
 }

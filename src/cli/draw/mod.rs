@@ -90,6 +90,15 @@ impl Drawing<'_> {
             pages.extend(drawn);
             problems.append(found);
         }
+        if self.several
+            && self.args.pose.is_empty()
+            && problems.errors() == 1
+            && problems.has("mech::picture::no_position")
+        {
+            // among several files one without positions, such as a design of gears, is no mistake
+            let diagnostics = format!("{} has no position to draw\n", source.name);
+            return Reply { diagnostics, ..Reply::default() };
+        }
         match self.output.write(&pages) {
             Ok(results) => Reply::new(results, &problems, source, self.screen),
             Err(error) => self.unusable(Reply::new(String::new(), &problems, source, self.screen), error),

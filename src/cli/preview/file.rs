@@ -2,7 +2,7 @@
 
 use super::board::Board;
 use crate::cli::error::CliError;
-use crate::cli::files::Input;
+use crate::cli::files::{Input, missing};
 use crate::cli::reply::{Reply, guarded};
 use crate::cli::screen::Screen;
 use crate::editor::{Analysis, Shown};
@@ -34,7 +34,7 @@ impl Followed {
     pub fn open(name: &str) -> Result<(Self, Source), CliError> {
         let path = Path::new(name);
         if name != "-" && !path.exists() {
-            return Err(CliError::Missing { name: name.to_owned() });
+            return Err(missing(name));
         }
         if name == "-" || !path.is_file() {
             return Err(CliError::PreviewsNoFile { name: name.to_owned() });
