@@ -6,7 +6,8 @@ use crate::forces::quantity_name;
 use crate::unit::unit_of;
 use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Node, Unit, letters, name_node};
-use assur_model::model::{self, FindKind, Function, PairId, Query, Value};
+use assur_model::model::{self, FindKind, Function, PairId, Query, SpringId, Value};
+use assur_position::position::Origin;
 
 /// What differs by less than this part of it is the same.
 const SAME: f64 = 1e-9;
@@ -98,12 +99,19 @@ impl Course<'_> {
 
     /// The power of a weight or of a spring, by the words of its column.
     fn power_by_words(&mut self, words: &str) -> Option<Expr> {
-        let name = match (words.strip_prefix("weight of "), words.strip_prefix("spring ")) {
-            (Some(link), _) => Name::new("G", &self.label_of(link)?),
-            (_, Some(spring)) => Name::new("F", spring),
+        let mechanism = self.scene.mechanism();
+        let powers = match (words.strip_prefix("weight of "), words.strip_prefix("spring ")) {
+            (Some(link), _) => {
+                let body = mechanism.links.iter().position(|own| own.name == link)?;
+                self.powers_on(&[body], |from| from == Some(Origin::Weight))
+            }
+            (_, Some(spring)) => {
+                let id = SpringId::at(mechanism.springs.iter().position(|own| own.name == spring)?);
+                vec![self.power_from(Origin::Spring(id))]
+            }
             _ => return None,
         };
-        Some(self.power_of_named(&name)).filter(|power| !power.is_zero())
+        Some(Expr::sum(powers)).filter(|power| !power.is_zero())
     }
 
     /// The letters of a question: its own name, else by what it asks for.

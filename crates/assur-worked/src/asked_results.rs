@@ -5,10 +5,11 @@ use crate::course::{Course, joined};
 use crate::expressions::length;
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_model::model::{
-    FlywheelPart, Grip, LinkId, LoadId, PairId, PairKind, ProfileShape, Query, Transmission, Value,
+    FlywheelPart, Grip, LinkId, PairId, PairKind, ProfileShape, Query, SpringId, Transmission, Value,
 };
 use assur_model::structure::BodyOrigin;
 use assur_position::plan::{FrictionElement, FrictionLaw};
+use assur_position::position::Origin;
 use assur_solve::answer::FollowerWay;
 
 /// What differs by less than this part of it is the same.
@@ -56,11 +57,10 @@ impl Course<'_> {
                 both.into_iter().find(|sum| (sum.value() - x).abs() <= SAME * sum.scale())
             }
             Query::Load(id) => {
-                let name = self.load_letters(id.index(), self.scene.mechanism().loads.get(id.index())?);
                 let Value::Scalar(x) = self.scene.view().query(query) else { return None };
-                let couples = self.acting.couples.iter().flatten();
-                let mut own =
-                    couples.filter(|couple| couple.has_letters(&name)).map(|couple| couple.value.clone());
+                let couples = self.free.couples.iter().flatten();
+                let own = couples.filter(|couple| couple.from == Some(Origin::Load(*id)));
+                let mut own = own.map(|couple| couple.value.clone());
                 own.find_map(|value| [value.clone(), -value].into_iter().find(|value| value.value() == x))
             }
             Query::Flywheel(which, FlywheelPart::LinksInertia) => {
@@ -68,11 +68,8 @@ impl Course<'_> {
                 let energy = self.energy_of_links();
                 Some(Expr::Int(2) * energy / self.rate_of_body(shaft.index(), 0).squared())
             }
-            Query::LoadPower(id) => self.power_of_load(*id),
-            Query::SpringPower(i) => {
-                let name = Name::new("F", &self.scene.mechanism().springs.get(*i)?.name);
-                Some(self.power_of_named(&name))
-            }
+            Query::LoadPower(id) => Some(self.power_from(Origin::Load(*id))),
+            Query::SpringPower(i) => Some(self.power_from(Origin::Spring(SpringId::at(*i)))),
             _ => None,
         }
     }
@@ -247,26 +244,8 @@ impl Course<'_> {
         }
     }
 
-    /// The power of a load of the file on all links on which it acts.
-    fn power_of_load(&mut self, id: LoadId) -> Option<Expr> {
-        let load = self.scene.mechanism().loads.get(id.index())?;
-        let name = self.load_letters(id.index(), load);
-        Some(self.power_of_named(&name))
-    }
-
-    /// The power of all forces and couples with these letters.
-    pub(crate) fn power_of_named(&mut self, name: &Name) -> Expr {
-        let mut sum = Expr::ZERO;
-        for body in 1..self.bodies.len() {
-            for force in self.acting.forces[body].clone().into_iter().filter(|force| force.name == *name) {
-                let [vx, vy] = self.velocity(body, force.at);
-                let [fx, fy] = force.parts;
-                sum = sum + fx * vx + fy * vy;
-            }
-            let omega = self.rate_of_body(body, 0);
-            let couples = self.acting.couples[body].iter().filter(|couple| couple.has_letters(name));
-            sum = sum + Expr::sum(couples.map(|couple| couple.value.clone() * omega.clone()));
-        }
-        sum
+    /// The power of what comes from this, on all links on which it acts.
+    pub(crate) fn power_from(&mut self, from: Origin) -> Expr {
+        Expr::sum(self.powers_on(&self.moving(), |own| own == Some(from)))
     }
 }

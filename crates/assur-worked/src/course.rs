@@ -2,7 +2,7 @@
 
 use crate::angle::Angle;
 use crate::document::{Block, Figure, Inline, Line, Reference, Table, Term, text};
-use crate::forces::{Acting, Hold};
+use crate::forces::{FreeBodies, Hold};
 use crate::words::{Language, Message, Sentence, say};
 use assur_formula::{Equation, Expr, Lines, Name, Node, Quantity, Unit, name_node};
 use assur_math::math::Vec2;
@@ -62,7 +62,7 @@ pub struct Course<'a> {
     /// Places without a name in the file.
     pub unnamed: RefCell<Vec<(usize, Vec2)>>,
     /// What is known to act on the bodies.
-    pub acting: Acting,
+    pub free: FreeBodies,
     /// What has been derived, and what has been stated alone.
     pub counts: Counts,
     /// The force polygon of the group whose forces are found: its caption.
@@ -125,7 +125,7 @@ impl<'a> Course<'a> {
             asked: BTreeSet::new(),
             given: RefCell::default(),
             unnamed: RefCell::default(),
-            acting: Acting::of(count, scene.model.plan.reactions.len()),
+            free: FreeBodies::of(count, scene.model.plan.reactions.len()),
             counts: Counts::default(),
             polygon: None,
             shown: true,

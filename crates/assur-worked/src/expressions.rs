@@ -287,7 +287,7 @@ impl Course<'_> {
     /// A reaction that is a force between teeth, or the force in the hinge of a cam's roller with what presses on the roller.
     fn reaction_from_others(&mut self, pair: PairId, link: LinkId) -> Option<[Expr; 2]> {
         let mesh = Name::new("F", &self.scene.mechanism().pair(pair).name);
-        let of_teeth = self.acting.forces[link.index()].iter().find(|force| force.name == mesh);
+        let of_teeth = self.free.forces[link.index()].iter().find(|force| force.name == mesh);
         if let Some(force) = of_teeth {
             return Some(force.parts.clone());
         }

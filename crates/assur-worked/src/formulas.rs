@@ -151,7 +151,7 @@ impl Course<'_> {
         let slots = self.scene.model.plan.reactions.iter().enumerate();
         slots
             .filter(|(_, r)| joints.contains(&r.joint))
-            .filter_map(|(slot, _)| self.acting.reactions[slot].clone())
+            .filter_map(|(slot, _)| self.free.reactions[slot].clone())
             .collect()
     }
 

@@ -144,12 +144,14 @@ pub fn list(judged: &Judged<'_>, solved: &Solved) -> Option<String> {
     let mut sums = vec![(Vec2::zero(), 0.0); bodies.len()];
     let extent = bodies.iter().map(|body| body.p.norm()).fold(0.0, f64::max);
     let (mut most, mut turns) = (0.0_f64, 0.0_f64);
-    for act in solved.view(&model, &judged.shown.solution.statics).acts() {
-        for (body, sign) in [(Some(act.on), 1.0), (act.from, -1.0)] {
-            let Some(body) = body.filter(|body| model.plan.checks.free.contains(body)) else { continue };
-            let moment = (act.place - bodies[body].p).cross(act.force) + act.couple;
-            sums[body].0 += act.force * sign;
-            sums[body].1 += moment * sign;
+    for act in solved.view(&model, &judged.shown.solution.statics).all_actions() {
+        for act in [Some(act), act.opposite()].into_iter().flatten() {
+            if !model.plan.checks.free.contains(&act.on) {
+                continue;
+            }
+            let moment = (act.at - bodies[act.on].p).cross(act.force) + act.couple;
+            sums[act.on].0 += act.force;
+            sums[act.on].1 += moment;
             (most, turns) = (most.max(act.force.norm()), turns.max(moment.abs()));
         }
     }

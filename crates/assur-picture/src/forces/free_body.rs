@@ -1,6 +1,6 @@
 //! A part of the mechanism freed from the rest, with all that acts on it, and the arms of forces about the inner hinge.
 
-use super::acting::{Acting, Acts, Couple, Force};
+use super::actions::{Couple, FreeBody};
 use super::polygon::split;
 use super::{Part, names};
 use crate::angles::{flipped, freest};
@@ -37,14 +37,14 @@ const ARMS: usize = 4;
 pub fn draw(
     (scene, all): (&Scene<'_>, &[LinkShape]),
     part: &Part,
-    acting: &Acting,
+    free: &FreeBody,
     paper: &Paper,
 ) -> Result<Drawing, Missing> {
     let mut bounds = Rect::NOTHING;
     for link in &part.links {
         all[link.index()].extent(scene, *link, &mut bounds);
     }
-    acting.forces.iter().for_each(|f| bounds.add(f.at));
+    free.forces.iter().for_each(|f| bounds.add(f.at));
     let profiles = Freed(&part.links);
     profiles.extent(scene, &mut bounds);
     if bounds.size().norm() <= ONE_POINT * assur_solve::solve::extent(&scene.model) {
@@ -52,15 +52,15 @@ pub fn draw(
     }
     let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let links = names(scene, part);
-    let arrows = arrows(scene, part, acting);
+    let arrows = arrows(scene, part, free);
     let words =
         |(name, force): (&Text, Vec2)| format!("{} {} N", name.plain(), scene.figure(force.norm(), FORCE));
-    let whole = acting.forces.iter().map(|f| (&f.name, f.force));
+    let whole = free.forces.iter().map(|f| (&f.name, f.force));
     // what is drawn in parts is said whole and in its parts
-    let parts = arrows.iter().map(|a| (&a.0, a.2)).filter(|a| acting.forces.iter().all(|f| f.name != *a.0));
+    let parts = arrows.iter().map(|a| (&a.0, a.2)).filter(|a| free.forces.iter().all(|f| f.name != *a.0));
     let said: Vec<String> = whole.chain(parts).map(words).collect();
     let couple = |c: &Couple| format!("{} {} N·m", c.name.plain(), scene.figure(c.moment, MOMENT));
-    let couples: Vec<String> = acting.couples.iter().map(couple).collect();
+    let couples: Vec<String> = free.couples.iter().map(couple).collect();
     let couples =
         if couples.is_empty() { String::new() } else { format!(" Couples: {}.", couples.join(", ")) };
     let title =
@@ -76,12 +76,12 @@ pub fn draw(
     profiles.draw(scene, all, &frame, &mut drawing);
     bodies(scene, &mut drawing, &frame, &outlines, part);
     vectors(&mut drawing, &frame, &arrows);
-    turning(&mut drawing, &frame, acting);
-    arms(scene, part, acting, &frame, &mut drawing);
+    turning(&mut drawing, &frame, free);
+    arms(scene, part, free, &frame, &mut drawing);
     if let Some(scale) = frame.scale {
         drawing.captions.push(length_scale(&scale));
     }
-    if acting.open {
+    if free.open {
         drawing.caption(Text::upright(
             "Where forces press on guides is not determined: drawn so that they balance.",
         ));
@@ -197,10 +197,10 @@ fn cylinders(scene: &Scene<'_>, drawing: &mut Drawing, frame: &Frame, part: &Par
 }
 
 /// What is drawn as arrows: unknown reactions of hinges in their two parts.
-fn arrows(scene: &Scene<'_>, part: &Part, acting: &Acting) -> Vec<(Text, Vec2, Vec2, Style)> {
+fn arrows(scene: &Scene<'_>, part: &Part, free: &FreeBody) -> Vec<(Text, Vec2, Vec2, Style)> {
     let mut all = Vec::new();
-    for force in &acting.forces {
-        let style = if force.acts.is_unknown() { Style::Unknown } else { Style::Force };
+    for force in &free.forces {
+        let style = if force.sought { Style::Unknown } else { Style::Force };
         match split(scene, part, force) {
             Some(parts) => {
                 for (kind, value) in ["n", "t"].into_iter().zip(parts) {
@@ -233,9 +233,9 @@ fn vectors(drawing: &mut Drawing, frame: &Frame, arrows: &[(Text, Vec2, Vec2, St
     }
 }
 
-fn turning(drawing: &mut Drawing, frame: &Frame, acting: &Acting) {
-    for (i, Couple { name, at, moment, acts, .. }) in acting.couples.iter().enumerate() {
-        let style = if acts.is_unknown() { Style::Unknown } else { Style::Force };
+fn turning(drawing: &mut Drawing, frame: &Frame, free: &FreeBody) {
+    for (i, Couple { name, at, moment, sought, .. }) in free.couples.iter().enumerate() {
+        let style = if *sought { Style::Unknown } else { Style::Force };
         let at = frame.point(*at);
         let middle = -1.9 + 2.1 * i as f64;
         let radius = COUPLE.0 + 1.2 * (i / 3) as f64;
@@ -249,14 +249,13 @@ fn turning(drawing: &mut Drawing, frame: &Frame, acting: &Acting) {
 }
 
 /// The arms of known forces about the inner hinge of a dyad: from the hinge to the foot on the line of the force.
-fn arms(scene: &Scene<'_>, part: &Part, acting: &Acting, frame: &Frame, drawing: &mut Drawing) {
+fn arms(scene: &Scene<'_>, part: &Part, free: &FreeBody, frame: &Frame, drawing: &mut Drawing) {
     let Some(inner) = part.inner else { return };
     let PairKind::Revolute(pins) = &scene.mechanism().pair(inner).kind else { return };
     let Some(pin) = pins.iter().find(|p| part.links.contains(&p.link)) else { return };
     let centre = frame.point(scene.at(pin.link, pin.at));
-    let known = |f: &&Force| matches!(f.acts, Acts::Load | Acts::Reaction { known: true, .. });
     let mut drawn = 0;
-    for force in acting.forces.iter().filter(known) {
+    for force in free.forces.iter().filter(|f| !f.sought) {
         let at = frame.point(force.at);
         let Some(along) = flipped(force.force).unit() else { continue };
         let foot = at + along * (centre - at).dot(along);

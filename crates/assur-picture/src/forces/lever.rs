@@ -1,7 +1,7 @@
 //! Zhukovsky's lever: the plan of velocities turned by 90°, with the forces at the images of their points. The moments of
 //! all forces about the pole add up to nothing, which is the balance of powers.
 
-use super::acting::{Acts, Force};
+use super::actions::Force;
 use super::{is_loaded, powers};
 use crate::angles::{flipped, freest};
 use crate::error::Missing;
@@ -227,7 +227,7 @@ fn arrows(scene: &Scene<'_>, frame: &Frame, forces: &[&Force], drawing: &mut Dra
         let Some(along) = flipped(force.force).unit() else { continue };
         let length = ARROW.0 + ARROW.1 * force.force.norm() / largest;
         let from = lines.begin(frame.point(image(scene, force.on, force.at)), along, length);
-        let style = if force.acts == Acts::Effort { Style::Unknown } else { Style::Force };
+        let style = if force.sought { Style::Unknown } else { Style::Force };
         drawing.begin("vector", &force.name.plain());
         drawing.mark(style, Shape::Arrow(from, from + along * length));
         let label = Label::along(

@@ -1,6 +1,6 @@
 //! Forces per structural group, the last first: the group freed from the others, and its polygon.
 
-mod acting;
+mod actions;
 mod free_body;
 mod friction;
 mod lever;
@@ -14,7 +14,7 @@ use crate::error::Missing;
 use crate::paper::Paper;
 use crate::scene::Scene;
 use crate::shape::shapes;
-use acting::{Acting, Acts};
+use actions::FreeBody;
 use assur_drawing::Drawing;
 use assur_model::model::{LinkId, PairId};
 use assur_solve::solve::Model;
@@ -39,12 +39,12 @@ pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing>
     }
     let (mut drawings, shapes) = (Vec::new(), shapes(scene));
     for part in parts(scene) {
-        let Some(acting) = Acting::on(scene, &part) else { continue };
-        if acting.forces.is_empty() {
+        let Some(free) = FreeBody::of(scene, &part) else { continue };
+        if free.forces.is_empty() {
             continue;
         }
-        drawings.push(free_body::draw((scene, &shapes), &part, &acting, paper)?);
-        drawings.extend(polygon::draw(scene, &part, &acting, paper)?);
+        drawings.push(free_body::draw((scene, &shapes), &part, &free, paper)?);
+        drawings.extend(polygon::draw(scene, &part, &free, paper)?);
     }
     if drawings.is_empty() {
         return Err(Missing::nothing_placed(scene, "forces act at points"));
@@ -138,9 +138,4 @@ fn parts(scene: &Scene<'_>) -> Vec<Part> {
 /// `2, 3`
 fn names(scene: &Scene<'_>, part: &Part) -> String {
     part.links.iter().map(|l| scene.link_label(*l)).collect::<Vec<_>>().join(", ")
-}
-
-/// What a force is, in the order of the polygon.
-const fn is_unknown(acts: &Acts) -> bool {
-    matches!(acts, Acts::Reaction { .. } | Acts::Effort)
 }

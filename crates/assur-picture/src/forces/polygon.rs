@@ -1,7 +1,7 @@
 //! The polygon of forces in the textbook's order.
 
-use super::acting::{Acting, Acts, Force};
-use super::{Part, is_unknown, names};
+use super::actions::{Force, FreeBody};
+use super::{Part, names};
 use crate::angles::flipped;
 use crate::error::Missing;
 use crate::figures::FORCE;
@@ -43,10 +43,10 @@ struct Sides {
 pub fn draw(
     scene: &Scene<'_>,
     part: &Part,
-    acting: &Acting,
+    free: &FreeBody,
     paper: &Paper,
 ) -> Result<Option<Drawing>, Missing> {
-    let Sides { sides, resultants } = sides(scene, part, acting);
+    let Sides { sides, resultants } = sides(scene, part, free);
     if sides.len() < 2 {
         return Ok(None);
     }
@@ -153,21 +153,18 @@ fn captions(scene: &Scene<'_>, drawing: &mut Drawing, sides: &[Side], scale: &Sc
 }
 
 /// The sides: what moments give first, then loads link by link, then the two unknown lines, which close it.
-fn sides(scene: &Scene<'_>, part: &Part, acting: &Acting) -> Sides {
-    let known = |f: &&Force| !is_unknown(&f.acts) || matches!(f.acts, Acts::Reaction { known: true, .. });
-    let style = |f: &Force| match f.acts {
-        Acts::Reaction { known: false, .. } | Acts::Effort => Style::Unknown,
-        _ => Style::Force,
-    };
+fn sides(scene: &Scene<'_>, part: &Part, free: &FreeBody) -> Sides {
+    let known = |f: &&Force| !f.sought;
+    let style = |f: &Force| if f.sought { Style::Unknown } else { Style::Force };
     let whole = |f: &Force| Side { name: f.name.clone(), force: f.force, style: style(f) };
     let mut found = Sides { sides: Vec::new(), resultants: Vec::new() };
-    let of = |i: usize| acting.forces.iter().filter(move |f| Some(&f.on) == part.links.get(i));
+    let of = |i: usize| free.forces.iter().filter(move |f| Some(&f.on) == part.links.get(i));
     let split = |f: &Force| split(scene, part, f);
     let unknown = |i: usize| of(i).find(|f| !known(f));
     if part.links.len() != 2
         || part.links.iter().enumerate().any(|(i, _)| of(i).filter(|f| !known(f)).count() != 1)
     {
-        let (first, last): (Vec<&Force>, Vec<&Force>) = acting.forces.iter().partition(known);
+        let (first, last): (Vec<&Force>, Vec<&Force>) = free.forces.iter().partition(known);
         found.sides = first.into_iter().chain(last).map(whole).collect();
         return found;
     }
@@ -210,7 +207,7 @@ fn part_of(force: &Force, kind: &str, value: Vec2) -> Side {
 /// The parts of an unknown reaction of a dyad along and across: of a hinge the line to the inner hinge, or across the inner
 /// guide. None where its direction is known.
 pub fn split(scene: &Scene<'_>, part: &Part, force: &Force) -> Option<[Vec2; 2]> {
-    let Acts::Reaction { pair, known: false } = force.acts else { return None };
+    let pair = force.pair.filter(|_| force.sought)?;
     let mechanism = scene.mechanism();
     if !matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)) {
         return None;

@@ -1,13 +1,13 @@
 //! What does work in a mechanism: the terms of Zhukovsky's lever with the forces that stand for them, from the list with which the
 //! balance of bodies is computed.
 
-use super::acting::{Acts, Force, letters};
+use super::actions::{Force, letters};
 use crate::motion::{Nodes, velocity_at};
 use crate::scene::Scene;
 use assur_drawing::{Level, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairId, PairKind};
-use assur_position::position::{Act, Cause};
+use assur_position::position::{Action, Origin};
 use assur_solve::solve::BodyState;
 
 /// Terms less than this part of the largest are rounding.
@@ -32,15 +32,13 @@ pub struct Term {
 pub fn terms(scene: &Scene<'_>) -> Vec<Term> {
     let (view, nodes) = (scene.view(), Nodes::of(scene, false));
     let mut terms: Vec<Term> = Vec::new();
-    for act in view.acts() {
-        let idle = match act.cause {
-            Cause::Reaction(_) => true,
-            Cause::Law(slot) => scene.model.plan.laws[slot].efficiency.is_none(),
-            _ => false,
-        };
-        let back = Act { from: Some(act.on), force: -act.force, couple: -act.couple, ..act };
-        let sides = [Some(act), act.from.map(|on| Act { on, ..back })];
-        for side in sides.into_iter().flatten().filter(|side| side.on != 0 && !idle) {
+    let works = |action: &Action| match action.from {
+        Origin::Reaction(_) => false,
+        Origin::Law(slot) => scene.model.plan.laws[slot].efficiency.is_some(),
+        _ => true,
+    };
+    for action in view.all_actions().into_iter().filter(works) {
+        for side in [Some(action), action.opposite()].into_iter().flatten().filter(|side| side.on != 0) {
             put(scene, &nodes, &side, &mut terms);
         }
     }
@@ -50,19 +48,16 @@ pub fn terms(scene: &Scene<'_>) -> Vec<Term> {
 }
 
 /// Adds what acts on one body to its terms: of its force and of its couple.
-fn put(scene: &Scene<'_>, nodes: &Nodes, act: &Act, terms: &mut Vec<Term>) {
+fn put(scene: &Scene<'_>, nodes: &Nodes, act: &Action, terms: &mut Vec<Term>) {
     let body = &scene.solved.state.motion.bodies[act.on];
-    let acts = if matches!(act.cause, Cause::Effort(_)) { Acts::Effort } else { Acts::Load };
     let is_placed = is_placed(scene, act.on);
-    // of an image the drawing asks only for the body
-    let on = LinkId::at(act.on);
-    if act.force != Vec2::zero() && !meets(scene, act.cause) {
-        let power = act.force.dot(velocity_at(body, act.place));
+    if act.force != Vec2::zero() && !meets(scene, act.from) {
+        let power = act.force.dot(velocity_at(body, act.at));
         let name = name(scene, act, true);
         let term = term(terms, name.clone(), power, !is_placed);
         let (at, force) = (on_line(scene, act), act.force);
         if is_placed {
-            term.forces.push(Force { name, on, at, force, acts });
+            term.forces.push(acting(act, name, at, force));
         }
     }
     if act.couple != 0.0 {
@@ -70,14 +65,20 @@ fn put(scene: &Scene<'_>, nodes: &Nodes, act: &Act, terms: &mut Vec<Term>) {
         let term = term(terms, name(scene, act, false), power, !is_placed);
         // two forces at images that coincide have no moment
         if is_placed && body.omega != 0.0 {
-            couple(scene, nodes, (act, body), acts, term);
+            couple(scene, nodes, (act, body), term);
         }
     }
 }
 
+/// A force of the lever; of an image the drawing asks only for the body.
+fn acting(act: &Action, name: Text, at: Vec2, force: Vec2) -> Force {
+    let sought = matches!(act.from, Origin::Effort(_));
+    Force { name, on: LinkId::at(act.on), at, force, pair: None, sought }
+}
+
 /// Whether it is from teeth that meet: two opposite forces at one image.
-fn meets(scene: &Scene<'_>, cause: Cause) -> bool {
-    matches!(cause, Cause::Law(slot) if scene.model.plan.laws[slot].meeting.is_some())
+fn meets(scene: &Scene<'_>, from: Origin) -> bool {
+    matches!(from, Origin::Law(slot) if scene.model.plan.laws[slot].meeting.is_some())
 }
 
 /// The term of a name with more power.
@@ -93,19 +94,19 @@ fn term(terms: &mut Vec<Term>, name: Text, power: f64, open: bool) -> &mut Term 
 }
 
 /// The name of the term of a force or a couple: couples of friction of a link are one.
-fn name(scene: &Scene<'_>, act: &Act, is_force: bool) -> Text {
+fn name(scene: &Scene<'_>, act: &Action, is_force: bool) -> Text {
     let mechanism = scene.mechanism();
-    let pair = scene.view().pair_of(act.cause).map(|pair| mechanism.pair(pair).name.as_str());
+    let pair = scene.view().pair_of(act.from).map(|pair| mechanism.pair(pair).name.as_str());
     let letter = Text::italic(if is_force { "F" } else { "M" });
-    match (act.cause, pair) {
-        (Cause::Friction(_), Some(pair)) if is_force => letter.lowered(&format!("f{pair}")),
-        (Cause::Friction(_), _) => {
+    match (act.from, pair) {
+        (Origin::Friction(_), Some(pair)) if is_force => letter.lowered(&format!("f{pair}")),
+        (Origin::Friction(_), _) => {
             let link = scene.body_label(act.on);
             let apart = if link.chars().count() > 1 { "," } else { "" };
             letter.lowered(&format!("f{apart}{link}"))
         }
-        (Cause::Law(_), Some(pair)) => Text::italic("M").lowered(&format!("f{pair}")),
-        _ => letters(scene, act.cause, LinkId::at(act.on), is_force),
+        (Origin::Law(_), Some(pair)) => Text::italic("M").lowered(&format!("f{pair}")),
+        _ => letters(scene, act.from, LinkId::at(act.on), is_force),
     }
 }
 
@@ -115,7 +116,7 @@ fn is_placed(scene: &Scene<'_>, body: usize) -> bool {
 }
 
 /// A couple as a pair of forces in two points of its link; one that is there already takes more.
-fn couple(scene: &Scene<'_>, nodes: &Nodes, (act, body): (&Act, &BodyState), acts: Acts, term: &mut Term) {
+fn couple(scene: &Scene<'_>, nodes: &Nodes, (act, body): (&Action, &BodyState), term: &mut Term) {
     let on = LinkId::at(act.on);
     let joints: Vec<Vec2> = nodes.on(on).iter().map(|n| n.at).collect();
     let first = joints.first().copied().unwrap_or(body.p);
@@ -132,9 +133,7 @@ fn couple(scene: &Scene<'_>, nodes: &Nodes, (act, body): (&Act, &BodyState), act
     for (name, at, force) in [(pair, second, force), (back, first, -force)] {
         match term.forces.iter_mut().find(|f| f.on == on && f.at == at && f.name == name) {
             Some(there) => there.force += force,
-            None => {
-                term.forces.push(Force { name, on, at, force, acts });
-            }
+            None => term.forces.push(acting(act, name, at, force)),
         }
     }
 }
@@ -154,16 +153,16 @@ fn beside(scene: &Scene<'_>, link: LinkId, first: Vec2) -> Vec2 {
 }
 
 /// The point of its line at which a force has its image: that of a cylinder acts at its pins.
-fn on_line(scene: &Scene<'_>, act: &Act) -> Vec2 {
+fn on_line(scene: &Scene<'_>, act: &Action) -> Vec2 {
     // what its two parts do to each other is along it
     let is = |link: &LinkId, body: Option<usize>| Some(link.index()) == body;
     let pin = scene.mechanism().pairs.iter().find_map(|pair| match &pair.kind {
         PairKind::Cylinder { from, to, barrel, rod } => {
-            let (on, by) = (Some(act.on), act.from);
+            let (on, by) = (Some(act.on), act.by);
             let found = [(from, barrel, rod), (to, rod, barrel)];
             found.into_iter().find(|(_, own, other)| is(own, on) && is(other, by)).map(|(pin, ..)| pin)
         }
         _ => None,
     });
-    pin.map_or(act.place, |pin| scene.at(pin.link, pin.at))
+    pin.map_or(act.at, |pin| scene.at(pin.link, pin.at))
 }

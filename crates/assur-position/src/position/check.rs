@@ -1,7 +1,7 @@
 //! The equations of [`Checks`] at one position or at several side by side: every joint closes, every body is in equilibrium, the
 //! powers add up to nothing. What laws of transmissions and friction add is in `residual`.
 
-use super::acting::Act;
+use super::free_body::Action;
 use super::state::State;
 use super::wrench::Wrench;
 use crate::math::{Scalar, V2};
@@ -170,12 +170,12 @@ impl<S: Scalar> Sums<S> {
 
     /// Adds what acts on a body, and the opposite on the body that does it.
     #[cfg_attr(in_one, inline(always))]
-    pub fn add(&mut self, state: &State<S>, act: Act<S>) {
-        let Act { on, from, place, force, couple, .. } = act;
+    pub fn add(&mut self, state: &State<S>, action: Action<S>) {
+        let Action { on, by, at, force, couple, .. } = action;
         let norm = self.look(force, couple);
-        let mut arm = self.put(state, on, place, (force, couple));
-        if let Some(from) = from {
-            arm = arm.max(self.put(state, from, place, (-force, -couple)));
+        let mut arm = self.put(state, on, at, (force, couple));
+        if let Some(by) = by {
+            arm = arm.max(self.put(state, by, at, (-force, -couple)));
         }
         self.most_moment = self.most_moment.max(arm.sqrt() * norm);
     }

@@ -1,6 +1,7 @@
 //! Adds up the loads on the bodies before forces are solved.
 
 use super::body::BodyState;
+use super::free_body::Action;
 use super::model::Model;
 use super::state::State;
 use super::wrench::Wrench;
@@ -105,11 +106,10 @@ impl State {
     }
 
     fn apply_evaluated(&mut self, model: &Model<'_>, id: LoadId, value: Value) {
-        let Some(act) = self.load_act(model, id, value) else { return };
-        for (body, sign) in [(Some(act.on), 1.0), (act.from, -1.0)] {
-            let Some(body) = body else { continue };
-            self.apply(body, act.place, act.force * sign);
-            self.forces.wrenches[body].moment += act.couple * sign;
+        let Some(action) = self.load_act(model, id, value) else { return };
+        for Action { on, at, force, couple, .. } in [Some(action), action.opposite()].into_iter().flatten() {
+            self.apply(on, at, force);
+            self.forces.wrenches[on].moment += couple;
         }
     }
 }

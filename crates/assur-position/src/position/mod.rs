@@ -1,7 +1,6 @@
 //! One position from numbers: motion, loads and forces by the steps of a plan, in any scalar; nothing is followed.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
-mod acting;
 mod against;
 mod body;
 mod cam;
@@ -16,6 +15,7 @@ mod driven_legs;
 mod dyads;
 mod energy;
 mod forces;
+mod free_body;
 mod friction;
 mod friction_closed;
 mod friction_search;
@@ -56,7 +56,6 @@ mod virtual_power;
 mod wanted;
 mod wrench;
 
-pub use acting::{Act, Cause};
 pub use against::Against;
 pub use body::BodyState;
 #[cfg(feature = "lanes")]
@@ -64,6 +63,7 @@ pub use columns::DriveColumns;
 pub use consistent::{Consistent, Searched};
 #[doc(hidden)]
 pub use directions::directions;
+pub use free_body::{Action, Origin};
 pub use friction::STILL;
 pub use friction_work::FrictionWork;
 pub use general::{STARTS, assemblies as general_assemblies, is_never_regular};

@@ -2,8 +2,8 @@
 
 use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
-use crate::model::{BalanceKind, Expr, LinkId, LoadKind, Place, Value};
-use crate::position::{Against, STILL};
+use crate::model::{BalanceKind, Expr, LinkId, LoadId, LoadKind, Place, Value};
+use crate::position::{Action, Against, STILL};
 use crate::structure::EffortSource;
 
 impl PoseAnswers<'_> {
@@ -118,18 +118,17 @@ impl PoseAnswers<'_> {
     }
 
     pub(super) fn load_power(&self, index: usize) -> f64 {
-        match (&self.mechanism.loads[index].kind, self.load(index)) {
-            (
-                LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
-                Value::Vector(force),
-            ) => {
-                let p = self.place(*on, at);
-                let body = self.body(*on);
-                force.dot(body.v + (p - body.p).perp() * body.omega)
-            }
-            (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => torque * self.body(*on).omega,
-            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => effort * self.relative_velocity(*pair),
-            _ => f64::NAN,
-        }
+        self.load_action(LoadId::at(index)).map_or(f64::NAN, |action| self.power(&action))
+    }
+
+    /// The power of what acts on a body, and of the opposite on the body that does it.
+    fn power(&self, action: &Action) -> f64 {
+        let rates = |slot: usize| {
+            let body = &self.state.motion.bodies[slot];
+            (body.v + (action.at - body.p).perp() * body.omega, body.omega)
+        };
+        let (v, omega) = rates(action.on);
+        let (w, psi) = action.by.map_or_else(Default::default, rates);
+        action.force.dot(v - w) + action.couple * (omega - psi)
     }
 }

@@ -2,7 +2,6 @@
 
 #![allow(non_snake_case, reason = "names carry the notation of the field: dJ")]
 
-mod acting;
 mod angles;
 mod constant;
 mod contact_normal;
@@ -13,6 +12,7 @@ mod evaluate;
 mod evaluated_loads;
 mod every_query;
 mod flywheel_answers;
+mod free_body;
 mod friction_answers;
 mod joint_reaction;
 mod left_curve;

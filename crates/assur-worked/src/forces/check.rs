@@ -1,10 +1,12 @@
 //! The check by virtual power, and the residuals.
 
+use super::is_load;
 use crate::course::Course;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::structure::EffortKind;
+use assur_position::position::Origin;
 
 impl Course<'_> {
     /// ΣP = 0: all loads, inertia forces and efforts with the velocities of their points. Whether there is such a sum.
@@ -51,33 +53,35 @@ impl Course<'_> {
         for slot in 0..self.structure().efforts.len() {
             terms.push(self.power_of_effort(slot)?);
         }
-        terms.extend(self.powers_of_loads(true));
+        terms.extend(self.powers_on(&self.moving(), |from| is_load(from, true)));
         terms.extend(self.lost.iter().map(|p| -p.clone()));
         let sum = Expr::sum(terms);
         (!sum.is_zero()).then_some(sum)
     }
 
-    /// The powers of loads and inertia forces, with friction or without.
-    pub(super) fn powers_of_loads(&mut self, with_friction: bool) -> Vec<Expr> {
-        let all: Vec<usize> = (1..self.bodies.len()).collect();
-        self.powers_of_loads_on(&all, with_friction)
-    }
-
-    /// The same on some bodies.
-    pub(super) fn powers_of_loads_on(&mut self, bodies: &[usize], with_friction: bool) -> Vec<Expr> {
+    /// The powers of what acts on some bodies, as far as it comes from what is wanted.
+    pub(crate) fn powers_on(
+        &mut self,
+        bodies: &[usize],
+        wanted: impl Fn(Option<Origin>) -> bool,
+    ) -> Vec<Expr> {
         let mut terms = Vec::new();
         for &body in bodies {
-            let acts = |load: bool, rubs: bool| load && (with_friction || !rubs);
-            for force in self.acting.forces[body].clone().into_iter().filter(|f| acts(f.load, f.rubs)) {
+            for force in self.free.forces[body].clone().into_iter().filter(|f| wanted(f.from)) {
                 let [vx, vy] = self.velocity(body, force.at);
                 let [fx, fy] = force.parts;
                 terms.push(fx * vx + fy * vy);
             }
             let omega = self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
-            let couples = self.acting.couples[body].iter().filter(|c| acts(c.load, c.rubs));
+            let couples = self.free.couples[body].iter().filter(|c| wanted(c.from));
             terms.extend(couples.map(|c| c.value.clone() * omega.clone()));
         }
         terms
+    }
+
+    /// All bodies that move.
+    pub(crate) fn moving(&self) -> Vec<usize> {
+        (1..self.bodies.len()).collect()
     }
 
     pub(super) fn power_of_effort(&mut self, slot: usize) -> Option<Expr> {

@@ -11,6 +11,7 @@ use assur_math::math::Vec2;
 use assur_model::model::BalanceKind;
 use assur_model::structure::{BodyId, EffortSource, JointId, JointKind};
 use assur_position::plan::{EffortLine, Guide, Hinge};
+use assur_position::position::Origin;
 
 impl Course<'_> {
     /// The letters of an unknown effort.
@@ -94,14 +95,10 @@ impl Course<'_> {
             EffortLine::Torque { .. } if hold.is_some() => {
                 hold.iter().for_each(|hold| self.found_hold(body, hold, moment.clone()));
             }
-            EffortLine::Torque { base, .. } => {
+            EffortLine::Torque { .. } => {
                 let right = if sign < 0.0 { moment } else { -moment };
-                let found = self.equate_or_nothing(&name, value, Unit::Torque, right);
-                if *base != 0 {
-                    let on_base = if sign < 0.0 { found } else { -found };
-                    let couple = super::Couple { value: on_base, load: false, rubs: false };
-                    self.acting.couples[*base].push(couple);
-                }
+                self.equate_or_nothing(&name, value, Unit::Torque, right);
+                self.effort_on_others(slot, &[body]);
             }
             EffortLine::Force { line, .. } => {
                 let (place, angle, along) = self.line_of_effort(*line, body);
@@ -126,15 +123,14 @@ impl Course<'_> {
         }
         let value = self.state().forces.reactions[hinge.slot].force;
         let right = [0, 1].map(|i| {
-            let loads = Expr::sum(self.acting.forces[body].iter().map(|f| f.parts[i].clone()));
+            let loads = Expr::sum(self.free.forces[body].iter().map(|f| f.parts[i].clone()));
             -(loads + pushed[i].clone())
         });
         if right.iter().any(|x| !x.is_zero()) {
             self.say(Message::SumOfLink, &[vec![text(self.label(body))]]);
         }
         let parts = self.reaction(hinge.base, body, value, right);
-        let place = self.moved(body).position(at);
-        self.carry(hinge.base, body, place, &parts, &Expr::ZERO, hinge.slot);
+        self.carry(hinge.slot, &parts, &Expr::ZERO);
     }
 
     pub(super) fn balance_shift(
@@ -167,17 +163,8 @@ impl Course<'_> {
             }
             EffortLine::Along(_) => {
                 let right = signed(-way.along(&sums));
-                let found = self.equate_or_nothing(&name, value, Unit::Force, right);
-                let on = signed(found);
-                if guide.base != 0 {
-                    let known = [Vec::new(), Vec::new()];
-                    let base = self.moved(guide.base);
-                    let at = (place - base.p).turned_back(base.u);
-                    let parts = [-(on.clone() * way.cos()), -(on * way.sin())];
-                    let force =
-                        super::Force { name: name.clone(), at, parts, known, load: false, rubs: false };
-                    self.acting.forces[guide.base].push(force);
-                }
+                self.equate_or_nothing(&name, value, Unit::Force, right);
+                self.effort_on_others(slot, &[body]);
             }
             EffortLine::Force { line, .. } => {
                 let (point, angle, _) = self.line_of_effort(*line, body);
@@ -188,9 +175,14 @@ impl Course<'_> {
                 across = across + on.clone() * lean.sin();
                 let parts = [on.clone() * angle.cos(), on * angle.sin()];
                 let known = [Vec::new(), Vec::new()];
-                let force =
-                    super::Force { name: name.clone(), at: point, parts, known, load: false, rubs: false };
-                self.acting.forces[body].push(force);
+                let from = Some(Origin::Effort(slot));
+                self.free.forces[body].push(super::Force {
+                    name: name.clone(),
+                    at: point,
+                    parts,
+                    known,
+                    from,
+                });
             }
             EffortLine::Torque { .. } => {}
         }

@@ -1,6 +1,5 @@
 //! Groups with friction: equilibrium with the friction that the solver found, then the law of friction with these reactions.
 
-use super::acting::{Couple, Force};
 use crate::course::Course;
 use crate::document::{Inline, Line, text};
 use crate::motion::of;
@@ -8,6 +7,7 @@ use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::LinkId;
 use assur_position::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw};
+use assur_position::position::Origin;
 
 impl Course<'_> {
     pub(super) fn force_friction(&mut self, index: usize, plain: &ForceStep, group: &FrictionGroup) -> bool {
@@ -128,30 +128,17 @@ impl Course<'_> {
                 self.stated(name.clone(), self.state().forces.frictions[slot], unit)
             }
         };
-        match self.state().friction_line(element) {
-            None => {
-                for (body, value) in [(element.through, leaf.clone()), (element.base, -leaf.clone())] {
-                    self.acting.couples[body].push(Couple { value, load: true, rubs: true });
-                }
+        for action in self.scene.view().actions_from(Origin::Friction(slot)) {
+            if turns {
+                self.put_couple(&action, &leaf);
+                continue;
             }
-            Some((place, along)) => {
-                let angle = match &element.kind {
-                    FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
-                        self.way(guide).0
-                    }
-                    _ => self.tangent(element, along),
-                };
-                let parts = [leaf.clone() * angle.cos(), leaf.clone() * angle.sin()];
-                let opposite = parts.clone().map(|p| -p);
-                for (body, parts) in [(element.through, parts), (element.base, opposite)] {
-                    let moved = self.moved(body);
-                    let at = (place - moved.p).turned_back(moved.u);
-                    let known = [crate::course::cell(&leaf), vec![text("–")]];
-                    let name = name.clone();
-                    let force = Force { name, at, parts, known, load: true, rubs: true };
-                    self.acting.forces[body].push(force);
-                }
-            }
+            let angle = match &element.kind {
+                FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => self.way(guide).0,
+                _ => self.tangent(element, action.force * (1.0 / self.state().forces.frictions[slot])),
+            };
+            let parts = [leaf.clone() * angle.cos(), leaf.clone() * angle.sin()];
+            self.put_force(&action, &name, &parts, &[crate::course::cell(&leaf), vec![text("–")]]);
         }
         leaf
     }
@@ -181,12 +168,12 @@ impl Course<'_> {
     /// The reaction that presses in a pair; in a hinge of several links that of all others on its own link.
     fn pressed(&mut self, element: &FrictionElement) -> Option<Expr> {
         let Some((from, to)) = element.pin else {
-            let reaction = self.acting.reactions.get(element.slot).cloned().flatten()?;
+            let reaction = self.free.reactions.get(element.slot).cloned().flatten()?;
             return self.found.get(&reaction).cloned();
         };
         let mut parts = [Expr::ZERO, Expr::ZERO];
         for (slot, sign) in &self.scene.model.plan.pin_slots[from..to] {
-            let reaction = self.acting.reactions[*slot].clone()?;
+            let reaction = self.free.reactions[*slot].clone()?;
             let found =
                 ["x", "y"].map(|axis| self.found.get(&reaction.and(axis)).cloned().unwrap_or(Expr::ZERO));
             // it may be written as the force on the other link

@@ -8,12 +8,15 @@ use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Quantity, Unit};
 use assur_model::model::{Load, LoadId, LoadKind, PairId, Query, Value};
 use assur_position::plan::{ForceStep, FrictionElement};
+use assur_position::position::{Action, Origin};
 use std::sync::Arc;
 
 /// A force or couple that holds a pair, and that the balance of a link gives.
 #[derive(Clone, Debug)]
 pub struct Hold {
     pair: PairId,
+    /// What it is in the list of what acts.
+    from: Origin,
     /// Its letters, value and unit.
     name: Name,
     value: f64,
@@ -75,7 +78,8 @@ impl Course<'_> {
     ) -> Option<Expr> {
         self.is_to_find(slot, element).then(|| {
             let (name, value) = (self.friction_name(element), self.state().forces.frictions[slot]);
-            self.sought(Hold { pair: element.pair, name, value, unit, on: element.through })
+            let from = Origin::Friction(slot);
+            self.sought(Hold { pair: element.pair, from, name, value, unit, on: element.through })
         })
     }
 
@@ -85,13 +89,14 @@ impl Course<'_> {
     }
 
     /// The force of a stop on which a pair rests: its magnitude, which the balance of a link gives or the solver states.
-    pub(super) fn stop_effort(&mut self, pair: PairId, on: usize, effort: f64, unit: Unit) -> Expr {
+    pub(super) fn stop_effort(&mut self, pair: PairId, action: &Action, effort: f64, unit: Unit) -> Expr {
         let words = self.scene.mechanism().pair(pair).name.clone();
         let name = Name::new(if unit == Unit::Force { "N" } else { "M" }, &words);
         let parts: [Line; 2] = [vec![text(words)], of(&name)];
         self.say(FrictionMessage::RestsOnStop, &parts);
         if self.gives_hold(pair) {
-            return self.sought(Hold { pair, name, value: effort, unit, on });
+            let (from, on) = (action.from, action.on);
+            return self.sought(Hold { pair, from, name, value: effort, unit, on });
         }
         self.solutions.insert(name.clone());
         self.stated(name, effort, unit)
@@ -116,12 +121,12 @@ impl Course<'_> {
         work: impl FnOnce(&mut Self) -> T,
     ) -> T {
         let Some(hold) = hold else { return work(self) };
-        let (forces, couples) = (self.acting.forces[body].clone(), self.acting.couples[body].clone());
-        self.acting.forces[body].retain(|force| force.name != hold.name);
-        self.acting.couples[body].retain(|couple| !couple.has_letters(&hold.name));
+        let (forces, couples) = (self.free.forces[body].clone(), self.free.couples[body].clone());
+        self.free.forces[body].retain(|force| force.from != Some(hold.from));
+        self.free.couples[body].retain(|couple| couple.from != Some(hold.from));
         let found = work(self);
-        self.acting.forces[body] = forces;
-        self.acting.couples[body] = couples;
+        self.free.forces[body] = forces;
+        self.free.couples[body] = couples;
         found
     }
 

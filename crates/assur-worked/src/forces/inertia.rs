@@ -1,6 +1,5 @@
 //! Weights and inertia forces of the links.
 
-use super::acting::{Couple, Force};
 use crate::course::{Course, cell};
 use crate::document::{against, text};
 use crate::words::Message;
@@ -8,6 +7,7 @@ use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, MassProperties};
 use assur_position::plan::LoadStep;
+use assur_position::position::{Action, Origin};
 
 impl Course<'_> {
     /// The links with mass: weight, inertia force and couple.
@@ -47,14 +47,9 @@ impl Course<'_> {
             if parts.iter().any(|p| !p.is_zero()) {
                 let size = self.magnitude(name.clone(), &parts);
                 let known = [cell(&size), against("a", &self.point_of(&a, body, mass.centre))];
-                self.acting.forces[body].push(Force {
-                    name,
-                    at: mass.centre,
-                    parts,
-                    known,
-                    load: true,
-                    rubs: false,
-                });
+                if let Some(action) = self.of_mass(body, Origin::Inertia) {
+                    self.put_force(&action, &name, &parts, &known);
+                }
                 self.counts.loads[0] += 1;
             }
         }
@@ -68,10 +63,17 @@ impl Course<'_> {
             let value = -mass.inertia * self.moved(body).alpha;
             let name = Name::new("M", &format!("{}{label}", self.language.letters().inertia));
             let couple = self.equate(name.clone(), value, Unit::Torque, -(j * alpha));
-            self.acting.couples[body].push(Couple { value: couple, load: true, rubs: false });
+            if let Some(action) = self.of_mass(body, Origin::Inertia) {
+                self.put_couple(&action, &couple);
+            }
             self.counts.loads[0] += 1;
             self.arm_of_inertia(body, mass);
         }
+    }
+
+    /// The weight of a body, or its inertia force and couple.
+    fn of_mass(&self, body: usize, from: Origin) -> Option<Action> {
+        self.scene.view().actions_from(from).into_iter().find(|action| action.on == body)
     }
 
     /// The point whose acceleration this is: of a link that does not turn that which was found.
@@ -158,7 +160,9 @@ impl Course<'_> {
         let parts = [weight.clone() * down.cos(), weight.clone() * down.sin()];
         let arrow = if g.x == 0.0 && g.y < 0.0 { "↓" } else { "∥ g" };
         let known = [cell(&weight), vec![text(arrow)]];
-        self.acting.forces[body].push(Force { name, at: mass.centre, parts, known, load: true, rubs: false });
+        if let Some(action) = self.of_mass(body, Origin::Weight) {
+            self.put_force(&action, &name, &parts, &known);
+        }
         self.counts.loads[0] += 1;
     }
 }

@@ -1,19 +1,16 @@
 //! Springs and dampers, and loads between the two links of a pair.
 
-use super::acting::{Couple, Force};
-use super::holding::stop_of;
 use super::quantity_name;
 use crate::angle::Angle;
 use crate::course::{Course, cell};
 use crate::document::text;
 use assur_formula::{Expr, Name, Unit};
-use assur_math::math::Vec2;
-use assur_model::model::{self, BinaryOp, Load, LoadKind, PairId, PairKind, Query, Spring, Value};
-use assur_model::structure::JointKind;
+use assur_model::model::{self, BinaryOp, Load, LoadKind, PairId, PairKind, Query, Spring, SpringId, Value};
+use assur_position::position::{Action, Origin};
 
 impl Course<'_> {
     /// A spring with a damper: its length and how fast it grows, its force, and the components of this.
-    pub(super) fn spring(&mut self, spring: &Spring) {
+    pub(super) fn spring(&mut self, id: SpringId, spring: &Spring) {
         if !self.scene.model.plan.effects.springs {
             return;
         }
@@ -47,94 +44,27 @@ impl Course<'_> {
             self.component(Name::new("F", name).and(["x", "y"][i]), value, Unit::Force, right)
         });
         let known = [cell(&pull), vec![text("–")]];
-        for (i, (body, at)) in ends.into_iter().enumerate() {
-            let parts = parts.clone().map(|p| if i == 0 { p } else { -p });
-            self.known_force(
-                body,
-                Force {
-                    name: Name::new("F", name),
-                    at,
-                    parts,
-                    known: known.clone(),
-                    load: true,
-                    rubs: false,
-                },
-            );
+        let ends = self.scene.view().actions_from(Origin::Spring(id));
+        for (action, parts) in ends.iter().zip([parts.clone(), parts.map(|p| -p)]) {
+            self.put_force(action, &Name::new("F", name), &parts, &known);
         }
         self.counts.loads[0] += 1;
     }
 
-    fn known_force(&mut self, body: usize, force: Force) {
-        if body != 0 {
-            self.acting.forces[body].push(force);
-        }
-    }
-
-    /// A load between the links of a pair: a force along the guide, a couple in a hinge.
-    pub(super) fn in_pair(&mut self, load: &Load, pair: PairId, name: Name, effort: f64) {
-        let turns = matches!(self.scene.mechanism().pair(pair).kind, PairKind::Revolute(_));
-        let joints: Vec<_> = self.structure().replaced.joints_of(pair).collect();
-        for joint in joints {
-            match self.structure().replaced.joint(joint).kind.clone() {
-                JointKind::Prismatic { slider, point, direction, guide, .. } => {
-                    let (size, value) = if stop_of(load).is_some() {
-                        let value = self.stop_effort(pair, slider.0, effort, Unit::Force);
-                        (value.clone(), value)
-                    } else {
-                        let size = self.size_of(load, name.clone(), effort.abs(), Unit::Force);
-                        (size.clone(), if effort < 0.0 { -size } else { size })
-                    };
-                    let name = if let Expr::Leaf(q) = &size { q.name.clone() } else { name };
-                    self.along_guide((slider.0, point, direction), guide.0, &name, &size, &value);
-                    self.counts.loads[0] += 1;
-                    return;
-                }
-                JointKind::Revolute(members) if turns => {
-                    let [first, second] = members.as_slice() else { return };
-                    let value = match self.torsion(load, pair, effort) {
-                        Some(value) => value,
-                        None if stop_of(load).is_some() => {
-                            self.stop_effort(pair, second.0.0, effort, Unit::Torque)
-                        }
-                        None => {
-                            let size = self.size_of(load, name.clone(), effort.abs(), Unit::Torque);
-                            if effort < 0.0 { -size } else { size }
-                        }
-                    };
-                    for (body, value) in [(second.0.0, value.clone()), (first.0.0, -value)] {
-                        self.acting.couples[body].push(Couple { value, load: true, rubs: false });
-                    }
-                    self.counts.loads[0] += 1;
-                    return;
-                }
-                JointKind::Revolute(_) | JointKind::Law(_) => {}
-            }
-        }
-    }
-
-    fn along_guide(
-        &mut self,
-        (slider, point, direction): (usize, Vec2, Vec2),
-        guide: usize,
-        name: &Name,
-        size: &Expr,
-        value: &Expr,
-    ) {
+    /// A load along the guide of a pair.
+    pub(super) fn along_guide(&mut self, action: &Action, effort: f64, name: &Name, value: &Expr) {
+        let slider = action.on;
+        let direction = (action.force * (1.0 / effort)).turned_back(self.moved(slider).u);
         let own = self.direction_given(direction, || Name::new("λ′", &self.label(slider)));
         let angle = self.bodies[slider].as_ref().map_or(own.clone(), |b| b.angle.plus(&own));
         let parts = [value.clone() * angle.cos(), value.clone() * angle.sin()];
-        let place = self.moved(slider).position(point);
-        for (body, parts) in [(slider, parts.clone()), (guide, parts.map(|p| -p))] {
-            let moved = self.moved(body);
-            let at = (place - moved.p).turned_back(moved.u);
-            let known = [cell(size), vec![text("–")]];
-            let force = Force { name: name.clone(), at, parts, known, load: true, rubs: false };
-            self.known_force(body, force);
-        }
+        let size = if let Expr::Neg(size) = value { size } else { value };
+        let name = if let Expr::Leaf(q) = size { &q.name } else { name };
+        self.put_force(action, name, &parts, &[cell(size), vec![text("–")]]);
     }
 
     /// A torsion spring with a damper, from its angle and its rate; none for another load of a hinge.
-    fn torsion(&mut self, load: &Load, pair: PairId, effort: f64) -> Option<Expr> {
+    pub(super) fn torsion(&mut self, load: &Load, pair: PairId, effort: f64) -> Option<Expr> {
         let LoadKind::InPair { value, .. } = &load.kind else { return None };
         let words = load.name.clone()?;
         let spring = Torsion::of(value, pair)?;

@@ -1,7 +1,7 @@
 //! The loads of the file on the links; what is left of the solver's sum is stated as a resultant.
 
-use super::acting::{Couple, Force};
 use super::holding::stop_of;
+use super::{Couple, Force, is_load};
 use crate::course::{Course, cell};
 use crate::document::text;
 use crate::expressions::length;
@@ -9,7 +9,8 @@ use crate::motion::of;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
-use assur_model::model::{self, Load, LoadId, LoadKind, Query, Value};
+use assur_model::model::{self, Load, LoadId, LoadKind, Query, SpringId, Value};
+use assur_position::position::Action;
 use assur_solve::solve::Wrench;
 
 /// What is left of a sum, over its largest term, where all is listed.
@@ -20,43 +21,22 @@ impl Course<'_> {
     pub fn loads(&mut self) {
         let mechanism = self.scene.mechanism();
         for (i, load) in mechanism.loads.iter().enumerate() {
-            let value = self.scene.view().query(&Query::Load(LoadId::at(i)));
-            let name = self.load_letters(i, load);
-            match (&load.kind, value) {
-                (
-                    LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
-                    Value::Vector(force),
-                ) if force.norm() > 0.0 => {
-                    let place = self.scene.view().place(*on, at);
-                    let size = self.size_of(load, name, force.norm(), Unit::Force);
-                    self.load(on.index(), place, force, &size, load.is_against_motion());
-                }
-                (LoadKind::Torque { on, .. }, Value::Scalar(torque)) if torque != 0.0 => {
-                    let size = self.size_of(load, name, torque.abs(), Unit::Torque);
-                    let value = if torque < 0.0 { -size } else { size };
-                    self.acting.couples[on.index()].push(Couple { value, load: true, rubs: false });
+            let (name, id) = (self.load_letters(i, load), LoadId::at(i));
+            match self.scene.view().load_action(id) {
+                Some(action) if action.force.norm() > 0.0 || action.couple != 0.0 => {
+                    self.load(id, load, &name, &action);
                     self.counts.loads[0] += 1;
                 }
                 // an open stop is nothing
-                (_, Value::Scalar(0.0)) if stop_of(load).is_some() => {}
-                (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) if effort != 0.0 => {
-                    self.in_pair(load, *pair, name, effort);
+                _ if stop_of(load).is_some() => {}
+                Some(_) if load.when.is_some() || !matches!(load.value(), model::Expr::Constant(_)) => {
+                    self.say(Message::LoadRests, &[of(&name)]);
                 }
-                (_, value) => {
-                    let nothing = match value {
-                        Value::Scalar(x) => x == 0.0,
-                        Value::Vector(force) => force.norm() == 0.0,
-                        Value::Bool(_) => false,
-                    };
-                    let varies = load.when.is_some() || !matches!(load.value(), model::Expr::Constant(_));
-                    if nothing && varies {
-                        self.say(Message::LoadRests, &[of(&name)]);
-                    }
-                }
+                _ => {}
             }
         }
-        for spring in &mechanism.springs {
-            self.spring(spring);
+        for (i, spring) in mechanism.springs.iter().enumerate() {
+            self.spring(SpringId::at(i), spring);
         }
     }
 
@@ -96,11 +76,48 @@ impl Course<'_> {
         all.into_iter().find(near)
     }
 
-    fn load(&mut self, body: usize, place: Vec2, force: Vec2, size: &Expr, against: bool) {
+    /// A load of the file: a force or a couple on a link, or between the two links of a pair.
+    fn load(&mut self, id: LoadId, load: &Load, name: &Name, action: &Action) {
+        let is_force = action.force.norm() > 0.0;
+        let unit = if is_force { Unit::Force } else { Unit::Torque };
+        match &load.kind {
+            LoadKind::InPair { pair, .. } => {
+                let effort = match self.scene.view().query(&Query::Load(id)) {
+                    Value::Scalar(effort) => effort,
+                    _ => action.couple,
+                };
+                let torsion = if is_force { None } else { self.torsion(load, *pair, effort) };
+                let value = match torsion {
+                    Some(value) => value,
+                    None if stop_of(load).is_some() => self.stop_effort(*pair, action, effort, unit),
+                    None => {
+                        let size = self.size_of(load, name.clone(), effort.abs(), unit);
+                        if effort < 0.0 { -size } else { size }
+                    }
+                };
+                if is_force {
+                    self.along_guide(action, effort, name, &value);
+                } else {
+                    self.put_couple(action, &value);
+                }
+            }
+            _ if is_force => {
+                let size = self.size_of(load, name.clone(), action.force.norm(), unit);
+                self.force(action, &size, load.is_against_motion());
+            }
+            _ => {
+                let size = self.size_of(load, name.clone(), action.couple.abs(), unit);
+                self.put_couple(action, &if action.couple < 0.0 { -size } else { size });
+            }
+        }
+    }
+
+    fn force(&mut self, action: &Action, size: &Expr, against: bool) {
         let Expr::Leaf(q) = size else { return };
         let name = q.name.clone();
+        let (body, force) = (action.on, action.force);
         let moved = self.moved(body);
-        let at = (place - moved.p).turned_back(moved.u);
+        let at = (action.at - moved.p).turned_back(moved.u);
         let direction = self.direction_given(clear(force), || Name::new("β", &name.sub_or_letter()));
         let mut parts = [size.clone() * direction.cos(), size.clone() * direction.sin()];
         let mut words = vec![text(arrow(clear(force)))];
@@ -116,9 +133,7 @@ impl Course<'_> {
                 self.equate(name.and("y"), force.y, Unit::Force, y),
             ];
         }
-        let known = [cell(size), words];
-        self.acting.forces[body].push(Force { name, at, parts, known, load: true, rubs: false });
-        self.counts.loads[0] += 1;
+        self.put_force(action, &name, &parts, &[cell(size), words]);
     }
 
     /// The components of a force against the velocity of its point.
@@ -146,7 +161,7 @@ impl Course<'_> {
         let p = self.moved(body).p;
         let (mut force, mut moment) = (sum.force, sum.moment);
         let mut size = force.norm();
-        for listed in self.acting.forces[body].iter().filter(|f| f.load && !f.rubs) {
+        for listed in self.free.forces[body].iter().filter(|f| is_load(f.from, false)) {
             let f = Vec2::new(listed.parts[0].value(), listed.parts[1].value());
             let at = self.moved(body).position(listed.at);
             force -= f;
@@ -154,7 +169,7 @@ impl Course<'_> {
             size = size.max(f.norm());
         }
         let mut couples = sum.moment.abs().max(size * self.tiny * 1e9);
-        for couple in self.acting.couples[body].iter().filter(|c| c.load && !c.rubs) {
+        for couple in self.free.couples[body].iter().filter(|c| is_load(c.from, false)) {
             moment -= couple.value.value();
             couples = couples.max(couple.value.value().abs());
         }
@@ -181,19 +196,12 @@ impl Course<'_> {
                     if value == 0.0 { Expr::ZERO } else { self.stated(name.and(axis), value, Unit::Force) }
                 });
                 let known = [vec![text(self.words(Message::Found))], vec![text("–")]];
-                self.acting.forces[body].push(Force {
-                    name,
-                    at: Vec2::zero(),
-                    parts,
-                    known,
-                    load: true,
-                    rubs: false,
-                });
+                self.free.forces[body].push(Force { name, at: Vec2::zero(), parts, known, from: None });
             }
             if moment != 0.0 {
                 let name = Name::new("M", &format!("Q{label}"));
                 let value = self.stated(name, moment, Unit::Torque);
-                self.acting.couples[body].push(Couple { value, load: true, rubs: false });
+                self.free.couples[body].push(Couple { value, from: None });
             }
             self.counts.loads[1] += 1;
         }

@@ -1,5 +1,6 @@
 //! The iteration of friction as the solver took it; what friction takes: power pair by pair, efficiency, verdict.
 
+use super::is_load;
 use crate::course::Course;
 use crate::document::{Inline, Line, Table, text};
 use crate::words::{FrictionMessage, Message};
@@ -209,7 +210,7 @@ impl Course<'_> {
         let several = self.structure().efforts.len() > 1;
         let chain = self.chain_of_effort(slot)?;
         let rate = self.power_of(slot, Expr::Int(1))?;
-        let right = -Expr::sum(self.powers_of_loads_on(&chain, false));
+        let right = -Expr::sum(self.powers_on(&chain, |from| is_load(from, false)));
         let power = effort * rate.value();
         let near = |x: f64, y: f64| (x - y).abs() <= SAME * right.scale().max(y.abs());
         if rate.is_zero() || right.is_zero() || !near(right.value(), power) {

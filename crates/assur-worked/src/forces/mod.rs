@@ -1,8 +1,8 @@
 //! Forces: loads of the links, then the groups, the last of motion first, then the balance.
 
-mod acting;
 mod check;
 mod driven;
+mod free_body;
 mod friction;
 mod holding;
 mod inertia;
@@ -29,7 +29,8 @@ mod train_losses;
 mod train_supports;
 mod translation;
 
-pub use acting::{Acting, Couple, Force};
+pub use free_body::FreeBodies;
+use free_body::{Couple, Force, is_load};
 pub use holding::Hold;
 pub use loads::quantity_name;
 
@@ -101,7 +102,7 @@ impl Course<'_> {
             if open || found[slot].force.norm() <= NOTHING * large {
                 continue;
             }
-            let derived = self.acting.reactions[slot].is_some();
+            let derived = self.free.reactions[slot].is_some();
             self.counts.reactions[usize::from(!derived)] += 1;
         }
     }
@@ -109,8 +110,8 @@ impl Course<'_> {
     /// Whether there are no loads, and all reactions and efforts are nothing.
     pub fn nothing_acts(&self) -> bool {
         let forces = &self.state().forces;
-        let acting = &self.acting;
-        if !(acting.forces.iter().all(Vec::is_empty) && acting.couples.iter().all(Vec::is_empty)) {
+        let free = &self.free;
+        if !(free.forces.iter().all(Vec::is_empty) && free.couples.iter().all(Vec::is_empty)) {
             return false;
         }
         let couples = forces.reactions.iter().map(|r| r.couple.abs());

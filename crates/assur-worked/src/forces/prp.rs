@@ -26,7 +26,7 @@ impl Course<'_> {
         let value = self.state().forces.reactions[inner.slot].force * inner.sign;
         let f = self.reaction(bodies[0], bodies[1], value, right);
         let name = self.reaction_name(bodies[0], bodies[1]);
-        self.acting.reactions[inner.slot] = Some(name);
+        self.free.reactions[inner.slot] = Some(name);
         for (i, sign) in [(0, 1), (1, -1)] {
             self.say(Message::SumAcrossGuide, &[]);
             let across = both[i].0.across(&f);

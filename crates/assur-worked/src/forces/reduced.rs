@@ -5,6 +5,7 @@ use crate::words::DesignMessage;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::{Flywheel, FlywheelPart, FlywheelTorque, Query, Value};
 use assur_model::structure::{EffortKind, EffortSource};
+use assur_position::position::Origin;
 
 impl Course<'_> {
     /// The reduced torque of a flywheel at this position.
@@ -38,9 +39,7 @@ impl Course<'_> {
         let efforts = &self.structure().efforts;
         let evened: Vec<usize> = match wheel.torque {
             Some(FlywheelTorque::Load(id)) => {
-                let load = self.scene.mechanism().loads.get(id.index())?;
-                let name = self.load_letters(id.index(), load);
-                let power = self.power_of_named(&name);
+                let power = self.power_from(Origin::Load(id));
                 return self.over_speed(power, ratio, wheel);
             }
             Some(FlywheelTorque::Balance(id)) => {

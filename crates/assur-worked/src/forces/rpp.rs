@@ -6,6 +6,7 @@ use crate::motion::{of, pin};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_position::plan::{Guide, Hinge};
+use assur_position::position::{Action, Origin};
 
 impl Course<'_> {
     pub(super) fn force_rpp(&mut self, outer: &Hinge, inner: &Guide, guide: &Guide) {
@@ -37,24 +38,15 @@ impl Course<'_> {
         } else {
             self.equate(Name::new("M", &name.sub), about, Unit::Torque, moment)
         };
-        self.acting.reactions[inner.slot] = Some(name);
+        self.free.reactions[inner.slot] = Some(name);
         let parts = [-(normal.clone() * line.sin()), normal * line.cos()];
         // on the second body: through the hinge of the first
-        let body = self.moved(two);
-        let local = (place - body.p).turned_back(body.u);
-        let between = self.reaction_name(one, two);
-        let known = [Vec::new(), Vec::new()];
-        let force = super::Force {
-            name: between.clone(),
-            at: local,
-            parts: parts.clone(),
-            known,
-            load: false,
-            rubs: false,
-        };
-        self.acting.forces[two].push(force);
+        let (from, force) = (Origin::Reaction(inner.slot), between.force);
+        let action = Action { from, on: two, by: None, at: place, force, couple: between.couple };
+        let name = self.reaction_name(one, two);
+        self.put_force(&action, &name, &parts, &[Vec::new(), Vec::new()]);
         if !couple.is_zero() {
-            self.acting.couples[two].push(super::Couple { value: couple, load: false, rubs: false });
+            self.put_couple(&action, &couple);
         }
         self.say(Message::SumAcrossGuide, &[]);
         let total = [sums[0].clone() + parts[0].clone(), sums[1].clone() + parts[1].clone()];
@@ -62,10 +54,9 @@ impl Course<'_> {
         self.carry_guide(guide, &way, &across, &turned, at);
         self.say(Message::SumOfLink, &[vec![text(self.label(one))]]);
         let value = self.state().forces.reactions[outer.slot].force;
-        let right = [0, 1].map(|i| {
-            parts[i].clone() - Expr::sum(self.acting.forces[one].iter().map(|f| f.parts[i].clone()))
-        });
+        let right = [0, 1]
+            .map(|i| parts[i].clone() - Expr::sum(self.free.forces[one].iter().map(|f| f.parts[i].clone())));
         let found = self.reaction(outer.base, one, value, right);
-        self.carry(outer.base, one, place, &found, &Expr::ZERO, outer.slot);
+        self.carry(outer.slot, &found, &Expr::ZERO);
     }
 }

@@ -78,22 +78,21 @@ impl Course<'_> {
                 parts[1].clone(),
             ),
         ];
-        self.acting.reactions[guide.slot] = Some(self.reaction_name(one.body, two.body));
+        self.free.reactions[guide.slot] = Some(self.reaction_name(one.body, two.body));
         let mut found = Vec::new();
         for (hinge, of_guide) in [(one, named.clone()), (two, named.map(|p| -p))] {
             let message = [vec![text(self.label(hinge.body))]];
             self.say(Message::SumOfLink, &message);
             let value = self.state().forces.reactions[hinge.slot].force;
             let of = |i: usize| {
-                let loads = Expr::sum(self.acting.forces[hinge.body].iter().map(|f| f.parts[i].clone()));
+                let loads = Expr::sum(self.free.forces[hinge.body].iter().map(|f| f.parts[i].clone()));
                 of_guide[i].clone() - loads
             };
             let right = [of(0), of(1)];
             found.push(self.reaction(hinge.base, hinge.body, value, right));
         }
         for (hinge, parts) in [one, two].into_iter().zip(&found) {
-            let place = self.moved(hinge.body).position(pin(&hinge.pin));
-            self.carry(hinge.base, hinge.body, place, parts, &Expr::ZERO, hinge.slot);
+            self.carry(hinge.slot, parts, &Expr::ZERO);
         }
     }
 }

@@ -62,8 +62,7 @@ impl Course<'_> {
         let right = -(normal * lean.sin() + tangential * lean.cos() + way.across(&q));
         let (across, couple) = self.guide_reaction(guide, right, d, at);
         self.inner_pair(inner, bodies, &parts);
-        let place = self.moved(outer.body).position(from);
-        self.carry(outer.base, outer.body, place, &parts, &Expr::ZERO, outer.slot);
+        self.carry(outer.slot, &parts, &Expr::ZERO);
         self.carry_guide(guide, &way, &across, &couple, at);
     }
 
@@ -153,8 +152,7 @@ impl Course<'_> {
 
     /// Keeps the reaction of a guide at a point of the body that it acts on.
     pub(super) fn carry_guide(&mut self, guide: &Guide, way: &Angle, normal: &Expr, couple: &Expr, at: Vec2) {
-        let place = self.moved(guide.body).position(at);
         let parts = [-(normal.clone() * way.sin()), normal.clone() * way.cos()];
-        self.carry(guide.base, guide.body, place, &parts, couple, guide.slot);
+        self.carry_at(self.moved(guide.body).position(at), guide.slot, &parts, couple);
     }
 }

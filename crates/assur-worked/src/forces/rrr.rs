@@ -17,7 +17,7 @@ impl Course<'_> {
         let label: Line = vec![text(self.label(hinge.body))];
         if self.is_unloaded(hinge.body) {
             let line = joined(&self.point_name(hinge.body, outer), &self.point_name(hinge.body, inner));
-            self.acting.lines.insert(name.clone(), vec![text(format!("∥ {line}"))]);
+            self.free.lines.insert(name.clone(), vec![text(format!("∥ {line}"))]);
             self.say(Message::TwoForces, &[label, of(&name), vec![text(line)]]);
             return (name, Expr::ZERO);
         }
@@ -71,8 +71,7 @@ impl Course<'_> {
         }
         self.inner_pair(inner, bodies, &found[0]);
         for (hinge, parts) in [one, two].into_iter().zip(&found) {
-            let place = self.moved(hinge.body).position(pin(&hinge.pin));
-            self.carry(hinge.base, hinge.body, place, parts, &Expr::ZERO, hinge.slot);
+            self.carry(hinge.slot, parts, &Expr::ZERO);
         }
     }
 
@@ -83,13 +82,13 @@ impl Course<'_> {
         self.say(Message::InnerPair, &[vec![text(pair)], label]);
         let value = self.state().forces.reactions[inner.slot].force * inner.sign;
         let of = |i: usize| {
-            let loads = self.acting.forces[bodies[0]].iter().map(|f| f.parts[i].clone());
+            let loads = self.free.forces[bodies[0]].iter().map(|f| f.parts[i].clone());
             Expr::sum(std::iter::once(outer[i].clone()).chain(loads))
         };
         let right = [of(0), of(1)];
         self.reaction(bodies[0], bodies[1], value, right);
         let name = self.reaction_name(bodies[0], bodies[1]);
-        if let Some(kept) = self.acting.reactions.get_mut(inner.slot) {
+        if let Some(kept) = self.free.reactions.get_mut(inner.slot) {
             *kept = Some(name);
         }
     }

@@ -1,12 +1,14 @@
 //! A motion under given loads: kinetic energy, reduced mass and reduced load at the instant that is shown, the balance of energy
 //! of the run, its events.
 
+use super::is_load;
 use crate::course::Course;
 use crate::document::{Table, text};
 use crate::words::RunMessage;
 use assur_formula::{Expr, Name, Unit, with_digits};
 use assur_model::model::{DriveTarget, PairId};
 use assur_model::structure::{BodyId, EffortKind, JointKind};
+use assur_position::position::Origin;
 use assur_solve::solve::{Method, SimulationReport};
 
 /// A speed below this part of the greatest is none.
@@ -96,7 +98,8 @@ impl Course<'_> {
         let right = Expr::Int(2) * energy.clone() / rate.clone().squared();
         let value = right.value();
         let mass = self.equate(Name::new(letter, "r"), value, unit, right);
-        let power = self.power_of_loads();
+        let is_wanted = |from| is_load(from, true) && from != Some(Origin::Inertia);
+        let power = Expr::sum(self.powers_on(&self.moving(), is_wanted));
         if power.is_zero() {
             return;
         }
@@ -141,30 +144,6 @@ impl Course<'_> {
             }
         }
         None
-    }
-
-    /// The power of everything but inertia.
-    fn power_of_loads(&mut self) -> Expr {
-        let inertia = self.language.letters().inertia;
-        let of_inertia = |name: &Name| name.sub.starts_with(inertia) && matches!(&*name.letter, "F" | "M");
-        let mut sum = Expr::ZERO;
-        for body in 1..self.bodies.len() {
-            for force in self.acting.forces[body].clone() {
-                if force.load && !of_inertia(&force.name) {
-                    let [vx, vy] = self.velocity(body, force.at);
-                    let [fx, fy] = force.parts;
-                    sum = sum + fx * vx + fy * vy;
-                }
-            }
-            let omega = self.bodies[body].as_ref().map_or(Expr::ZERO, |b| b.rates[0].clone());
-            for couple in self.acting.couples[body].iter().filter(|c| c.load) {
-                let own = matches!(&couple.value, Expr::Leaf(q) if of_inertia(&q.name));
-                if !own {
-                    sum = sum + couple.value.clone() * omega.clone();
-                }
-            }
-        }
-        sum
     }
 
     /// Kinetic energy at both ends, and the work between them.

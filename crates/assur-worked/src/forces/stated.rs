@@ -71,19 +71,11 @@ impl Course<'_> {
             } else {
                 Expr::ZERO
             };
-            self.acting.stated[slot] = Some((parts.clone(), couple.clone()));
-            let place = match &self.structure().replaced.joint(joint.joint).kind {
-                JointKind::Revolute(members) => {
-                    members.iter().find(|(b, _)| *b == joint.body).map(|(b, p)| self.moved(b.0).position(*p))
-                }
-                JointKind::Prismatic { slider, point, .. } => Some(self.moved(slider.0).position(*point)),
-                JointKind::Law(_) => None,
-            };
-            let Some(place) = place else { continue };
+            self.free.stated[slot] = Some((parts.clone(), couple.clone()));
             if joint.inner {
-                self.acting.reactions[slot] = Some(name);
+                self.free.reactions[slot] = Some(name);
             } else {
-                self.carry(joint.base.0, joint.body.0, place, &parts, &couple, slot);
+                self.carry(slot, &parts, &couple);
             }
         }
     }

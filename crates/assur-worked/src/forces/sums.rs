@@ -13,7 +13,7 @@ impl Course<'_> {
         let place = self.moved(body).position(at);
         let point = self.point_name(body, at);
         let mut terms = Vec::new();
-        for force in self.acting.forces[body].clone() {
+        for force in self.free.forces[body].clone() {
             let from = self.moved(body).position(force.at);
             if (from - place).norm() <= self.tiny {
                 continue;
@@ -26,7 +26,7 @@ impl Course<'_> {
             let name = Name::new("M", &point).marked(&format!("{}{}", force.name.letter, force.name.sub));
             terms.push(self.equate(name, value, Unit::Torque, right));
         }
-        terms.extend(self.acting.couples[body].iter().map(|c| c.value.clone()));
+        terms.extend(self.free.couples[body].iter().map(|c| c.value.clone()));
         Expr::sum(terms)
     }
 
@@ -38,7 +38,7 @@ impl Course<'_> {
             joined(&labels[0], labels.get(1).map_or("", String::as_str)).trim_end_matches(','),
         );
         let of = |i: usize| {
-            let forces = bodies.iter().flat_map(|b| self.acting.forces[*b].iter());
+            let forces = bodies.iter().flat_map(|b| self.free.forces[*b].iter());
             Expr::sum(forces.map(|f| f.parts[i].clone()))
         };
         let (x, y) = (of(0), of(1));
@@ -48,7 +48,7 @@ impl Course<'_> {
 
     /// Whether nothing is known to act on a body but at its pins.
     pub fn is_unloaded(&self, body: usize) -> bool {
-        self.acting.forces[body].is_empty() && self.acting.couples[body].is_empty()
+        self.free.forces[body].is_empty() && self.free.couples[body].is_empty()
     }
 
     /// Length and direction of a line of a body.
@@ -66,7 +66,7 @@ impl Course<'_> {
 
     /// Known forces on bodies as terms of a vector equation; the first has this sign.
     pub fn known_terms(&self, bodies: &[usize]) -> Vec<Term> {
-        let forces = bodies.iter().flat_map(|b| self.acting.forces[*b].iter());
+        let forces = bodies.iter().flat_map(|b| self.free.forces[*b].iter());
         forces
             .map(|f| {
                 let [magnitude, direction] = f.known.clone();

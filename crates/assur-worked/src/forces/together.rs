@@ -1,6 +1,5 @@
 //! Groups that are solved as a whole: their equations as a matrix, the solution, equilibrium of every link with it.
 
-use super::acting::{Couple, Force};
 use super::train::scale_of;
 use crate::course::Course;
 use crate::document::{Block, text};
@@ -9,13 +8,29 @@ use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::structure::{EffortKind, JointKind};
+use assur_position::position::{Action, Origin};
 
-/// A force on a body at a place, and a couple.
-struct Acts {
-    body: usize,
-    place: Vec2,
+/// What acts on a body, in letters.
+#[derive(Clone)]
+struct Lettered {
+    action: Action,
     parts: [Expr; 2],
     couple: Expr,
+    /// As the list has it, and not the opposite.
+    first: bool,
+}
+
+impl Lettered {
+    /// It, and what acts on the body that does it.
+    fn sides(self) -> impl Iterator<Item = Self> {
+        let back = self.action.opposite().map(|action| Self {
+            action,
+            parts: self.parts.clone().map(|part| -part),
+            couple: -self.couple.clone(),
+            first: false,
+        });
+        std::iter::once(self).chain(back)
+    }
 }
 
 impl Course<'_> {
@@ -81,7 +96,7 @@ impl Course<'_> {
         });
         let mut all = found;
         for slot in slots {
-            if let Some(([x, y], couple)) = self.acting.stated[slot].clone() {
+            if let Some(([x, y], couple)) = self.free.stated[slot].clone() {
                 all.extend([x, y, couple]);
             }
         }
@@ -101,15 +116,20 @@ impl Course<'_> {
         let group = &self.structure().forces[index];
         let mut acts = self.reactions_inside(index)?;
         for &slot in &group.efforts {
-            acts.extend(self.effort_inside(slot)?);
+            let own = self.effort_inside(slot)?;
+            // the coordinates of its places come before the sums
+            for Lettered { action, .. } in own.iter().filter(|own| own.couple.is_zero() && own.first) {
+                self.place_of(action.on, action.at);
+            }
+            acts.extend(own);
         }
         let mut sums = Vec::new();
         for body in group.bodies.iter().map(|b| b.0) {
             let label = self.label(body);
             self.say(Message::EquilibriumOf, &[vec![text(&*label)]]);
             for (i, axis) in ["x", "y"].into_iter().enumerate() {
-                let listed = self.acting.forces[body].iter().map(|f| f.parts[i].clone());
-                let own = acts.iter().filter(|a| a.body == body).map(|a| a.parts[i].clone());
+                let listed = self.free.forces[body].iter().map(|f| f.parts[i].clone());
+                let own = acts.iter().filter(|a| a.action.on == body).map(|a| a.parts[i].clone());
                 let sum = Expr::sum(listed.chain(own));
                 if !sum.is_zero() {
                     let name = Name::new("ΣF", &format!("{label}{axis}"));
@@ -120,7 +140,7 @@ impl Course<'_> {
             let reference = self.bodies[body].as_ref().map_or_else(Vec2::zero, |b| b.reference);
             let listed = self.moment_about(body, reference);
             let moments: Vec<Expr> =
-                acts.iter().filter(|a| a.body == body).map(|a| self.moment_of(a, reference)).collect();
+                acts.iter().filter(|a| a.action.on == body).map(|a| self.moment_of(a, reference)).collect();
             let sum = Expr::sum(std::iter::once(listed).chain(moments));
             if !sum.is_zero() {
                 let point = self.point_name(body, reference);
@@ -135,121 +155,91 @@ impl Course<'_> {
     /// What the efforts of a group do to bodies of later groups.
     pub(super) fn efforts_on_others(&mut self, index: usize) {
         let group = &self.structure().forces[index];
-        for &slot in &group.efforts {
-            for acts in self.effort_inside(slot).unwrap_or_default() {
-                let body = acts.body;
-                if body == 0 || group.bodies.iter().any(|b| b.0 == body) {
-                    continue;
-                }
-                let moved = self.moved(body);
-                let at = (acts.place - moved.p).turned_back(moved.u);
-                if !acts.parts.iter().all(Expr::is_zero) {
-                    let (name, known) = (self.effort_name(slot, true), [Vec::new(), Vec::new()]);
-                    let force = Force { name, at, parts: acts.parts, known, load: false, rubs: false };
-                    self.acting.forces[body].push(force);
-                }
-                if !acts.couple.is_zero() {
-                    self.acting.couples[body].push(Couple { value: acts.couple, load: false, rubs: false });
-                }
+        let inside: Vec<usize> = group.bodies.iter().map(|b| b.0).collect();
+        group.efforts.iter().for_each(|&slot| self.effort_on_others(slot, &inside));
+    }
+
+    /// What an effort does to other bodies than these.
+    pub(super) fn effort_on_others(&mut self, slot: usize, inside: &[usize]) {
+        for Lettered { action, parts, couple, .. } in self.effort_inside(slot).unwrap_or_default() {
+            if action.on == 0 || inside.contains(&action.on) {
+                continue;
+            }
+            let action = Action { by: None, ..action };
+            if !parts.iter().all(Expr::is_zero) {
+                self.put_force(&action, &self.effort_name(slot, true), &parts, &[Vec::new(), Vec::new()]);
+            }
+            if !couple.is_zero() {
+                self.put_couple(&action, &couple);
             }
         }
     }
 
-    /// The moment of a reaction about a point of its body.
-    fn moment_of(&mut self, acts: &Acts, about: Vec2) -> Expr {
-        let moved = self.moved(acts.body);
-        let at = (acts.place - moved.p).turned_back(moved.u);
-        let arm = acts.place - moved.position(about);
-        let [fx, fy] = acts.parts.clone();
-        let moment = if arm.norm() <= self.tiny {
+    /// The moment of what acts about a point of its body.
+    fn moment_of(&mut self, Lettered { action, parts, couple, .. }: &Lettered, about: Vec2) -> Expr {
+        let moved = self.moved(action.on);
+        let at = (action.at - moved.p).turned_back(moved.u);
+        let arm = action.at - moved.position(about);
+        let [fx, fy] = parts.clone();
+        let moment = if arm.norm() <= self.tiny || parts.iter().all(Expr::is_zero) {
             Expr::ZERO
         } else {
-            let [x, y] = self.position(acts.body, at);
-            let [from_x, from_y] = self.position(acts.body, about);
+            let [x, y] = self.position(action.on, at);
+            let [from_x, from_y] = self.position(action.on, about);
             let (dx, dy) = (x - from_x, y - from_y);
             dx * fy - dy * fx
         };
-        moment + acts.couple.clone()
+        moment + couple.clone()
     }
 
-    fn reactions_inside(&mut self, index: usize) -> Option<Vec<Acts>> {
+    fn reactions_inside(&mut self, index: usize) -> Option<Vec<Lettered>> {
         let group = &self.structure().forces[index];
         let own = |body: usize| group.bodies.iter().any(|b| b.0 == body);
-        let mut acts = Vec::new();
+        let mut all = Vec::new();
         for joint in &group.joints {
             let same = |r: &assur_model::structure::GroupJoint| {
                 r.joint == joint.joint && r.body == joint.body && r.base == joint.base
             };
             let slot = self.scene.model.plan.reactions.iter().position(same)?;
-            let (parts, couple) = self.acting.stated[slot].clone()?;
-            let (body, at) = match &self.structure().replaced.joint(joint.joint).kind {
-                JointKind::Revolute(members) => {
-                    members.iter().find(|(b, _)| *b == joint.body).map(|(b, p)| (b.0, *p))?
-                }
-                JointKind::Prismatic { slider, point, .. } => (slider.0, *point),
-                JointKind::Law(_) => return None,
+            let (parts, couple) = self.free.stated[slot].clone()?;
+            let action = self.scene.view().actions_from(Origin::Reaction(slot)).pop()?;
+            let body = match self.structure().replaced.joint(joint.joint).kind {
+                JointKind::Prismatic { slider, .. } => slider.0,
+                JointKind::Revolute(_) | JointKind::Law(_) => action.on,
             };
-            let place = self.moved(body).position(at);
-            self.position(body, at);
-            for (body, sign) in [(joint.body.0, 1), (joint.base.0, -1)] {
-                if !own(body) {
-                    continue;
-                }
-                let signed = |x: Expr| if sign > 0 { x } else { -x };
-                let [x, y] = parts.clone();
-                acts.push(Acts {
-                    body,
-                    place,
-                    parts: [signed(x), signed(y)],
-                    couple: signed(couple.clone()),
-                });
-            }
+            self.place_of(body, action.at);
+            all.extend(
+                Lettered { action, parts, couple, first: true }.sides().filter(|side| own(side.action.on)),
+            );
         }
-        Some(acts)
+        Some(all)
     }
 
-    fn effort_inside(&mut self, slot: usize) -> Option<Vec<Acts>> {
+    /// The coordinates of a place of a body.
+    fn place_of(&mut self, body: usize, at: Vec2) {
+        let moved = self.moved(body);
+        self.position(body, (at - moved.p).turned_back(moved.u));
+    }
+
+    /// What an effort does at its places; none where it is not found.
+    fn effort_inside(&mut self, slot: usize) -> Option<Vec<Lettered>> {
         let places: Vec<EffortKind> = self.structure().efforts[slot].places().collect();
-        let mut acts = Vec::new();
-        for kind in places {
-            acts.extend(self.effort_at(slot, kind)?);
+        let actions = self.scene.view().actions_from(Origin::Effort(slot));
+        let mut all = Vec::new();
+        for (kind, action) in places.iter().zip(&actions) {
+            let angle = match *kind {
+                EffortKind::Line(body) => Some(self.line_of_effort(slot, body.0).1),
+                EffortKind::Coordinate(joint) => Some(self.guide_of_coordinate(joint)?.3),
+                EffortKind::Angle(_) | EffortKind::RelativeAngle { .. } => None,
+                EffortKind::Point(_) => return None,
+            };
+            let value = self.found.get(&self.effort_name(slot, angle.is_some())).cloned()?;
+            let (parts, couple) = match angle {
+                Some(angle) => ([value.clone() * angle.cos(), value * angle.sin()], Expr::ZERO),
+                None => ([Expr::ZERO, Expr::ZERO], value),
+            };
+            all.extend(Lettered { action: *action, parts, couple, first: true }.sides());
         }
-        Some(acts)
-    }
-
-    /// What an effort does at one of its places.
-    fn effort_at(&mut self, slot: usize, kind: EffortKind) -> Option<Vec<Acts>> {
-        let none = [Expr::ZERO, Expr::ZERO];
-        let torque = |course: &Self| course.found.get(&course.effort_name(slot, false)).cloned();
-        let acts =
-            |body: usize, place: Vec2, parts: [Expr; 2], couple: Expr| Acts { body, place, parts, couple };
-        match kind {
-            EffortKind::Angle(body) => {
-                let value = torque(self)?;
-                Some(vec![acts(body.0, self.moved(body.0).p, none, value)])
-            }
-            EffortKind::RelativeAngle { first, second, .. } => {
-                let value = torque(self)?;
-                let (a, b) = (self.moved(first.0).p, self.moved(second.0).p);
-                Some(vec![acts(second.0, b, none.clone(), value.clone()), acts(first.0, a, none, -value)])
-            }
-            EffortKind::Line(body) => {
-                let value = self.found.get(&self.effort_name(slot, true)).cloned()?;
-                let (at, angle, _) = self.line_of_effort(slot, body.0);
-                self.position(body.0, at);
-                let parts = [value.clone() * angle.cos(), value * angle.sin()];
-                Some(vec![acts(body.0, self.moved(body.0).position(at), parts, Expr::ZERO)])
-            }
-            EffortKind::Coordinate(joint) => {
-                let value = self.found.get(&self.effort_name(slot, true)).cloned()?;
-                let (slider, point, guide, angle) = self.guide_of_coordinate(joint)?;
-                let parts = [value.clone() * angle.cos(), value * angle.sin()];
-                let place = self.moved(slider.0).position(point);
-                self.position(slider.0, point);
-                let back = parts.clone().map(|p| -p);
-                Some(vec![acts(slider.0, place, parts, Expr::ZERO), acts(guide.0, place, back, Expr::ZERO)])
-            }
-            EffortKind::Point(_) => None,
-        }
+        (places.len() == actions.len()).then_some(all)
     }
 }

@@ -1,7 +1,7 @@
 //! Trains: one equation per member in the forces of its transmissions and the unknown efforts. One with a single
 //! unknown gives it; of two with the same two one is eliminated; what is left is stated.
 
-use super::acting::{Couple, Force};
+use super::Force;
 use crate::course::Course;
 use crate::document::{Line, text};
 use crate::letters::teeth_name;
@@ -9,7 +9,8 @@ use crate::motion::{of, pin};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::{PairKind, TransmissionKind, Wheel};
-use assur_position::plan::{TrainEffort, TrainSupport};
+use assur_position::plan::{Hinge, TrainEffort, TrainSupport};
+use assur_position::position::Origin;
 
 /// An equation: load + Σ factor × unknown = 0.
 struct Row {
@@ -35,7 +36,7 @@ impl Course<'_> {
         self.say_once(Message::TrainForces);
         self.directions(&laws);
         self.hold_laws(&laws);
-        let before = self.acting.forces.clone();
+        let before = self.free.forces.clone();
         let unknowns = self.unknowns_of(train);
         let mut rows = self.rows_of(train);
         let mut found: Vec<Option<Expr>> = vec![None; unknowns.len()];
@@ -57,19 +58,16 @@ impl Course<'_> {
             }
         }
         // what the wheels of a carrier put on it goes through their bearings now
-        self.acting.forces = before;
+        self.free.forces = before;
         for (slot, force) in laws.into_iter().zip(&found) {
             if let Some(force) = force {
                 self.pass_on(slot, force, &members);
             }
         }
-        for (effort, value) in of_train.efforts.iter().zip(found.iter().skip(of_train.laws.len())) {
-            if let (TrainEffort::Torque(_, _, base), Some(value)) = (effort, value)
-                && *base != 0
-                && !members.iter().any(|m| body_of(m) == *base)
-            {
-                self.acting.couples[*base].push(Couple { value: -value.clone(), load: false, rubs: false });
-            }
+        let inside: Vec<usize> = members.iter().map(body_of).collect();
+        for effort in &of_train.efforts {
+            let (TrainEffort::Torque(slot, ..) | TrainEffort::Along(slot, _)) = effort;
+            self.effort_on_others(*slot, &inside);
         }
         self.supports(&members);
         true
@@ -138,7 +136,7 @@ impl Course<'_> {
                 TrainSupport::Turn(hinge, carrier) => {
                     let load = self.moment_about(body, pin(&hinge.pin));
                     if let Some(carrier) = *carrier {
-                        self.on_carrier(body, body_of(&of_train.members[carrier]), pin(&hinge.pin));
+                        self.on_carrier(hinge, body_of(&of_train.members[carrier]));
                     }
                     load
                 }
@@ -220,17 +218,19 @@ impl Course<'_> {
     }
 
     /// The forces on a wheel act on the link that carries its axis.
-    fn on_carrier(&mut self, wheel: usize, carrier: usize, at: assur_math::math::Vec2) {
+    fn on_carrier(&mut self, hinge: &Hinge, carrier: usize) {
+        let wheel = hinge.body;
         let parts = self.sum_of(&[wheel]);
         if parts.iter().all(Expr::is_zero) {
             return;
         }
-        let place = self.moved(wheel).position(at);
+        let place = self.moved(wheel).position(pin(&hinge.pin));
         let moved = self.moved(carrier);
         let at = (place - moved.p).turned_back(moved.u);
         let name = Name::new("Q", &self.label(wheel));
         let known = [Vec::new(), Vec::new()];
-        self.acting.forces[carrier].push(Force { name, at, parts, known, load: false, rubs: true });
+        let from = Some(Origin::Reaction(hinge.slot));
+        self.free.forces[carrier].push(Force { name, at, parts, known, from });
     }
 
     fn rest(&self, row: &Row, found: &[Option<Expr>]) -> Expr {

@@ -1,12 +1,13 @@
 //! Transmissions that rest by their losses: what holds their first side acts back on its carrier.
 
-use super::acting::Couple;
+use super::Couple;
 use crate::course::Course;
 use crate::document::text;
 use crate::motion::of;
 use crate::words::FrictionMessage;
 use assur_formula::{Name, Unit};
 use assur_position::plan::LawSite;
+use assur_position::position::Origin;
 
 impl Course<'_> {
     /// Puts what holds these laws on the links.
@@ -25,9 +26,9 @@ impl Course<'_> {
                 let value = if sign > 0 { effort.clone() } else { -effort.clone() };
                 match law.terms.get(term) {
                     Some((LawSite::Turn(body), _)) if *body != 0 => {
-                        self.acting.couples[*body].push(Couple { value, load: false, rubs: true });
+                        self.free.couples[*body].push(Couple { value, from: Some(Origin::Law(slot)) });
                     }
-                    Some((LawSite::Slide(guide), _)) => self.along_slide(&name, guide, &value),
+                    Some((LawSite::Slide(guide), _)) => self.along_slide(slot, &name, guide, &value),
                     _ => {}
                 }
             }

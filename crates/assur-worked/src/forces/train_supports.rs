@@ -1,16 +1,16 @@
 //! What transmissions do to other bodies, and the reactions of the bearings of a train.
 
-use super::acting::{Couple, Force};
+use super::Couple;
 use super::train::{body_of, scale_of};
 use crate::angle::Angle;
 use crate::course::{Course, joined};
 use crate::document::text;
-use crate::motion::pin;
 use crate::words::Message;
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::Meeting;
 use assur_position::plan::{Guide, LawSite, PlannedLaw, TrainSupport};
+use assur_position::position::{Action, Origin};
 
 impl Course<'_> {
     /// What a transmission does: couples on bodies of other groups, forces on all whose place is known.
@@ -27,13 +27,13 @@ impl Course<'_> {
             match site {
                 LawSite::Turn(body) if outside(*body) => {
                     let lever = self.side_lever(slot, &law, term, *body);
-                    let couple = Couple { value: force.clone() * lever, load: false, rubs: false };
-                    self.acting.couples[*body].push(couple);
+                    let (value, from) = (force.clone() * lever, Some(Origin::Law(slot)));
+                    self.free.couples[*body].push(Couple { value, from });
                 }
                 LawSite::Slide(guide) => {
                     let lever = self.lever(value, &pair, &self.label(guide.slider), false);
                     let size = force.clone() * self.side(slot, term) * lever;
-                    self.along_slide(&Name::new("F", &pair), guide, &size);
+                    self.along_slide(slot, &Name::new("F", &pair), guide, &size);
                 }
                 LawSite::Turn(_) => {}
             }
@@ -71,25 +71,21 @@ impl Course<'_> {
     }
 
     /// A force along a guide, on its slider and back on its base.
-    pub(super) fn along_slide(&mut self, name: &Name, guide: &Guide, size: &Expr) {
+    pub(super) fn along_slide(&mut self, slot: usize, name: &Name, guide: &Guide, size: &Expr) {
         let (way, _) = self.way(guide);
-        let place = self.moved(guide.slider).position(guide.point);
+        let at = self.moved(guide.slider).position(guide.point);
         let other = if guide.slider == guide.body { guide.base } else { guide.body };
-        for (body, sign) in [(guide.slider, 1), (other, -1)] {
-            let size = if sign > 0 { size.clone() } else { -size.clone() };
-            self.push_force(body, name, place, [size.clone() * way.cos(), size * way.sin()]);
-        }
+        let parts = [size.clone() * way.cos(), size.clone() * way.sin()];
+        self.push_pair(slot, [guide.slider, other], at, name, &parts);
     }
 
-    fn push_force(&mut self, body: usize, name: &Name, place: Vec2, parts: [Expr; 2]) {
-        if body == 0 || parts.iter().all(Expr::is_zero) {
-            return;
+    /// The force of a law on one body by another.
+    fn push_pair(&mut self, slot: usize, [on, by]: [usize; 2], at: Vec2, name: &Name, parts: &[Expr; 2]) {
+        if !parts.iter().all(Expr::is_zero) {
+            let (from, force) = (Origin::Law(slot), Vec2::zero());
+            let action = Action { from, on, by: Some(by), at, force, couple: 0.0 };
+            self.put_force(&action, name, parts, &[Vec::new(), Vec::new()]);
         }
-        let moved = self.moved(body);
-        let at = (place - moved.p).turned_back(moved.u);
-        let known = [Vec::new(), Vec::new()];
-        let force = Force { name: name.clone(), at, parts, known, load: false, rubs: false };
-        self.acting.forces[body].push(force);
     }
 
     /// The force between teeth whose place is known: tangential at the pitch point, and the part that presses the wheels apart.
@@ -141,8 +137,7 @@ impl Course<'_> {
             self.component(Name::new("F", &format!("{pair}y")), value.y, Unit::Force, parts[1].clone()),
         ];
         let name = Name::new("F", &pair);
-        self.push_force(slots[0], &name, place, parts.clone());
-        self.push_force(slots[1], &name, place, parts.map(|p| -p));
+        self.push_pair(slot, slots, place, &name, &parts);
         self.lost_in_teeth(slot, law, force, through, outside);
     }
 
@@ -170,13 +165,13 @@ impl Course<'_> {
             let value = force.clone() * lever * more;
             back = back - value.clone();
             if outside(body) {
-                self.acting.couples[body].push(Couple { value, load: false, rubs: false });
+                self.free.couples[body].push(Couple { value, from: Some(Origin::Law(slot)) });
             }
         }
         if let Some((LawSite::Turn(carrier), _)) = law.terms.get(2)
             && outside(*carrier)
         {
-            self.acting.couples[*carrier].push(Couple { value: back, load: false, rubs: false });
+            self.free.couples[*carrier].push(Couple { value: back, from: Some(Origin::Law(slot)) });
         }
     }
 
@@ -189,8 +184,7 @@ impl Course<'_> {
                 TrainSupport::Shift(guide, _) => (guide.body, guide.base, guide.slot),
             };
             let reaction = self.state().forces.reactions[slot];
-            let parts =
-                [0, 1].map(|i| Expr::sum(self.acting.forces[body].iter().map(|f| f.parts[i].clone())));
+            let parts = [0, 1].map(|i| Expr::sum(self.free.forces[body].iter().map(|f| f.parts[i].clone())));
             if parts.iter().all(Expr::is_zero) {
                 continue;
             }
@@ -216,9 +210,7 @@ impl Course<'_> {
                 said = true;
             }
             let found = self.reaction(base, body, reaction.force, parts.map(|p| -p));
-            let TrainSupport::Turn(hinge, _) = member else { continue };
-            let place = self.moved(body).position(pin(&hinge.pin));
-            self.carry(base, body, place, &found, &Expr::ZERO, slot);
+            self.carry(slot, &found, &Expr::ZERO);
         }
     }
 }

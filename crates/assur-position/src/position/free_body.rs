@@ -1,4 +1,5 @@
-//! What acts on bodies, one by one: the list with which the balance of bodies is computed, and which pictures draw.
+//! What acts on bodies, one by one: the list with which the balance of bodies is computed, and which numbers, pictures and worked
+//! solutions read.
 
 use super::model::Model;
 use super::state::State;
@@ -10,7 +11,7 @@ use crate::structure::JointKind;
 
 /// What something that acts comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cause {
+pub enum Origin {
     /// A load of the file.
     Load(LoadId),
     /// The weight of the body.
@@ -31,65 +32,71 @@ pub enum Cause {
 
 /// A force at a place and a couple on a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Act<S = f64> {
-    /// Where it comes from.
-    pub cause: Cause,
+pub struct Action<S = f64> {
+    /// What it comes from.
+    pub from: Origin,
     /// Slot of the body it acts on.
     pub on: usize,
     /// Slot of the body that does it, on which the opposite acts.
-    pub from: Option<usize>,
-    /// The place in ground axes, m.
-    pub place: V2<S>,
+    pub by: Option<usize>,
+    /// Where it acts, in ground axes, m.
+    pub at: V2<S>,
     /// The force, N.
     pub force: V2<S>,
     /// The couple, N m.
     pub couple: S,
 }
 
-impl<S: Scalar> Act<S> {
+impl<S: Scalar> Action<S> {
     #[inline(always)]
-    fn turning(cause: Cause, [on, from]: [usize; 2], place: V2<S>, couple: S) -> Self {
-        Self { cause, on, from: Some(from), place, force: V2::zero(), couple }
+    fn turning(from: Origin, [on, by]: [usize; 2], at: V2<S>, couple: S) -> Self {
+        Self { from, on, by: Some(by), at, force: V2::zero(), couple }
     }
 
     #[inline(always)]
-    fn pushing(cause: Cause, [on, from]: [usize; 2], place: V2<S>, force: V2<S>) -> Self {
-        Self { cause, on, from: Some(from), place, force, couple: S::zero() }
+    fn pushing(from: Origin, [on, by]: [usize; 2], at: V2<S>, force: V2<S>) -> Self {
+        Self { from, on, by: Some(by), at, force, couple: S::zero() }
+    }
+
+    /// What acts on the body that does it.
+    #[must_use]
+    pub fn opposite(self) -> Option<Self> {
+        self.by.map(|on| Self { on, by: Some(self.on), force: -self.force, couple: -self.couple, ..self })
     }
 }
 
 impl<S: Scalar> State<S> {
     #[cfg_attr(in_one, inline(always))]
-    pub(super) fn reactions_act(&self, checks: &Checks, mut act: impl FnMut(Act<S>)) {
+    pub(super) fn reactions_act(&self, checks: &Checks, mut act: impl FnMut(Action<S>)) {
         for (slot, reaction) in checks.reactions.iter().enumerate() {
             let Some(at) = reaction else { continue };
             let place = self.motion.bodies[at.at.0].position(at.at.1);
             let got = self.forces.reactions[slot];
-            let (cause, from) = (Cause::Reaction(slot), Some(at.base));
-            act(Act { cause, on: at.body, from, place, force: got.force, couple: got.couple });
+            let (from, by) = (Origin::Reaction(slot), Some(at.base));
+            act(Action { from, on: at.body, by, at: place, force: got.force, couple: got.couple });
         }
     }
 
     #[cfg_attr(in_one, inline(always))]
-    pub(super) fn efforts_act(&self, checks: &Checks, mut act: impl FnMut(Act<S>)) {
+    pub(super) fn efforts_act(&self, checks: &Checks, mut act: impl FnMut(Action<S>)) {
         for (slot, effort) in &checks.efforts {
-            let (cause, value) = (Cause::Effort(*slot), self.forces.efforts[*slot]);
+            let (from, value) = (Origin::Effort(*slot), self.forces.efforts[*slot]);
             let centre = |body: usize| self.motion.bodies[body].p;
             act(match effort {
                 EffortCheck::Torque(on) => {
-                    Act { from: None, ..Act::turning(cause, [*on, 0], centre(*on), value) }
+                    Action { by: None, ..Action::turning(from, [*on, 0], centre(*on), value) }
                 }
                 EffortCheck::Between(first, second) => {
-                    Act::turning(cause, [*second, *first], centre(*second), value)
+                    Action::turning(from, [*second, *first], centre(*second), value)
                 }
                 EffortCheck::Line(on) => {
                     let (place, n) = self.forces.lines[*slot];
-                    Act { from: None, ..Act::pushing(cause, [*on, 0], place, n * value) }
+                    Action { by: None, ..Action::pushing(from, [*on, 0], place, n * value) }
                 }
                 EffortCheck::Along { slider, direction, guide, .. } => {
                     let s = &self.motion.bodies[slider.0];
                     let force = V2::of(*direction).turned(s.u) * value;
-                    Act::pushing(cause, [slider.0, *guide], s.position(slider.1), force)
+                    Action::pushing(from, [slider.0, *guide], s.position(slider.1), force)
                 }
             });
         }
@@ -98,27 +105,27 @@ impl<S: Scalar> State<S> {
 
 impl State {
     /// All that acts between bodies and in unknown efforts: with the loads every body is in equilibrium.
-    pub fn acts(&self, plan: &Plan, act: &mut dyn FnMut(Act)) {
+    pub fn acts(&self, plan: &Plan, act: &mut dyn FnMut(Action)) {
         self.reactions_act(&plan.checks, &mut *act);
         for (slot, law) in plan.laws.iter().enumerate() {
-            let mut on_one = |on, place, force, couple| {
-                act(Act { cause: Cause::Law(slot), on, from: None, place, force, couple });
+            let mut on_one = |on, at, force, couple| {
+                act(Action { from: Origin::Law(slot), on, by: None, at, force, couple });
             };
             self.forces_of_law(law, slot, &mut on_one);
             self.grip_of_law(law, &mut on_one);
         }
         for (i, (element, &value)) in plan.friction.iter().zip(&self.forces.frictions).enumerate() {
-            let (cause, bodies) = (Cause::Friction(i), [element.through, element.base]);
+            let (from, bodies) = (Origin::Friction(i), [element.through, element.base]);
             act(match self.friction_line(element) {
-                None => Act::turning(cause, bodies, self.motion.bodies[element.through].p, value),
-                Some((place, along)) => Act::pushing(cause, bodies, place, along * value),
+                None => Action::turning(from, bodies, self.motion.bodies[element.through].p, value),
+                Some((place, along)) => Action::pushing(from, bodies, place, along * value),
             });
         }
         self.efforts_act(&plan.checks, act);
     }
 
     /// All loads, with `value` of those of the file: their sums are what `Forces::applied` has.
-    pub fn loads_act(&self, model: &Model<'_>, value: &dyn Fn(LoadId) -> Value, act: &mut dyn FnMut(Act)) {
+    pub fn loads_act(&self, model: &Model<'_>, value: &dyn Fn(LoadId) -> Value, act: &mut dyn FnMut(Action)) {
         for step in &model.plan.loads {
             match step {
                 LoadStep::Force { load, .. } | LoadStep::Torque { load, .. } | LoadStep::Evaluated(load) => {
@@ -126,14 +133,14 @@ impl State {
                 }
                 LoadStep::Mass { body: on, centre, mass, moment_of_inertia, weight, inertia, .. } => {
                     let (body, centre) = (&self.motion.bodies[*on], centre.unwrap_or_default());
-                    let one = |cause, force, couple| {
-                        let place = body.position(centre);
-                        Act { cause, on: *on, from: None, place, force, couple }
+                    let one = |from, force, couple| {
+                        let at = body.position(centre);
+                        Action { from, on: *on, by: None, at, force, couple }
                     };
-                    act(one(Cause::Weight, *weight, 0.0));
+                    act(one(Origin::Weight, *weight, 0.0));
                     if *inertia {
                         let force = body.acceleration(centre) * -mass;
-                        act(one(Cause::Inertia, force, -moment_of_inertia * body.alpha));
+                        act(one(Origin::Inertia, force, -moment_of_inertia * body.alpha));
                     }
                 }
                 LoadStep::Spring { spring: id, ends, stiffness, free_length, damping } => {
@@ -143,8 +150,8 @@ impl State {
                     });
                     let (r, v) = (two.1 - one.1, two.2 - one.2);
                     let got = spring(r, v, *stiffness, *free_length, damping.unwrap_or(0.0));
-                    for ((on, place, _), force) in [(one, got.f_1), (two, -got.f_1)] {
-                        act(Act { cause: Cause::Spring(*id), on, from: None, place, force, couple: 0.0 });
+                    for ((on, at, _), force) in [(one, got.f_1), (two, -got.f_1)] {
+                        act(Action { from: Origin::Spring(*id), on, by: None, at, force, couple: 0.0 });
                     }
                 }
             }
@@ -152,8 +159,8 @@ impl State {
     }
 
     /// What a load of the file does that has this value.
-    pub(super) fn load_act(&self, model: &Model<'_>, id: LoadId, value: Value) -> Option<Act> {
-        let cause = Cause::Load(id);
+    pub fn load_act(&self, model: &Model<'_>, id: LoadId, value: Value) -> Option<Action> {
+        let from = Origin::Load(id);
         match (&model.mechanism.loads[id.index()].kind, value) {
             (
                 LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
@@ -163,34 +170,34 @@ impl State {
                     Place::Local(at) => self.motion.bodies[on.index()].position(*at),
                     Place::Ground(expr) => constant_vector(expr),
                 };
-                Some(Act { from: None, ..Act::pushing(cause, [on.index(), 0], place, force) })
+                Some(Action { by: None, ..Action::pushing(from, [on.index(), 0], place, force) })
             }
             (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => {
                 let place = self.motion.bodies[on.index()].p;
-                Some(Act { from: None, ..Act::turning(cause, [on.index(), 0], place, torque) })
+                Some(Action { by: None, ..Action::turning(from, [on.index(), 0], place, torque) })
             }
             (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => {
-                self.act_in_pair(model, *pair, cause, effort)
+                self.act_in_pair(model, *pair, from, effort)
             }
             _ => None,
         }
     }
 
     /// An effort between the two links of a pair, positive along its coordinate.
-    fn act_in_pair(&self, model: &Model<'_>, pair: PairId, cause: Cause, effort: f64) -> Option<Act> {
+    fn act_in_pair(&self, model: &Model<'_>, pair: PairId, from: Origin, effort: f64) -> Option<Action> {
         let replaced = &model.structure.replaced;
         let is_revolute = matches!(model.mechanism.pair(pair).kind, PairKind::Revolute(_));
         replaced.joints_of(pair).find_map(|joint| match &replaced.joint(joint).kind {
             JointKind::Prismatic { slider, point, direction, guide, .. } => {
                 let body = &self.motion.bodies[slider.0];
                 let force = direction.turned(body.u) * effort;
-                Some(Act::pushing(cause, [slider.0, guide.0], body.position(*point), force))
+                Some(Action::pushing(from, [slider.0, guide.0], body.position(*point), force))
             }
             JointKind::Revolute(members) if is_revolute => match members.as_slice() {
                 [first, second] => {
                     let bodies = [second.0.0, first.0.0];
-                    Some(Act::turning(
-                        cause,
+                    Some(Action::turning(
+                        from,
                         bodies,
                         self.motion.bodies[second.0.0].position(second.1),
                         effort,

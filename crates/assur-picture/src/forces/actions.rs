@@ -6,20 +6,7 @@ use assur_drawing::{Level, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Pair, PairId, PairKind};
 use assur_model::structure::{BodyOrigin, EffortSource};
-use assur_position::position::{Act, Cause};
-
-/// What a force comes from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Acts {
-    /// A load, a weight, an inertia force, a spring.
-    Load,
-    /// The reaction of a pair, and whether a group before has found it.
-    Reaction {
-        pair: PairId,
-        known: bool,
-    },
-    Effort,
-}
+use assur_position::position::{Action, Origin};
 
 /// A force on a part.
 #[derive(Clone, Debug)]
@@ -31,8 +18,10 @@ pub struct Force {
     pub at: Vec2,
     /// The force, N.
     pub force: Vec2,
-    /// Where it comes from.
-    pub acts: Acts,
+    /// The pair whose reaction it is.
+    pub pair: Option<PairId>,
+    /// It is looked for: an unknown effort, or a reaction that no group before has found.
+    pub sought: bool,
 }
 
 /// A couple on a part.
@@ -45,20 +34,15 @@ pub struct Couple {
     pub at: Vec2,
     /// The couple, N m.
     pub moment: f64,
-    /// Where it comes from.
-    pub acts: Acts,
-}
-
-impl Acts {
-    /// Whether it is looked for.
-    pub const fn is_unknown(&self) -> bool {
-        matches!(self, Self::Reaction { known: false, .. } | Self::Effort)
-    }
+    /// The pair whose reaction it is.
+    pub pair: Option<PairId>,
+    /// It is looked for: an unknown effort, or a reaction that no group before has found.
+    pub sought: bool,
 }
 
 /// All that acts on a part.
 #[derive(Clone, Debug, Default)]
-pub struct Acting {
+pub struct FreeBody {
     /// Forces, link by link.
     pub forces: Vec<Force>,
     pub couples: Vec<Couple>,
@@ -71,53 +55,53 @@ const NOTHING: f64 = 1e-9;
 /// Where the largest is less than this part of what loads the mechanism, all of them.
 const ROUNDING: f64 = 1e-13;
 
-impl Acting {
+impl FreeBody {
     /// All that acts on a part from outside; none where a place or a force is not known.
-    pub fn on(scene: &Scene<'_>, part: &Part) -> Option<Self> {
-        let mut acting = Self::default();
+    pub fn of(scene: &Scene<'_>, part: &Part) -> Option<Self> {
+        let (mut free, view) = (Self::default(), scene.view());
         let inside = inside(scene, part);
-        let mut in_pairs: Vec<(PairId, LinkId, Vec<Act>)> = Vec::new();
-        for act in scene.view().acts() {
-            let Some(act) = from_outside(&inside, act) else { continue };
-            let own = part.links.iter().copied().find(|link| link.index() == act.on);
+        let mut in_pairs: Vec<(PairId, LinkId, Vec<Action>)> = Vec::new();
+        for action in view.actions(&inside) {
+            let own = part.links.iter().copied().find(|link| link.index() == action.on);
             let on = own.unwrap_or(part.links[0]);
-            let Some(pair) = scene.view().pair_of(act.cause) else {
-                acting.apply(scene, on, &act);
+            let Some(pair) = view.pair_of(action.from) else {
+                free.apply(scene, on, &action);
                 continue;
             };
             match in_pairs.iter_mut().find(|one| one.0 == pair && (one.1 == on || is_one(scene, pair))) {
-                Some(one) => one.2.push(act),
-                None => in_pairs.push((pair, on, vec![act])),
+                Some(one) => one.2.push(action),
+                None => in_pairs.push((pair, on, vec![action])),
             }
         }
-        acting.sort(part);
+        free.sort(part);
         in_pairs.sort_by_key(|one| one.0.index());
         let mut found = Vec::new();
-        for (pair, on, acts) in in_pairs {
-            found.push(acting.reaction(scene, part, (pair, on), &acts)?);
+        for (pair, on, actions) in in_pairs {
+            found.push(free.reaction(scene, part, (pair, on), &actions)?);
         }
-        found.sort_by_key(|f| !matches!(f.acts, Acts::Reaction { known: true, .. }));
-        acting.forces.extend(found);
-        acting.settle(scene, part);
-        acting.clear(scene)
+        found.sort_by_key(|f| f.sought);
+        free.forces.extend(found);
+        free.settle(scene, part);
+        free.clear(scene)
     }
 
     /// Shifts forces of pairs whose couples are not determined across their lines, as little as lets them balance.
     fn settle(&mut self, scene: &Scene<'_>, part: &Part) {
-        let open = |acts: &Acts| matches!(acts, Acts::Reaction { pair, .. } if is_open(scene, *pair));
-        self.open = self.forces.iter().any(|f| open(&f.acts));
+        let undetermined = &scene.model.structure.undetermined_couples;
+        let open = |pair: Option<PairId>| pair.is_some_and(|pair| undetermined.contains(&pair));
+        self.open = self.forces.iter().any(|f| open(f.pair));
         let largest = self.forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
-        let squares = self.forces.iter().filter(|f| open(&f.acts)).map(|f| f.force.dot(f.force));
+        let squares = self.forces.iter().filter(|f| open(f.pair)).map(|f| f.force.dot(f.force));
         let sum: f64 = squares.sum();
         if sum.sqrt() <= NOTHING * largest {
             return;
         }
         // the shifts stand for their couples
-        self.couples.retain(|c| !open(&c.acts));
+        self.couples.retain(|c| !open(c.pair));
         let about = centre(scene, part.links[0]);
         let turning = self.forces.iter().map(|f| (f.at - about).cross(f.force));
         let moment: f64 = turning.chain(self.couples.iter().map(|c| c.moment)).sum();
-        for force in self.forces.iter_mut().filter(|f| open(&f.acts)) {
+        for force in self.forces.iter_mut().filter(|f| open(f.pair)) {
             force.at += force.force.perp() * (moment / sum);
         }
     }
@@ -136,24 +120,24 @@ impl Acting {
     }
 
     /// What acts in no pair: loads, weights, inertia, springs, unknown efforts.
-    fn apply(&mut self, scene: &Scene<'_>, on: LinkId, act: &Act) {
-        let acts = if matches!(act.cause, Cause::Effort(_)) { Acts::Effort } else { Acts::Load };
-        if act.force != Vec2::zero() {
-            let name = letters(scene, act.cause, on, true);
-            self.forces.push(Force { name, on, at: act.place, force: act.force, acts });
+    fn apply(&mut self, scene: &Scene<'_>, on: LinkId, action: &Action) {
+        let (pair, sought) = (None, matches!(action.from, Origin::Effort(_)));
+        let Action { from, at, force, couple, .. } = *action;
+        if force != Vec2::zero() {
+            self.forces.push(Force { name: letters(scene, from, on, true), on, at, force, pair, sought });
         }
-        if act.couple != 0.0 {
-            let name = letters(scene, act.cause, on, false);
-            let at = if act.force == Vec2::zero() { centre(scene, on) } else { act.place };
-            self.couples.push(Couple { name, on, at, moment: act.couple, acts });
+        if couple != 0.0 {
+            let at = if force == Vec2::zero() { centre(scene, on) } else { at };
+            let name = letters(scene, from, on, false);
+            self.couples.push(Couple { name, on, at, moment: couple, pair, sought });
         }
     }
 
     /// Link by link, unknown efforts last.
     fn sort(&mut self, part: &Part) {
         let place = |on: LinkId| part.links.iter().position(|link| *link == on);
-        self.forces.sort_by_key(|f| (f.acts.is_unknown(), place(f.on)));
-        self.couples.sort_by_key(|c| (c.acts.is_unknown(), place(c.on)));
+        self.forces.sort_by_key(|f| (f.sought, place(f.on)));
+        self.couples.sort_by_key(|c| (c.sought, place(c.on)));
     }
 
     /// What a pair does on a link, as a force at its place, and a couple.
@@ -162,7 +146,7 @@ impl Acting {
         scene: &Scene<'_>,
         part: &Part,
         (id, on): (PairId, LinkId),
-        all: &[Act],
+        all: &[Action],
     ) -> Option<Force> {
         let (pair, view) = (scene.mechanism().pair(id), scene.view());
         let links = pair.kind.links();
@@ -170,32 +154,33 @@ impl Acting {
         // of wheels without a place torques are known, and no forces in bearings
         let at = place(scene, id, on)?;
         let force = all.iter().fold(Vec2::zero(), |sum, act| sum + act.force);
-        let couple: f64 = all.iter().map(|act| act.couple + (act.place - at).cross(act.force)).sum();
-        let known = links.iter().any(|l| found_before(scene, *l, on));
-        let (name, acts) = (scene.reaction_name(id, from, on), Acts::Reaction { pair: id, known });
+        let couple: f64 = all.iter().map(|act| act.couple + (act.at - at).cross(act.force)).sum();
+        let sought = !links.iter().any(|l| found_before(scene, *l, on));
+        let name = scene.reaction_name(id, from, on);
         if view.shares_friction(id) {
             return None;
         }
         let about = if force == Vec2::zero() { centre(scene, on) } else { at };
-        self.couples.push(Couple { name: couple_name(pair, &name), on, at: about, moment: couple, acts });
-        Some(Force { name, on, at, force, acts })
+        let whose = couple_name(pair, &name);
+        self.couples.push(Couple { name: whose, on, at: about, moment: couple, pair: Some(id), sought });
+        Some(Force { name, on, at, force, pair: Some(id), sought })
     }
 }
 
 /// The letter of what acts in no pair, with the link on which it acts.
-pub fn letters(scene: &Scene<'_>, cause: Cause, on: LinkId, is_force: bool) -> Text {
+pub fn letters(scene: &Scene<'_>, from: Origin, on: LinkId, is_force: bool) -> Text {
     let mechanism = scene.mechanism();
     let letter = Text::italic(if is_force { "F" } else { "M" });
-    match cause {
-        Cause::Load(id) => scene.load_name(&mechanism.loads[id.index()]).unwrap_or(letter),
-        Cause::Weight => scene.indexed("G", on),
-        Cause::Inertia => letter.lowered(&format!("I{}", scene.link_label(on))),
-        Cause::Spring(id) => letter.lowered(&mechanism.springs[id.index()].name),
-        Cause::Effort(slot) => match scene.model.structure.efforts[slot].source {
+    match from {
+        Origin::Load(id) => scene.load_name(&mechanism.loads[id.index()]).unwrap_or(letter),
+        Origin::Weight => scene.indexed("G", on),
+        Origin::Inertia => letter.lowered(&format!("I{}", scene.link_label(on))),
+        Origin::Spring(id) => letter.lowered(&mechanism.springs[id.index()].name),
+        Origin::Effort(slot) => match scene.model.structure.efforts[slot].source {
             EffortSource::Balance(id) => Text::name(&mechanism.balances[id.index()].name),
             EffortSource::Drive(id) => letter.lowered(&mechanism.drives[id.index()].name),
         },
-        Cause::Reaction(_) | Cause::Law(_) | Cause::Friction(_) => letter.lowered(scene.link_label(on)),
+        Origin::Reaction(_) | Origin::Law(_) | Origin::Friction(_) => letter.lowered(scene.link_label(on)),
     }
 }
 
@@ -221,24 +206,6 @@ fn inside(scene: &Scene<'_>, part: &Part) -> Vec<usize> {
         }
     }
     bodies
-}
-
-/// What acts on bodies from outside.
-fn from_outside(inside: &[usize], act: Act) -> Option<Act> {
-    let is_in = |body: usize| inside.contains(&body);
-    match (is_in(act.on), act.from.filter(|from| is_in(*from))) {
-        (true, None) => Some(act),
-        (false, Some(on)) => {
-            let (force, couple) = (-act.force, -act.couple);
-            Some(Act { on, from: Some(act.on), force, couple, ..act })
-        }
-        _ => None,
-    }
-}
-
-/// Whether the couple of a pair is not determined.
-fn is_open(scene: &Scene<'_>, pair: PairId) -> bool {
-    scene.model.structure.undetermined_couples.contains(&pair)
 }
 
 /// Whether what a pair does to several links of a part is one force: in one point.
