@@ -90,6 +90,55 @@ fn a_sheet_for_all_says_whose_values_it_has() {
     assert!(report(ROWS, &["--sheet", "--lang", "zh"]).contains("点 C 的速度的 x 分量"));
 }
 
+/// Where a slider presses on its guide and where a load of the ground acts on a link depends on the position: nobody gave these arms.
+#[test]
+fn places_of_the_position_are_not_given() {
+    let text = include_str!("../../examples/slotted/edge-reactions.mech");
+    let sheet = report(text, &["--sheet"]);
+    let given = part(&sheet, "Given", "Find");
+    for value in ["x_F3    0.08 m", "y_F3    0.2 m", "F_3     134.16 N", "l_BD    300 mm"] {
+        assert!(given.contains(value), "{value}: {given}");
+    }
+    assert!(!given.contains("P1") && !given.contains("P2"), "{given}");
+    assert!(report(text, &[]).contains("l_CP1"), "the solution computes with it");
+    for wedges in [
+        include_str!("../../examples/friction/wedges-forward.mech"),
+        include_str!("../../examples/determinacy/three-wedges.mech"),
+    ] {
+        let sheet = report(wedges, &["--sheet"]);
+        let given = part(&sheet, "Given", "Find");
+        assert!(given.contains("l_LR") && !given.contains("P1") && !given.contains("P2"), "{given}");
+    }
+}
+
+/// Formulas are set as formulas, functions of the language in words.
+#[test]
+fn questions_are_words_or_formulas() {
+    let text = SENSE.split("\nfind").next().unwrap_or_default();
+    let dense = |words: &str| words.split_whitespace().collect::<String>();
+    let asked = |find: &str, lang: &str| {
+        dense(&report(&format!("{text}\nfind {find}\n"), &["--sheet", "--lang", lang]))
+    };
+    for (find, words) in [
+        ("m = 2*velocity(B).x/G", "m – (2·v_Bx)/G"),
+        ("P = (velocity(B).x + 3 m/s)*G as W", "P – (v_Bx + 3 m/s)·G, W"),
+        ("u = sqrt(f) - f^2", "u – √(f) − f²"),
+        ("ac = critical(al)", "a_c – value of α at which the mechanism locks itself, °"),
+        (
+            "T = journal_torque(load = G, radius = 20 mm, friction = f)",
+            "T – friction torque of the journal: load G, radius 20 mm, coefficient of friction f, N·m",
+        ),
+    ] {
+        let page = asked(find, "en");
+        assert!(page.contains(&dense(words)), "{words}: {page}");
+    }
+    for (lang, words) in
+        [("ru", "значение α, при котором наступает самоторможение"), ("zh", "发生自锁时 α 的值")]
+    {
+        assert!(asked("ac = critical(al)", lang).contains(&dense(words)), "{lang}");
+    }
+}
+
 #[test]
 fn a_key_is_titled_for_all_rows() {
     let key = report(KEY, &["--key"]);

@@ -16,7 +16,7 @@ mod quantity;
 mod unit;
 
 pub use equation::{Equation, Set};
-pub use expr::{Expr, Function};
+pub use expr::{Expr, Function, Sign};
 pub use lay::{letters, name_node};
 pub use lines::Lines;
 pub use name::Name;

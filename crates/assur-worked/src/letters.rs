@@ -1,9 +1,9 @@
 //! Letters of links, points and pairs.
 
 use crate::course::Course;
-use assur_formula::Name;
+use assur_formula::{Name, Quantity, Unit};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, PairId, PairKind};
+use assur_model::model::{LinkId, LoadId, LoadKind, PairId, PairKind, Place};
 use assur_model::structure::{BodyOrigin, Joint, JointKind};
 use assur_picture::reaction_index;
 
@@ -65,6 +65,43 @@ impl Course<'_> {
         let label = self.label(body);
         let own_already = !is_taken(&point.name) || point.name.ends_with(&label);
         Some(if own_already { point.name.clone() } else { format!("{}{label}", point.name) })
+    }
+
+    /// Places of links that depend on the position, where sliders and profiles press and loads act that the file places on the ground: their
+    /// names, which nobody gave, and the coordinates that the file gives.
+    pub(crate) fn places_here(&self) -> (Vec<String>, Vec<Quantity>) {
+        let (mechanism, view) = (self.scene.mechanism(), self.scene.view());
+        let (mut names, mut given) = (Vec::new(), Vec::new());
+        let mut add = |body: usize, place: Vec2| {
+            let moved = self.moved(body);
+            let at = (place - moved.p).turned_back(moved.u);
+            let mut known = self.unnamed.borrow().clone().into_iter();
+            let is_known = known.any(|(b, p)| b == body && (p - at).norm() <= self.tiny);
+            names.extend(is_known.then(|| self.point_name(body, at)));
+            is_known
+        };
+        for (i, load) in mechanism.loads.iter().enumerate() {
+            let Some(action) = view.load_action(LoadId::at(i)) else { continue };
+            let (LoadKind::Force { at, .. } | LoadKind::ForceAgainstMotion { at, .. }) = &load.kind else {
+                continue;
+            };
+            if matches!(at, Place::Ground(_)) && add(action.on, action.at) {
+                let Name { letter, sub, .. } = self.load_letters(i, load);
+                for (axis, value) in [("x", action.at.x), ("y", action.at.y)] {
+                    let name = Name::new(axis, &format!("{letter}{sub}"));
+                    let (unit, scale) = (Unit::Length, value.abs());
+                    given.push(Quantity { name, value, unit, scale, given: true, rounding: 0.0 });
+                }
+            }
+        }
+        // places of pairs that the file gives have names
+        for action in view.all_actions() {
+            let bodies = view.pair_of(action.from).map(|_| [Some(action.on), action.by]);
+            for body in bodies.into_iter().flatten().flatten() {
+                add(body, action.at);
+            }
+        }
+        (names, given)
     }
 
     /// A name for a place on a body that has none in the file.

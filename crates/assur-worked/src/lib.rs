@@ -3,6 +3,7 @@
 
 mod angle;
 mod asked;
+mod asked_formula;
 mod asked_rest;
 mod asked_results;
 mod cam_law;

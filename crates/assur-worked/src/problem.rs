@@ -20,7 +20,7 @@ impl Course<'_> {
 
     /// The given values that the equations use, each once, in the order of use.
     pub fn given_values(&self) -> Vec<Block> {
-        let rows = self.given_rows(&|_| false).into_iter().map(|(_, row)| row).collect();
+        let rows = self.given_rows(&|_| false, Vec::new()).into_iter().map(|(_, row)| row).collect();
         let headers = [Message::Given, Message::Value].map(|m| vec![text(self.words(m))]);
         let mut blocks: Vec<Block> = two_abreast(headers, rows).into_iter().map(Block::Table).collect();
         blocks.push(Block::Remark(say(self.language, Message::Conventions, &[])));
@@ -69,9 +69,14 @@ impl Course<'_> {
         values
     }
 
-    /// Their values in the units of equations, letters and figures, without those that are answers.
-    pub fn given_rows(&self, is_answer: &dyn Fn(f64) -> bool) -> Vec<(f64, [Line; 2])> {
-        let values = self.used_values().into_iter().filter(|q| !is_answer(q.value) && !self.is_assumed(q));
+    /// Their values in the units of equations, letters and figures, without some of them and with more.
+    pub fn given_rows(
+        &self,
+        is_left_out: &dyn Fn(&Quantity) -> bool,
+        more: Vec<Quantity>,
+    ) -> Vec<(f64, [Line; 2])> {
+        let values = self.used_values().into_iter().filter(|q| !is_left_out(q) && !self.is_assumed(q));
+        let values = values.chain(more.into_iter().map(Arc::new));
         let row = |q: Arc<Quantity>| {
             let unit = if q.unit == Unit::Angle { "°".to_owned() } else { format!(" {}", q.unit.text()) };
             let written = format!("{}{}", q.figures(5).text(), unit.trim_end());

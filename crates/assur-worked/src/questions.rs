@@ -2,7 +2,7 @@
 
 use crate::document::{Inline, Line, text};
 use crate::forces::quantity_name;
-use crate::words::{Language, QuestionMessage, say};
+use crate::words::{FunctionWords, Language, QuestionMessage, say};
 use assur_formula::name_node;
 use assur_math::math::Vec2;
 use assur_model::model::{
@@ -31,7 +31,7 @@ impl Asking<'_> {
         let written = source.get(find.span.start..find.span.end).unwrap_or(&find.name);
         let (expr, unit) = match &find.kind {
             FindKind::Reactions => return self.say(QuestionMessage::Reactions, &[]),
-            FindKind::Table(_) => return vec![text(one_line(written))],
+            FindKind::Table(_) => return self.table(written),
             FindKind::Value { expr, display, .. } => (expr, &display.unit),
         };
         let named = written.split_once('=').map(|(name, _)| name.trim()).filter(|name| *name == find.name);
@@ -43,13 +43,27 @@ impl Asking<'_> {
         }
         match words {
             Some(words) => line.extend(words),
-            // a formula in the names of the file
-            None => line.push(text(formula(written, named))),
+            None => {
+                let formula = formula(written, named);
+                let words = crate::asked_formula::asked(self.mechanism, &formula, self.language);
+                line.extend(words.unwrap_or_else(|| vec![text(formula.replace('*', "·"))]));
+            }
         }
         if !unit.is_empty() {
             line.push(text(format!(", {}", crate::sheet::printed_unit(unit).trim_start())));
         }
         line
+    }
+
+    /// A table: of which part of the mechanism.
+    fn table(&self, written: &str) -> Line {
+        let parts = written.split_once('(').and_then(|(function, rest)| {
+            Some((FunctionWords::of(function.trim(), 1)?, rest.split_once(')')?.0.trim()))
+        });
+        match parts {
+            Some((words, of)) => say(self.language, words, &[vec![text(of)]]),
+            None => vec![text(one_line(written))],
+        }
     }
 
     fn say(&self, message: QuestionMessage, parts: &[Line]) -> Line {
@@ -211,8 +225,8 @@ fn formula(written: &str, named: Option<&str>) -> String {
         _ => words,
     };
     match right.rsplit_once(" as ") {
-        Some((formula, _)) => formula.trim().replace('*', "·"),
-        None => right.replace('*', "·"),
+        Some((formula, _)) => formula.trim().to_owned(),
+        None => right,
     }
 }
 

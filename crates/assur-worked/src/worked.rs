@@ -5,7 +5,7 @@ use crate::document::{Block, Document, Figure, Line, cited};
 use crate::formulas::Formula;
 use crate::motion::Stage;
 use crate::words::{Language, Message};
-use assur_formula::{Equation, Expr, Name, Unit};
+use assur_formula::{Equation, Expr, Name, Quantity, Unit};
 use assur_model::model::{Level, Value};
 use assur_picture::{Kind, Scene};
 use assur_solve::solve::DriveValue;
@@ -148,7 +148,12 @@ pub fn given_rows(
     course.asked_besides();
     course.prune();
     course.equations.retain(|(_, equation)| equation.right.value().is_finite());
-    let rows = course.given_rows(is_answer).into_iter();
+    let (touched, places) = course.places_here();
+    let is_arm = |q: &Quantity| {
+        let ends = |name: &String| q.name.sub.ends_with(name) || q.name.sub.starts_with(name);
+        matches!(&*q.name.letter, "l" | "γ") && touched.iter().any(ends)
+    };
+    let rows = course.given_rows(&|q| is_answer(q.value) || is_arm(q), places).into_iter();
     rows.map(|(value, row)| {
         values.push(value);
         row

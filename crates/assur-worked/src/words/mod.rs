@@ -4,6 +4,7 @@ mod chinese;
 mod design;
 mod english;
 mod friction;
+mod function;
 mod message;
 mod phrase;
 mod phrases;
@@ -14,6 +15,7 @@ mod russian;
 
 pub use design::DesignMessage;
 pub use friction::FrictionMessage;
+pub use function::FunctionWords;
 pub use message::Message;
 pub use phrase::{known, phrase, title};
 pub use question::QuestionMessage;

@@ -113,17 +113,18 @@ fn width_of(table: &Table) -> f64 {
     (0..table.headers.len()).map(|column| column_of(table, column)).sum()
 }
 
-/// A table that is too wide for the smallest letters, in several below each other, each with the first column.
+/// A table that is too wide for the smallest letters, in several below each other, each with the first column, which tells rows apart.
 fn parts_of(table: &Table) -> Vec<Table> {
     if width_of(table) <= LINE / LEAST {
         return vec![table.clone()];
     }
-    let first = column_of(table, 0);
-    let (mut parts, mut columns, mut taken) = (Vec::new(), vec![0], first);
-    for column in 1..table.headers.len() {
+    let keys = usize::from(table.rows.len() > 1);
+    let first: f64 = (0..keys).map(|column| column_of(table, column)).sum();
+    let (mut parts, mut columns, mut taken) = (Vec::new(), (0..keys).collect::<Vec<_>>(), first);
+    for column in keys..table.headers.len() {
         let width = column_of(table, column);
-        if columns.len() > 1 && taken + width > LINE {
-            parts.push(std::mem::replace(&mut columns, vec![0]));
+        if columns.len() > keys && taken + width > LINE {
+            parts.push(std::mem::replace(&mut columns, (0..keys).collect()));
             taken = first;
         }
         columns.push(column);

@@ -1,0 +1,253 @@
+//! Questions that the file writes as a formula: functions in words, all else in letters.
+
+use crate::document::{Inline, Line, text};
+use crate::forces::quantity_name;
+use crate::sheet::printed_unit;
+use crate::words::{FunctionWords, Language, QuestionMessage, say};
+use assur_formula::{Expr as Formula, Function, Name, Node, Quantity, Sign, Unit, letters, name_node};
+use assur_model::model::Mechanism;
+use assur_syntax::document::{Arg, BinaryOp, Expr, ExprKind, Number, Statement, UnaryOp};
+use assur_text::language::Function as Builtin;
+use assur_text::source::Source;
+use std::sync::Arc;
+
+/// A question of a file in words and letters; none where it is neither.
+pub fn asked(mechanism: &Mechanism, written: &str, language: Language) -> Option<Line> {
+    let (document, _) = assur_syntax::parse(&Source::new("", format!("mech 1\nfind {written}\n")));
+    let items = document.statements.iter().find_map(|statement| match &statement.node {
+        Statement::Find(find) => Some(&find.items),
+        _ => None,
+    })?;
+    let [item] = items.as_slice() else { return None };
+    Writer { mechanism, language }.words(&item.value)
+}
+
+struct Writer<'a> {
+    mechanism: &'a Mechanism,
+    language: Language,
+}
+
+impl Writer<'_> {
+    /// What an expression is.
+    fn words(&self, expr: &Expr) -> Option<Line> {
+        match &expr.kind {
+            ExprKind::Call { function, args } => self.function(&function.node, args),
+            ExprKind::Member(of, part) => match &of.kind {
+                ExprKind::Call { function, args } => {
+                    let words = FunctionWords::of(&format!("{}.{}", function.node, part.node), args.len());
+                    let words = words.and_then(|words| self.say(words, args));
+                    words.or_else(|| self.letters(expr))
+                }
+                _ => self.letters(expr),
+            },
+            ExprKind::Name(name) if self.is_thing(name) => Some(vec![text(&**name)]),
+            _ => self.letters(expr),
+        }
+    }
+
+    /// A function in words, else its letter with its arguments.
+    fn function(&self, name: &str, args: &[Arg]) -> Option<Line> {
+        let first = || args.first().map_or(Some(Vec::new()), |arg| self.words(&arg.value));
+        match name {
+            "abs" | "mag" => return Some(say(self.language, QuestionMessage::Magnitude, &[first()?])),
+            "dir" => return Some(say(self.language, QuestionMessage::Direction, &[first()?])),
+            _ => {}
+        }
+        if let Some(words) = FunctionWords::of(name, args.len()) {
+            return self.say(words, args);
+        }
+        let formula = self.call(name, args)?;
+        match (&formula, args) {
+            // a curve of the file at a place
+            (Formula::Leaf(_), [at]) if Builtin::named(name).is_none() => {
+                let mut line = vec![Inline::Math(name_node(&quantity_name(name))), text("(")];
+                line.extend(self.words(&at.value)?);
+                line.push(text(")"));
+                Some(line)
+            }
+            _ => Some(vec![Inline::Math(dotted(letters(&formula)))]),
+        }
+    }
+
+    /// Words with arguments in their places, and those with names after them.
+    fn say(&self, words: FunctionWords, args: &[Arg]) -> Option<Line> {
+        let (named, plain): (Vec<&Arg>, Vec<&Arg>) = args.iter().partition(|arg| arg.name.is_some());
+        let parts: Option<Vec<Line>> = plain.iter().map(|arg| self.words(&arg.value)).collect();
+        let mut line = say(self.language, words, &parts?);
+        for (i, arg) in named.iter().enumerate() {
+            line.push(text(if i == 0 { ": " } else { ", " }));
+            line.extend(self.named(arg)?);
+        }
+        Some(line)
+    }
+
+    /// An argument with its name, in words.
+    fn named(&self, arg: &Arg) -> Option<Line> {
+        let name = &arg.name.as_ref()?.node;
+        if let ExprKind::Name(value) = &arg.value.kind
+            && let Some(words) = FunctionWords::of(&format!("{name}={value}"), 0)
+        {
+            return Some(say(self.language, words, &[]));
+        }
+        Some(say(self.language, FunctionWords::of(&format!("={name}"), 1)?, &[self.letters(&arg.value)?]))
+    }
+
+    fn letters(&self, expr: &Expr) -> Option<Line> {
+        Some(vec![Inline::Math(dotted(letters(&self.formula(expr)?)))])
+    }
+
+    /// Whether a name is one of a link, a pair, a point or another part, which is set as it is.
+    fn is_thing(&self, name: &str) -> bool {
+        let m = self.mechanism;
+        let links =
+            m.links.iter().any(|link| link.name == name || link.points.iter().any(|p| p.name == name));
+        links || m.pairs.iter().any(|pair| pair.name == name) || !self.is_value(name)
+    }
+
+    fn is_value(&self, name: &str) -> bool {
+        let m = self.mechanism;
+        m.values.iter().any(|value| value.name == name)
+            || m.finds.iter().any(|find| find.name == name)
+            || m.balances.iter().any(|balance| balance.name == name)
+            || m.loads.iter().any(|load| load.name.as_deref() == Some(name))
+            || m.quantities.iter().any(|quantity| quantity.name == name)
+    }
+
+    fn formula(&self, expr: &Expr) -> Option<Formula> {
+        Some(match &expr.kind {
+            ExprKind::Number(number) => of_number(number),
+            ExprKind::Name(name) if name == "pi" => Formula::Pi,
+            ExprKind::Name(name) => leaf(quantity_name(name)),
+            ExprKind::Member(of, part) => match (self.formula(of)?, &of.kind) {
+                (Formula::Leaf(own), ExprKind::Call { .. }) if part.node.len() > 1 => {
+                    leaf(Name::new(&part.node.replacen("dJ", "ΔJ", 1), &own.name.sub))
+                }
+                (Formula::Leaf(own), _) => leaf(own.name.and(&part.node)),
+                _ => return None,
+            },
+            ExprKind::Call { function, args } => self.call(&function.node, args)?,
+            ExprKind::Unary(op, of) => match op.node {
+                UnaryOp::Minus => Formula::Neg(Box::new(self.formula(of)?)),
+                UnaryOp::Plus => self.formula(of)?,
+                UnaryOp::Not => return None,
+            },
+            ExprKind::Chain(first, rest) => self.chain(first, rest)?,
+            ExprKind::Power(of, power) => {
+                let ExprKind::Number(Number { text, unit: None, .. }) = &power.kind else { return None };
+                Formula::Power(Box::new(self.formula(of)?), text.parse().ok().filter(|power| *power > 1)?)
+            }
+            ExprKind::Vector(..) | ExprKind::Polar(..) | ExprKind::Compare(..) => return None,
+        })
+    }
+
+    /// A sum or a product.
+    fn chain(&self, first: &Expr, rest: &[(assur_text::source::Spanned<BinaryOp>, Expr)]) -> Option<Formula> {
+        let mut so_far = self.formula(first)?;
+        for (op, next) in rest {
+            let next = self.formula(next)?;
+            so_far = match (op.node, so_far) {
+                (BinaryOp::Add | BinaryOp::Subtract, so_far) => {
+                    let sign = if op.node == BinaryOp::Add { Sign::Plus } else { Sign::Minus };
+                    let mut terms = match so_far {
+                        Formula::Sum(terms) => terms,
+                        one => vec![(Sign::Plus, one)],
+                    };
+                    terms.push((sign, next));
+                    Formula::Sum(terms)
+                }
+                (BinaryOp::Multiply, Formula::Product(mut factors)) => {
+                    factors.push(next);
+                    Formula::Product(factors)
+                }
+                (BinaryOp::Multiply, one) => Formula::Product(vec![one, next]),
+                (BinaryOp::Divide, one) => Formula::Ratio(Box::new(one), Box::new(next)),
+                (BinaryOp::And | BinaryOp::Or, _) => return None,
+            };
+        }
+        Some(so_far)
+    }
+
+    /// A function of numbers, or the letter of what is asked of a part of the mechanism.
+    fn call(&self, function: &str, args: &[Arg]) -> Option<Formula> {
+        let of = |function: Function| {
+            let [arg] = args else { return None };
+            Some(Formula::Of(function, Box::new(self.formula(&arg.value)?)))
+        };
+        let letter = match function {
+            "sin" => return of(Function::Sin),
+            "cos" => return of(Function::Cos),
+            "tan" => return of(Function::Tan),
+            "sqrt" => return Some(Formula::Root(Box::new(self.formula(&args.first()?.value)?))),
+            "abs" | "mag" => return Some(Formula::Abs(Box::new(self.formula(&args.first()?.value)?))),
+            "omega" => "ω",
+            "alpha" => "α",
+            "angle" => "φ",
+            "velocity" => "v",
+            "acceleration" => "a",
+            "displacement" => "s",
+            "reaction" => "R",
+            "normal" => "N",
+            "moment" => "M",
+            "power" => "P",
+            "radius" => "r",
+            "dir" => "∠",
+            "start" => "s₀",
+            other => &other.replace('_', " "),
+        };
+        let parts: Option<Vec<String>> = args.iter().map(|arg| self.index(&arg.value)).collect();
+        Some(leaf(Name::new(letter, &parts?.join(","))))
+    }
+
+    /// An argument as an index: of a link its number.
+    fn index(&self, expr: &Expr) -> Option<String> {
+        match &expr.kind {
+            ExprKind::Name(name) => {
+                let link = self.mechanism.links.iter().find(|link| link.name == *name);
+                Some(link.and_then(|link| link.number.clone()).unwrap_or_else(|| name.clone()))
+            }
+            ExprKind::Member(_, point) => Some(point.node.clone()),
+            _ => match self.formula(expr)? {
+                Formula::Leaf(own) => Some(format!("{}{}", own.name.letter, own.name.sub)),
+                Formula::Int(n) => Some(n.to_string()),
+                _ => None,
+            },
+        }
+    }
+}
+
+fn of_number(number: &Number) -> Formula {
+    match (&number.unit, number.text.parse()) {
+        (None, Ok(whole)) => Formula::Int(whole),
+        (None, Err(_)) => Formula::Number(number.value),
+        (Some(unit), _) => {
+            let figures = format!("{}{}", number.text, printed_unit(&unit.node));
+            leaf(Name::new(&figures.replace('-', "−"), ""))
+        }
+    }
+}
+
+/// With a point in every product: next to words and units nothing else shows that it is one.
+fn dotted(node: Node) -> Node {
+    let boxed = |node: Box<Node>| Box::new(dotted(*node));
+    match node {
+        Node::Times => Node::Dot,
+        Node::Row(parts) => Node::Row(parts.into_iter().map(dotted).collect()),
+        Node::Fraction(above, below) => Node::Fraction(boxed(above), boxed(below)),
+        Node::Power(of, power) => Node::Power(boxed(of), power),
+        Node::Root(of) => Node::Root(boxed(of)),
+        Node::Bars(of) => Node::Bars(boxed(of)),
+        Node::Brackets(of) => Node::Brackets(boxed(of)),
+        other => other,
+    }
+}
+
+fn leaf(name: Name) -> Formula {
+    Formula::Leaf(Arc::new(Quantity {
+        name,
+        value: 1.0,
+        unit: Unit::One,
+        scale: 1.0,
+        given: true,
+        rounding: 0.0,
+    }))
+}
