@@ -93,19 +93,14 @@ fn term(terms: &mut Vec<Term>, name: Text, power: f64, open: bool) -> &mut Term 
     found
 }
 
-/// The name of the term of a force or a couple: couples of friction of a link are one.
+/// The name of the term of a force or a couple: what friction does in a pair to both of its links is one.
 fn name(scene: &Scene<'_>, act: &Action, is_force: bool) -> Text {
     let mechanism = scene.mechanism();
     let pair = scene.view().pair_of(act.from).map(|pair| mechanism.pair(pair).name.as_str());
     let letter = Text::italic(if is_force { "F" } else { "M" });
     match (act.from, pair) {
         (Origin::Friction(_), Some(pair)) if is_force => letter.lowered(&format!("f{pair}")),
-        (Origin::Friction(_), _) => {
-            let link = scene.body_label(act.on);
-            let apart = if link.chars().count() > 1 { "," } else { "" };
-            letter.lowered(&format!("f{apart}{link}"))
-        }
-        (Origin::Law(_), Some(pair)) => Text::italic("M").lowered(&format!("f{pair}")),
+        (Origin::Law(_) | Origin::Friction(_), Some(pair)) => Text::italic("M").lowered(&format!("f{pair}")),
         _ => letters(scene, act.from, LinkId::at(act.on), is_force),
     }
 }
