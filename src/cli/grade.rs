@@ -35,12 +35,12 @@ fn graded(args: &Grade, screen: &Screen) -> Result<Status, CliError> {
     let graded = match grade(&key, answers, &rules) {
         Ok(graded) => graded,
         Err(fault) => {
-            warn(&left_out, screen);
+            warn((&left_out, 0), screen);
             tell(fault, screen);
             return Ok(Status::Unusable);
         }
     };
-    warn(&graded.left_out, screen);
+    warn((&graded.left_out, graded.more_left_out), screen);
     let printed = Status::printed(match args.format {
         Format::Csv => screen.write(|out| report::grade::write_csv(&graded, out)),
         Format::Json | Format::Jsonl => screen.write(|out| {
@@ -85,13 +85,14 @@ fn tell((source, error): Fault, screen: &Screen) {
     screen.complain(&screen.diagnostics(&Problems::of([*error]), &source));
 }
 
-/// Columns and lines that are not marked, as many as are wanted; all of them are in the results.
-fn warn(left_out: &[Fault], screen: &Screen) {
+/// Columns and lines that are not marked, as many as are wanted.
+fn warn((left_out, more): (&[Fault], usize), screen: &Screen) {
     for (source, error) in left_out.iter().take(screen.most()) {
         screen.complain(&screen.diagnostics(&Problems::of([LeftOut((**error).clone())]), source));
         screen.complain("\n");
     }
-    if let Some(more) = left_out.len().checked_sub(screen.most()).filter(|n| *n > 0) {
+    let more = left_out.len().saturating_sub(screen.most()) + more;
+    if more > 0 {
         screen.complain(&format!("and {more} more\n"));
     }
 }

@@ -2,7 +2,7 @@
 
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
-use assur::internals::exercise::grade::Sheet;
+use assur::internals::exercise::grade::{Credit, Points, Rules, Sheet, Submissions, grade};
 use assur::internals::report::text::{self, Look};
 use assur::internals::report::{self, AccuracyShown, Precision};
 use assur::internals::source::Source;
@@ -43,6 +43,35 @@ fn columns_that_the_key_does_not_have_are_reported_together() {
         assert_eq!(sheet.left_out.len(), reported, "{count}");
         let kept: usize = sheet.left_out.iter().map(|(source, _)| source.text.len()).sum();
         assert!(kept < 1_000, "{count}: {kept} bytes");
+    }
+}
+
+/// Lines that are no row of the key are kept to a number and counted beyond it.
+#[test]
+fn lines_that_the_key_does_not_have_are_counted() {
+    let read = |name: &str, text: &str, key: Option<&Sheet>| {
+        let sheet = Sheet::read(name, text.as_bytes(), key).expect("read");
+        sheet.unwrap_or_else(|(_, error)| panic!("{error}"))
+    };
+    let key = read("key.csv", "row,x [mm]\n1,413\n", None);
+    for count in [0, 1, 999, 1000, 1001, 3000] {
+        let unknown: String = (0..count).map(|i| format!("z{i},1\n")).collect();
+        let unreadable = "1,2,3\n".repeat(count);
+        for (lines, what) in [(unknown, "unknown"), (unreadable, "unreadable")] {
+            let answers = read("answers.csv", &format!("row,x [mm]\n1,413\n{lines}"), Some(&key));
+            let rules = Rules {
+                within: 1e-2,
+                only_answered: false,
+                submissions: Submissions::Last,
+                points: Points::default(),
+                credit: Credit::default(),
+            };
+            let graded = grade(&key, answers, &rules);
+            let graded = graded.unwrap_or_else(|(_, error)| panic!("{error}"));
+            let left_out = (graded.left_out.len(), graded.more_left_out);
+            assert_eq!(left_out, (count.min(1000), count.saturating_sub(1000)), "{count} {what}");
+            assert_eq!(graded.is_all_right(), count == 0, "{count} {what}");
+        }
     }
 }
 

@@ -29,6 +29,8 @@ pub struct Graded {
     pub unanswered: Vec<String>,
     /// Columns and lines of the answers that are not marked.
     pub left_out: Vec<Fault>,
+    /// How many more lines are not marked.
+    pub more_left_out: usize,
     /// Whether a column says who answered.
     pub persons: bool,
 }
@@ -88,7 +90,9 @@ impl Graded {
     #[must_use]
     pub fn is_all_right(&self) -> bool {
         let total = self.total();
-        total.right == total.total && self.left_out.iter().all(|fault| LeftOut::is_column(&fault.1))
+        total.right == total.total
+            && self.more_left_out == 0
+            && self.left_out.iter().all(|fault| LeftOut::is_column(&fault.1))
     }
 }
 
@@ -105,7 +109,7 @@ struct Answered {
 /// No row of the answers is one of the key: why the first is not.
 pub fn grade(key: &Sheet, mut answers: Sheet, rules: &Rules) -> Result<Graded, Fault> {
     let rows = std::mem::take(&mut answers.rows);
-    if answers.unknown.len() == rows.len()
+    if rows.iter().all(|row| row.in_key.is_none())
         && let Some(first) = answers.unknown.first()
     {
         return Err(first.clone());
@@ -159,6 +163,7 @@ pub fn grade(key: &Sheet, mut answers: Sheet, rules: &Rules) -> Result<Graded, F
         not_counted,
         unanswered,
         left_out,
+        more_left_out: answers.more_left_out,
         persons: answers.persons,
     })
 }

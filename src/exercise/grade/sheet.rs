@@ -17,6 +17,8 @@ use unicode_normalization::UnicodeNormalization;
 pub const NAMES: [&str; 4] = ["file", "row", "variant", "pose"];
 /// What a row of points is called, as its row or variant.
 const POINTS: &str = "points";
+/// The most lines of each kind of which it is kept why they are not marked; the others are counted.
+const MOST_KEPT: usize = 1000;
 /// Lines read at a time.
 const CHUNK: usize = 4096;
 
@@ -68,6 +70,8 @@ pub struct Sheet {
     pub left_out: Vec<Fault>,
     /// Lines of answers that are no row of the key.
     pub(super) unknown: Vec<Fault>,
+    /// How many more lines of answers cannot be used.
+    pub(super) more_left_out: usize,
     /// Points, in a key.
     pub(super) points: Vec<PointsRow>,
 }
@@ -97,7 +101,7 @@ impl Sheet {
             for raw in (0..lines.len()).filter_map(|i| lines.get(i)) {
                 match sheet.line(&roles, name, &raw, table.separator, key) {
                     Ok(()) => {}
-                    Err(fault) if key.is_some() => sheet.left_out.push(fault),
+                    Err(fault) if key.is_some() => keep(&mut sheet.left_out, fault, &mut sheet.more_left_out),
                     Err(fault) => return Ok(Err(fault)),
                 }
             }
@@ -120,6 +124,7 @@ impl Sheet {
             persons: false,
             left_out: Vec::new(),
             unknown: Vec::new(),
+            more_left_out: 0,
             points: Vec::new(),
         }
     }
@@ -176,7 +181,10 @@ impl Sheet {
                 row.in_key = Some(found);
                 row.names = key.rows[found].names.and(names);
             }
-            Some((_, Err(error))) => self.unknown.push(fault(error)),
+            Some((_, Err(error))) => {
+                row.entries = Box::default();
+                keep(&mut self.unknown, fault(error), &mut self.more_left_out);
+            }
         }
         self.rows.push(row);
         Ok(())
@@ -215,6 +223,11 @@ impl Sheet {
         }
         Ok(PointsRow { file, points })
     }
+}
+
+/// Keeps a fault, or counts it where there are many.
+fn keep(kept: &mut Vec<Fault>, fault: Fault, more: &mut usize) {
+    if kept.len() < MOST_KEPT { kept.push(fault) } else { *more += 1 }
 }
 
 /// The cells of a line, no more than there are columns.

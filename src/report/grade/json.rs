@@ -32,6 +32,14 @@ struct GradedView<'a> {
     unanswered: &'a [String],
     unasked: &'a [String],
     diagnostics: Vec<DiagnosticView>,
+    /// Lines that are not marked beyond those in `diagnostics`.
+    #[serde(skip_serializing_if = "is_none")]
+    more_not_marked: usize,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+const fn is_none(count: &usize) -> bool {
+    *count == 0
 }
 
 #[derive(Serialize)]
@@ -165,6 +173,7 @@ pub fn write_json(graded: &Graded, out: &mut dyn Write) -> io::Result<()> {
         unanswered: &graded.unanswered,
         unasked: &graded.unasked,
         diagnostics: diagnostics(graded),
+        more_not_marked: graded.more_left_out,
     };
     serde_json::to_writer(out, &view).map_err(io::Error::from)
 }

@@ -13,6 +13,11 @@ use assur_text::units::significant;
 
 const DIGITS: usize = 6;
 
+/// Lines that are not marked beyond those that are listed.
+fn more_lines(count: usize) -> String {
+    format!("and {count} more line{}", if count == 1 { "" } else { "s" })
+}
+
 /// `3 %`
 fn percent(x: f64) -> String {
     format!("{} %", significant(100.0 * x, 3))

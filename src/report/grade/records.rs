@@ -84,6 +84,10 @@ fn notices(graded: &Graded, records: &mut Records<'_>) {
         let line = (source.lines_before + 1).to_string();
         records.row(Line { line, hint: LeftOut::words(error), ..Line::new("not marked") }.cells());
     }
+    if graded.more_left_out > 0 {
+        let hint = super::more_lines(graded.more_left_out);
+        records.row(Line { hint, ..Line::new("not marked") }.cells());
+    }
     for hint in rules(graded) {
         records.row(Line { hint, ..Line::new("rule") }.cells());
     }

@@ -170,6 +170,7 @@ fn not_marked(graded: &Graded) -> Section {
         let words = LeftOut::words(error);
         words.chars().take(LONGEST).collect()
     };
-    section.list(graded.left_out.iter().map(|(_, error)| words(error)).collect());
+    let more = (graded.more_left_out > 0).then(|| super::more_lines(graded.more_left_out));
+    section.list(graded.left_out.iter().map(|(_, error)| words(error)).chain(more).collect());
     section
 }
