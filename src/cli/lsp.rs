@@ -46,7 +46,7 @@ pub fn run(screen: &Screen) -> Status {
     let (sender, receiver) = channel();
     // ends with the stream, or with the program
     let to_server = sender.clone();
-    thread::spawn(move || {
+    let reading = thread::Builder::new().spawn(move || {
         let mut input = io::stdin().lock();
         while let Ok(Some(message)) = read(&mut input) {
             let is_lost = matches!(message, Err(Unread::Framing(_)));
@@ -60,6 +60,10 @@ pub fn run(screen: &Screen) -> Status {
         // nobody is there to hear that nobody listens
         let _ = sender.send(None);
     });
+    if let Err(error) = reading {
+        screen.complain(&format!("assur lsp: no thread to read messages: {error}\n"));
+        return Status::Unusable;
+    }
     // where a page is moved goes the way of messages
     let moves: Moves = Arc::new(move |uri: &str, part: f64| {
         let params = json!({ "uri": uri, "part": part });

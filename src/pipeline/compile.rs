@@ -83,10 +83,30 @@ pub struct Looked {
 /// As [`compile_document`], with what an editor asks for.
 #[must_use]
 pub fn look(source: &Source, document: &Arc<Document>, found: Problems) -> Looked {
-    let none = Overrides::none();
-    let check::Looked { mechanism, problems, uses, constants } = check::look(document, &none);
-    let (compiled, problems) = compile_checked(source, document, found, &none, (mechanism, problems));
+    let is_read = !found.has_errors();
+    let of_file = look_with(source, document, found, &Overrides::none());
+    let row = if is_read && of_file.problems.has_errors() { first_row(document) } else { None };
+    let Some(row) = row else { return of_file };
+    // what every row replaces is no mistake
+    let overrides = Overrides { row, ..Overrides::none() };
+    let of_row = look_with(source, document, assur_syntax::parse(source).1, &overrides);
+    if of_row.problems.has_errors() {
+        return of_file;
+    }
+    Looked { compiled: of_row.compiled, problems: of_row.problems, ..of_file }
+}
+
+fn look_with(source: &Source, document: &Arc<Document>, found: Problems, overrides: &Overrides) -> Looked {
+    let check::Looked { mechanism, problems, uses, constants } = check::look(document, overrides);
+    let (compiled, problems) = compile_checked(source, document, found, overrides, (mechanism, problems));
     Looked { compiled, problems, uses, constants }
+}
+
+/// The first row of a table of variants.
+fn first_row(document: &Document) -> Option<check::Row> {
+    let table = check::table(document)?;
+    let columns: Arc<[check::RowColumn]> = check::columns(document, &Overrides::none(), table).0?.into();
+    Some(check::file_rows(table, &columns).into_iter().next()?.row)
 }
 
 fn compile_checked(

@@ -3,6 +3,7 @@
 
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::Problems;
+use assur::internals::editor::Analysis;
 use assur::internals::pipeline::{FileVariants, look_at};
 use assur::internals::source::Source;
 use assur::internals::syntax;
@@ -67,5 +68,8 @@ fn a_given_that_rows_replace() {
     };
     assert_eq!(verdict(text), (false, false));
     assert_eq!(verdict(&text.replace("  30\n", "  -30\n")), (true, true));
+    // the editor marks what `check` refuses, and no more
+    let marked = |text: &str| Analysis::of(Source::new("rows.mech", text)).problems.has_errors();
+    assert_eq!([marked(text), marked(&text.replace("  20\n", "  -20\n"))], [false, true]);
     assert_eq!(verdict(&text.replace("find position(A)", "find position(A), omega(a)")), (true, true));
 }

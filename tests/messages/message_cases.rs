@@ -171,6 +171,38 @@ fn one_message_that_leads_to_the_fix() {
     }
 }
 
+/// Of every two lines of the same kind the second gets the name of the first: the name that is missing then is no second mistake.
+#[test]
+fn a_name_declared_twice_is_one_message() {
+    const KINDS: [&[&str]; 4] = [&["revolute", "prismatic"], &["link"], &["given"], &["let"]];
+    let text = text("use3/messages/inertia-before-mass-missing-S").replace("at 1500 rpm", "");
+    let name_of = |line: &str, begin: &str| {
+        let rest = line.strip_prefix(begin)?.trim_start();
+        let name = rest.split([' ', ':', '=']).next()?;
+        Some((begin.len() + line[begin.len()..].find(name)?, name.to_owned()))
+    };
+    let mut count = 0;
+    for kinds in KINDS {
+        let found = |line: &str| kinds.iter().find_map(|begin| name_of(line, begin));
+        let lines: Vec<&str> = text.lines().collect();
+        let declared: Vec<usize> = (0..lines.len()).filter(|i| found(lines[*i]).is_some()).collect();
+        for (a, first) in declared.iter().enumerate() {
+            for second in &declared[a + 1..] {
+                let (_, name) = found(lines[*first]).expect("a name");
+                let (at, own) = found(lines[*second]).expect("a name");
+                let line = format!("{}{name}{}", &lines[*second][..at], &lines[*second][at + own.len()..]);
+                let mut changed = lines.clone();
+                changed[*second] = &line;
+                let all = checked(&changed.join("\n"));
+                assert_eq!(all.len(), 1, "{own} as {name}: {all:#?}");
+                says(&all, "name::duplicate", &["declared twice"], &own);
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 8, "{count}");
+}
+
 #[test]
 fn one_message_of_reading() {
     for (case, count, code, words) in OF_READING {

@@ -161,7 +161,10 @@ impl Context<'_> {
             return None;
         }
         let inside = self.names.inside.get(link.index())?;
-        if inside.bad.contains(&name.node) || self.names.bad.contains(&name.node) {
+        if inside.bad.contains(&name.node)
+            || self.names.bad.contains(&name.node)
+            || self.problems.twice.contains("point")
+        {
             return None;
         }
         let list = match kind {
@@ -196,7 +199,8 @@ impl Context<'_> {
             }
             return;
         }
-        if self.names.bad.contains(&name.node) || !self.problems.reported.insert((kind, name.node.clone())) {
+        let is_silent = self.names.bad.contains(&name.node) || self.problems.twice.contains("thing");
+        if is_silent || !self.problems.reported.insert((kind, name.node.clone())) {
             return;
         }
         let ground = (kind == "link").then_some("ground");
@@ -305,7 +309,8 @@ impl Context<'_> {
             });
             return None;
         }
-        let silent = pair.is_some() || self.names.bad.contains(&name.node);
+        let silent =
+            pair.is_some() || self.names.bad.contains(&name.node) || self.problems.twice.contains("point");
         if silent
             || self.names.inside.iter().any(declared)
             || !self.problems.reported.insert(("point", name.node.clone()))

@@ -150,14 +150,15 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
     Some(MassProperties { mass, centre, inertia: about_centre })
 }
 
-/// Notes an inertia without a mass, but of a link that turns about a hinge of the ground: there an inertia may be all that is given.
+/// Notes an inertia without a mass. Of a link that turns about a hinge of the ground an inertia may be all that is given, but for its weight.
 fn without_mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning, span: Span) {
     let whole = !body.iter().any(|member| matches!(member.node, Member::Bad(_)));
     let has = |p: &PairKind, link| p.links().contains(&link);
     let about_ground = cx.builder.mech.pairs.iter().map(|p| &p.kind);
     let about_ground = about_ground.filter(|p| matches!(p, PairKind::Revolute(_)));
     let fixed = about_ground.into_iter().any(|p| has(p, link) && has(p, LinkId::GROUND));
-    if whole && !fixed && matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
+    let is_idle = fixed && cx.builder.mech.gravity.is_none();
+    if whole && !is_idle && matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
         let point = cx.point_meant(link).unwrap_or("S").to_owned();
         let link = cx.builder.mech.link(link).name.clone();
         cx.error(LinkError::NoMass { link, point, span });

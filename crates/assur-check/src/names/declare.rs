@@ -57,7 +57,7 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
             }
             Statement::Event(event) => {
                 if let Some(&first) = cx.names.events.get(&event.name.node) {
-                    cx.taken(&event.name, first, None, None);
+                    cx.twice("event", &event.name, first, None);
                 } else {
                     cx.names.events.insert(event.name.node.clone(), event.name.span);
                 }
@@ -192,7 +192,7 @@ where
     let names = &mut cx.names.inside[link.index()];
     let here = [&names.points, &names.lines, &names.circles];
     if let Some(&first) = here.iter().find_map(|list| list.get(&name.node)) {
-        cx.error(NameError::duplicate(name, first, None));
+        cx.twice("point", name, first, None);
     } else {
         list(names).insert(name.node.clone(), name.span);
     }
@@ -243,7 +243,7 @@ fn taken(cx: &Scope<'_, '_>, name: &Name) -> Option<Span> {
 /// Whether the name was free.
 fn thing(cx: &mut Scope<'_, '_>, name: &Name, what: ThingKind) -> bool {
     if let Some(first) = taken(cx, name) {
-        cx.error(NameError::duplicate(name, first, None));
+        cx.twice("thing", name, first, None);
         return false;
     }
     cx.names.things.insert(name.node.clone(), Declared { what, span: name.span });

@@ -31,7 +31,7 @@ impl Scope<'_, '_> {
             let line = pose_line(name, pose).unwrap_or_else(|| format!("pose {name} at …"));
             format!("write `{line}`; `{name}` is asked for but not declared")
         });
-        self.taken(&pose.name, first, help, missing);
+        self.taken("pose", &pose.name, first, help, missing);
     }
 
     /// Reports a second quantity of one name, with the one that is asked for and declared nowhere.
@@ -50,7 +50,7 @@ impl Scope<'_, '_> {
             let how = line.map_or_else(|| "use this name here".into(), |line| format!("write `{line}`"));
             format!("{how}; `{open}` is asked for but not declared")
         });
-        self.taken(name, first, help, missing);
+        self.taken("quantity", name, first, help, missing);
     }
 
     /// The only name that stands alone in a `find` or `expect` and is no quantity.
@@ -89,7 +89,7 @@ impl Scope<'_, '_> {
             _ => false,
         });
         let help = again.then(|| "leave this line out: it repeats the other line".to_owned());
-        self.taken(&joint.name, first, help, None);
+        self.taken("thing", &joint.name, first, help, None);
     }
 
     /// Reports a slider where an idler is declared; whether it is one.
@@ -111,9 +111,22 @@ impl Scope<'_, '_> {
         true
     }
 
-    pub(crate) fn taken(&mut self, name: &Name, first: Span, help: Option<String>, missing: Option<String>) {
+    fn taken(
+        &mut self,
+        class: &'static str,
+        name: &Name,
+        first: Span,
+        help: Option<String>,
+        missing: Option<String>,
+    ) {
         // what is asked of the missing one is no second mistake
         self.names.bad.extend(missing);
+        self.twice(class, name, first, help);
+    }
+
+    /// Reports a second declaration. A name of this class that is used and declared nowhere may be the one meant.
+    pub(crate) fn twice(&mut self, class: &'static str, name: &Name, first: Span, help: Option<String>) {
+        self.problems.twice.insert(class);
         self.error(NameError::duplicate(name, first, help));
     }
 }

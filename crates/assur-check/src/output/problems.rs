@@ -9,6 +9,8 @@ pub struct Problems {
     found: diagnostic::Problems,
     /// Names reported as unknown already, with the list they were looked for in.
     pub reported: IndexSet<(&'static str, String)>,
+    /// Classes of names of which one is declared twice: another that is not declared follows from it.
+    pub twice: IndexSet<&'static str>,
 }
 
 impl Problems {
@@ -39,6 +41,10 @@ impl Problems {
 
     /// The state before something is tried: what is reported from now on is kept apart.
     pub fn start_trial(&mut self) -> Self {
-        Self { found: std::mem::take(&mut self.found), reported: self.reported.clone() }
+        Self {
+            found: std::mem::take(&mut self.found),
+            reported: self.reported.clone(),
+            twice: self.twice.clone(),
+        }
     }
 }

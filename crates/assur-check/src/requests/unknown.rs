@@ -61,7 +61,7 @@ impl Context<'_> {
     /// Reports a name that stands for no quantity.
     pub(crate) fn no_quantity(&mut self, name: &Name) {
         self.names.note_thing(name);
-        let bad = self.names.bad.contains(&name.node);
+        let bad = self.names.bad.contains(&name.node) || self.problems.twice.contains("quantity");
         if bad || !self.problems.reported.insert(("quantity", name.node.clone())) {
             return;
         }
