@@ -40,8 +40,8 @@ impl Analysis {
     }
 
     /// Lines before the use, of which one is meant.
-    fn lines_declaring(&self, missing: Undeclared<'_>) -> Vec<Change> {
-        let name = missing.name;
+    fn lines_declaring(&self, missing: &Undeclared) -> Vec<Change> {
+        let name = &missing.name;
         let lines = match missing.kind {
             "link" => vec![self.link_used(name)],
             _ if self.source.text.lines().count() > LINES => vec![format!("given {name} = 1")],
@@ -57,10 +57,10 @@ impl Analysis {
     }
 
     /// A point in the link in which it is looked for; where none is named, in each that moves.
-    fn points_declaring(&self, missing: Undeclared<'_>) -> Vec<Change> {
+    fn points_declaring(&self, missing: &Undeclared) -> Vec<Change> {
         let point = format!("{} {PLACE}", missing.name);
-        let links = self.names.declared().filter(|d| match missing.owner {
-            Some(owner) => d.kind == SymbolKind::Link && d.name == owner,
+        let links = self.names.declared().filter(|d| match &missing.owner {
+            Some(owner) => d.kind == SymbolKind::Link && d.name == *owner,
             None => d.kind == SymbolKind::Link && d.name != "ground",
         });
         let change = |(link, edit): (&str, Edit)| {

@@ -1,17 +1,17 @@
 //! Plate cams: what stands in their braces, and whether a follower can follow it.
 
 use crate::elements::{cam_fault, cam_program};
-use crate::error::{NameError, PairError};
 use crate::expr::context::Context;
 use crate::expr::positive::positive;
-use crate::expr::property::{Read, find, read, read_beside};
+use crate::expr::property::{Read, find, given_twice, read, read_beside};
 use crate::names::declared::ThingKind;
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{not_declared, suggestion};
 use crate::pairs::transmission::known;
 use assur_math::element::cam::{Cam, Follower, Law, Shape};
 use assur_model::model::{Curve, PlateCam};
 use assur_syntax::document;
 use assur_syntax::document::{CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::{CAM, FOLLOWER, Place, words_of};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
@@ -131,7 +131,7 @@ fn members<'a>(cx: &mut Context<'_>, cam: &'a document::Cam) -> Members<'a> {
             None => seen[which] = Some(member.span),
             Some(first) => {
                 let what = what.to_owned();
-                cx.error(crate::error::LinkError::StatedTwice { what, again: member.span, first });
+                cx.error(given_twice(&what, member.span, first));
                 found.bad = true;
             }
         }
@@ -140,7 +140,7 @@ fn members<'a>(cx: &mut Context<'_>, cam: &'a document::Cam) -> Members<'a> {
 }
 
 fn incomplete<T>(cx: &mut Context<'_>, message: String, help: String, span: Span) -> Option<T> {
-    cx.error(PairError::Incomplete { message, help, span, label: "here".into() });
+    cx.error(Diagnosis::error("mech::geometry::incomplete", message).label(span, "here").help(help));
     None
 }
 
@@ -211,7 +211,7 @@ fn one_of(
     }
     let help = suggestion(&word.node, word.span, words, &format!("{kind}s"));
     let (name, span) = (word.node.clone(), word.span);
-    cx.error(NameError::Unknown { kind, name, owner: None, span, help });
+    cx.error(not_declared(kind, &name, None, span, help));
     None
 }
 

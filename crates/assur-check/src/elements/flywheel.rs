@@ -1,14 +1,14 @@
 //! `flywheel J on O1 for Mb { … }`
 
-use crate::error::{LinkError, NameError, PairError};
 use crate::expr::context::Context;
-use crate::expr::property::{Read, find, read};
+use crate::expr::property::{Read, find, given_twice, read};
 use crate::names::declared::{QuantityKind, ThingKind};
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{not_declared, suggestion};
 use crate::pairs::transmission::known;
 use assur_model::model;
 use assur_model::model::{FlywheelTorque, LinkId, Rim};
 use assur_syntax::document::{Flywheel, Name, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 use assur_text::language::{FLYWHEEL, RIM};
@@ -93,7 +93,7 @@ fn rim(cx: &mut Context<'_>, properties: &[Read], name: &str, span: Span) -> Opt
     let (weight, density) = (value("weight_density"), value("density"));
     if let (Some(weight), Some(density)) = (weight, density) {
         let what = "the density of the rim".to_owned();
-        cx.error(LinkError::StatedTwice { what, again: density.span, first: weight.span });
+        cx.error(given_twice(&what, density.span, weight.span));
         return None;
     }
     let density = match (density, weight) {
@@ -125,7 +125,7 @@ fn rim(cx: &mut Context<'_>, properties: &[Read], name: &str, span: Span) -> Opt
 }
 
 fn incomplete(cx: &mut Context<'_>, message: String, help: &str, span: Span, label: &str) {
-    cx.error(PairError::Incomplete { message, help: help.into(), span, label: label.into() });
+    cx.error(Diagnosis::error("mech::geometry::incomplete", message).label(span, label).help(help));
 }
 
 /// The load or balance of that name.
@@ -147,6 +147,6 @@ fn torque(cx: &mut Context<'_>, name: &Name) -> Option<FlywheelTorque> {
     let help =
         suggestion(&name.node, name.span, &loads.map(|(n, _)| n.as_str()).collect::<Vec<_>>(), "loads");
     let (name, span) = (name.node.clone(), name.span);
-    cx.error(NameError::Unknown { kind: "load or balance", name, owner: None, span, help });
+    cx.error(not_declared("load or balance", &name, None, span, help));
     None
 }

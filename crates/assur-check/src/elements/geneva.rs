@@ -1,6 +1,5 @@
 //! Geneva wheels: a pin in one of several slots.
 
-use crate::error::PairError;
 use crate::expr::context::Context;
 use crate::expr::positive::positive;
 use crate::values::format_value::format_value;
@@ -8,6 +7,7 @@ use assur_math::element::geneva::Geneva;
 use assur_math::math::Vec2;
 use assur_model::model::{GenevaPair, LinkId, PairId, PairKind, Pin};
 use assur_syntax::document::{JointKind, Property, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use std::f64::consts::PI;
@@ -43,7 +43,9 @@ pub(crate) fn genevas(cx: &mut Context<'_>) {
 }
 
 fn refused<T>(cx: &mut Context<'_>, message: String, help: String, span: Span) -> Option<T> {
-    cx.error(PairError::Geneva { message, help, span });
+    cx.error(
+        Diagnosis::error("mech::geometry::geneva", message).primary(span, "here").help(help).quoted(span),
+    );
     None
 }
 
@@ -92,12 +94,17 @@ fn geneva(cx: &mut Context<'_>, property: &Property, pair: PairId) -> Option<Gen
     };
     if law.shock() != 0.0 {
         let ratio = format_value(law.shock(), Dimension::NUMBER);
-        cx.error(PairError::GenevaShock {
-            name: name.clone(),
-            ratio,
-            help: proportions(distance, r, slots),
-            span: declared.span,
-        });
+        cx.error(
+            Diagnosis::warning(
+                "mech::geometry::geneva_shock",
+                format!(
+                    "the pin of `{name}` enters its slot with a shock: the wheel starts at {ratio} of the \
+                     crank's speed"
+                ),
+            )
+            .label(declared.span, "velocity jumps here")
+            .help(proportions(distance, r, slots)),
+        );
     }
     Some(GenevaPair {
         pair,

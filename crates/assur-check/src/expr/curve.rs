@@ -1,10 +1,10 @@
 //! Curves: tables of values, and calls of them.
 
-use crate::error::{CurveError, NameError};
+use crate::error::CurveError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::names::declared::QuantityKind;
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
 use crate::values::fold;
 use crate::values::store::CheckedCurve;
 use crate::values::typed::{Dim, Type, Typed};
@@ -215,11 +215,10 @@ impl Context<'_> {
         let (span, name) = (name.span, name.node.clone());
         self.error(match declared {
             Some((is, at)) => {
-                let (wanted, declared) = ("a curve".into(), Some(at));
                 let help = help.map(|help| help.to_string());
-                NameError::WrongKind { name, is: is.into(), wanted, span, declared, help }
+                wrong_kind(&name, &is, "a curve", span, Some(at), help)
             }
-            None => NameError::Unknown { kind: "curve", name, owner: None, span, help },
+            None => not_declared("curve", &name, None, span, help),
         });
     }
 
@@ -238,13 +237,13 @@ impl Context<'_> {
     /// Reports a curve that is not called.
     pub(crate) fn uncalled(&mut self, name: &str, curve: &document::Curve, span: Span) {
         let x = curve.table.columns.first().map_or("x", |c| c.name.node.as_str());
-        self.error(NameError::WrongKind {
-            name: name.to_owned(),
-            is: "a curve".into(),
-            wanted: "a value".into(),
+        self.error(wrong_kind(
+            name,
+            "a curve",
+            "a value",
             span,
-            declared: Some(curve.name.span),
-            help: Some(format!("write its argument behind it: `{name}({x})`")),
-        });
+            Some(curve.name.span),
+            Some(format!("write its argument behind it: `{name}({x})`")),
+        ));
     }
 }

@@ -1,8 +1,8 @@
 //! The value a name stands for.
 
-use crate::error::NameError;
 use crate::expr::context::Context;
 use crate::names::declared::{QuantityKind, ThingKind};
+use crate::names::suggestion::not_declared;
 use crate::statements::walk;
 use crate::values::definition::Settled;
 use crate::values::typed::{Type, Typed};
@@ -74,7 +74,7 @@ impl Context<'_> {
             );
             let help = Some(words.into());
             let (name, span) = (name.node.clone(), name.span);
-            self.error(NameError::Unknown { kind: "quantity", name, owner: None, span, help });
+            self.error(not_declared("quantity", &name, None, span, help));
         }
         None
     }

@@ -1,10 +1,10 @@
 //! Constants whose sign is given.
 
-use crate::error::LinkError;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::values::format_value::format_value_like;
 use assur_syntax::document::Expr;
+use assur_text::diagnostic::Diagnosis;
 use assur_text::units::Dimension;
 
 /// A constant that must be greater than zero.
@@ -33,12 +33,15 @@ pub(crate) fn positive_value(
         }
         _ => "write a value greater than zero, or leave it out",
     };
-    cx.error(LinkError::NotPositive {
-        what: what.into(),
-        value: format_value_like(&cx.names, value, dimension, expr),
-        help: help.into(),
-        span: expr.span,
-    });
+    let value = format_value_like(&cx.names, value, dimension, expr);
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::not_positive",
+            format!("{what} must be greater than zero; got {value}"),
+        )
+        .label(expr.span, &value)
+        .help(help),
+    );
     None
 }
 
@@ -54,6 +57,10 @@ pub(crate) fn not_negative(
         return Some(value);
     }
     let value = format_value_like(&cx.names, value, dimension, expr);
-    cx.error(LinkError::Negative { what: what.into(), value, span: expr.span });
+    cx.error(
+        Diagnosis::error("mech::geometry::negative", format!("{what} must not be negative; got {value}"))
+            .label(expr.span, &value)
+            .help("write it without the minus, or leave it out"),
+    );
     None
 }

@@ -1,12 +1,11 @@
 //! Properties in the braces of pairs, springs and machine elements.
 
-use crate::error::{LinkError, PairError};
 use crate::expr::context::Context;
 use crate::expr::positive::{not_negative, positive};
 use crate::expr::want::Want;
 use crate::names::suggestion::suggestion;
 use assur_syntax::document::{Definition, Expr, ExprKind, Property, Statement};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Span;
 
 use assur_text::language::PROPERTIES;
@@ -80,7 +79,7 @@ pub(crate) fn read_beside(
     for (i, property) in properties.iter().enumerate() {
         if let Some(first) = properties[..i].iter().find(|p| p.name.node == property.name.node) {
             let what = format!("`{}`", property.name.node);
-            cx.error(LinkError::StatedTwice { what, again: property.span, first: first.span });
+            cx.error(given_twice(&what, property.span, first.span));
             all = None;
             continue;
         }
@@ -109,7 +108,11 @@ fn one(
             .or_else(|| suggestion(name, property.name.span, &known, "properties"))
             .unwrap_or_else(|| format!("leave the braces out: {what} has no properties").into());
         let (what, name, span) = (what.to_owned(), name.clone(), property.name.span);
-        cx.error(PairError::UnknownProperty { what, name, help, span });
+        cx.error(
+            Diagnosis::error("mech::geometry::unknown_property", format!("{what} has no property `{name}`"))
+                .label(span, "not known here")
+                .help(help),
+        );
         return None;
     };
     let is_block = matches!(spec.takes, Takes::Block(_));
@@ -157,13 +160,12 @@ fn count(values: &[Expr]) -> String {
 }
 
 fn wrong<T>(cx: &mut Context<'_>, property: &Property, spec: &Spec, wants: &str, got: &str) -> Option<T> {
-    cx.error(PairError::PropertyValue {
-        name: property.name.node.clone(),
-        wants: wants.into(),
-        example: spec.example.into(),
-        span: property.span,
-        got: got.into(),
-    });
+    cx.error(
+        Diagnosis::error("mech::geometry::property_value", format!("`{}` takes {wants}", property.name.node))
+            .label(property.span, got)
+            .help(format!("write `{}`", spec.example))
+            .quoted(property.span),
+    );
     None
 }
 
@@ -193,4 +195,13 @@ impl Context<'_> {
         });
         if let [only] = &fits[..] { Some(only.clone()) } else { None }
     }
+}
+
+/// Something that can be given once is given again.
+pub fn given_twice(what: &str, again: Span, first: Span) -> Diagnosis {
+    Diagnosis::error("mech::geometry::stated_twice", format!("{what} is given twice"))
+        .primary(again, "given again here")
+        .label(first, "first given here")
+        .help("keep one of the two")
+        .left_out("the second one", again)
 }

@@ -1,10 +1,10 @@
 //! Links: their points, lines and circles, in the frame of the link.
 
-use crate::error::LinkError;
 use crate::expr::context::Context;
 use crate::expr::positive::positive;
+use crate::expr::property::given_twice;
 use crate::expr::want::Want;
-use crate::links::point::points;
+use crate::links::point::{points, same_place};
 use assur_math::math::Vec2;
 use assur_model::model::{CamProfile, Circle, Line, LinkId};
 use assur_syntax::document::{Bar, Body, CircleMember, LineDirection, LineMember, Member, Name, Statement};
@@ -23,11 +23,7 @@ pub(crate) fn shapes(cx: &mut Context<'_>) {
         match &statement.node {
             Statement::Ground(g) => {
                 if let Some(first) = ground {
-                    cx.error(LinkError::StatedTwice {
-                        what: "the ground".into(),
-                        again: statement.span,
-                        first,
-                    });
+                    cx.error(given_twice("the ground", statement.span, first));
                 } else {
                     ground = Some(statement.span);
                     shape(cx, LinkId::GROUND, None, &g.body);
@@ -93,14 +89,14 @@ fn line_of(cx: &mut Context<'_>, link: LinkId, points: &Points<'_>, line: &LineM
             let (from, to_point) = (through?, towards?);
             let along = (to_point - from).unit();
             if along.is_none() {
-                cx.error(LinkError::SamePlace {
-                    what: format!("line `{}`", line.name.node),
-                    first_name: line.through.node.clone(),
-                    second_name: to.node.clone(),
-                    place: place(from),
-                    first: line.through.span,
-                    second: to.span,
-                });
+                cx.error(same_place(
+                    &format!("line `{}`", line.name.node),
+                    &line.through.node,
+                    &to.node,
+                    &place(from),
+                    line.through.span,
+                    to.span,
+                ));
             }
             along
         }

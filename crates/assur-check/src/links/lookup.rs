@@ -1,15 +1,14 @@
 //! From names to ids and places.
 
-use crate::error::NameError;
 use crate::expr::context::Context;
 use crate::links::missing_mesh::missing_mesh;
 use crate::names::declared::Inside;
 use crate::names::declared::ThingKind;
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
 use assur_math::math::Vec2;
 use assur_model::model::{Circle, Guide, Line, LinkId, Pair, PairId, PairKind, Point};
 use assur_syntax::document::{JointKind, Name, Statement};
-use assur_text::diagnostic::{Help, did_you_mean};
+use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::source::Span;
 use indexmap::IndexSet;
 
@@ -149,14 +148,14 @@ impl Context<'_> {
         let owner = self.builder.mech.link(link).name.clone();
         if let Some(is) = self.kind_inside(link, &name.node) {
             if is != kind {
-                self.error(NameError::WrongKind {
-                    name: format!("{owner}.{}", name.node),
-                    is: format!("a {is}"),
-                    wanted: format!("a {kind}"),
-                    span: name.span,
-                    declared: None,
-                    help: None,
-                });
+                self.error(wrong_kind(
+                    &format!("{owner}.{}", name.node),
+                    &format!("a {is}"),
+                    &format!("a {kind}"),
+                    name.span,
+                    None,
+                    None,
+                ));
             }
             return None;
         }
@@ -176,7 +175,7 @@ impl Context<'_> {
         let help = suggestion(&name.node, name.span, &all, &format!("{kind}s of {owner}"));
         if self.problems.reported.insert((kind, format!("{owner}.{}", name.node))) {
             let (name, span, owner) = (name.node.clone(), name.span, Some(owner));
-            self.error(NameError::Unknown { kind, name, owner, span, help });
+            self.error(not_declared(kind, &name, owner, span, help));
         }
         None
     }
@@ -194,8 +193,7 @@ impl Context<'_> {
             if !fits(declared.what) && !self.names.bad.contains(&name.node) {
                 let (is, declared) = (declared.what.phrase(), Some(declared.span));
                 let help = if kind == "pair" { self.pairs_of(&name.node) } else { None };
-                let (name, wanted, span) = (name.node.clone(), wanted.into(), name.span);
-                self.error(NameError::WrongKind { name, is, wanted, span, declared, help });
+                self.error(wrong_kind(&name.node, &is, wanted, name.span, declared, help));
             }
             return;
         }
@@ -211,7 +209,7 @@ impl Context<'_> {
         let listed = || suggestion(&name.node, name.span, &all, &format!("{kind}s"));
         let help = mesh.map(Help::from).or_else(listed);
         let (name, span) = (name.node.clone(), name.span);
-        self.error(NameError::Unknown { kind, name, owner: None, span, help });
+        self.error(not_declared(kind, &name, None, span, help));
     }
 
     /// The pairs of a link where one of them is due: the only one in which it slides, else all.
@@ -256,10 +254,13 @@ impl Context<'_> {
         let spelled =
             |&(link, _): &(LinkId, Vec2)| format!("`{}.{}`", self.builder.mech.link(link).name, name.node);
         let choices = bearers.iter().map(spelled).collect::<Vec<_>>().join(" or ");
-        self.error(NameError::AmbiguousPoint {
-            name: name.node.clone(),
-            span: name.span,
-            help: match bearers.as_slice() {
+        self.error(
+            Diagnosis::error(
+                "mech::name::ambiguous_point",
+                format!("several points have the name `{}`, and no pin joins them", name.node),
+            )
+            .primary(name.span, "the link is missing")
+            .help(match bearers.as_slice() {
                 [a, b] => {
                     let [a, b] = [a, b].map(|&(link, _)| &self.builder.mech.link(link).name);
                     let taken = self.names.things.contains_key(&name.node);
@@ -272,8 +273,9 @@ impl Context<'_> {
                     format!("write {choices}; {where_to}, {verb} `revolute {}: {a} - {b}`", name.node)
                 }
                 _ => format!("write {choices}"),
-            },
-        });
+            })
+            .quoted(name.span),
+        );
         None
     }
 
@@ -299,14 +301,14 @@ impl Context<'_> {
         let pair = pair.filter(|kind| is_pair(*kind));
         if self.find_pair(&name.node).is_some() {
             let is = pair.map_or_else(|| "a pair".into(), ThingKind::phrase);
-            self.error(NameError::WrongKind {
-                name: name.node.clone(),
-                is: format!("{is} without a point of its own"),
-                wanted: "a point".into(),
-                span: name.span,
-                declared: self.names.things.get(&name.node).map(|d| d.span),
-                help: Some("write the link before its point: `rod.C`".into()),
-            });
+            self.error(wrong_kind(
+                &name.node,
+                &format!("{is} without a point of its own"),
+                "a point",
+                name.span,
+                self.names.things.get(&name.node).map(|d| d.span),
+                Some("write the link before its point: `rod.C`".into()),
+            ));
             return None;
         }
         let silent =
@@ -325,7 +327,7 @@ impl Context<'_> {
         let all = all.collect::<IndexSet<_>>().into_iter().collect::<Vec<_>>();
         let help = suggestion(&name.node, name.span, &all, "points");
         let (name, span) = (name.node.clone(), name.span);
-        self.error(NameError::Unknown { kind: "point", name, owner: None, span, help });
+        self.error(not_declared("point", &name, None, span, help));
         None
     }
 }
@@ -342,14 +344,14 @@ impl Context<'_> {
             Some((what, span)) => (what.phrase(), span, crate::names::functions::ask_of(what, &name.node)),
             None => ("a link".into(), self.builder.mech.link(link).span, help),
         };
-        self.error(NameError::WrongKind {
-            name: name.node.clone(),
-            is,
-            wanted: "a point".into(),
-            span: name.span,
-            declared: (declared != Span::default()).then_some(declared),
+        self.error(wrong_kind(
+            &name.node,
+            &is,
+            "a point",
+            name.span,
+            (declared != Span::default()).then_some(declared),
             help,
-        });
+        ));
     }
 }
 

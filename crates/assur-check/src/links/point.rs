@@ -1,6 +1,5 @@
 //! Points of a link: by coordinates, on a bar, by two distances.
 
-use crate::error::LinkError;
 use crate::expr::context::Context;
 use crate::expr::positive::positive;
 use crate::expr::want::Want;
@@ -9,6 +8,8 @@ use crate::values::format_value::format_value_like;
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Point};
 use assur_syntax::document::{Bar, Body, Expr, ExprKind, Member, Name, PointFrom, Side};
+use assur_text::diagnostic::Diagnosis;
+use assur_text::source::Span;
 use assur_text::units::Dimension;
 
 /// A gap below this part of the longest side is rounding: the triangle is flat.
@@ -73,11 +74,14 @@ fn close_triangles<'a>(
     }
     if let Some(circle) = circle(&open) {
         let names = circle.iter().map(|p| format!("`{}`", p.name.node)).collect::<Vec<_>>();
-        cx.error(LinkError::CircularPoints {
-            chain: names.join(" and "),
-            point: circle[0].name.node.clone(),
-            spans: circle.iter().map(|p| p.name.span).collect(),
-        });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::circular_points",
+                format!("the points {} are defined by each other", names.join(" and ")),
+            )
+            .each(circle.iter().map(|p| p.name.span), "depends on the next one")
+            .help(format!("give one of them by its coordinates: `{} (60 mm, 20 mm)`", circle[0].name.node)),
+        );
     }
     found.extend(open.iter().map(|p| (p.name.node.as_str(), None)));
 }
@@ -108,14 +112,14 @@ fn triangle(cx: &mut Context<'_>, link: LinkId, found: &Points<'_>, point: &Poin
     let (r1, r2, p1, p2) = (r1?, r2?, p1?, p2?);
     let base = p2 - p1;
     let Some(along) = base.unit() else {
-        cx.error(LinkError::SamePlace {
-            what: format!("point `{}`", point.name.node),
-            first_name: point.first.node.clone(),
-            second_name: point.second.node.clone(),
-            place: place(p1),
-            first: point.first.span,
-            second: point.second.span,
-        });
+        cx.error(same_place(
+            &format!("point `{}`", point.name.node),
+            &point.first.node,
+            &point.second.node,
+            &place(p1),
+            point.first.span,
+            point.second.span,
+        ));
         return None;
     };
     let l = libm::hypot(base.x, base.y);
@@ -159,19 +163,19 @@ fn does_not_close(cx: &mut Context<'_>, point: &PointFrom, l: f64, r1: f64, r2: 
         let correction = format!("{far}{p} can be at most {}", length(l + short));
         (reason, long - (l + short), "long", correction)
     };
-    let error = LinkError::PointDoesNotClose {
-        point: p.clone(),
-        reason,
-        by: length(by),
-        too,
-        sides: format!("{}, {} and {}", length(l), length(r1), length(r2)),
-        correction,
-        span: point.name.span,
-        first: point.first_distance.span,
-        first_distance: format!("from {first}: {}", length(r1)),
-        second: point.second_distance.span,
-        second_distance: format!("from {second}: {}", length(r2)),
-    };
+    let error = Diagnosis::error(
+        "mech::geometry::point_does_not_close",
+        format!("the triangle of point `{p}` does not close: {reason}, {} too {too}", length(by)),
+    )
+    .primary(point.name.span, "no such point")
+    .label(point.first_distance.span, format!("from {first}: {}", length(r1)))
+    .label(point.second_distance.span, format!("from {second}: {}", length(r2)))
+    .help(format!(
+        "change a side of the triangle {}, {} and {}: {correction}",
+        length(l),
+        length(r1),
+        length(r2)
+    ));
     cx.error(error);
 }
 
@@ -192,4 +196,22 @@ fn enter(cx: &mut Context<'_>, link: LinkId, bar: Option<&Bar>, body: &Body, fou
             points.push(Point { name: name.node.clone(), span: name.span, at: *at });
         }
     }
+}
+
+/// A direction or a triangle needs two points, but they coincide.
+pub fn same_place(
+    what: &str,
+    first_name: &str,
+    second_name: &str,
+    place: &str,
+    first: Span,
+    second: Span,
+) -> Diagnosis {
+    Diagnosis::error(
+        "mech::geometry::same_place",
+        format!("{what} needs two different points, but `{first_name}` and `{second_name}` coincide"),
+    )
+    .label(first, format!("`{first_name}`"))
+    .primary(second, format!("at the same position as `{first_name}`"))
+    .help(format!("move one of them, or name another point: both are at {place} in the link's frame"))
 }

@@ -1,6 +1,5 @@
 //! Unknown efforts.
 
-use crate::error::LoadError;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::loads::load::{
@@ -11,6 +10,7 @@ use assur_model::model;
 use assur_model::model::BalanceKind;
 use assur_syntax::document;
 use assur_syntax::document::{Balance, LoadKind, Name, Site, Statement};
+use assur_text::diagnostic::Diagnosis;
 
 /// Enters all unknown efforts into the mechanism.
 pub(crate) fn balances(cx: &mut Context<'_>) {
@@ -108,7 +108,14 @@ fn force(
         }
     };
     let Some(along) = &balance.along else {
-        cx.error(LoadError::ForceWithoutDirection { name: name.clone(), example, span: balance.name.span });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::force_without_direction",
+                format!("the force `{name}` has no direction"),
+            )
+            .label(balance.name.span, "the direction is missing")
+            .help(format!("give its direction: `{example}`")),
+        );
         return None;
     };
     let along = cx.scalar_constant(along, &Want::ANGLE, &format!("the direction of the force `{name}`"));

@@ -1,12 +1,13 @@
 //! The acceleration of free fall.
 
-use crate::error::{LinkError, LoadError};
 use crate::expr::context::Context;
 use crate::expr::positive::positive;
+use crate::expr::property::given_twice;
 use crate::expr::want::Want;
 use assur_math::math::Vec2;
 use assur_model::model::Gravity;
 use assur_syntax::document::{Expr, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -17,7 +18,7 @@ pub(crate) fn gravity(cx: &mut Context<'_>) {
     for statement in &doc.statements {
         let Statement::Gravity(value) = &statement.node else { continue };
         if let Some(first) = first {
-            cx.error(LinkError::StatedTwice { what: "gravity".into(), again: statement.span, first });
+            cx.error(given_twice("gravity", statement.span, first));
             continue;
         }
         first = Some(statement.span);
@@ -33,11 +34,11 @@ fn acceleration(cx: &mut Context<'_>, value: &Expr) -> Option<Vec2> {
     }
     let acceleration = cx.vector_constant(value, &Want::ACCELERATION, "gravity")?;
     if acceleration.unit().is_none() {
-        cx.error(LoadError::Form {
-            message: "gravity is zero and has no direction".into(),
-            help: "leave the statement out where nothing falls".into(),
-            span: value.span,
-        });
+        cx.error(
+            Diagnosis::error("mech::geometry::load_form", "gravity is zero and has no direction")
+                .label(value.span, "does not fit here")
+                .help("leave the statement out where nothing falls"),
+        );
         return None;
     }
     Some(acceleration)

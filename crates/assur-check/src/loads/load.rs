@@ -1,6 +1,5 @@
 //! Applied loads.
 
-use crate::error::LoadError;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::loads::brake::brake;
@@ -13,6 +12,7 @@ use assur_model::model;
 use assur_model::model::{Bearing, Expr, Level, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use assur_syntax::document;
 use assur_syntax::document::{Load, Name, Site, Statement, Turn};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use std::f64::consts::PI;
@@ -124,7 +124,8 @@ fn on_slider(
     }
     let source = &load.value.value;
     if cx.is_vector(source)? {
-        let help = "write the component along its line: `100 N`, positive in the direction in which the rope is paid out";
+        let help = "write the component along its line: `100 N`, positive in the direction in which the \
+                    rope is paid out";
         form(cx, "the direction of a slider is not given".into(), help, source.span);
         return None;
     }
@@ -211,7 +212,8 @@ fn directed(cx: &Context<'_>, source: &document::Expr, on: Option<LinkId>) -> St
     let [along, back] = [angle, back].map(|a| format_value(a, Dimension::ANGLE));
     let pair = &pair.name;
     format!(
-        "write the direction: `{value} @ {along}` is along the guide `{pair}`, `{value} @ {back}` against it"
+        "write the direction: `{value} @ {along}` is along the guide `{pair}`, `{value} @ \
+         {back}` against it"
     )
 }
 
@@ -307,15 +309,16 @@ pub(crate) fn effort(
         return Some((pair, moves));
     }
     let is = if moves == Moves::Turning { "a revolute pair" } else { "a pair that slides" };
-    cx.error(LoadError::WrongEffort {
-        pair: name.node.clone(),
-        is: is.into(),
-        fits: format!("a {}", kind_word(fits)),
-        given: format!("a {}", kind_word(kind)),
-        help: format!("write `{}`", own.replacen(kind_word(kind), kind_word(fits), 1)),
-        span: name.span,
-        kind: kind_span,
-    });
+    let given = format!("a {}", kind_word(kind));
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::wrong_effort",
+            format!("`{}` is {is}: a {} acts between its links, not {given}", name.node, kind_word(fits)),
+        )
+        .primary(name.span, is)
+        .label(kind_span, &given)
+        .help(format!("write `{}`", own.replacen(kind_word(kind), kind_word(fits), 1))),
+    );
     None
 }
 
@@ -347,8 +350,14 @@ pub(crate) fn frame(cx: &mut Context<'_>, frame: Option<&Name>) -> Option<Option
 
 /// Reports a force without a point.
 pub(crate) fn no_place(cx: &mut Context<'_>, what: &str, link: &Name, example: String) {
-    let (what, span) = (what.into(), link.span);
-    cx.error(LoadError::ForceWithoutPlace { what, link: link.node.clone(), example, span });
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::force_without_place",
+            format!("{what} on `{}` has no point", link.node),
+        )
+        .label(link.span, "the point is missing")
+        .help(format!("give the point at which it acts: `{example}`")),
+    );
 }
 
 /// `LINK at POINT` with a point that the link has.
@@ -359,7 +368,9 @@ pub(crate) fn example(cx: &Context<'_>, link: Option<LinkId>, name: &str) -> Str
 
 /// Reports words that do not belong together.
 pub(crate) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span) {
-    cx.error(LoadError::Form { message, help: help.into(), span });
+    cx.error(
+        Diagnosis::error("mech::geometry::load_form", message).label(span, "does not fit here").help(help),
+    );
 }
 
 /// Whether an expression depends on nothing that is found from the loads; reports one that does.
@@ -383,7 +394,11 @@ fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool 
             "use only given values, positions, velocities and accelerations in a load and its condition: forces are \
              found from the loads"
         };
-        cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), help: help.into(), span });
+        cx.error(
+            Diagnosis::error("mech::geometry::depends_on_forces", format!("{what} must not depend on {on}"))
+                .label(span, on)
+                .help(help),
+        );
     }
     on.is_none()
 }

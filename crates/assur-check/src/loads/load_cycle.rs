@@ -1,9 +1,8 @@
 //! Loads that depend on one another.
 
-use crate::error::NameError;
 use crate::expr::context::Context;
 use crate::output::behind;
-use crate::values::order::way_round;
+use crate::values::order::{circular, way_round};
 use assur_model::model::{Expr, LoadId, Query};
 use miette::LabeledSpan;
 
@@ -55,5 +54,5 @@ fn report(cx: &mut Context<'_>, loads: &[usize]) {
     let label = |i: &usize| LabeledSpan::at(place(i).start..place(i).end, "depends on the next one");
     let others = loads[1..].iter().map(label).collect();
     let (name, span) = (name(first), place(first));
-    cx.error(NameError::Cycle { name, chain, span, others });
+    cx.error(circular(&name, &chain, span, others));
 }

@@ -1,13 +1,14 @@
 //! Masses of links.
 
-use crate::error::LinkError;
 use crate::expr::context::Context;
 use crate::expr::positive::{not_negative, positive};
+use crate::expr::property::given_twice;
 use crate::trains::planet::{Carried, carried};
 use crate::values::format_value::{format_value, format_value_like};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, MassProperties, PairKind};
 use assur_syntax::document::{About, At, Body, Member, Statement};
+use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -114,10 +115,17 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
         return None;
     }
     if link == LinkId::GROUND {
-        let name = cx.builder.mech.link(link).name.clone();
         for (what, span) in [("mass", stated.as_ref().map(|s| s.span)), ("inertia", inertia.map(|i| i.1))] {
             if let Some(span) = span {
-                cx.error(LinkError::MassOnGround { link: name.clone(), what, span });
+                cx.error(
+                    Diagnosis::warning(
+                        "mech::geometry::mass_on_ground",
+                        format!("the ground is fixed, so its {what} has no effect"),
+                    )
+                    .label(span, "on the ground")
+                    .help("leave it out, or give it to the moving link")
+                    .left_out(&format!("this {what}"), span),
+                );
             }
         }
     }
@@ -136,7 +144,17 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
             let whole = !body.iter().any(|member| matches!(member.node, Member::Bad(_)));
             if whole && matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
                 let link = cx.builder.mech.link(link).name.clone();
-                cx.error(LinkError::PointMass { link, span: stated.span });
+                cx.error(
+                    Diagnosis::advice(
+                        "mech::geometry::point_mass",
+                        format!("`{link}` turns and has a mass but no inertia: it is taken as a point mass"),
+                    )
+                    .label(stated.span, "the whole mass at one point")
+                    .help(
+                        "add `inertia 0.01 kg*m^2` with its own value, about the mass centre, if it is more \
+                         than a point mass",
+                    ),
+                );
             }
             0.0
         }
@@ -161,7 +179,17 @@ fn without_mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turnin
     if whole && !is_idle && matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
         let point = cx.point_meant(link).unwrap_or("S").to_owned();
         let link = cx.builder.mech.link(link).name.clone();
-        cx.error(LinkError::NoMass { link, point, span });
+        cx.error(
+            Diagnosis::advice(
+                "mech::geometry::point_mass",
+                format!(
+                    "`{link}` moves and has an inertia but no mass: its weight and the force of its mass \
+                     are left out"
+                ),
+            )
+            .label(span, "without a mass")
+            .help(format!("add `mass 1 kg at {point}` with its own value")),
+        );
     }
 }
 
@@ -207,8 +235,17 @@ fn members<'a>(
             }
             let again = span;
             cx.error(match what {
-                "mass" => LinkError::SecondMass { link: name, again, first },
-                _ => LinkError::StatedTwice { what: format!("the {what} of `{name}`"), again, first },
+                "mass" => Diagnosis::error(
+                    "mech::geometry::stated_twice",
+                    format!("the mass of `{name}` is given twice"),
+                )
+                .primary(again, "given again here")
+                .label(first, "first given here")
+                .help(
+                    "a link has one mass: write the sum of the masses at their common centre, and `inertia` \
+                     about it; or give each its own link",
+                ),
+                _ => given_twice(&format!("the {what} of `{name}`"), again, first),
             });
         }
     }
@@ -229,7 +266,18 @@ fn amount_of_mass(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>) -> Op
     let mut first = || cx.problems.reported.insert(("gravity", "of a weight".to_owned()));
     if !declared && !cx.names.bad.contains("gravity") && first() {
         let weight = format_value_like(&cx.names, weight, Dimension::FORCE, &stated.at.value);
-        cx.error(LinkError::WeightWithoutGravity { link: name, weight, span: stated.span });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::weight_without_gravity",
+                format!("the weight of `{name}` needs `gravity`, which the file does not declare"),
+            )
+            .label(stated.span, "a weight is a mass times gravity")
+            .help(format!(
+                "add `gravity 9.81 m/s^2`; or, if the weight itself must not act, write `given g = 9.81 \
+                 m/s^2` and `mass {weight} / g`"
+            ))
+            .fixes([Fix::line("gravity 9.81 m/s^2")]),
+        );
     }
     None
 }
@@ -259,13 +307,16 @@ fn centre(
         _ => format!("mass {}", format_value_like(&cx.names, mass?, Dimension::MASS, value)),
     };
     let point = cx.point_meant(link).map(str::to_owned);
-    let error = LinkError::MassWithoutPlace {
-        link: cx.builder.mech.link(link).name.clone(),
-        member,
-        point: point.unwrap_or_else(|| "S".into()),
-        span: stated.span,
-        pair,
-    };
+    let link = cx.builder.mech.link(link).name.clone();
+    let point = point.unwrap_or_else(|| "S".into());
+    let error = Diagnosis::error(
+        "mech::geometry::mass_without_place",
+        format!("the mass of `{link}` needs a mass centre, because `{link}` turns"),
+    )
+    .primary(stated.span, "the point is missing")
+    .label(pair, format!("`{link}` turns on this pair"))
+    .help(format!("give the mass centre: `{member} at {point}`"))
+    .fixes(Fix::quoted(&format!("write `{member} at {point}`"), stated.span));
     cx.error(error);
     None
 }
@@ -296,16 +347,25 @@ fn steiner(
         return Some(left.max(0.0));
     }
     let inertia_text = |x| format_value_like(&cx.names, x, Dimension::INERTIA, &stated.value);
-    let error = LinkError::InertiaTooSmall {
-        point: name.node.clone(),
-        inertia: inertia_text(inertia),
-        mass: format_value(mass, Dimension::MASS),
-        distance: format_value(arm.norm(), Dimension::LENGTH),
-        least: inertia_text(least),
-        left: inertia_text(left),
-        span: stated.value.span,
-        mass_span: mass_stated.span,
-    };
+    let point = name.node.clone();
+    let inertia = inertia_text(inertia);
+    let mass = format_value(mass, Dimension::MASS);
+    let distance = format_value(arm.norm(), Dimension::LENGTH);
+    let error = Diagnosis::error(
+        "mech::geometry::inertia_too_small",
+        format!(
+            "the inertia about `{point}` is {inertia}, less than the {} of the mass of {mass} at a \
+                 distance of {distance}",
+            inertia_text(least)
+        ),
+    )
+    .primary(stated.value.span, &inertia)
+    .label(mass_stated.span, format!("{mass}, {distance} from `{point}`"))
+    .help(format!(
+        "leave out `about {point}` if the value is about the mass centre; as written, about the \
+             mass centre it would be negative ({})",
+        inertia_text(left)
+    ));
     cx.error(error);
     None
 }

@@ -1,14 +1,14 @@
 //! Springs.
 
-use crate::error::PairError;
 use crate::expr::context::Context;
 use crate::expr::property::{find, read};
 use crate::loads::load::form;
 use crate::motion::drive::{Moves, coordinate};
-use crate::pairs::pair::link_point;
+use crate::pairs::pair::{joined_with_itself, link_point};
 use assur_model::model;
 use assur_model::model::{BinaryOp, Expr, LoadKind, Query};
 use assur_syntax::document::{Name, Path, Spring, SpringSite, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::{SPRING, TORSION_SPRING};
 use assur_text::units::Dimension;
 
@@ -38,14 +38,14 @@ fn spring(cx: &mut Context<'_>, spring: &Spring, ends: [&Path; 2]) -> Option<mod
     let [from, to] = ends.map(|end| link_point(cx, end, "a spring"));
     let (properties, from, to) = (properties?, from?, to?);
     if from.0 == to.0 {
-        cx.error(PairError::JoinedWithItself {
-            help: "name another link at one of the two ends: a link is rigid".into(),
-            what: "spring".into(),
-            name: spring.name.node.clone(),
-            link: ends[0].head.node.clone(),
-            first: ends[0].span(),
-            second: ends[1].span(),
-        });
+        cx.error(joined_with_itself(
+            "name another link at one of the two ends: a link is rigid",
+            "spring",
+            &spring.name.node,
+            &ends[0].head.node,
+            ends[0].span(),
+            ends[1].span(),
+        ));
         return None;
     }
     let number = |name| find(&properties, name).map(crate::expr::property::Read::number);
@@ -115,11 +115,13 @@ fn in_pair(cx: &mut Context<'_>, spring: &Spring, pair: &Name) -> Option<model::
 fn complete(cx: &mut Context<'_>, spring: &Spring, missing: Option<String>) -> Option<()> {
     let Some(missing) = missing else { return Some(()) };
     let inside = if spring.properties.is_empty() { " in braces" } else { "" };
-    cx.error(PairError::Incomplete {
-        message: format!("spring `{}` is not fully described", spring.name.node),
-        help: format!("add `{missing}`{inside}, with its own value; a damper alone needs only `damping`"),
-        span: spring.name.span,
-        label: "its force is not known".into(),
-    });
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::incomplete",
+            format!("spring `{}` is not fully described", spring.name.node),
+        )
+        .label(spring.name.span, "its force is not known")
+        .help(format!("add `{missing}`{inside}, with its own value; a damper alone needs only `damping`")),
+    );
     None
 }

@@ -1,14 +1,15 @@
 //! Which of the possible poses is meant.
 
-use crate::error::{LinkError, MotionError};
 use crate::expr::context::Context;
+use crate::expr::property::given_twice;
 use crate::expr::want::Want;
 use crate::links::lookup::{is_pair, place_of_pair};
-use crate::motion::drive::coordinate;
+use crate::motion::drive::{coordinate, no_coordinate};
 use crate::statements::lines::text;
 use assur_model::model;
 use assur_model::model::{Hint, HintKind, LinkPoint, PairId, PairKind, Positions, Query};
 use assur_syntax::document::{AssembleClause, CompareOp, Expr, Order, Path, Side, Statement};
+use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::language::properties_of_pair;
 
 /// Enters all clauses of `assemble` into the mechanism.
@@ -38,7 +39,15 @@ fn set_phase(cx: &mut Context<'_>, what: &Path, phase: &Expr) -> Option<()> {
         _ => false,
     };
     if !of_wheels || what.tail.is_some() {
-        cx.error(MotionError::NoPhase { name, span: what.span(), declared: span });
+        cx.error(
+            Diagnosis::error("mech::geometry::no_phase", format!("`{name}` has no phase"))
+                .primary(what.span(), "not a mesh, a belt or a chain")
+                .label(span, "declared here")
+                .help(
+                    "name a mesh, a belt or a chain: `assemble k phase 40 deg`; for links and points see \
+                     `near`, `left of` and `> 0`",
+                ),
+        );
         return None;
     }
     let value = value?;
@@ -48,7 +57,7 @@ fn set_phase(cx: &mut Context<'_>, what: &Path, phase: &Expr) -> Option<()> {
     let law = transmission.laws.first_mut()?;
     if law.constant != 0.0 {
         let again = "its phase".to_owned();
-        cx.error(LinkError::StatedTwice { what: again, again: what.span(), first: span });
+        cx.error(given_twice(&again, what.span(), span));
         return None;
     }
     law.constant = law.terms.get(1)?.1 * value;
@@ -72,7 +81,18 @@ fn near_with_dead(cx: &mut Context<'_>) {
     });
     let Some((drive, drive_span)) = dead.map(|d| (d.name.clone(), d.span)) else { return };
     for span in near {
-        cx.error(MotionError::NearWithDead { drive: drive.clone(), span, drive_span });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::near_with_dead",
+                format!("`near` needs a known first pose, but `{drive}` begins at a dead position"),
+            )
+            .primary(span, "refers to the first pose")
+            .label(drive_span, "depends on `dead`, `stroke` or `time_ratio`")
+            .help(
+                "choose the assembly by `left of`, `ahead of` or a sign, as in `assemble s > 0`: it \
+                 must be known before the dead position is found",
+            ),
+        );
     }
 }
 
@@ -92,7 +112,15 @@ fn hint(cx: &mut Context<'_>, clause: &AssembleClause) -> Option<HintKind> {
             let (point, start, end) = (points.0?, points.1?, points.2?);
             if start == end || cx.builder.joined_with(start).contains(&end) {
                 let span = from.span().to(to.span());
-                cx.error(MotionError::NoDirection { name: text(from), span });
+                let name = text(from);
+                cx.error(
+                    Diagnosis::error(
+                        "mech::geometry::no_direction",
+                        format!("from `{name}` towards `{name}` there is no direction"),
+                    )
+                    .label(span, "the same point")
+                    .help("name two different points: `C left of B-D` looks from B towards D"),
+                );
                 return None;
             }
             Some(HintKind::Side { point, from: start, to: end, left: side.node == Side::Left })
@@ -109,12 +137,12 @@ fn hint(cx: &mut Context<'_>, clause: &AssembleClause) -> Option<HintKind> {
 
 fn sign(cx: &mut Context<'_>, what: &Path, op: CompareOp, bound: &Expr) -> Option<HintKind> {
     if what.tail.is_some() {
-        cx.error(MotionError::NoCoordinate {
-            name: text(what),
-            is: "a point".into(),
-            help: "compare a pair: `s > 0`; for a point write `near`, `left of` or `ahead of`".into(),
-            span: what.span(),
-        });
+        cx.error(no_coordinate(
+            &text(what),
+            "a point",
+            "compare a pair: `s > 0`; for a point write `near`, `left of` or `ahead of`",
+            what.span(),
+        ));
         return None;
     }
     let (pair, moves) = coordinate(cx, &what.head)?;
@@ -142,8 +170,15 @@ fn point(cx: &mut Context<'_>, path: &Path) -> Option<LinkPoint> {
         let link = kind.links().last().map(|l| cx.builder.mech.link(*l));
         let point = link.and_then(|l| l.points.first().map(|p| format!("{}.{}", l.name, p.name)));
         let example = point.unwrap_or_else(|| "rod.C".into());
-        let (name, is, span) = (head.node.clone(), is.into(), head.span);
-        cx.error(MotionError::NoSinglePoint { name, is, example, span });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::no_single_point",
+                format!("`{}` is {is}, which has no single point", head.node),
+            )
+            .label(head.span, "the point is not clear")
+            .help(format!("name a point of a link, as in `{example}`"))
+            .fixes(Fix::quoted(&format!("write `{example}`"), head.span)),
+        );
     }
     place
 }
@@ -168,7 +203,14 @@ fn guide(
         (Some(_), Order::Behind) => format!("reverse it: `{} ahead of {}`", text(than), text(what)),
         _ => format!("write `{0} left of …`, or give its position: `{0} near (100 mm, 0)`", text(what)),
     };
-    cx.error(MotionError::NoGuide { point: text(what), help, span: what.span() });
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::no_guide",
+            format!("`ahead` and `behind` need a guide, and `{}` slides on none", text(what)),
+        )
+        .label(what.span(), "not the point of a prismatic pair")
+        .help(help),
+    );
     None
 }
 

@@ -1,7 +1,7 @@
 //! Drives.
 
-use crate::error::{LinkError, MotionError};
 use crate::expr::context::Context;
+use crate::expr::property::given_twice;
 use crate::expr::want::Want;
 use crate::links::lookup::is_linkage_pair;
 use crate::motion::step_size;
@@ -15,6 +15,7 @@ use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, 
 use assur_syntax::document::{
     Course, Direction, Drive, DrivePosition, Name, Path, Sensed, Statement, Steps, Turn, Way,
 };
+use assur_text::diagnostic::{Diagnosis, Fix, Help};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::Dimension;
 use std::f64::consts::TAU;
@@ -72,7 +73,14 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
     let sense = sense(cx, drive, moves);
     if let (None, Some(acceleration)) = (&drive.rate, &drive.acceleration) {
         let zero = zero(moves, 1);
-        cx.error(MotionError::AccelerationWithoutSpeed { name, zero, span: acceleration.value.span });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::acceleration_without_speed",
+                format!("`{name}` accelerates, but has no speed"),
+            )
+            .label(acceleration.value.span, "acceleration without speed")
+            .help(format!("give the present speed too; from rest: `at {zero} accelerating …`")),
+        );
         return None;
     }
     let (positions, mut speed, acceleration, sense) = (positions?, speed?, acceleration?, sense?);
@@ -91,7 +99,18 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
             Moves::Sliding => "100 mm",
             Moves::Freely => "(200 mm, 300 mm)",
         };
-        cx.error(MotionError::WithoutPosition { name, example: example.into(), span });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::drive_without_position",
+                format!("`{name}` is driven, but its position is not given"),
+            )
+            .label(span, "the position is missing")
+            .help(format!(
+                "give a position, several, or a range: `drive {name} = {example}`; only trains of \
+                 wheels and ropes move by rates alone"
+            ))
+            .fixes(Fix::quoted(&format!("write `drive {name} = {example}`"), span)),
+        );
         return None;
     }
     let target = target?;
@@ -174,7 +193,14 @@ pub(crate) fn on_moving(cx: &mut Context<'_>, link: LinkId, span: Span, what: &s
     } else {
         format!("name a moving link: {links}")
     };
-    cx.error(MotionError::OnGround { help, what: what.into(), span });
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::on_ground",
+            format!("{what} on the ground has no effect: the ground is fixed"),
+        )
+        .label(span, "the ground")
+        .help(help),
+    );
     None
 }
 
@@ -195,7 +221,7 @@ pub(crate) fn coordinate(cx: &mut Context<'_>, name: &Name) -> Option<(PairId, M
         PairKind::Contact { .. } => ("a contact".into(), "name one of the two links".into()),
         PairKind::Transmission(t) => (t.kind.phrase().into(), "name one of the shafts or sliders".into()),
     };
-    cx.error(MotionError::NoCoordinate { name: name.node.clone(), is, help, span: name.span });
+    cx.error(no_coordinate(&name.node, &is, help, name.span));
     None
 }
 
@@ -215,7 +241,12 @@ fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bo
     let Some(first) = cx.builder.mech.drives.iter().find(|d| d.target == target).map(|d| d.span) else {
         return true;
     };
-    cx.error(MotionError::DrivenTwice { name: name.into(), again: span, first });
+    cx.error(
+        Diagnosis::error("mech::geometry::driven_twice", format!("`{name}` is driven twice"))
+            .primary(span, "driven again here")
+            .label(first, "already driven here")
+            .help(format!("write several positions in one drive: `drive {name} = 10 deg, 55 deg, 80 deg`")),
+    );
     false
 }
 
@@ -265,7 +296,15 @@ fn range(
         && step_size::is_empty(from, to)
     {
         let line = crate::motion::drive_kind::at_one_position(drive, &course.from, name);
-        cx.error(MotionError::EmptyRange { name: name.into(), line, span });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::empty_range",
+                format!("the range of `{name}` has no length: it ends where it begins"),
+            )
+            .label(span, "one position, in several steps")
+            .help(format!("write `{line}`, or another end of the range"))
+            .fixes(Fix::quoted(&format!("write `{line}`"), span)),
+        );
         return None;
     }
     let steps = match &course.steps {
@@ -276,7 +315,7 @@ fn range(
     let whole = steps.fract() == 0.0 && (1.0..=MOST_STEPS as f64).contains(&steps);
     if !whole {
         let value = digits(steps);
-        cx.error(MotionError::Steps { value, most: MOST_STEPS, span: course.steps.expr().span });
+        cx.error(wrong_steps(&value, MOST_STEPS, course.steps.expr().span));
         return None;
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 1 to a million
@@ -324,11 +363,15 @@ pub(crate) fn negated(expr: Expr) -> Expr {
 }
 
 fn wrong_turn(cx: &mut Context<'_>, sense: &Spanned<Turn>, name: &str) {
-    cx.error(MotionError::WrongSense {
-        message: format!("`{name}` does not turn, so it has no sense of rotation"),
-        help: "write a minus before the value instead".into(),
-        span: sense.span,
-    });
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::wrong_sense",
+            format!("`{name}` does not turn, so it has no sense of rotation"),
+        )
+        .label(sense.span, "does not fit here")
+        .help("write a minus before the value instead")
+        .quoted(sense.span),
+    );
 }
 
 /// `Some(None)` where nothing is written.
@@ -366,7 +409,12 @@ fn sense(cx: &mut Context<'_>, drive: &Drive, moves: Moves) -> Option<Option<f64
             (format!("`{name}` is a point"), "give its velocity as a vector: `at (1 m/s, 0)`")
         }
     };
-    cx.error(MotionError::WrongSense { message, help: help.into(), span: direction.span });
+    cx.error(
+        Diagnosis::error("mech::geometry::wrong_sense", message)
+            .label(direction.span, "does not fit here")
+            .help(help)
+            .quoted(direction.span),
+    );
     None
 }
 
@@ -408,12 +456,42 @@ fn same_count(cx: &mut Context<'_>) {
     let Some(&(first_count, first)) = counted.first() else { return };
     for &(count, span) in &counted[1..] {
         if count != first_count {
-            cx.error(MotionError::PositionsDiffer { first_count, count, first, span });
+            cx.error(
+                Diagnosis::error(
+                    "mech::geometry::positions_differ",
+                    format!(
+                        "the drives go through different numbers of positions: {first_count} and {count}"
+                    ),
+                )
+                .label(first, format!("{first_count} positions"))
+                .primary(span, format!("{count} positions"))
+                .help(
+                    "give both the same number of positions, or one of them a single position: drives move \
+                     together, pose by pose",
+                ),
+            );
         }
     }
 }
 
 /// Reports a second value for one thing.
 pub(crate) fn stated_twice(cx: &mut Context<'_>, name: &str, again: Span, first: Span) {
-    cx.error(LinkError::StatedTwice { what: format!("`{name}`"), again, first });
+    cx.error(given_twice(&format!("`{name}`"), again, first));
+}
+
+/// A wrong number of steps.
+pub fn wrong_steps(value: &str, most: usize, span: Span) -> Diagnosis {
+    Diagnosis::error(
+        "mech::geometry::steps",
+        format!("the number of steps must be a whole number from 1 to {most}; got {value}"),
+    )
+    .label(span, value)
+    .help("write for example `0 deg .. 360 deg in 12 steps`, one pose every 30 deg")
+}
+
+/// A thing that has no coordinate to drive or to compare.
+pub fn no_coordinate(name: &str, is: &str, help: impl Into<Help>, span: Span) -> Diagnosis {
+    Diagnosis::error("mech::geometry::no_coordinate", format!("`{name}` is {is} and has no coordinate"))
+        .label(span, "no coordinate")
+        .help(help)
 }

@@ -1,12 +1,12 @@
 //! Poses beside those of the sweep.
 
-use crate::error::MotionError;
 use crate::expr::context::Context;
 use crate::motion::drive::{count, moves, stated_twice, value, zero};
 use crate::names::suggestion::suggestion;
 use crate::statements::lines::text;
 use assur_model::model::{DriveId, Expr, NamedPose, Positions};
 use assur_syntax::document::{Pose, Setting, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 /// Enters all named poses into the mechanism.
@@ -60,13 +60,17 @@ pub(crate) fn settings(
             Positions::None => {}
             Positions::List(values) if values.len() == 1 => at.push((id, values[0].clone())),
             _ => {
-                let error = MotionError::PoseIncomplete {
-                    what: what.into(),
-                    example: format!(", {} = {}", drive.name, zero(moves(cx, drive.target), 0)),
-                    drive: drive.name.clone(),
-                    span,
-                    drive_span: drive.span,
-                };
+                let name = &drive.name;
+                let error = Diagnosis::error(
+                    "mech::geometry::pose_incomplete",
+                    format!("{what} does not give the position of `{name}`"),
+                )
+                .primary(span, format!("the position of `{name}` is missing"))
+                .label(drive.span, "several positions")
+                .help(format!(
+                    "add `, {name} = {}`, with its own value: `{name}` goes through several positions",
+                    zero(moves(cx, drive.target), 0)
+                ));
                 cx.error(error);
                 return None;
             }
@@ -102,7 +106,11 @@ fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<(DriveId, 
     let help = suggestion(name, span, &driven, "drives").unwrap_or_else(|| {
         format!("add the line `drive {name} = {}`, with your own values", positions(cx, name)).into()
     });
-    cx.error(MotionError::NotDriven { name: name.into(), help, span });
+    cx.error(
+        Diagnosis::error("mech::geometry::not_driven", format!("`{name}` is not driven"))
+            .label(span, "no drive moves it")
+            .help(help),
+    );
     None
 }
 
@@ -135,6 +143,11 @@ fn not_of_sweep(cx: &mut Context<'_>, pose: &Pose) -> bool {
         return true;
     }
     let name = pose.name.node.clone();
-    cx.error(MotionError::PoseOfSweep { pose: name, count, span: pose.name.span, drive });
+    cx.error(
+        Diagnosis::error("mech::geometry::pose_of_sweep", format!("the sweep already has a pose {name}"))
+            .primary(pose.name.span, "this name is taken")
+            .label(drive, format!("{count} poses"))
+            .help(format!("write `pose {name}'`; poses of the sweep are numbered from 1 to {count}")),
+    );
     false
 }

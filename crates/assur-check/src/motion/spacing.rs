@@ -1,8 +1,8 @@
 //! Coordinates and angles at which numbers are too far apart for the digits that are printed.
 
-use crate::error::MotionError;
 use crate::expr::context::Context;
 use crate::values::format_value::{digits, format_value};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::units::Dimension;
 
 /// Six digits are printed.
@@ -26,5 +26,15 @@ pub(crate) fn spacing(cx: &mut Context<'_>) {
         ),
     };
     let step = format_value(found.step, dimension);
-    cx.error(MotionError::Spacing { at, step, against, help, span: found.span });
+    cx.error(
+        Diagnosis::warning(
+            "mech::geometry::spacing",
+            format!(
+                "numbers near {at} are {step} apart, too much for {against} and the six \
+                 digits that are printed"
+            ),
+        )
+        .label(found.span, "far from zero")
+        .help(help),
+    );
 }

@@ -1,7 +1,6 @@
 //! The size of a drive's steps: `0 deg .. 360 deg step 30 deg`.
 
 use super::drive::{MOST_STEPS, Moves, difference};
-use crate::error::MotionError;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::values::fold;
@@ -9,6 +8,7 @@ use crate::values::format_value::{digits, format_value};
 use assur_math::math::Vec2;
 use assur_model::model::{Expr, Value};
 use assur_syntax::document;
+use assur_text::diagnostic::Diagnosis;
 
 /// The part of a step by which a range may miss a whole number of steps, per step.
 const REST: f64 = 1e-9;
@@ -49,7 +49,7 @@ pub(super) fn count(
         },
     };
     let Fault { message, help, label } = fault;
-    cx.error(MotionError::StepSize { message, help, label, span: each.span });
+    cx.error(Diagnosis::error("mech::geometry::steps", message).label(each.span, label).help(help));
     None
 }
 

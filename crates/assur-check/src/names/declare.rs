@@ -1,11 +1,11 @@
 //! All names a document declares, found before anything is resolved, so that order is free.
 
-use crate::error::NameError;
 use crate::names::declared::{Declared, Inside, QuantityKind, ThingKind};
 use crate::names::scope::Scope;
 use crate::statements::written::written;
 use assur_model::model::{BalanceId, LinkId, LoadId};
 use assur_syntax::document::{Bad, Body, CamMember, End, ExprKind, Joint, Member, Name, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::{Span, Spanned};
 use indexmap::IndexMap;
 
@@ -212,7 +212,15 @@ fn quantity<'a>(cx: &mut Scope<'_, 'a>, name: &Name, what: QuantityKind<'a>) {
                 true => format!("write `find {name}`; its `expect` gives the expected value"),
                 false => format!("write `find {name}`, and on a separate line `expect {name} = {value}`"),
             };
-            cx.error(NameError::ValueInFind { name, span, declared: first, help });
+            cx.error(
+                Diagnosis::error(
+                    "mech::name::duplicate",
+                    format!("`{name}` is already declared, and a `find` takes no value"),
+                )
+                .primary(span, "a question with a value")
+                .label(first, "declared here")
+                .help(help),
+            );
             return;
         }
         cx.quantity_taken(name, what, first);
@@ -225,9 +233,15 @@ fn quantity<'a>(cx: &mut Scope<'_, 'a>, name: &Name, what: QuantityKind<'a>) {
 fn number(cx: &mut Scope<'_, '_>, number: Option<&Spanned<String>>) {
     let Some(number) = number else { return };
     match cx.names.numbers.get(&number.node) {
-        Some(&first) => {
-            cx.error(NameError::SameNumber { number: number.node.clone(), again: number.span, first })
-        }
+        Some(&first) => cx.error(
+            Diagnosis::error("mech::name::number", format!("two links have the number {}", number.node))
+                .primary(number.span, "again here")
+                .label(first, "first here")
+                .help(
+                    "give one of them another number, or none: the symbols of the report, such as R12 and \
+                     ω2, use it",
+                ),
+        ),
         None => {
             cx.names.numbers.insert(number.node.clone(), number.span);
         }

@@ -1,8 +1,7 @@
 //! What stands at the head of the file, and what it leaves out.
 
-use crate::error::NameError;
 use crate::names::scope::Scope;
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{not_declared, suggestion};
 use assur_syntax::document::{Name, Statement};
 
 /// Enters the title, the problem's text and `ignore` into the mechanism.
@@ -24,5 +23,5 @@ fn ignore(cx: &mut Scope<'_, '_>, name: &Name) {
     }
     let help = suggestion(&name.node, name.span, &["inertia"], "effects that can be ignored");
     let (name, span) = (name.node.clone(), name.span);
-    cx.error(NameError::Unknown { kind: "effect", name, owner: None, span, help });
+    cx.error(not_declared("effect", &name, None, span, help));
 }

@@ -1,8 +1,8 @@
 //! Names that cannot be told apart by eye.
 
-use crate::error::NameError;
 use crate::names::scope::Scope;
 use assur_syntax::skeleton;
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use indexmap::IndexMap;
 
@@ -42,7 +42,12 @@ fn compare(cx: &mut Scope<'_, '_>, list: &[(String, Span)]) {
                 (name.as_str(), *span, first, first_span)
             };
             let help = format!("write `{other}`: {}", difference(odd, other, "here", "there"));
-            cx.error(NameError::LookAlike { name: odd.to_owned(), span: odd_span, first: other_span, help });
+            cx.error(
+                Diagnosis::error("mech::name::look_alike", format!("two different names look like `{odd}`"))
+                    .primary(odd_span, "looks like the other one")
+                    .label(other_span, "the other one")
+                    .help(help),
+            );
             // What is not found because of this is no second mistake.
             cx.names.bad.extend([first.to_owned(), name.clone()]);
         }

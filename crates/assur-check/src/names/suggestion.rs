@@ -2,8 +2,8 @@
 
 use crate::names::lookalikes::difference;
 use assur_syntax::skeleton;
-use assur_text::diagnostic::{Help, did_you_mean};
-use assur_text::source::Span;
+use assur_text::diagnostic::{Diagnosis, Help, Undeclared, did_you_mean};
+use assur_text::source::{Span, Spanned};
 
 /// Among more names than these none is looked for: every error would go through all.
 const MOST_NAMES: usize = 2000;
@@ -43,4 +43,51 @@ pub fn suggestion(name: &str, at: Span, all: &[&str], kind: &str) -> Option<Help
         1..=8 => Some(format!("the {kind} are {}", quoted(all).join(", ")).into()),
         _ => Some(format!("the {kind} are {}, …", quoted(&all[..8]).join(", ")).into()),
     }
+}
+
+/// Nothing of that name is declared.
+pub fn not_declared(
+    kind: &'static str,
+    name: &str,
+    owner: Option<String>,
+    span: Span,
+    help: Option<Help>,
+) -> Diagnosis {
+    Diagnosis::error("mech::name::unknown", format!("there is no {kind} `{name}`{}", place(owner.as_deref())))
+        .primary(span, "not declared")
+        .help_if(help)
+        .undeclared(Undeclared { kind, name: name.to_owned(), owner, at: span })
+}
+
+/// The name is declared, but as something else.
+pub fn wrong_kind(
+    name: &str,
+    is: &str,
+    wanted: &str,
+    span: Span,
+    declared: Option<Span>,
+    help: Option<String>,
+) -> Diagnosis {
+    Diagnosis::error("mech::name::wrong_kind", format!("`{name}` is {is}, not {wanted}"))
+        .primary(span, format!("{wanted} is expected here"))
+        .label(declared, "declared here")
+        .help_if(help)
+        .quoted(span)
+}
+
+/// Where a name was looked for: nothing, ` on the ground` or `` in link `crank` ``.
+fn place(owner: Option<&str>) -> String {
+    match owner {
+        None => String::new(),
+        Some("ground") => " on the ground".to_owned(),
+        Some(link) => format!(" in link `{link}`"),
+    }
+}
+
+/// A second declaration of a name.
+pub fn duplicate(again: &Spanned<String>, first: Span, help: Option<String>) -> Diagnosis {
+    Diagnosis::error("mech::name::duplicate", format!("`{}` is declared twice", again.node))
+        .primary(again.span, "declared again here")
+        .label((first != Span::default()).then_some(first), "first declared here")
+        .help(help.unwrap_or_else(|| "give one of them another name".into()))
 }

@@ -1,6 +1,6 @@
 //! Names that are taken already: what may be meant in place of the second.
 
-use crate::error::{NameError, TrainError};
+use crate::error::TrainError;
 use crate::names::declared::QuantityKind;
 use crate::names::scope::Scope;
 use crate::statements::lines::{end_text, line_of, text};
@@ -127,7 +127,7 @@ impl Scope<'_, '_> {
     /// Reports a second declaration. A name of this class that is used and declared nowhere may be the one meant.
     pub(crate) fn twice(&mut self, class: &'static str, name: &Name, first: Span, help: Option<String>) {
         self.problems.twice.insert(class);
-        self.error(NameError::duplicate(name, first, help));
+        self.error(crate::names::suggestion::duplicate(name, first, help));
     }
 }
 

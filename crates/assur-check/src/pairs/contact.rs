@@ -1,11 +1,11 @@
 //! Contacts of circles, lines and points.
 
-use crate::error::PairError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find};
 use crate::pairs::pair::{Joined, nothing_to_join};
 use assur_model::model::{PairKind, Profile, ProfileShape};
 use assur_syntax::document::Joint;
+use assur_text::diagnostic::Diagnosis;
 
 /// A contact of two profiles. `properties` is absent where one of them has an error.
 pub(crate) fn contact(
@@ -36,19 +36,25 @@ pub(crate) fn contact(
         _ => None,
     };
     if let Some((profiles, help)) = problem {
-        cx.error(PairError::NoContact { profiles: profiles.into(), help, span: first.span.to(second.span) });
+        cx.error(
+            Diagnosis::error("mech::geometry::no_contact", format!("{profiles} cannot form a contact"))
+                .label(
+                    first.span.to(second.span),
+                    "a contact is a circle on a circle, a line or a point, or a point on a line",
+                )
+                .help(help),
+        );
         return None;
     }
     let circles = matches!((a.shape, b.shape), (Circle(..), Circle(..)));
     if let Some(internal) = internal
         && !circles
     {
-        cx.error(PairError::Incomplete {
-            message: "`internal` needs two circles".into(),
-            help: "leave `internal` out, or name two circles".into(),
-            span: internal.span,
-            label: "these profiles are not two circles".into(),
-        });
+        cx.error(
+            Diagnosis::error("mech::geometry::incomplete", "`internal` needs two circles")
+                .label(internal.span, "these profiles are not two circles")
+                .help("leave `internal` out, or name two circles"),
+        );
         return None;
     }
     Some(PairKind::Contact { first: a, second: b, internal: internal.is_some() })

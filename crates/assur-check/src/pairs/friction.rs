@@ -1,11 +1,11 @@
 //! The laws of friction that the properties of a pair state.
 
-use crate::error::PairError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find};
 use crate::values::format_value::digits;
 use assur_model::model::Friction;
 use assur_syntax::document::{Joint, JointKind};
+use assur_text::diagnostic::Diagnosis;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Factor k of the equivalent coefficient k f of a round fit: contact along a line, even pressure all around, pressure as
@@ -64,7 +64,12 @@ pub(crate) fn at_rest(
             (wants, format!("static_friction {}", digits(least)))
         };
         let (name, got, span) = ("static_friction".to_owned(), digits(most), still.span);
-        cx.error(PairError::PropertyValue { name, wants, example, span, got });
+        cx.error(
+            Diagnosis::error("mech::geometry::property_value", format!("`{name}` takes {wants}"))
+                .label(span, got)
+                .help(format!("write `{example}`"))
+                .quoted(span),
+        );
         return None;
     }
     friction.filter(|_| most > least).map(|friction| friction.times(most / least))
@@ -75,12 +80,14 @@ fn half_angle(cx: &mut Context<'_>, groove: &Read) -> Option<()> {
     if groove.number() <= FRAC_PI_2 {
         return Some(());
     }
-    cx.error(PairError::PropertyValue {
-        name: "groove".into(),
-        wants: "half the angle between the faces, up to 90 deg".into(),
-        got: "more".into(),
-        example: "groove 35 deg".into(),
-        span: groove.span,
-    });
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::property_value",
+            "`groove` takes half the angle between the faces, up to 90 deg",
+        )
+        .label(groove.span, "more")
+        .help("write `groove 35 deg`")
+        .quoted(groove.span),
+    );
     None
 }

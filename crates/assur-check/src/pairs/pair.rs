@@ -1,9 +1,9 @@
 //! Pairs between links.
 
-use crate::error::{NameError, PairError};
 use crate::expr::context::Context;
 use crate::links::lookup::is_linkage_pair;
 use crate::names::declared::Inside;
+use crate::names::suggestion::{not_declared, wrong_kind};
 use crate::pairs::prismatic::{Held, guide};
 use crate::pairs::property::{Shared, phrase, read_own as read, shared, with_shared};
 use crate::pairs::{contact, friction};
@@ -12,7 +12,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
 use assur_syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
 use assur_syntax::skeleton;
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help, Undeclared};
 use assur_text::source::Span;
 
 /// Enters all pairs of the linkage into the mechanism.
@@ -77,13 +77,15 @@ pub(crate) struct Joined {
 fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
     let most = if joint.kind.node == JointKind::Revolute { usize::MAX } else { 2 };
     if let Some(third) = joint.ends.get(most) {
-        cx.error(PairError::WrongEnds {
-            what: phrase(joint.kind.node),
-            wants: "two links".into(),
-            got: format!("{} of them", joint.ends.len()),
-            help: "write one statement for each pair of two links".into(),
-            span: third.span(),
-        });
+        let got = format!("{} of them", joint.ends.len());
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::wrong_ends",
+                format!("{} joins two links, not {got}", phrase(joint.kind.node)),
+            )
+            .label(third.span(), &got)
+            .help("write one statement for each pair of two links"),
+        );
         return None;
     }
     let joined = joint.ends.iter().map(|end| joined(cx, joint, end)).collect::<Vec<_>>();
@@ -92,14 +94,14 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
         if let Some(first) = joined[..i].iter().find(|e| e.link == end.link) {
             let help = other_link(cx, joint, end.link)
                 .unwrap_or_else(|| "name another link at one of the two ends: a link is rigid".into());
-            cx.error(PairError::JoinedWithItself {
+            cx.error(joined_with_itself(
                 help,
-                what: joint.kind.node.word().into(),
-                name: joint.name.node.clone(),
-                link: cx.builder.mech.link(end.link).name.clone(),
-                first: first.span,
-                second: end.span,
-            });
+                joint.kind.node.word(),
+                &joint.name.node,
+                &cx.builder.mech.link(end.link).name,
+                first.span,
+                end.span,
+            ));
             return None;
         }
     }
@@ -126,13 +128,14 @@ fn joined(cx: &mut Context<'_>, joint: &Joint, end: &End) -> Option<Joined> {
     let path = match end {
         End::At(path) => path,
         End::Over(name) | End::Under(name) => {
-            cx.error(PairError::WrongEnds {
-                what: phrase(joint.kind.node),
-                wants: "links".into(),
-                got: "a pulley".into(),
-                help: "`over` and `under` belong to a rope".into(),
-                span: name.span,
-            });
+            cx.error(
+                Diagnosis::error(
+                    "mech::geometry::wrong_ends",
+                    format!("{} joins links, not a pulley", phrase(joint.kind.node)),
+                )
+                .label(name.span, "a pulley")
+                .help("`over` and `under` belong to a rope"),
+            );
             return None;
         }
     };
@@ -159,13 +162,15 @@ fn not_on_line(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<()> 
         joint.kind.node == JointKind::Revolute && cx.kind_inside(end.link, &end.part.node) == Some("line");
     let lines = if on_line { cx.lines_meant(joint, JointKind::Prismatic) } else { Vec::new() };
     let Some(help) = write_one(&lines) else { return Some(()) };
-    cx.error(PairError::WrongEnds {
-        what: phrase(joint.kind.node),
-        wants: "two points".into(),
-        got: format!("a point and the line `{}`", end.part.node),
-        help: format!("{help}: a point on a line"),
-        span: end.span,
-    });
+    let got = format!("a point and the line `{}`", end.part.node);
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::wrong_ends",
+            format!("{} joins two points, not {got}", phrase(joint.kind.node)),
+        )
+        .label(end.span, &got)
+        .help(format!("{help}: a point on a line")),
+    );
     None
 }
 
@@ -180,13 +185,7 @@ fn not_of_its_name(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<
     let owner = cx.builder.mech.link(end.link).name.clone();
     let words = format!("the pair is called as the point `{name}` of `{owner}`: write `{owner}.{name}`");
     let help = Some(Help::write(part.span, std::slice::from_ref(name)).in_words(words));
-    cx.error(NameError::Unknown {
-        kind: "point",
-        name: part.node.clone(),
-        owner: Some(owner),
-        span: part.span,
-        help,
-    });
+    cx.error(not_declared("point", &part.node, Some(owner), part.span, help));
     None
 }
 
@@ -226,14 +225,13 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     cx.problems.reported.insert(("point", format!("{link}.{name}")));
     // what is not found because of this is no second mistake
     cx.names.bad.extend(lookalike);
-    cx.error(PairError::NothingToJoin {
-        link,
-        what: what.into(),
-        name,
-        help,
-        span: end.span,
-        pair: joint.name.span,
-    });
+    let told =
+        Diagnosis::error("mech::geometry::nothing_to_join", format!("`{link}` has no {what} `{name}`"))
+            .primary(end.span, format!("the {what} `{name}` of `{link}` is joined here"))
+            .label(joint.name.span, format!("the name of the pair is also the name of the {what}s it joins"))
+            .help(help);
+    let missing = || Undeclared { kind: "point", name, owner: Some(link), at: joint.name.span.to(end.span) };
+    cx.error(if what == "point" { told.undeclared(missing()) } else { told });
 }
 
 /// The prismatic pair that may be meant where a hinge names a link with a line that no pair uses.
@@ -335,13 +333,17 @@ fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin]) -> Option<()
         let again = pins.iter().filter(|p| others.iter().any(|o| same(o, p))).collect::<Vec<_>>();
         if let [a, b, ..] = again[..] {
             let spelled = |pin: &Pin| format!("{}.{}", cx.builder.mech.link(pin.link).name, pin.name);
-            let error = PairError::JoinedTwice {
-                name: joint.name.node.clone(),
-                first_point: spelled(a),
-                second_point: spelled(b),
-                again: joint.name.span,
-                first: pair.span,
-            };
+            let error = Diagnosis::error(
+                "mech::geometry::joined_twice",
+                format!("`{}` and `{}` are joined twice", spelled(a), spelled(b)),
+            )
+            .primary(joint.name.span, "joined again here")
+            .label(pair.span, "already joined here")
+            .help(format!(
+                "remove `{}`, or name other points: the two hinges coincide, so their reactions cannot \
+                 be separated",
+                joint.name.node
+            ));
             cx.error(error);
             return None;
         }
@@ -389,7 +391,11 @@ fn group_links(cx: &mut Context<'_>, group: &Group) -> Option<Vec<LinkId>> {
         };
         let fine = message.is_none();
         if let Some(message) = message {
-            cx.error(PairError::NoGroup { message, span: name.span });
+            cx.error(
+                Diagnosis::error("mech::geometry::no_group", message)
+                    .label(name.span, "not a link of a group")
+                    .help("name different moving links"),
+            );
         }
         links = links.zip(link).filter(|_| fine).map(|(mut links, link)| {
             links.push(link);
@@ -408,13 +414,31 @@ pub(crate) fn link_point(cx: &mut Context<'_>, path: &Path, what: &str) -> Optio
     let points = cx.names.inside[link.index()].points.keys();
     let choices = points.take(8).map(|p| format!("`{}.{p}`", path.head.node)).collect::<Vec<_>>();
     let help = (!choices.is_empty()).then(|| format!("write {}", choices.join(" or ")));
-    cx.error(NameError::WrongKind {
-        name: path.head.node.clone(),
-        is: "a link".into(),
-        wanted: format!("a point, to which {what} is fastened"),
-        span: path.span(),
-        declared: None,
+    cx.error(wrong_kind(
+        &path.head.node,
+        "a link",
+        &format!("a point, to which {what} is fastened"),
+        path.span(),
+        None,
         help,
-    });
+    ));
     None
+}
+
+/// One of the ends is twice the same link.
+pub fn joined_with_itself(
+    help: impl Into<Help>,
+    what: &str,
+    name: &str,
+    link: &str,
+    first: Span,
+    second: Span,
+) -> Diagnosis {
+    Diagnosis::error(
+        "mech::geometry::joined_with_itself",
+        format!("{what} `{name}` joins `{link}` with itself"),
+    )
+    .label(first, format!("`{link}` here"))
+    .primary(second, "and here")
+    .help(help)
 }

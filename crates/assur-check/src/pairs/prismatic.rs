@@ -1,16 +1,15 @@
 //! Prismatic pairs and pins in slots: a point on a line, or a line on a line.
 
-use crate::error::{NameError, PairError};
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find};
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{not_declared, suggestion};
 use crate::pairs::pair::{Joined, nothing_to_join};
 use crate::pairs::property::phrase;
 use crate::statements::lines::{end_text, line_of};
 use assur_math::math::Vec2;
 use assur_model::model::{Guide, Line, LinkId, PairKind};
 use assur_syntax::document::{End, Joint, JointKind, Member, Name, Statement};
-use assur_text::diagnostic::{Help, did_you_mean};
+use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 use indexmap::IndexMap;
@@ -66,13 +65,15 @@ fn part(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Part> {
         Some("point") => cx.point(end.link, &end.part).map(Part::Point),
         Some("line") => cx.line(end.link, &end.part).map(Part::Line),
         Some(_) => {
-            cx.error(PairError::WrongEnds {
-                what: phrase(joint.kind.node),
-                wants: "a point and a line".into(),
-                got: format!("the circle `{}`", end.part.node),
-                help: "for a roller on a line write `contact`".into(),
-                span: end.span,
-            });
+            let got = format!("the circle `{}`", end.part.node);
+            cx.error(
+                Diagnosis::error(
+                    "mech::geometry::wrong_ends",
+                    format!("{} joins a point and a line, not {got}", phrase(joint.kind.node)),
+                )
+                .label(end.span, &got)
+                .help("for a roller on a line write `contact`"),
+            );
             None
         }
         None => {
@@ -105,7 +106,7 @@ fn unknown(cx: &mut Context<'_>, joint: &Joint, end: &Joined) {
     let listed = || suggestion(name, end.part.span, &all, &format!("points and lines of {owner}"));
     let help = line.map(Help::from).or_else(listed);
     let (name, span, owner) = (name.clone(), end.part.span, Some(owner.clone()));
-    cx.error(NameError::Unknown { kind: "point or line", name, owner, span, help });
+    cx.error(not_declared("point or line", &name, owner, span, help));
 }
 
 /// The pair with a line that another link has.
@@ -230,24 +231,28 @@ fn wrong_ends<T>(
         }
         _ => "name a point of one link and a line of the other".into(),
     };
-    cx.error(PairError::WrongEnds {
-        what: phrase(joint.kind.node),
-        wants: if slot { "a point and a line" } else { "a point and a line, or two lines" }.into(),
-        got: got.into(),
-        help,
-        span: first.span.to(second.span),
-    });
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::wrong_ends",
+            format!(
+                "{} joins {}, not {got}",
+                phrase(joint.kind.node),
+                if slot { "a point and a line" } else { "a point and a line, or two lines" }
+            ),
+        )
+        .label(first.span.to(second.span), got)
+        .help(help),
+    );
     None
 }
 
 fn no_angle(cx: &mut Context<'_>, angle: Option<&Read>) -> Option<()> {
     let Some(angle) = angle else { return Some(()) };
-    cx.error(PairError::Incomplete {
-        message: "two lines on each other have no `angle`".into(),
-        help: "leave `angle` out, or name a point instead of the first line".into(),
-        span: angle.span,
-        label: "the pair joins two lines".into(),
-    });
+    cx.error(
+        Diagnosis::error("mech::geometry::incomplete", "two lines on each other have no `angle`")
+            .label(angle.span, "the pair joins two lines")
+            .help("leave `angle` out, or name a point instead of the first line"),
+    );
     None
 }
 
@@ -256,7 +261,14 @@ fn contacts(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<[f64; 2]
     let Value::Two([a, b]) = property.value else { return Some(None) };
     if a == b {
         let at = crate::values::format_value::format_value(a, Dimension::LENGTH);
-        cx.error(PairError::ContactsCoincide { at, span: property.span });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::contacts_coincide",
+                format!("the two contacts are both at {at}"),
+            )
+            .label(property.span, format!("{at} and {at}"))
+            .help("give the two ends of the sliding surface along the line, as in `contacts -20 mm, 25 mm`"),
+        );
         return None;
     }
     Some(Some([a, b]))
@@ -267,15 +279,20 @@ fn held_before(cx: &mut Context<'_>, joint: &Joint, guide: &Guide, held: &Held) 
     let Some(before) = held.get(&guide.slider) else { return Some(()) };
     let lines = &cx.names.inside[guide.slider.index()].lines;
     let line = ["face", "edge", "axis"].into_iter().find(|l| !lines.contains_key(*l)).unwrap_or("line2");
-    let error = PairError::HeldTwice {
-        link: cx.builder.mech.link(guide.slider).name.clone(),
-        first_name: before.node.clone(),
-        name: joint.name.node.clone(),
-        line: line.into(),
-        point: guide.point_name.clone(),
-        again: joint.name.span,
-        first: before.span,
-    };
+    let link = cx.builder.mech.link(guide.slider).name.clone();
+    let name = joint.name.node.clone();
+    let error = Diagnosis::error(
+        "mech::geometry::held_twice",
+        format!("the rotation of `{link}` is fixed twice, by `{}` and by `{name}`", before.node),
+    )
+    .primary(joint.name.span, "fixes it again")
+    .label(before.span, format!("fixes the angle of `{link}`"))
+    .help(format!(
+        "give `{link}` a line of its own for this pair: `line {line} through {} along 90 deg` \
+             in the link, and `prismatic {name}: {link}.{line} - …`; a point on a line also fixes \
+             the angle of its link, and the x axis of a link can follow one line only",
+        guide.point_name
+    ));
     cx.error(error);
     None
 }

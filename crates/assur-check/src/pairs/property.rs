@@ -1,10 +1,10 @@
 //! Properties of pairs.
 
-use crate::error::PairError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find, read};
 use crate::statements::lines::braces;
 use assur_syntax::document::{Joint, JointKind, Property, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 use assur_text::language::properties_of_pair;
@@ -110,7 +110,7 @@ fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read], 
     } else {
         format!("in pair `{}`", joint.name.node)
     };
-    cx.error(PairError::Incomplete { message, help, span: property.span, label });
+    cx.error(Diagnosis::error("mech::geometry::incomplete", message).label(property.span, label).help(help));
     None
 }
 

@@ -1,8 +1,7 @@
 //! Names that stand for no quantity, and what may be meant.
 
-use crate::error::NameError;
 use crate::expr::context::Context;
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
 use crate::statements::lines::text;
 use assur_model::model::{LinkId, PairKind};
 use assur_syntax::document::{Name, Statement};
@@ -67,14 +66,14 @@ impl Context<'_> {
         }
         let thing = self.names.things.get(&name.node).map(|d| (d.what.phrase(), Some(d.span), d.what));
         let error = if let Some((is, declared, what)) = thing {
-            NameError::WrongKind {
-                name: name.node.clone(),
-                is,
-                wanted: "a quantity".into(),
-                span: name.span,
+            wrong_kind(
+                &name.node,
+                &is,
+                "a quantity",
+                name.span,
                 declared,
-                help: crate::names::functions::ask_of(what, &name.node),
-            }
+                crate::names::functions::ask_of(what, &name.node),
+            )
         } else {
             let all = self.names.quantities.keys().map(String::as_str).collect::<Vec<_>>();
             // names of the file come before the constant, unless it differs from that in its capitals alone
@@ -96,7 +95,7 @@ impl Context<'_> {
             let alone = || self.function_alone(&name.node, name.span).map(Help::from);
             let help = help.or_else(alone).or(listed);
             let (name, span) = (name.node.clone(), name.span);
-            NameError::Unknown { kind: "quantity", name, owner: None, span, help }
+            not_declared("quantity", &name, None, span, help)
         };
         self.error(error);
     }

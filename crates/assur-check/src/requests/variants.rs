@@ -1,9 +1,9 @@
 //! `variants`: names and units of the columns, and rows as numbers.
 
-use crate::error::{NameError, RequestError, UnitsError};
+use crate::error::{RequestError, UnitsError};
 use crate::expr::context::Context;
 use crate::names::declared::QuantityKind;
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
 use crate::requests::tolerance;
 use crate::values::definition::Settled;
 use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
@@ -86,7 +86,7 @@ pub(crate) fn columns(cx: &mut Context<'_>, table: &Variants) -> Option<Vec<RowC
     for column in &table.columns {
         match firsts.entry(&column.name.node) {
             Entry::Occupied(first) => {
-                cx.error(NameError::duplicate(&column.name, *first.get(), None));
+                cx.error(crate::names::suggestion::duplicate(&column.name, *first.get(), None));
                 all.push(None);
             }
             Entry::Vacant(place) => {
@@ -155,14 +155,14 @@ fn check_column(cx: &mut Context<'_>, column: &Column) -> Option<RowColumn> {
             let is = kind.phrase().to_owned();
             let replaces = "a row of variants replaces the values of `given`";
             let meant = given_meant(cx, &name.node);
-            cx.error(NameError::WrongKind {
-                name: name.node.clone(),
-                is,
-                wanted: "a `given`".into(),
-                span: name.span,
-                declared: cx.names.quantities.get(&name.node).map(|d| d.span),
-                help: Some(meant.map_or(replaces.into(), |meant| format!("write `{meant}`: {replaces}"))),
-            });
+            cx.error(wrong_kind(
+                &name.node,
+                &is,
+                "a `given`",
+                name.span,
+                cx.names.quantities.get(&name.node).map(|d| d.span),
+                Some(meant.map_or(replaces.into(), |meant| format!("write `{meant}`: {replaces}"))),
+            ));
             None
         }
     }
@@ -202,7 +202,7 @@ fn unknown(cx: &mut Context<'_>, column: &Column) {
             .or_else(|| given_line(cx, column).map(Help::from)),
     };
     let (name, span) = (name.node.clone(), name.span);
-    cx.error(NameError::Unknown { kind: "given", name, owner: None, span, help });
+    cx.error(not_declared("given", &name, None, span, help));
 }
 
 /// Whether a column is reported as one without a `given`.

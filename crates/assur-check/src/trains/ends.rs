@@ -1,12 +1,12 @@
 //! The ends of a transmission: wheels, shafts, what turns.
 
-use crate::error::PairError;
 use crate::expr::context::Context;
 use crate::names::declared::ThingKind;
 use crate::pairs::property::phrase;
 use crate::pairs::transmission::known;
 use assur_model::model::{Law, LinkId, Meeting, Wheel};
 use assur_syntax::document::{End, Joint, Path};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 /// Sizes may differ from what the teeth say by this part.
@@ -21,7 +21,7 @@ pub(crate) struct Runs {
 
 pub(crate) fn incomplete<T>(cx: &mut Context<'_>, message: &str, help: &str, span: Span) -> Option<T> {
     let (message, help) = (message.to_owned(), help.to_owned());
-    cx.error(PairError::Incomplete { message, help, span, label: "here".into() });
+    cx.error(Diagnosis::error("mech::geometry::incomplete", message).label(span, "here").help(help));
     None
 }
 
@@ -30,13 +30,12 @@ pub(crate) fn two<'j>(cx: &mut Context<'_>, joint: &'j Joint) -> Option<[&'j Pat
     let what = phrase(joint.kind.node);
     let odd = joint.ends.iter().enumerate().find(|(i, e)| *i > 1 || !matches!(e, End::At(_)));
     if let Some((i, end)) = odd {
-        cx.error(PairError::WrongEnds {
-            what,
-            wants: "two ends".into(),
-            got: if i > 1 { format!("{} of them", joint.ends.len()) } else { "a pulley".into() },
-            help: "write one statement for each two ends; use `over` and `under` only in a rope".into(),
-            span: end.span(),
-        });
+        let got = if i > 1 { format!("{} of them", joint.ends.len()) } else { "a pulley".into() };
+        cx.error(
+            Diagnosis::error("mech::geometry::wrong_ends", format!("{what} joins two ends, not {got}"))
+                .label(end.span(), &got)
+                .help("write one statement for each two ends; use `over` and `under` only in a rope"),
+        );
         return None;
     }
     match joint.ends.as_slice() {

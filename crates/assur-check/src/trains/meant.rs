@@ -1,7 +1,7 @@
 //! What may be meant by a transmission that cannot be as it is written.
 
-use crate::error::NameError;
 use crate::expr::context::Context;
+use crate::names::suggestion::wrong_kind;
 use crate::statements::lines::{end_text, line_of};
 use assur_syntax::document::{End, Expr, ExprKind, Joint, Path};
 
@@ -36,14 +36,14 @@ pub(crate) fn only_wheels(cx: &mut Context<'_>, joint: &Joint, paths: [&Path; 2]
         end => end_text(end),
     });
     let declared = cx.names.things.get(&odd.head.node);
-    let error = NameError::WrongKind {
-        name: odd.head.node.clone(),
-        is: declared.map_or_else(|| "a link".into(), |d| d.what.phrase()),
-        wanted: "a wheel".into(),
-        span: odd.span(),
-        declared: declared.map(|d| d.span),
-        help: Some(format!("name the wheels: `{line}`")),
-    };
+    let error = wrong_kind(
+        &odd.head.node,
+        &declared.map_or_else(|| "a link".into(), |d| d.what.phrase()),
+        "a wheel",
+        odd.span(),
+        declared.map(|d| d.span),
+        Some(format!("name the wheels: `{line}`")),
+    );
     cx.error(error);
     None
 }

@@ -1,11 +1,11 @@
 //! Shafts and sliders are links that bring their pair along: a revolute, a guide. Its place is left open, unless a wheel
 //! of the shaft is placed at a point of what carries it.
 
-use crate::error::PairError;
 use crate::expr::context::Context;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, Guide, LinkId, Pair, PairId, PairKind, Pin};
 use assur_syntax::document::{Body, Member, Name, Shaft, Slider, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 const ORIGIN: Vec2 = Vec2::new(0.0, 0.0);
@@ -40,12 +40,14 @@ fn of_shaft(cx: &mut Context<'_>, shaft: &Shaft, link: LinkId) {
             let Some(base) = cx.link(on) else { return };
             if base == link {
                 let (name, span) = (shaft.name.node.clone(), on.span);
-                cx.error(PairError::Incomplete {
-                    message: format!("shaft `{name}` cannot turn on itself"),
-                    help: "name the carrier: another shaft or a link".into(),
-                    span,
-                    label: "the shaft itself".into(),
-                });
+                cx.error(
+                    Diagnosis::error(
+                        "mech::geometry::incomplete",
+                        format!("shaft `{name}` cannot turn on itself"),
+                    )
+                    .label(span, "the shaft itself")
+                    .help("name the carrier: another shaft or a link"),
+                );
                 return;
             }
             base
@@ -70,12 +72,14 @@ fn place<'b>(cx: &mut Context<'_>, body: &'b Body, base: LinkId) -> Option<Optio
     let at = cx.point(base, first)?;
     for other in &places[1..] {
         if cx.point(base, other)? != at {
-            cx.error(PairError::Incomplete {
-                message: format!("`{}` and `{}` are two axes of one shaft", first.node, other.node),
-                help: "use two shafts: all wheels of a shaft are on one axis".into(),
-                span: other.span,
-                label: "another axis".into(),
-            });
+            cx.error(
+                Diagnosis::error(
+                    "mech::geometry::incomplete",
+                    format!("`{}` and `{}` are two axes of one shaft", first.node, other.node),
+                )
+                .label(other.span, "another axis")
+                .help("use two shafts: all wheels of a shaft are on one axis"),
+            );
             return None;
         }
     }
@@ -123,10 +127,9 @@ fn members(cx: &mut Context<'_>, body: &Body, what: &str, turns: bool) {
 }
 
 fn misplaced(cx: &mut Context<'_>, what: &str, is: &str, help: &str, span: Span) {
-    cx.error(PairError::Incomplete {
-        message: format!("{what} cannot have {is}"),
-        help: help.into(),
-        span,
-        label: "not allowed here".into(),
-    });
+    cx.error(
+        Diagnosis::error("mech::geometry::incomplete", format!("{what} cannot have {is}"))
+            .label(span, "not allowed here")
+            .help(help),
+    );
 }

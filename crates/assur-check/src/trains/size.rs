@@ -1,19 +1,20 @@
 //! Sizes of wheels: radius, diameter, teeth with their module. What the file leaves open is assumed, and noted as a scale
 //! that no answer may depend on.
 
-use crate::error::{NameError, PairError, RequestError, TrainError};
+use crate::error::{RequestError, TrainError};
 use crate::expr::context::Context;
 use crate::expr::positive::positive_value;
 use crate::expr::want::Want;
 use crate::links::link::place as place_text;
 use crate::values::fold;
 use crate::values::format_value::format_value;
-use crate::values::order::way_round;
+use crate::values::order::{circular, way_round};
 use crate::values::sizes::DeclaredWheel;
 use assur_model::model::{LinkId, OpenSize, Wheel};
 use assur_syntax::document::{
     Body, End, Expr, ExprKind, JointKind, Member, Name, Statement, WheelMember, WheelSize,
 };
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use miette::LabeledSpan;
@@ -111,12 +112,14 @@ fn centre(cx: &mut Context<'_>, declared: DeclaredWheel<'_>) -> Option<Option<as
             let (point, at) = points.map_or(("O".to_owned(), String::new()), |p| {
                 (p.name.clone(), format!(", at {} in the link", place_text(p.at)))
             });
-            cx.error(PairError::Incomplete {
-                message: format!("wheel `{name}` has no position on `{}`", cx.builder.mech.link(link).name),
-                help: format!("name the point of its axis: `wheel {name} … at {point}`{at}"),
-                span: member.name.span,
-                label: "the point is missing".into(),
-            });
+            cx.error(
+                Diagnosis::error(
+                    "mech::geometry::incomplete",
+                    format!("wheel `{name}` has no position on `{}`", cx.builder.mech.link(link).name),
+                )
+                .label(member.name.span, "the point is missing")
+                .help(format!("name the point of its axis: `wheel {name} … at {point}`{at}")),
+            );
             None
         }
     }
@@ -278,7 +281,7 @@ fn cycle(cx: &mut Context<'_>, again: &str) {
     for name in &names {
         cx.values.sizes.radii.insert(name.clone(), None);
     }
-    cx.error(NameError::Cycle { name: again.to_owned(), chain, span, others });
+    cx.error(circular(again, &chain, span, others));
 }
 
 /// A size: made of numbers, `given`, `let` and radii of other wheels.

@@ -1,11 +1,11 @@
 //! In which order definitions depend on one another.
 
-use crate::error::NameError;
 use crate::names::declared::{Names, QuantityKind};
 use crate::output::problems::Problems;
 use crate::values::definition::{Definitions, Settled};
 use crate::values::roots::values;
 use assur_syntax::document::{Expr, ExprKind};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use indexmap::IndexSet;
 use miette::LabeledSpan;
@@ -110,5 +110,13 @@ fn cycle(
     for name in &names {
         definitions.settled.insert(name.clone(), Settled::Failed);
     }
-    problems.error(NameError::Cycle { name: again, chain, span, others });
+    problems.error(circular(&again, &chain, span, others));
+}
+
+/// A definition that depends on itself.
+pub fn circular(name: &str, chain: &str, span: Span, others: Vec<LabeledSpan>) -> Diagnosis {
+    Diagnosis::error("mech::name::cycle", format!("`{name}` is defined in terms of itself: {chain}"))
+        .primary(span, "circular definition starts here")
+        .labels(others)
+        .help("define one of them without the others")
 }

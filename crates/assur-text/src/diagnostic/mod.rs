@@ -1,8 +1,8 @@
 //! Everything that is said about a text: collected, sorted, rendered.
 //!
-//! Each stage has its own error enum that derives `thiserror::Error` and `miette::Diagnostic`, with its data in
-//! fields and a code `mech::<stage>::<what_is_wrong>`; [`Problems`] takes any of them.
+//! A [`Diagnosis`] is built where the fault arises, with a code `mech::<stage>::<what_is_wrong>`.
 
+mod diagnosis;
 mod excerpt;
 mod fix;
 mod problems;
@@ -11,6 +11,7 @@ mod suggest;
 mod view;
 
 pub use crate::language::{CODES, Code, explain};
+pub use diagnosis::Diagnosis;
 pub use fix::{Fix, Help};
 pub use problems::{AnyDiagnostic, Problem, Problems, Undeclared};
 pub use render::{Style, render, render_most};

@@ -13,19 +13,19 @@ pub trait Problem: Diagnostic + Send + Sync + 'static {
     }
 
     /// What is used and not declared.
-    fn undeclared(&self) -> Option<Undeclared<'_>> {
+    fn undeclared(&self) -> Option<&Undeclared> {
         None
     }
 }
 
 /// A name that is used and not declared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Undeclared<'p> {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Undeclared {
     /// The kind that is expected: `link`, `point`.
     pub kind: &'static str,
-    pub name: &'p str,
+    pub name: String,
     /// The link in which it was looked for.
-    pub owner: Option<&'p str>,
+    pub owner: Option<String>,
     pub at: Span,
 }
 

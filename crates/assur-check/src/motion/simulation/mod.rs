@@ -14,7 +14,7 @@ pub(crate) use stop::stops;
 use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
-use crate::motion::drive::MOST_STEPS;
+use crate::motion::drive::{MOST_STEPS, wrong_steps};
 use crate::values::format_value::{digits, format_value};
 use assur_model::model::Simulation;
 use assur_syntax::document::{Expr, Simulate, Statement, TimeCourse};
@@ -120,7 +120,7 @@ fn count(cx: &mut Context<'_>, steps: &Expr) -> Option<usize> {
     #[allow(clippy::cast_precision_loss)] // a million is exact
     if value.fract() != 0.0 || !(1.0..=MOST_STEPS as f64).contains(&value) {
         let (value, most, span) = (digits(value), MOST_STEPS, steps.span);
-        cx.error(crate::error::MotionError::Steps { value, most, span });
+        cx.error(wrong_steps(&value, most, span));
         return None;
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 1 to a million

@@ -1,13 +1,14 @@
 //! Starts: where free coordinates are at the first instant, and how fast.
 
 use super::{may_be_missing, statement};
-use crate::error::{MotionError, SimulateError};
+use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::motion::drive::{Moves, has_wheels, target, value, zero};
 use crate::statements::lines::text;
 use crate::statements::written::written;
 use assur_model::model::{Drive, DriveTarget, Expr, Positions};
 use assur_syntax::document::{Start, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 /// Enters all starts into the mechanism. For the structure a start is a drive: one freedom whose position is known.
@@ -45,7 +46,14 @@ fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
     if position.is_none() && !has_wheels(cx) {
         let example = if moves == Moves::Sliding { "100 mm" } else { "45 deg" };
         let name = format!("{name} = {example} at {}", zero(moves, 1));
-        cx.error(MotionError::StartWithoutPosition { name, span });
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::no_drive_position",
+                "a start needs a position where the motion depends on it",
+            )
+            .label(span, "no position")
+            .help(format!("write `start {name}`, with your own values")),
+        );
         return None;
     }
     let positions = match position {
@@ -84,7 +92,8 @@ fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, again: Span) -> b
         (format!("`{name}` is started twice"), "keep one of them".to_owned())
     } else {
         let help = format!(
-            "keep `drive {name}` for a motion that is given, or `start {name}` for one that follows from the loads"
+            "keep `drive {name}` for a motion that is given, or `start {name}` for one that follows \
+             from the loads"
         );
         (format!("`{name}` has a `drive` and a `start`"), help)
     };

@@ -1,9 +1,10 @@
 //! What is asked of a designed cam: a value at a cam angle, a greatest or least one over the turn, a table.
 
-use crate::error::{MotionError, RequestError, UnitsError};
+use crate::error::{RequestError, UnitsError};
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::expr::want::Want;
+use crate::motion::drive::wrong_steps;
 use crate::names::declared::ThingKind;
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
@@ -149,7 +150,8 @@ impl Context<'_> {
         if let Some(radius) = plate.cam.smallest_base_radius(allowed) {
             return Some(Typed::constant(radius, Dimension::LENGTH));
         }
-        let why = "no base circle gives such a small pressure angle, or the angle does not depend on the base circle";
+        let why = "no base circle gives such a small pressure angle, or the angle does not depend on the \
+                   base circle";
         self.error(UnitsError::NoValue { why, span: call.span, help: None });
         None
     }
@@ -232,7 +234,7 @@ impl Context<'_> {
                 let steps = self.scalar_constant(expr, &Want::NUMBER, "the number of steps")?;
                 if steps.fract() != 0.0 || !(1.0..=MOST_STEPS as f64).contains(&steps) {
                     let value = crate::values::format_value::digits(steps);
-                    self.error(MotionError::Steps { value, most: MOST_STEPS, span: expr.span });
+                    self.error(wrong_steps(&value, MOST_STEPS, expr.span));
                     return None;
                 }
                 steps as usize

@@ -1,13 +1,14 @@
 //! What is asked of a flywheel: `fluctuation(J)`, `rim(J).width`.
 
-use crate::error::{NameError, PairError, RequestError};
+use crate::error::RequestError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::names::declared::QuantityKind;
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{not_declared, suggestion};
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr, FlywheelPart, Query};
 use assur_syntax::document::{ExprKind, Name, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 
@@ -49,13 +50,14 @@ impl Context<'_> {
             _ => None,
         });
         if described.into_iter().nth(index) == Some(false) {
-            self.error(PairError::Incomplete {
-                message: "the flywheel has no rim".into(),
-                help: "add `rim { diameter 0.5 m; weight_density 7.0e4 N/m^3; height_to_width 1.5 }` to its braces"
-                    .into(),
-                span: call.span,
-                label: "its rim is not described".into(),
-            });
+            self.error(
+                Diagnosis::error("mech::geometry::incomplete", "the flywheel has no rim")
+                    .label(call.span, "its rim is not described")
+                    .help(
+                        "add `rim { diameter 0.5 m; weight_density 7.0e4 N/m^3; \
+                         height_to_width 1.5 }` to its braces",
+                    ),
+            );
             return None;
         }
         Some(Typed::new(Expr::Query(Query::Flywheel(index, what)), Type::number(dimension)))
@@ -93,6 +95,6 @@ impl Context<'_> {
         let all = all.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
         let help = suggestion(&name.node, name.span, &all, "flywheels");
         let (name, span) = (name.node.clone(), name.span);
-        self.error(NameError::Unknown { kind: "flywheel", name, owner: None, span, help });
+        self.error(not_declared("flywheel", &name, None, span, help));
     }
 }

@@ -1,11 +1,11 @@
 //! Forces: reactions, inertia, efforts, power.
 
-use crate::error::{NameError, RequestError};
+use crate::error::RequestError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::expr::sign::Sign;
 use crate::names::declared::QuantityKind;
-use crate::names::suggestion::suggestion;
+use crate::names::suggestion::{suggestion, wrong_kind};
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind};
@@ -329,14 +329,14 @@ impl Context<'_> {
             }
             Some((QuantityKind::Balance(id, _), _)) if names.len() == 1 => Query::BalancePower(id),
             Some((_, span)) if names.len() == 1 => {
-                self.error(NameError::WrongKind {
-                    name: names[0].node.clone(),
-                    is: "a value".into(),
-                    wanted: "a load or an unknown effort".into(),
-                    span: names[0].span,
-                    declared: Some(span),
-                    help: None,
-                });
+                self.error(wrong_kind(
+                    &names[0].node,
+                    "a value",
+                    "a load or an unknown effort",
+                    names[0].span,
+                    Some(span),
+                    None,
+                ));
                 return None;
             }
             _ => {

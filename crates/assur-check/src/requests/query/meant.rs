@@ -1,8 +1,9 @@
 //! What a call that is no function, or has arguments of the wrong kind, may mean.
 
-use crate::error::{NameError, RequestError};
+use crate::error::RequestError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
+use crate::names::suggestion::{not_declared, wrong_kind};
 use crate::statements::written::written;
 use crate::values::typed::Type;
 use assur_model::model::LinkId;
@@ -50,7 +51,7 @@ impl Context<'_> {
         });
         let (name, span) = (name.clone(), call.name.span);
         let help = Some(help);
-        self.error(NameError::Unknown { kind: "function", name, owner: None, span, help });
+        self.error(not_declared("function", &name, None, span, help));
     }
 
     /// `write …` with a call that can be read.
@@ -96,7 +97,7 @@ impl Context<'_> {
         let help = Some(format!("{is} does not turn: write {}", lines.join(" or ")));
         let declared = self.names.things.get(name).map(|d| d.span);
         let (name, wanted, span) = (name.clone(), "a link".to_owned(), expr.span);
-        self.error(NameError::WrongKind { name, is, wanted, span, declared, help });
+        self.error(wrong_kind(&name, &is, &wanted, span, declared, help));
         true
     }
 
@@ -164,8 +165,7 @@ impl Context<'_> {
         }
         let (name, span) = (written(&arg.value).unwrap_or_default(), arg.value.span);
         let help = Some(format!("write `mag({text})`"));
-        let (is, wanted) = ("a point".into(), "a slider".into());
-        self.error(NameError::WrongKind { name, is, wanted, span, declared: None, help });
+        self.error(wrong_kind(&name, "a point", "a slider", span, None, help));
         true
     }
 }
