@@ -4,7 +4,6 @@
 //! to them are skipped without a message. There is no mechanism if there is an error.
 
 mod elements;
-mod error;
 mod expr;
 mod links;
 mod loads;

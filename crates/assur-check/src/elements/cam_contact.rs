@@ -1,11 +1,11 @@
 //! Designed cams in contact with their followers: the follower must be the one the cam was designed for.
 
-use crate::error::CamError;
 use crate::expr::context::Context;
 use crate::values::format_value::format_value;
 use assur_math::element::cam::{Cam, Follower, Shape};
 use assur_math::math::Vec2;
 use assur_model::model::{CamContact, Guide, LinkId, PairId, PairKind, Pin, Profile, ProfileShape};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::units::Dimension;
 
 /// Lengths of design and mechanism that agree to this part of the base radius are equal.
@@ -36,7 +36,12 @@ pub(crate) fn contacts(cx: &mut Context<'_>) {
             Err((message, help)) => {
                 let (declared, cam) = (&cx.builder.mech.pairs[index], plate.span);
                 let (pair, span) = (declared.name.clone(), declared.span);
-                cx.error(CamError::OtherFollower { pair, message, help, span, cam });
+                cx.error(
+                    Diagnosis::error("mech::cam::other_follower", format!("`{pair}`: {message}"))
+                        .primary(span, "touches here")
+                        .label(cam, "designed here")
+                        .help(help),
+                );
                 continue;
             }
         }
@@ -159,7 +164,8 @@ fn build(
     let (motion, pair) = if oscillates { ("turns", "revolute pair") } else { ("slides", "prismatic pair") };
     let (frame, follower) = (name(stands[0].frame), name(follower));
     let message = format!(
-        "the cam is designed for a follower that {motion}, but no {pair} joins `{follower}` and `{frame}`"
+        "the cam is designed for a follower that {motion}, but no {pair} joins \
+         `{follower}` and `{frame}`"
     );
     Err((
         message,
@@ -264,7 +270,8 @@ fn translating(cam: &Cam, contact: &mut CamContact, guide: &Guide, scale: f64) -
             mm(offset.abs())
         );
         let help = format!(
-            "write `offset {}` in the design, or reverse the guide: the follower rises in the direction of its guide",
+            "write `offset {}` in the design, or reverse the guide: the follower \
+             rises in the direction of its guide",
             mm(-offset)
         );
         return Err((message, help));

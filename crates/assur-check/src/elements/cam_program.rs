@@ -1,7 +1,6 @@
 //! The motion of a cam's follower over a turn, of its phases and tables.
 
 use crate::elements::cam::{Given, Part};
-use crate::error::CamError;
 use crate::expr::context::Context;
 use crate::values::format_value::format_value;
 use crate::values::typed::phrase;
@@ -9,6 +8,7 @@ use assur_math::element::cam::{Law, Program};
 use assur_math::math::Between;
 use assur_model::model::Curve;
 use assur_syntax::document::{Name, PhaseKind};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use std::f64::consts::TAU;
@@ -33,7 +33,8 @@ pub(crate) fn curve(cx: &mut Context<'_>, name: &Name, way: Dimension) -> Option
         if !found.fits(want) {
             let message = format!("its {what} should be {}, not {}", phrase(want), phrase(found));
             let help = format!(
-                "the lift of a cam is a table of cam angle and lift: write `curve {} smooth {{ phi [deg], s [{}]`",
+                "the lift of a cam is a table of cam angle and lift: write `curve {} \
+                 smooth {{ phi [deg], s [{}]`",
                 name.node,
                 if way == Dimension::ANGLE { "deg" } else { "mm" }
             );
@@ -53,7 +54,7 @@ pub(crate) fn curve(cx: &mut Context<'_>, name: &Name, way: Dimension) -> Option
 
 fn refused<T>(cx: &mut Context<'_>, name: &Name, message: String, help: String) -> Option<T> {
     let message = format!("curve `{}` cannot be the lift of a cam: {message}", name.node);
-    cx.error(CamError::Table { message, help, span: name.span });
+    cx.error(Diagnosis::error("mech::cam::table", message).primary(name.span, "here").help(help));
     None
 }
 
@@ -79,7 +80,15 @@ pub(crate) fn program(
     if total > TAU * (1.0 + NEAR) {
         let angle = |x: f64| format_value(x, Dimension::ANGLE);
         let (name, total, over) = (name.to_owned(), angle(total), angle(total - TAU));
-        cx.error(CamError::TurnExceeded { name, total, over, span, last: last.span() });
+        cx.error(
+            Diagnosis::error(
+                "mech::cam::turn_exceeded",
+                format!("the phases of cam `{name}` take {total}, {over} more than one turn"),
+            )
+            .label(span, format!("{total} in all"))
+            .primary(last.span(), "does not fit into the turn")
+            .help(format!("make one of them shorter by {over}")),
+        );
         return None;
     }
     let first = match given.first()? {
@@ -102,7 +111,20 @@ pub(crate) fn program(
     let (at, least) = program.least_lift();
     if least < -SWING * scale {
         let (at, least) = (format_value(at, Dimension::ANGLE), format_value(-least, way));
-        cx.error(CamError::Swing { name: name.to_owned(), at, least, span: last.span() });
+        cx.error(
+            Diagnosis::warning(
+                "mech::cam::swing",
+                format!(
+                    "between its rows the lift of cam `{name}` goes {least} below the base \
+                     circle, at {at}"
+                ),
+            )
+            .label(last.span(), "the motion")
+            .help(
+                "a spline swings where its rows turn sharply: write stretches at rest as \
+                 `dwell` between two tables, or add rows",
+            ),
+        );
     }
     Some(program)
 }
@@ -167,13 +189,13 @@ impl Motion<'_> {
                 "let the first row have the lift {}, or put a phase before it that leads there",
                 shown(self.lift)
             );
-            cx.error(CamError::Table { message, help, span });
+            cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "here").help(help));
             return None;
         }
         if least < -NEAR * self.scale {
             let message = format!("the lift of curve `{}` goes down to {}", curve.name, shown(least));
             let help = format!("add {} to every lift: the base circle is the least radius", shown(-least));
-            cx.error(CamError::Table { message, help, span });
+            cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "here").help(help));
             return None;
         }
         let low = NEAR * self.scale;
@@ -187,7 +209,20 @@ impl Motion<'_> {
 
     fn below(&self, cx: &mut Context<'_>, by: f64, span: Span) {
         let (from, by) = (format_value(self.lift, self.way), format_value(by, self.way));
-        cx.error(CamError::BelowBase { name: self.name.to_owned(), from, by, span });
+        cx.error(
+            Diagnosis::error(
+                "mech::cam::below_base",
+                format!(
+                    "the follower of cam `{}` falls by {by} from {from} above the base circle",
+                    self.name
+                ),
+            )
+            .label(span, format!("falls by {by}"))
+            .help(
+                "begin with a rise, and let it fall by no more than it rose: the base \
+                 circle is the least radius",
+            ),
+        );
     }
 }
 
@@ -197,10 +232,12 @@ fn not_back(cx: &mut Context<'_>, motion: &Motion<'_>, given: &[Part], first: f6
     let (name, way, span) = (motion.name.to_owned(), motion.way, last.span());
     if given.iter().any(|part| matches!(part, Part::Table(..))) {
         let (first, found) = (format_value(first, way), format_value(motion.lift, way));
-        let message =
-            format!("after one turn the follower of cam `{name}` has a lift of {found}, not of {first}");
+        let message = format!(
+            "after one turn the follower of cam `{name}` has a lift of {found}, not \
+             of {first}"
+        );
         let help = format!("let the motion end with the lift it begins with, {first}");
-        cx.error(CamError::Table { message, help, span });
+        cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "here").help(help));
         return;
     }
     let sum = |kind: PhaseKind| {
@@ -211,5 +248,16 @@ fn not_back(cx: &mut Context<'_>, motion: &Motion<'_>, given: &[Part], first: f6
         format_value(ways.sum(), way)
     };
     let (rises, falls) = (sum(PhaseKind::Rise), sum(PhaseKind::Fall));
-    cx.error(CamError::DoesNotReturn { name, left: format_value(motion.lift, way), rises, falls, span });
+    let left = format_value(motion.lift, way);
+    cx.error(
+        Diagnosis::error(
+            "mech::cam::does_not_return",
+            format!("after one turn the follower of cam `{name}` is {left} higher than before"),
+        )
+        .label(span, "after this phase")
+        .help(format!(
+            "let it fall by {left} more ({rises} up, {falls} down), or leave out \
+             `through` in the last fall"
+        )),
+    );
 }

@@ -1,6 +1,5 @@
 //! Numbers whose unit is missing, or does not say enough, where they stand or where they are defined.
 
-use crate::error::UnitsError;
 use crate::expr::context::Context;
 use crate::expr::number::with_unit;
 use crate::names::declared::QuantityKind;
@@ -8,7 +7,7 @@ use crate::statements::walk::parts;
 use crate::values::definition::Settled;
 use crate::values::rates::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Span;
 use assur_text::units::{Dimension, lookup};
 
@@ -53,7 +52,7 @@ impl Context<'_> {
             let words = format!("write {}", values.iter().map(line).collect::<Vec<_>>().join(" or "));
             let (span, used) = (definition.value.span, Some(expr.span));
             let help = Help::write(span, &values).in_words(words);
-            self.error(UnitsError::Missing { what: format!("`{name}`"), want, span, used, help });
+            self.error(unit_missing(&format!("`{name}`"), want, span, used, help));
             // What does not fit because of it is no second mistake.
             self.values.definitions.settled.insert(name.to_owned(), Settled::Failed);
             return true;
@@ -86,7 +85,15 @@ impl Context<'_> {
         let unit =
             found.and_then(|(number, _)| number.unit).map_or_else(|| "Hz".to_owned(), |unit| unit.node);
         let help = lines.unwrap_or_else(|| "multiply it by `1 rev`, or by `1 rad`".into());
-        self.error(UnitsError::Hertz { what, unit, span, used, help });
+        self.error(
+            Diagnosis::error(
+                "mech::unit::hertz",
+                format!("{what} is an angular velocity, and `{unit}` may mean revolutions or radians"),
+            )
+            .primary(span, "revolutions or radians?")
+            .label(used, "used here")
+            .help(help),
+        );
         if let Some(name) = defined {
             self.values.definitions.settled.insert(name, Settled::Failed);
         }
@@ -102,7 +109,11 @@ impl Context<'_> {
         let text = format!("{}*{}", number.text, word.node);
         if self.problems.reported.insert(("product", text.clone())) {
             let why = format!("`{}` is a name, not a unit: `*` is missing", word.node);
-            self.error(UnitsError::Unknown { why, span: at, help: Some(Help::write(at, &[text]).certain()) });
+            self.error(
+                Diagnosis::error("mech::unit::unknown", why)
+                    .primary(at, "not a unit")
+                    .help(Help::write(at, &[text]).certain()),
+            );
         }
         true
     }
@@ -156,4 +167,12 @@ fn per_time(number: &Number, before: &str, at: Span) -> Option<Help> {
     let [turns, radians] = revolutions_or_radians(&number.text, &unit);
     let words = format!("write `{before}{turns}` or `{before}{radians}`");
     Some(Help::write(at, &[turns, radians]).in_words(words))
+}
+
+/// A number without a unit where a quantity is expected.
+pub fn unit_missing(what: &str, want: Dimension, span: Span, used: Option<Span>, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::unit::missing", format!("{what} needs a unit: it is {want}"))
+        .primary(span, "a number without a unit")
+        .label(used, "used here")
+        .help(help)
 }

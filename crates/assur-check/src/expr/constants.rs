@@ -1,6 +1,5 @@
 //! The definitions that need no results.
 
-use crate::error::RequestError;
 use crate::expr::context::Context;
 use crate::expr::read::TOO_LARGE;
 use crate::names::declared::QuantityKind;
@@ -9,6 +8,8 @@ use crate::values::replace;
 use crate::values::unit_use::display_in;
 use assur_model::model::{Display, NamedValue};
 use assur_syntax::document::{Expr, ExprKind};
+use assur_text::diagnostic::Diagnosis;
+use assur_text::source::Span;
 
 /// Reads the definitions that need no results, and the values from outside.
 pub fn constants(cx: &mut Context<'_>) {
@@ -23,7 +24,7 @@ pub fn constants(cx: &mut Context<'_>) {
             QuantityKind::Given(expr) if results => {
                 let result = cx.values.definitions.first_result(&cx.names, expr);
                 if let Some((span, result)) = result {
-                    cx.error(RequestError::NotConstant { what: format!("`given {name}`"), result, span });
+                    cx.error(not_constant(&format!("`given {name}`"), &result, span));
                 }
                 Settled::Failed
             }
@@ -60,4 +61,14 @@ fn own_unit(cx: &Context<'_>, expr: &Expr) -> Option<Display> {
         ExprKind::Unary(_, inner) => own_unit(cx, inner),
         _ => None,
     }
+}
+
+/// A value that must be known beforehand depends on results.
+pub fn not_constant(what: &str, result: &str, span: Span) -> Diagnosis {
+    Diagnosis::error(
+        "mech::request::not_constant",
+        format!("{what} must be a constant, but it depends on {result}"),
+    )
+    .primary(span, "known only once the mechanism is solved")
+    .help("use numbers, `given` and those `let` that depend only on them")
 }

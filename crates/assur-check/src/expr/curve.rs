@@ -1,6 +1,5 @@
 //! Curves: tables of values, and calls of them.
 
-use crate::error::CurveError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::names::declared::QuantityKind;
@@ -12,6 +11,8 @@ use crate::values::unit_use::display_in;
 use assur_math::math::{Between, Beyond, TableFault, TableFunction};
 use assur_model::model::{Curve, CurvePart, Value};
 use assur_syntax::document::{self, Cell, Column, CurveBetween, CurveBeyond, Expr, ExprKind, Name, Row};
+use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::Fix;
 use assur_text::language::Function;
 use assur_text::source::Span;
 use assur_text::units::{Dimension, Unit};
@@ -38,7 +39,15 @@ const fn curve_of(what: QuantityKind<'_>) -> Option<&document::Curve> {
 fn checked(cx: &mut Context<'_>, curve: &document::Curve) -> Option<CheckedCurve> {
     let name = &curve.name;
     if Function::named(&name.node).is_some() {
-        cx.error(CurveError::Name { name: name.node.clone(), span: name.span });
+        let (name, span) = (&name.node, name.span);
+        cx.error(
+            Diagnosis::error(
+                "mech::curve::name",
+                format!("`{name}` is a function of the language, and cannot name a curve"),
+            )
+            .primary(span, "already a function")
+            .help(format!("give the curve another name, as in `curve {name}_1 {{`")),
+        );
         return None;
     }
     let (x, y) = columns(cx, curve)?;
@@ -74,10 +83,13 @@ fn columns(cx: &mut Context<'_>, curve: &document::Curve) -> Option<(Unit, Unit)
         if let (Some(first), Some(last)) = (columns.first(), columns.last()) {
             let span = first.name.span.to(last.unit.as_ref().map_or(last.name.span, |u| u.span));
             let message = format!("its header has {} names, not two", columns.len());
-            let help =
-                "a curve has an argument and a value, as in `phi [deg], p [MPa]`: write one curve per value"
-                    .into();
-            cx.error(CurveError::Table { name: curve.name.node.clone(), message, help, span });
+            let help = "a curve has an argument and a value, as in `phi [deg], p [MPa]`: write \
+                        one curve per value";
+            cx.error(
+                Diagnosis::error("mech::curve::table", format!("curve `{}`: {message}", curve.name.node))
+                    .primary(span, "here")
+                    .help(help),
+            );
         }
         return None;
     };
@@ -96,7 +108,11 @@ fn points(cx: &mut Context<'_>, curve: &document::Curve) -> Option<Vec<(f64, f64
         let [x, y] = row.cells.as_slice() else {
             let message = format!("this row has {} numbers, not two", row.cells.len());
             let help = "a row is an argument and its value, as in `90, 4.2`".to_owned();
-            cx.error(CurveError::Table { name: curve.name.node.clone(), message, help, span: row.span });
+            cx.error(
+                Diagnosis::error("mech::curve::table", format!("curve `{}`: {message}", curve.name.node))
+                    .primary(row.span, "here")
+                    .help(help),
+            );
             return None;
         };
         match (&x.node, &y.node) {
@@ -107,7 +123,11 @@ fn points(cx: &mut Context<'_>, curve: &document::Curve) -> Option<Vec<(f64, f64
                 let help = "the rows of a curve are plain numbers; a value that is computed goes in front of the call, \
                             as in `p_max*p(phi)`"
                     .to_owned();
-                cx.error(CurveError::Table { name: curve.name.node.clone(), message, help, span });
+                cx.error(
+                    Diagnosis::error("mech::curve::table", format!("curve `{}`: {message}", curve.name.node))
+                        .primary(span, "here")
+                        .help(help),
+                );
                 return None;
             }
         }
@@ -124,33 +144,41 @@ fn wrong(cx: &mut Context<'_>, curve: &document::Curve, fault: TableFault) {
     let (name, rows) = (curve.name.node.clone(), &curve.table.rows);
     let span = rows.last().map_or(curve.name.span, |row| row.span);
     cx.error(match fault {
-        TableFault::Short => CurveError::Table {
-            name,
-            message: format!("it has {} row{}, but needs two", rows.len(), if rows.len() == 1 { "" } else { "s" }),
-            help: "add rows of argument and value, each on a line of its own".into(),
-            span,
-        },
-        TableFault::TooLarge => CurveError::Table {
-            name,
-            message: "its numbers are too large, or too close together".into(),
-            help: "choose other units in its header".into(),
-            span: curve.name.span,
-        },
-        TableFault::Order(i) => CurveError::Order {
-            name,
-            before: cell(rows.get(i - 1), 0),
-            here: cell(rows.get(i), 0),
-            span: rows[i].span,
-            last: rows[i - 1].span,
-        },
+        TableFault::Short => {
+            let s = if rows.len() == 1 { "" } else { "s" };
+            let message = format!("curve `{name}`: it has {} row{s}, but needs two", rows.len());
+            Diagnosis::error("mech::curve::table", message)
+                .primary(span, "here")
+                .help("add rows of argument and value, each on a line of its own")
+        }
+        TableFault::TooLarge => {
+            let message = format!("curve `{name}`: its numbers are too large, or too close together");
+            Diagnosis::error("mech::curve::table", message)
+                .primary(curve.name.span, "here")
+                .help("choose other units in its header")
+        }
+        TableFault::Order(i) => {
+            let (before, here) = (cell(rows.get(i - 1), 0), cell(rows.get(i), 0));
+            let does = format!("do not rise: {before} is followed by {here}");
+            Diagnosis::error("mech::curve::order", format!("the arguments of curve `{name}` {does}"))
+                .primary(rows[i].span, format!("not above {before}"))
+                .label(rows[i - 1].span, before)
+                .help(
+                    "sort the rows by their first number, and give each argument once; a jump takes two arguments \
+                     close together",
+                )
+        }
         TableFault::Ends => {
             let (first, last) = (cell(rows.first(), 1), cell(rows.last(), 1));
-            let at = cell(rows.last(), 0);
-            let help = format!(
-                "the last row belongs to the same place as the first, one period on: write `{at}, {first}`, add a row, or \
-                 leave out `periodic`"
-            );
-            CurveError::Ends { name, first, last, help, span }
+            let write = format!("write `{}, {first}`", cell(rows.last(), 0));
+            let does = format!("is periodic, but begins with {first} and ends with {last}");
+            Diagnosis::error("mech::curve::ends", format!("curve `{name}` {does}"))
+                .primary(span, format!("should end with {first}"))
+                .help(format!(
+                    "the last row belongs to the same place as the first, one period on: {write}, add a row, or \
+                     leave out `periodic`"
+                ))
+                .fixes(Fix::quoted(&write, span))
         }
     });
 }
@@ -173,13 +201,23 @@ impl Context<'_> {
         if let Some(Value::Scalar(x)) = t.value()
             && !curve.function.covers(x)
         {
-            self.error(CurveError::Outside {
-                name: curve.name.clone(),
-                argument: curve.shown(x),
-                extent: curve.extent(),
-                span: args[0].span,
-                declared: curve.span,
-            });
+            let argument = curve.shown(x);
+            let extent = curve.extent();
+            self.error(
+                Diagnosis::error(
+                    "mech::curve::outside",
+                    format!(
+                        "curve `{}` has no value at {argument}: its table goes from {extent}",
+                        curve.name
+                    ),
+                )
+                .primary(args[0].span, &argument)
+                .label(curve.span, &extent)
+                .help(
+                    "add rows, or write `periodic` after its name if it begins again, or \
+                     `held` if its end values hold beyond the table",
+                ),
+            );
             return None;
         }
         let value = Dim::Of(checked.value);
@@ -231,7 +269,11 @@ impl Context<'_> {
             }
             None => "declare a curve, as in `curve p { phi [deg], p [MPa]` with its rows, and write `slope(p(phi))`".into(),
         };
-        self.error(CurveError::Slope { help, span: found.span });
+        self.error(
+            Diagnosis::error("mech::curve::slope", "`slope` takes a call of a curve")
+                .primary(found.span, "not a call of a curve")
+                .help(help),
+        );
     }
 
     /// Reports a curve that is not called.

@@ -1,10 +1,9 @@
 //! Factors after a unit that look like units and are none: `5 rad/sec`, `0.2 kg*m2`.
 
-use crate::error::UnitsError;
 use crate::expr::context::Context;
 use crate::values::rates::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, is_unit, lookup, meant};
 
@@ -41,7 +40,11 @@ impl Context<'_> {
         if self.problems.reported.insert(("unit", word)) {
             let span = Span::new(unit.span.start, end);
             let why = format!("`{foreign}` is not a unit");
-            self.error(UnitsError::Unknown { why, span, help: Some(Help::write(span, &units)) });
+            self.error(
+                Diagnosis::error("mech::unit::unknown", why)
+                    .primary(span, "not a unit")
+                    .help(Help::write(span, &units)),
+            );
         }
         true
     }
@@ -91,7 +94,11 @@ impl Context<'_> {
             vec![format!("{number} {word}")]
         };
         let why = format!("`{written}` is not a unit");
-        self.error(UnitsError::Unknown { why, span, help: Some(Help::write(span, &quantities).certain()) });
+        self.error(
+            Diagnosis::error("mech::unit::unknown", why)
+                .primary(span, "not a unit")
+                .help(Help::write(span, &quantities).certain()),
+        );
         true
     }
 }

@@ -1,12 +1,14 @@
 //! What an expression should be against what it is.
 
-use crate::error::UnitsError;
+use crate::expr::bare::unit_missing;
 use crate::expr::context::Context;
 use crate::expr::number::with_unit;
 use crate::statements::walk::parts;
 use crate::statements::written::written;
 use crate::values::typed::{Dim, Type, Typed, correction, phrase};
 use assur_syntax::document::{Expr, ExprKind};
+use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::Fix;
 use assur_text::language::Function;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
@@ -64,7 +66,7 @@ impl Context<'_> {
         if found == Dimension::NUMBER
             && let Some(help) = self.example(expr, want)
         {
-            self.error(UnitsError::Missing { what, want, span, used: None, help });
+            self.error(unit_missing(&what, want, span, None, help));
             return false;
         }
         if found == Dimension::NUMBER && self.bare_definition(want, expr) {
@@ -73,7 +75,7 @@ impl Context<'_> {
         let help = self
             .column_without_unit(want, found, expr)
             .or_else(|| self.in_its_place(want, found, &what, expr));
-        self.error(UnitsError::Mismatch { what, want: phrase(want), found: phrase(found), span, help });
+        self.error(unit_mismatch(&what, &phrase(want), &phrase(found), span, help));
         false
     }
 
@@ -91,7 +93,10 @@ impl Context<'_> {
         let (name, missing) = (bare?, want.over(found));
         missing.name()?;
         let unit = self.values.usual_unit(missing);
-        Some(format!("the values of curve `{name}` have no unit: write it in its header, as in `[{unit}]`"))
+        Some(format!(
+            "the values of curve `{name}` have no unit: write it in its header, as in \
+             `[{unit}]`"
+        ))
     }
 
     /// Reports a vector where a number is due, and the like.
@@ -103,7 +108,12 @@ impl Context<'_> {
         span: Span,
         help: Option<String>,
     ) {
-        self.error(UnitsError::Shape { what: what.to_owned(), want, found: ty.shape(), span, help });
+        let found = ty.shape();
+        self.error(
+            Diagnosis::error("mech::unit::shape", format!("{what} should be {want}, but this is {found}"))
+                .primary(span, found)
+                .help_if(help),
+        );
     }
 
     /// What would make two quantities fit each other.
@@ -150,4 +160,18 @@ fn part_of_stroke(left: &Expr, right: &Expr) -> Option<String> {
     let is_travel = Function::named(&function.node) == Some(Function::Travel) && number.value < 1.0;
     let pair = args.first().filter(|_| is_travel).and_then(|a| written(&a.value))?;
     Some(format!("{}*stroke({pair})", number.text))
+}
+
+/// A quantity of another dimension than expected.
+pub fn unit_mismatch(what: &str, want: &str, found: &str, span: Span, help: Option<String>) -> Diagnosis {
+    Diagnosis::error("mech::unit::mismatch", format!("{what} should be {want}, but this is {found}"))
+        .primary(span, found)
+        .fixes(written_here(help.as_deref(), span))
+        .help_if(help)
+}
+
+/// What a help says to write in this place, unless more than the place changes: in a header, and of two vectors.
+pub fn written_here(help: Option<&str>, at: Span) -> Vec<Fix> {
+    let is_here = |help: &&str| help.starts_with("write `") && !help.contains(['[', '(']);
+    help.filter(is_here).map(|help| Fix::quoted(help, at)).unwrap_or_default()
 }

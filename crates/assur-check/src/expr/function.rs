@@ -1,7 +1,7 @@
 //! Mathematical functions.
 
-use crate::error::UnitsError;
 use crate::expr::context::Context;
+use crate::expr::read::no_power;
 use crate::expr::results::Call;
 use crate::expr::sign::Sign;
 use crate::values::fold;
@@ -99,7 +99,7 @@ impl Context<'_> {
             let base = dim.known();
             let what = format!("the square root of {}", phrase(base));
             let help = Some("add the missing square: the square root of an area is a length".to_owned());
-            self.error(UnitsError::Power { what, span: expr.span, base, help });
+            self.error(no_power(&what, expr.span, base, help));
             return None;
         };
         if let Some(Value::Scalar(x)) = t.value()

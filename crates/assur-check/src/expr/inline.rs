@@ -1,7 +1,7 @@
 //! Expressions with their quantities written out.
 
-use crate::error::UnitsError;
 use crate::expr::context::Context;
+use crate::expr::no_value::undefined;
 use assur_model::model;
 use assur_text::source::Span;
 
@@ -12,11 +12,7 @@ impl Context<'_> {
     /// The expression with quantities that need no pose written out. Reports one that grows too large.
     pub(crate) fn inline(&mut self, expr: &model::Expr, span: Span) -> Option<model::Expr> {
         if self.values.definitions.size(expr) > LARGEST {
-            self.error(UnitsError::NoValue {
-                why: "with its definitions inserted it is too long",
-                span,
-                help: None,
-            });
+            self.error(undefined("with its definitions inserted it is too long", span, None));
             return None;
         }
         Some(self.written_out(expr))

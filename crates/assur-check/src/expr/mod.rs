@@ -19,7 +19,7 @@ pub mod results;
 pub mod sign;
 pub mod want;
 
-use crate::error::RequestError;
+use crate::expr::constants::not_constant;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::values::fold;
@@ -27,6 +27,7 @@ use crate::values::typed::{Type, Typed};
 use assur_math::math::Vec2;
 use assur_model::model;
 use assur_syntax::document::Expr;
+use assur_text::diagnostic::Diagnosis;
 
 impl Context<'_> {
     /// A number that is known before anything is solved: made of numbers, `given` and `let` alone. `what` says what it is
@@ -110,7 +111,17 @@ impl Context<'_> {
         let mut of_solution = false;
         found.queries(&mut |q| of_solution |= q.facts().of_solution);
         if of_solution || !self.values.definitions.is_poseless(&found) {
-            self.error(RequestError::NeedsPose { what: what.to_owned(), span: expr.span });
+            self.error(
+                Diagnosis::error(
+                    "mech::request::needs_pose",
+                    format!("{what} cannot depend on computed results"),
+                )
+                .primary(expr.span, "differs from pose to pose")
+                .help(
+                    "use numbers, `given`, `let`, `dead(…)` and `stroke(…)`: this value \
+                     determines the poses",
+                ),
+            );
             return None;
         }
         Some(found)
@@ -118,7 +129,7 @@ impl Context<'_> {
 
     fn constant(&mut self, expr: &Expr, what: &str) -> Option<Typed> {
         if let Some((span, result)) = self.values.definitions.first_result(&self.names, expr) {
-            self.error(RequestError::NotConstant { what: what.to_owned(), result, span });
+            self.error(not_constant(what, &result, span));
             return None;
         }
         self.read(expr).filter(|t| !t.pending)

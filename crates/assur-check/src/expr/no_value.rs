@@ -1,6 +1,5 @@
 //! Which numbers leave a constant expression without a value.
 
-use crate::error::UnitsError;
 use crate::expr::context::Context;
 use crate::names::declared::QuantityKind;
 use crate::statements::walk;
@@ -8,6 +7,7 @@ use crate::statements::written::written;
 use crate::values::definition::Settled;
 use crate::values::typed::Typed;
 use assur_syntax::document::{Expr, ExprKind};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use indexmap::IndexSet;
 
@@ -18,7 +18,7 @@ impl Context<'_> {
     /// Reports a constant that is no number, where `operand` is what makes it none.
     pub(crate) fn without_value(&mut self, why: &'static str, span: Span, t: &Typed, operand: &Expr) {
         let help = self.numbers_of(t, operand);
-        self.error(UnitsError::NoValue { why, span, help });
+        self.error(undefined(why, span, help));
     }
 
     /// ``change `K`: `K - 1` is 0 where `K` = 1``
@@ -55,4 +55,11 @@ fn named<'e>(expr: &'e Expr, names: &mut IndexSet<&'e str>) {
             names.insert(name);
         }
     });
+}
+
+/// A constant expression that is not defined.
+pub fn undefined(why: &'static str, span: Span, help: Option<String>) -> Diagnosis {
+    Diagnosis::error("mech::unit::no_value", format!("this expression is not defined: {why}"))
+        .primary(span, why)
+        .help_if(help)
 }

@@ -1,11 +1,10 @@
 //! Numbers as written, with their units.
 
-use crate::error::UnitsError;
 use crate::expr::context::Context;
 use crate::values::typed::{Dim, Type, Typed};
 use assur_model::model;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number, UnaryOp};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Unit, factors, lookup};
 
@@ -41,7 +40,11 @@ impl Context<'_> {
                     let help = if is_meant { help.map(Help::certain) } else { help };
                     // what is proposed replaces the whole word
                     let span = if help.is_some() { word.span } else { part };
-                    self.error(UnitsError::Unknown { why, span, help });
+                    self.error(
+                        Diagnosis::error("mech::unit::unknown", why)
+                            .primary(span, "not a unit")
+                            .help_if(help),
+                    );
                 }
                 None
             }
@@ -57,7 +60,19 @@ impl Context<'_> {
             let Some(declared) = self.names.quantities.get(factor.symbol).map(|d| d.span) else { continue };
             if self.problems.reported.insert(("unit and name", factor.symbol.to_owned())) {
                 let span = Span::new(word.span.start + factor.start, word.span.start + factor.end);
-                self.error(UnitsError::AlsoAName { name: factor.symbol.to_owned(), span, declared });
+                let name = factor.symbol.to_owned();
+                self.error(
+                    Diagnosis::warning(
+                        "mech::unit::also_a_name",
+                        format!("`{name}` is read as a unit here, but it is also a name of this file"),
+                    )
+                    .primary(span, "read as a unit")
+                    .label(declared, "declared here")
+                    .help(format!(
+                        "put blanks around the operator to use the name, as in `… * {name}` or `… \
+                         / {name}`; or rename `{name}`"
+                    )),
+                );
             }
         }
     }

@@ -1,7 +1,8 @@
 //! From the tree to typed expressions.
 
-use crate::error::{RequestError, UnitsError};
 use crate::expr::context::Context;
+use crate::expr::fit::unit_mismatch;
+use crate::expr::no_value::undefined;
 use crate::expr::sign::Sign;
 use crate::statements::written::written;
 use crate::values::fold;
@@ -9,6 +10,7 @@ use crate::values::typed::{Dim, Type, Typed, phrase};
 use assur_model::model;
 use assur_model::model::{Axis, Comparison, Value};
 use assur_syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Kind};
 
@@ -48,7 +50,14 @@ impl Context<'_> {
     }
 
     fn too_long(&mut self, count: usize, span: Span) -> Option<Typed> {
-        self.error(RequestError::TooLong { count: count + 1, most: MOST, span });
+        self.error(
+            Diagnosis::error(
+                "mech::request::too_long",
+                format!("this expression has {} parts in a row; at most {} can be read", count + 1, MOST),
+            )
+            .primary(span, "too long")
+            .help("divide it among several `let` statements"),
+        );
         None
     }
 
@@ -61,7 +70,7 @@ impl Context<'_> {
             Type::Vector(_) => Some("the parts of a vector are `.x` and `.y`".to_owned()),
             _ => None,
         };
-        self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+        self.error(no_part(&part.node, part.span, help));
         None
     }
 
@@ -106,7 +115,7 @@ impl Context<'_> {
                 let (want, found) = (phrase(da.known()), phrase(Dimension::ANGLE));
                 let help = Some(format!("write `{size} @ {angle}`"));
                 let what = "the second component of this vector".to_owned();
-                self.error(UnitsError::Mismatch { what, want, found, span: vector.span, help });
+                self.error(unit_mismatch(&what, &want, &found, vector.span, help));
                 return None;
             }
             self.operands("the components of one vector", &a, &b, x, y);
@@ -245,14 +254,7 @@ impl Context<'_> {
         if unified.is_none() {
             let left = if a_span == first.span { first } else { operand };
             let help = self.correct_operands(a.ty, b.ty, left, operand);
-            self.error(UnitsError::Operands {
-                verb,
-                left: a.ty.phrase(),
-                right: b.ty.phrase(),
-                left_span: a_span,
-                right_span: b_span,
-                help,
-            });
+            self.error(wrong_operands(verb, &a.ty.phrase(), &b.ty.phrase(), a_span, b_span, help));
         }
         unified
     }
@@ -266,7 +268,7 @@ impl Context<'_> {
         let vectors = matches!((a.ty, b.ty), (Type::Vector(_), Type::Vector(_))) && verb == "multiplied";
         let help = vectors.then(|| "write `dot(a, b)` or `cross(a, b)`".to_owned());
         let (left, right) = (a.ty.phrase(), b.ty.phrase());
-        self.error(UnitsError::Operands { verb, left, right, left_span: a_span, right_span: b_span, help });
+        self.error(wrong_operands(verb, &left, &right, a_span, b_span, help));
         None
     }
 
@@ -293,7 +295,7 @@ impl Context<'_> {
         let Some(raised) = raised else {
             let help = Some("a base with a unit takes a whole exponent".to_owned());
             let what = format!("this power of {}", phrase(dimension));
-            self.error(UnitsError::Power { what, span: base.span, base: dimension, help });
+            self.error(no_power(&what, base.span, dimension, help));
             return None;
         };
         let ty = if dim == Dim::Any { Type::Number(Dim::Any) } else { Type::number(raised) };
@@ -337,14 +339,7 @@ impl Context<'_> {
 
     pub(crate) fn operands(&mut self, verb: &'static str, a: &Typed, b: &Typed, left: &Expr, right: &Expr) {
         let help = self.correct_operands(a.ty, b.ty, left, right);
-        self.error(UnitsError::Operands {
-            verb,
-            left: a.ty.phrase(),
-            right: b.ty.phrase(),
-            left_span: left.span,
-            right_span: right.span,
-            help,
-        });
+        self.error(wrong_operands(verb, &a.ty.phrase(), &b.ty.phrase(), left.span, right.span, help));
     }
 
     /// Reports a constant that is no number, or too large for its powers to be some.
@@ -358,7 +353,7 @@ impl Context<'_> {
             return Some(t);
         }
         let why = if greatest.is_finite() { TOO_LARGE } else { why };
-        self.error(UnitsError::NoValue { why, span, help: None });
+        self.error(undefined(why, span, None));
         None
     }
 }
@@ -379,4 +374,34 @@ fn power_of(base: Dimension, exponent: f64) -> Option<Dimension> {
         Some(n) => Some(base.powi(n)),
         None => base.powi(whole(2.0 * exponent)?).sqrt(),
     }
+}
+
+/// A part that this result does not have.
+pub fn no_part(part: &str, span: Span, help: Option<String>) -> Diagnosis {
+    Diagnosis::error("mech::request::part", format!("there is no part `.{part}` here"))
+        .primary(span, "no such part")
+        .help_if(help)
+}
+
+/// Two quantities that cannot be added or compared.
+fn wrong_operands(
+    verb: &'static str,
+    left: &str,
+    right: &str,
+    left_span: Span,
+    right_span: Span,
+    help: Option<String>,
+) -> Diagnosis {
+    Diagnosis::error("mech::unit::operands", format!("{left} and {right} cannot be {verb}"))
+        .label(left_span, left)
+        .primary(right_span, right)
+        .fixes(crate::expr::fit::written_here(help.as_deref(), right_span))
+        .help_if(help)
+}
+
+/// A power or root that has no dimension.
+pub fn no_power(what: &str, span: Span, base: Dimension, help: Option<String>) -> Diagnosis {
+    Diagnosis::error("mech::unit::power", format!("{what} has no dimension"))
+        .primary(span, format!("{base}"))
+        .help_if(help)
 }

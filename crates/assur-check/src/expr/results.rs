@@ -1,10 +1,10 @@
 //! Functions of results, as expressions see them: they stand above, since they ask for links, pairs and loads.
 
-use crate::error::RequestError;
 use crate::expr::context::Context;
 use crate::expr::sign::Sign;
 use crate::values::typed::Typed;
 use assur_syntax::document::{Arg, Expr, Name};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 /// A call as the functions of results see it.
@@ -43,12 +43,7 @@ impl Context<'_> {
         if let Some(name) = named {
             let usage = (self.results.usage)(self, call);
             let wanted = "a value without a name".to_owned();
-            self.error(RequestError::Argument {
-                function: call.name.node.clone(),
-                wanted,
-                span: name.span,
-                usage,
-            });
+            self.error(wrong_argument(&call.name.node, &wanted, name.span, &usage));
             return None;
         }
         if (least..=most).contains(&call.args.len()) {
@@ -64,13 +59,33 @@ impl Context<'_> {
         };
         let (function, found, usage) =
             (call.name.node.clone(), call.args.len(), (self.results.usage)(self, call));
-        self.error(RequestError::Arguments { function, takes, found, span: call.span, usage });
+        self.error(argument_count(&function, takes, found, call.span, &usage));
         None
     }
 
     /// Reports an argument of the wrong kind.
     pub(crate) fn wrong_argument(&mut self, call: Call<'_>, wanted: &str, span: Span) {
         let (function, usage) = (call.name.node.clone(), (self.results.usage)(self, call));
-        self.error(RequestError::Argument { function, wanted: wanted.to_owned(), span, usage });
+        self.error(wrong_argument(&function, wanted, span, &usage));
     }
+}
+
+/// An argument of the wrong kind.
+pub fn wrong_argument(function: &str, wanted: &str, span: Span, usage: &str) -> Diagnosis {
+    Diagnosis::error("mech::request::argument", format!("`{function}` takes {wanted} here"))
+        .primary(span, format!("{wanted} is expected"))
+        .help(format!("write `{usage}`"))
+}
+
+/// A function with too few or too many arguments.
+pub fn argument_count(
+    function: &str,
+    takes: &'static str,
+    found: usize,
+    span: Span,
+    usage: &str,
+) -> Diagnosis {
+    Diagnosis::error("mech::request::arguments", format!("`{function}` takes {takes}, found {found}"))
+        .primary(span, format!("{found} given"))
+        .help(format!("write `{usage}`"))
 }

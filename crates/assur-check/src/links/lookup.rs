@@ -254,28 +254,22 @@ impl Context<'_> {
         let spelled =
             |&(link, _): &(LinkId, Vec2)| format!("`{}.{}`", self.builder.mech.link(link).name, name.node);
         let choices = bearers.iter().map(spelled).collect::<Vec<_>>().join(" or ");
-        self.error(
-            Diagnosis::error(
-                "mech::name::ambiguous_point",
-                format!("several points have the name `{}`, and no pin joins them", name.node),
-            )
-            .primary(name.span, "the link is missing")
-            .help(match bearers.as_slice() {
-                [a, b] => {
-                    let [a, b] = [a, b].map(|&(link, _)| &self.builder.mech.link(link).name);
-                    let taken = self.names.things.contains_key(&name.node);
-                    let verb = if taken { "write it" } else { "add" };
-                    let where_to = if taken {
-                        format!("`{}` joins other points; to join these points", name.node)
-                    } else {
-                        "if a hinge is missing".to_owned()
-                    };
-                    format!("write {choices}; {where_to}, {verb} `revolute {}: {a} - {b}`", name.node)
-                }
-                _ => format!("write {choices}"),
-            })
-            .quoted(name.span),
-        );
+        let message = format!("several points have the name `{}`, and no pin joins them", name.node);
+        let told = Diagnosis::error("mech::name::ambiguous_point", message)
+            .primary(name.span, "the link is missing");
+        self.error(match bearers.as_slice() {
+            // where a pin may be missing, it is not known which point is meant
+            [a, b] => {
+                let [a, b] = [a, b].map(|&(link, _)| &self.builder.mech.link(link).name);
+                let joins = if self.names.things.contains_key(&name.node) {
+                    format!("`{}` joins other points; to join these points, write it", name.node)
+                } else {
+                    "if a hinge is missing, add".to_owned()
+                };
+                told.help(format!("write {choices}; {joins} `revolute {}: {a} - {b}`", name.node))
+            }
+            _ => told.help(format!("write {choices}")).quoted(name.span),
+        });
         None
     }
 

@@ -1,7 +1,7 @@
 //! A drive by a length of what turns, by an angle of what slides, or by a speed in place of a position.
 
-use crate::error::UnitsError;
 use crate::expr::context::Context;
+use crate::expr::fit::unit_mismatch;
 use crate::motion::drive::{Moves, has_wheels, zero};
 use crate::statements::written::written;
 use crate::values::typed::phrase;
@@ -34,7 +34,7 @@ pub(crate) fn is_other(
     };
     let what = format!("the position of `{name}`");
     let (want, found, span) = (phrase(want), phrase(found), first.span);
-    cx.error(UnitsError::Mismatch { what, want, found, span, help });
+    cx.error(unit_mismatch(&what, &want, &found, span, help));
     true
 }
 

@@ -1,11 +1,11 @@
 //! Friction that has no direction, since nothing says how the machine moves.
 
-use crate::error::FrictionError;
 use crate::expr::context::Context;
 use crate::motion::drive::{Moves, moves};
 use crate::pairs::property::AMOUNTS;
 use assur_model::model::Drive;
 use assur_syntax::document::{Property, Statement};
+use assur_text::diagnostic::Diagnosis;
 use miette::LabeledSpan;
 
 /// Warns of friction that has no direction: the drive has neither a speed nor a sense.
@@ -36,5 +36,12 @@ pub(crate) fn no_motion(cx: &mut Context<'_>) {
         _ => "moving forward",
     };
     let (drive, sense) = (drive.name.clone(), sense.to_owned());
-    cx.error(FrictionError::NoMotion { drive, sense, labels });
+    cx.error(
+        Diagnosis::warning(
+            "mech::friction::no_motion",
+            format!("friction is left out: the direction in which `{drive}` moves is not given"),
+        )
+        .labels(labels)
+        .help(format!("give its direction, `drive {drive} = … {sense}`, or a speed")),
+    );
 }

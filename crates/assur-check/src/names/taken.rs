@@ -1,6 +1,5 @@
 //! Names that are taken already: what may be meant in place of the second.
 
-use crate::error::TrainError;
 use crate::names::declared::QuantityKind;
 use crate::names::scope::Scope;
 use crate::statements::lines::{end_text, line_of, text};
@@ -8,6 +7,7 @@ use crate::statements::written::written;
 use assur_syntax::document::{
     Balance, End, ExpectAt, ExprKind, Joint, LoadKind, Name, Place, Pose, Site, Statement, Turn,
 };
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Collection;
 use assur_text::source::Span;
 use indexmap::IndexSet;
@@ -102,11 +102,14 @@ impl Scope<'_, '_> {
             End::Over(n) if n.span == name.span => format!("under({})", n.node),
             end => end_text(end),
         });
-        self.error(TrainError::RopeEnd {
-            message: format!("`{}` is a slider: a rope cannot run over it", name.node),
-            help: format!("write `{line}` for a movable pulley on it"),
-            span: name.span,
-        });
+        self.error(
+            Diagnosis::error(
+                "mech::train::rope_end",
+                format!("`{}` is a slider: a rope cannot run over it", name.node),
+            )
+            .primary(name.span, "here")
+            .help(format!("write `{line}` for a movable pulley on it")),
+        );
         self.names.bad.insert(joint.name.node.clone());
         true
     }

@@ -1,10 +1,9 @@
 //! `expect`: the answer key.
 
-use crate::error::{ExpectError, SimulateError};
 use crate::expr::context::Context;
 use crate::expr::read::comparison_of;
 use crate::expr::want::Want;
-use crate::motion::simulation::no_simulate;
+use crate::motion::simulation::{no_simulate, of_given_positions, without_meaning};
 use crate::names::suggestion::suggestion;
 use crate::requests::tolerance;
 use crate::statements::lines::text;
@@ -15,6 +14,7 @@ use crate::values::typed::{Dim, Type, Typed, phrase};
 use assur_model::model::{At, Display, Expect, Occasion, Relation, Tolerance};
 use assur_syntax::document;
 use assur_syntax::document::{BinaryOp, ExpectAt, Expr, ExprKind, Name, Setting, Statement};
+use assur_text::diagnostic::{Diagnosis, Fix, Help};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Kind};
 
@@ -72,12 +72,23 @@ fn one(cx: &mut Context<'_>, expect: &document::Expect, span: Span) -> Option<Ex
 /// `expect locked()`, `expect a > b`
 fn condition(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
     if let Some(within) = &expect.within {
-        cx.error(ExpectError::ToleranceOfCondition { span: within.span });
+        cx.error(
+            Diagnosis::error("mech::expect::tolerance_of_truth", "a condition has no tolerance")
+                .primary(within.span, "a condition is true or false")
+                .help("leave out `within …`"),
+        );
     }
     let t = cx.read(&expect.what)?;
     if t.ty != Type::Bool && !t.pending {
         let (text, is) = (expect.text.clone(), t.ty.phrase());
-        cx.error(ExpectError::NoValue { text, is, span: expect.what.span });
+        cx.error(
+            Diagnosis::error(
+                "mech::expect::no_value",
+                format!("`{text}` is {is}, and no expected value is given"),
+            )
+            .primary(expect.what.span, "not a condition")
+            .help(format!("write `expect {text} = …`, or compare it: `expect {text} > …`")),
+        );
         return None;
     }
     if let ExprKind::Compare(left, rest) = &expect.what.kind
@@ -113,7 +124,14 @@ fn equality(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
     let what = what?;
     if what.ty == Type::Bool {
         let (text, span) = (expect.text.clone(), expect.what.span);
-        cx.error(ExpectError::ConditionWithValue { text, span });
+        cx.error(
+            Diagnosis::error(
+                "mech::expect::truth",
+                format!("`{text}` is a condition; it is either true or false"),
+            )
+            .primary(span, "a condition")
+            .help("remove the right-hand side; to expect the opposite, write `not …`"),
+        );
         return None;
     }
     let open = what.pending && what.ty == Type::Number(Dim::Any);
@@ -140,7 +158,11 @@ fn not_itself(cx: &mut Context<'_>, what: &Expr, t: &Typed, value: &Expr) -> Opt
     if t.pending || !walk::same(what, value) {
         return Some(());
     }
-    cx.error(ExpectError::Itself { span: what.span.to(value.span) });
+    cx.error(
+        Diagnosis::error("mech::expect::any_value", "a value is compared with itself")
+            .primary(what.span.to(value.span), "both sides are equal")
+            .help("write the value that is expected, as in `expect Mb = 26 N*m`"),
+    );
     None
 }
 
@@ -154,7 +176,16 @@ fn plus_minus(cx: &mut Context<'_>, expect: &document::Expect) -> Option<()> {
             && let (Some(first), Some(size)) = (written(first), written(size))
         {
             let line = format!("{} = {first} within {size}", expect.text);
-            cx.error(ExpectError::PlusMinus { line, span: plus.span.to(minus.span) });
+            cx.error(
+                Diagnosis::error("mech::expect::no_tolerance", "`+-` is a sum and a sign, not a tolerance")
+                    .primary(plus.span.to(minus.span), "`within` instead of this")
+                    .help(format!("write `expect {line}`"))
+                    .fixes([Fix {
+                        title: format!("write `expect {line}`"),
+                        edits: vec![assur_text::source::Edit::new(plus.span.to(minus.span), " within ")],
+                        certain: false,
+                    }]),
+            );
             return None;
         }
     }
@@ -198,7 +229,7 @@ fn place(cx: &mut Context<'_>, expect: &document::Expect, at: &ExpectAt, span: S
             let simulate = crate::motion::simulation::statement(cx)?.1;
             let what = format!("the pose `{}`", name.node);
             let help = "ask for an instant: `at time = 0.5 s`".to_owned();
-            cx.error(SimulateError::Positions { what, help, span: name.span, simulate });
+            cx.error(of_given_positions(&what, help, name.span, simulate));
             None
         }
         ExpectAt::Pose(name) => {
@@ -237,13 +268,13 @@ fn instant(cx: &mut Context<'_>, settings: &[Setting]) -> Option<f64> {
     if let Some(other) = settings.iter().find(|s| text(&s.target) != "time") {
         let what = format!("a position of `{}`", text(&other.target));
         let help = "ask for an instant: `at time = 0.5 s`".to_owned();
-        cx.error(SimulateError::Positions { what, help, span: other.target.span(), simulate });
+        cx.error(of_given_positions(&what, help, other.target.span(), simulate));
         return None;
     }
     let time = &time?.value;
     if let Some(sense) = &time.sense {
         let (what, help) = ("a sense of rotation of an instant".to_owned(), "leave it out".to_owned());
-        cx.error(SimulateError::NoMeaning { what, help, span: sense.span });
+        cx.error(without_meaning(&what, &help, sense.span));
         return None;
     }
     let value = cx.scalar_constant(&time.value, &Want(Dimension::TIME), "the instant")?;
@@ -251,7 +282,15 @@ fn instant(cx: &mut Context<'_>, settings: &[Setting]) -> Option<f64> {
     if value < run.from || value > run.to {
         let [time_text, from, to] = [value, run.from, run.to].map(|x| format_value(x, Dimension::TIME));
         let span = time.value.span;
-        cx.error(SimulateError::Outside { time: time_text, from, to, span, simulate });
+        cx.error(
+            Diagnosis::error(
+                "mech::simulate::outside",
+                format!("the motion is followed from {from} to {to}, and {time_text} is not in this time"),
+            )
+            .primary(span, "outside")
+            .label(simulate, "followed here")
+            .help("ask for an instant of the motion, or let `simulate` include it"),
+        );
         return None;
     }
     Some(value)
@@ -281,7 +320,11 @@ fn pose(cx: &mut Context<'_>, name: &Name) -> Option<()> {
         (Some(_), Some(_)) => Some("the file has one pose: leave out `at pose …`".into()),
         _ => near,
     };
-    cx.error(ExpectError::UnknownPose { name: name.node.clone(), span: name.span, help });
+    cx.error(
+        Diagnosis::error("mech::expect::unknown_pose", format!("there is no pose `{}`", name.node))
+            .primary(name.span, "no such pose")
+            .help_if(help),
+    );
     None
 }
 
@@ -305,9 +348,16 @@ fn one_value(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At>) -
     let [first, .., last] = &expect.values[..] else { return Some(()) };
     let (span, count) = (first.span.to(last.span), expect.values.len());
     if at.is_some() {
-        cx.error(ExpectError::ListAtPose { span, count });
+        cx.error(list_at_pose(span, count));
     } else {
-        cx.error(ExpectError::ListOfOne { text: expect.text.clone(), count, span });
+        cx.error(
+            Diagnosis::error(
+                "mech::expect::count",
+                format!("`{}` has one value for the whole motion, and {count} are expected", expect.text),
+            )
+            .primary(span, format!("{count} values"))
+            .help("keep one of the values"),
+        );
     }
     None
 }
@@ -319,7 +369,7 @@ fn pose_is_clear(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At
     let span = expect.values.last().map_or(first, |v| first.to(v.span));
     if at.is_some() {
         if values > 1 {
-            cx.error(ExpectError::ListAtPose { span, count: values });
+            cx.error(list_at_pose(span, values));
             return None;
         }
         return Some(());
@@ -327,13 +377,21 @@ fn pose_is_clear(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At
     if let Some(run) = cx.builder.mech.simulation.as_ref().filter(|run| run.instants() != values) {
         let (text, count, simulate) = (expect.text.clone(), run.instants(), run.span);
         let values = if values <= 1 { "one is".to_owned() } else { format!("{values} are") };
-        cx.error(SimulateError::WhichInstant { text, count, values, span, simulate });
+        cx.error(
+            Diagnosis::error(
+                "mech::simulate::which_instant",
+                format!("`{text}` has a value at each of {count} instants, and {values} given here"),
+            )
+            .primary(span, "for which instant?")
+            .label(simulate, "the instants")
+            .help(format!("say for which instant it is, as in `at time = 0.5 s`, or give {count} values")),
+        );
         return None;
     }
     let Some((count, drive, place)) = sweep(cx) else {
         if values > 1 && !may_sweep(cx) {
             let help = "keep one value: a file without a sweep has one pose".to_owned();
-            cx.error(ExpectError::Count { values, poses: "one pose".into(), span, sweep: None, help });
+            cx.error(wrong_count(values, "one pose", span, None, help));
             return None;
         }
         return Some(());
@@ -342,13 +400,23 @@ fn pose_is_clear(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At
         _ if values <= 1 => {
             let number = count.map_or_else(|| "several".to_owned(), |n| n.to_string());
             let (text, count) = (expect.text.clone(), format!("{number} values, one per pose"));
-            cx.error(ExpectError::WhichPose { text, count, drive, span: expect.what.span, sweep: place });
+            cx.error(
+                Diagnosis::error(
+                    "mech::expect::which_pose",
+                    format!("`{text}` has {count}, but only one is expected"),
+                )
+                .primary(expect.what.span, "the pose is missing")
+                .label(place, "this goes through several poses")
+                .help(format!(
+                    "add `at pose 1` or `at {drive} = …`, or list one value per pose, with commas"
+                )),
+            );
             None
         }
         Some(count) if count != values => {
             let (poses, sweep) = (format!("{count} poses"), Some(place));
             let help = crate::requests::expected_list::help(cx, count, values, place);
-            cx.error(ExpectError::Count { values, poses, span, sweep, help });
+            cx.error(wrong_count(values, &poses, span, sweep, help));
             None
         }
         _ => Some(()),
@@ -361,4 +429,28 @@ pub(crate) fn words(ty: Type) -> String {
         d if d.is_dimensionless() && d.kind == Kind::Free => "a plain number".into(),
         d => phrase(d),
     }
+}
+
+/// A list for one pose.
+fn list_at_pose(span: Span, count: usize) -> Diagnosis {
+    Diagnosis::error(
+        "mech::expect::list_at_pose",
+        "a list gives one value per pose and cannot be combined with `at …`",
+    )
+    .primary(span, format!("{count} values"))
+    .help("keep one value, or leave out `at …`")
+}
+
+/// A list that is longer or shorter than the sweep.
+fn wrong_count(
+    values: usize,
+    poses: &str,
+    span: Span,
+    sweep: Option<Span>,
+    help: impl Into<Help>,
+) -> Diagnosis {
+    Diagnosis::error("mech::expect::count", format!("{values} values are expected, but the file has {poses}"))
+        .primary(span, format!("{values} values"))
+        .label(sweep, poses)
+        .help(help)
 }

@@ -1,7 +1,7 @@
 //! `find`: what is asked.
 
-use crate::error::{RequestError, UnitsError};
 use crate::expr::context::Context;
+use crate::expr::fit::unit_mismatch;
 use crate::expr::want::Want;
 use crate::requests::{all_motion, all_powers};
 use crate::statements::walk;
@@ -10,6 +10,7 @@ use crate::values::typed::{Type, Typed, phrase};
 use crate::values::unit_use::display_in;
 use assur_model::model::{Display, Expr as ModelExpr, Find, FindKind};
 use assur_syntax::document::{ExprKind, FindItem, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Collection;
 use assur_text::source::Span;
 use assur_text::units::{Unit, lookup};
@@ -24,7 +25,15 @@ pub(crate) fn finds(cx: &mut Context<'_>) {
             let name = item.name.as_ref().map_or(&item.text, |n| &n.node);
             if let Some(&first) = asked.get(name) {
                 if item.name.is_none() {
-                    cx.error(RequestError::AskedTwice { name: name.clone(), again: item.span, first });
+                    cx.error(
+                        Diagnosis::warning(
+                            "mech::request::asked_twice",
+                            format!("`{name}` is asked for twice"),
+                        )
+                        .primary(item.span, "again here")
+                        .label(first, "first asked here")
+                        .help(format!("leave one of them out, or give it another name: `NAME = {name}`")),
+                    );
                 }
                 continue;
             }
@@ -134,7 +143,7 @@ impl Context<'_> {
             }
         };
         let (want, what) = (phrase(unit.dimension), format!("a quantity printed in {}", unit.text));
-        self.error(UnitsError::Mismatch { what, want, found, span, help });
+        self.error(unit_mismatch(&what, &want, &found, span, help));
         None
     }
 

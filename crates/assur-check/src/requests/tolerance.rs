@@ -1,6 +1,6 @@
 //! How near an answer must be.
 
-use crate::error::ExpectError;
+use crate::expr::constants::not_constant;
 use crate::expr::context::Context;
 use crate::names::declared::QuantityKind;
 use crate::requests::expect::words;
@@ -9,6 +9,7 @@ use crate::values::typed::{Dim, Type, Typed};
 use assur_model::model::{Expr as ModelExpr, Tolerance, Value};
 use assur_syntax::document;
 use assur_syntax::document::{Expr, ExprKind, Number, UnaryOp};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::units::{Dimension, lookup};
 
 /// The most an inferred tolerance may be, relative to the value.
@@ -36,7 +37,7 @@ fn given(
 ) -> Option<Tolerance> {
     if let Some((span, result)) = cx.values.definitions.first_result(&cx.names, within) {
         let what = "a tolerance".to_owned();
-        cx.error(crate::error::RequestError::NotConstant { what, result, span });
+        cx.error(not_constant(&what, &result, span));
         return None;
     }
     let t = cx.read(within)?;
@@ -46,7 +47,11 @@ fn given(
     };
     let Some(Value::Scalar(size)) = t.value() else { return None };
     if !(size > 0.0 && size.is_finite()) {
-        cx.error(ExpectError::Tolerance { span: within.span });
+        cx.error(
+            Diagnosis::error("mech::expect::tolerance", "a tolerance must be greater than zero")
+                .primary(within.span, "not greater than zero")
+                .help("write `within 1e-9`, `within 0.1 %`, or one with a unit"),
+        );
         return None;
     }
     if dim.known() == Dimension::NUMBER {
@@ -71,7 +76,17 @@ fn given(
         let (text, is, found) = (expect.text.clone(), words(ty), words(t.ty));
         let unit = cx.values.usual_unit(ty.dimension());
         let unit = if unit.is_empty() { "no unit".into() } else { unit };
-        cx.error(ExpectError::ToleranceUnit { text, is, found, unit, span: within.span });
+        cx.error(
+            Diagnosis::error(
+                "mech::expect::tolerance_unit",
+                format!("the tolerance is {found}, but `{text}` is {is}"),
+            )
+            .primary(within.span, &found)
+            .help(format!(
+                "write a plain number or a percentage, both relative to the value, or a \
+                 tolerance in {unit}"
+            )),
+        );
         return None;
     }
     too_wide::turn(cx, within.span, size, ty)?;
@@ -85,7 +100,11 @@ fn given(
 fn no_zero<T>(cx: &mut Context<'_>, expr: &Expr, ty: Type) -> Option<T> {
     let unit = cx.values.usual_unit(ty.dimension());
     let example = format!("1e-9 {unit}").trim_end().to_owned();
-    cx.error(ExpectError::Zero { span: expr.span, example });
+    cx.error(
+        Diagnosis::error("mech::expect::zero", "an expected zero needs a tolerance with a unit")
+            .primary(expr.span, "a relative tolerance of zero is zero")
+            .help(format!("write `within {example}`")),
+    );
     None
 }
 
@@ -105,7 +124,14 @@ fn inferred(
             return no_zero(cx, expr, ty);
         }
         let (Some(digit), Some(size)) = (last_digit(cx, expr, 0), size) else {
-            cx.error(ExpectError::NoTolerance { span: expr.span });
+            cx.error(
+                Diagnosis::error("mech::expect::no_tolerance", "a tolerance is required here")
+                    .primary(expr.span, "computed, not written as a number")
+                    .help(
+                        "add `within 1e-9`, `within 0.1 %`, or a tolerance with a unit: a \
+                         computed value has no written digits",
+                    ),
+            );
             return None;
         };
         let size = digit.min(MOST * size);

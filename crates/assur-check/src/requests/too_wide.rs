@@ -1,12 +1,11 @@
 //! Tolerances that any value would meet.
 
-use crate::error::ExpectError;
 use crate::expr::context::Context;
 use crate::statements::walk;
 use crate::values::format_value::{digits, format_value, format_value_like};
 use crate::values::typed::Type;
 use assur_syntax::document::{Expr, ExprKind, Number, Statement};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Span;
 use assur_text::units::{Dimension, lookup};
 use std::f64::consts::PI;
@@ -30,7 +29,7 @@ pub(crate) fn relative(cx: &mut Context<'_>, within: &Expr, size: f64, ty: Type)
     let why = format!("it is {} % of the value, so zero would pass", digits(size * 100.0));
     let words = format!("write `within {percent}`{absolute}");
     let help = Help::write(within.span, &[percent]).in_words(words);
-    cx.error(ExpectError::AnyValue { why, span: within.span, help });
+    cx.error(any_value(&why, within.span, help));
     None
 }
 
@@ -44,7 +43,7 @@ pub(crate) fn turn(cx: &mut Context<'_>, span: Span, size: f64, ty: Type) -> Opt
         "it is {}, and two angles differ by at most half a turn",
         format_value(size, Dimension::ANGLE)
     );
-    cx.error(ExpectError::AnyValue { why, span, help: "write `within 1 deg`".into() });
+    cx.error(any_value(&why, span, "write `within 1 deg`".into()));
     None
 }
 
@@ -73,7 +72,7 @@ pub(crate) fn absolute(
     } else {
         instead(within.span, "3 %")
     };
-    cx.error(ExpectError::AnyValue { why, span: within.span, help });
+    cx.error(any_value(&why, within.span, help));
     None
 }
 
@@ -105,4 +104,11 @@ fn greatest_written(cx: &Context<'_>, dimension: Dimension) -> f64 {
         });
     }
     most
+}
+
+/// A tolerance that any value would meet.
+fn any_value(why: &str, span: Span, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::expect::any_value", format!("any value would meet this tolerance: {why}"))
+        .primary(span, "too wide")
+        .help(help)
 }

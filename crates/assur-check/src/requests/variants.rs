@@ -1,7 +1,8 @@
 //! `variants`: names and units of the columns, and rows as numbers.
 
-use crate::error::{RequestError, UnitsError};
+use crate::expr::bare::unit_missing;
 use crate::expr::context::Context;
+use crate::expr::fit::unit_mismatch;
 use crate::names::declared::QuantityKind;
 use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
 use crate::requests::tolerance;
@@ -10,7 +11,7 @@ use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
 use crate::values::typed::{Dim, Type, correction, phrase};
 use assur_model::model::{Expr, Value};
 use assur_syntax::document::{Cell, Column, Document, ExprKind, Statement, Variants};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Unit};
 use indexmap::IndexSet;
@@ -114,7 +115,14 @@ pub(crate) fn missing_keys(cx: &mut Context<'_>, table: &Variants) {
         }
     }
     for name in names {
-        cx.error(RequestError::KeyColumn { name: name.to_owned(), span: header });
+        cx.error(
+            Diagnosis::error(
+                "mech::request::key_column",
+                format!("the table has no column `{name}`, which an `expect` of the file needs"),
+            )
+            .label(header, format!("no `{name}` here"))
+            .help(format!("add the column, or write `given {name} = …` in the file")),
+        );
     }
 }
 
@@ -243,7 +251,7 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
     if column.unit.is_none() {
         let unit = unit_of_given(cx, name).unwrap_or_else(|| cx.values.usual_unit(want));
         let help = Help::write(span, &[format!("{name} [{unit}]")]);
-        cx.error(UnitsError::Missing { what, want, span, used: None, help });
+        cx.error(unit_missing(&what, want, span, None, help));
         return None;
     }
     let column =
@@ -256,7 +264,7 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
         (_, column) => column,
     };
     let found = phrase(unit.dimension);
-    cx.error(UnitsError::Mismatch { what, want: phrase(want), found, span, help });
+    cx.error(unit_mismatch(&what, &phrase(want), &found, span, help));
     None
 }
 
@@ -271,7 +279,15 @@ pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
     for row in table.rows.iter().filter(|row| row.cells.len() != columns) {
         let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
         let (found, columns) = (count(row.cells.len(), "number"), count(columns, "column"));
-        cx.error(RequestError::VariantRow { found, columns, span: row.span, header });
+        cx.error(
+            Diagnosis::error(
+                "mech::request::variant_row",
+                format!("this row has {found}, but the table has {columns}"),
+            )
+            .primary(row.span, &found)
+            .label(header, &columns)
+            .help("write one number per column, separated by commas"),
+        );
     }
     // a column of which an `expect` takes its values has numbers
     let label = table.columns.iter().position(|c| c.name.node == LABEL && !cx.used_by_expect(LABEL));
@@ -284,7 +300,16 @@ pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
         if let Some((_, cell)) = row.cells.iter().enumerate().find(named) {
             let (name, place) = (cell.node.text().to_owned(), cell.span);
             let has_column = label.is_some();
-            cx.error(RequestError::RowName { name, has_column, span: place, header });
+            cx.error(
+                Diagnosis::error("mech::request::variant_row", format!("`{name}` is not a number"))
+                    .primary(place, "not a number")
+                    .label(header, "the columns")
+                    .help(if has_column {
+                        "write a number here; the name of a row belongs in the column `variant`"
+                    } else {
+                        "write a number; to name the rows, add a column: `variant, …` in the header"
+                    }),
+            );
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The link that holds the axes of two wheels at a distance: rates of the wheels are counted from it.
 
-use crate::error::TrainError;
 use crate::expr::context::Context;
 use assur_model::model::{Bearing, LinkId, Pair, PairKind, Pin, Wheel};
 use assur_syntax::document::Statement;
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 /// Points nearer than this, relative to their distance from the origin, are one.
@@ -97,13 +97,17 @@ fn none(cx: &mut Context<'_>, first: &Wheel, second: &Wheel, on: (&[LinkId], &[L
     let help = "let both turn on the ground, or on one carrier: `shaft P on H { … }`; a wheel on a link turns on the link \
                 that a revolute pair joins to the wheel's point"
         .to_owned();
-    cx.error(TrainError::NoCarrier {
-        first: first.name.clone(),
-        second: second.name.clone(),
-        why,
-        help,
-        span,
-    });
+    cx.error(
+        Diagnosis::error(
+            "mech::train::no_carrier",
+            format!(
+                "no link holds the axes of `{}` and `{}` at a fixed distance: {why}",
+                first.name, second.name
+            ),
+        )
+        .primary(span, "joins them")
+        .help(help),
+    );
 }
 
 /// Reports a shaft of the ground that meshes with a wheel of the ground: it cannot turn. Where the
@@ -123,12 +127,18 @@ pub(crate) fn turns_at_all(cx: &mut Context<'_>, fixed: &Wheel, planet: &Wheel, 
         return Some(()); // a gear pair whose geometry is asked
     }
     let help = format!("let it turn on its carrier: write {}", bare.join(" or "));
-    cx.error(TrainError::Stands {
-        shaft: name.clone(),
-        fixed: fixed.name.clone(),
-        help,
-        span,
-        shaft_span: own.name.span,
-    });
+    cx.error(
+        Diagnosis::error(
+            "mech::train::no_carrier",
+            format!(
+                "`{name}` cannot turn: its axis is on the ground and it meshes with the \
+                 fixed wheel `{}`",
+                fixed.name
+            ),
+        )
+        .primary(span, "with a fixed wheel")
+        .label(own.name.span, "on the ground")
+        .help(help),
+    );
     None
 }

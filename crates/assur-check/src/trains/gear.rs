@@ -1,6 +1,5 @@
 //! Meshes whose geometry is asked for: two wheels with teeth and a module.
 
-use crate::error::GearError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find, read};
 use crate::expr::want::Want;
@@ -9,6 +8,7 @@ use assur_math::element::gear::{GearFault, GearPair, NoMesh, Teeth};
 use assur_syntax::document::{
     Document, End, Expr, Joint, JointKind, Member, Statement, WheelMember, WheelSize,
 };
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::properties_of_pair;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
@@ -80,14 +80,34 @@ impl Context<'_> {
                 Some(pair)
             }
             Err(NoMesh(involute)) => {
-                self.error(GearError::NoMesh { mesh: mesh.0, involute: digits(involute), span: mesh.1 });
+                self.error(
+                    Diagnosis::error(
+                        "mech::gear::no_mesh",
+                        format!(
+                            "the teeth of `{}` do not reach each other: the involute of the working \
+                             pressure angle would be {}, less than zero",
+                            mesh.0,
+                            digits(involute)
+                        ),
+                    )
+                    .label(mesh.1, "shifted too far")
+                    .help(
+                        "make the sum of the shifts greater (in an internal pair the shift of the \
+                         ring minus that of the pinion)",
+                    ),
+                );
                 None
             }
         }
     }
 
     fn gear_incomplete<T>(&mut self, message: String, help: String, span: Span, mesh: Span) -> Option<T> {
-        self.error(GearError::Incomplete { message, help, span, mesh });
+        self.error(
+            Diagnosis::error("mech::gear::incomplete", message)
+                .primary(span, "asked here")
+                .label(mesh, "the mesh")
+                .help(help),
+        );
         None
     }
 
@@ -165,52 +185,102 @@ impl Context<'_> {
                 if swapped {
                     shifts.swap(0, 1);
                 }
-                self.error(GearError::Undercut {
-                    wheel: name(wheel),
-                    shift: digits(shift),
-                    least: digits(least),
-                    proposed: shifts.join(", "),
-                    teeth: digits(pair.z_min.ceil()),
-                    span,
-                });
+                self.error(
+                    Diagnosis::warning(
+                        "mech::gear::undercut",
+                        format!(
+                            "wheel `{}` is undercut: its profile shift is {}, the least without \
+                             undercut is {}",
+                            name(wheel),
+                            digits(shift),
+                            digits(least)
+                        ),
+                    )
+                    .label(span, "in this mesh")
+                    .help(format!(
+                        "write `shift {}` or give it more teeth: {} are enough without a shift",
+                        shifts.join(", "),
+                        digits(pair.z_min.ceil())
+                    )),
+                );
             }
             GearFault::Pointed { wheel, thickness } => {
-                self.error(GearError::Pointed { wheel: name(wheel), thickness: mm(thickness), span });
+                self.error(
+                    Diagnosis::error(
+                        "mech::gear::pointed",
+                        format!(
+                            "the teeth of wheel `{}` come to a point: on the tip circle their \
+                             thickness would be {}",
+                            name(wheel),
+                            mm(thickness)
+                        ),
+                    )
+                    .label(span, "in this mesh")
+                    .help("use a smaller profile shift, or a smaller addendum"),
+                );
             }
             GearFault::Gap { ratio } => {
-                self.error(GearError::ContactRatio { mesh: mesh.clone(), ratio: digits(ratio), span });
+                self.error(
+                    Diagnosis::warning(
+                        "mech::gear::contact_ratio",
+                        format!(
+                            "the contact ratio of `{mesh}` is {}: a pair of teeth parts before the \
+                             next one meets",
+                            digits(ratio)
+                        ),
+                    )
+                    .label(span, "does not run smoothly")
+                    .help(
+                        "use more teeth, a smaller pressure angle, or smaller shifts: it should \
+                         be 1.2 or more",
+                    ),
+                );
             }
             GearFault::Tip { wheel, reached, begin } => {
                 let message = format!(
-                    "the tips of `{}` reach below the involutes of `{}`: to a radius of curvature of {}, where these begin at {}",
+                    "the tips of `{}` reach below the involutes of `{}`: to a radius of \
+                     curvature of {}, where these begin at {}",
                     name(1 - wheel),
                     name(wheel),
                     mm(reached),
                     mm(begin)
                 );
-                let help =
-                    "give the smaller wheel more teeth or a greater shift, or use a smaller addendum".into();
-                self.error(GearError::Interference { message, help, span });
+                let help = "give the smaller wheel more teeth or a greater shift, or use a smaller addendum";
+                self.error(
+                    Diagnosis::error("mech::gear::interference", message)
+                        .label(span, "these teeth interfere")
+                        .help(help),
+                );
             }
             GearFault::RingTip { tip, base } => {
                 let message = format!(
-                    "the tip circle of ring `{}` has {}, less than its base circle of {}, inside which it has no involute",
+                    "the tip circle of ring `{}` has {}, less than its base circle of {}, \
+                     inside which it has no involute",
                     name(1),
                     mm(tip),
                     mm(base)
                 );
-                let help = "give the ring more teeth or a greater shift, or use a smaller addendum".into();
-                self.error(GearError::Interference { message, help, span });
+                let help = "give the ring more teeth or a greater shift, or use a smaller addendum";
+                self.error(
+                    Diagnosis::error("mech::gear::interference", message)
+                        .label(span, "these teeth interfere")
+                        .help(help),
+                );
             }
             GearFault::Overlap { gap } => {
                 let message = format!(
-                    "the tips of `{}` and ring `{}` meet away from the line of contact: they overlap by {}",
+                    "the tips of `{}` and ring `{}` meet away from the line of contact: they \
+                     overlap by {}",
                     name(0),
                     name(1),
                     format_value(-gap, Dimension::ANGLE)
                 );
-                let help = "take more teeth for the ring, or a smaller addendum".into();
-                self.error(GearError::Interference { message, help, span });
+                let help = "take more teeth for the ring, or a smaller addendum";
+                self.error(
+                    Diagnosis::error("mech::gear::interference", message)
+                        .label(span, "these teeth interfere")
+                        .help(help),
+                );
             }
         }
     }

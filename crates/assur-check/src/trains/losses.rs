@@ -1,6 +1,5 @@
 //! The part of the power that a transmission passes on, in each direction.
 
-use crate::error::TrainError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find};
 use crate::trains::ends::incomplete;
@@ -9,6 +8,7 @@ use crate::trains::meant::percent;
 use crate::values::format_value::digits;
 use assur_model::model::TransmissionKind;
 use assur_syntax::document::Joint;
+use assur_text::diagnostic::Diagnosis;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// From the first side to the second, and back. `Some(None)` where nothing is lost.
@@ -53,9 +53,19 @@ fn efficiency(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Optio
         return Some(Some(value));
     }
     let help = percent(cx, joint, value).unwrap_or_else(|| {
-        "write the part of the power that is passed on: `efficiency 0.98`, or `efficiency 98 %`".into()
+        "write the part of the power that is passed on: `efficiency 0.98`, or \
+         `efficiency 98 %`"
+            .into()
     });
-    cx.error(TrainError::Efficiency { value: digits(value), help, span: property.span });
+    cx.error(
+        Diagnosis::error(
+            "mech::train::efficiency",
+            format!("the efficiency must be between 0 and 1; got {}", digits(value)),
+        )
+        .primary(property.span, "out of range")
+        .help(help)
+        .quoted(property.span),
+    );
     None
 }
 

@@ -1,13 +1,12 @@
 //! Distances of axes: of placed wheels, and of planets that mesh on both sides.
 
-use crate::error::TrainError;
 use crate::expr::context::Context;
 use crate::statements::lines::{braces, end_text};
 use crate::trains::carrier::centre_on;
 use crate::values::format_value::{digits, format_value, format_value_like};
 use assur_model::model::{Bearing, LinkId, Pair, PairKind, TransmissionKind, Wheel};
 use assur_syntax::document::{Joint, WheelSize};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use indexmap::IndexMap;
@@ -58,14 +57,24 @@ pub(crate) fn distance(
         return Some(());
     }
     let length = |x| format_value(x, Dimension::LENGTH);
-    cx.error(TrainError::CentreDistance {
-        first: a.name.clone(),
-        second: b.name.clone(),
-        distance: length(distance),
-        rule: if internal { "the difference of their radii" } else { "the sum of their radii" },
-        due: length(due),
-        span,
-    });
+    let rule = if internal { "the difference of their radii" } else { "the sum of their radii" };
+    cx.error(
+        Diagnosis::error(
+            "mech::train::centre_distance",
+            format!(
+                "the axes of `{}` and `{}` are {} apart, but {rule} is {}",
+                a.name,
+                b.name,
+                length(distance),
+                length(due)
+            ),
+        )
+        .primary(span, "cannot touch")
+        .help(format!(
+            "move one of the axes, or change a size: {rule} must equal the distance \
+             of the axes"
+        )),
+    );
     None
 }
 
@@ -106,14 +115,26 @@ pub(crate) fn arm(
     before.push(asked.clone());
     if let Some(first) = alike {
         let name = |link: LinkId| cx.builder.mech.link(link).name.clone();
-        cx.error(TrainError::TurnAlike {
-            shaft: name(planet.link),
-            first: name(first.other.link),
-            second: name(other.link),
-            ratio: digits(-1.0 / asked.ratio).replacen('-', "−", 1),
-            first_span: first.span,
-            second_span: asked.span,
-        });
+        let shaft = name(planet.link);
+        let (span, first) = (first.span, name(first.other.link));
+        let second = name(other.link);
+        cx.error(
+            Diagnosis::advice(
+                "mech::train::turn_alike",
+                format!(
+                    "`{first}` and `{second}` turn alike: both mesh with planet `{shaft}` \
+                     from outside, at the ratio {} seen from its carrier",
+                    digits(-1.0 / asked.ratio).replacen('-', "−", 1)
+                ),
+            )
+            .label(span, format!("turns `{first}`"))
+            .primary(asked.span, format!("turns `{second}` in the same sense"))
+            .help(format!(
+                "for a differential give the carrier a second planet that meshes with \
+                 `{shaft}`, and let `{second}` mesh with that one: side wheels of a bevel \
+                 differential turn in opposite senses"
+            )),
+        );
     }
     let Some(first) = odd else { return };
     let modules = cx.builder.mech.open_sizes.iter().any(|s| s.teeth);
@@ -140,16 +161,21 @@ pub(crate) fn arm(
                 .into()
         })
     };
-    let error = TrainError::PlanetDistance {
-        help,
-        shaft: cx.builder.mech.link(planet.link).name.clone(),
-        first: first.mesh,
-        second: asked.mesh,
-        one: text(first.length),
-        two: text(length),
-        first_span: first.span,
-        second_span: asked.span,
-    };
+    let one = text(first.length);
+    let two = text(length);
+    let error = Diagnosis::warning(
+        "mech::train::planet_distance",
+        format!(
+            "planet `{}` cannot mesh on both sides: `{}` needs an arm of {one}, `{}` \
+             needs {two}",
+            cx.builder.mech.link(planet.link).name,
+            first.mesh,
+            asked.mesh
+        ),
+    )
+    .label(first.span, format!("an arm of {one}"))
+    .primary(asked.span, format!("an arm of {two}"))
+    .help(help);
     cx.error(error);
 }
 

@@ -5,12 +5,12 @@
 //! parts, s after − s before = 2 v_P. A slider counts positive where the rope pays out of a wheel turning ccw, and wheels
 //! on one rope keep their sense: from a rope that begins with a wheel, ω counts with −r.
 
-use crate::error::TrainError;
 use crate::expr::context::Context;
 use crate::names::declared::ThingKind;
 use crate::trains::size::label;
 use assur_model::model::{Law, LinkId, Rate, Wheel};
 use assur_syntax::document::{End, Joint, Name};
+use assur_text::diagnostic::Diagnosis;
 
 /// Part of a rope's path.
 enum Station {
@@ -44,7 +44,7 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
                 path.head.node
             ),
         };
-        cx.error(TrainError::RopeEnd { message: message.into(), help, span: end.span() });
+        cx.error(Diagnosis::error("mech::train::rope_end", message).primary(end.span(), "here").help(help));
         return None;
     }
     let begins_with_wheel = matches!(stations.first(), Some(Station::Wheel(_)));
@@ -83,11 +83,11 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
         .map(|terms| Law { terms: merged(terms), constant: 0.0, force: 1.0, efficiency: None })
         .collect();
     if laws.iter().any(|l| l.terms.iter().all(|(r, _)| *r == Rate::Turn(LinkId::GROUND))) {
-        cx.error(TrainError::RopeEnd {
-            message: format!("rope `{}` moves nothing", joint.name.node),
-            help: "begin the rope at a slider or a wheel: `rope a: A - over(C) - w1`".into(),
-            span: joint.name.span,
-        });
+        cx.error(
+            Diagnosis::error("mech::train::rope_end", format!("rope `{}` moves nothing", joint.name.node))
+                .primary(joint.name.span, "here")
+                .help("begin the rope at a slider or a wheel: `rope a: A - over(C) - w1`"),
+        );
         return None;
     }
     Some((laws, links))
@@ -119,11 +119,14 @@ fn station(cx: &mut Context<'_>, end: &End) -> Option<Station> {
                 return Some(Station::Anchor);
             }
             if let Some(part) = &path.tail {
-                cx.error(TrainError::RopeEnd {
-                    message: "a rope cannot be fastened to a point of a moving link yet".into(),
-                    help: "fasten it to the ground, a slider or a wheel".into(),
-                    span: part.span,
-                });
+                cx.error(
+                    Diagnosis::error(
+                        "mech::train::rope_end",
+                        "a rope cannot be fastened to a point of a moving link yet",
+                    )
+                    .primary(part.span, "here")
+                    .help("fasten it to the ground, a slider or a wheel"),
+                );
                 return None;
             }
             match cx.names.things.get(&path.head.node).map(|d| d.what) {
@@ -132,11 +135,17 @@ fn station(cx: &mut Context<'_>, end: &End) -> Option<Station> {
                 }
                 Some(ThingKind::Idler) => {
                     let name = &path.head;
-                    cx.error(TrainError::RopeEnd {
-                        message: format!("`{}` is an idler, which turns freely", name.node),
-                        help: format!("write `over({})`, or give a shaft a wheel of another name", name.node),
-                        span: name.span,
-                    });
+                    cx.error(
+                        Diagnosis::error(
+                            "mech::train::rope_end",
+                            format!("`{}` is an idler, which turns freely", name.node),
+                        )
+                        .primary(name.span, "here")
+                        .help(format!(
+                            "write `over({})`, or give a shaft a wheel of another name",
+                            name.node
+                        )),
+                    );
                     None
                 }
                 _ => {
@@ -165,10 +174,10 @@ pub(crate) fn two_sides(cx: &mut Context<'_>, joint: &Joint, laws: &[Law]) -> Op
     {
         return Some(());
     }
-    cx.error(TrainError::Sizes {
-        message: "the efficiency of a rope needs exactly two moving parts".into(),
-        help: "leave it out, or divide the rope".into(),
-        labels: vec![label("more than two parts", joint.name.span)],
-    });
+    cx.error(
+        Diagnosis::error("mech::train::sizes", "the efficiency of a rope needs exactly two moving parts")
+            .labels(vec![label("more than two parts", joint.name.span)])
+            .help("leave it out, or divide the rope"),
+    );
     None
 }

@@ -1,7 +1,7 @@
 //! Sizes of wheels: radius, diameter, teeth with their module. What the file leaves open is assumed, and noted as a scale
 //! that no answer may depend on.
 
-use crate::error::{RequestError, TrainError};
+use crate::expr::constants::not_constant;
 use crate::expr::context::Context;
 use crate::expr::positive::positive_value;
 use crate::expr::want::Want;
@@ -142,20 +142,24 @@ fn teeth(cx: &mut Context<'_>, member: &WheelMember) -> Option<Option<f64>> {
                 return Some(Some(teeth.round()));
             }
             let length = |x| format_value(x, Dimension::LENGTH);
-            cx.error(TrainError::Sizes {
-                message: format!(
-                    "wheel `{name}` would have {} teeth: its diameter is {}, its module {}",
-                    crate::values::format_value::digits(teeth),
-                    length(2.0 * radius),
-                    length(module)
-                ),
-                help: format!(
-                    "write `teeth {} module {}`, or another module: the diameter is a whole number of modules",
+            cx.error(
+                Diagnosis::error(
+                    "mech::train::sizes",
+                    format!(
+                        "wheel `{name}` would have {} teeth: its diameter is {}, its module {}",
+                        crate::values::format_value::digits(teeth),
+                        length(2.0 * radius),
+                        length(module)
+                    ),
+                )
+                .labels(vec![label("no whole number of teeth", written.span)])
+                .help(format!(
+                    "write `teeth {} module {}`, or another module: the diameter is a whole \
+                     number of modules",
                     teeth.round().max(1.0),
                     length(module)
-                ),
-                labels: vec![label("no whole number of teeth", written.span)],
-            });
+                )),
+            );
             None
         }
         _ => Some(None),
@@ -177,11 +181,14 @@ fn whole(cx: &mut Context<'_>, number: f64, wheel: &str, written: &Expr) -> Opti
         _ => format!("{n} teeth"),
     };
     let choices = if below == above { line(above) } else { format!("{} or {}", line(below), line(above)) };
-    cx.error(TrainError::Sizes {
-        message: format!("wheel `{wheel}` has {} teeth", crate::values::format_value::digits(number)),
-        help: format!("write {choices}: the number of teeth is a whole number"),
-        labels: vec![label("not a whole number", written.span)],
-    });
+    cx.error(
+        Diagnosis::error(
+            "mech::train::sizes",
+            format!("wheel `{wheel}` has {} teeth", crate::values::format_value::digits(number)),
+        )
+        .labels(vec![label("not a whole number", written.span)])
+        .help(format!("write {choices}: the number of teeth is a whole number")),
+    );
     None
 }
 
@@ -287,7 +294,7 @@ fn cycle(cx: &mut Context<'_>, again: &str) {
 /// A size: made of numbers, `given`, `let` and radii of other wheels.
 fn size(cx: &mut Context<'_>, expr: &Expr, dimension: Dimension, what: &str) -> Option<f64> {
     if let Some((span, result)) = cx.values.definitions.first_result_beside(&cx.names, expr, "radius") {
-        cx.error(RequestError::NotConstant { what: what.to_owned(), result, span });
+        cx.error(not_constant(what, &result, span));
         return None;
     }
     // the module of a wheel is that of all that mesh with it

@@ -1,6 +1,5 @@
 //! Meshes, belts, chains, racks, worms and screws: each a law between rates.
 
-use crate::error::TrainError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find, read};
 use crate::links::lookup::is_linkage_pair;
@@ -23,6 +22,7 @@ use assur_model::model::{
     Grip, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
 };
 use assur_syntax::document::{Joint, JointKind, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::properties_of_pair;
 use std::f64::consts::FRAC_PI_2;
 
@@ -137,15 +137,19 @@ fn wheels(
     let (a, b) = (wheel(cx, paths[0]), wheel(cx, paths[1]));
     let (a, b) = (a?, b?);
     if a.link == b.link {
-        cx.error(TrainError::SameShaft {
-            what: kind.phrase(),
-            name: joint.name.node.clone(),
-            first: a.name.clone(),
-            second: b.name.clone(),
-            link: cx.builder.mech.link(a.link).name.clone(),
-            first_span: paths[0].span(),
-            second_span: paths[1].span(),
-        });
+        let link = cx.builder.mech.link(a.link).name.clone();
+        cx.error(
+            Diagnosis::error(
+                "mech::train::same_shaft",
+                format!(
+                    "`{}` joins `{}` and `{}`, which are both on `{link}`",
+                    joint.name.node, a.name, b.name
+                ),
+            )
+            .label(paths[0].span(), format!("on `{link}`"))
+            .primary(paths[1].span(), format!("on `{link}` too"))
+            .help(format!("put one of them on another shaft: {} joins wheels of two shafts", kind.phrase())),
+        );
         return None;
     }
     let is = |name| find(properties, name).is_some();
@@ -158,7 +162,20 @@ fn wheels(
             None => crate::values::format_value::format_value(a.radius, assur_text::units::Dimension::LENGTH),
         };
         let (first, second) = (a.name, b.name);
-        cx.error(TrainError::Internal { first, second, size, span: joint.name.span });
+        cx.error(
+            Diagnosis::error(
+                "mech::train::internal",
+                format!(
+                    "`{first}` and `{second}` have the same size ({size}): neither fits into \
+                     the other"
+                ),
+            )
+            .primary(joint.name.span, "internal")
+            .help(
+                "make one wheel larger, it is the ring; or leave out `internal` if both \
+                 have outer teeth",
+            ),
+        );
         return None;
     }
     let turned = if meshes { !internal } else { is("crossed") };
@@ -216,20 +233,23 @@ fn coefficients(
         return Some((a.radius, b.radius));
     }
     let length = |x| crate::values::format_value::format_value(x, assur_text::units::Dimension::LENGTH);
-    cx.error(TrainError::Sizes {
-        message: format!(
-            "`{}` has a module of {} and `{}` one of {}: their teeth do not fit",
-            a.name,
-            length(modules[0]),
-            b.name,
-            length(modules[1])
-        ),
-        help: "give both the same module, diameter divided by number of teeth".into(),
-        labels: vec![
+    cx.error(
+        Diagnosis::error(
+            "mech::train::sizes",
+            format!(
+                "`{}` has a module of {} and `{}` one of {}: their teeth do not fit",
+                a.name,
+                length(modules[0]),
+                b.name,
+                length(modules[1])
+            ),
+        )
+        .labels(vec![
             label(format!("joins {} and {}", a.name, b.name), joint.name.span),
             label(format!("module {}", length(modules[0])), a.span),
             label(format!("module {}", length(modules[1])), b.span),
-        ],
-    });
+        ])
+        .help("give both the same module, diameter divided by number of teeth"),
+    );
     None
 }

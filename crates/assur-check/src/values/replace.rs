@@ -1,6 +1,5 @@
 //! Values from outside in place of those of the file.
 
-use crate::error::RequestError;
 use crate::names::declared::{Names, QuantityKind};
 use crate::names::suggestion::suggestion;
 use crate::output::problems::Problems;
@@ -10,6 +9,7 @@ use crate::values::store::Values;
 use crate::values::typed::{Dim, Type, Typed, phrase};
 use assur_model::model::Expr;
 use assur_syntax::{between_digits, readings};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use assur_text::units::{Dimension, lookup};
 
@@ -23,12 +23,11 @@ pub fn unknown_names(names: &Names<'_>, overrides: &Overrides, problems: &mut Pr
                 let why = format!("`{name}` is {is}, but only a `given` can be set");
                 let help = matches!(kind, QuantityKind::Let(_))
                     .then(|| format!("write `given {name} = …` in the file instead of `let {name} = …`"));
-                problems.error(RequestError::SetUnknown {
-                    name: name.clone(),
-                    why,
-                    declared: Some(span),
-                    help,
-                });
+                problems.error(
+                    Diagnosis::error("mech::request::set_unknown", format!("`--set {name}=…`: {why}"))
+                        .label(span, "declared here")
+                        .help_if(help),
+                );
             }
             None => unknown(names, problems, name),
         }
@@ -44,7 +43,9 @@ fn unknown(names: &Names<'_>, problems: &mut Problems, name: &str) {
     // it is of the command line, and has no place in the text
     let help = suggestion(name, Span::default(), &given, "`given` of this file").map(|help| help.to_string());
     let why = "the file has no `given` of that name".to_owned();
-    problems.error(RequestError::SetUnknown { name: name.to_owned(), why, declared: None, help });
+    problems.error(
+        Diagnosis::error("mech::request::set_unknown", format!("`--set {name}=…`: {why}")).help_if(help),
+    );
 }
 
 /// The value of a definition: that from outside where there is one, otherwise that of the file.
@@ -70,7 +71,11 @@ pub fn replaced(
         Ok(t) => Some(t),
         Err((why, help)) => {
             let (name, text) = (name.to_owned(), text.clone());
-            problems.error(RequestError::SetValue { name, text, why, declared, help });
+            problems.error(
+                Diagnosis::error("mech::request::set_value", format!("`--set {name}={text}`: {why}"))
+                    .label(declared, "the value it would replace")
+                    .help_if(help),
+            );
             None
         }
     }

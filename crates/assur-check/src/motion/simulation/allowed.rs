@@ -1,10 +1,11 @@
 //! What a file that follows a motion cannot have: positions of drives, and what the motion under loads has of itself.
 
-use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::motion::drive::{count, moves};
+use crate::motion::simulation::{of_given_positions, without_meaning};
 use assur_model::model::{BalanceKind, LinkId, PairKind, Positions};
 use assur_syntax::document::Statement;
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 /// Reports what has no meaning beside `simulate`.
@@ -40,7 +41,15 @@ fn starts_or_drives(cx: &mut Context<'_>, span: Span) {
             format!("add `start {link} = 45 deg`: one line for each freedom, of a link or a pair")
         }
     };
-    cx.error(SimulateError::NoStart { help, span });
+    cx.error(
+        Diagnosis::error(
+            "mech::simulate::no_start",
+            "the motion follows from the loads where a coordinate is free, and this \
+             file has no `start`",
+        )
+        .label(span, "nothing is free")
+        .help(help),
+    );
 }
 
 /// Reports sweeps, lists and poses.
@@ -65,7 +74,7 @@ fn positions(cx: &mut Context<'_>, simulate: Span) {
         found.push((format!("the pose `{}`", pose.name), help, pose.span));
     }
     for (what, help, span) in found {
-        cx.error(SimulateError::Positions { what, help, span, simulate });
+        cx.error(of_given_positions(&what, help, span, simulate));
     }
 }
 
@@ -83,14 +92,22 @@ fn no_meaning(cx: &mut Context<'_>) {
             ),
             _ => continue,
         };
-        cx.error(SimulateError::NoMeaning { what, help, span: statement.span });
+        cx.error(without_meaning(&what, &help, statement.span));
     }
 }
 
 /// Reports a quantity that is called as the instant.
 fn time_is_taken(cx: &mut Context<'_>, simulate: Span) {
     if let Some(span) = cx.names.quantities.get("time").map(|declared| declared.span) {
-        cx.error(SimulateError::Time { span, simulate });
+        cx.error(
+            Diagnosis::error(
+                "mech::simulate::time",
+                "`time` is the instant of the motion in a file with `simulate`",
+            )
+            .primary(span, "declared here")
+            .label(simulate, "the motion")
+            .help("give the quantity another name"),
+        );
     }
 }
 
@@ -101,7 +118,8 @@ fn balances(cx: &mut Context<'_>) {
     let (Some(last), true) = (balances.last(), balances.len() > driven) else { return };
     let is = if matches!(last.kind, BalanceKind::Torque(_)) { "torque" } else { "force" };
     let help = format!(
-        "leave out `{}`, or give the {is} a value: `{is} {} … = …`; write `drive` in place of `start` for a motion that is given",
+        "leave out `{}`, or give the {is} a value: `{is} {} … = …`; write `drive` \
+         in place of `start` for a motion that is given",
         last.name, last.name
     );
     let of = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
@@ -111,5 +129,12 @@ fn balances(cx: &mut Context<'_>) {
         n => of(n, "coordinate") + if n == 1 { " that is driven" } else { " that are driven" },
     };
     let span = last.span;
-    cx.error(SimulateError::Balance { count, driven, help, span });
+    cx.error(
+        Diagnosis::error(
+            "mech::simulate::balance",
+            format!("{count} for {driven}: nothing holds a free coordinate"),
+        )
+        .label(span, "not needed")
+        .help(help),
+    );
 }

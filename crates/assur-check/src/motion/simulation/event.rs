@@ -1,11 +1,12 @@
 //! Events, and conditions at which the motion ends.
 
-use crate::error::SimulateError;
 use crate::expr::context::Context;
+use crate::motion::simulation::without_meaning;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type};
 use assur_model::model::{BinaryOp, Comparison, Event, Expr, Function, Query, Situation};
 use assur_syntax::document::{Passage, Passing, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 /// Enters all events, in the order of the file, then the ends by `until`.
@@ -45,7 +46,7 @@ fn is_of_instant(cx: &mut Context<'_>, value: &Expr, span: Span) -> bool {
         let what = "a function over the whole motion in an event".to_owned();
         let help =
             "let it depend on the instant, on positions, velocities, accelerations and forces".to_owned();
-        cx.error(SimulateError::NoMeaning { what, help, span });
+        cx.error(without_meaning(&what, &help, span));
     }
     !of_run
 }
@@ -77,7 +78,17 @@ fn condition(cx: &mut Context<'_>, passing: &Passing) -> Option<(Expr, Option<bo
     let what = cx.read(&passing.what)?;
     if what.ty != Type::Bool {
         let (is, span) = (what.ty.phrase().to_owned(), passing.what.span);
-        cx.error(SimulateError::NoCondition { is, span });
+        cx.error(
+            Diagnosis::error(
+                "mech::simulate::no_condition",
+                format!("this is {is}: nothing says when it happens"),
+            )
+            .label(span, "when?")
+            .help(
+                "give the value that is passed, as in `omega(crank) = 0 rad/s`, or a \
+                 condition, as in `omega(crank) < 0 rad/s`",
+            ),
+        );
         return None;
     }
     if let Some(way) = &passing.way {
@@ -85,13 +96,20 @@ fn condition(cx: &mut Context<'_>, passing: &Passing) -> Option<(Expr, Option<bo
             "`rising` or `falling` of a condition".to_owned(),
             "leave it out: it happens where the condition becomes true".to_owned(),
         );
-        cx.error(SimulateError::NoMeaning { what, help, span: way.span });
+        cx.error(without_meaning(&what, &help, way.span));
     }
     if situation(&what.expr).is_some() {
         return Some((what.expr, None));
     }
     let Some(margin) = margin(&what.expr) else {
-        cx.error(SimulateError::NoMargin { span: passing.what.span });
+        cx.error(
+            Diagnosis::error(
+                "mech::simulate::no_margin",
+                "the instant at which this condition becomes true cannot be found",
+            )
+            .label(passing.what.span, "no comparison of numbers")
+            .help("write it as a comparison of numbers, or as several with `and`, `or`, `not`"),
+        );
         return None;
     };
     Some((margin, Some(true)))

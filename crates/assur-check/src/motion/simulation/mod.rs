@@ -11,13 +11,14 @@ pub(crate) use of_time::{differentiable, follows_time, own_rates};
 pub(crate) use start::starts;
 pub(crate) use stop::stops;
 
-use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::motion::drive::{MOST_STEPS, wrong_steps};
 use crate::values::format_value::{digits, format_value};
 use assur_model::model::Simulation;
 use assur_syntax::document::{Expr, Simulate, Statement, TimeCourse};
+use assur_text::diagnostic::Fix;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -45,7 +46,13 @@ fn second_statement(cx: &mut Context<'_>) {
     let spans = statements.map(|s| s.span).collect::<Vec<_>>();
     if let [first, again, ..] = spans[..] {
         let help = "keep one of them: a file follows one motion".to_owned();
-        cx.error(SimulateError::Twice { word: "simulate", help, again, first });
+        cx.error(
+            Diagnosis::error("mech::simulate::twice", "a file has one `simulate`, and this is the second")
+                .primary(again, "again here")
+                .label(first, "first here")
+                .help(help)
+                .left_out("the second one", again),
+        );
     }
 }
 
@@ -58,7 +65,7 @@ pub(crate) fn may_be_missing(cx: &Context<'_>) -> bool {
 pub(crate) fn no_simulate(cx: &mut Context<'_>, word: &'static str, span: Span) {
     if may_be_missing(cx) {
         let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
-        cx.error(SimulateError::Missing { word, help, span });
+        cx.error(no_simulation(word, help, span));
     }
 }
 
@@ -100,7 +107,14 @@ fn course(cx: &mut Context<'_>, simulate: &Simulate, span: Span) -> Option<Simul
     if last <= first {
         let instant = |x| format_value(x, Dimension::TIME);
         let span = from.as_ref().map_or(to.span, |from| from.span.to(to.span));
-        cx.error(SimulateError::Interval { from: instant(first), to: instant(last), span });
+        cx.error(
+            Diagnosis::error(
+                "mech::simulate::interval",
+                format!("the motion ends at {}, and {} is not before it", instant(last), instant(first)),
+            )
+            .label(span, "no time between them")
+            .help("write the earlier instant first: `simulate 0 s .. 2 s`"),
+        );
         return None;
     }
     Some(Simulation { span, from: first, to: last, steady: None, steps, within })
@@ -111,7 +125,14 @@ fn accuracy(cx: &mut Context<'_>, within: &Expr) -> Option<f64> {
     if value > 0.0 && value < 1.0 {
         return Some(value);
     }
-    cx.error(SimulateError::Within { within: digits(value), span: within.span });
+    cx.error(
+        Diagnosis::error("mech::simulate::within", format!("{} is no accuracy of a motion", digits(value)))
+            .label(within.span, "not between 0 and 1")
+            .help(
+                "write a number between 0 and 1: `within 1e-9` keeps all that is printed \
+                 to 1e-9 of the greatest of its kind",
+            ),
+    );
     None
 }
 
@@ -125,4 +146,36 @@ fn count(cx: &mut Context<'_>, steps: &Expr) -> Option<usize> {
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 1 to a million
     Some(value as usize)
+}
+
+/// What belongs to positions of a drive.
+pub fn of_given_positions(what: &str, help: impl Into<Help>, span: Span, simulate: Span) -> Diagnosis {
+    Diagnosis::error(
+        "mech::simulate::positions",
+        format!("{what} belongs to positions that are given, and this file follows a motion"),
+    )
+    .primary(span, "of given positions")
+    .label(simulate, "the motion follows from the loads")
+    .help(help)
+}
+
+/// An effect that a motion under loads has of itself.
+pub fn without_meaning(what: &str, help: &str, span: Span) -> Diagnosis {
+    Diagnosis::error(
+        "mech::simulate::no_meaning",
+        format!("{what} has no meaning where the motion follows from the loads"),
+    )
+    .label(span, "no meaning here")
+    .fixes(help.starts_with("leave ").then(|| Fix::left_out("this", span)))
+    .help(help)
+}
+
+/// A statement of a motion that is not followed.
+pub fn no_simulation(word: &'static str, help: impl Into<Help>, span: Span) -> Diagnosis {
+    Diagnosis::error(
+        "mech::simulate::missing",
+        format!("`{word}` belongs to a motion under loads, and the file has no `simulate`"),
+    )
+    .label(span, "no `simulate`")
+    .help(help)
 }

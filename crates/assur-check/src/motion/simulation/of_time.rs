@@ -1,9 +1,9 @@
 //! Drives whose position is an expression of the instant.
 
-use crate::error::SimulateError;
 use crate::expr::context::Context;
 use assur_model::model::{Expr, Function, Positions, Query};
 use assur_syntax::document::{Drive, DrivePosition};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 /// Whether the one position depends on the instant.
@@ -24,7 +24,18 @@ pub(crate) fn own_rates(cx: &mut Context<'_>, drive: &Drive, name: &str) {
         _ => None,
     };
     if let Some((again, first)) = span.zip(position) {
-        cx.error(SimulateError::RateTwice { name: name.into(), again, first });
+        cx.error(
+            Diagnosis::error(
+                "mech::simulate::twice",
+                format!(
+                    "the rate of `{name}` is given twice: it is the derivative of its \
+                     position, which depends on `time`"
+                ),
+            )
+            .primary(again, "again here")
+            .label(first, "has its own rate")
+            .help("leave out `at …` and `accelerating …`"),
+        );
     }
 }
 
@@ -54,7 +65,8 @@ pub(crate) fn differentiable(cx: &mut Context<'_>, expr: &Expr, span: Span) -> b
     });
     if missing {
         cx.builder.unsupported(
-            "a position of a drive made of magnitudes or products of vectors that depend on `time`",
+            "a position of a drive made of magnitudes or products of vectors that \
+             depend on `time`",
             span,
         );
     }

@@ -1,9 +1,9 @@
 //! Starts: where free coordinates are at the first instant, and how fast.
 
 use super::{may_be_missing, statement};
-use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::motion::drive::{Moves, has_wheels, target, value, zero};
+use crate::motion::simulation::no_simulation;
 use crate::statements::lines::text;
 use crate::statements::written::written;
 use assur_model::model::{Drive, DriveTarget, Expr, Positions};
@@ -27,14 +27,21 @@ fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
     let name = text(&start.target);
     if start.target.tail.is_some() {
         let link = start.target.head.node.clone();
-        cx.error(SimulateError::Point { name, link, span: start.target.span() });
+        cx.error(
+            Diagnosis::error(
+                "mech::simulate::point",
+                format!("a start is the value of an angle or a coordinate, and `{name}` is a point"),
+            )
+            .label(start.target.span(), "a point")
+            .help(format!("name its link, as in `start {link} = 45 deg`, or a pair")),
+        );
         return None;
     }
     let (target, moves) = target(cx, &start.target, "a start")?;
     if statement(cx).is_none() && may_be_missing(cx) {
         let line = written_start(start, &name);
         let help = format!("add `simulate 0 s .. 1 s`, or write `{}` for a motion that is given", line);
-        cx.error(SimulateError::Missing { word: "start", help, span });
+        cx.error(no_simulation("start", help, span));
         return None;
     }
     let once = target.is_none_or(|target| once(cx, target, &name, span));
@@ -97,6 +104,11 @@ fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, again: Span) -> b
         );
         (format!("`{name}` has a `drive` and a `start`"), help)
     };
-    cx.error(SimulateError::StartedTwice { what, help, again, first });
+    cx.error(
+        Diagnosis::error("mech::simulate::twice", what)
+            .primary(again, "started here")
+            .label(first, "given here")
+            .help(help),
+    );
     false
 }

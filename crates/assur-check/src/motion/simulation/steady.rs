@@ -1,7 +1,7 @@
 //! Motions that come again: `simulate steady turn of crank`, `simulate steady cycle of down`.
 
-use crate::error::SimulateError;
 use crate::expr::context::Context;
+use crate::motion::simulation::without_meaning;
 use crate::statements::lines::text;
 use assur_model::model::{DriveTarget, Expr, Mechanism, Query, Steady};
 use assur_syntax::document;
@@ -110,5 +110,5 @@ fn drives(cx: &mut Context<'_>, turning: Option<DriveTarget>) {
 }
 
 fn no_meaning(cx: &mut Context<'_>, what: String, help: String, span: Span) {
-    cx.error(SimulateError::NoMeaning { what, help, span });
+    cx.error(without_meaning(&what, &help, span));
 }

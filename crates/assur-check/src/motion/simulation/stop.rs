@@ -1,14 +1,15 @@
 //! Stops: bounds of coordinates in a motion.
 
 use super::{may_be_missing, statement};
-use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::expr::property::{find, read};
 use crate::expr::want::Want;
 use crate::motion::drive::{Moves, coordinate};
+use crate::motion::simulation::no_simulation;
 use crate::values::format_value::digits;
 use assur_model::model::{Expr, Load, LoadKind, Query, Stop};
 use assur_syntax::document::{self, CompareOp, Statement};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::STOP;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
@@ -21,7 +22,7 @@ pub(crate) fn stops(cx: &mut Context<'_>) {
         let Statement::Stop(written) = &item.node else { continue };
         if statement(cx).is_none() && may_be_missing(cx) {
             let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
-            cx.error(SimulateError::Missing { word: "stop", help, span: item.span });
+            cx.error(no_simulation("stop", help, item.span));
             continue;
         }
         let Some(stop) = stop(cx, written, item.span) else { continue };
@@ -44,7 +45,7 @@ fn stop(cx: &mut Context<'_>, stop: &document::Stop, span: Span) -> Option<Stop>
         let what = format!("the restitution of a stop is between 0 and 1; got {}", digits(restitution));
         let help = "write the speed after the impact over that before it, as in `restitution 0.7`".to_owned();
         let span = place.map_or(span, |p| p.name.span);
-        cx.error(SimulateError::Stop { what, help, span, first: None });
+        cx.error(Diagnosis::error("mech::simulate::stop", what).primary(span, "here").help(help));
         return None;
     }
     let above = matches!(stop.op.node, CompareOp::Greater | CompareOp::GreaterOrEqual);
@@ -61,13 +62,25 @@ fn is_free(cx: &mut Context<'_>, stop: &document::Stop, found: &Stop) -> bool {
         if other.side == found.side {
             let what = format!("`{name}` has two stops on the same side");
             let help = "keep the one that is reached first".to_owned();
-            cx.error(SimulateError::Stop { what, help, span: found.span, first: Some(other.span) });
+            cx.error(
+                Diagnosis::error("mech::simulate::stop", what)
+                    .primary(found.span, "here")
+                    .label(other.span, "first here")
+                    .help(help)
+                    .left_out("this stop", found.span),
+            );
             return false;
         }
         if found.side * (other.bound - found.bound) <= 0.0 {
             let what = format!("nothing is left between the two stops of `{name}`");
             let help = "let the coordinate stay above the lesser bound and below the greater one".to_owned();
-            cx.error(SimulateError::Stop { what, help, span: found.span, first: Some(other.span) });
+            cx.error(
+                Diagnosis::error("mech::simulate::stop", what)
+                    .primary(found.span, "here")
+                    .label(other.span, "first here")
+                    .help(help)
+                    .left_out("this stop", found.span),
+            );
             return false;
         }
     }

@@ -1,12 +1,12 @@
 //! Arguments that name things.
 
-use crate::error::RequestError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::names::declared::ThingKind;
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairId, PairKind};
 use assur_syntax::document::{Expr, ExprKind, Name, Path};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::{Span, Spanned};
 
 /// What turns or moves.
@@ -126,14 +126,15 @@ impl Context<'_> {
         let declared = self.builder.mech.pair(pair);
         let (pair, kind, declared) =
             (declared.name.clone(), kind_phrase(&declared.kind).to_owned(), declared.span);
-        self.error(RequestError::NotOfThisPair {
-            function: call.name.node.clone(),
-            pair,
-            kind,
-            span: call.span,
-            declared,
-            help: help.map(str::to_owned),
-        });
+        self.error(
+            Diagnosis::error(
+                "mech::request::not_of_this_pair",
+                format!("`{}` is not defined for `{pair}`, {kind}", call.name.node),
+            )
+            .primary(call.span, "asked here")
+            .label(declared, "declared here")
+            .help_if(help.map(str::to_owned)),
+        );
     }
 
     /// Where a pair is declared.

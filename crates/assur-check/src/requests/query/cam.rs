@@ -1,12 +1,14 @@
 //! What is asked of a designed cam: a value at a cam angle, a greatest or least one over the turn, a table.
 
-use crate::error::{RequestError, UnitsError};
 use crate::expr::context::Context;
+use crate::expr::no_value::undefined;
+use crate::expr::read::no_part;
 use crate::expr::results::Call;
 use crate::expr::want::Want;
 use crate::motion::drive::wrong_steps;
 use crate::names::declared::ThingKind;
 use crate::requests::query::args::path;
+use crate::requests::query::not_a_quantity;
 use crate::values::typed::{Type, Typed};
 use assur_math::element::cam::Quantity;
 use assur_model::model::{CAM_PARTS, CamPart, CycleFunction, Expr as ModelExpr, FindKind, PlateCam};
@@ -74,7 +76,7 @@ impl Context<'_> {
                 _ => format!("write `{}({}, 30 deg)` or `max({written})`", call.name.node, plate.name),
             };
             let message = format!("{written} for every cam angle");
-            self.error(RequestError::NoValue { path: message, span: call.span, help: Some(help) });
+            self.error(not_a_quantity(&message, call.span, Some(help)));
             return None;
         };
         let phi = self.scalar_constant(angle, &Want::ANGLE, "the cam angle")?;
@@ -90,7 +92,7 @@ impl Context<'_> {
             return Some(t);
         }
         let why = "the pitch curve is straight there";
-        self.error(UnitsError::NoValue { why, span: call.span, help: None });
+        self.error(undefined(why, call.span, None));
         None
     }
 
@@ -101,7 +103,7 @@ impl Context<'_> {
         let help =
             format!("add `speed 80 rpm` to the braces of cam `{}`; `.s'`, `.s''` are per radian", plate.name);
         let path = "a rate by time of a cam without a speed".to_owned();
-        self.error(RequestError::NoValue { path, span: call.span, help: Some(help) });
+        self.error(not_a_quantity(&path, call.span, Some(help)));
         None
     }
 
@@ -116,7 +118,7 @@ impl Context<'_> {
             return Some(*which);
         }
         let help = Some(part_list());
-        self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+        self.error(no_part(&part.node, part.span, help));
         None
     }
 
@@ -126,7 +128,7 @@ impl Context<'_> {
         self.cam_argument(call, args[0])?;
         let path = format!("{}(…)", call.name.node);
         let help = Some(format!("ask for a part, as `profile(plate, 30 deg).point`; {}", part_list()));
-        self.error(RequestError::NoValue { path, span: call.span, help });
+        self.error(not_a_quantity(&path, call.span, help));
         None
     }
 
@@ -152,7 +154,7 @@ impl Context<'_> {
         }
         let why = "no base circle gives such a small pressure angle, or the angle does not depend on the \
                    base circle";
-        self.error(UnitsError::NoValue { why, span: call.span, help: None });
+        self.error(undefined(why, call.span, None));
         None
     }
 
@@ -206,7 +208,7 @@ impl Context<'_> {
             return Some(Typed::new(ModelExpr::number(value), ty));
         }
         let why = "the curve is straight or hollow somewhere: there is no greatest radius";
-        self.error(UnitsError::NoValue { why, span: call.span, help: None });
+        self.error(undefined(why, call.span, None));
         None
     }
 
@@ -242,7 +244,7 @@ impl Context<'_> {
         };
         if let Some(unit) = &item.unit {
             let help = Some("leave out `as …`: each column has a unit of its own".to_owned());
-            self.error(RequestError::NoValue { path: "a table".into(), span: unit.span, help });
+            self.error(not_a_quantity("a table", unit.span, help));
             return None;
         }
         Some(FindKind::Table(plate.table(parts, steps, |d| self.values.display(d))))

@@ -1,10 +1,11 @@
 //! What is asked of a flywheel: `fluctuation(J)`, `rim(J).width`.
 
-use crate::error::RequestError;
 use crate::expr::context::Context;
+use crate::expr::read::no_part;
 use crate::expr::results::Call;
 use crate::names::declared::QuantityKind;
 use crate::names::suggestion::{not_declared, suggestion};
+use crate::requests::query::not_a_quantity;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr, FlywheelPart, Query};
 use assur_syntax::document::{ExprKind, Name, Statement};
@@ -28,7 +29,7 @@ impl Context<'_> {
     pub(super) fn rim_alone(&mut self, call: Call<'_>) -> Option<Typed> {
         self.flywheel(call)?;
         let help = Some("ask for `rim(J).width`, `rim(J).height` or `rim(J).mass`".to_owned());
-        self.error(RequestError::NoValue { path: "rim(…)".to_owned(), span: call.span, help });
+        self.error(not_a_quantity("rim(…)", call.span, help));
         None
     }
 
@@ -41,7 +42,7 @@ impl Context<'_> {
             "mass" => (FlywheelPart::RimMass, Dimension::MASS),
             _ => {
                 let help = Some("its parts are `.width`, `.height`, `.mass`".to_owned());
-                self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+                self.error(no_part(&part.node, part.span, help));
                 return None;
             }
         };

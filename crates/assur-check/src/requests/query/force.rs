@@ -1,8 +1,7 @@
 //! Forces: reactions, inertia, efforts, power.
 
-use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::expr::results::Call;
+use crate::expr::results::{Call, wrong_argument};
 use crate::expr::sign::Sign;
 use crate::names::declared::QuantityKind;
 use crate::names::suggestion::{suggestion, wrong_kind};
@@ -10,6 +9,7 @@ use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind};
 use assur_syntax::document::{Expr, Member, Name, Statement};
+use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::language::Function;
 use assur_text::units::Dimension;
 
@@ -74,7 +74,12 @@ impl Context<'_> {
         let name = self.builder.mech.pair(pair).name.clone();
         let link = self.builder.mech.link(link).name.clone();
         let help = format!("`{name}` joins {}", quoted.join(", "));
-        self.error(RequestError::LinkNotInPair { pair: name, link, span: place.span, declared, help });
+        self.error(
+            Diagnosis::error("mech::request::link_not_in_pair", format!("`{name}` does not join `{link}`"))
+                .primary(place.span, format!("not a link of `{name}`"))
+                .label(declared, format!("`{name}` is declared here"))
+                .help(help),
+        );
         None
     }
 
@@ -94,7 +99,18 @@ impl Context<'_> {
             }
             _ => format!("write {}", choices.join(" or ")),
         };
-        self.error(RequestError::WhichLink { function, pair, count: links.len(), span: call.span, help });
+        self.error(
+            Diagnosis::error(
+                "mech::request::which_link",
+                format!(
+                    "`{function}({pair})` acts on {} links with opposite signs, and no link is named",
+                    links.len()
+                ),
+            )
+            .primary(call.span, "the link is missing")
+            .fixes(Fix::quoted(&help, call.span).into_iter().take(2))
+            .help(help),
+        );
         None
     }
 
@@ -110,7 +126,12 @@ impl Context<'_> {
         };
         if guide.contacts.is_none() {
             let (pair, declared) = (declared.name.clone(), declared.span);
-            self.error(RequestError::NoContacts { pair, span: call.span, declared });
+            self.error(
+                Diagnosis::error("mech::request::no_contacts", format!("`{pair}` has no contact points"))
+                    .primary(call.span, "asked here")
+                    .label(declared, "declared here, without `contacts`")
+                    .help("add them in its braces: `contacts -20 mm, 25 mm`"),
+            );
             return None;
         }
         Some(number(Query::ContactForce(pair, side), Dimension::FORCE))
@@ -140,7 +161,12 @@ impl Context<'_> {
         });
         if !written {
             let (link, declared) = (declared.name.clone(), declared.span);
-            self.error(RequestError::NoMass { link, span: call.span, declared });
+            self.error(
+                Diagnosis::error("mech::request::no_mass", format!("`{link}` has no mass"))
+                    .primary(call.span, "asked here")
+                    .label(declared, "declared here")
+                    .help("add a mass in its braces: `mass 2 kg at S; inertia 0.1 kg*m^2`"),
+            );
         }
         None
     }
@@ -233,7 +259,7 @@ impl Context<'_> {
             let usage = format!("tension({rope}, {})` or `tension({rope}, {})", outer[0], outer[1]);
             let function = call.name.node.clone();
             let wanted = "also an end of the rope, because wheels divide it,".to_owned();
-            self.error(RequestError::Argument { function, wanted, span: call.span, usage });
+            self.error(wrong_argument(&function, &wanted, call.span, &usage));
             return None;
         };
         self.note_names(end);
@@ -277,7 +303,18 @@ impl Context<'_> {
             return Some(());
         };
         let name = path(driven)?.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join(".");
-        self.error(RequestError::NoOwnEffort { name, balance, span: driven.span, declared });
+        self.error(
+            Diagnosis::error(
+                "mech::request::no_own_effort",
+                format!(
+                    "`{name}` has no effort of its own, because the file declares the unknown \
+                     effort `{balance}`"
+                ),
+            )
+            .primary(driven.span, "asked here")
+            .label(declared, "the unknown effort")
+            .help(format!("ask for `{balance}`, or leave out this `balance`")),
+        );
         None
     }
 
@@ -300,7 +337,12 @@ impl Context<'_> {
         } else {
             suggestion(&written, first.span, &all, "driven links and pairs").map(|help| help.to_string())
         };
-        self.error(RequestError::NotDriven { name: written, span: first.span.to(last.span), help });
+        self.error(
+            Diagnosis::error("mech::request::not_driven", format!("nothing drives `{written}`"))
+                .primary(first.span.to(last.span), "no drive of that name")
+                .help_if(help)
+                .quoted(first.span.to(last.span)),
+        );
         None
     }
 

@@ -1,12 +1,13 @@
 //! What is asked of a pair of gears: `table(z12).da1`, `contact_ratio(z12)`, `tooth_force(z12, M).Ft`.
 
+use crate::expr::read::no_part;
+use crate::requests::query::not_a_quantity;
 use assur_text::language::Function;
 /// A number of the pair, or one of each wheel.
 enum Number {
     Pair(fn(&GearPair) -> f64),
     Wheel(fn(&GearPair, &Gear, usize) -> f64),
 }
-use crate::error::RequestError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::names::declared::ThingKind;
@@ -142,12 +143,12 @@ impl Context<'_> {
             Some((value, dimension)) if value.is_finite() => Some(Typed::constant(value, dimension)),
             Some(_) => {
                 let help = Some("a ring has none".to_owned());
-                self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+                self.error(no_part(&part.node, part.span, help));
                 None
             }
             None => {
                 let help = Some(part_list());
-                self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+                self.error(no_part(&part.node, part.span, help));
                 None
             }
         }
@@ -163,7 +164,7 @@ impl Context<'_> {
         let pair = pair?;
         let Some((_, of)) = rate.parts().iter().find(|(name, _)| *name == part.node) else {
             let help = Some(rate.part_list());
-            self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+            self.error(no_part(&part.node, part.span, help));
             return None;
         };
         let factor = of(&pair);
@@ -186,7 +187,7 @@ impl Context<'_> {
 
     fn gear_alone(&mut self, call: Call<'_>, help: String) -> Option<Typed> {
         let path = format!("{}(…)", call.name.node);
-        self.error(RequestError::NoValue { path, span: call.span, help: Some(help) });
+        self.error(not_a_quantity(&path, call.span, Some(help)));
         None
     }
 

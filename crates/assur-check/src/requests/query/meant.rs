@@ -1,14 +1,13 @@
 //! What a call that is no function, or has arguments of the wrong kind, may mean.
 
-use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::expr::results::Call;
+use crate::expr::results::{Call, argument_count};
 use crate::names::suggestion::{not_declared, wrong_kind};
 use crate::statements::written::written;
 use crate::values::typed::Type;
 use assur_model::model::LinkId;
 use assur_syntax::document::{Arg, Expr, ExprKind, Name, Statement};
-use assur_text::diagnostic::{Help, did_you_mean};
+use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::language::{FUNCTIONS, Function};
 use assur_text::source::{Span, Spanned};
 
@@ -121,7 +120,7 @@ impl Context<'_> {
         let usage = lines.collect::<Vec<_>>().join("` or `");
         (!usage.is_empty()).then(|| {
             let (function, takes) = (call.name.node.clone(), "one argument, a link");
-            self.error(RequestError::Arguments { function, takes, found: 2, span: call.span, usage });
+            self.error(argument_count(&function, takes, 2, call.span, &usage));
         })
     }
 
@@ -151,7 +150,14 @@ impl Context<'_> {
             }
         };
         let (function, span) = (function.clone(), call.span);
-        self.error(RequestError::LinksForGroup { function, links, span, help });
+        self.error(
+            Diagnosis::error(
+                "mech::request::arguments",
+                format!("`{function}` takes a group, not the links {links}"),
+            )
+            .primary(span, "a group is expected")
+            .help(help),
+        );
         Some(())
     }
 

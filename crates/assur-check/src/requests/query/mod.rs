@@ -26,7 +26,9 @@ use crate::expr::results::{Call, Results};
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{self, CamPart, CurvePart, CycleFunction, FlywheelPart, Query};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
+use assur_text::source::Span;
 use assur_text::units::Dimension;
 use bearing::Bearing;
 use gear::GearRate;
@@ -196,4 +198,12 @@ impl Context<'_> {
 /// How many arguments have no name.
 fn positional(call: Call<'_>) -> usize {
     call.args.iter().filter(|arg| arg.name.is_none()).count()
+}
+
+/// A point is named where a value is expected.
+pub fn not_a_quantity(path: &str, span: Span, help: Option<String>) -> Diagnosis {
+    Diagnosis::error("mech::request::no_value", format!("`{path}` is not a quantity"))
+        .primary(span, "a value is expected here")
+        .help_if(help)
+        .quoted(span)
 }

@@ -1,14 +1,14 @@
 //! Motion of points, links and pairs.
 
-use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::expr::results::Call;
+use crate::expr::results::{Call, argument_count};
 use crate::names::declared::ThingKind;
 use crate::requests::query::args::{Mover, path};
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr as ModelExpr, Function, LinkId, PairId, PairKind, PointRef, Query};
 use assur_syntax::document::{Drive, Expr, ExprKind, JointKind, Statement};
+use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 
@@ -41,7 +41,7 @@ impl Context<'_> {
             [_, point] if path(point).is_none() => {
                 let (function, usage) = (call.name.node.clone(), self.own_usage(call));
                 let takes = "a point, or a link and a point";
-                self.error(RequestError::Arguments { function, takes, found: 2, span: call.span, usage });
+                self.error(argument_count(&function, takes, 2, call.span, &usage));
                 return None;
             }
             [link, point] => {
@@ -178,7 +178,15 @@ impl Context<'_> {
                 let names = self.spelled(&links);
                 let help = format!("write it with links: `angle({}) - angle({})`", names[2], names[1]);
                 let (pair, count) = (self.builder.mech.pair(pair).name.clone(), names.len());
-                self.error(RequestError::WhichTwo { pair, count, span: call.span, help });
+                self.error(
+                    Diagnosis::error(
+                        "mech::request::which_two",
+                        format!("`{pair}` joins {count} links and has no single relative motion"),
+                    )
+                    .primary(call.span, "asked here")
+                    .fixes(Fix::quoted(&help.replace(" with links:", ""), call.span))
+                    .help(help),
+                );
                 None
             }
             PairKind::Revolute(_) => Some(Dimension::ANGLE),
@@ -197,7 +205,14 @@ impl Context<'_> {
             return Some(self.drive_dimension(drive));
         }
         let (function, count, span) = (call.name.node.clone(), drives.len(), call.span);
-        self.error(RequestError::WhichDrive { function, count, span });
+        self.error(
+            Diagnosis::error(
+                "mech::request::which_drive",
+                format!("`{function}` needs exactly one drive, but there are {count}"),
+            )
+            .primary(span, "asked here")
+            .help("use it in a mechanism with one drive"),
+        );
         None
     }
 

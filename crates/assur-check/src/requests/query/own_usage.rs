@@ -1,8 +1,7 @@
 //! How a function is called in the file at hand: with its own names.
 
-use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::expr::results::Call;
+use crate::expr::results::{Call, wrong_argument};
 use crate::names::declared::ThingKind;
 use crate::names::functions::{of_things, usage};
 use crate::statements::written::written;
@@ -86,7 +85,7 @@ impl Context<'_> {
         if swapped {
             let (function, wanted) = (call.name.node.clone(), "a pair, and then a link,".to_owned());
             let (usage, span) = (format!("{function}({pair}, {link})"), first.span.to(second.span));
-            self.error(RequestError::Argument { function, wanted, span, usage });
+            self.error(wrong_argument(&function, &wanted, span, &usage));
         }
         swapped
     }

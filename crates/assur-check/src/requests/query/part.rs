@@ -1,10 +1,9 @@
 //! Parts of a motion under loads: `max(x, after = 2 s, before = time(stopped))`.
 
-use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::expr::want::Want;
-use crate::motion::simulation::statement;
+use crate::motion::simulation::{statement, without_meaning};
 use crate::values::format_value::format_value;
 use assur_model::model::{Bound, Expr as ModelExpr, Part, Query};
 use assur_syntax::document::{Expr, ExprKind};
@@ -49,7 +48,7 @@ impl Context<'_> {
             let what =
                 format!("a part of the motion after {} and before {}", instant(after), instant(before));
             let help = "let `after` be the earlier instant, as in `after = 1 s, before = 2 s`".to_owned();
-            self.error(SimulateError::NoMeaning { what, help, span: call.span });
+            self.error(without_meaning(&what, &help, call.span));
             return None;
         }
         Some((value, part))

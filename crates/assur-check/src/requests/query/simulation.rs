@@ -1,15 +1,15 @@
 //! Functions of a motion under loads: `time(top, 2)`, `count(top)`, `energy()`.
 
-use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
-use crate::motion::simulation::no_simulate;
+use crate::motion::simulation::{no_simulate, without_meaning};
 use crate::names::declared::QuantityKind;
 use crate::names::suggestion::suggestion;
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{BinaryOp, Expr, LoadId, Pair, PairId, Query, Situation};
 use assur_syntax::document::{ExprKind, Name, Simulate, Spring, SpringSite, Statement, TimeCourse};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::Dimension;
@@ -31,9 +31,10 @@ impl Context<'_> {
         }
         if of_drive && self.names.simulates {
             let what = format!("`{}`, which is found over the positions of a drive,", call.name.node);
-            let help = "take `max` or `min` of a coordinate over the motion, as in `max(displacement(G))`"
+            let help = "take `max` or `min` of a coordinate over the motion, as in \
+                        `max(displacement(G))`"
                 .to_owned();
-            self.error(SimulateError::NoMeaning { what, help, span: call.span });
+            self.error(without_meaning(&what, &help, call.span));
             return None;
         }
         Some(())
@@ -82,7 +83,7 @@ impl Context<'_> {
         if !self.doc.statements.iter().any(|s| is_stop(&s.node)) {
             let what = format!("`{name}` has no stop to rest on");
             let help = format!("add one, as in `stop {name} > 0 mm {{ restitution 0.7 }}`");
-            self.error(SimulateError::Stop { what, help, span: call.span, first: None });
+            self.error(Diagnosis::error("mech::simulate::stop", what).primary(call.span, "here").help(help));
             return None;
         }
         Some(Typed::new(Expr::Query(Query::In(Situation::Rests(pair))), Type::Bool))
@@ -101,7 +102,7 @@ impl Context<'_> {
             let what = "`period()` without a steady motion".to_owned();
             let help =
                 "ask for the motion that comes again, as in `simulate steady turn of crank`".to_owned();
-            self.error(SimulateError::NoMeaning { what, help, span: call.span });
+            self.error(without_meaning(&what, &help, call.span));
             return None;
         }
         Some(Typed::new(Expr::Query(Query::Period), Type::number(Dimension::TIME)))
@@ -115,7 +116,7 @@ impl Context<'_> {
         if !declared.friction.is_some_and(|friction| friction.is_some()) {
             let what = format!("`sticks` of `{}`, which has no friction,", declared.name);
             let help = "add `{ friction 0.3 }` to the pair".to_owned();
-            self.error(SimulateError::NoMeaning { what, help, span: call.span });
+            self.error(without_meaning(&what, &help, call.span));
             return None;
         }
         Some(Typed::new(Expr::Query(Query::In(Situation::Sticks(pair))), Type::Bool))
@@ -218,7 +219,11 @@ impl Context<'_> {
         let help = suggestion(&name.node, name.span, &events, "events").unwrap_or_else(|| {
             format!("declare it, as in `event {}: omega(crank) = 0 rad/s`", name.node).into()
         });
-        self.error(SimulateError::UnknownEvent { name: name.node.clone(), help, span: name.span });
+        self.error(
+            Diagnosis::error("mech::simulate::unknown_event", format!("there is no event `{}`", name.node))
+                .label(name.span, "not declared")
+                .help(help),
+        );
         None
     }
 

@@ -1,10 +1,11 @@
 //! Masses that stand for a link's mass, and parts of results in general.
 
 use super::gear::GearRate;
-use crate::error::RequestError;
 use crate::expr::context::Context;
+use crate::expr::read::no_part;
 use crate::expr::results::Call;
 use crate::expr::sign::Sign;
+use crate::requests::query::not_a_quantity;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr as ModelExpr, Query, SubstitutionPart};
 use assur_syntax::document::{Expr, ExprKind, Name};
@@ -59,7 +60,7 @@ impl Context<'_> {
         let Some(link) = self.find_link(&head.node) else {
             if self.find_link(&path).is_some() {
                 let help = Some(format!("ask for one of its quantities: `angle({path})` or `omega({path})`"));
-                self.error(RequestError::NoValue { path, span: whole.span, help });
+                self.error(not_a_quantity(&path, whole.span, help));
                 return None;
             }
             return self.named(head);
@@ -68,9 +69,9 @@ impl Context<'_> {
         if self.kind_inside(link, &tail.node) == Some("point") {
             let help =
                 Some(format!("ask for one of its quantities: `position({path})` or `velocity({path})`"));
-            self.error(RequestError::NoValue { path, span: whole.span, help });
+            self.error(not_a_quantity(&path, whole.span, help));
         } else if self.kind_inside(link, &tail.node).is_some() {
-            self.error(RequestError::NoValue { path, span: whole.span, help: None });
+            self.error(not_a_quantity(&path, whole.span, None));
         } else {
             self.point(link, tail);
         }
@@ -91,11 +92,7 @@ impl Context<'_> {
         }
         self.with_mass(call, link)?;
         let Some((_, which, ty)) = PARTS.iter().find(|(name, ..)| *name == part.node) else {
-            self.error(RequestError::Part {
-                part: part.node.clone(),
-                span: part.span,
-                help: Some(part_list()),
-            });
+            self.error(no_part(&part.node, part.span, Some(part_list())));
             return None;
         };
         let query = match points[..] {
@@ -109,7 +106,7 @@ impl Context<'_> {
     /// A substitution without one of its parts.
     pub(crate) fn substitution_alone(&mut self, call: Call<'_>) -> Option<Typed> {
         let path = format!("{}(…)", call.name.node);
-        self.error(RequestError::NoValue { path, span: call.span, help: Some(part_list()) });
+        self.error(not_a_quantity(&path, call.span, Some(part_list())));
         None
     }
 }
