@@ -96,8 +96,9 @@ fn places_of_the_position_are_not_given() {
     let text = include_str!("../../examples/slotted/edge-reactions.mech");
     let sheet = report(text, &["--sheet"]);
     let given = part(&sheet, "Given", "Find");
-    for value in ["x_F3    0.08 m", "y_F3    0.2 m", "F_3     134.16 N", "l_BD    300 mm"] {
-        assert!(given.contains(value), "{value}: {given}");
+    let words = given.split_whitespace().collect::<Vec<_>>().join(" ");
+    for value in ["x_F3 0.08 m", "y_F3 0.2 m", "F_3 134.16 N", "l_BD 300 mm"] {
+        assert!(words.contains(value), "{value}: {given}");
     }
     assert!(!given.contains("P1") && !given.contains("P2"), "{given}");
     assert!(report(text, &[]).contains("l_CP1"), "the solution computes with it");
@@ -107,7 +108,7 @@ fn places_of_the_position_are_not_given() {
     ] {
         let sheet = report(wedges, &["--sheet"]);
         let given = part(&sheet, "Given", "Find");
-        assert!(given.contains("l_LR") && !given.contains("P1") && !given.contains("P2"), "{given}");
+        assert!(given.contains("l_LR") && !given.contains("l_LP"), "{given}");
     }
 }
 
