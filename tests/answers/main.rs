@@ -4,6 +4,7 @@ mod accuracy;
 mod against_motion;
 mod all_motion;
 mod bonds;
+mod brakes;
 #[path = "../busy/mod.rs"]
 mod busy;
 mod completed;

@@ -19,6 +19,7 @@ mod joint;
 mod load_step;
 mod loads;
 mod motion;
+mod opposing;
 mod planned;
 mod renumber;
 mod settings;
@@ -43,6 +44,7 @@ pub use geneva::{geneva_in, is_wheel};
 pub use geneva_step::GenevaStep;
 pub use joint::{Guide, Hinge, OuterJoint};
 pub use load_step::{ForceLine, LoadStep};
+pub use opposing::Opposing;
 pub use planned::Plan;
 pub use settings::{Numbers, Settings};
 pub use step::{Anchor, Arm, DrivenJoint, DrivenLeg, Leg, MotionStep, Slide};
@@ -84,6 +86,9 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
     let determinate = structure.force_defect.is_none();
     if plan.effects.simulated || (plan.effects.forces && determinate) {
         loads::plan(mechanism, &plan.effects, &mut plan.loads);
+    }
+    if plan.effects.simulated {
+        plan.opposing = opposing::plan(mechanism, structure);
     }
     if plan.effects.forces && determinate {
         loads::lines(mechanism, structure, &mut plan.lines);

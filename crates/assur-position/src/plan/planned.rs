@@ -9,6 +9,7 @@ use super::friction_step::FrictionElement;
 use super::general_step::{BalanceSystem, GeneralMotion};
 use super::geneva_step::GenevaStep;
 use super::load_step::{ForceLine, LoadStep};
+use super::opposing::Opposing;
 use super::settings::Settings;
 use super::step::MotionStep;
 use super::train_step::{PlannedLaw, TrainForces, TrainMotion};
@@ -39,6 +40,8 @@ pub struct Plan {
     pub laws: Vec<PlannedLaw>,
     /// Slots of those that lose power, where that counts.
     pub losing: Vec<usize>,
+    /// Loads against the motion that a run may hold.
+    pub opposing: Vec<Opposing>,
     /// Train groups of forces.
     pub train_forces: Vec<TrainForces>,
     /// Bodies without mass that something may act on: they start without load.

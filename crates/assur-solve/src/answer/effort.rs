@@ -88,6 +88,13 @@ impl PoseAnswers<'_> {
         if part == Vec2::zero() { held } else { part * self.scalar(value) + held }
     }
 
+    /// The value of a load against the motion: null where its condition does not hold.
+    pub(crate) fn magnitude(&self, index: usize) -> f64 {
+        let load = &self.mechanism.loads[index];
+        let acts = load.when.as_ref().is_none_or(|when| self.truth(when));
+        if acts { self.scalar(load.value()) } else { 0.0 }
+    }
+
     /// What the value of a load against the motion is multiplied by at these velocities: nothing where what it acts on rests.
     pub(crate) fn against_velocity(&self, index: usize) -> Vec2 {
         match &self.mechanism.loads[index].kind {

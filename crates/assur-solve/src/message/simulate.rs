@@ -5,7 +5,7 @@ use super::error::SolveError;
 use super::format::{four, label, labels, length, links, short, with_unit};
 use super::opens::opens;
 use super::simulate_error::SimulateError;
-use crate::model::{Drive, DriveTarget, PairId};
+use crate::model::{Drive, DriveTarget, LoadId, PairId};
 use crate::position::{Model, turns};
 use crate::solve::{Clause, Halt, NoCycle};
 use crate::source::Span;
@@ -38,7 +38,7 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
         Halt::StopPassed { stop, by } => stop_passed(model, *stop, *by, time),
         Halt::StopsAtOnce { stops } => stops_at_once(model, stops, time),
         Halt::Shaken { stop } => shaken(model, *stop, time),
-        Halt::RubsOnDriven => return rubs_on_driven(model),
+        Halt::RestsUnder { load } => return rests_under(model, *load),
         Halt::NothingFree => return nothing_free(model),
         Halt::NotANumber => {
             let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
@@ -228,10 +228,13 @@ fn shaken(model: &Model<'_>, stop: usize, time: String) -> SimulateError {
     SimulateError::Shaken { name, time, labels }
 }
 
-fn rubs_on_driven(model: &Model<'_>) -> SolveError {
-    let what =
-        "friction between links that a drive moves against each other, next to a load `against motion` in a motion under loads,".to_owned();
-    SolveError::NotSupportedYet { what, labels: rubbing(model, "rubs") }
+fn rests_under(model: &Model<'_>, load: LoadId) -> SolveError {
+    let what = "a motion in which a force `against motion` holds a point that may move in several directions"
+        .to_owned();
+    SolveError::NotSupportedYet {
+        what,
+        labels: vec![label("its point comes to rest", model.mechanism.loads[load.index()].span)],
+    }
 }
 
 fn nothing_free(model: &Model<'_>) -> SolveError {

@@ -5,7 +5,7 @@ use super::gap::GroupGap;
 use super::refusal::Refusal;
 use crate::answer::{LeftCurve, NoExtreme, NoFlywheel, NoSweep};
 use crate::language::Function;
-use crate::model::{Bond, DriveTarget, PairId};
+use crate::model::{Bond, DriveTarget, LoadId, PairId};
 use crate::position::Wanted;
 use crate::structure::{BodyId, Group, Structure};
 
@@ -139,8 +139,11 @@ pub enum Halt {
     NoInertia,
     /// Friction admits no acceleration of a free coordinate, or one in either sense.
     Jam,
-    /// Drives move links against each other that rub.
-    RubsOnDriven,
+    /// A force against the motion holds a point that may move in several directions.
+    RestsUnder {
+        /// The load.
+        load: LoadId,
+    },
     /// Nothing is free, and something rubs or there is a stop.
     NothingFree,
     /// Friction would hold a cam on its follower, so that they roll on each other.

@@ -1,6 +1,7 @@
 //! What values that are watched depend on.
 
-use crate::model::{Expr, Level, Mechanism, PairId, PairKind, Query};
+use super::turning::Kept;
+use crate::model::{Expr, Level, Mechanism, PairKind, Query};
 
 /// Whether links join moving links: then rates go with angles.
 pub(super) fn is_linkage(mechanism: &Mechanism) -> bool {
@@ -32,17 +33,22 @@ pub(super) fn comes_again(mechanism: &Mechanism, expr: &Expr) -> bool {
     again
 }
 
-/// Whether a value stays as it is while these pairs do not move: it consists of their coordinates and rates.
-pub(super) fn is_kept(mechanism: &Mechanism, pairs: &[PairId], expr: &Expr) -> bool {
+/// Whether a value stays as it is while these pairs and links do not move: it consists of their coordinates and rates.
+pub(super) fn is_kept(mechanism: &Mechanism, kept: &Kept, expr: &Expr) -> bool {
     let (mut any, mut all) = (false, true);
     expr.parts(&mut |part| match part {
         Expr::Query(
             Query::Displacement(pair) | Query::RelativeVelocity(pair) | Query::RelativeAcceleration(pair),
-        ) if pairs.contains(pair) => any = true,
+        ) if kept.pairs.contains(pair) => any = true,
+        Expr::Query(Query::Angle(link) | Query::Omega(link) | Query::Alpha(link))
+            if kept.links.contains(link) =>
+        {
+            any = true;
+        }
         Expr::Query(_) => all = false,
         Expr::Quantity(id) => {
-            let kept = is_kept(mechanism, pairs, &mechanism.quantities[id.index()].expr);
-            (any, all) = (any || kept, all && kept);
+            let own = is_kept(mechanism, kept, &mechanism.quantities[id.index()].expr);
+            (any, all) = (any || own, all && own);
         }
         _ => {}
     });

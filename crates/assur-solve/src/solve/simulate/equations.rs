@@ -305,6 +305,7 @@ impl<'a, 's> Equations<'a, 's> {
         if let Some(group) = self.trial.motion.open {
             return Err(Halt::Open { group });
         }
+        self.take_against();
         let time = self.trial.motion.time;
         self.evaluate_loads(time);
         self.reduced.load(self.model, &mut self.trial, &self.evaluated);

@@ -8,6 +8,7 @@ use super::corners::Corners;
 use super::equations::Equations;
 use super::pass::Pass;
 use super::records::{Origin, Recorder};
+use super::reversing::Reversals;
 use super::rubbing::wakes;
 use super::setup::Outputs;
 use super::slipping::Mode;
@@ -94,6 +95,8 @@ pub(super) struct Going<'m, 'o> {
     pub by_energy: bool,
     /// By how much rounding of the energy may shift the instants, s.
     pub late: f64,
+    /// When points reverse that forces act on by the velocity.
+    reversals: Reversals,
     /// No first step of that is longer, s: what was hit may come back.
     pub first: f64,
     /// The condition at which other coordinates were looked for in vain.
@@ -147,6 +150,7 @@ impl<'m, 'o> Going<'m, 'o> {
             place: None,
             by_energy: false,
             late: 0.0,
+            reversals: Reversals::default(),
             first: f64::INFINITY,
             looked_at: CAREFUL / AGAIN,
             changes: Vec::new(),
@@ -173,6 +177,9 @@ impl Going<'_, '_> {
             let condition = equations.condition();
             if condition < self.worst_condition.0 {
                 self.worst_condition = (condition, method.previous_t());
+            }
+            if let Some(load) = self.reversals.look(equations, method, last - self.begin) {
+                return Ended::Halted(Halt::RestsUnder { load });
             }
             let happened = self.watch.first(equations, method);
             let turned = self.turning(equations, method);

@@ -165,8 +165,8 @@ impl Equations<'_, '_> {
         let depends = slipping.held.len() < open.len();
         let all = slipping.held.len() + self.closed.len() == self.order() && !self.drives_move();
         let rubs = |element: &usize| Rubs::of(self.model.plan, *element);
-        if let Some(rolls) = open.iter().map(rubs).find(|rubs| !rubs.can_hold()) {
-            return Err(Halt::Rolls { pair: rolls.pair() });
+        if let Some(pair) = open.iter().map(rubs).find(|rubs| !rubs.can_hold()).and_then(Rubs::pair) {
+            return Err(Halt::Rolls { pair });
         }
         if !depends || !all || wakes(self) {
             return Err(Halt::Jam);
@@ -271,6 +271,8 @@ impl Equations<'_, '_> {
             // where no power flows what holds is rounding
             Rubs::Law(..) if slipping.share(index, self.order()) <= NOTHING => 0.0,
             Rubs::Law(law, slot) => self.trial.part_of_losses(law, slot, effort),
+            Rubs::Load(_) if slipping.share(index, self.order()) <= NOTHING => 0.0,
+            Rubs::Load(load) => effort.abs() / self.greatest_of_load(load.load).max(0.0),
         }
     }
 

@@ -40,6 +40,7 @@ mod records;
 mod refining;
 mod report;
 mod resting;
+mod reversing;
 mod rubbing;
 mod rubs;
 mod run;

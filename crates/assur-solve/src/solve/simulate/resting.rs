@@ -43,7 +43,7 @@ impl Equations<'_, '_> {
 
     /// The one coordinate rests by friction or losses.
     fn hold_at_rest(&mut self) {
-        let count = Rubs::count(self.model.plan);
+        let count = Rubs::inner(self.model.plan);
         let grips = &mut self.trial.motion.grips;
         grips.clear();
         grips.resize(count, Grip { open: true, ..Grip::default() });

@@ -1,20 +1,24 @@
 //! What rubs in a motion of several free coordinates, by number: the elements of friction in the pairs, then the transmissions that
-//! lose power.
+//! lose power, then the loads against the motion.
 
+use crate::math::Vec2;
 use crate::model::{PairId, ProfileShape};
-use crate::plan::{FrictionElement, FrictionLaw, LawSite, Plan, PlannedLaw};
+use crate::plan::{FrictionElement, FrictionLaw, LawSite, Opposing, Plan, PlannedLaw};
 use crate::position::State;
 
 #[derive(Clone, Copy)]
 pub(super) enum Rubs<'p> {
     Pair(&'p FrictionElement),
     Law(&'p PlannedLaw, usize),
+    Load(&'p Opposing),
 }
 
 impl<'p> Rubs<'p> {
     pub fn of(plan: &'p Plan, index: usize) -> Self {
+        let inner = Self::inner(plan);
         match plan.friction.get(index) {
             Some(element) => Self::Pair(element),
+            None if index >= inner => Self::Load(&plan.opposing[index - inner]),
             None => {
                 let slot = plan.losing[index - plan.friction.len()];
                 Self::Law(&plan.laws[slot], slot)
@@ -29,6 +33,11 @@ impl<'p> Rubs<'p> {
 
     /// How many there are.
     pub const fn count(plan: &Plan) -> usize {
+        Self::inner(plan) + plan.opposing.len()
+    }
+
+    /// How many of them rub within the mechanism: the loads follow.
+    pub const fn inner(plan: &Plan) -> usize {
         plan.friction.len() + plan.losing.len()
     }
 
@@ -37,6 +46,10 @@ impl<'p> Rubs<'p> {
         match self {
             Self::Pair(element) => state.sliding_speed(element),
             Self::Law(law, _) => state.law_speed(law),
+            Self::Load(Opposing { body, line, .. }) => {
+                let body = &state.motion.bodies[*body];
+                line.map_or(body.omega, |(at, along)| body.velocity(at).dot(along.turned(body.u)))
+            }
         }
     }
 
@@ -45,6 +58,10 @@ impl<'p> Rubs<'p> {
         match self {
             Self::Pair(element) => state.sliding_acceleration(element),
             Self::Law(law, _) => state.law_acceleration(law),
+            Self::Load(Opposing { body, line, .. }) => {
+                let body = &state.motion.bodies[*body];
+                line.map_or(body.alpha, |(at, along)| body.acceleration(at).dot(along.turned(body.u)))
+            }
         }
     }
 
@@ -53,6 +70,7 @@ impl<'p> Rubs<'p> {
         match self {
             Self::Pair(element) => matches!(element.kind, FrictionLaw::Circle { .. }),
             Self::Law(law, _) => matches!(law.terms[0].0, LawSite::Turn(_)),
+            Self::Load(load) => load.line.is_none(),
         }
     }
 
@@ -68,10 +86,19 @@ impl<'p> Rubs<'p> {
     }
 
     /// The pair, or the transmission.
-    pub const fn pair(self) -> PairId {
+    pub const fn pair(self) -> Option<PairId> {
         match self {
-            Self::Pair(element) => element.pair,
-            Self::Law(law, _) => law.pair,
+            Self::Pair(element) => Some(element.pair),
+            Self::Law(law, _) => Some(law.pair),
+            Self::Load(_) => None,
         }
     }
+}
+
+/// What a load against the motion does where it acts with this effort in the sense in which its speed counts: of a torque the first
+/// number.
+pub(super) fn acts(load: &Opposing, state: &State, effort: f64) -> Vec2 {
+    let along =
+        load.line.map_or(Vec2::new(1.0, 0.0), |(_, along)| along.turned(state.motion.bodies[load.body].u));
+    along * effort
 }

@@ -83,7 +83,6 @@ pub(super) fn run(
     let mut equations = begin.equations();
     equations.goes_until(last);
     let mut y = equations.start();
-    // of several coordinates each load acts against the motion there is
     if equations.order() == 1 && rubs(&equations) {
         equations.mode = Some(Mode::Resting);
     }
@@ -399,12 +398,11 @@ fn start(equations: &mut Equations<'_, '_>, first: f64, y: &mut [f64]) -> Result
         if equations.rests_together(first, y) {
             return equations.choose_mode(first, y);
         }
-        if equations.is_braked() {
-            return Err(Halt::RubsOnDriven);
-        }
         equations.mode = None;
     }
-    if equations.model.plan.effects.loses() {
+    let opposing = &equations.model.plan.opposing;
+    let held = |id| opposing.iter().any(|load| load.load == id);
+    if equations.model.plan.effects.loses() || equations.acting().any(|(id, _, _)| held(id)) {
         return equations.begin_slipping(first, y, None);
     }
     Ok(())

@@ -3,7 +3,7 @@
 use super::equations::Equations;
 use super::loads::sides;
 use crate::answer::{LEAST_CONDITION, OF_FORCES, OF_MOTION, PoseAnswers, ROUNDING};
-use crate::model::{DriveTarget, Expr};
+use crate::model::{DriveTarget, Expr, LoadId};
 use crate::position::Model;
 use std::f64::consts::TAU;
 
@@ -94,6 +94,15 @@ impl Equations<'_, '_> {
                 view.evaluated_loads(&mut self.evaluated);
                 self.quantities = Some(quantities);
             }
+        }
+    }
+
+    /// The greatest that a load against the motion may be where everything was evaluated.
+    pub fn greatest_of_load(&self, load: LoadId) -> f64 {
+        let view = self.view();
+        match &self.quantities {
+            None => view.magnitude(load.index()),
+            Some(quantities) => PoseAnswers { quantities, ..view }.magnitude(load.index()),
         }
     }
 

@@ -9,10 +9,11 @@
 //! were held. Which pairs are held and which stops are closed changes at events alone (`holding`).
 
 use super::equations::Equations;
-use super::rubs::Rubs;
+use super::rubs::{Rubs, acts};
 use super::slipping::Slipping;
-use crate::math::Lu;
-use crate::position::Grip;
+use crate::math::{Lu, Vec2};
+use crate::model::{LoadId, Value};
+use crate::position::{Against, Grip};
 use crate::solve::failure::Halt;
 
 impl Equations<'_, '_> {
@@ -55,18 +56,30 @@ impl Equations<'_, '_> {
         }
         if slipping.undetermined {
             secants.x.fill(0.0);
-            let mut left = vec![0.0; n + closed];
-            self.unbalanced((&[], units, efforts_of), &secants.x, &mut left)?;
-            return Ok(());
+            return self.put((&[], units), &secants.x);
         }
         fill(matrix, (n, held.len() + closed), (self.reduced.mass(), slopes), units);
         if !matrix.factor() {
             return Err(Halt::Jam);
         }
-        secants.solve(matrix, |x, left| {
-            *greatest = self.unbalanced((held, units, efforts_of), x, left)?;
-            Ok(*greatest)
-        })?;
+        if self.model.plan.effects.loses() {
+            secants.solve(matrix, |x, left| {
+                *greatest = self.unbalanced((held, units, efforts_of), x, left)?;
+                Ok(*greatest)
+            })?;
+        } else {
+            // loads do not depend on what presses: one step solves the equations
+            if held.len() + closed > 0 {
+                let mut left = vec![0.0; secants.x.len()];
+                self.put((held, units), &secants.x)?;
+                self.speeds_change((held, units), &mut left);
+                matrix.solve(&mut left);
+                *greatest = greatest_of(&secants.x);
+                secants.x.iter_mut().zip(&left).for_each(|(x, left)| *x -= left);
+            }
+            *greatest = greatest.max(greatest_of(&secants.x));
+            self.put((held, units), &secants.x)?;
+        }
         slipping.efforts.fill(0.0);
         for (k, &element) in slipping.held.iter().enumerate() {
             slipping.efforts[element] = slipping.secants.x[n + k] * slipping.units[n + k];
@@ -81,36 +94,59 @@ impl Equations<'_, '_> {
         x: &[f64],
         left: &mut [f64],
     ) -> Result<f64, Halt> {
+        self.put((held, units), x)?;
+        self.speeds_change((held, units), left);
+        let mut greatest = greatest_of(x);
+        for i in 0..self.order() {
+            left[i] = self.trial.forces.efforts[efforts_of[i]] * units[i];
+            greatest = greatest.max(units[i] * self.reduced.greatest_power(i, &self.trial));
+        }
+        let known = left.iter().all(|left| left.is_finite()) && greatest.is_finite();
+        if known { Ok(greatest) } else { Err(Halt::NotANumber) }
+    }
+
+    /// Puts accelerations and what holds, in their units, with the motion and the forces that go with them.
+    fn put(&mut self, (held, units): (&[usize], &[f64]), x: &[f64]) -> Result<(), Halt> {
         let n = self.order();
-        let plan = self.model.plan;
         for ((&drive, x), unit) in self.reduced.free().iter().zip(x).zip(units) {
             self.trial.motion.inputs[drive].acceleration = x * unit;
         }
         for (k, &element) in held.iter().enumerate() {
-            self.trial.motion.grips[element].effort = x[n + k] * units[n + k];
+            let effort = x[n + k] * units[n + k];
+            self.trial.motion.grips[element].effort = effort;
+            if let Rubs::Load(load) = Rubs::of(self.model.plan, element) {
+                let held = acts(load, &self.trial, effort);
+                self.trial.motion.against[load.load.index()].held = held;
+                let value = if load.line.is_some() { Value::Vector(held) } else { Value::Scalar(held.x) };
+                self.put_load(load.load, value);
+            }
         }
         let stopped = n + held.len();
-        for (k, x) in x[stopped..].iter().enumerate() {
-            self.press(self.closed[k], x * units[stopped + k]);
+        for (k, x) in x.iter().enumerate().skip(stopped) {
+            self.press(self.closed[k - stopped], x * units[k]);
         }
-        self.trial.run_motion::<2>(plan);
-        self.trial.run_loads_and_forces(self.model, &self.evaluated);
-        if self.trial.forces.locked {
-            return Err(Halt::Jam);
+        self.trial.run_motion::<2>(self.model.plan);
+        if self.model.plan.effects.forces {
+            self.trial.run_loads_and_forces(self.model, &self.evaluated);
         }
-        let mut greatest = x.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        for i in 0..n {
-            left[i] = self.trial.forces.efforts[efforts_of[i]] * units[i];
-            greatest = greatest.max(units[i] * self.reduced.greatest_power(i, &self.trial));
-        }
+        if self.trial.forces.locked { Err(Halt::Jam) } else { Ok(()) }
+    }
+
+    /// What the speeds that are held change by, in their units.
+    fn speeds_change(&self, (held, units): (&[usize], &[f64]), left: &mut [f64]) {
+        let n = self.order();
         for (k, &element) in held.iter().enumerate() {
-            left[n + k] = Rubs::of(plan, element).acceleration(&self.trial) * units[n + k];
+            left[n + k] = Rubs::of(self.model.plan, element).acceleration(&self.trial) * units[n + k];
         }
-        for k in stopped..left.len() {
-            left[k] = self.stop_acceleration(self.closed[k - stopped]) * units[k];
+        for (k, left) in left.iter_mut().enumerate().skip(n + held.len()) {
+            *left = self.stop_acceleration(self.closed[k - n - held.len()]) * units[k];
         }
-        let known = left.iter().all(|left| left.is_finite()) && greatest.is_finite();
-        if known { Ok(greatest) } else { Err(Halt::NotANumber) }
+    }
+
+    /// Puts the value of a load that is evaluated at every position.
+    pub fn put_load(&mut self, load: LoadId, value: Value) {
+        let own = self.evaluated.iter_mut().filter(|(id, _)| *id == load);
+        own.for_each(|(_, known)| *known = value);
     }
 
     /// Speeds of the elements that are held and of closed stops for unit rates, in the state that was moved last, and the units of all
@@ -148,6 +184,27 @@ impl Equations<'_, '_> {
         grips.clear();
         grips.extend(slipping.senses.iter().map(|&sense| Grip { sense, ..Grip::default() }));
     }
+
+    /// Lets the loads against the motion act in the senses of their elements, others by the velocity, in the state that was moved last.
+    pub fn take_against(&mut self) {
+        let plan = self.model.plan;
+        if self.mode.is_some() || plan.opposing.is_empty() || self.trial.motion.grips.is_empty() {
+            return;
+        }
+        let mut against = std::mem::take(&mut self.trial.motion.against);
+        against.clear();
+        let parts = (0..self.model.mechanism.loads.len()).map(|load| self.view().against_velocity(load));
+        against.extend(parts.map(|part| Against { part, held: Vec2::zero() }));
+        let grips = &self.trial.motion.grips[Rubs::inner(plan)..];
+        for (load, grip) in plan.opposing.iter().zip(grips) {
+            against[load.load.index()].part = acts(load, &self.trial, -grip.sense);
+        }
+        self.trial.motion.against = against;
+    }
+}
+
+fn greatest_of(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |most, x| most.max(x.abs()))
 }
 
 /// The matrix of the equations without friction of what slides.

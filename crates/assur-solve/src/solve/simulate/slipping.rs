@@ -3,7 +3,7 @@
 use super::rubs::Rubs;
 use super::secants::Secants;
 use crate::math::Lu;
-use crate::model::PairId;
+use crate::model::{LoadId, PairId};
 use crate::plan::{FrictionElement, Plan};
 use crate::position::Model;
 use crate::structure::EffortSource;
@@ -19,7 +19,7 @@ pub(super) enum Mode {
 /// How every pair that rubs moves.
 #[derive(Clone, Debug)]
 pub(super) struct Slipping {
-    /// By element, of friction and then of losses: ±1, or 0 where it is held.
+    /// By element, of friction, of losses, then of loads against the motion: ±1, or 0 where it is held.
     pub senses: Vec<f64>,
     /// Elements that are held, independent of each other: others that are held follow from them.
     pub held: Vec<usize>,
@@ -114,6 +114,11 @@ impl Slipping {
         place.map_or(0.0, |place| self.secants.x[n + place].abs() / self.greatest)
     }
 
+    /// Whether an element does not move: it is held, or others keep it from sliding.
+    pub fn holds(&self, element: usize) -> bool {
+        self.senses[element] == 0.0 || self.still[element]
+    }
+
     /// The slopes of a held element or a closed stop, by its place among them.
     pub fn slopes_of(&self, place: usize, n: usize) -> &[f64] {
         &self.slopes[n * place..][..n]
@@ -123,21 +128,28 @@ impl Slipping {
 /// What friction holds, whatever the coordinates.
 #[derive(Clone)]
 pub(super) struct Held {
-    elements: Vec<(PairId, [usize; 2])>,
+    elements: Vec<Place>,
     fastest: f64,
 }
 
-/// An element by its pair and its bodies.
-fn bodies(element: &FrictionElement) -> (PairId, [usize; 2]) {
-    let (one, other) = (element.body, element.base);
-    (element.pair, [one.min(other), one.max(other)])
+/// Where something rubs: a pair with its bodies, a transmission with its law, or a load.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    Pair(PairId, [usize; 2]),
+    Load(LoadId),
 }
 
-/// An element by its pair and its bodies, a transmission by its law.
-fn place(rubs: Rubs<'_>) -> (PairId, [usize; 2]) {
+/// An element by its pair and its bodies.
+fn bodies(element: &FrictionElement) -> Place {
+    let (one, other) = (element.body, element.base);
+    Place::Pair(element.pair, [one.min(other), one.max(other)])
+}
+
+fn place(rubs: Rubs<'_>) -> Place {
     match rubs {
         Rubs::Pair(element) => bodies(element),
-        Rubs::Law(law, _) => (law.pair, [law.index; 2]),
+        Rubs::Law(law, _) => Place::Pair(law.pair, [law.index; 2]),
+        Rubs::Load(load) => Place::Load(load.load),
     }
 }
 

@@ -19,9 +19,7 @@ impl Equations<'_, '_> {
         self.trial.motion.stops[index] = value;
         // the efforts of stops are the last loads
         let load = LoadId::at(mechanism.loads.len() - mechanism.stops.len() + index);
-        for (_, known) in self.evaluated.iter_mut().filter(|(id, _)| *id == load) {
-            *known = Value::Scalar(value);
-        }
+        self.put_load(load, Value::Scalar(value));
     }
 
     /// The acceleration of the coordinate of a stop away from it, where everything was evaluated.

@@ -23,7 +23,7 @@ impl Going<'_, '_> {
         let y = method.y().to_vec();
         self.watch.begin();
         let before = self.watch.values(equations, t, &y);
-        let (was, kept) = (equations.closed.clone(), equations.kept_pairs());
+        let (was, kept) = (equations.closed.clone(), equations.kept());
         let ended = match touch {
             Touch::Opens(index) if equations.slipping.is_some() => {
                 equations.closed.retain(|closed| *closed != index);

@@ -7,13 +7,27 @@ use super::rubs::Rubs;
 use super::slipping::{Mode, Slipping};
 use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Integrator, Undefined};
-use crate::model::{PairId, Situation};
+use crate::model::{LinkId, PairId, PairKind, Situation};
 use crate::solve::failure::Halt;
 
 /// Places within a step at which all sliding speeds are looked at, as parts of it.
 const PLACES: [f64; 9] = [0.0, 0.02, 0.13, 0.31, 0.5, 0.69, 0.87, 0.98, 1.0];
 /// What stays above this part of its variation in the step is smooth enough not to pass zero between the places.
 const CLEAR: f64 = 0.5;
+
+/// What does not move: pairs, and links that loads against the motion hold.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Kept {
+    pub pairs: Vec<PairId>,
+    pub links: Vec<LinkId>,
+}
+
+impl Kept {
+    /// Whether everything moves.
+    pub const fn is_empty(&self) -> bool {
+        self.pairs.is_empty() && self.links.is_empty()
+    }
+}
 
 impl Going<'_, '_> {
     /// Where, in the last step, what rubs comes to rest, turns or leaves its rest.
@@ -92,7 +106,7 @@ impl Going<'_, '_> {
         equations.release_speeds();
         if let Some(slipping) = &mut equations.slipping {
             slipping.turning.retain(|turns| turns.0 <= t + self.at_once());
-            let (was, kept) = (equations.closed.clone(), equations.kept_pairs());
+            let (was, kept) = (equations.closed.clone(), equations.kept());
             equations.choose_slips(t, y)?;
             self.watch.moves_again(equations.model.mechanism, &kept);
             let ended = self.note_held(equations, t);
@@ -214,20 +228,32 @@ impl Equations<'_, '_> {
         self.mode == Some(Mode::Resting) || self.slipping.as_deref().is_some_and(held)
     }
 
-    /// The pairs that do not move: friction holds them, or a stop is closed.
-    pub fn kept_pairs(&self) -> Vec<PairId> {
-        let mut pairs = self.held_pairs();
-        pairs.extend(self.closed.iter().map(|index| self.stop(*index).pair));
-        pairs
+    /// What does not move: friction holds it, or a load against the motion, or a stop is closed.
+    pub fn kept(&self) -> Kept {
+        let mut kept = Kept { pairs: self.held_pairs(), links: Vec::new() };
+        kept.pairs.extend(self.closed.iter().map(|index| self.stop(*index).pair));
+        let Some(slipping) = &self.slipping else { return kept };
+        let held = Rubs::all(self.model.plan).enumerate().filter(|(element, _)| slipping.holds(*element));
+        kept.links.extend(held.filter_map(|(_, rubs)| match rubs {
+            Rubs::Load(load) => Some(LinkId::at(load.body)),
+            _ => None,
+        }));
+        let stands = |link: LinkId| link.index() == 0 || kept.links.contains(&link);
+        for (index, pair) in self.model.mechanism.pairs.iter().enumerate() {
+            let hinge = matches!(pair.kind, PairKind::Revolute(_));
+            if !kept.links.is_empty() && hinge && pair.kind.links().into_iter().all(stands) {
+                kept.pairs.push(PairId::at(index));
+            }
+        }
+        kept
     }
 
     /// The pairs that friction holds.
     pub fn held_pairs(&self) -> Vec<PairId> {
         let Some(slipping) = &self.slipping else { return Vec::new() };
-        let holds = |element: usize| slipping.senses[element] == 0.0 || slipping.still[element];
         let rubs = Rubs::all(self.model.plan).enumerate();
         let mut pairs: Vec<PairId> =
-            rubs.filter(|(index, _)| holds(*index)).map(|(_, rubs)| rubs.pair()).collect();
+            rubs.filter(|(index, _)| slipping.holds(*index)).filter_map(|(_, rubs)| rubs.pair()).collect();
         pairs.sort_unstable();
         pairs.dedup();
         pairs

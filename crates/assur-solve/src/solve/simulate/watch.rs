@@ -5,11 +5,12 @@ use super::depends::{comes_again, is_deep, is_kept, is_linkage};
 use super::equations::Equations;
 use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
 use super::records::within_step;
+use super::turning::Kept;
 use crate::answer::{OF_FORCES, OF_MOTION};
 use crate::math::lobatto::Extremes;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
-use crate::model::{Event, Expr, Mechanism, PairId, Situation};
+use crate::model::{Event, Expr, Mechanism, Situation};
 
 /// Events nearer to each other than this part of the run happen at once.
 pub(super) const AT_ONCE: f64 = 1e-12;
@@ -139,7 +140,7 @@ impl<'m> Watch<'m> {
         method: &mut M,
     ) -> Option<Happened> {
         let mut found: Vec<(usize, Crossing<f64>)> = Vec::new();
-        let kept = if self.events.is_empty() { Vec::new() } else { equations.kept_pairs() };
+        let kept = if self.events.is_empty() { Kept::default() } else { equations.kept() };
         for index in 0..self.events.len() {
             let way = self.events[index].rising;
             let step = (method.previous_t(), method.t());
@@ -287,9 +288,9 @@ impl<'m> Watch<'m> {
     }
 
     /// These pairs move again from here on: what they kept zero leaves it, and is not passed.
-    pub fn moves_again(&mut self, mechanism: &Mechanism, pairs: &[PairId]) {
+    pub fn moves_again(&mut self, mechanism: &Mechanism, kept: &Kept) {
         for (event, left) in self.events.iter().zip(&mut self.left) {
-            *left |= !pairs.is_empty() && is_kept(mechanism, pairs, &event.value);
+            *left |= !kept.is_empty() && is_kept(mechanism, kept, &event.value);
         }
     }
 
@@ -314,7 +315,7 @@ impl<'m> Watch<'m> {
         &mut self,
         equations: &mut Equations<'_, '_>,
         (t, y): (f64, &[f64]),
-        (before, kept): (&[f64], &[PairId]),
+        (before, kept): (&[f64], &Kept),
     ) -> Option<usize> {
         let mechanism = equations.model.mechanism;
         let after = self.values(equations, t, y);

@@ -1,0 +1,93 @@
+//! Loads against the motion of which a run can say whether they hold: torques, and forces at points that keep to a line of their link.
+
+use crate::math::Vec2;
+use crate::model::{LoadId, LoadKind, Mechanism, Place};
+use crate::structure::{JointKind, Structure};
+
+/// What guides are parallel to but for rounding.
+const PARALLEL: f64 = 1e-12;
+
+/// A load against the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opposing {
+    /// The load.
+    pub load: LoadId,
+    /// The body it acts on.
+    pub body: usize,
+    /// Of a force: its point, m, and the unit direction in which that moves, in the body's frame.
+    pub line: Option<(Vec2, Vec2)>,
+}
+
+/// All of them, in the order of the file; forces at points that may move in several directions are none of them.
+pub(super) fn plan(mechanism: &Mechanism, structure: &Structure) -> Vec<Opposing> {
+    let loads = mechanism.loads.iter().enumerate().filter(|(_, load)| load.is_against_motion());
+    let opposing = loads.filter_map(|(index, load)| {
+        let (body, line) = match &load.kind {
+            LoadKind::Torque { on, .. } => (on.index(), None),
+            LoadKind::ForceAgainstMotion { on, at: Place::Local(at), .. } => {
+                (on.index(), Some((*at, direction(structure, on.index(), *at)?)))
+            }
+            _ => return None,
+        };
+        Some(Opposing { load: LoadId::at(index), body, line })
+    });
+    opposing.collect()
+}
+
+/// The direction in which a point of a body moves, whatever else moves: across the arm from a hinge on the ground, or along guides
+/// that are all parallel.
+fn direction(structure: &Structure, body: usize, at: Vec2) -> Option<Vec2> {
+    hinged(structure, body, at).or_else(|| guided(structure, body))
+}
+
+fn hinged(structure: &Structure, body: usize, at: Vec2) -> Option<Vec2> {
+    structure.replaced.joints.iter().find_map(|joint| {
+        let JointKind::Revolute(members) = &joint.kind else { return None };
+        let place = |of: usize| members.iter().find(|(member, _)| member.0 == of);
+        place(0).and(place(body)).and_then(|(_, centre)| (at - *centre).perp().unit())
+    })
+}
+
+/// From guide to guide down to the ground.
+fn guided(structure: &Structure, body: usize) -> Option<Vec2> {
+    let guides = steps(structure, body);
+    guides
+        .into_iter()
+        .find(|step| leads_down(structure, *step, structure.replaced.joints.len()))
+        .map(|step| step.direction)
+}
+
+/// A pair by which a body slides on another.
+#[derive(Clone, Copy)]
+struct Step {
+    joint: usize,
+    /// The direction in the frame of the body.
+    direction: Vec2,
+    other: usize,
+    /// And in that of the other.
+    there: Vec2,
+}
+
+fn steps(structure: &Structure, body: usize) -> Vec<Step> {
+    let joints = structure.replaced.joints.iter().enumerate();
+    let steps = joints.filter_map(|(joint, kind)| {
+        let JointKind::Prismatic { slider, direction, guide, along, .. } = kind.kind else { return None };
+        match body {
+            _ if body == slider.0 => Some(Step { joint, direction, other: guide.0, there: along }),
+            _ if body == guide.0 => Some(Step { joint, direction: along, other: slider.0, there: direction }),
+            _ => None,
+        }
+    });
+    steps.collect()
+}
+
+/// Whether a way of so many parallel guides at most leads from a step on to the ground.
+fn leads_down(structure: &Structure, step: Step, most: usize) -> bool {
+    let on = |next: &Step| next.joint != step.joint && next.direction.cross(step.there).abs() <= PARALLEL;
+    step.other == 0
+        || (most > 0
+            && steps(structure, step.other)
+                .into_iter()
+                .filter(on)
+                .any(|next| leads_down(structure, next, most - 1)))
+}
