@@ -163,3 +163,61 @@ fn labels_are_apart_and_words_are_of_the_language() {
     assert!(count > 2000, "{count}");
     assert!(wrong.is_empty(), "{} {:#?}", wrong.len(), &wrong[..wrong.len().min(20)]);
 }
+
+/// The rows of a file of sentences: section, key, text.
+fn rows(name: &str) -> Vec<(String, String, String)> {
+    let path = format!("{}/crates/assur-worked/messages/{name}.txt", env!("CARGO_MANIFEST_DIR"));
+    let mut section = String::new();
+    let mut rows = Vec::new();
+    for line in std::fs::read_to_string(path).expect("a file of sentences").lines() {
+        if let Some(name) = line.strip_prefix('[') {
+            section = name.trim_end_matches(']').to_owned();
+        } else if !line.starts_with('#') && !line.is_empty() {
+            let (key, text) =
+                line.split_once(" | ").unwrap_or_else(|| panic!("{name}: `{line}` has no text"));
+            rows.push((section.clone(), key.to_owned(), text.to_owned()));
+        }
+    }
+    rows
+}
+
+/// The places of a text, in order.
+fn places(text: &str) -> Vec<&str> {
+    let mut all: Vec<&str> =
+        text.split('{').skip(1).filter_map(|part| Some(part.split_once('}')?.0)).collect();
+    all.sort_unstable();
+    all.dedup();
+    if all == [""] { text.matches("{}").collect() } else { all }
+}
+
+#[test]
+fn every_language_has_every_sentence_with_its_parts() {
+    let by_english = ["phrases", "pictures", "titles", "items"];
+    let [english, chinese, russian] = ["en", "zh", "ru"].map(rows);
+    let keys = |rows: &[(String, String, String)]| -> Vec<(String, String)> {
+        rows.iter().map(|(section, key, _)| (section.clone(), key.clone())).collect()
+    };
+    assert_eq!(keys(&chinese), keys(&russian));
+    let of_keys = |rows: &[(String, String)]| -> Vec<(String, String)> {
+        rows.iter().filter(|row| !by_english.contains(&row.0.as_str())).cloned().collect()
+    };
+    assert_eq!(keys(&english), of_keys(&keys(&chinese)));
+    assert_eq!(keys(&chinese).iter().collect::<BTreeSet<_>>().len(), chinese.len(), "a key stands twice");
+    for ((section, key, chinese), (_, _, russian)) in chinese.iter().zip(&russian) {
+        let english = english.iter().find(|row| (&row.0, &row.1) == (section, key)).map_or(key, |row| &row.2);
+        assert_eq!(places(english), places(chinese), "{key}: {chinese}");
+        assert_eq!(places(english), places(russian), "{key}: {russian}");
+    }
+    // what the program names is there, and nothing else
+    let path = format!("{}/crates/assur-worked/src/words/message.rs", env!("CARGO_MANIFEST_DIR"));
+    let code = std::fs::read_to_string(path).expect("the keys");
+    let mut named = BTreeSet::new();
+    for part in code.split(" of \"").skip(1) {
+        let (section, rest) = part.split_once("\" {").expect("keys");
+        let (keys, _) = rest.split_once('}').expect("keys");
+        named.extend(keys.split_whitespace().map(|key| (section.to_owned(), key.to_owned())));
+    }
+    let written: BTreeSet<_> =
+        keys(&english).into_iter().filter(|k| k.0 != "functions" && k.0 != "labels").collect();
+    assert_eq!(named, written);
+}

@@ -1,27 +1,14 @@
-//! All sentences of a worked solution: a list of messages per topic, each with a file per language.
+//! All sentences of a worked solution: keys here, texts in `messages/en.txt`, `zh.txt`, `ru.txt`.
 
-mod chinese;
-mod design;
-mod english;
-mod friction;
-mod function;
+mod catalogue;
 mod message;
 mod phrase;
-mod phrases;
-mod picture_phrases;
-mod question;
-mod run;
-mod russian;
 
-pub use design::DesignMessage;
-pub use friction::FrictionMessage;
-pub use function::FunctionWords;
-pub use message::Message;
+pub use message::{DesignMessage, FrictionMessage, FunctionWords, Message, QuestionMessage, RunMessage};
 pub use phrase::{known, phrase, title};
-pub use question::QuestionMessage;
-pub use run::RunMessage;
 
 use crate::document::{Inline, Labels, Line};
+use catalogue::text;
 
 /// A language of sentences.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,11 +30,12 @@ impl Language {
     }
 
     /// What writers put before parts.
-    pub(crate) const fn labels(self) -> Labels {
-        match self {
-            Self::English => english::LABELS,
-            Self::Chinese => chinese::LABELS,
-            Self::Russian => russian::LABELS,
+    pub(crate) fn labels(self) -> Labels {
+        let of = |key| text(self, "labels", key);
+        Labels {
+            contents: of("contents"),
+            figure: of("figure"),
+            rows: ["equation", "magnitude", "direction"].map(of),
         }
     }
 
@@ -85,20 +73,6 @@ pub trait Sentence: Copy {
     /// Whether an equation follows, unless it is nothing for all values.
     fn awaits_an_equation(self) -> bool {
         false
-    }
-}
-
-impl Sentence for Message {
-    fn template(self, language: Language) -> &'static str {
-        match language {
-            Language::English => english::template(self),
-            Language::Chinese => chinese::template(self),
-            Language::Russian => russian::template(self),
-        }
-    }
-
-    fn awaits_an_equation(self) -> bool {
-        Self::awaits_an_equation(self)
     }
 }
 

@@ -1,8 +1,7 @@
 //! Sentences that are made in English elsewhere, in the language of a solution.
 
 use super::Language;
-use super::phrases::PHRASES;
-use super::picture_phrases::{ITEMS, PICTURES, TITLES};
+use super::catalogue::rows;
 
 /// A sentence of a table or a picture in a language; as it is where it is of the author.
 #[must_use]
@@ -22,7 +21,9 @@ pub fn phrase(language: Language, english: &str) -> String {
 /// A sentence that the list has; none where it is of the author.
 #[must_use]
 pub fn known(language: Language, english: &str) -> Option<String> {
-    let Some(column) = column(language) else { return Some(english.to_owned()) };
+    if language == Language::English {
+        return Some(english.to_owned());
+    }
     let spaced = english.trim_end();
     let tail = &english[spaced.len()..];
     // the unit of a header, and what a heading says besides
@@ -31,41 +32,25 @@ pub fn known(language: Language, english: &str) -> Option<String> {
         _ => (spaced, ""),
     };
     // an item is not the first of several
-    let items = ITEMS.iter().filter(|_| !words.contains(", "));
+    let items = rows(language, "items").iter().filter(|_| !words.contains(", "));
     // nor the first of several sentences
     let several = words.contains("; ");
-    let pictures = PICTURES.iter().filter(|row| !(several && row[0].starts_with("{}")));
-    let mut rows = PHRASES.iter().chain(pictures).chain(items);
-    let (row, parts) = rows.find_map(|row| Some((row, parts(row[0], words)?)))?;
-    Some(filled(row[column], &parts, |_, part| phrase(language, part)) + unit + tail)
+    let pictures = rows(language, "pictures").iter().filter(|row| !(several && row.0.starts_with("{}")));
+    let mut all = rows(language, "phrases").iter().chain(pictures).chain(items);
+    let (text, parts) = all.find_map(|row| Some((row.1, parts(row.0, words)?)))?;
+    Some(filled(text, &parts, |_, part| phrase(language, part)) + unit + tail)
 }
 
 /// The title of a picture: what the author called the problem stays as it is.
 #[must_use]
 pub fn title(language: Language, english: &str) -> String {
-    let Some(column) = column(language) else { return english.to_owned() };
-    let found = TITLES.iter().find_map(|row| Some((row, parts(row[0], english)?)));
+    let found = rows(language, "titles").iter().find_map(|row| Some((row.1, parts(row.0, english)?)));
     found.map_or_else(
         || english.to_owned(),
-        |(row, parts)| {
-            filled(
-                row[column],
-                &parts,
-                |i, part| {
-                    if i == 0 { part.to_owned() } else { phrase(language, part) }
-                },
-            )
+        |(text, parts)| {
+            filled(text, &parts, |i, part| if i == 0 { part.to_owned() } else { phrase(language, part) })
         },
     )
-}
-
-/// The column of a language; none of English.
-const fn column(language: Language) -> Option<usize> {
-    match language {
-        Language::English => None,
-        Language::Chinese => Some(1),
-        Language::Russian => Some(2),
-    }
 }
 
 /// A pattern with its parts in their places.
