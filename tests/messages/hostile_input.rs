@@ -1,8 +1,9 @@
 //! No text makes the reader panic, overflow its stack or take more than linear time.
 
 use crate::busy::Busy;
+use assur::internals::diagnostic::Diagnosis;
 use assur::internals::source::Source;
-use assur::internals::syntax::{CharacterError, SyntaxError, parse};
+use assur::internals::syntax::parse;
 use proptest::prelude::*;
 use std::time::Duration;
 
@@ -77,8 +78,7 @@ fn one_long_line() {
 #[test]
 fn a_shared_error_type() {
     fn shared<T: Send + Sync + 'static>() {}
-    shared::<CharacterError>();
-    shared::<SyntaxError>();
+    shared::<Diagnosis>();
 }
 
 /// Pieces of the language in any order.

@@ -4,8 +4,6 @@
 
 mod comma;
 mod confusables;
-mod error;
-mod fixes;
 mod lower;
 mod prepare;
 mod recover;
@@ -18,8 +16,6 @@ pub mod document;
 
 pub use comma::{between_digits, readings};
 pub use confusables::skeleton;
-pub use error::SyntaxError;
-pub use prepare::CharacterError;
 pub use tokens::{Token, TokenKind};
 pub use words::is_reserved;
 

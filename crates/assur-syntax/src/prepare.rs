@@ -9,12 +9,10 @@
 //!
 //! Brackets nested deeper than [`DEPTH`] are blanked out here, before anything descends into them.
 
-use super::error::SyntaxError;
 use super::trivia::Line;
-use assur_text::diagnostic::{Fix, Help, Problem, Problems};
+use crate::recover::comment_sign;
+use assur_text::diagnostic::{Diagnosis, Help, Problems};
 use assur_text::source::{Edit, Span};
-use miette::Diagnostic;
-use thiserror::Error;
 
 /// How many brackets may be nested.
 pub(super) const DEPTH: usize = 64;
@@ -138,10 +136,17 @@ impl<'a> Prepare<'a> {
         }
         self.pad(&mut padding);
         if let Some(at) = lone_return {
-            problems.push(CharacterError::LoneCarriageReturn { at });
+            problems.push(
+                Diagnosis::warning(
+                    "mech::syntax::lone_carriage_return",
+                    "this line ends with a carriage return alone",
+                )
+                .label(at, "CR without LF")
+                .help("save the file with line ends LF or CR LF"),
+            );
         }
         if let Some(at) = self.deep {
-            problems.push(SyntaxError::TooDeep { limit: DEPTH, at });
+            problems.push(too_deep(DEPTH, at));
         }
     }
 
@@ -300,7 +305,7 @@ pub enum Kind {
 // What is reported of characters and comments of other kinds.
 
 /// One diagnostic for all comments of other languages: they are one habit.
-pub(super) fn comments(text: &str, comments: &[Span]) -> Option<SyntaxError> {
+pub(super) fn comments(text: &str, comments: &[Span]) -> Option<Diagnosis> {
     let first = *comments.first()?;
     let sign = if text[first.start..].starts_with('#') { "#" } else { "/*" };
     let line = Line::around(text, first.start);
@@ -328,7 +333,7 @@ pub(super) fn comments(text: &str, comments: &[Span]) -> Option<SyntaxError> {
     let signs = comments.iter().map(|comment| Edit::new(Span::new(comment.start, comment.start + 1), "//"));
     let all_plain = comments.iter().all(|comment| text[comment.start..].starts_with('#'));
     let help = if all_plain { Help::lines(text, at, signs.collect()).in_words(help) } else { help.into() };
-    Some(SyntaxError::CommentSign { at, found: sign.to_owned(), help })
+    Some(comment_sign(at, sign, help))
 }
 
 /// One diagnostic for each kind on a line.
@@ -349,7 +354,7 @@ pub(super) fn report(text: &str, changes: &[Change], problems: &mut Problems) {
     }
 }
 
-fn describe(text: &str, changes: &[Change], kind: Kind, help: &Help) -> Option<CharacterError> {
+fn describe(text: &str, changes: &[Change], kind: Kind, help: &Help) -> Option<Diagnosis> {
     let first = changes.iter().find(|c| c.kind == kind)?;
     let found = text[first.span.start..].chars().next()?;
     let help = help.clone();
@@ -361,79 +366,30 @@ fn describe(text: &str, changes: &[Change], kind: Kind, help: &Help) -> Option<C
         }
     }
     Some(match kind {
-        Kind::FullWidth => CharacterError::FullWidth { at, help },
-        Kind::Quote => CharacterError::CurlyQuotes { at: first.span, help },
-        Kind::Sign => CharacterError::ForeignSign { found, at: first.span, wanted: first.with, help },
-        Kind::Invisible => {
-            CharacterError::InvisibleCharacter { found: u32::from(found), at: first.span, help }
+        Kind::FullWidth => {
+            Diagnosis::error("mech::syntax::full_width", "full-width characters cannot be read")
+                .label(at, "written in full width")
+                .help(help.certain())
         }
+        Kind::Quote => Diagnosis::error("mech::syntax::curly_quotes", "use straight quotes (`\"`)")
+            .label(first.span, "this is another kind of quote")
+            .help(help.certain()),
+        Kind::Sign => Diagnosis::error("mech::syntax::foreign_sign", format!("`{found}` is not used here"))
+            .label(first.span, format!("written `{}` in this language", first.with))
+            .help(help.certain()),
+        Kind::Invisible => Diagnosis::error(
+            "mech::syntax::invisible_character",
+            format!("invisible character (U+{:04X})", u32::from(found)),
+        )
+        .label(first.span, "invisible")
+        .help(help.certain()),
     })
 }
 
 // Errors of the characters of a text, before it is read.
 
-/// Characters that the language does not have. `help` is the corrected line.
-#[derive(Clone, Debug, Diagnostic, Error)]
-pub enum CharacterError {
-    #[error("full-width characters cannot be read")]
-    #[diagnostic(code(mech::syntax::full_width))]
-    FullWidth {
-        #[label("written in full width")]
-        at: Span,
-        #[help]
-        help: Help,
-    },
-
-    #[error("use straight quotes (`\"`)")]
-    #[diagnostic(code(mech::syntax::curly_quotes))]
-    CurlyQuotes {
-        #[label("this is another kind of quote")]
-        at: Span,
-        #[help]
-        help: Help,
-    },
-
-    #[error("`{found}` is not used here")]
-    #[diagnostic(code(mech::syntax::foreign_sign))]
-    ForeignSign {
-        found: char,
-        #[label("written `{wanted}` in this language")]
-        at: Span,
-        wanted: &'static str,
-        #[help]
-        help: Help,
-    },
-
-    #[error("invisible character (U+{found:04X})")]
-    #[diagnostic(code(mech::syntax::invisible_character))]
-    InvisibleCharacter {
-        found: u32,
-        #[label("invisible")]
-        at: Span,
-        #[help]
-        help: Help,
-    },
-
-    #[error("this line ends with a carriage return alone")]
-    #[diagnostic(
-        code(mech::syntax::lone_carriage_return),
-        severity(Warning),
-        help("save the file with line ends LF or CR LF")
-    )]
-    LoneCarriageReturn {
-        #[label("CR without LF")]
-        at: Span,
-    },
-}
-
-impl Problem for CharacterError {
-    fn fixes(&self) -> Vec<Fix> {
-        match self {
-            Self::FullWidth { help, .. }
-            | Self::CurlyQuotes { help, .. }
-            | Self::ForeignSign { help, .. }
-            | Self::InvisibleCharacter { help, .. } => help.clone().certain().fixes().to_vec(),
-            Self::LoneCarriageReturn { .. } => Vec::new(),
-        }
-    }
+pub fn too_deep(limit: usize, at: Span) -> Diagnosis {
+    Diagnosis::error("mech::syntax::too_deep", format!("nested more than {limit} levels deep"))
+        .label(at, "one level too many")
+        .help("give a part of it a name: let part = …; the rest of this line is not read")
 }

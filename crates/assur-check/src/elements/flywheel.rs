@@ -8,7 +8,7 @@ use crate::pairs::transmission::known;
 use assur_model::model;
 use assur_model::model::{FlywheelTorque, LinkId, Rim};
 use assur_syntax::document::{Flywheel, Name, Statement};
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::source::Span;
 
 use assur_text::language::{FLYWHEEL, RIM};
@@ -125,7 +125,13 @@ fn rim(cx: &mut Context<'_>, properties: &[Read], name: &str, span: Span) -> Opt
 }
 
 fn incomplete(cx: &mut Context<'_>, message: String, help: &str, span: Span, label: &str) {
-    cx.error(Diagnosis::error("mech::geometry::incomplete", message).label(span, label).help(help));
+    let needless = help.strip_prefix("leave ").and_then(|help| help.strip_suffix(" out"));
+    cx.error(
+        Diagnosis::error("mech::geometry::incomplete", message)
+            .label(span, label)
+            .help(help)
+            .fixes(needless.map(|what| Fix::left_out(what, span))),
+    );
 }
 
 /// The load or balance of that name.

@@ -6,8 +6,7 @@ use crate::document::{
     About, At, Bar, Body, CircleMember, Expr, ExprKind, Ground, LineDirection, LineMember, Link, Member,
     Name, PointFrom, PointMember, ProfileMember, Shaft, Side, Slider, Statement, WheelMember, WheelSize,
 };
-use crate::error::SyntaxError;
-use crate::recover::What;
+use crate::recover::{What, needless_word};
 use crate::trivia::corrected;
 use crate::words::Rule;
 use assur_text::source::{Span, Spanned};
@@ -142,7 +141,7 @@ impl Lower<'_> {
         }
         let gap = Span::new(word.span.start, function.span.start);
         let help = corrected(self.text, gap, "");
-        self.problems.push(SyntaxError::NeedlessSign { found: word.node.clone(), at: word.span, help });
+        self.problems.push(needless_word(&word.node, word.span, help));
         let span = Span::new(function.span.end, at.span.end);
         let kind = ExprKind::Vector(Box::new(x.value.clone()), Box::new(y.value.clone()));
         Some(PointMember { name: function.clone(), at: Expr { kind, span } })

@@ -3,9 +3,11 @@
 use super::state::Lower;
 use super::walk::{P, Parts, name, nfc, span};
 use crate::document::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, Path, Sensed, Turn, UnaryOp};
-use crate::error::SyntaxError;
+use crate::prepare::too_deep;
+use crate::recover::needless_word;
 use crate::trivia::corrected;
 use crate::words::Rule;
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::{Span, Spanned};
 use assur_text::units;
 
@@ -226,7 +228,7 @@ impl Lower<'_> {
         let Some([first, again]) = factors.windows(2).find(blank) else { return word };
         let at = Span::new(start + again.start, start + again.end);
         let help = corrected(self.text, Span::new(start + first.end, at.end), "");
-        self.problems.push(SyntaxError::NeedlessSign { found: again.symbol.to_owned(), at, help });
+        self.problems.push(needless_word(again.symbol, at, help));
         &word[..first.end]
     }
 
@@ -235,7 +237,14 @@ impl Lower<'_> {
         let value = text.parse::<f64>().unwrap_or(f64::NAN);
         if !value.is_finite() {
             let at = span(pair);
-            self.problems.push(SyntaxError::NumberTooLarge { text: shortened(&text), at });
+            self.problems.push(
+                Diagnosis::error(
+                    "mech::syntax::number_too_large",
+                    format!("the number {} is too large", shortened(&text)),
+                )
+                .label(at, "too large")
+                .help("check the exponent: the largest number is 1.7e308"),
+            );
             return Number { value: f64::MAX, text, unit: None };
         }
         Number { value, text, unit: None }
@@ -252,7 +261,7 @@ impl Lower<'_> {
     }
 
     fn too_deep<T>(&mut self, at: Span) -> Option<T> {
-        self.problems.push(SyntaxError::TooDeep { limit: CHAIN, at });
+        self.problems.push(too_deep(CHAIN, at));
         None
     }
 

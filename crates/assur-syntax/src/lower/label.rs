@@ -3,7 +3,7 @@
 use super::state::Lower;
 use crate::comma;
 use crate::document::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
-use crate::error::SyntaxError;
+use crate::recover::comma_in_number;
 use crate::trivia::corrected;
 use assur_text::source::Span;
 
@@ -168,7 +168,7 @@ impl Lower<'_> {
         let number = self.text.get(whole_at.start..whole_at.end).unwrap_or_default();
         let lines = comma::readings(number, &comma::between_digits(number));
         let lines = lines.iter().map(|new| corrected(self.text, whole_at, new));
-        self.problems.push(SyntaxError::comma_in_number(at, lines.collect()));
+        self.problems.push(comma_in_number(at, lines.collect()));
         true
     }
 

@@ -2,10 +2,9 @@
 
 use super::state::Lower;
 use super::walk::{P, span};
-use crate::error::SyntaxError;
 use crate::trivia::{Line, corrected};
 use crate::words::{Rule, is_name_char};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Edit, Span};
 use pest::iterators::Pairs;
 
@@ -35,14 +34,25 @@ pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
                 let at = span(&pair);
                 let help = corrected(lower.text, with_blanks(lower.text, at), " = ");
                 let found = pair.as_str().to_owned();
-                lower.problems.push(SyntaxError::EqualsExpected { found, at, help });
+                lower.problems.push(
+                    Diagnosis::error("mech::syntax::equals_expected", "use `=` to assign a value")
+                        .label(at, format!("`{found}` instead of `=`"))
+                        .help(help.certain()),
+                );
             }
             Rule::lenient_equals_for_colon => {
                 let at = span(&pair);
                 let before = Span::new(with_blanks(lower.text, at).start, at.end);
                 let help = corrected(lower.text, before, ":");
                 let found = pair.as_str().to_owned();
-                lower.problems.push(SyntaxError::ColonExpected { found, at, help });
+                lower.problems.push(
+                    Diagnosis::error(
+                        "mech::syntax::colon_expected",
+                        "use `:` between a name and what it joins",
+                    )
+                    .label(at, format!("`{found}` instead of `:`"))
+                    .help(help.certain()),
+                );
             }
             Rule::lenient_bare_point => {
                 lower.problems.push(bare_point(lower.text, pair.as_str(), span(&pair)))
@@ -53,7 +63,7 @@ pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
 }
 
 /// `at` is where the last member ends; what stands next is what the brace is missing before.
-fn missing_brace(text: &str, open: Span, at: Span) -> SyntaxError {
+fn missing_brace(text: &str, open: Span, at: Span) -> Diagnosis {
     let rest = text.get(at.start..).unwrap_or_default();
     let next = at.start + rest.find(|c: char| !c.is_whitespace() && c != ';').unwrap_or(rest.len());
     let line = text.get(next..Line::around(text, next).end).unwrap_or_default().trim();
@@ -70,7 +80,10 @@ fn missing_brace(text: &str, open: Span, at: Span) -> SyntaxError {
     } else {
         words.into()
     };
-    SyntaxError::MissingBrace { open, at: Span::new(next, next + length), help }
+    Diagnosis::error("mech::syntax::missing_brace", "a brace is not closed")
+        .label(open, "opened here")
+        .label(Span::new(next, next + length), "still open here")
+        .help(help)
 }
 
 /// A place with the blanks around it.
@@ -81,7 +94,7 @@ fn with_blanks(text: &str, at: Span) -> Span {
     Span::new(start, text.len() - behind.trim_start_matches(blank).len())
 }
 
-fn late_brace(text: &str, pair: &P<'_>) -> SyntaxError {
+fn late_brace(text: &str, pair: &P<'_>) -> Diagnosis {
     let whole = pair.as_span();
     let line = Line::around(text, whole.start());
     let written = text.get(line.start..line.end).unwrap_or_default();
@@ -90,19 +103,22 @@ fn late_brace(text: &str, pair: &P<'_>) -> SyntaxError {
     let end = start + code.len();
     let brace = Span::new(whole.end(), whole.end() + 1);
     let edits = vec![Edit::new(Span::new(end, end), " {"), Edit::new(brace, "")];
-    SyntaxError::BraceOnItsOwnLine {
-        brace,
-        statement: Span::new(start, end),
-        help: Help::lines(text, Span::new(start, start), edits).in_words(format!("write: {code} {{")),
-    }
+    Diagnosis::error("mech::syntax::brace_on_its_own_line", "put `{` on the same line as its statement")
+        .label(brace, "this brace")
+        .label(Span::new(start, end), "after this")
+        .help(
+            Help::lines(text, Span::new(start, start), edits).in_words(format!("write: {code} {{")).certain(),
+        )
 }
 
-fn bare_point(text: &str, number: &str, at: Span) -> SyntaxError {
+fn bare_point(text: &str, number: &str, at: Span) -> Diagnosis {
     let (side, fixed) = match number.strip_suffix('.') {
         Some(whole) => ("behind", format!("{whole}.0")),
         None => ("before", format!("0{number}")),
     };
-    SyntaxError::BareDecimalPoint { at, side, help: corrected(text, at, &fixed) }
+    Diagnosis::error("mech::syntax::bare_decimal_point", "a decimal point needs digits on both sides")
+        .label(at, format!("no digits {side} the point"))
+        .help(corrected(text, at, &fixed).certain())
 }
 
 // Statements within the braces of another one.
@@ -114,7 +130,7 @@ pub(super) fn statement_in_braces(
     read: &str,
     open: Span,
     members: Span,
-) -> Option<(SyntaxError, usize)> {
+) -> Option<(Diagnosis, usize)> {
     let blank = |c: char| c.is_whitespace() || c == ';';
     let rest = read.get(members.start..)?;
     let start = members.start + (rest.len() - rest.trim_start_matches(blank).len());
@@ -132,7 +148,13 @@ pub(super) fn statement_in_braces(
         "move it after the brace that closes these".into()
     };
     let at = Span::new(start, start + word.len());
-    Some((SyntaxError::StatementInBraces { word: word.to_owned(), open, at, help }, brace))
+    Some((
+        Diagnosis::error("mech::syntax::statement_in_braces", format!("`{word}` is a statement of its own"))
+            .label(open, "within these braces")
+            .primary(at, "this belongs after them")
+            .help(help),
+        brace,
+    ))
 }
 
 /// Where a brace closes that is not open, if nothing but one statement stands before it.

@@ -15,12 +15,11 @@ mod state;
 mod walk;
 
 use super::document::{Bad, Definition, Statement};
-use super::error::SyntaxError;
 use super::prepare::whole_end;
 use super::recover::{self, What};
 use super::trivia::corrected;
 use super::words::{Grammar, Rule};
-use assur_text::diagnostic::Problems;
+use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::{Span, Spanned};
 use pest::Parser;
 use pest::iterators::Pairs;
@@ -112,8 +111,16 @@ impl Lower<'_> {
         let title = written.trim_matches(bare).to_owned();
         let help = corrected(self.text, at, &format!("\"{title}\""));
         match part.as_rule() {
-            Rule::lenient_unclosed_text => self.problems.push(SyntaxError::UnclosedText { at, help }),
-            Rule::lenient_bare_title => self.problems.push(SyntaxError::TitleWithoutQuotes { at, help }),
+            Rule::lenient_unclosed_text => self.problems.push(
+                Diagnosis::error("mech::syntax::unclosed_text", "a text is not closed")
+                    .label(at, "the closing quote is missing on this line")
+                    .help(help.certain()),
+            ),
+            Rule::lenient_bare_title => self.problems.push(
+                Diagnosis::error("mech::syntax::title_without_quotes", "put the title in quotes")
+                    .label(at, "the title")
+                    .help(help.certain()),
+            ),
             _ => {}
         }
         Some(Spanned::new(title, at))

@@ -7,10 +7,10 @@ use super::walk::{P, Parts, nfc, span, text};
 use crate::document::{
     Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Expr, Find, FindItem, Row, Variants,
 };
-use crate::error::SyntaxError;
-use crate::recover::What;
+use crate::recover::{What, instead};
 use crate::trivia::corrected;
 use crate::words::Rule;
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::{Span, Spanned};
 use pest::iterators::Pair;
 
@@ -80,7 +80,7 @@ impl Lower<'_> {
         let at = Span::new(start, start + 2);
         let help = corrected(self.text, at, "within");
         let (found, wanted) = ("+-".to_owned(), "within".to_owned());
-        self.problems.push(SyntaxError::OtherWord { found, wanted, at, help });
+        self.problems.push(instead(&found, &wanted, at, help));
         true
     }
 
@@ -139,7 +139,14 @@ impl Lower<'_> {
             let help = corrected(self.text, unit, "");
             let row = help.to_string().replacen("write", "the header names the unit, the row is", 1);
             let help = help.in_words(row);
-            self.problems.push(SyntaxError::UnitInRow { at: unit, help });
+            self.problems.push(
+                Diagnosis::error(
+                    "mech::syntax::unit_in_row",
+                    "table rows take plain numbers; the unit goes in the header",
+                )
+                .label(unit, "a unit")
+                .help(help),
+            );
         }
         if negative {
             number.value = -number.value;

@@ -1,24 +1,31 @@
 //! Brackets that do not match.
 
 use super::case::Case;
-use crate::error::SyntaxError;
 use crate::words::is_name_char;
+use assur_text::diagnostic::Diagnosis;
 
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     third_coordinate(case).or_else(|| unmatched(case)).or_else(|| unclosed(case))
 }
 
 /// `(1 m, 2 m, 3 m)`
-fn third_coordinate(case: &Case<'_>) -> Option<SyntaxError> {
+fn third_coordinate(case: &Case<'_>) -> Option<Diagnosis> {
     let before = case.slice.get(..case.fail)?;
     let open = open_brackets(before).pop()?;
     let called = before.get(..open)?.ends_with(is_name_char);
     let comma = case.token(case.fail) == "," && before.get(open..)?.starts_with('(') && !called;
-    comma.then(|| SyntaxError::ThirdCoordinate { at: case.span(case.fail, 1) })
+    comma.then(|| {
+        Diagnosis::error("mech::syntax::third_coordinate", "a vector has exactly two coordinates")
+            .label(case.span(case.fail, 1), "a third coordinate")
+            .help(
+                "write `(x, y)`, mechanisms are planar; in numbers use a decimal point, \
+                 not a comma",
+            )
+    })
 }
 
 /// A closing bracket too many.
-fn unmatched(case: &Case<'_>) -> Option<SyntaxError> {
+fn unmatched(case: &Case<'_>) -> Option<Diagnosis> {
     let token = case.token(case.fail);
     let found = token.chars().next().filter(|c| matches!(c, ')' | '}' | ']'))?;
     if !open_brackets(case.slice.get(..case.fail)?).is_empty() {
@@ -27,11 +34,15 @@ fn unmatched(case: &Case<'_>) -> Option<SyntaxError> {
     let without = case.with(case.fail, case.fail + 1, "");
     let mends = case.reads(without.trim());
     let help = mends.then(|| case.help(case.fail, case.fail + 1, ""));
-    Some(SyntaxError::UnmatchedBracket { found, at: case.span(case.fail, 1), help })
+    Some(
+        Diagnosis::error("mech::syntax::unmatched_bracket", format!("unmatched `{found}`"))
+            .label(case.span(case.fail, 1), "no bracket is open here")
+            .help_if(help),
+    )
 }
 
 /// An opening bracket that nothing closes.
-fn unclosed(case: &Case<'_>) -> Option<SyntaxError> {
+fn unclosed(case: &Case<'_>) -> Option<Diagnosis> {
     let open = open_brackets(case.slice).pop()?;
     if !case.slice.get(open..)?.starts_with('(') {
         return None;
@@ -39,10 +50,11 @@ fn unclosed(case: &Case<'_>) -> Option<SyntaxError> {
     let before = case.slice.get(..case.fail)?.trim_end().len();
     let places = [case.slice.len(), before];
     let place = places.into_iter().find(|at| case.reads(&case.with(*at, *at, ")")));
-    Some(SyntaxError::UnclosedBracket {
-        open: case.span(open, 1),
-        help: place.map(|at| case.help(at, at, ")")),
-    })
+    Some(
+        Diagnosis::error("mech::syntax::unclosed_bracket", "a bracket is not closed")
+            .label(case.span(open, 1), "opened here")
+            .help_if(place.map(|at| case.help(at, at, ")"))),
+    )
 }
 
 /// The brackets still open at the end of a text, outermost first.

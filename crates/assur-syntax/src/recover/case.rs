@@ -1,11 +1,11 @@
 //! A piece of text that no rule read.
 
 use super::phrase::What;
-use crate::error::SyntaxError;
 use crate::prepare::whole_end;
+use crate::recover::instead;
 use crate::trivia::corrected;
 use crate::words::{self, Grammar, Rule, is_name_char, is_reserved};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Span;
 use pest::Parser;
 use pest::error::{ErrorVariant, InputLocation};
@@ -136,13 +136,13 @@ fn place(error: &pest::error::Error<Rule>) -> usize {
 // Names in two pieces: with a hyphen, or with a blank.
 
 /// `left-arm`, `right arm`: the pieces joined by `_`.
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let near = words.windows(2).filter(|pair| pair[0].0 <= case.fail);
     near.rev().take(4).find_map(|pair| joined(case, pair[0], pair[1]))
 }
 
-fn joined(case: &Case<'_>, first: (usize, &str), second: (usize, &str)) -> Option<SyntaxError> {
+fn joined(case: &Case<'_>, first: (usize, &str), second: (usize, &str)) -> Option<Diagnosis> {
     let (start, end) = (first.0, second.0 + second.1.len());
     let between = case.slice.get(start + first.1.len()..second.0)?;
     let wanted = format!("{}_{}", first.1, second.1);
@@ -153,11 +153,13 @@ fn joined(case: &Case<'_>, first: (usize, &str), second: (usize, &str)) -> Optio
     if !names || !apart || !(declares(case, start) && hyphen || stands_elsewhere(case, &wanted)) {
         return None;
     }
-    case.reads(&case.with(start, end, &wanted)).then(|| SyntaxError::OtherWord {
-        found: case.slice.get(start..end).unwrap_or_default().to_owned(),
-        wanted: wanted.clone(),
-        at: case.span(start, end - start),
-        help: case.help(start, end, &wanted),
+    case.reads(&case.with(start, end, &wanted)).then(|| {
+        instead(
+            case.slice.get(start..end).unwrap_or_default(),
+            &wanted,
+            case.span(start, end - start),
+            case.help(start, end, &wanted),
+        )
     })
 }
 

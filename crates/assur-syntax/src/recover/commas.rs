@@ -3,10 +3,11 @@
 use super::case::Case;
 use super::phrase::What;
 use crate::comma;
-use crate::error::SyntaxError;
-use assur_text::diagnostic::Help;
+use crate::recover::comma_in_number;
+use crate::recover::instead;
+use assur_text::diagnostic::{Diagnosis, Help};
 
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     if matches!(case.what, What::Row | What::Header) {
         return None;
     }
@@ -14,20 +15,20 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// `0,5 m`: first the comma nearest before the failure alone, then all.
-fn decimal_comma(case: &Case<'_>) -> Option<SyntaxError> {
+fn decimal_comma(case: &Case<'_>) -> Option<Diagnosis> {
     let commas = comma::between_digits(case.slice);
     let nearest = *commas.iter().rev().find(|i| **i <= case.fail).or(commas.first())?;
     for (at, commas) in [(nearest, &[nearest][..]), (*commas.first()?, &commas)] {
         let readings = comma::readings(case.slice, commas);
         if readings.iter().all(|new| case.reads(new)) {
-            return Some(SyntaxError::comma_in_number(case.span(at, 1), lines(case, &readings)));
+            return Some(comma_in_number(case.span(at, 1), lines(case, &readings)));
         }
     }
     None
 }
 
 /// `1 500 mm`, `1'500 mm`, `1.500,5 mm`: thousands apart
-fn grouped(case: &Case<'_>) -> Option<SyntaxError> {
+fn grouped(case: &Case<'_>) -> Option<Diagnosis> {
     let is_digit = |c: &char| c.is_ascii_digit();
     let mut starts = case
         .slice
@@ -52,16 +53,12 @@ fn grouped(case: &Case<'_>) -> Option<SyntaxError> {
     let point = if decimals.is_empty() { "" } else { "." };
     let wanted = format!("{first}{}{point}{decimals}", rest.concat());
     let end = start + number.len();
-    case.reads(&case.with(start, end, &wanted)).then(|| SyntaxError::OtherWord {
-        found: number.to_owned(),
-        wanted: wanted.clone(),
-        at: case.span(start, number.len()),
-        help: case.help(start, end, &wanted),
-    })
+    case.reads(&case.with(start, end, &wanted))
+        .then(|| instead(number, &wanted, case.span(start, number.len()), case.help(start, end, &wanted)))
 }
 
 /// `(120,5 mm; 10 mm)`
-fn semicolon_in_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+fn semicolon_in_brackets(case: &Case<'_>) -> Option<Diagnosis> {
     let mut depth = 0_usize;
     let mut new = String::with_capacity(case.slice.len());
     let mut first = None;
@@ -78,13 +75,13 @@ fn semicolon_in_brackets(case: &Case<'_>) -> Option<SyntaxError> {
     if case.reads(&new) {
         let help = case.help(0, case.slice.len(), &new);
         let (found, wanted) = (";".to_owned(), ",".to_owned());
-        return Some(SyntaxError::OtherWord { found, wanted, at: case.span(first, 1), help });
+        return Some(instead(&found, &wanted, case.span(first, 1), help));
     }
     let commas = comma::between_digits(case.slice);
     let at = *commas.first()?;
     let readings = comma::readings(&new, &commas);
     let fits = readings.iter().all(|new| case.reads(new));
-    fits.then(|| SyntaxError::comma_in_number(case.span(at, 1), lines(case, &readings)))
+    fits.then(|| comma_in_number(case.span(at, 1), lines(case, &readings)))
 }
 
 /// The author's lines with each of the texts in place of the piece.

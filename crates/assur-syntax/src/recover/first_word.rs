@@ -2,23 +2,19 @@
 
 use super::case::Case;
 use super::phrase::What;
-use crate::error::SyntaxError;
+use crate::recover::{comment_sign, misplaced, misspelling};
 use crate::trivia::{Line, corrected};
 use crate::words::{self, Grammar, Rule, is_name_char};
-use assur_text::diagnostic::{Help, did_you_mean};
+use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::language::{Place, words_of};
 use assur_text::source::Span;
 use pest::Parser;
 
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     let word = case.token(0);
     if let Some(sign) = ["%", "--", "'"].into_iter().find(|s| case.slice.starts_with(s)) {
         let at = case.span(0, sign.len());
-        return Some(SyntaxError::CommentSign {
-            at,
-            found: sign.to_owned(),
-            help: case.help(0, sign.len(), "//"),
-        });
+        return Some(comment_sign(at, sign, case.help(0, sign.len(), "//")));
     }
     let known = match case.what {
         What::Statement => words::statements().collect::<Vec<_>>(),
@@ -48,7 +44,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// A word that is near one that could stand there.
-fn misspelt(case: &Case<'_>, word: &str, known: &[&str]) -> Option<SyntaxError> {
+fn misspelt(case: &Case<'_>, word: &str, known: &[&str]) -> Option<Diagnosis> {
     if DRAWINGS.contains(&word) {
         return None;
     }
@@ -60,16 +56,11 @@ fn misspelt(case: &Case<'_>, word: &str, known: &[&str]) -> Option<SyntaxError> 
         (None, Some(first)) if case.what == What::Statement && !defines => first,
         _ => return None,
     };
-    Some(SyntaxError::MisspeltWord {
-        found: word.to_owned(),
-        at: case.span(0, word.len()),
-        wanted: (*wanted).to_owned(),
-        help: fits.map(|w| case.help(0, word.len(), w)),
-    })
+    Some(misspelling(word, case.span(0, word.len()), wanted, fits.map(|w| case.help(0, word.len(), w))))
 }
 
 /// A member outside its braces.
-fn displaced(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
+fn displaced(case: &Case<'_>, word: &str) -> Option<Diagnosis> {
     if case.slice[word.len()..].trim_start().starts_with('=') {
         return None;
     }
@@ -85,14 +76,14 @@ fn displaced(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
         .or_else(|| link_with_point(case))
         .unwrap_or_else(|| format!("put it there: {owner} NAME {{ {} }}", case.slice.trim()));
     let found = word.to_owned();
-    Some(SyntaxError::MisplacedMember { found, at: case.span(0, word.len()), place, help: help.into() })
+    Some(misplaced(&found, case.span(0, word.len()), place, help.into()))
 }
 
 /// What other programs call a wheel.
 const WHEELS: &[&str] = &["wheel", "gear", "gearwheel", "cogwheel", "sprocket", "pulley"];
 
 /// `gear z1 on sun teeth 20`: the wheel in the braces of its shaft.
-fn wheel_on_shaft(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
+fn wheel_on_shaft(case: &Case<'_>, word: &str) -> Option<Diagnosis> {
     if !WHEELS.contains(&word) {
         return None;
     }
@@ -116,12 +107,7 @@ fn wheel_on_shaft(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
         help += "\nand say in the pair which wheel is a ring, as in `mesh k: w2 - w3 { internal }`";
     }
     let place = "a wheel goes inside the braces of its shaft or link";
-    Some(SyntaxError::MisplacedMember {
-        found: word.to_owned(),
-        at: case.span(0, word.len()),
-        place,
-        help: help.into(),
-    })
+    Some(misplaced(word, case.span(0, word.len()), place, help.into()))
 }
 
 /// The line that declares a shaft or a link, if nothing else is on it.
@@ -212,31 +198,23 @@ const SYNONYMS: &[(&[&str], &[&str])] = &[
 ];
 
 /// A word for a statement that another program has, where the rest reads as that statement.
-fn synonym(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
+fn synonym(case: &Case<'_>, word: &str) -> Option<Diagnosis> {
     let lower = word.to_lowercase();
     let found = SYNONYMS.iter().filter(|(words, _)| words.contains(&lower.as_str()));
     let mut wanted = found.flat_map(|(_, wanted)| wanted.iter());
     let wanted = wanted.find(|w| case.reads(&case.with(0, word.len(), w)))?;
-    Some(SyntaxError::MisspeltWord {
-        found: word.to_owned(),
-        at: case.span(0, word.len()),
-        wanted: (*wanted).to_owned(),
-        help: Some(case.help(0, word.len(), wanted)),
-    })
+    Some(misspelling(word, case.span(0, word.len()), wanted, Some(case.help(0, word.len(), wanted))))
 }
 
 /// `what is Mb, F?`
-fn question(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
+fn question(case: &Case<'_>, word: &str) -> Option<Diagnosis> {
     let asks = ["what", "which", "how", "where"].contains(&word.to_lowercase().as_str());
     let words = case.words();
     let verb = words.get(1).filter(|(_, verb)| ["is", "are", "large", "big"].contains(verb));
     let end = verb.map_or(word.len(), |(at, verb)| at + verb.len());
     let new = format!("find{}", case.slice.get(end..)?.trim_end().trim_end_matches(['?', '.']));
-    (asks && case.reads(&new)).then(|| SyntaxError::MisspeltWord {
-        found: word.to_owned(),
-        at: case.span(0, word.len()),
-        wanted: "find".to_owned(),
-        help: Some(case.help(0, case.slice.len(), &new)),
+    (asks && case.reads(&new)).then(|| {
+        misspelling(word, case.span(0, word.len()), "find", Some(case.help(0, case.slice.len(), &new)))
     })
 }
 
@@ -262,7 +240,7 @@ const OF_A_RUN: &[&str] =
 /// Words that ask for a drawing.
 const DRAWINGS: &[&str] = &["plot", "draw", "graph", "chart", "animate", "figure"];
 
-fn unknown(case: &Case<'_>, word: &str) -> SyntaxError {
+fn unknown(case: &Case<'_>, word: &str) -> Diagnosis {
     let help = if let Some(help) = rigid(case, word) {
         help
     } else if DRAWINGS.contains(&word) {
@@ -280,7 +258,9 @@ fn unknown(case: &Case<'_>, word: &str) -> SyntaxError {
                 .into()
         })
     };
-    SyntaxError::UnknownStatement { found: word.to_owned(), at: case.span(0, word.len()), help }
+    Diagnosis::error("mech::syntax::unknown_statement", format!("no statement begins with `{word}`"))
+        .label(case.span(0, word.len()), "not a statement")
+        .help(help)
 }
 
 /// The line that reads with a statement's word before it.

@@ -2,12 +2,12 @@
 
 use super::case::Case;
 use super::phrase::What;
-use crate::error::SyntaxError;
+use crate::recover::{comment_sign, instead, lacking, needless_word};
 use crate::words::is_name_char;
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::units::lookup;
 
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     quotes_inside(case)
         .or_else(|| position_left_out(case))
         .or_else(|| without_braces(case))
@@ -26,7 +26,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// Those of them that are one mistake of several, too.
-pub(super) fn in_other_places(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn in_other_places(case: &Case<'_>) -> Option<Diagnosis> {
     inches(case)
         .or_else(|| direction(case))
         .or_else(|| point_of_link(case))
@@ -35,29 +35,27 @@ pub(super) fn in_other_places(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// The repair of a part, if the piece reads with it.
-fn repair(case: &Case<'_>, start: usize, end: usize, wanted: &str, new: &str) -> Option<SyntaxError> {
-    case.reads(&case.with(start, end, new)).then(|| SyntaxError::OtherWord {
-        found: case.slice.get(start..end).unwrap_or_default().trim().to_owned(),
-        wanted: wanted.to_owned(),
-        at: case.span(start, end - start),
-        help: case.help(start, end, new),
+fn repair(case: &Case<'_>, start: usize, end: usize, wanted: &str, new: &str) -> Option<Diagnosis> {
+    case.reads(&case.with(start, end, new)).then(|| {
+        instead(
+            case.slice.get(start..end).unwrap_or_default().trim(),
+            wanted,
+            case.span(start, end - start),
+            case.help(start, end, new),
+        )
     })
 }
 
 /// `mechanism "a \"quick\" return"`: a text has no quotes inside.
-fn quotes_inside(case: &Case<'_>) -> Option<SyntaxError> {
+fn quotes_inside(case: &Case<'_>) -> Option<Diagnosis> {
     let (found, at) = ["\\\"", "\"\""].into_iter().find_map(|sign| Some((sign, case.slice.find(sign)?)))?;
     let new = case.slice.replace(found, "'");
-    case.reads(&new).then(|| SyntaxError::OtherWord {
-        found: found.to_owned(),
-        wanted: "'".to_owned(),
-        at: case.span(at, found.len()),
-        help: case.help(0, case.slice.len(), &new),
-    })
+    case.reads(&new)
+        .then(|| instead(found, "'", case.span(at, found.len()), case.help(0, case.slice.len(), &new)))
 }
 
 /// `drive crank = at 1500 rpm`
-fn position_left_out(case: &Case<'_>) -> Option<SyntaxError> {
+fn position_left_out(case: &Case<'_>) -> Option<Diagnosis> {
     let before = case.slice.get(..case.fail)?.trim_end();
     let asked = matches!(case.token(0), "drive" | "start") && before.ends_with('=');
     if !asked || case.token(case.fail) != "at" {
@@ -67,15 +65,17 @@ fn position_left_out(case: &Case<'_>) -> Option<SyntaxError> {
     let turns = ["rpm", "rad", "deg", "rev"].iter().any(|unit| rest.contains(unit));
     let position = if turns { "45 deg" } else { "100 mm" };
     let new = format!("{position} at");
-    case.reads(&case.with(case.fail, case.fail + "at".len(), &new)).then(|| SyntaxError::MissingWord {
-        missing: position.to_owned(),
-        at: case.span(case.fail, "at".len()),
-        help: case.help(case.fail, case.fail + "at".len(), &new),
+    case.reads(&case.with(case.fail, case.fail + "at".len(), &new)).then(|| {
+        lacking(
+            position,
+            case.span(case.fail, "at".len()),
+            case.help(case.fail, case.fail + "at".len(), &new),
+        )
     })
 }
 
 /// `link piston C (0, 0)`, `link piston ( C (0, 0) )`
-fn without_braces(case: &Case<'_>) -> Option<SyntaxError> {
+fn without_braces(case: &Case<'_>) -> Option<Diagnosis> {
     if !matches!(case.token(0), "link" | "ground" | "shaft" | "slider") || !case.slice.contains('(') {
         return None;
     }
@@ -103,56 +103,48 @@ fn without_braces(case: &Case<'_>) -> Option<SyntaxError> {
         }
         case.reads(&case.with(place.0, end, &new)).then_some((place.0, new))
     })?;
-    Some(SyntaxError::OtherWord {
-        found: whole.get(from..end).unwrap_or_default().to_owned(),
-        wanted: new.clone(),
-        at: case.span(from, end - from),
-        help: case.help(from, end, &new),
-    })
+    Some(instead(
+        whole.get(from..end).unwrap_or_default(),
+        &new,
+        case.span(from, end - from),
+        case.help(from, end, &new),
+    ))
 }
 
 /// `assemble C right of B`: left and right are of a line through two points.
-fn one_point(case: &Case<'_>) -> Option<SyntaxError> {
+fn one_point(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let side = words.windows(2).find(|w| matches!(w[0].1, "left" | "right") && w[1].1 == "of")?;
     let (start, end) = (side[0].0, side[1].0 + "of".len());
     let fits = |wanted: &str| case.reads(&case.with(start, end, wanted));
-    (case.token(0) == "assemble" && fits("ahead of")).then(|| SyntaxError::OtherWord {
-        found: format!("{} of", side[0].1),
-        wanted: "ahead of".to_owned(),
-        at: case.span(start, end - start),
-        help: Help::one_of(vec![case.help(start, end, "ahead of"), case.help(start, end, "behind")]),
+    (case.token(0) == "assemble" && fits("ahead of")).then(|| {
+        instead(
+            &format!("{} of", side[0].1),
+            "ahead of",
+            case.span(start, end - start),
+            Help::one_of(vec![case.help(start, end, "ahead of"), case.help(start, end, "behind")]),
+        )
     })
 }
 
 /// `[x, y]`, `100 [mm]`
-fn square_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+fn square_brackets(case: &Case<'_>) -> Option<Diagnosis> {
     let open = case.slice.find('[')?;
     let with = |open: &str, close: &str| case.slice.replace('[', open).replace(']', close);
     let tried = [("(", with("(", ")")), ("as", with("as ", "")), ("no bracket", with("", ""))];
     let (wanted, fits) = tried.into_iter().find(|(_, new)| case.reads(new))?;
-    Some(SyntaxError::OtherWord {
-        found: "[".to_owned(),
-        wanted: wanted.to_owned(),
-        at: case.span(open, 1),
-        help: case.help(0, case.slice.len(), &fits),
-    })
+    Some(instead("[", wanted, case.span(open, 1), case.help(0, case.slice.len(), &fits)))
 }
 
 /// `r (mm), n (rpm)` in the header of a table
-fn unit_in_parentheses(case: &Case<'_>) -> Option<SyntaxError> {
+fn unit_in_parentheses(case: &Case<'_>) -> Option<Diagnosis> {
     let open = case.slice.find('(').filter(|_| case.what == What::Header)?;
     let new = case.slice.replace('(', "[").replace(')', "]");
-    case.reads(&new).then(|| SyntaxError::OtherWord {
-        found: "(".to_owned(),
-        wanted: "[".to_owned(),
-        at: case.span(open, 1),
-        help: case.help(0, case.slice.len(), &new),
-    })
+    case.reads(&new).then(|| instead("(", "[", case.span(open, 1), case.help(0, case.slice.len(), &new)))
 }
 
 /// `[mm] r` in the header of a table: the unit comes after the name.
-fn unit_before_name(case: &Case<'_>) -> Option<SyntaxError> {
+fn unit_before_name(case: &Case<'_>) -> Option<Diagnosis> {
     let header = case.what == What::Header && case.slice.contains('[');
     let columns = case.slice.split(',').filter(|_| header);
     let turned = columns.map(|column| {
@@ -164,30 +156,34 @@ fn unit_before_name(case: &Case<'_>) -> Option<SyntaxError> {
     let (first, new) = written.iter().zip(&turned).find_map(|(old, new)| Some((*old, new.as_ref()?)))?;
     let line = written.iter().zip(&turned).map(|(old, new)| new.as_deref().unwrap_or(old));
     let line = line.collect::<Vec<_>>().join(", ");
-    case.reads(&line).then(|| SyntaxError::OtherWord {
-        found: first.to_owned(),
-        wanted: new.clone(),
-        at: case.span(case.slice.find(first).unwrap_or_default(), first.len()),
-        help: case.help(0, case.slice.trim_end().len(), &line),
+    case.reads(&line).then(|| {
+        instead(
+            first,
+            &new,
+            case.span(case.slice.find(first).unwrap_or_default(), first.len()),
+            case.help(0, case.slice.trim_end().len(), &line),
+        )
     })
 }
 
 /// `r²`
-fn raised(case: &Case<'_>) -> Option<SyntaxError> {
+fn raised(case: &Case<'_>) -> Option<Diagnosis> {
     let (sign, power) =
         [('²', "^2"), ('³', "^3")].into_iter().find(|(sign, _)| case.slice.contains(*sign))?;
     let at = case.slice.find(sign)?;
     let all = case.slice.replace('²', "^2").replace('³', "^3");
-    case.reads(&all).then(|| SyntaxError::OtherWord {
-        found: sign.to_string(),
-        wanted: power.to_owned(),
-        at: case.span(at, sign.len_utf8()),
-        help: case.help(0, case.slice.len(), &all),
+    case.reads(&all).then(|| {
+        instead(
+            &sign.to_string(),
+            power,
+            case.span(at, sign.len_utf8()),
+            case.help(0, case.slice.len(), &all),
+        )
     })
 }
 
 /// `190mm mm`, `leg - plate -`: a word twice, or a sign that joins nothing.
-fn repeated(case: &Case<'_>) -> Option<SyntaxError> {
+fn repeated(case: &Case<'_>) -> Option<Diagnosis> {
     let token = case.token(case.fail);
     let before = case.slice.get(..case.fail)?.trim_end();
     let (start, end) = if token.is_empty() {
@@ -205,10 +201,12 @@ fn repeated(case: &Case<'_>) -> Option<SyntaxError> {
         return None;
     };
     let left = case.slice.get(..start)?.trim_end().len();
-    case.reads(case.with(left, end, "").trim_end()).then(|| SyntaxError::NeedlessSign {
-        found: case.slice.get(start..end).unwrap_or_default().to_owned(),
-        at: case.span(start, end - start),
-        help: case.help(left, end, ""),
+    case.reads(case.with(left, end, "").trim_end()).then(|| {
+        needless_word(
+            case.slice.get(start..end).unwrap_or_default(),
+            case.span(start, end - start),
+            case.help(left, end, ""),
+        )
     })
 }
 
@@ -219,7 +217,7 @@ const FILLERS: &[&str] = &[
 ];
 
 /// `revolute joint A: …`, `link rod B-C length 350 mm`
-fn filler(case: &Case<'_>) -> Option<SyntaxError> {
+fn filler(case: &Case<'_>) -> Option<Diagnosis> {
     if case.what != What::Statement {
         return None;
     }
@@ -228,15 +226,12 @@ fn filler(case: &Case<'_>) -> Option<SyntaxError> {
     let (at, word) = near.next_back()?;
     let left = case.slice.get(..*at)?.trim_end().len();
     let end = at + word.len();
-    case.reads(&case.with(left, end, "")).then(|| SyntaxError::NeedlessSign {
-        found: (*word).to_owned(),
-        at: case.span(*at, word.len()),
-        help: case.help(left, end, ""),
-    })
+    case.reads(&case.with(left, end, ""))
+        .then(|| needless_word(word, case.span(*at, word.len()), case.help(left, end, "")))
 }
 
 /// `C to the left of B-D`, `at a speed of 30 rpm`: words around the place where reading stopped.
-fn fillers(case: &Case<'_>) -> Option<SyntaxError> {
+fn fillers(case: &Case<'_>) -> Option<Diagnosis> {
     /// The most words that are left out.
     const MOST: usize = 4;
     const MORE: &[&str] = &["to", "on", "at", "of", "by", "from", "speed", "velocity", "angle"];
@@ -260,22 +255,24 @@ fn fillers(case: &Case<'_>) -> Option<SyntaxError> {
         .into_iter()
         .filter(|(start, end)| start < end)
         .find(|(start, end)| case.reads(&case.with(left(*start), *end, "")))?;
-    Some(SyntaxError::NeedlessSign {
-        found: case.slice.get(start..end)?.to_owned(),
-        at: case.span(start, end - start),
-        help: case.help(left(start), end, ""),
-    })
+    Some(needless_word(
+        case.slice.get(start..end)?,
+        case.span(start, end - start),
+        case.help(left(start), end, ""),
+    ))
 }
 
 /// `A 0, 0`, `A (0 0)`, `(120, 10) mm`, `1 rad/s (5 %)`
-fn in_parentheses(case: &Case<'_>) -> Option<SyntaxError> {
+fn in_parentheses(case: &Case<'_>) -> Option<Diagnosis> {
     let (from, new, wanted) =
         coordinates_alone(case).or_else(|| blank_between(case)).or_else(|| unit_behind(case))?;
-    case.reads(&new).then(|| SyntaxError::OtherWord {
-        found: case.slice.get(from..).unwrap_or_default().trim().to_owned(),
-        wanted,
-        at: case.span(from, case.slice.len() - from),
-        help: case.help(0, case.slice.len(), &new),
+    case.reads(&new).then(|| {
+        instead(
+            case.slice.get(from..).unwrap_or_default().trim(),
+            &wanted,
+            case.span(from, case.slice.len() - from),
+            case.help(0, case.slice.len(), &new),
+        )
     })
 }
 
@@ -322,20 +319,22 @@ fn unit_behind(case: &Case<'_>) -> Option<Corrected> {
 }
 
 /// `… % a comment`
-fn comment(case: &Case<'_>) -> Option<SyntaxError> {
+fn comment(case: &Case<'_>) -> Option<Diagnosis> {
     let rest = case.slice.get(case.fail..)?;
     let sign = ["%", "--", "!", "'"].into_iter().find(|sign| rest.starts_with(sign))?;
     let words = rest.get(sign.len()..).is_some_and(|text| text.starts_with(' '));
     let complete = words && case.reads(case.slice.get(..case.fail)?.trim_end());
-    complete.then(|| SyntaxError::CommentSign {
-        at: case.span(case.fail, sign.len()),
-        found: sign.to_owned(),
-        help: case.help(case.fail, case.fail + sign.len(), "//"),
+    complete.then(|| {
+        comment_sign(
+            case.span(case.fail, sign.len()),
+            sign,
+            case.help(case.fail, case.fail + sign.len(), "//"),
+        )
     })
 }
 
 /// `5 in`: `in` is a word of the language, the unit is `inch`.
-fn inches(case: &Case<'_>) -> Option<SyntaxError> {
+fn inches(case: &Case<'_>) -> Option<Diagnosis> {
     let is_unit = |(at, word): &(usize, &str)| {
         let before = case.slice.get(..*at).unwrap_or_default().trim_end();
         let behind_number = before.ends_with(|c: char| c.is_ascii_digit() || "*/·".contains(c));
@@ -347,12 +346,7 @@ fn inches(case: &Case<'_>) -> Option<SyntaxError> {
     for at in found.iter().rev() {
         all.replace_range(*at..at + 2, "inch");
     }
-    case.reads(&all).then(|| SyntaxError::OtherWord {
-        found: "in".to_owned(),
-        wanted: "inch".to_owned(),
-        at: case.span(first, 2),
-        help: case.help(0, case.slice.len(), &all),
-    })
+    case.reads(&all).then(|| instead("in", "inch", case.span(first, 2), case.help(0, case.slice.len(), &all)))
 }
 
 const DIRECTIONS: &[(&[&str], &str)] = &[
@@ -363,7 +357,7 @@ const DIRECTIONS: &[(&[&str], &str)] = &[
 ];
 
 /// `3 kN left`, `100 N to the left`
-fn direction(case: &Case<'_>) -> Option<SyntaxError> {
+fn direction(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let (at, word) = *words.iter().find(|(at, _)| *at >= case.fail)?;
     let skipped = case.slice.get(case.fail..at)?.trim();
@@ -377,13 +371,13 @@ fn direction(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// `force F on crank.B`
-fn point_of_link(case: &Case<'_>) -> Option<SyntaxError> {
+fn point_of_link(case: &Case<'_>) -> Option<Diagnosis> {
     let dot = case.token(case.fail) == ".";
     if dot { repair(case, case.fail, case.fail + 1, "at", " at ") } else { None }
 }
 
 /// `force F on S of coupler`
-fn point_of(case: &Case<'_>) -> Option<SyntaxError> {
+fn point_of(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let of = words.iter().position(|(at, word)| *at >= case.fail && *word == "of")?;
     let [(on_at, "on"), (_, point), (_, "of"), (link_at, link)] = words.get(of.checked_sub(2)?..of + 2)?
@@ -395,7 +389,7 @@ fn point_of(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// `position(C) relative to D`
-fn relative(case: &Case<'_>) -> Option<SyntaxError> {
+fn relative(case: &Case<'_>) -> Option<Diagnosis> {
     let rest = case.slice.get(case.fail..)?;
     let of = ["relative to ", "with respect to ", "minus "].into_iter().find_map(|w| rest.strip_prefix(w))?;
     let before = case.slice.get(..case.fail)?.trim_end();
@@ -409,7 +403,7 @@ fn relative(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// `expect Mb = 80 deg at 60 deg`: at which position of the drive?
-fn drive_left_out(case: &Case<'_>) -> Option<SyntaxError> {
+fn drive_left_out(case: &Case<'_>) -> Option<Diagnosis> {
     let word = case.token(0);
     if case.what != What::Statement || !matches!(word, "expect" | "pose") {
         return None;
@@ -418,9 +412,11 @@ fn drive_left_out(case: &Case<'_>) -> Option<SyntaxError> {
     let name = drives.filter_map(|rest| rest.trim_start().split([' ', '=']).next()).next()?;
     let missing = format!("{name} =");
     let new = format!("{missing} ");
-    case.reads(&case.with(case.fail, case.fail, &new)).then(|| SyntaxError::MissingWord {
-        missing,
-        at: case.span(case.fail, case.token(case.fail).len()),
-        help: case.help(case.fail, case.fail, &new),
+    case.reads(&case.with(case.fail, case.fail, &new)).then(|| {
+        lacking(
+            &missing,
+            case.span(case.fail, case.token(case.fail).len()),
+            case.help(case.fail, case.fail, &new),
+        )
     })
 }

@@ -18,10 +18,9 @@ mod within;
 pub(super) use phrase::What;
 
 use super::document::{Bad, Name};
-use super::error::SyntaxError;
 use super::trivia::{Line, corrected};
 use super::words::{self, Expected, is_name_char, is_reserved};
-use assur_text::diagnostic::{Help, Problems, did_you_mean};
+use assur_text::diagnostic::{Diagnosis, Help, Problems, did_you_mean};
 use assur_text::language::{Place, words_of};
 use assur_text::source::Span;
 use case::Case;
@@ -32,7 +31,7 @@ use unicode_normalization::UnicodeNormalization;
 const EXPLAINED: usize = 200;
 
 /// The correction, if it reads.
-fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     first_word::explain(case)
         .or_else(|| unnamed::explain(case))
         .or_else(|| within::equals_of_expect(case))
@@ -68,13 +67,11 @@ pub(super) fn report(
         let found = if problems.len() < EXPLAINED { explain(&case) } else { None };
         let found = found.unwrap_or_else(|| unexpected(&case));
         // A name that cannot be one is reported where it stands first.
-        let again =
-            matches!(&found, SyntaxError::ReservedName { found, .. } if !reserved.insert(found.clone()));
+        let word = found.subject().unwrap_or_default();
+        let again = found.is("mech::syntax::reserved_name") && !reserved.insert(word.to_owned());
         // `left-arm` declares `left_arm`
-        if let SyntaxError::OtherWord { wanted, .. } | SyntaxError::MissingWord { missing: wanted, .. } =
-            &found
-        {
-            names.extend(self::names(wanted));
+        if found.is("mech::syntax::other_word") || found.is("mech::syntax::missing_word") {
+            names.extend(self::names(word));
         }
         if !again {
             problems.push(found);
@@ -93,36 +90,28 @@ fn cut_off(text: &str, read: &str, at: Span) -> bool {
 }
 
 /// A pair of the grammar that has not the shape it promises.
-pub(super) fn unreadable(at: Span) -> SyntaxError {
-    SyntaxError::Unexpected {
-        what: "this".to_owned(),
-        expected: "it is too long or too deeply nested".to_owned(),
-        at,
-        found: "from here".to_owned(),
-        help: None,
-    }
+pub(super) fn unreadable(at: Span) -> Diagnosis {
+    Diagnosis::error("mech::syntax::unexpected", "cannot read this: it is too long or too deeply nested")
+        .label(at, "from here")
 }
 
 /// `S 21 N` in a body: a misspelt word, or a point without coordinates.
-pub(super) fn point_without_coordinates(text: &str, name: &Name, at: Span) -> SyntaxError {
+pub(super) fn point_without_coordinates(text: &str, name: &Name, at: Span) -> Diagnosis {
     match did_you_mean(&name.node, words_of(Place::Member)).first() {
-        Some(wanted) => SyntaxError::MisspeltWord {
-            found: name.node.clone(),
-            at: name.span,
-            wanted: (*wanted).to_owned(),
-            help: Some(corrected(text, name.span, wanted)),
-        },
+        Some(wanted) => misspelling(&name.node, name.span, wanted, Some(corrected(text, name.span, wanted))),
         None => without_coordinates(&name.node, at),
     }
 }
 
-fn without_coordinates(name: &str, at: Span) -> SyntaxError {
+fn without_coordinates(name: &str, at: Span) -> Diagnosis {
     let help = format!("give its coordinates, as in: {name} (100 mm, 20 mm)");
-    SyntaxError::PointWithoutCoordinates { at, help: help.into() }
+    Diagnosis::error("mech::syntax::point_without_coordinates", "a point needs its coordinates")
+        .label(at, "`(x, y)` is missing")
+        .help(help)
 }
 
 /// The message if no repair helps.
-fn unexpected(case: &Case<'_>) -> SyntaxError {
+fn unexpected(case: &Case<'_>) -> Diagnosis {
     let alone = case.slice.chars().all(is_name_char) && !words::is_member(case.slice);
     if case.what == What::Member && alone && case.reads(&format!("{} (0, 0)", case.slice)) {
         return without_coordinates(case.slice, case.span(0, case.slice.len()));
@@ -152,7 +141,9 @@ fn unexpected(case: &Case<'_>) -> SyntaxError {
         _ if case.slice.trim() == "gravity" => Some(case.help(0, case.slice.len(), "gravity 9.81 m/s^2")),
         _ => help(first).map(Help::from),
     };
-    SyntaxError::Unexpected { what, expected: words::list(expected), at, found, help }
+    Diagnosis::error("mech::syntax::unexpected", format!("cannot read {what}: {}", words::list(expected)))
+        .label(at, found)
+        .help_if(help)
 }
 
 /// The shape of a statement that could not be read.
@@ -176,4 +167,79 @@ pub(super) fn names(slice: &str) -> Vec<String> {
     found.sort();
     found.dedup();
     found
+}
+
+pub fn comment_sign(at: Span, found: &str, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::syntax::comment_sign", "a comment begins with `//`")
+        .label(at, format!("`{found}` does not start a comment; use `//`"))
+        .help(help.certain())
+}
+
+pub fn instead(found: &str, wanted: &str, at: Span, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::syntax::other_word", format!("`{wanted}` is expected instead of `{found}`"))
+        .label(at, format!("`{wanted}` instead of this"))
+        .help(help)
+        .about(wanted)
+}
+
+pub fn needless_word(found: &str, at: Span, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::syntax::needless_sign", format!("unexpected `{found}`"))
+        .label(at, "leave this out")
+        .help(help.certain())
+}
+
+pub fn lacking(missing: &str, at: Span, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::syntax::missing_word", format!("`{missing}` is missing"))
+        .label(at, "before this")
+        .help(help)
+        .about(missing)
+}
+
+pub fn misspelling(found: &str, at: Span, wanted: &str, help: Option<Help>) -> Diagnosis {
+    Diagnosis::error("mech::syntax::misspelt_word", format!("`{found}` is not known here"))
+        .label(at, format!("did you mean `{wanted}`?"))
+        // `im` may be `in` or `on`
+        .help_if(help.map(|help| if wanted.len() > 3 { help.certain() } else { help }))
+}
+
+pub fn misplaced(found: &str, at: Span, place: &'static str, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::syntax::misplaced_member", format!("`{found}` is not a statement"))
+        .label(at, place)
+        .help(help)
+}
+
+pub fn word_of_the_language(found: &str, at: Span, help: Help) -> Diagnosis {
+    Diagnosis::error(
+        "mech::syntax::reserved_name",
+        format!("`{found}` is a word of the language and cannot be a name"),
+    )
+    .label(at, "choose another name")
+    .help(help)
+    .about(found)
+}
+
+pub fn without_operator(at: Span, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::syntax::missing_operator", "an operator is missing")
+        .label(at, "before this")
+        .help(help)
+}
+
+pub fn unseparated(at: Span, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::syntax::two_statements", "two statements or members are not separated")
+        .label(at, "a new line, or `;`, before this")
+        .help(help)
+}
+
+/// A comma within a number: the lines are those that may be meant.
+pub fn comma_in_number(at: Span, lines: Vec<Help>) -> Diagnosis {
+    let error =
+        |message: &str, said: &str| Diagnosis::error("mech::syntax::decimal_comma", message).label(at, said);
+    match <[Help; 1]>::try_from(lines) {
+        Ok([help]) => error("use a decimal point, not a comma", "a comma separates the values of a list")
+            .help(help.certain()),
+        Err(lines) => {
+            error("a comma in a number is ambiguous: decimal point or thousands", "three digits follow")
+                .help(Help::one_of(lines))
+        }
+    }
 }

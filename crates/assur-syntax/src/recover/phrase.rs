@@ -2,19 +2,19 @@
 
 use super::case::Case;
 use super::unnamed::points_in;
-use crate::error::SyntaxError;
+use crate::recover::{instead, lacking, needless_word};
 use crate::trivia::Line;
 use crate::words::{Rule, is_name_char};
-use assur_text::diagnostic::Help;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::language::Collection;
 use assur_text::units::{Dimension, lookup};
 
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     at_in_find(case).or_else(|| of_other_languages(case)).or_else(|| comma_in_list(case))
 }
 
 /// Those of them that are one mistake of several, too.
-pub(super) fn of_other_languages(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn of_other_languages(case: &Case<'_>) -> Option<Diagnosis> {
     times(case)
         .or_else(|| diameter(case))
         .or_else(|| through(case))
@@ -29,37 +29,36 @@ const TWO_WORDS: &[(&str, &str, &str)] =
     &[("angular", "velocity", "omega"), ("angular", "speed", "omega"), ("angular", "acceleration", "alpha")];
 
 /// `find angular velocity of rocker`
-pub(super) fn two_words(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn two_words(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let named =
         |pair: &&[(usize, &str)]| TWO_WORDS.iter().any(|(a, b, _)| (pair[0].1, pair[1].1) == (*a, *b));
     let pair = words.windows(2).find(named)?;
     let (_, _, wanted) = TWO_WORDS.iter().find(|(a, b, _)| (pair[0].1, pair[1].1) == (*a, *b))?;
     let (start, end) = (pair[0].0, pair[1].0 + pair[1].1.len());
-    case.reads(&case.with(start, end, wanted)).then(|| SyntaxError::OtherWord {
-        found: case.slice.get(start..end).unwrap_or_default().to_owned(),
-        wanted: (*wanted).to_owned(),
-        at: case.span(start, end - start),
-        help: case.help(start, end, wanted),
+    case.reads(&case.with(start, end, wanted)).then(|| {
+        instead(
+            case.slice.get(start..end).unwrap_or_default(),
+            wanted,
+            case.span(start, end - start),
+            case.help(start, end, wanted),
+        )
     })
 }
 
 /// `find the acceleration of B`
-pub(super) fn article(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn article(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let asked = matches!(case.token(0), "find" | "expect");
     let is_article = |(_, word): &&(usize, &str)| matches!(*word, "the" | "a" | "an") && asked;
     let (at, word) = *words.iter().filter(|(at, _)| *at <= case.fail).rev().find(is_article)?;
     let end = at + word.len() + 1;
-    case.reads(&case.with(at, end, "")).then(|| SyntaxError::NeedlessSign {
-        found: word.to_owned(),
-        at: case.span(at, word.len()),
-        help: case.help(at, end, ""),
-    })
+    case.reads(&case.with(at, end, ""))
+        .then(|| needless_word(word, case.span(at, word.len()), case.help(at, end, "")))
 }
 
 /// `balance Mb on crank`: what is sought, by the letter of its name.
-fn balanced(case: &Case<'_>) -> Option<SyntaxError> {
+fn balanced(case: &Case<'_>) -> Option<Diagnosis> {
     let name = case.token(case.fail);
     if case.token(0) != "balance" || !name.starts_with(is_name_char) {
         return None;
@@ -67,10 +66,8 @@ fn balanced(case: &Case<'_>) -> Option<SyntaxError> {
     if let Some((kind, "on" | "in" | "at")) = case.words().get(1).map(|(_, kind)| (*kind, name)) {
         let effort = if kind == "force" { "Fb" } else { "Mb" };
         let new = format!("{effort} ");
-        return case.reads(&case.with(case.fail, case.fail, &new)).then(|| SyntaxError::MissingWord {
-            missing: effort.to_owned(),
-            at: case.span(case.fail, name.len()),
-            help: case.help(case.fail, case.fail, &new),
+        return case.reads(&case.with(case.fail, case.fail, &new)).then(|| {
+            lacking(effort, case.span(case.fail, name.len()), case.help(case.fail, case.fail, &new))
         });
     }
     let line = |kind: &str| case.help(case.fail, case.fail, &format!("{kind} "));
@@ -85,11 +82,11 @@ fn balanced(case: &Case<'_>) -> Option<SyntaxError> {
         [kind] => ((*kind).to_owned(), line(kind)),
         several => (several.join("` or `"), Help::one_of(several.iter().map(|kind| line(kind)).collect())),
     };
-    Some(SyntaxError::MissingWord { missing, at: case.span(case.fail, name.len()), help })
+    Some(lacking(&missing, case.span(case.fail, name.len()), help))
 }
 
 /// `find omega(bar) at time = 0.5 s`
-fn at_in_find(case: &Case<'_>) -> Option<SyntaxError> {
+fn at_in_find(case: &Case<'_>) -> Option<Diagnosis> {
     if case.token(0) != "find" || case.token(case.fail) != "at" {
         return None;
     }
@@ -110,14 +107,18 @@ fn at_in_find(case: &Case<'_>) -> Option<SyntaxError> {
     } else {
         "give the drive this position"
     };
-    Some(SyntaxError::FindAt {
-        help: format!("to see the value there {answer}; to check one: `expect {item} = … {place}`").into(),
-        at: case.span(case.fail, "at".len()),
-    })
+    Some(
+        Diagnosis::error(
+            "mech::syntax::misplaced_member",
+            "an item of `find` is taken at all positions, and takes no `at`",
+        )
+        .label(case.span(case.fail, "at".len()), "not here")
+        .help(format!("to see the value there {answer}; to check one: `expect {item} = … {place}`")),
+    )
 }
 
 /// `link rod from B to C 350 mm`, `link rod BC 350 mm`
-fn bar(case: &Case<'_>) -> Option<SyntaxError> {
+fn bar(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let at = words.iter().rposition(|(at, _)| *at < case.fail || case.token(*at) == "from")?;
     if case.token(0) != "link" {
@@ -135,16 +136,18 @@ fn bar(case: &Case<'_>) -> Option<SyntaxError> {
         _ => None,
     });
     let (start, end, wanted) = spoken.or_else(|| ends(*words.get(at)?))?;
-    case.reads(&case.with(start, end, &wanted)).then(|| SyntaxError::OtherWord {
-        found: case.slice.get(start..end).unwrap_or_default().to_owned(),
-        wanted: wanted.clone(),
-        at: case.span(start, end - start),
-        help: case.help(start, end, &wanted),
+    case.reads(&case.with(start, end, &wanted)).then(|| {
+        instead(
+            case.slice.get(start..end).unwrap_or_default(),
+            &wanted,
+            case.span(start, end - start),
+            case.help(start, end, &wanted),
+        )
     })
 }
 
 /// `drive crank 45 deg`: `=` before a position, `at` before a speed.
-fn position_or_speed(case: &Case<'_>) -> Option<SyntaxError> {
+fn position_or_speed(case: &Case<'_>) -> Option<Diagnosis> {
     if case.token(0) != "drive" || !case.token(case.fail).starts_with(|c: char| c.is_ascii_digit()) {
         return None;
     }
@@ -157,15 +160,17 @@ fn position_or_speed(case: &Case<'_>) -> Option<SyntaxError> {
         _ => return None,
     };
     let new = format!("{missing} ");
-    case.reads(&case.with(case.fail, case.fail, &new)).then(|| SyntaxError::MissingWord {
-        missing: missing.to_owned(),
-        at: case.span(case.fail, case.token(case.fail).len()),
-        help: case.help(case.fail, case.fail, &new),
+    case.reads(&case.with(case.fail, case.fail, &new)).then(|| {
+        lacking(
+            missing,
+            case.span(case.fail, case.token(case.fail).len()),
+            case.help(case.fail, case.fail, &new),
+        )
     })
 }
 
 /// `drive crank = 45 deg omega 1500 rpm`: a name of the speed for `at`.
-fn speed_by_name(case: &Case<'_>) -> Option<SyntaxError> {
+fn speed_by_name(case: &Case<'_>) -> Option<Diagnosis> {
     const SPEEDS: &[&str] =
         &["omega", "w", "n", "v", "speed", "velocity", "with", "rate", "rotating", "running"];
     let start = case.token(0);
@@ -176,11 +181,13 @@ fn speed_by_name(case: &Case<'_>) -> Option<SyntaxError> {
     let rest = case.slice.get(case.fail + word.len()..)?;
     let value = rest.trim_start().trim_start_matches('=');
     let end = case.slice.len() - value.len();
-    case.reads(&case.with(case.fail, end, "at ").replace("at  ", "at ")).then(|| SyntaxError::OtherWord {
-        found: word.to_owned(),
-        wanted: "at".to_owned(),
-        at: case.span(case.fail, word.len()),
-        help: case.help(case.fail, case.slice.len() - value.trim_start().len(), "at "),
+    case.reads(&case.with(case.fail, end, "at ").replace("at  ", "at ")).then(|| {
+        instead(
+            word,
+            "at",
+            case.span(case.fail, word.len()),
+            case.help(case.fail, case.slice.len() - value.trim_start().len(), "at "),
+        )
     })
 }
 
@@ -188,7 +195,7 @@ fn speed_by_name(case: &Case<'_>) -> Option<SyntaxError> {
 const TIMES: &[&str] = &["x", "X", "times", "mal"];
 
 /// `0.3 x l`: the word was read as a unit, or stands where reading stopped.
-fn times(case: &Case<'_>) -> Option<SyntaxError> {
+fn times(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let mut near = words.iter().rev().filter(|(at, _)| *at <= case.fail).take(2);
     let (at, found) = *near.find(|(_, word)| TIMES.contains(word))?;
@@ -196,16 +203,12 @@ fn times(case: &Case<'_>) -> Option<SyntaxError> {
     let before = case.slice.get(..at)?.trim_end();
     let new = case.with(before.len(), end, " *");
     let factor = before.ends_with(is_name_char) || before.ends_with(')');
-    (factor && case.reads(&new)).then(|| SyntaxError::OtherWord {
-        found: found.to_owned(),
-        wanted: "*".to_owned(),
-        at: case.span(at, found.len()),
-        help: case.help(before.len(), end, " *"),
-    })
+    (factor && case.reads(&new))
+        .then(|| instead(found, "*", case.span(at, found.len()), case.help(before.len(), end, " *")))
 }
 
 /// `circle rim centre O diameter 100 mm`
-fn diameter(case: &Case<'_>) -> Option<SyntaxError> {
+fn diameter(case: &Case<'_>) -> Option<Diagnosis> {
     let found = case.token(case.fail);
     if !matches!(found, "diameter" | "dia" | "d" | "⌀" | "Ø") {
         return None;
@@ -221,16 +224,18 @@ fn diameter(case: &Case<'_>) -> Option<SyntaxError> {
     };
     let new = format!("radius {half}");
     let end = case.slice.len();
-    case.reads(&case.with(case.fail, end, &new)).then(|| SyntaxError::OtherWord {
-        found: case.slice.get(case.fail..end).unwrap_or_default().trim().to_owned(),
-        wanted: new.clone(),
-        at: case.span(case.fail, end - case.fail),
-        help: case.help(case.fail, end, &new),
+    case.reads(&case.with(case.fail, end, &new)).then(|| {
+        instead(
+            case.slice.get(case.fail..end).unwrap_or_default().trim(),
+            &new,
+            case.span(case.fail, end - case.fail),
+            case.help(case.fail, end, &new),
+        )
     })
 }
 
 /// `line guide along 0 deg`: through which point? One of those in the same braces.
-fn through(case: &Case<'_>) -> Option<SyntaxError> {
+fn through(case: &Case<'_>) -> Option<Diagnosis> {
     if case.what != What::Member || case.token(0) != "line" {
         return None;
     }
@@ -249,11 +254,11 @@ fn through(case: &Case<'_>) -> Option<SyntaxError> {
         _ => ("through".to_owned(), Help::one_of(points.iter().map(line).collect())),
     };
     let at = case.span(case.fail, case.token(case.fail).len());
-    Some(SyntaxError::MissingWord { missing, at, help })
+    Some(lacking(&missing, at, help))
 }
 
 /// `find reactions Mb`: something that is to be found after something complete.
-fn comma_in_list(case: &Case<'_>) -> Option<SyntaxError> {
+fn comma_in_list(case: &Case<'_>) -> Option<Diagnosis> {
     let before = case.slice.get(..case.fail)?.trim_end();
     let here = case.token(case.fail);
     let complete = case.token(0) == "find" && before != "find" && case.reads(before);
@@ -265,11 +270,8 @@ fn comma_in_list(case: &Case<'_>) -> Option<SyntaxError> {
     let count = case.text.split(|c| !is_name_char(c)).filter(|word| *word == last).count();
     let known = count > 1 || Collection::named(last).is_some() || before.ends_with(')');
     let new = case.with(before.len(), case.fail, ", ");
-    (known && case.reads(&new)).then(|| SyntaxError::MissingWord {
-        missing: ",".to_owned(),
-        at: case.span(case.fail, here.len()),
-        help: case.help(before.len(), case.fail, ", "),
-    })
+    (known && case.reads(&new))
+        .then(|| lacking(",", case.span(case.fail, here.len()), case.help(before.len(), case.fail, ", ")))
 }
 
 // The kind of part that was being read when a mistake was found.

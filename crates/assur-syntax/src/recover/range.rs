@@ -2,12 +2,13 @@
 
 use super::case::Case;
 use super::phrase::What;
-use crate::error::SyntaxError;
+use crate::recover::{instead, lacking};
+use assur_text::diagnostic::Diagnosis;
 
 /// The most steps that are proposed.
 const MOST: f64 = 1e6;
 
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     if case.what == What::Statement && case.token(0) == "simulate" {
         return of_time(case);
     }
@@ -37,13 +38,13 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     let at = case.span(at, end - at);
     let found = written.trim().to_owned();
     Some(match count {
-        Count::Missing => SyntaxError::MissingWord { missing: wanted, at, help },
-        _ => SyntaxError::OtherWord { found, wanted: sweep, at, help },
+        Count::Missing => lacking(&wanted, at, help),
+        _ => instead(&found, &sweep, at, help),
     })
 }
 
 /// `simulate 2 s step 0.05 s`
-fn of_time(case: &Case<'_>) -> Option<SyntaxError> {
+fn of_time(case: &Case<'_>) -> Option<Diagnosis> {
     const SIZES: &[&str] = &[
         " in steps of ",
         " with steps of ",
@@ -64,11 +65,13 @@ fn of_time(case: &Case<'_>) -> Option<SyntaxError> {
     let end = at + word.len() + size.trim_end().len();
     let new = format!(" {wanted}");
     let start = at + 1;
-    case.reads(&case.with(at, end, &new)).then(|| SyntaxError::OtherWord {
-        found: case.slice.get(start..end).unwrap_or_default().to_owned(),
-        wanted,
-        at: case.span(start, end - start),
-        help: case.help(at, end, &new),
+    case.reads(&case.with(at, end, &new)).then(|| {
+        instead(
+            case.slice.get(start..end).unwrap_or_default(),
+            &wanted,
+            case.span(start, end - start),
+            case.help(at, end, &new),
+        )
     })
 }
 

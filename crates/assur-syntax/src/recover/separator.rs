@@ -2,12 +2,13 @@
 
 use super::case::Case;
 use super::phrase::What;
-use crate::error::SyntaxError;
+use crate::recover::{instead, unseparated};
 use crate::words::{self, is_name_char};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::units::is_unit;
 
 /// A statement's word in the middle, with a statement on both sides of it.
-pub(super) fn statements(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn statements(case: &Case<'_>) -> Option<Diagnosis> {
     if case.what != What::Statement {
         return None;
     }
@@ -19,14 +20,14 @@ pub(super) fn statements(case: &Case<'_>) -> Option<SyntaxError> {
         if case.reads(first.trim_end()) && (more || case.reads(second)) {
             let trimmed = first.trim_end();
             let help = case.help(trimmed.len(), at, "; ");
-            return Some(SyntaxError::TwoStatements { at: case.span(at, word.len()), help });
+            return Some(unseparated(case.span(at, word.len()), help));
         }
     }
     None
 }
 
 /// `S (60 mm, 15 mm) mass 1.2 kg at S`: members one after the other, each of which reads.
-pub(super) fn members(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn members(case: &Case<'_>) -> Option<Diagnosis> {
     if matches!(case.what, What::Statement | What::Header | What::Row) {
         return None;
     }
@@ -48,7 +49,7 @@ pub(super) fn members(case: &Case<'_>) -> Option<SyntaxError> {
     let first = first.filter(|_| is_member(case, rest))?;
     parts.push(rest);
     let help = case.help(0, case.slice.len(), &parts.join("; "));
-    Some(SyntaxError::TwoStatements { at: case.span(first, case.token(first).len()), help })
+    Some(unseparated(case.span(first, case.token(first).len()), help))
 }
 
 /// Whether a part reads as a member, and as no point whose coordinates are a name: `teeht zp`.
@@ -68,7 +69,7 @@ const LONGEST: usize = 200;
 
 /// `link crank 40 mm A-B`, `drive crank at 1500 rpm = 45 deg`: two neighbours exchanged, one of which begins or ends where
 /// reading stopped.
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     if case.slice.len() > LONGEST || matches!(case.what, What::Header | What::Row) {
         return None;
     }
@@ -83,18 +84,18 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// The piece with the parts on both sides of a place exchanged.
-fn exchanged(case: &Case<'_>, start: usize, middle: usize, end: usize) -> Option<SyntaxError> {
+fn exchanged(case: &Case<'_>, start: usize, middle: usize, end: usize) -> Option<Diagnosis> {
     let (first, second) = (case.slice.get(start..middle)?.trim(), case.slice.get(middle..end)?.trim());
     let wanted = format!("{second} {first}");
     // what begins with an operator belongs to what stands before it
     let whole = |part: &str| part.starts_with(|c| is_name_char(c) || matches!(c, '=' | '(' | '@' | '"'));
     (whole(first) && whole(second) && case.reads(&case.with(start, end, &wanted))).then(|| {
-        SyntaxError::OtherWord {
-            found: case.slice.get(start..end).unwrap_or_default().to_owned(),
-            wanted: wanted.clone(),
-            at: case.span(start, end - start),
-            help: case.help(start, end, &wanted),
-        }
+        instead(
+            case.slice.get(start..end).unwrap_or_default(),
+            &wanted,
+            case.span(start, end - start),
+            case.help(start, end, &wanted),
+        )
     })
 }
 

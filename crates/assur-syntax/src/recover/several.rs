@@ -2,8 +2,7 @@
 
 use super::case::Case;
 use super::{meant, phrase, swap, within};
-use crate::error::SyntaxError;
-use assur_text::diagnostic::Problem;
+use assur_text::diagnostic::{Diagnosis, Problem};
 use assur_text::source::{Edit, Span};
 use miette::{Diagnostic, LabeledSpan};
 
@@ -11,7 +10,7 @@ use miette::{Diagnostic, LabeledSpan};
 const MOST: usize = 4;
 
 /// One mistake. What leaves words out is not among them: a line of two or three such repairs says something else.
-fn one(case: &Case<'_>) -> Option<SyntaxError> {
+fn one(case: &Case<'_>) -> Option<Diagnosis> {
     phrase::two_words(case)
         .or_else(|| phrase::article(case))
         .or_else(|| swap::of_without_brackets(case))
@@ -23,7 +22,7 @@ fn one(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// The mistakes of a piece, with the line as it is to be.
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     let mut now = (case.text.to_owned(), case.slice.to_owned());
     let mut labels = Vec::new();
     // what the repairs so far did to the text, the last one first
@@ -33,14 +32,18 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         let last = if count > 1 { one(&next) } else { None };
         let error = last.clone().or_else(|| one(&next.on_the_way()))?;
         labels.push(label(&error, &done)?);
-        let [fix] = <[_; 1]>::try_from(error.fixes()).ok()?;
+        let [fix] = <[_; 1]>::try_from(Problem::fixes(&error)).ok()?;
         let [edit] = <[Edit; 1]>::try_from(fix.edits.clone()).ok()?;
         let text = fix.apply(&now.0);
         let end = (case.offset + now.1.len() + text.len()).checked_sub(now.0.len())?;
         let slice = text.get(case.offset..end)?.to_owned();
         if last.is_some() {
             let help = case.help(0, case.slice.len(), &slice);
-            return Some(SyntaxError::SeveralMistakes { count, labels, help });
+            return Some(
+                Diagnosis::error("mech::syntax::several_mistakes", format!("this line has {count} mistakes"))
+                    .labels(labels)
+                    .help(help),
+            );
         }
         done.insert(0, edit);
         now = (text, slice);
@@ -49,8 +52,8 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// The mark of a mistake, in the text as it was before the repairs.
-fn label(error: &SyntaxError, done: &[Edit]) -> Option<LabeledSpan> {
-    let label = error.labels()?.next()?;
+fn label(error: &Diagnosis, done: &[Edit]) -> Option<LabeledSpan> {
+    let label = Diagnostic::labels(error)?.next()?;
     let before = |at: usize| done.iter().fold(at, unedited);
     let span = Span::new(before(label.offset()), before(label.offset() + label.len()));
     let said = label.label().unwrap_or_default().replace("before this", &error.to_string());

@@ -2,11 +2,12 @@
 
 use super::case::Case;
 use super::phrase::What;
-use crate::error::SyntaxError;
+use crate::recover::{instead, needless_word};
 use crate::words::{self, Expected, Rule, is_name_char, is_reserved};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::{Place, words_of};
 
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     comma_between(case)
         .or_else(|| without_brackets(case))
         .or_else(|| foreign_operator(case))
@@ -18,12 +19,12 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// Those of them that are one mistake of several, too.
-pub(super) fn one_for_another(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn one_for_another(case: &Case<'_>) -> Option<Diagnosis> {
     foreign_operator(case).or_else(|| other_word(case))
 }
 
 /// `A (0, 0), B (1 m, 0)`, `given r = 1 m, l = 2 m`
-fn comma_between(case: &Case<'_>) -> Option<SyntaxError> {
+fn comma_between(case: &Case<'_>) -> Option<Diagnosis> {
     let complete = case.token(case.fail) == "," && case.expected.contains(&Rule::EOI);
     let (first, second) = (case.slice.get(..case.fail)?, case.slice.get(case.fail + 1..)?);
     if !complete || !case.reads(first) {
@@ -43,25 +44,28 @@ fn comma_between(case: &Case<'_>) -> Option<SyntaxError> {
         word if again => format!("; {word}"),
         _ => ";".to_owned(),
     };
-    Some(SyntaxError::CommaBetween {
-        at: case.span(case.fail, 1),
-        help: case.help(case.fail, case.fail + 1, &new),
-    })
+    Some(
+        Diagnosis::error("mech::syntax::comma_between", "a comma does not separate statements or members")
+            .label(case.span(case.fail, 1), "`;` or a new line instead of this")
+            .help(case.help(case.fail, case.fail + 1, &new)),
+    )
 }
 
 /// `free length 77 mm`
-fn split_word(case: &Case<'_>) -> Option<SyntaxError> {
+fn split_word(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let (second_at, second) = *words.iter().rev().find(|(at, _)| *at < case.fail)?;
     let (first_at, first) = *words.iter().rev().find(|(at, _)| *at < second_at)?;
     let (start, end) = (first_at, second_at + second.len());
     let joined = format!("{first}_{second}");
     let named = matches!(case.what, What::Property | What::CamMember) && start == 0;
-    (named && case.reads(&case.with(start, end, &joined))).then(|| SyntaxError::OtherWord {
-        found: format!("{first} {second}"),
-        wanted: joined.clone(),
-        at: case.span(start, end - start),
-        help: case.help(start, end, &joined),
+    (named && case.reads(&case.with(start, end, &joined))).then(|| {
+        instead(
+            &format!("{first} {second}"),
+            &joined,
+            case.span(start, end - start),
+            case.help(start, end, &joined),
+        )
     })
 }
 
@@ -89,7 +93,7 @@ const OPERATORS: &[(&str, &str)] = &[
     ("at angle", "@"),
 ];
 
-fn foreign_operator(case: &Case<'_>) -> Option<SyntaxError> {
+fn foreign_operator(case: &Case<'_>) -> Option<Diagnosis> {
     let fits = |start: usize, (found, wanted): &(&'static str, &'static str)| {
         let here = case.slice.get(start..)?.starts_with(found);
         let end = start + found.len();
@@ -100,16 +104,16 @@ fn foreign_operator(case: &Case<'_>) -> Option<SyntaxError> {
         .into_iter()
         .flatten()
         .find_map(|start| OPERATORS.iter().find_map(|operator| fits(start, operator)))?;
-    Some(SyntaxError::OtherWord {
-        found: found.to_owned(),
-        wanted: wanted.trim().to_owned(),
-        at: case.span(start, found.len()),
-        help: case.help(start, start + found.len(), wanted),
-    })
+    Some(instead(
+        found,
+        wanted.trim(),
+        case.span(start, found.len()),
+        case.help(start, start + found.len(), wanted),
+    ))
 }
 
 /// `friction = 0.1` in braces
-fn needless_sign(case: &Case<'_>) -> Option<SyntaxError> {
+fn needless_sign(case: &Case<'_>) -> Option<Diagnosis> {
     let found = case.token(case.fail);
     let end = case.fail + found.len();
     let listed = found == "," && case.what == What::Member;
@@ -117,21 +121,17 @@ fn needless_sign(case: &Case<'_>) -> Option<SyntaxError> {
         !listed && matches!(found, "=" | ":" | "," | "-") && case.reads(&case.with(case.fail, end, " "));
     let before = case.slice.get(..case.fail)?.trim_end().len();
     let behind = end + case.slice.get(end..)?.len() - case.slice.get(end..)?.trim_start().len();
-    needless.then(|| SyntaxError::NeedlessSign {
-        found: found.to_owned(),
-        at: case.span(case.fail, found.len()),
-        help: case.help(before, behind, " "),
-    })
+    needless.then(|| needless_word(found, case.span(case.fail, found.len()), case.help(before, behind, " ")))
 }
 
 /// `position of C`, `find velocity C`: the function is no word that says nothing.
-pub(super) fn of_without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn of_without_brackets(case: &Case<'_>) -> Option<Diagnosis> {
     let asked = matches!(case.token(0), "find" | "expect");
     (asked || case.token(case.fail) == "of").then(|| without_brackets(case))?
 }
 
 /// `sin 30 deg`, `position of C`
-fn without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+fn without_brackets(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let (name_at, name) = *words.iter().rev().find(|(at, _)| *at < case.fail)?;
     let name_end = name_at + name.len();
@@ -146,18 +146,21 @@ fn without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
         let argument = case.slice.get(open..end)?.trim();
         let call = format!("({argument})");
         if case.reads(&case.with(name_end, end, &call)) {
-            return Some(SyntaxError::WithoutBrackets {
-                function: name.to_owned(),
-                at: case.span(open, end - open),
-                help: case.help(name_end, end, &call),
-            });
+            return Some(
+                Diagnosis::error(
+                    "mech::syntax::without_brackets",
+                    format!("put the argument of `{name}` in parentheses"),
+                )
+                .label(case.span(open, end - open), "in parentheses")
+                .help(case.help(name_end, end, &call)),
+            );
         }
     }
     None
 }
 
 /// `given 2r = 5 mm`
-fn digit_first(case: &Case<'_>) -> Option<SyntaxError> {
+fn digit_first(case: &Case<'_>) -> Option<Diagnosis> {
     let found = case.token(case.fail);
     let letters = found.trim_start_matches(|c: char| c.is_ascii_digit());
     let digits = &found[..found.len() - letters.len()];
@@ -169,10 +172,13 @@ fn digit_first(case: &Case<'_>) -> Option<SyntaxError> {
     // `1A` where points are named `A`
     let alone = case.text.split(|c| !is_name_char(c)).any(|word| word == letters);
     let wanted = if alone { letters.to_owned() } else { format!("{letters}{digits}") };
-    case.reads(&case.with(case.fail, end, &wanted)).then(|| SyntaxError::DigitFirst {
-        found: found.to_owned(),
-        at: case.span(case.fail, found.len()),
-        help: case.help(case.fail, end, &wanted),
+    case.reads(&case.with(case.fail, end, &wanted)).then(|| {
+        Diagnosis::error(
+            "mech::syntax::digit_first",
+            format!("`{found}` cannot be a name: it begins with a digit"),
+        )
+        .label(case.span(case.fail, found.len()), "a name begins with a letter")
+        .help(case.help(case.fail, end, &wanted))
     })
 }
 
@@ -213,7 +219,7 @@ fn meant(found: &str, wanted: &str) -> bool {
 }
 
 /// A sign or word where another one stands, if there is just one that fits.
-fn other_word(case: &Case<'_>) -> Option<SyntaxError> {
+fn other_word(case: &Case<'_>) -> Option<Diagnosis> {
     let found = case.token(case.fail);
     let end = case.fail + found.len();
     // `speed of 30 rpm`, `opposite to motion`
@@ -243,16 +249,18 @@ fn other_word(case: &Case<'_>) -> Option<SyntaxError> {
     let before = case.slice.get(..case.fail)?;
     let close = matches!(wanted.as_str(), "," | ":") || before.ends_with(' ');
     let blank = if close { "" } else { " " };
-    (!found.is_empty()).then(|| SyntaxError::OtherWord {
-        found: found.to_owned(),
-        wanted: wanted.clone(),
-        at: case.span(case.fail, found.len()),
-        help: case.help(case.fail, end, &format!("{blank}{wanted}")),
+    (!found.is_empty()).then(|| {
+        instead(
+            found,
+            &wanted,
+            case.span(case.fail, found.len()),
+            case.help(case.fail, end, &format!("{blank}{wanted}")),
+        )
     })
 }
 
 /// A connecting word further back that led astray: `find v in m/s`.
-fn other_word_before(case: &Case<'_>) -> Option<SyntaxError> {
+fn other_word_before(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
     let (at, found) = *words.iter().rev().find(|(at, w)| *at < case.fail && is_reserved(w))?;
     let end = at + found.len();
@@ -263,10 +271,5 @@ fn other_word_before(case: &Case<'_>) -> Option<SyntaxError> {
         [wanted] if meant(found, wanted) => wanted,
         _ => return None,
     };
-    Some(SyntaxError::OtherWord {
-        found: found.to_owned(),
-        wanted: (*wanted).to_owned(),
-        at: case.span(at, found.len()),
-        help: case.help(at, end, wanted),
-    })
+    Some(instead(found, wanted, case.span(at, found.len()), case.help(at, end, wanted)))
 }

@@ -2,8 +2,9 @@
 
 use super::case::Case;
 use super::phrase::What;
-use crate::error::SyntaxError;
+use crate::recover::lacking;
 use crate::words::is_name_char;
+use assur_text::diagnostic::Diagnosis;
 use assur_text::language::JointKind;
 
 /// What people write between two links.
@@ -45,15 +46,17 @@ impl<'a> Pair<'a> {
     }
 }
 
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     let pair = Pair::of(case.slice).filter(|_| case.what == What::Statement)?;
     let name = pair.point(case.text).map_or_else(|| unused(case), str::to_owned);
     let line = format!("{} {name}: {} - {}", pair.kind, pair.first, pair.second);
     let at = case.slice.len() - case.slice.get(pair.kind.len()..)?.trim_start().len();
-    case.reads(&line).then(|| SyntaxError::MissingWord {
-        missing: format!("{name}:"),
-        at: case.span(at, case.token(at).len()),
-        help: case.help(0, case.slice.len(), &line),
+    case.reads(&line).then(|| {
+        lacking(
+            &format!("{name}:"),
+            case.span(at, case.token(at).len()),
+            case.help(0, case.slice.len(), &line),
+        )
     })
 }
 

@@ -1,22 +1,22 @@
 //! Pieces that begin well and go wrong further on.
 
 use super::case::Case;
-use crate::error::SyntaxError;
+use crate::recover::{lacking, misspelling, without_operator, word_of_the_language};
 use crate::words::{self, Expected, Rule, is_name_char, is_reserved};
-use assur_text::diagnostic::did_you_mean;
+use assur_text::diagnostic::{Diagnosis, did_you_mean};
 use assur_text::units::is_unit;
 
-pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     reserved_name(case).or_else(|| misspelt_here(case)).or_else(|| misspelt_before(case))
 }
 
 /// The last attempts at a correction.
-pub(super) fn missing(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn missing(case: &Case<'_>) -> Option<Diagnosis> {
     missing_operator(case).or_else(|| missing_word(case))
 }
 
 /// A reserved word where a name is due.
-fn reserved_name(case: &Case<'_>) -> Option<SyntaxError> {
+fn reserved_name(case: &Case<'_>) -> Option<Diagnosis> {
     let word = case.token(case.fail);
     // `find at = …`: what is looked for may have a name
     let asked = case.token(0) == "find";
@@ -27,44 +27,37 @@ fn reserved_name(case: &Case<'_>) -> Option<SyntaxError> {
     }
     let end = case.fail + word.len();
     let other = format!("{word}_1");
-    case.reads(&case.with(case.fail, end, &other)).then(|| SyntaxError::ReservedName {
-        found: word.to_owned(),
-        at: case.span(case.fail, word.len()),
-        help: case.help(case.fail, end, &other),
+    case.reads(&case.with(case.fail, end, &other)).then(|| {
+        word_of_the_language(word, case.span(case.fail, word.len()), case.help(case.fail, end, &other))
     })
 }
 
 /// A misspelt word where reading stopped.
-fn misspelt_here(case: &Case<'_>) -> Option<SyntaxError> {
+fn misspelt_here(case: &Case<'_>) -> Option<Diagnosis> {
     let word = case.token(case.fail);
     let fitting = case.literals();
     respelt(case, case.fail, word, fitting.iter().map(String::as_str).collect())
 }
 
 /// A misspelt word read as a name or a unit, just before the place where reading stopped.
-fn misspelt_before(case: &Case<'_>) -> Option<SyntaxError> {
+fn misspelt_before(case: &Case<'_>) -> Option<Diagnosis> {
     let (at, word) = case.words().into_iter().rev().find(|(at, _)| *at < case.fail)?;
     let known = words::within().collect();
     respelt(case, at, word, known)
 }
 
-fn respelt(case: &Case<'_>, at: usize, word: &str, known: Vec<&str>) -> Option<SyntaxError> {
+fn respelt(case: &Case<'_>, at: usize, word: &str, known: Vec<&str>) -> Option<Diagnosis> {
     if !word.starts_with(is_name_char) || is_unit(word) {
         return None;
     }
     let end = at + word.len();
     let near = did_you_mean(word, known);
     let wanted = near.into_iter().find(|w| case.reads(&case.with(at, end, w)))?;
-    Some(SyntaxError::MisspeltWord {
-        found: word.to_owned(),
-        at: case.span(at, word.len()),
-        wanted: wanted.to_owned(),
-        help: Some(case.help(at, end, wanted)),
-    })
+    Some(misspelling(word, case.span(at, word.len()), wanted, Some(case.help(at, end, wanted))))
 }
 
 /// `2(a + b)`
-fn missing_operator(case: &Case<'_>) -> Option<SyntaxError> {
+fn missing_operator(case: &Case<'_>) -> Option<Diagnosis> {
     if let Some(call) = number_before_call(case) {
         return Some(call);
     }
@@ -73,26 +66,21 @@ fn missing_operator(case: &Case<'_>) -> Option<SyntaxError> {
     let closes = before.ends_with(')') || before.ends_with(is_name_char);
     let opens = here == "(" || (before.ends_with(')') && here.starts_with(is_name_char));
     let corrected = case.with(before.len(), case.fail, " * ");
-    (closes && opens && !is_reserved(here) && case.reads(&corrected)).then(|| SyntaxError::MissingOperator {
-        at: case.span(case.fail, here.len()),
-        help: case.help(before.len(), case.fail, "*"),
-    })
+    (closes && opens && !is_reserved(here) && case.reads(&corrected))
+        .then(|| without_operator(case.span(case.fail, here.len()), case.help(before.len(), case.fail, "*")))
 }
 
 /// `2 sin(x)`: the name of the function has been read as a unit.
-fn number_before_call(case: &Case<'_>) -> Option<SyntaxError> {
+fn number_before_call(case: &Case<'_>) -> Option<Diagnosis> {
     let (at, word) = case.words().into_iter().rev().find(|(at, w)| at + w.len() == case.fail)?;
     let before = case.slice.get(..at)?.trim_end();
     let after_number = before.ends_with(|c: char| c.is_ascii_digit()) && before.len() < at;
     let call = case.token(case.fail) == "(" && after_number && case.reads(&case.with(before.len(), at, "*"));
-    call.then(|| SyntaxError::MissingOperator {
-        at: case.span(at, word.len()),
-        help: case.help(before.len(), at, "*"),
-    })
+    call.then(|| without_operator(case.span(at, word.len()), case.help(before.len(), at, "*")))
 }
 
 /// `expect M 12 N*m within 1 %`: the sign of equality between what is expected and its value.
-pub(super) fn equals_of_expect(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn equals_of_expect(case: &Case<'_>) -> Option<Diagnosis> {
     if case.token(0) != "expect" || case.slice.contains(['=', '<', '>']) {
         return None;
     }
@@ -106,15 +94,11 @@ pub(super) fn equals_of_expect(case: &Case<'_>) -> Option<SyntaxError> {
         *c == ' ' && depth == 0
     });
     let at = blanks.map(|(at, _)| at).find(|at| case.reads(&case.with(*at, at + 1, " = ")))?;
-    Some(SyntaxError::MissingWord {
-        missing: "=".to_owned(),
-        at: case.span(at + 1, case.token(at + 1).len()),
-        help: case.help(at, at + 1, " = "),
-    })
+    Some(lacking("=", case.span(at + 1, case.token(at + 1).len()), case.help(at, at + 1, " = ")))
 }
 
 /// A word or sign that makes the piece read; only if there is just one.
-fn missing_word(case: &Case<'_>) -> Option<SyntaxError> {
+fn missing_word(case: &Case<'_>) -> Option<Diagnosis> {
     let here = case.token(case.fail);
     if here.is_empty() || case.expected.contains(&Rule::p_close) {
         return None;
@@ -137,9 +121,5 @@ fn missing_word(case: &Case<'_>) -> Option<SyntaxError> {
         sign @ (":" | ",") => format!("{sign} "),
         word => format!(" {word} "),
     };
-    Some(SyntaxError::MissingWord {
-        missing: missing.clone(),
-        at: case.span(case.fail, here.len()),
-        help: case.help(before.len(), case.fail, &spaced),
-    })
+    Some(lacking(&missing, case.span(case.fail, here.len()), case.help(before.len(), case.fail, &spaced)))
 }

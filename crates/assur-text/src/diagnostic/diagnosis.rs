@@ -19,6 +19,7 @@ struct Parts {
     help: Option<Help>,
     fixes: Vec<Fix>,
     undeclared: Option<Undeclared>,
+    subject: Option<String>,
 }
 
 impl Diagnosis {
@@ -42,7 +43,8 @@ impl Diagnosis {
 
     fn new(code: &'static str, severity: Severity, message: String) -> Self {
         let (labels, fixes) = (Vec::new(), Vec::new());
-        Self(Box::new(Parts { code, severity, message, labels, help: None, fixes, undeclared: None }))
+        let (help, undeclared, subject) = (None, None, None);
+        Self(Box::new(Parts { code, severity, message, labels, help, fixes, undeclared, subject }))
     }
 
     /// The place it is about; of several labels without such a place, the first.
@@ -112,6 +114,25 @@ impl Diagnosis {
     pub fn fixes(mut self, fixes: impl IntoIterator<Item = Fix>) -> Self {
         self.0.fixes.extend(fixes);
         self
+    }
+
+    /// It is about a word that is written, or that is to be.
+    #[must_use]
+    pub fn about(mut self, word: &str) -> Self {
+        self.0.subject = Some(word.to_owned());
+        self
+    }
+
+    /// The word that it is about.
+    #[must_use]
+    pub fn subject(&self) -> Option<&str> {
+        self.0.subject.as_deref()
+    }
+
+    /// Whether it has this code.
+    #[must_use]
+    pub fn is(&self, code: &str) -> bool {
+        self.0.code == code
     }
 
     /// It is about a name that is used and not declared.
