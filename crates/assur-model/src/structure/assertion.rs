@@ -1,16 +1,14 @@
 //! `group NAME: links` — asserted groups against those found.
 
 use super::count::Structure;
-use super::error::{StructureError, label, whole, with_lines};
 use super::group::{Group, GroupKind};
 use super::joint::{BodyId, BodyOrigin};
+use super::words::{groups, label, whole, with_lines};
 use crate::model::{GroupAssertion, LinkId, Mechanism, PairId, PairKind};
+use assur_text::diagnostic::Diagnosis;
 
 /// Errors and warnings; groups that are asserted get their names.
-pub(super) fn check(
-    mechanism: &Mechanism,
-    structure: &mut Structure,
-) -> (Vec<StructureError>, Vec<StructureError>) {
+pub(super) fn check(mechanism: &Mechanism, structure: &mut Structure) -> (Vec<Diagnosis>, Vec<Diagnosis>) {
     let (mut errors, mut warnings) = (Vec::new(), Vec::new());
     for assertion in &mechanism.groups {
         let pairs = Pairs::of(mechanism, structure, assertion);
@@ -32,11 +30,30 @@ pub(super) fn check(
             [_, ..] if covered == assertion.links.len() => {
                 let sentence = "name each group by itself: a structural group cannot be split";
                 let help = with_lines(sentence, &lines(mechanism, structure, assertion));
-                warnings.push(StructureError::ContainsSmaller { name, help, span });
+                warnings.push(
+                    Diagnosis::warning(
+                        "mech::determinacy::contains_smaller",
+                        format!("`{name}` satisfies the count of a group, but consists of smaller groups"),
+                    )
+                    .label(span, "asserted here")
+                    .fixes(groups(&help, span))
+                    .help(help),
+                );
             }
             _ => {
                 let help = instead(mechanism, structure, assertion);
-                errors.push(StructureError::PartOfLarger { name, help, span });
+                errors.push(
+                    Diagnosis::error(
+                        "mech::determinacy::part_of_larger",
+                        format!(
+                            "`{name}` satisfies the count of a group, but its links cannot be solved \
+                             by themselves"
+                        ),
+                    )
+                    .label(span, "asserted here")
+                    .fixes(groups(&help, span))
+                    .help(help),
+                );
             }
         }
     }
@@ -90,17 +107,25 @@ fn not_a_group(
     structure: &Structure,
     assertion: &GroupAssertion,
     pairs: &Pairs,
-) -> StructureError {
+) -> Diagnosis {
     let mut labels = vec![label("asserted here", assertion.span)];
     let mut listed = pairs.lower.clone();
     listed.dedup();
     labels.extend(listed.iter().map(|p| label("lower pair of these links", mechanism.pair(*p).span)));
     labels.extend(pairs.higher.iter().map(|p| label("higher pair of these links", mechanism.pair(*p).span)));
-    StructureError::NotAGroup {
-        name: assertion.name.clone(),
-        formula: pairs.formula(assertion.links.len()),
-        help: instead(mechanism, structure, assertion),
-        labels,
+    {
+        let help = instead(mechanism, structure, assertion);
+        Diagnosis::error(
+            "mech::determinacy::not_a_group",
+            format!(
+                "`{}` is not a structural group: {}, not 0",
+                assertion.name,
+                pairs.formula(assertion.links.len())
+            ),
+        )
+        .labels(labels)
+        .fixes(groups(&help, assertion.span))
+        .help(help)
     }
 }
 

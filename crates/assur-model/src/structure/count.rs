@@ -1,10 +1,10 @@
 //! Mobility F = 3n − 2P_L − P_H, corrected for passive freedoms and chains of prismatic pairs.
 
 use super::effort::{Effort, EffortKind};
-use super::error::StructureError;
 use super::group::Group;
 use super::joint::{BodyId, GroupJoint, JointKind, Replaced};
 use crate::model::{DriveTarget, LinkId, Mechanism, PairId};
+use assur_text::diagnostic::Diagnosis;
 
 /// Numbers of links and pairs, and what follows from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -131,7 +131,7 @@ pub struct Structure {
     /// efforts do not determine them (see [`Structure::force_defect`]).
     pub forces: Vec<Group>,
     /// Why forces are not determined, where they are not.
-    pub force_defect: Option<StructureError>,
+    pub force_defect: Option<Diagnosis>,
     /// Links whose rotation changes nothing (a free roller): not solved.
     pub passive: Vec<LinkId>,
     /// Prismatic pairs whose couples are not determined, in order: they close a chain of prismatic pairs.

@@ -1,5 +1,6 @@
 //! What to report of conditions that do not match freedoms.
 
+use assur_text::diagnostic::{Diagnosis, Fix};
 use miette::LabeledSpan;
 
 use super::add_effort::{Adds, efforts_beside, missing_efforts};
@@ -7,19 +8,19 @@ use super::add_pair::{Missing, missing_meshes, missing_pairs};
 use super::count::Count;
 use super::defect::{Defect, Part};
 use super::effort::{Effort, EffortSource};
-use super::error::{MOST_LABELS, StructureError, counted, label, listed, names, with_lines};
 use super::joint::{BodyId, JointKind, Replaced};
 use super::leave_out::{Repair, links, one_of};
 use super::repeated::repeated;
 use super::ring::locked;
 use super::trial::Trial;
+use super::words::{MOST_LABELS, counted, label, listed, names, with_lines};
 use crate::model::{DriveTarget, Expr, Grip, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value};
 use crate::source::Span;
 
 const MOST_PARTS: usize = 3;
 
 /// Motion: conditions of pairs and drives against freedoms of links.
-pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> StructureError {
+pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Diagnosis {
     if defect.fit.surplus > 0
         && let Some(error) = repeated(trial, count, defect)
     {
@@ -30,12 +31,19 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Str
     let mut labels = loose_labels(trial, &defect.loose, "can still move");
     labels.extend(held_labels(trial, &defect.over, |n| format!("takes {}", counted(n, "freedom"))));
     match (defect.fit.missing, defect.fit.surplus) {
-        (_, 0) => {
-            StructureError::Underconstrained { formula, drives, help: to_add(trial, count, defect), labels }
-        }
-        (0, _) => {
-            StructureError::Overconstrained { formula, drives, help: to_leave_out(trial, defect), labels }
-        }
+        (_, 0) => Diagnosis::error(
+            "mech::determinacy::underconstrained",
+            format!("the mechanism is underconstrained: mobility F = {formula}, {drives}"),
+        )
+        .labels(labels)
+        .help(to_add(trial, count, defect))
+        .added(),
+        (0, _) => Diagnosis::error(
+            "mech::determinacy::overconstrained",
+            format!("the mechanism is overconstrained: mobility F = {formula}, {drives}"),
+        )
+        .labels(labels)
+        .help(to_leave_out(trial, defect)),
         _ => {
             let fits = count.mobility == i64::try_from(count.drives).unwrap_or(i64::MAX);
             let drives = if fits {
@@ -44,7 +52,15 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Str
                 drives
             };
             let help = format!("{};\n{}", to_leave_out(trial, defect), to_add(trial, count, defect));
-            StructureError::Unbalanced { formula, drives, help, labels }
+            Diagnosis::error(
+                "mech::determinacy::unbalanced",
+                format!(
+                    "one part is overconstrained while another can still move: mobility F = \
+                     {formula}, {drives}"
+                ),
+            )
+            .labels(labels)
+            .help(help)
         }
     }
 }
@@ -65,7 +81,7 @@ fn declared(mechanism: &Mechanism, count: &Count) -> String {
 }
 
 /// Forces: unknown reactions and efforts against equations of equilibrium.
-pub(super) fn of_forces(trial: Trial<'_>, count: &Count, defect: &Defect) -> StructureError {
+pub(super) fn of_forces(trial: Trial<'_>, count: &Count, defect: &Defect) -> Diagnosis {
     let (unknown, formula) = (trial.efforts.len(), count.formula());
     let needed = usize::try_from(count.mobility).unwrap_or(0);
     let declared = format!("{unknown} {} declared", if unknown == 1 { "is" } else { "are" });
@@ -98,7 +114,13 @@ pub(super) fn of_forces(trial: Trial<'_>, count: &Count, defect: &Defect) -> Str
             if lines.is_empty() { "a `balance` there" } else { add_words(&lines, defect.fit.missing == 1) };
         help.push(with_lines(&format!("{loose} would move under the loads; add {add}"), &lines));
     }
-    StructureError::Efforts { why, help: help.join(";\n"), labels }
+    let help = help.join(";\n");
+    // where something is to be left out too, a line alone does not help
+    let fixes = if help.contains("leave out") { Vec::new() } else { Fix::added(&help) };
+    Diagnosis::error("mech::determinacy::efforts", format!("the forces are not determined: {why}"))
+        .labels(labels)
+        .fixes(fixes)
+        .help(help)
 }
 
 /// `` `a` has 3 equations of equilibrium for 4 unknowns ``

@@ -1,9 +1,10 @@
 //! What is known of the motion (drives) and what is unknown of the forces (balances): one place in the mechanism each.
 
-use super::error::{StructureError, label};
 use super::joint::{BodyId, JointId, JointKind, Replaced};
+use super::words::label;
 use crate::math::Vec2;
 use crate::model::{BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, Mechanism, PairId, PairKind};
+use assur_text::diagnostic::Diagnosis;
 
 /// A driven freedom, or the effort that acts in it.
 #[derive(Clone, Debug)]
@@ -131,7 +132,7 @@ pub(super) fn outer_link_defects(
     mechanism: &Mechanism,
     replaced: &Replaced,
     drives: &[Effort],
-) -> Vec<StructureError> {
+) -> Vec<Diagnosis> {
     let mut errors = Vec::new();
     for effort in drives {
         let (EffortKind::Point(outer), EffortSource::Drive(id)) = (effort.kind, effort.source) else {
@@ -147,14 +148,24 @@ pub(super) fn outer_link_defects(
             };
             if !at_point {
                 let pair = mechanism.pair(joint.pair);
-                errors.push(StructureError::OuterLink {
-                    drive: format!("drive {}", drive.name),
-                    pair: pair.name.clone(),
-                    labels: vec![
+                errors.push(
+                    Diagnosis::error(
+                        "mech::determinacy::outer_link",
+                        format!(
+                            "`drive {}` moves only one point of its link, but pair `{}` joins the \
+                             link elsewhere: its rotation is not known",
+                            drive.name, pair.name
+                        ),
+                    )
+                    .labels(vec![
                         label("moves one point only", drive.span),
                         label("joins the link elsewhere", pair.span),
-                    ],
-                });
+                    ])
+                    .help(
+                        "join it at this point only, or join it to the ground and drive its \
+                         angle: a link driven at a point must not be joined elsewhere",
+                    ),
+                );
             }
         }
     }

@@ -3,18 +3,19 @@
 use super::add_pair::missing_pairs;
 use super::defect::Defect;
 use super::diagnose::pairs_to_add;
-use super::error::{MOST_LABELS, StructureError, label, listed, names};
 use super::incidence::Incidence;
 use super::joint::{Body, BodyId};
 use super::leave_out::{links, pairs_of};
 use super::trial::Trial;
+use super::words::{MOST_LABELS, label, listed, names};
 use crate::model::{DriveTarget, LinkId, Mechanism, PairId, PairKind};
 use crate::source::Span;
+use assur_text::diagnostic::Diagnosis;
 
 /// Islands for which pairs are tried.
 const MOST_TRIED: usize = 5;
 /// What to report of every island.
-pub(super) fn floating(trial: Trial<'_>) -> Vec<StructureError> {
+pub(super) fn floating(trial: Trial<'_>) -> Vec<Diagnosis> {
     let islands = floating_islands(trial.mechanism);
     let defect =
         (!islands.is_empty()).then(|| Incidence::new(trial.replaced, trial.efforts).defect(trial.replaced));
@@ -67,16 +68,30 @@ fn root(parent: &mut [usize], mut at: usize) -> usize {
     at
 }
 
-fn describe(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> StructureError {
+fn describe(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> Diagnosis {
     let mechanism = trial.mechanism;
     let help = help(trial, defect, links);
     if let [one] = links {
         let link = mechanism.link(*one);
-        return StructureError::FloatingLink { name: link.name.clone(), help, span: link.span.into() };
+        return Diagnosis::error(
+            "mech::determinacy::floating_link",
+            format!("link `{}` is not joined to any other link", link.name),
+        )
+        .label(link.span, "no pair names this link")
+        .help(help)
+        .added();
     }
     let places = links.iter().map(|l| mechanism.link(*l).span).filter(|s| *s != Span::default());
-    let labels = places.take(MOST_LABELS).map(|s| label("not joined to the ground", s)).collect();
-    StructureError::NotGrounded { names: names(mechanism, links.iter().copied()), help, labels }
+    let labels = places.take(MOST_LABELS).map(|s| label("not joined to the ground", s));
+    Diagnosis::error(
+        "mech::determinacy::not_grounded",
+        format!(
+            "{} are joined to each other, but not to the ground",
+            names(mechanism, links.iter().copied())
+        ),
+    )
+    .labels(labels)
+    .help(help)
 }
 
 /// Pairs that would join the island, and what they leave to be driven.
@@ -99,7 +114,7 @@ fn help(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> String {
 
 /// Links that pairs hold to the ground whatever the drives do. A mechanism without a drive is a structure: there all of them
 /// are meant to be held.
-pub(super) fn immobile(trial: Trial<'_>, driven: &Incidence) -> Option<StructureError> {
+pub(super) fn immobile(trial: Trial<'_>, driven: &Incidence) -> Option<Diagnosis> {
     let replaced = trial.replaced;
     // an outer link is known, and moves
     let is_outer = |(i, b): (usize, &Body)| b.known && BodyId(i) != BodyId::GROUND;
@@ -120,10 +135,16 @@ pub(super) fn immobile(trial: Trial<'_>, driven: &Incidence) -> Option<Structure
     let quoted: Vec<String> = pairs.iter().map(|p| format!("`{}`", mechanism.pair(*p).name)).collect();
     let spans = held.iter().map(|l| mechanism.link(*l).span).filter(|s| *s != Span::default());
     let moves = if held.len() == 1 { "does" } else { "do" };
-    Some(StructureError::Immobile {
-        names: names(mechanism, held.iter().copied()),
-        moves,
-        pairs: listed(&quoted, "and"),
-        labels: spans.take(MOST_LABELS).map(|s| label("cannot move", s)).collect(),
-    })
+    Some(
+        Diagnosis::warning(
+            "mech::determinacy::immobile",
+            format!("{} {moves} not move, whatever the drives do", names(mechanism, held.iter().copied())),
+        )
+        .labels(spans.take(MOST_LABELS).map(|s| label("cannot move", s)))
+        .help(format!(
+            "check which links {} join, because they hold them to the ground; if the \
+             links should not move, make them part of the ground",
+            listed(&quoted, "and")
+        )),
+    )
 }

@@ -2,10 +2,10 @@
 
 use super::defect::{Defect, Fit, Part};
 use super::effort::{Effort, EffortKind, EffortSource};
-use super::error::listed;
 use super::incidence::Incidence;
 use super::joint::{BodyId, BodyOrigin, Replaced};
 use super::trial::Trial;
+use super::words::listed;
 use crate::model::{LinkId, Mechanism, PairId, PairKind};
 
 /// Changes tried of each sort.

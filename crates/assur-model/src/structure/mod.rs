@@ -11,7 +11,6 @@ mod diagnose;
 #[doc(hidden)]
 pub mod echelon;
 mod effort;
-mod error;
 mod floating;
 mod generic;
 mod group;
@@ -26,16 +25,17 @@ mod replace;
 mod ring;
 mod roller;
 mod trial;
+mod words;
 
 pub use count::Count;
 pub use count::Structure;
 pub use effort::{Effort, EffortKind, EffortSource};
-pub use error::StructureError;
 pub use group::{Dyad, Group, GroupKind};
 pub use joint::GroupJoint;
 pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
 
 use crate::model::Mechanism;
+use assur_text::diagnostic::Diagnosis;
 use incidence::Incidence;
 use trial::Trial;
 
@@ -43,7 +43,7 @@ use trial::Trial;
 ///
 /// # Errors
 /// All defects found: loose and floating links, over- and underconstrained parts, assertions that do not hold.
-pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError>), Vec<StructureError>> {
+pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), Vec<Diagnosis>> {
     let replaced = replace::replace(mechanism);
     let drives = effort::of_drives(mechanism, &replaced);
     let trial = Trial { mechanism, replaced: &replaced, efforts: &drives };

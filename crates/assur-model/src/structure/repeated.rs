@@ -4,13 +4,14 @@
 
 use super::count::Count;
 use super::defect::Defect;
-use super::error::{StructureError, label, listed};
 use super::joint::{BodyId, BodyOrigin, JointKind, Replaced};
 use super::leave_out::{pairs_of, statement};
 use super::ring::repeated_mesh;
 use super::trial::Trial;
+use super::words::{label, listed};
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId};
+use assur_text::diagnostic::{Diagnosis, Help};
 
 /// Measures that agree to this part of the length are equal.
 const EQUAL: f64 = 1e-9;
@@ -23,13 +24,13 @@ struct Bar {
 }
 
 /// What may be left out and changes nothing, in the part with a condition too many.
-pub(super) fn repeated(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<StructureError> {
+pub(super) fn repeated(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Diagnosis> {
     repeated_guide(trial, count, defect)
         .or_else(|| repeated_link(trial, count, defect))
         .or_else(|| repeated_mesh(trial, count, defect))
 }
 
-fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<StructureError> {
+fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Diagnosis> {
     let guides: Vec<(PairId, [BodyId; 2], Vec2)> = trial
         .replaced
         .joints
@@ -54,29 +55,29 @@ fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<St
     None
 }
 
-fn of_guides(trial: Trial<'_>, count: &Count, pair: PairId, other: PairId) -> StructureError {
+fn of_guides(trial: Trial<'_>, count: &Count, pair: PairId, other: PairId) -> Diagnosis {
     let mechanism = trial.mechanism;
     let (what, first) = (statement(mechanism, pair), statement(mechanism, other));
-    StructureError::Repeated {
-        others: format!("{first} does"),
-        how: "parallel guides between the same two links",
-        help: format!(
+    repeats(
+        &what,
+        &format!("{first} does"),
+        "parallel guides between the same two links",
+        format!(
             "leave out {what}: by the count F = {} the slider could not move; it does, because the guides are parallel, but no \
              equation determines how they share the forces; write a slider that touches at two points as one pair with \
              `contacts`, as in `prismatic {}: … {{ contacts -20 mm, 20 mm }}`",
             count.formula(),
             mechanism.pair(other).name
         ),
-        labels: vec![
+        vec![
             label("repeats the other guide", mechanism.pair(pair).span),
             label("parallel to this", mechanism.pair(other).span),
         ],
-        what,
-    }
+    )
 }
 
 /// A link that may be left out and changes nothing, among those with a condition too many.
-fn repeated_link(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<StructureError> {
+fn repeated_link(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Diagnosis> {
     let bodies: Vec<BodyId> = defect.over.iter().flat_map(|part| part.bodies.clone()).collect();
     let bars = bars(trial.replaced, &bodies);
     for (i, bar) in bars.iter().enumerate().rev() {
@@ -96,18 +97,18 @@ fn repeated_link(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Str
     None
 }
 
-fn describe(trial: Trial<'_>, count: &Count, bar: &Bar, others: [LinkId; 2]) -> StructureError {
+fn describe(trial: Trial<'_>, count: &Count, bar: &Bar, others: [LinkId; 2]) -> Diagnosis {
     let mechanism = trial.mechanism;
     let quoted = |l: LinkId| format!("`{}`", mechanism.link(l).name);
     let pairs: Vec<String> =
         pairs_of(mechanism, bar.link).iter().map(|p| format!("`{}`", mechanism.pair(*p).name)).collect();
     let mut labels = vec![label("moves as the others do", mechanism.link(bar.link).span)];
     labels.extend(others.map(|l| label("of the same length", mechanism.link(l).span)));
-    StructureError::Repeated {
-        what: quoted(bar.link),
-        others: format!("{} do", listed(&others.map(quoted), "and")),
-        how: "equal cranks between the same two links",
-        help: format!(
+    repeats(
+        &quoted(bar.link),
+        &format!("{} do", listed(&others.map(quoted), "and")),
+        "equal cranks between the same two links",
+        format!(
             "leave out {} with its pairs {}, the motion stays the same: by the count F = {} nothing could move; it does, \
              because the lengths are equal, but no equation determines how these links share the forces",
             quoted(bar.link),
@@ -115,7 +116,7 @@ fn describe(trial: Trial<'_>, count: &Count, bar: &Bar, others: [LinkId; 2]) -> 
             count.formula()
         ),
         labels,
-    }
+    )
 }
 
 /// Bars in the order of their links, none of them driven.
@@ -158,4 +159,23 @@ fn one_figure(a: &Bar, b: &Bar, c: &Bar) -> bool {
         && equal(c_0.dot(c_0), c_1.dot(c_1))
         && equal(b_0.dot(c_0), b_1.dot(c_1))
         && equal(b_0.cross(c_0), b_1.cross(c_1))
+}
+
+/// A link or guide that only repeats others of its kind.
+pub fn repeats(
+    what: &str,
+    others: &str,
+    how: &'static str,
+    help: impl Into<Help>,
+    labels: impl IntoIterator<Item = miette::LabeledSpan>,
+) -> Diagnosis {
+    Diagnosis::error(
+        "mech::determinacy::repeated",
+        format!(
+            "{what} {} what {others} already: {how}",
+            if what.contains("` and `") { "repeat" } else { "repeats" }
+        ),
+    )
+    .labels(labels)
+    .help(help)
 }

@@ -1,13 +1,15 @@
 //! Rings of wheels: a mesh that closes a ring repeats what the others do where the ratios around it agree, and locks the ring
 //! where they do not. By the count both hold once too often.
 
+use crate::structure::repeated::repeats;
+use assur_text::diagnostic::Diagnosis;
 use std::collections::BTreeMap;
 
 use super::count::Count;
 use super::defect::{Defect, Part};
-use super::error::{StructureError, label, listed};
 use super::leave_out::statement;
 use super::trial::Trial;
+use super::words::{label, listed};
 use crate::model::{LinkId, Mechanism, PairId, PairKind, Rate};
 
 /// Ratios that agree to this part are equal.
@@ -22,7 +24,7 @@ struct Ring {
 }
 
 /// Transmissions that only repeat what the others do.
-pub(super) fn repeated_mesh(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<StructureError> {
+pub(super) fn repeated_mesh(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Diagnosis> {
     let mechanism = trial.mechanism;
     let part = defect.over.iter().find(|part| agree(mechanism, part))?;
     let closing: Vec<PairId> = rings(mechanism, part).iter().map(|r| r.closing).collect();
@@ -39,21 +41,21 @@ pub(super) fn repeated_mesh(trial: Trial<'_>, count: &Count, defect: &Defect) ->
     let mut labels: Vec<_> =
         closing.iter().map(|p| label("asks for a ratio that is there already", place(p))).collect();
     labels.extend(others.iter().map(|p| label("gives this ratio", place(p))));
-    Some(StructureError::Repeated {
-        others: format!(
+    Some(repeats(
+        &what,
+        &format!(
             "{} {}",
             named(&mut others.iter().copied(), "and"),
             if others.len() == 1 { "does" } else { "do" }
         ),
-        how: "the ratios around the ring agree",
-        help: format!(
+        "the ratios around the ring agree",
+        format!(
             "leave out {what}, the motion stays the same: by the count F = {} the wheels could not turn; they do, because the \
              ratios agree, but no equation determines how the meshes share the forces",
             count.formula()
         ),
         labels,
-        what,
-    })
+    ))
 }
 
 /// Why the wheels of a part cannot turn.

@@ -1,19 +1,20 @@
 //! Links that turn freely: what would turn them is balanced by nothing.
 
-use super::error::{StructureError, label, listed};
+use super::words::{label, listed};
 use crate::math::Vec2;
 use crate::model::{Drive, Link, LinkId, LoadKind, Mechanism, Pair, PairKind, Place};
 use crate::source::Span;
+use assur_text::diagnostic::Diagnosis;
 
 /// A place this close to the hinge, as a part of both distances, is on it.
 const ROUNDING: f64 = 1e-9;
 
 /// One defect per roller that something would turn.
-pub(super) fn turned(mechanism: &Mechanism, rollers: &[LinkId]) -> Vec<StructureError> {
+pub(super) fn turned(mechanism: &Mechanism, rollers: &[LinkId]) -> Vec<Diagnosis> {
     rollers.iter().filter_map(|roller| describe(mechanism, *roller)).collect()
 }
 
-fn describe(mechanism: &Mechanism, roller: LinkId) -> Option<StructureError> {
+fn describe(mechanism: &Mechanism, roller: LinkId) -> Option<Diagnosis> {
     let link = mechanism.link(roller);
     let (pair, hinge) = hinge(mechanism, roller)?;
     let beside = |at: Vec2| (at - hinge).norm() > ROUNDING * (at.norm() + hinge.norm());
@@ -33,11 +34,18 @@ fn describe(mechanism: &Mechanism, roller: LinkId) -> Option<StructureError> {
     let mut labels = vec![label("turns freely here", pair.span)];
     labels.retain(|_| found.iter().all(|f| f.1 != pair.span));
     labels.extend(found.into_iter().map(|(_, span)| label("acts on its rotation", span)));
-    Some(StructureError::FreeRoller {
-        name: link.name.clone(),
-        pair: pair.name.clone(),
-        what: listed(&words, "and"),
-        labels,
+    Some({
+        let name = link.name.clone();
+        Diagnosis::error(
+            "mech::determinacy::free_roller",
+            format!("`{name}` turns freely in `{}`: nothing balances {}", pair.name, listed(&words, "and")),
+        )
+        .labels(labels)
+        .help(format!(
+            "leave that out, or give the circle to the link that carries `{name}`, so \
+             that it slides instead of rolling: the rotation of a free roller is not \
+             solved"
+        ))
     })
 }
 
