@@ -15,12 +15,12 @@ use crate::report::{self, Shown};
 use assur_model::model::Simulation;
 use assur_solve::measure::{
     RunStudy,
-    accuracy::{self, AccuracyError, AccuracyStudy, study},
+    accuracy::{self, AccuracyStudy, study},
     study_runs,
 };
 use assur_solve::message;
 use assur_solve::solve::Conduct;
-use assur_text::diagnostic::Problems;
+use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
 
 /// Prints what accuracy costs in time.
@@ -84,7 +84,7 @@ impl Measured {
         )
     }
 
-    fn out_of_reach(&self, solved: &Solved) -> Option<AccuracyError> {
+    fn out_of_reach(&self, solved: &Solved) -> Option<Diagnosis> {
         let mechanism = &solved.compiled.mechanism;
         match self {
             Self::Positions(study) => {

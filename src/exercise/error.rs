@@ -4,9 +4,8 @@ use miette::Diagnostic;
 use thiserror::Error;
 
 use assur_model::model::{At, Expect};
-use assur_solve::message::SolveError;
 use assur_solve::solve::{Pose, PoseOrigin};
-use assur_text::diagnostic::did_you_mean;
+use assur_text::diagnostic::{Diagnosis, did_you_mean};
 use assur_text::source::Span;
 
 /// An expectation that does not hold, or that cannot be evaluated.
@@ -127,7 +126,7 @@ impl ExpectError {
         Self::UnknownPose { name: name.to_owned(), span, help }
     }
 
-    pub(super) fn pose_failed(expect: &Expect, error: &SolveError) -> Self {
+    pub(super) fn pose_failed(expect: &Expect, error: &Diagnosis) -> Self {
         Self::PoseFailed { text: expect.text.clone(), more: 0, reason: error.to_string(), span: expect.span }
     }
 

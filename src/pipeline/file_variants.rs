@@ -6,10 +6,10 @@ use super::variant_solver::VariantSolver;
 use crate::exercise::{ForRow, mismatches};
 use assur_check as check;
 use assur_check::{FileRow, Overrides, RowColumn};
-use assur_solve::message::{SolveError, failures};
+use assur_solve::message::failures;
 use assur_solve::solve::{Method, refusals};
 use assur_syntax::document::Document;
-use assur_text::diagnostic::Problems;
+use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
 use std::sync::Arc;
 
@@ -108,7 +108,7 @@ fn looked_at(solver: &mut VariantSolver<'_>, row: &FileRow) -> (Option<Compiled>
 }
 
 /// What cannot be answered of a compiled file at any position.
-fn refused(compiled: &Compiled) -> Vec<SolveError> {
+fn refused(compiled: &Compiled) -> Vec<Diagnosis> {
     let model = compiled.model();
     failures(&model, &refusals(&model)).collect()
 }

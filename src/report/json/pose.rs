@@ -10,8 +10,9 @@ use super::train::{PartView, ShaftView, SliderView, are_elements, elements, tran
 use assur_math::math::Vec2;
 use assur_model::model::{DriveTarget, Link, LinkId};
 use assur_position::plan::{Effects, Level};
-use assur_solve::message::{SolveError, failure};
+use assur_solve::message::failure;
 use assur_solve::solve::{BodyState, DriveValue, Pose, Solved};
+use assur_text::diagnostic::Diagnosis;
 
 #[derive(Serialize)]
 pub(super) struct PoseView<'a> {
@@ -163,7 +164,7 @@ impl<'a> PoseView<'a> {
 }
 
 impl ErrorView {
-    fn of(error: &SolveError) -> Self {
+    fn of(error: &Diagnosis) -> Self {
         Self { code: error.code().map(|c| c.to_string()), message: error.to_string() }
     }
 }

@@ -5,8 +5,9 @@ use crate::support::generate;
 use crate::support::machines::{self, at, crank_slider, four_bar, list};
 use crate::support::random::Random;
 use crate::support::run::Run;
+use assur::internals::diagnostic::Diagnosis;
 use assur::internals::math::Vec2;
-use assur::internals::message::{self, SolveError};
+use assur::internals::message;
 use assur::internals::model::{
     BalanceKind, Expr, LinkId, LoadKind, Mechanism, PairKind, Place, Positions, ProfileShape, Value,
 };
@@ -16,12 +17,14 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 fn gap(m: &Mechanism) -> Option<(String, f64)> {
     let run = Run::new(m).expect("the structure is sound");
     let failures = run.solution.as_ref().err()?;
-    let errors: Vec<SolveError> = message::failures(&run.model(), failures).collect();
-    let [SolveError::DoesNotClose { gap, .. }] = errors.as_slice() else { return None };
+    let errors: Vec<Diagnosis> = message::failures(&run.model(), failures).collect();
+    let [error] = errors.as_slice() else { return None };
+    let told = error.is("mech::assembly::does_not_close").then(|| error.to_string())?;
+    let (_, gap) = told.split_once(": ")?;
     let words: Vec<&str> = gap.split_whitespace().collect();
     // a mechanism without a text has no units of its own: lengths are in metres
     let unit = words.iter().rposition(|w| w.trim_end_matches([',', ';']) == "m")?;
-    Some((gap.clone(), words[unit - 1].parse::<f64>().ok()?))
+    Some((gap.to_owned(), words[unit - 1].parse::<f64>().ok()?))
 }
 
 /// The figure told is the gap, rounded to four digits; what closes is not told to be open.

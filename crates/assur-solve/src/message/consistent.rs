@@ -1,10 +1,9 @@
 //! Positions at which the laws of friction or of losses have several solutions, or none.
 
-use super::consistent_error::ConsistentError;
-use super::error::SolveError;
 use super::format::{and_at, label, place};
 use crate::model::PairId;
 use crate::position::{Model, Wanted};
+use assur_text::diagnostic::Diagnosis;
 use miette::LabeledSpan;
 
 /// Several states of the forces, one of which is reported.
@@ -12,7 +11,7 @@ pub(super) fn several(
     model: &Model<'_>,
     (count, followed): (usize, bool),
     (pose, more): (&Wanted, usize),
-) -> SolveError {
+) -> Diagnosis {
     let what = what(model);
     let reported = if followed {
         format!("the reported state is reached continuously from zero {what}")
@@ -25,19 +24,43 @@ pub(super) fn several(
         format!("none is reached continuously from zero {what}; {taken} reported")
     };
     let (pose, more, labels) = (place(model, pose), and_at(more), labels(model, what));
-    ConsistentError::Several { count, what, pose, more, reported, labels }.into()
+    Diagnosis::warning(
+        "mech::solve::several_balances",
+        format!(
+            "{count} states of the forces are consistent with the {what}{pose}{more}; \
+             {reported}"
+        ),
+    )
+    .labels(labels)
+    .help(format!(
+        "reduce the {what} until only one state is left, or check this one \
+         against the real machine"
+    ))
 }
 
 /// The search was given up.
-pub(super) fn undecided(model: &Model<'_>, pose: String) -> SolveError {
+pub(super) fn undecided(model: &Model<'_>, pose: String) -> Diagnosis {
     let what = what(model);
-    ConsistentError::Undecided { what, pose, labels: labels(model, what) }.into()
+    Diagnosis::error(
+        "mech::solve::undecided",
+        format!("the forces{pose} cannot be found: too many combinations of the {what}"),
+    )
+    .labels(labels(model, what))
+    .help(format!("leave out the {what} of some of the marked pairs, or reduce them"))
 }
 
 /// No direction of the power is consistent.
-pub(super) fn blocked(model: &Model<'_>, pose: String) -> SolveError {
+pub(super) fn blocked(model: &Model<'_>, pose: String) -> Diagnosis {
     let labels = labels(model, what(model));
-    ConsistentError::Blocked { pose, help: raise_efficiencies(model), labels }.into()
+    Diagnosis::error(
+        "mech::train::blocked",
+        format!(
+            "the train is self-locking{pose}: no direction of the power flow is \
+             consistent with its losses"
+        ),
+    )
+    .labels(labels)
+    .help(raise_efficiencies(model))
 }
 
 fn what(model: &Model<'_>) -> &'static str {

@@ -1,7 +1,6 @@
 //! The sentence about a failure.
 
 use super::consistent::{blocked, undecided};
-use super::error::SolveError;
 use super::format::place;
 use super::impossible::{cannot_hold, curve_left, dead, not_finite, too_far};
 use super::over_sweep::{no_extreme, no_flywheel, no_sweep};
@@ -11,10 +10,11 @@ use super::slip::slip_backwards;
 use super::unassembled::{ambiguous, does_not_close, not_found, not_met};
 use crate::position::Model;
 use crate::solve::{Cause, Failure};
+use assur_text::diagnostic::Diagnosis;
 
 /// Why a file, or one of its positions, has no solution.
 #[must_use]
-pub fn failure(model: &Model<'_>, failure: &Failure) -> SolveError {
+pub fn failure(model: &Model<'_>, failure: &Failure) -> Diagnosis {
     let pose = failure.pose.as_ref().map_or_else(String::new, |pose| place(model, pose));
     match &failure.cause {
         Cause::Refused(refusal) => refused(model, refusal),
@@ -42,6 +42,6 @@ pub fn failure(model: &Model<'_>, failure: &Failure) -> SolveError {
 }
 
 /// Why a file has no solution.
-pub fn failures(model: &Model<'_>, all: &[Failure]) -> impl Iterator<Item = SolveError> {
+pub fn failures(model: &Model<'_>, all: &[Failure]) -> impl Iterator<Item = Diagnosis> {
     all.iter().map(|one| failure(model, one))
 }

@@ -1,33 +1,48 @@
 //! Friction that locks, or does not act.
 
-use super::error::SolveError;
 use super::format::{label, place};
-use super::friction_error::FrictionError;
 use crate::model::{FindKind, Friction, Mechanism, PairId, PairKind, Value};
 use crate::position::{Model, Wanted};
 use crate::solve::Locking;
 use crate::units::{Dimension, significant};
+use assur_text::diagnostic::Diagnosis;
 use miette::LabeledSpan;
 
 const DIGITS: usize = 4;
 
 /// Nothing slides in a pair with friction.
-pub(super) fn no_sliding(model: &Model<'_>, pair_id: PairId, (pose, more): (&Wanted, usize)) -> SolveError {
+pub(super) fn no_sliding(model: &Model<'_>, pair_id: PairId, (pose, more): (&Wanted, usize)) -> Diagnosis {
     let pair = model.mechanism.pair(pair_id);
-    let (name, span) = (pair.name.clone(), pair.span.into());
+    let (name, span) = (pair.name.clone(), pair.span);
     if matches!(model.mechanism.pair(pair_id).kind, PairKind::Transmission(_)) {
-        return FrictionError::NoTurning { pair: name, pose: place(model, pose), more: and_more(more), span }
-            .into();
+        return Diagnosis::warning(
+            "mech::friction::no_sliding",
+            format!(
+                "nothing moves in `{name}`{}{}: the power has no direction, and its \
+                 losses are taken as zero",
+                place(model, pose),
+                and_more(more)
+            ),
+        )
+        .label(span, "no motion")
+        .help(
+            "for the beginning of a motion give the drive a small speed in its sense, \
+             as `at 1e-6 m/s`",
+        );
     }
-    FrictionError::NoSliding { pair: name, pose: place(model, pose), more: and_more(more), span }.into()
+    Diagnosis::advice(
+        "mech::friction::no_sliding",
+        format!("no sliding in `{name}`{}{}: friction is taken as zero", place(model, pose), and_more(more)),
+    )
+    .label(span, "no relative motion")
 }
 
 /// Friction locks the mechanism.
-pub(super) fn locked(model: &Model<'_>, locking: &Locking) -> SolveError {
+pub(super) fn locked(model: &Model<'_>, locking: &Locking) -> Diagnosis {
     let mechanism = model.mechanism;
     let pairs = || locking.pairs.iter().map(|(id, _)| mechanism.pair(*id));
     let names: Vec<String> = pairs().map(|p| format!("`{}`", p.name)).collect();
-    let labels = pairs().map(|p| label("locks", p.span)).collect();
+    let labels = pairs().map(|p| label("locks", p.span));
     let verdict = match locking.efficiency {
         None => "no effort moves it".to_owned(),
         Some(efficiency) => format!("its efficiency is {}", significant(efficiency, DIGITS)),
@@ -47,19 +62,21 @@ pub(super) fn locked(model: &Model<'_>, locking: &Locking) -> SolveError {
     for (name, critical) in mechanism.criticals.iter().zip(&locking.criticals) {
         help.extend(limit_of_given(mechanism, name, *critical));
     }
-    FrictionError::Locked {
-        pairs: format!("friction in {}", names.join(", ")),
-        pose: place(model, &locking.pose),
-        more: and_more(locking.more),
-        verdict,
-        help: help.join("\n"),
-        labels,
-    }
-    .into()
+    Diagnosis::warning(
+        "mech::friction::locked",
+        format!(
+            "friction in {}: the mechanism is locked{}{}; {verdict}",
+            names.join(", "),
+            place(model, &locking.pose),
+            and_more(locking.more)
+        ),
+    )
+    .labels(labels)
+    .help(help.join("\n"))
 }
 
 /// What the file asks for does not exist where no effort moves the mechanism.
-pub(super) fn no_effort(model: &Model<'_>, finds: &[usize], (pose, more): (&Wanted, usize)) -> SolveError {
+pub(super) fn no_effort(model: &Model<'_>, finds: &[usize], (pose, more): (&Wanted, usize)) -> Diagnosis {
     let mechanism = model.mechanism;
     let finds: Vec<_> = finds.iter().map(|i| &mechanism.finds[*i]).collect();
     let first = match finds.iter().find(|f| !matches!(f.kind, FindKind::Reactions)) {
@@ -75,7 +92,18 @@ pub(super) fn no_effort(model: &Model<'_>, finds: &[usize], (pose, more): (&Want
     let one = names.len() == 1 && !matches!(finds[0].kind, FindKind::Reactions);
     let asked = format!("{} {}", names.join(", "), if one { "has" } else { "have" });
     let (pose, more) = (place(model, pose), and_more(more));
-    FrictionError::NoEffort { asked, first, pose, more, labels }.into()
+    Diagnosis::error(
+        "mech::friction::no_effort",
+        format!(
+            "{asked} no value{pose}{more}: friction locks the mechanism, so no effort \
+             moves it"
+        ),
+    )
+    .labels(labels)
+    .help(format!(
+        "ask for `efficiency()`, `locked()` or `frictionless({first})`, which are \
+         defined there"
+    ))
 }
 
 fn and_more(count: usize) -> String {

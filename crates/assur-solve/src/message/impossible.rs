@@ -1,26 +1,26 @@
 //! Positions at which there is no motion, or no force, or no number.
 
-use super::error::SolveError;
 use super::format::{body, label, labels, links, stands};
 use crate::answer::LeftCurve;
 use crate::position::Model;
 use crate::solve::{GroupId, Lost};
 use crate::structure::{EffortKind, EffortSource};
+use assur_text::diagnostic::Diagnosis;
 use miette::LabeledSpan;
 
 /// A group whose determinant vanishes.
-pub(super) fn dead(model: &Model<'_>, group: GroupId, condition: f64, pose: String) -> SolveError {
+pub(super) fn dead(model: &Model<'_>, group: GroupId, condition: f64, pose: String) -> Diagnosis {
     let group = group.of(model.structure);
-    SolveError::DeadPosition {
-        pose,
-        stands: stands(model, group, condition),
-        help: format!(
-            "choose a position next to it, or drive {} itself: in a dead position the drives determine neither \
+    Diagnosis::error(
+        "mech::solve::dead_position",
+        format!("dead position{pose}: {}", stands(model, group, condition)),
+    )
+    .labels(labels(model, group, "dead"))
+    .help(format!(
+        "choose a position next to it, or drive {} itself: in a dead position the drives determine neither \
              velocities nor forces",
-            one_of(&links(model, group))
-        ),
-        labels: labels(model, group, "dead"),
-    }
+        one_of(&links(model, group))
+    ))
 }
 
 fn one_of(links: &str) -> String {
@@ -28,7 +28,7 @@ fn one_of(links: &str) -> String {
 }
 
 /// A group of forces with unknown efforts whose determinant vanishes.
-pub(super) fn cannot_hold(model: &Model<'_>, group: usize, condition: f64, pose: String) -> SolveError {
+pub(super) fn cannot_hold(model: &Model<'_>, group: usize, condition: f64, pose: String) -> Diagnosis {
     let group = &model.structure.forces[group];
     let links = links(model, group);
     let mut marks = Vec::new();
@@ -60,11 +60,16 @@ pub(super) fn cannot_hold(model: &Model<'_>, group: usize, condition: f64, pose:
     let sigma =
         if condition > 0.0 { format!(" (condition figure σ = {condition:.1e})") } else { String::new() };
     marks.extend(labels(model, group, "held by this"));
-    SolveError::EffortCannotHold { pose, why: why + &sigma, help: help.to_owned(), labels: marks }
+    Diagnosis::error(
+        "mech::solve::effort_cannot_hold",
+        format!("the forces cannot be found{pose}: {}", why + &sigma),
+    )
+    .labels(marks)
+    .help(help.to_owned())
 }
 
 /// A result of which no digit is left.
-pub(super) fn not_finite(model: &Model<'_>, lost: Lost, pose: String) -> SolveError {
+pub(super) fn not_finite(model: &Model<'_>, lost: Lost, pose: String) -> Diagnosis {
     let what = match lost {
         Lost::Position(id) => format!("the position of {}", body(model, id)),
         Lost::Velocity(id) => format!("the velocity of {}", body(model, id)),
@@ -74,12 +79,23 @@ pub(super) fn not_finite(model: &Model<'_>, lost: Lost, pose: String) -> SolveEr
         Lost::Closure => "the position of the links".to_owned(),
         Lost::Equilibrium => "the balance of forces".to_owned(),
     };
-    SolveError::NotFinite { pose, what, labels: at_drives(model, "at this position") }
+    Diagnosis::error(
+        "mech::solve::not_finite",
+        format!("{what}{pose} cannot be computed: the numbers are too large"),
+    )
+    .labels(at_drives(model, "at this position"))
+    .help("check units and powers of ten of lengths, speeds, masses and loads")
 }
 
 /// The way to a position is too long to be followed.
-pub(super) fn too_far(model: &Model<'_>, pose: String) -> SolveError {
-    SolveError::WayTooLong { pose, labels: at_drives(model, "driven that far") }
+pub(super) fn too_far(model: &Model<'_>, pose: String) -> Diagnosis {
+    Diagnosis::error("mech::solve::way_too_long", format!("the step to this position is too large{pose}"))
+        .labels(at_drives(model, "driven that far"))
+        .help(
+            "ask for positions in between: the motion is followed in steps of two \
+             degrees, at most 2 million of them (11,111 turns) from one position to \
+             the next",
+        )
 }
 
 fn at_drives(model: &Model<'_>, text: &str) -> Vec<LabeledSpan> {
@@ -87,13 +103,22 @@ fn at_drives(model: &Model<'_>, text: &str) -> Vec<LabeledSpan> {
 }
 
 /// A curve is asked for a value beyond its table.
-pub(super) fn curve_left(left: &LeftCurve, pose: String) -> SolveError {
+pub(super) fn curve_left(left: &LeftCurve, pose: String) -> Diagnosis {
     let curve = &left.curve;
-    SolveError::CurveLeft {
-        name: curve.name.clone(),
-        pose,
-        argument: curve.shown(left.argument),
-        extent: curve.extent(),
-        span: curve.span,
+    {
+        let extent = curve.extent();
+        Diagnosis::error(
+            "mech::curve::outside",
+            format!(
+                "curve `{}` has no value at {}{pose}: its table goes from {extent}",
+                curve.name,
+                curve.shown(left.argument)
+            ),
+        )
+        .label(curve.span, &extent)
+        .help(
+            "add rows, or write `periodic` after its name if it begins again, or \
+             `held` if its end values hold beyond the table",
+        )
     }
 }

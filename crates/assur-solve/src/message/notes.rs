@@ -1,7 +1,6 @@
 //! The sentences about what deserves a warning or a note.
 
 use super::consistent::several;
-use super::error::SolveError;
 use super::format::{and_at, drive_text, four, label, labels, links, place, rounded, with_unit};
 use super::friction::{locked, no_effort, no_sliding};
 use super::over_sweep::needless_flywheel;
@@ -9,18 +8,19 @@ use super::partial_sweep::partial_sweep;
 use super::simulate::never_ended;
 use super::slip::slips;
 use super::speeds::{no_damping, unit_speed};
-use super::train_error::TrainError;
 use crate::model::LinkId;
 use crate::position::{DriveValue, Model, Wanted};
 use crate::solve::{GroupId, Loss, Note, Pull, Uncertified};
+use crate::source::Span;
 use crate::units::Dimension;
+use assur_text::diagnostic::Diagnosis;
 
 /// What deserves a warning or a note, in the same order.
-pub fn notes(model: &Model<'_>, notes: &[Note]) -> impl Iterator<Item = SolveError> {
+pub fn notes(model: &Model<'_>, notes: &[Note]) -> impl Iterator<Item = Diagnosis> {
     notes.iter().filter_map(|one| note(model, one))
 }
 
-fn note(model: &Model<'_>, note: &Note) -> Option<SolveError> {
+fn note(model: &Model<'_>, note: &Note) -> Option<Diagnosis> {
     let mechanism = model.mechanism;
     Some(match note {
         Note::Switched { group, at, from, to } => switched(model, *group, at, (from, to)),
@@ -32,12 +32,28 @@ fn note(model: &Model<'_>, note: &Note) -> Option<SolveError> {
         }
         Note::RopePushes(pull) => {
             let (name, span, tension, pose, more) = parts(model, pull);
-            TrainError::RopePushes { name, pose, more, tension, span }.into()
+            Diagnosis::warning(
+                "mech::train::rope_pushes",
+                format!("rope `{name}` would have to push{pose}{more}: its pull is {tension}"),
+            )
+            .label(span, "slack")
+            .help(
+                "check the sense of the load, or add a counterweight: a rope only pulls, \
+                 so it would be slack there",
+            )
         }
         Note::Slips(pull) => return slips(model, pull),
         Note::ContactPulls(pull) => {
             let (name, span, normal, pose, more) = parts(model, pull);
-            SolveError::ContactPulls { name, pose, normal, more, span }
+            Diagnosis::warning(
+                "mech::solve::contact_pulls",
+                format!("contact `{name}` would have to pull{pose}: normal force {normal}{more}"),
+            )
+            .label(span, "parts here")
+            .help(
+                "press the profiles together by a spring or a load, or guide a pin in a \
+                 `slot`: they part here",
+            )
         }
         Note::PartialSweep { closing, gaps, more } => return partial_sweep(model, *closing, gaps, *more),
         Note::IllConditioned { pose, group, condition, digits, loss } => {
@@ -61,7 +77,7 @@ fn no_centre(
     find: usize,
     links: [LinkId; 2],
     (pose, more): (&Wanted, usize),
-) -> SolveError {
+) -> Diagnosis {
     let mechanism = model.mechanism;
     let [link, seen_from] = links.map(|link| mechanism.link(link).name.as_str());
     let point = mechanism.link(links[0]).points.first().filter(|_| links[1] == LinkId::GROUND);
@@ -72,52 +88,63 @@ fn no_centre(
         ),
         None => format!("choose a pose at which `{link}` turns against it, or ask for `omega({link})`"),
     };
-    SolveError::NoCentre {
-        link: link.to_owned(),
-        seen_from: if links[1] == LinkId::GROUND {
-            "the ground".to_owned()
-        } else {
-            format!("`{seen_from}`")
-        },
-        pose: place(model, pose),
-        more: and_at(more),
-        help,
-        span: mechanism.finds[find].span.into(),
-    }
+    Diagnosis::warning(
+        "mech::solve::no_centre",
+        format!(
+            "`{link}` does not turn against {}{}{}: its instant centre is at infinity",
+            if links[1] == LinkId::GROUND { "the ground".to_owned() } else { format!("`{seen_from}`") },
+            place(model, pose),
+            and_at(more)
+        ),
+    )
+    .label(mechanism.finds[find].span, "no value")
+    .help(help)
 }
 
-fn switched(model: &Model<'_>, group: usize, at: &[DriveValue], (from, to): (&str, &str)) -> SolveError {
+fn switched(model: &Model<'_>, group: usize, at: &[DriveValue], (from, to): (&str, &str)) -> Diagnosis {
     let group = &model.structure.motion[group];
-    SolveError::BranchSwitch {
-        links: links(model, group),
-        from: from.to_owned(),
-        to: to.to_owned(),
-        near: drive_text(model, &rounded(model, at, 1.0)),
-        labels: labels(model, group, "this group"),
-    }
+    Diagnosis::warning(
+        "mech::assembly::branch_switch",
+        format!(
+            "{} change to their other assembly between poses {from} and {to}, at {}",
+            links(model, group),
+            drive_text(model, &rounded(model, at, 1.0))
+        ),
+    )
+    .labels(labels(model, group, "this group"))
+    .help(
+        "check the motion after this change point, where both assemblies meet: \
+         the links continue by their velocity, but a real machine may continue in \
+         either assembly",
+    )
 }
 
-fn elsewhere(
-    model: &Model<'_>,
-    link: LinkId,
-    (off, turned): (f64, f64),
-    drives: &[DriveValue],
-) -> SolveError {
+fn elsewhere(model: &Model<'_>, link: LinkId, (off, turned): (f64, f64), drives: &[DriveValue]) -> Diagnosis {
     let mechanism = model.mechanism;
     let moved = with_unit(model, off, Dimension::LENGTH);
     let labels = mechanism.drives.iter().map(|d| label("after whole turns of this drive", d.span));
-    SolveError::Elsewhere {
-        link: mechanism.link(link).name.clone(),
-        by: format!("{moved} and {} deg", four(turned.to_degrees())),
-        at: drive_text(model, drives),
-        labels: labels.collect(),
-    }
+    Diagnosis::warning(
+        "mech::solve::not_periodic",
+        format!(
+            "after whole turns of the drive the mechanism is not where it began: `{}` \
+             is elsewhere by {moved} and {} deg",
+            mechanism.link(link).name,
+            four(turned.to_degrees())
+        ),
+    )
+    .labels(labels)
+    .help(format!(
+        "the pose at {} is left out, and functions over the sweep take a part of \
+         the cycle: go on until all links come back, as in `0 deg .. 720 deg in 24 \
+         steps`",
+        drive_text(model, drives)
+    ))
 }
 
-fn self_locking(model: &Model<'_>, (pose, more): (&Wanted, usize)) -> SolveError {
+fn self_locking(model: &Model<'_>, (pose, more): (&Wanted, usize)) -> Diagnosis {
     let lossy = model.plan.laws.iter().filter_map(|l| Some((model.mechanism.pair(l.pair), l.efficiency?)));
     let lossy: Vec<_> = lossy.collect();
-    let labels = lossy.iter().map(|(p, _)| label("self-locking here", p.span)).collect();
+    let labels = lossy.iter().map(|(p, _)| label("self-locking here", p.span));
     let back = lossy.iter().map(|(p, [there, back])| {
         if there == back {
             format!("`{}` has an efficiency of {}", p.name, four(*back))
@@ -135,14 +162,23 @@ fn self_locking(model: &Model<'_>, (pose, more): (&Wanted, usize)) -> SolveError
     let help = format!(
         "raise the efficiency, or let the unknown effort drive in this sense too: {back}; below 0 it is self-locking"
     );
-    TrainError::SelfLocking { pose: place(model, pose), more: and_at(more), help, labels }.into()
+    Diagnosis::warning(
+        "mech::train::self_locking",
+        format!(
+            "the load cannot drive the mechanism{}{}: it is self-locking",
+            place(model, pose),
+            and_at(more)
+        ),
+    )
+    .labels(labels)
+    .help(help)
 }
 
 /// Name and span of a pair that pulls or pushes; its force, the position, how many others there are.
-fn parts(model: &Model<'_>, pull: &Pull) -> (String, miette::SourceSpan, String, String, String) {
+fn parts(model: &Model<'_>, pull: &Pull) -> (String, Span, String, String, String) {
     let pair = model.mechanism.pair(pull.pair);
     let force = with_unit(model, pull.least, Dimension::FORCE);
-    (pair.name.clone(), pair.span.into(), force, place(model, &pull.pose), and_at(pull.poses - 1))
+    (pair.name.clone(), pair.span, force, place(model, &pull.pose), and_at(pull.poses - 1))
 }
 
 fn ill_conditioned(
@@ -150,31 +186,47 @@ fn ill_conditioned(
     pose: &Wanted,
     group: GroupId,
     (condition, digits, loss): (f64, u32, Loss),
-) -> SolveError {
+) -> Diagnosis {
     let group = group.of(model.structure);
-    SolveError::IllConditioned {
-        pose: place(model, pose),
-        links: links(model, group),
-        condition,
-        digits,
-        what: match loss {
-            Loss::Velocities => "velocities",
-            Loss::Accelerations => "accelerations",
-            Loss::Forces => "forces",
-            Loss::ForcesNearLocking => "forces near self-locking",
-        },
-        labels: labels(model, group, "near a dead position"),
-    }
+    Diagnosis::warning(
+        "mech::solve::ill_conditioned",
+        format!(
+            "near a dead position{}: about {digits} digits are left in the {} of {}",
+            place(model, pose),
+            match loss {
+                Loss::Velocities => "velocities",
+                Loss::Accelerations => "accelerations",
+                Loss::Forces => "forces",
+                Loss::ForcesNearLocking => "forces near self-locking",
+            },
+            links(model, group)
+        ),
+    )
+    .labels(labels(model, group, "near a dead position"))
+    .help(format!(
+        "condition figure σ = {condition:.1e}; the error of positions grows as \
+         ε/σ, that of velocities and forces as ε/σ², that of accelerations as \
+         ε/σ³, with ε = 2.2e-16"
+    ))
 }
 
-fn not_certified(model: &Model<'_>, worst: &Uncertified) -> SolveError {
+fn not_certified(model: &Model<'_>, worst: &Uncertified) -> Diagnosis {
     let Uncertified { pose, group, h, sigma, poses } = worst;
     let group = &model.structure.motion[*group];
-    SolveError::NotCertified {
-        pose: place(model, pose),
-        links: links(model, group),
-        figure: format!("{h:.1e}, with the condition figure σ = {sigma:.1e}"),
-        more: and_at(poses - 1),
-        labels: labels(model, group, "this group"),
-    }
+    Diagnosis::warning(
+        "mech::solve::not_certified",
+        format!(
+            "the position of {} could not be verified{}{}",
+            links(model, group),
+            place(model, pose),
+            and_at(poses - 1)
+        ),
+    )
+    .labels(labels(model, group, "this group"))
+    .help(format!(
+        "choose a position next to it: the theorem of Newton and Kantorovich \
+         needs h ≤ 0.5, but h = {h:.1e}, with the condition figure σ = \
+         {sigma:.1e}; so near to a dead position rounding errors decide whether \
+         there is one solution, two or none"
+    ))
 }

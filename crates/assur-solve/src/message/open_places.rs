@@ -1,15 +1,14 @@
 //! What the file leaves open: drives without position, shafts and sliders without place.
 
-use super::error::SolveError;
 use super::format::{label, labels, links};
-use super::train_error::TrainError;
 use crate::model::{DriveTarget, Mechanism, Pair, PairId, PairKind, TransmissionKind};
 use crate::position::Model;
 use crate::solve::Unpositioned;
 use crate::source::Span;
+use assur_text::diagnostic::Diagnosis;
 
 /// A position depends on a drive which has none.
-pub(super) fn no_position(model: &Model<'_>, drive: usize, what: Unpositioned) -> SolveError {
+pub(super) fn no_position(model: &Model<'_>, drive: usize, what: Unpositioned) -> Diagnosis {
     let mechanism = model.mechanism;
     let depends = |span| vec![label("depends on the position", span)];
     let (what, mut labels) = match what {
@@ -35,11 +34,16 @@ pub(super) fn no_position(model: &Model<'_>, drive: usize, what: Unpositioned) -
         "write the position before the speed: `drive {} = {example} at …`; the angles and distances of a train are all zero together",
         drive.name
     );
-    TrainError::NoPosition { what, drive: drive.name.clone(), help, labels }.into()
+    Diagnosis::error(
+        "mech::train::no_position",
+        format!("{what} depends on the position of `{}`, which is not given", drive.name),
+    )
+    .labels(labels)
+    .help(help)
 }
 
 /// A reaction that is asked for and has no place.
-pub(super) fn no_place(mechanism: &Mechanism, pair: PairId, place: Span) -> SolveError {
+pub(super) fn no_place(mechanism: &Mechanism, pair: PairId, place: Span) -> Diagnosis {
     let declared = mechanism.pair(pair);
     let mut labels = vec![label("asked for here", place), label("this pair", declared.span)];
     let unplaced = |p: &&Pair| match &p.kind {
@@ -58,7 +62,16 @@ pub(super) fn no_place(mechanism: &Mechanism, pair: PairId, place: Span) -> Solv
     } else {
         "ask for torques, as in `moment(b, I)`: only the forces of meshes have known positions"
     };
-    TrainError::NoPlace { pair: declared.name.clone(), help: help.to_owned(), labels }.into()
+    Diagnosis::error(
+        "mech::train::no_place",
+        format!(
+            "the reaction in `{}` cannot be found: its position, or that of a force \
+             on its shaft, is not given",
+            declared.name
+        ),
+    )
+    .labels(labels)
+    .help(help.to_owned())
 }
 
 /// Whether a mesh has no known pitch point.
@@ -70,7 +83,7 @@ fn meets_somewhere(mechanism: &Mechanism) -> bool {
 }
 
 /// Friction on which forces press that have no place.
-pub(super) fn friction_without_place(mechanism: &Mechanism, pairs: &[PairId]) -> SolveError {
+pub(super) fn friction_without_place(mechanism: &Mechanism, pairs: &[PairId]) -> Diagnosis {
     let mut labels: Vec<_> = pairs.iter().map(|p| label("rubs", mechanism.pair(*p).span)).collect();
     let unplaced = mechanism.pairs.iter().filter(|p| match &p.kind {
         PairKind::Transmission(t) => t.meeting.is_none(),
@@ -84,5 +97,14 @@ pub(super) fn friction_without_place(mechanism: &Mechanism, pairs: &[PairId]) ->
         "leave the friction of these pairs out, and give the transmission an `efficiency`: only the forces of meshes have known \
          positions"
     };
-    TrainError::FrictionWithoutPlace { pairs: names.join(", "), help: help.to_owned(), labels }.into()
+    Diagnosis::error(
+        "mech::train::no_place",
+        format!(
+            "the friction in {} cannot be found: the position of a force that presses \
+             there is not given",
+            names.join(", ")
+        ),
+    )
+    .labels(labels)
+    .help(help.to_owned())
 }

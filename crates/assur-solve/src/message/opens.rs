@@ -1,13 +1,13 @@
 //! Sentences about a motion that ends since a pair does not take the forces there.
 
 use super::format::four;
-use super::simulate_error::SimulateError;
 use super::slip::capacity;
 use crate::model::{Bond, Grip, PairId, PairKind, Transmission};
 use crate::position::Model;
+use assur_text::diagnostic::Diagnosis;
 
 /// From an instant on a pair does no more what it has done.
-pub(super) fn opens(model: &Model<'_>, (pair, bond): (PairId, Bond), time: String) -> SimulateError {
+pub(super) fn opens(model: &Model<'_>, (pair, bond): (PairId, Bond), time: String) -> Diagnosis {
     let pair = model.mechanism.pair(pair);
     let name = &pair.name;
     let (what, text, help) = match (&pair.kind, bond) {
@@ -33,7 +33,7 @@ pub(super) fn opens(model: &Model<'_>, (pair, bond): (PairId, Bond), time: Strin
             ),
         ),
     };
-    SimulateError::Opens { what, text, help, span: pair.span }
+    Diagnosis::error("mech::simulate::opens", what).label(pair.span, text).help(help)
 }
 
 fn driven_backwards(t: &Transmission, name: &str, time: &str) -> (String, &'static str, String) {

@@ -1,14 +1,14 @@
 //! What is said of results over the sweep that do not exist.
 
-use super::error::SolveError;
-use super::flywheel_error::FlywheelError;
 use super::format::{four, label, short, with_unit};
 use super::speeds::rates;
 use crate::answer::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
 use crate::language::Function;
+use crate::message::speeds::no_drive_has;
 use crate::model::{Flywheel, PairId};
 use crate::position::{Model, turns};
 use crate::units::Dimension;
+use assur_text::diagnostic::Diagnosis;
 use miette::LabeledSpan;
 
 /// Why a function over the sweep has no value.
@@ -39,7 +39,7 @@ pub(super) fn no_extreme(
     pair: PairId,
     (function, which): (Function, Option<u8>),
     reason: NoExtreme,
-) -> SolveError {
+) -> Diagnosis {
     let pair = model.mechanism.pair(pair);
     let which = which.map_or_else(String::new, |which| format!(", {which}"));
     let what = format!("{}({}{which})", function.name(), pair.name);
@@ -71,7 +71,9 @@ pub(super) fn no_extreme(
             "name the pair of a link that swings or slides between two ends".to_owned(),
         ),
     };
-    SolveError::NoExtreme { what, why, help, labels }
+    Diagnosis::error("mech::solve::no_extreme", format!("`{what}` is not defined: {why}"))
+        .labels(labels)
+        .help(help)
 }
 
 /// A drive that does not turn fully: where it can be, and what to write instead.
@@ -114,7 +116,7 @@ fn not_fully(
 }
 
 /// There is no sweep to take functions over.
-pub(super) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> SolveError {
+pub(super) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> Diagnosis {
     let drives = &model.mechanism.drives;
     let drive = drives.first();
     let turning = |which: &[_]| matches!(which, [drive] if turns(model, drive));
@@ -144,7 +146,9 @@ pub(super) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> SolveError {
             ("the listed positions do not all go in one direction".to_owned(), help.to_owned())
         }
     };
-    SolveError::NoSweep { why, help, labels }
+    Diagnosis::error("mech::solve::no_sweep", format!("no function over the sweep can be found: {why}"))
+        .labels(labels)
+        .help(help)
 }
 
 /// The functions that need a sweep.
@@ -156,7 +160,7 @@ fn asked(model: &Model<'_>) -> Vec<LabeledSpan> {
 }
 
 /// A flywheel cannot be found.
-pub(super) fn no_flywheel(model: &Model<'_>, wheel: usize, reason: NoFlywheel) -> SolveError {
+pub(super) fn no_flywheel(model: &Model<'_>, wheel: usize, reason: NoFlywheel) -> Diagnosis {
     let wheel = &model.mechanism.flywheels[wheel];
     let drives = &model.mechanism.drives;
     let name = drives.first().map_or("", |d| d.name.as_str());
@@ -201,30 +205,37 @@ pub(super) fn no_flywheel(model: &Model<'_>, wheel: usize, reason: NoFlywheel) -
     };
     let mut labels = vec![label("this flywheel", wheel.span)];
     labels.extend(drives.iter().map(|d| label("drive", d.span)));
-    FlywheelError::NoFlywheel { name: wheel.name.clone(), why, help, labels }.into()
+    Diagnosis::error("mech::solve::no_flywheel", format!("flywheel `{}` cannot be found: {why}", wheel.name))
+        .labels(labels)
+        .help(help)
 }
 
-fn flywheel_needs_speed(model: &Model<'_>, wheel: &Flywheel) -> SolveError {
+fn flywheel_needs_speed(model: &Model<'_>, wheel: &Flywheel) -> Diagnosis {
     let mut labels = vec![label("needed here", wheel.span)];
     labels.extend(model.mechanism.drives.iter().map(|d| label("without a speed", d.span)));
-    SolveError::NeedsSpeed {
-        what: "the mean speed of a flywheel",
-        needs: "a speed",
-        help:
-            "write `at 80 rpm` after the drive, or `turning ccw` and `speed 80 rpm` in the flywheel's braces"
-                .to_owned(),
+    no_drive_has(
+        "the mean speed of a flywheel",
+        "a speed",
+        "write `at 80 rpm` after the drive, or `turning ccw` and `speed 80 rpm` in the flywheel's braces",
         labels,
-    }
+    )
 }
 
 /// The links alone, of this reduced moment of inertia, run as evenly as `needed` would make them.
-pub(super) fn needless_flywheel(model: &Model<'_>, wheel: usize, have: f64, needed: f64) -> SolveError {
+pub(super) fn needless_flywheel(model: &Model<'_>, wheel: usize, have: f64, needed: f64) -> Diagnosis {
     let wheel = &model.mechanism.flywheels[wheel];
-    FlywheelError::NeedlessFlywheel {
-        name: wheel.name.clone(),
-        have: with_unit(model, have, Dimension::INERTIA),
-        needed: with_unit(model, needed, Dimension::INERTIA),
-        span: wheel.span.into(),
-    }
-    .into()
+    Diagnosis::warning(
+        "mech::solve::needless_flywheel",
+        format!(
+            "flywheel `{}` is not needed: the links alone have {} of {}",
+            wheel.name,
+            with_unit(model, have, Dimension::INERTIA),
+            with_unit(model, needed, Dimension::INERTIA)
+        ),
+    )
+    .label(wheel.span, "asked for here")
+    .help(
+        "ask for a smaller `fluctuation`, or leave the flywheel out; its moment \
+         of inertia is given as 0",
+    )
 }

@@ -1,10 +1,10 @@
 //! A sweep that closes over a part only.
 
-use super::error::SolveError;
 use super::format::{drive_text, rounded, short};
 use crate::model::{Expr, Positions, Value};
 use crate::position::{DriveValue, Model, turns};
 use crate::solve::{Closing, Gap};
+use assur_text::diagnostic::Diagnosis;
 
 /// Over which ranges a sweep does not close.
 pub(super) fn partial_sweep(
@@ -12,7 +12,7 @@ pub(super) fn partial_sweep(
     closing: Closing,
     gaps: &[Gap],
     more: usize,
-) -> Option<SolveError> {
+) -> Option<Diagnosis> {
     let Closing { swept: total, open, .. } = closing;
     let closed = total - open;
     let text = |values: &[DriveValue]| drive_text(model, &rounded(model, values, 100.0));
@@ -40,7 +40,14 @@ pub(super) fn partial_sweep(
     if more > 0 {
         ranges += &format!(", nor in {more} other ranges");
     }
-    Some(SolveError::PartialSweep { positions, ranges, help, span: drive.span.into() })
+    Some(
+        Diagnosis::warning(
+            "mech::assembly::partial_sweep",
+            format!("{positions}: the mechanism does not close {ranges}"),
+        )
+        .label(drive.span, "this sweep")
+        .help(help),
+    )
 }
 
 /// The sweep of a single drive that turns, cut to what closes.

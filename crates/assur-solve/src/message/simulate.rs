@@ -1,29 +1,29 @@
 //! Sentences about a motion under loads that cannot go on.
 
 use super::clause::clause;
-use super::error::SolveError;
 use super::format::{four, label, labels, length, links, short, with_unit};
 use super::opens::opens;
-use super::simulate_error::SimulateError;
+use crate::message::refusal::not_supported_yet;
 use crate::model::{Drive, DriveTarget, LoadId, PairId};
 use crate::position::{Model, turns};
 use crate::solve::{Clause, Halt, NoCycle};
 use crate::source::Span;
 use crate::units::Dimension;
+use assur_text::diagnostic::Diagnosis;
 
 /// Two runs that differ by more say nothing of the motion.
 const NOTHING: f64 = 0.05;
 /// Steps of a run at most.
 const MOST_STEPS: usize = 1_000_000;
 
-pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
+pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
     let instant = |t: f64| with_unit(model, t, Dimension::TIME);
     let simulation = model.mechanism.simulation.as_ref();
     let span = simulation.map_or_else(Span::default, |s| s.span);
     let end = instant(simulation.map_or(time, |s| s.to));
     let at = time;
     let time = instant(time);
-    SolveError::Simulate(match halt {
+    match halt {
         Halt::Dead { group, condition } => dead(model, *group, Some(*condition), at),
         Halt::Open { group } => dead(model, *group, None, at),
         Halt::NoRate { drive, other, value } => no_rate(model, *drive, (*other, *value)),
@@ -42,21 +42,55 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
         Halt::NothingFree => return nothing_free(model),
         Halt::NotANumber => {
             let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
-            SimulateError::NoValue { time, labels: loads.collect() }
+            Diagnosis::error("mech::simulate::no_value", format!("a load has no value at {time}"))
+                .labels(loads)
+                .help(
+                    "look for a root of a negative number, a division by zero or a curve that \
+                     is left: the loads are expressions of time, positions and velocities",
+                )
         }
-        Halt::TooManySteps => SimulateError::TooManySteps { most: MOST_STEPS, time, end, span },
-        Halt::Interrupted => SimulateError::Interrupted { time, end, span },
+        Halt::TooManySteps => Diagnosis::error(
+            "mech::simulate::too_many_steps",
+            format!(
+                "the steps of the motion are too short: it has reached {time} of {end}, \
+                 and at most {} steps are done",
+                MOST_STEPS
+            ),
+        )
+        .label(span, format!("only to {time}"))
+        .help(
+            "let `simulate` end earlier, ask for less accuracy with `within`, or look \
+             for a spring or damper that is far stiffer than the motion, or a `start` \
+             so large that its last digit is longer than a step",
+        ),
+        Halt::Interrupted => Diagnosis::error(
+            "",
+            format!(
+                "the motion was stopped at {time}, before its end at {end}: what it did \
+                 until then is printed"
+            ),
+        )
+        .label(span, format!("only to {time}"))
+        .help("let `simulate` end earlier, or ask for less accuracy with `within`"),
         Halt::Accuracy { wanted, reached } => accuracy(*wanted, *reached, span),
-    })
+    }
 }
 
 /// An end that does not come.
-pub(super) fn never_ended(model: &Model<'_>, event: usize, time: f64) -> SolveError {
+pub(super) fn never_ended(model: &Model<'_>, event: usize, time: f64) -> Diagnosis {
     let span = model.mechanism.events[event].span;
-    SolveError::Simulate(SimulateError::NeverEnded { time: with_unit(model, time, Dimension::TIME), span })
+    Diagnosis::warning(
+        "mech::simulate::never_ended",
+        format!(
+            "the motion does not come to this end until {}, its last instant",
+            with_unit(model, time, Dimension::TIME)
+        ),
+    )
+    .label(span, "does not happen")
+    .help("let `simulate` go on for longer, or leave `until` out")
 }
 
-fn accuracy(wanted: f64, reached: f64, span: Span) -> SimulateError {
+fn accuracy(wanted: f64, reached: f64, span: Span) -> Diagnosis {
     let known = reached < NOTHING;
     let wanted = power(wanted);
     let (known, help) = if known {
@@ -76,7 +110,7 @@ fn accuracy(wanted: f64, reached: f64, span: Span) -> SimulateError {
                 .to_owned(),
         )
     };
-    SimulateError::Accuracy { known, help, span }
+    Diagnosis::error("mech::simulate::tolerance", known).label(span, "not reached").help(help)
 }
 
 /// An accuracy in words of a file.
@@ -97,7 +131,7 @@ fn starts<'m>(model: &Model<'m>) -> impl Iterator<Item = &'m Drive> {
     model.mechanism.drives.iter().filter(|d| d.free)
 }
 
-fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: f64) -> SimulateError {
+fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: f64) -> Diagnosis {
     let group = &model.structure.motion[group];
     let mut all = labels(model, group, "in a dead position");
     all.extend(starts(model).map(|d| label("started here", d.span)));
@@ -114,13 +148,16 @@ fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: f64) -> S
     } else {
         format!("{passed}: let `simulate` end before {time}")
     };
-    SimulateError::Dead {
-        group: links(model, group),
-        condition: condition.map_or_else(|| "0".into(), four),
-        help,
-        time,
-        labels: all,
-    }
+    Diagnosis::error(
+        "mech::simulate::dead_position",
+        format!(
+            "the motion cannot go on at {time}: {} in a dead position, |σ| = {}",
+            links(model, group),
+            condition.map_or_else(|| "0".into(), four)
+        ),
+    )
+    .labels(all)
+    .help(help)
 }
 
 /// `start crank = 30 deg at 1 rad/s`
@@ -134,7 +171,7 @@ fn start_line(model: &Model<'_>, name: &str, (turns, value, rate): (bool, f64, O
     }
 }
 
-fn no_rate(model: &Model<'_>, drive: usize, (other, value): (DriveTarget, f64)) -> SimulateError {
+fn no_rate(model: &Model<'_>, drive: usize, (other, value): (DriveTarget, f64)) -> Diagnosis {
     let mechanism = model.mechanism;
     let drive = &mechanism.drives[drive];
     let name = match other {
@@ -145,14 +182,19 @@ fn no_rate(model: &Model<'_>, drive: usize, (other, value): (DriveTarget, f64)) 
     let line = start_line(model, name, (turns, value, None));
     let help =
         format!("start what can move there, as in `{line}`, or leave out the speed of `{}`", drive.name);
-    SimulateError::NoRate { name: drive.name.clone(), help, span: drive.span }
+    Diagnosis::error(
+        "mech::simulate::dead_position",
+        format!("`{}` can have no speed where it starts: it is in its dead position there", drive.name),
+    )
+    .label(drive.span, "no motion of the links gives it this speed")
+    .help(help)
 }
 
 fn two_motions(
     model: &Model<'_>,
     (drive, value, rate): (usize, f64, f64),
     (group, ways): (usize, &[Clause]),
-) -> SimulateError {
+) -> Diagnosis {
     let drive = &model.mechanism.drives[drive];
     let line = start_line(model, &drive.name, (turns(model, drive), value, Some(rate)));
     let ways: Vec<String> = ways.iter().map(|way| format!("\n  {}", clause(model, way))).collect();
@@ -164,7 +206,12 @@ fn two_motions(
     );
     let mut all = labels(model, group, "in line");
     all.push(label("starts in a change point", drive.span));
-    SimulateError::TwoMotions { name: drive.name.clone(), help, labels: all }
+    Diagnosis::error(
+        "mech::simulate::two_motions",
+        format!("two motions begin where `{}` starts, and nothing says which is meant", drive.name),
+    )
+    .labels(all)
+    .help(help)
 }
 
 fn rubbing(model: &Model<'_>, text: &str) -> Vec<miette::LabeledSpan> {
@@ -172,16 +219,29 @@ fn rubbing(model: &Model<'_>, text: &str) -> Vec<miette::LabeledSpan> {
     pairs.map(|pair| label(text, pair.span)).collect()
 }
 
-fn jam(model: &Model<'_>, time: String) -> SimulateError {
-    SimulateError::Jam { time, labels: rubbing(model, "rubs") }
+fn jam(model: &Model<'_>, time: String) -> Diagnosis {
+    Diagnosis::error(
+        "mech::simulate::jam",
+        format!(
+            "friction jams the motion at {time}: no acceleration satisfies its laws, \
+             or several do"
+        ),
+    )
+    .labels(rubbing(model, "rubs"))
+    .help("with less friction, or a longer guide, the motion goes on")
 }
 
-fn rolls(model: &Model<'_>, pair: PairId, time: String) -> SimulateError {
+fn rolls(model: &Model<'_>, pair: PairId, time: String) -> Diagnosis {
     let pair = model.mechanism.pair(pair);
-    SimulateError::Rolls { name: pair.name.clone(), time, span: pair.span }
+    Diagnosis::error(
+        "mech::simulate::rolls",
+        format!("from {time} on friction would hold `{}`, so that the cam rolls on its follower", pair.name),
+    )
+    .label(pair.span, "comes to rest")
+    .help(format!("let `simulate` end before {time}, or give the contact less friction"))
 }
 
-fn no_cycle(why: NoCycle, span: Span) -> SimulateError {
+fn no_cycle(why: NoCycle, span: Span) -> Diagnosis {
     let (what, help) = match why {
         NoCycle::NotReached(time) => (
             format!(
@@ -198,53 +258,74 @@ fn no_cycle(why: NoCycle, span: Span) -> SimulateError {
             "start nearer to the steady motion, with its mean speed; loads must brake more at a greater speed",
         ),
     };
-    SimulateError::NoCycle { what, help, span }
+    Diagnosis::error("mech::simulate::no_cycle", what).label(span, "does not come again").help(help)
 }
 
-fn stop_passed(model: &Model<'_>, stop: usize, by: f64, time: String) -> SimulateError {
+fn stop_passed(model: &Model<'_>, stop: usize, by: f64, time: String) -> Diagnosis {
     let stop = &model.mechanism.stops[stop];
     let dimension = if stop.turns { Dimension::ANGLE } else { Dimension::LENGTH };
     let name = model.mechanism.pair(stop.pair).name.clone();
     let side = if stop.side > 0.0 { "below" } else { "above" };
     let help = format!("start the motion where `displacement({name})` is on the other side of the stop");
-    SimulateError::StopPassed { name, by: with_unit(model, by, dimension), side, time, help, span: stop.span }
+    Diagnosis::error(
+        "mech::simulate::stop_passed",
+        format!("`{name}` is {} {side} its stop at {time}", with_unit(model, by, dimension)),
+    )
+    .label(stop.span, "passed")
+    .help(help)
 }
 
-fn stops_at_once(model: &Model<'_>, stops: &[usize], time: String) -> SimulateError {
+fn stops_at_once(model: &Model<'_>, stops: &[usize], time: String) -> Diagnosis {
     let names = stops.iter().map(|stop| {
         let pair = model.mechanism.stops[*stop].pair;
         format!("`{}`", model.mechanism.pair(pair).name)
     });
     let names = names.collect::<Vec<_>>().join(" and ");
-    let labels = stops.iter().map(|stop| label("hit", model.mechanism.stops[*stop].span)).collect();
-    SimulateError::StopsAtOnce { names, time, labels }
+    let labels = stops.iter().map(|stop| label("hit", model.mechanism.stops[*stop].span));
+    Diagnosis::error(
+        "mech::simulate::stops_at_once",
+        format!("the stops of {names} are hit at once at {time}"),
+    )
+    .labels(labels)
+    .help(
+        "let the starts differ a little, or let `simulate` end before: the motion \
+         after several impacts at once depends on their order",
+    )
 }
 
-fn shaken(model: &Model<'_>, stop: usize, time: String) -> SimulateError {
+fn shaken(model: &Model<'_>, stop: usize, time: String) -> Diagnosis {
     let stop = &model.mechanism.stops[stop];
     let name = model.mechanism.pair(stop.pair).name.clone();
     let mut labels = vec![label("rebounds", stop.span)];
     labels.extend(rubbing(model, "rubs"));
-    SimulateError::Shaken { name, time, labels }
+    Diagnosis::error(
+        "mech::simulate::shaken",
+        format!(
+            "from {time} on the rebounds at the stop of `{name}` are too low to be \
+             followed, and pairs that rub stick and slip in them"
+        ),
+    )
+    .labels(labels)
+    .help(format!(
+        "leave out `restitution` of the stop: it then stays closed after its \
+         first impact; or let `simulate` end before {time}"
+    ))
 }
 
-fn rests_under(model: &Model<'_>, load: LoadId) -> SolveError {
-    let what = "a motion in which a force `against motion` holds a point that may move in several directions"
-        .to_owned();
-    SolveError::NotSupportedYet {
-        what,
-        labels: vec![label("its point comes to rest", model.mechanism.loads[load.index()].span)],
-    }
+fn rests_under(model: &Model<'_>, load: LoadId) -> Diagnosis {
+    let what = "a motion in which a force `against motion` holds a point that may move in several directions";
+    let place = model.mechanism.loads[load.index()].span;
+    not_supported_yet(what, vec![label("its point comes to rest", place)])
 }
 
-fn nothing_free(model: &Model<'_>) -> SolveError {
+fn nothing_free(model: &Model<'_>) -> Diagnosis {
     let mut labels = rubbing(model, "rubs");
     labels.extend(model.mechanism.stops.iter().map(|stop| label("bounds what is driven", stop.span)));
     let what = "friction, losses of transmissions or a stop in a motion that drives give alone,".to_owned();
-    SolveError::NotSupportedYet { what, labels }
+    not_supported_yet(&what, labels)
 }
 
-fn no_inertia(model: &Model<'_>, time: String) -> SimulateError {
+fn no_inertia(model: &Model<'_>, time: String) -> Diagnosis {
     let mechanism = model.mechanism;
     let names = starts(model).map(|d| format!("`{}`", d.name)).collect::<Vec<_>>();
     let light = mechanism.links.iter().skip(1).filter(|l| l.mass.is_none());
@@ -255,6 +336,11 @@ fn no_inertia(model: &Model<'_>, time: String) -> SimulateError {
     } else {
         format!("give {} a mass, as in `mass 2 kg at S`, or an inertia", light.join(" or "))
     };
-    let labels = starts(model).map(|d| label("moves no mass", d.span)).collect();
-    SimulateError::NoInertia { coordinates: names.join(", "), time, what, help, labels }
+    let labels = starts(model).map(|d| label("moves no mass", d.span));
+    Diagnosis::error(
+        "mech::simulate::no_inertia",
+        format!("nothing resists the acceleration of {} at {time}: {what} without inertia", names.join(", ")),
+    )
+    .labels(labels)
+    .help(help)
 }

@@ -1,12 +1,11 @@
 //! The sentences about belts and clutches that slip.
 
-use super::error::SolveError;
 use super::format::{and_at, place, with_unit};
-use super::train_error::TrainError;
 use crate::model::{Grip, PairId, PairKind, Transmission, TransmissionKind};
 use crate::position::Model;
 use crate::solve::Pull;
 use crate::units::Dimension;
+use assur_text::diagnostic::Diagnosis;
 
 fn transmission<'a>(model: &Model<'a>, pair: PairId) -> Option<&'a Transmission> {
     match &model.mechanism.pair(pair).kind {
@@ -16,22 +15,25 @@ fn transmission<'a>(model: &Model<'a>, pair: PairId) -> Option<&'a Transmission>
 }
 
 /// One that must transmit more than it can.
-pub(super) fn slips(model: &Model<'_>, pull: &Pull) -> Option<SolveError> {
+pub(super) fn slips(model: &Model<'_>, pull: &Pull) -> Option<Diagnosis> {
     let pair = model.mechanism.pair(pull.pair);
     let transmission = transmission(model, pull.pair)?;
     let grip = transmission.grip?;
     let (capacity, firmer) = capacity(model, grip);
-    let error = TrainError::Slips {
-        what: transmission.kind.word(),
-        name: pair.name.clone(),
-        pose: place(model, &pull.pose),
-        more: and_at(pull.poses - 1),
-        wanted: with_unit(model, -pull.least, dimension(grip)),
-        capacity,
-        help: format!("{firmer}, or lower the load"),
-        span: pair.span.into(),
-    };
-    Some(error.into())
+    let error = Diagnosis::warning(
+        "mech::train::slips",
+        format!(
+            "{} `{}` slips{}{}: it must transmit {}, and its friction {capacity} at most",
+            transmission.kind.word(),
+            pair.name,
+            place(model, &pull.pose),
+            and_at(pull.poses - 1),
+            with_unit(model, -pull.least, dimension(grip))
+        ),
+    )
+    .label(pair.span, "slips")
+    .help(format!("{firmer}, or lower the load"));
+    Some(error)
 }
 
 const fn dimension(grip: Grip) -> Dimension {
@@ -51,7 +53,7 @@ pub(super) fn capacity(model: &Model<'_>, grip: Grip) -> (String, &'static str) 
 }
 
 /// A belt with a slip through which the power runs backwards.
-pub(super) fn slip_backwards(model: &Model<'_>, pair: PairId, pose: String) -> SolveError {
+pub(super) fn slip_backwards(model: &Model<'_>, pair: PairId, pose: String) -> Diagnosis {
     let declared = model.mechanism.pair(pair);
     let ends = transmission(model, pair).map_or(&[][..], |t| &t.ends);
     let (first, second) =
@@ -60,5 +62,13 @@ pub(super) fn slip_backwards(model: &Model<'_>, pair: PairId, pose: String) -> S
     let help = format!(
         "write the wheel that drives first, `{word} {name}: {second} - {first}`, or check the sign of the load: here it drives"
     );
-    TrainError::SlipBackwards { name, pose, driver: first, help, span: declared.span.into() }.into()
+    Diagnosis::error(
+        "mech::train::slip_backwards",
+        format!(
+            "power runs backwards through belt `{name}`{pose}: its slip is of the \
+             speed that `{first}` gives"
+        ),
+    )
+    .label(declared.span, "the first wheel must drive")
+    .help(help)
 }

@@ -1,6 +1,5 @@
 //! Rates, dampers and loads that depend on speeds, where no drive has one.
 
-use super::error::SolveError;
 use super::format::{four, label, short};
 use crate::model::{
     Drive, DriveId, DriveTarget, Expr, LoadId, Mechanism, PairKind, Positions, SpringId, Value,
@@ -8,6 +7,7 @@ use crate::model::{
 use crate::plan::Level;
 use crate::source::Span;
 use crate::units::Dimension;
+use assur_text::diagnostic::{Diagnosis, Help};
 use miette::LabeledSpan;
 
 /// Digits of what a file has written.
@@ -18,7 +18,7 @@ pub(super) fn needs_speed(
     mechanism: &Mechanism,
     drive: DriveId,
     (level, places): (Level, &[Span]),
-) -> SolveError {
+) -> Diagnosis {
     let drive = &mechanism.drives[drive.index()];
     let (written, speed) = written(mechanism, drive);
     let name = &drive.name;
@@ -39,21 +39,26 @@ pub(super) fn needs_speed(
     let mut labels: Vec<LabeledSpan> =
         places.iter().filter(|s| **s != Span::default()).map(|s| label("needed here", *s)).collect();
     labels.push(label(format!("without {needs}"), drive.span));
-    SolveError::NeedsSpeed { what, needs, help, labels }
+    no_drive_has(what, needs, help, labels)
 }
 
 /// A range whose ends turn out to be one position.
-pub(super) fn empty_range(mechanism: &Mechanism, drive: DriveId, at: f64) -> SolveError {
+pub(super) fn empty_range(mechanism: &Mechanism, drive: DriveId, at: f64) -> Diagnosis {
     let drive = &mechanism.drives[drive.index()];
     let from = drive.written.as_deref().and_then(|written| written.split(" .. ").next()).unwrap_or("…");
     let position = mechanism.drive_display(drive.target);
     let line = format!("drive {} = {from}{}", drive.name, rates(mechanism, drive));
-    SolveError::EmptyRange {
-        name: drive.name.clone(),
-        at: position.text(Value::Scalar(at), DIGITS),
-        help: format!("write `{line}`, or another end of the range"),
-        span: drive.span.into(),
-    }
+    Diagnosis::error(
+        "mech::geometry::empty_range",
+        format!(
+            "the range of `{}` has no length: it ends where it begins, at {}",
+            drive.name,
+            position.text(Value::Scalar(at), DIGITS)
+        ),
+    )
+    .label(drive.span, "one position, in several steps")
+    .help(format!("write `{line}`, or another end of the range"))
+    .quoted(drive.span)
 }
 
 /// Speed, acceleration and sense of a drive, as they are written.
@@ -91,11 +96,13 @@ pub(super) fn rates(mechanism: &Mechanism, drive: &Drive) -> String {
 }
 
 /// Damping where nothing moves.
-pub(super) fn no_damping(mechanism: &Mechanism, drive: DriveId, springs: &[SpringId]) -> SolveError {
+pub(super) fn no_damping(mechanism: &Mechanism, drive: DriveId, springs: &[SpringId]) -> Diagnosis {
     let (_, help) = speed_for(mechanism, &mechanism.drives[drive.index()]);
     let place = |id: &SpringId| mechanism.springs[id.index()].span;
-    let labels = springs.iter().map(|id| label("against a motion without direction", place(id))).collect();
-    SolveError::NoDamping { help, labels }
+    let labels = springs.iter().map(|id| label("against a motion without direction", place(id)));
+    Diagnosis::warning("mech::request::no_damping", "damping is left out: no drive has a speed")
+        .labels(labels)
+        .help(help)
 }
 
 /// Dampers and loads that depend on speeds, where the drive has a sense alone.
@@ -103,7 +110,7 @@ pub(super) fn unit_speed(
     mechanism: &Mechanism,
     drive: DriveId,
     (springs, loads): (&[SpringId], &[LoadId]),
-) -> SolveError {
+) -> Diagnosis {
     let drive = &mechanism.drives[drive.index()];
     let (speed, help) = speed_for(mechanism, drive);
     let springs = springs.iter().map(|id| &mechanism.springs[id.index()]);
@@ -117,13 +124,18 @@ pub(super) fn unit_speed(
         all.iter().enumerate().map(|(i, (_, span))| label(text(i), *span)).collect();
     labels.push(label("a sense alone", drive.span));
     let unit = if speed.ends_with("rpm") { "1 rad/s" } else { "1 m/s" };
-    SolveError::UnitSpeed {
-        what: names.join(" and "),
-        depends: if names.len() == 1 { "depends" } else { "depend" },
-        unit: format!("{unit} of `{}`", drive.name),
-        help,
-        labels,
-    }
+    Diagnosis::warning(
+        "mech::request::unit_speed",
+        format!(
+            "{} {} on speeds, but no drive has one: the result is for unit speed, \
+             {unit} of `{}`",
+            names.join(" and "),
+            if names.len() == 1 { "depends" } else { "depend" },
+            drive.name
+        ),
+    )
+    .labels(labels)
+    .help(help)
 }
 
 /// A speed for a drive, and what to write.
@@ -166,4 +178,16 @@ fn written(mechanism: &Mechanism, drive: &Drive) -> (String, &'static str) {
         Positions::None | Positions::Numbers(_) => None,
     };
     (format!(" = {}", text.unwrap_or_else(|| "…".to_owned())), speed)
+}
+
+/// Asked for velocities of a drive without speed.
+pub fn no_drive_has(
+    what: &'static str,
+    needs: &'static str,
+    help: impl Into<Help>,
+    labels: Vec<LabeledSpan>,
+) -> Diagnosis {
+    Diagnosis::error("mech::request::needs_speed", format!("{what} is needed, but no drive has {needs}"))
+        .labels(labels)
+        .help(help)
 }

@@ -1,18 +1,21 @@
 //! Why the mechanism is not assembled, with what to write or change.
 
 use super::clause::{clause, point_name};
-use super::error::SolveError;
 use super::format::{label, labels, length, links, short};
 use super::gap::gap_text;
 use crate::model::{HintKind, PairKind};
 use crate::position::Model;
 use crate::solve::{Clause, GroupGap, NamedPoint};
+use crate::source::{Edit, Span};
+use assur_text::diagnostic::{Diagnosis, Fix};
 
 /// A group does not close.
-pub(super) fn does_not_close(model: &Model<'_>, group: usize, gap: &GroupGap, pose: String) -> SolveError {
+pub(super) fn does_not_close(model: &Model<'_>, group: usize, gap: &GroupGap, pose: String) -> Diagnosis {
     let labels = labels(model, &model.structure.motion[group], "does not close");
     let (gap, help) = gap_text(model, group, gap);
-    SolveError::DoesNotClose { pose, gap, help, labels }
+    Diagnosis::error("mech::assembly::does_not_close", format!("the mechanism does not close{pose}: {gap}"))
+        .labels(labels)
+        .help(help)
 }
 
 /// The search for an assembly of a general group found none.
@@ -21,7 +24,7 @@ pub(super) fn not_found(
     group: usize,
     (point, never_regular): (Option<NamedPoint>, bool),
     pose: String,
-) -> SolveError {
+) -> Diagnosis {
     let group = &model.structure.motion[group];
     let help = match point {
         _ if never_regular => {
@@ -36,7 +39,12 @@ pub(super) fn not_found(
         None => "check the lengths".to_owned(),
     };
     let labels = labels(model, group, "does not close");
-    SolveError::NotFound { pose, links: links(model, group), help, labels }
+    Diagnosis::error(
+        "mech::assembly::not_found",
+        format!("no assembly of {} was found{pose}", links(model, group)),
+    )
+    .labels(labels)
+    .help(help)
 }
 
 /// Several assemblies remain: the groups in which they differ, with the lines that choose.
@@ -45,7 +53,7 @@ pub(super) fn ambiguous(
     count: usize,
     groups: &[(usize, Vec<Clause>)],
     pose: String,
-) -> SolveError {
+) -> Diagnosis {
     let mut sections = Vec::new();
     let mut marks = Vec::new();
     for (group, clauses) in groups {
@@ -68,7 +76,13 @@ pub(super) fn ambiguous(
         format!("{write} one of{}", sections.join("\nand one of"))
     };
     let which = if chosen { "`assemble` does not choose between them" } else { "the file chooses none" };
-    SolveError::Ambiguous { count, pose, which, help, labels: marks }
+    Diagnosis::error(
+        "mech::assembly::ambiguous",
+        format!("the mechanism has {count} assemblies{pose}, and {which}"),
+    )
+    .labels(marks)
+    .help(help)
+    .added()
 }
 
 /// No assembly fits a hint: what there is instead.
@@ -77,7 +91,7 @@ pub(super) fn not_met(
     (hint, group): (usize, usize),
     assemblies: &[(Clause, Option<f64>)],
     pose: String,
-) -> SolveError {
+) -> Diagnosis {
     let hint = &model.mechanism.hints[hint];
     let line = |(chosen, coordinate): &(Clause, Option<f64>)| match (&hint.kind, coordinate) {
         (HintKind::Coordinate { pair, .. }, Some(value)) => {
@@ -98,9 +112,23 @@ pub(super) fn not_met(
         1 => format!("write the only assembly{lines}"),
         _ => format!("write one of{lines}"),
     };
-    SolveError::HintNotMet { pose, help, labels: marks }
+    Diagnosis::error("mech::assembly::hint_not_met", format!("no assembly{pose} satisfies `assemble`"))
+        .labels(marks)
+        .fixes(clauses(&help, hint.span))
+        .help(help)
 }
 
 fn section(lines: impl Iterator<Item = String>) -> String {
     lines.map(|l| format!("\n  {l}")).collect()
+}
+
+/// The clauses that a help lists, each in place of one that is not met.
+fn clauses(help: &str, at: Span) -> Vec<Fix> {
+    let clause =
+        |line: &str| Some(line.strip_prefix("  assemble ")?.split("  //").next()?.trim_end().to_owned());
+    let fix = |clause: String| {
+        let edits = vec![Edit::new(at, clause.as_str())];
+        Fix { title: format!("write `assemble {clause}`"), edits, certain: false }
+    };
+    help.lines().filter_map(clause).map(fix).collect()
 }

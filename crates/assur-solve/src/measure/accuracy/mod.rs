@@ -18,7 +18,7 @@ pub use error::{Error, Scales};
 pub use setting::{Kind, NotApplicable, Row, Setting};
 pub(super) use study::sampled;
 pub use study::{AccuracyStudy, study};
-pub use within::{AccuracyError, AchievedAccuracy, candidates, out_of_reach, reached, run_out_of_reach};
+pub use within::{AchievedAccuracy, candidates, out_of_reach, reached, run_out_of_reach};
 
 /// Positions in a batch and the instructions they use on this machine; one by one without the feature `lanes`.
 #[must_use]

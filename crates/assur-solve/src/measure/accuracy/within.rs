@@ -11,8 +11,8 @@ use crate::model::Mechanism;
 use crate::plan::{Level, Numbers, Settings};
 use crate::solve::{Model, Solution, Solved};
 use crate::units::significant;
-use miette::{Diagnostic, LabeledSpan};
-use thiserror::Error as ThisError;
+use assur_text::diagnostic::Diagnosis;
+use miette::LabeledSpan;
 
 /// Joints must meet to a millionth of the extent, whatever is wanted: no last step of Newton's method is longer, and no gap
 /// wider.
@@ -38,24 +38,6 @@ pub struct AchievedAccuracy {
     /// Positions that were held against the reference.
     pub positions: usize,
 }
-
-/// A wanted accuracy that is out of reach.
-#[derive(Clone, Debug, ThisError, Diagnostic)]
-pub enum AccuracyError {
-    /// No settings keep what is wanted.
-    #[error("an accuracy of {wanted} cannot be reached: the error of the answers is {reached}")]
-    #[diagnostic(code(mech::accuracy::out_of_reach))]
-    OutOfReach {
-        wanted: String,
-        reached: String,
-        #[help]
-        help: String,
-        #[label(collection)]
-        labels: Vec<LabeledSpan>,
-    },
-}
-
-impl assur_text::diagnostic::Problem for AccuracyError {}
 
 /// Settings for a wanted accuracy, the cheapest first.
 #[must_use]
@@ -146,14 +128,14 @@ impl AchievedAccuracy {
 
     /// What is said where it is not.
     #[must_use]
-    pub fn missed(&self, mechanism: &Mechanism) -> AccuracyError {
+    pub fn missed(&self, mechanism: &Mechanism) -> Diagnosis {
         missed(mechanism, "--within", self.within, self.error)
     }
 }
 
 /// What is said where no setting keeps what is wanted.
 #[must_use]
-pub fn out_of_reach(study: &AccuracyStudy, mechanism: &Mechanism) -> AccuracyError {
+pub fn out_of_reach(study: &AccuracyStudy, mechanism: &Mechanism) -> Diagnosis {
     let reached =
         study.choices.iter().filter(|c| c.can_be_had()).map(|c| c.error).fold(f64::INFINITY, f64::min);
     missed(mechanism, "--for", study.wanted, reached)
@@ -161,13 +143,13 @@ pub fn out_of_reach(study: &AccuracyStudy, mechanism: &Mechanism) -> AccuracyErr
 
 /// What is said where no accuracy of a motion under loads keeps what is wanted.
 #[must_use]
-pub fn run_out_of_reach(study: &RunStudy, mechanism: &Mechanism) -> AccuracyError {
+pub fn run_out_of_reach(study: &RunStudy, mechanism: &Mechanism) -> Diagnosis {
     let rows = study.methods.first().into_iter().flat_map(|method| &method.rows);
     let reached = rows.map(|row| row.error).fold(f64::INFINITY, f64::min).max(study.floor);
     missed(mechanism, "--for", study.wanted, reached)
 }
 
-fn missed(mechanism: &Mechanism, option: &str, wanted: f64, reached: f64) -> AccuracyError {
+fn missed(mechanism: &Mechanism, option: &str, wanted: f64, reached: f64) -> Diagnosis {
     // the next power of ten above what is reached
     let reachable = libm::pow(10.0, libm::ceil(libm::log10(reached.max(f64::EPSILON))));
     let instead =
@@ -175,12 +157,16 @@ fn missed(mechanism: &Mechanism, option: &str, wanted: f64, reached: f64) -> Acc
     let label = |span: crate::source::Span| {
         LabeledSpan::new_with_span(Some("driven to these positions".to_owned()), span)
     };
-    AccuracyError::OutOfReach {
-        wanted: significant(wanted, 2),
-        reached: format!("{reached:.0e}"),
-        help: format!(
-            "{instead}avoid the position of the least condition, which `assur solve` prints for every pose"
+    Diagnosis::error(
+        "mech::accuracy::out_of_reach",
+        format!(
+            "an accuracy of {} cannot be reached: the error of the answers is {reached:.0e}",
+            significant(wanted, 2)
         ),
-        labels: mechanism.drives.iter().map(|d| label(d.span)).collect(),
-    }
+    )
+    .labels(mechanism.drives.iter().map(|d| label(d.span)))
+    .help(format!(
+        "{instead}avoid the position of the least condition, which `assur solve` \
+         prints for every pose"
+    ))
 }
