@@ -1,17 +1,16 @@
 //! Vectors over the sweep by the curve of their ends: the hodograph of a point's velocity, the polar diagram of a reaction.
 
 use crate::diagram::thinned;
-use crate::error::Missing;
 use crate::figures::{FORCE, VELOCITY, cleared, rounding};
 use crate::frame::Frame;
-use crate::no_diagram::NoDiagram;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
-use crate::words;
+use crate::{error, no_diagram, words};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Axis, Expr, FindKind, LinkId, Mechanism, PairId, PairKind, PointRef, Query, Value};
 use assur_solve::solve::{CourseSet, Pose, PoseOrigin, courses};
+use assur_text::diagnostic::Diagnosis;
 
 /// Points of the curve over the sweep.
 const PARTS: f64 = 480.0;
@@ -45,9 +44,9 @@ struct Swept {
 ///
 /// # Errors
 /// No speed, no sweep, no such point.
-pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
+pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
     if !scene.model.plan.effects.moving {
-        return Err(Missing::no_speed(scene, "velocities"));
+        return Err(error::no_speed(scene, "velocities"));
     }
     let mut all = Vec::new();
     if name.is_empty() {
@@ -59,13 +58,13 @@ pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Dr
         if all.is_empty() {
             let known = points(scene.mechanism());
             let why = "the file asks for no velocity of a point".to_owned();
-            return Err(NoDiagram::no_velocity(why, NoDiagram::first_item(scene), &known).into());
+            return Err(no_diagram::no_velocity(why, no_diagram::first_item(scene), &known));
         }
     } else {
         let Some(point) = point(scene.mechanism(), name) else {
             let known = points(scene.mechanism());
             let why = format!("no point of a link is named `{name}`");
-            return Err(NoDiagram::no_velocity(why, NoDiagram::link_of(scene, name), &known).into());
+            return Err(no_diagram::no_velocity(why, no_diagram::link_of(scene, name), &known));
         };
         all.push(velocity(scene.mechanism(), point, name));
     }
@@ -76,7 +75,7 @@ pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Dr
 ///
 /// # Errors
 /// No forces, no sweep, no such pair.
-pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
+pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
     crate::forces::loaded(scene)?;
     let mechanism = scene.mechanism();
     let mut all = Vec::new();
@@ -92,12 +91,12 @@ pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawin
         }
         if all.is_empty() {
             let why = "the file asks for no reaction".to_owned();
-            return Err(NoDiagram::no_reaction(why, NoDiagram::first_item(scene), &known).into());
+            return Err(no_diagram::no_reaction(why, no_diagram::first_item(scene), &known));
         }
     } else {
         let Some(id) = reacting(mechanism).find(|id| mechanism.pair(*id).name == name) else {
             let why = format!("no pair is named `{name}`");
-            return Err(NoDiagram::no_reaction(why, (None, ""), &known).into());
+            return Err(no_diagram::no_reaction(why, (None, ""), &known));
         };
         all.push(reaction(scene, id, on(mechanism, id)));
     }
@@ -175,14 +174,14 @@ fn on(mechanism: &Mechanism, pair: PairId) -> LinkId {
     links.into_iter().rfind(|l| *l != LinkId::GROUND).unwrap_or(LinkId::GROUND)
 }
 
-fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], paper: &Paper) -> Result<Vec<Drawing>, Missing> {
+fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
     let dimension = if of == Of::Velocity { VELOCITY } else { FORCE };
     let rounding = rounding(scene.greatest.in_si(dimension));
     let set = |swept: &Swept| CourseSet { exprs: components(&swept.query), rounding };
     let sets: Vec<CourseSet> = all.iter().map(set).collect();
     let what = if of == Of::Velocity { "hodograph" } else { "polar diagram" };
     let found = courses(&scene.model, &scene.solution.statics, &sets)
-        .map_err(|cause| NoDiagram::no_sweep(scene, what, &cause))?;
+        .map_err(|cause| no_diagram::no_sweep(scene, what, &cause))?;
     let mut drawings = Vec::new();
     for (swept, found) in all.iter().zip(found) {
         let lines: Vec<Vec<Vec2>> = match found.as_deref() {
@@ -197,9 +196,7 @@ fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], paper: &Paper) -> Result<Vec<
         }
     }
     if drawings.is_empty() {
-        return Err(
-            NoDiagram::no_quantity(scene, "nothing that is asked for has a value over the sweep").into()
-        );
+        return Err(no_diagram::no_quantity(scene, "nothing that is asked for has a value over the sweep"));
     }
     Ok(drawings)
 }
@@ -240,7 +237,7 @@ fn picture(
     swept: &Swept,
     lines: &[Vec<Vec2>],
     paper: &Paper,
-) -> Result<Drawing, Missing> {
+) -> Result<Drawing, Diagnosis> {
     let (what, kind, unit, dimension) = match of {
         Of::Velocity => ("hodograph of the velocity of", "hodograph", "m/s", VELOCITY),
         Of::Reaction => ("polar diagram of the reaction in", "polar", "N", FORCE),

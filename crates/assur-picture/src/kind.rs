@@ -2,7 +2,6 @@
 
 use crate::animation::still;
 use crate::cam::cams;
-use crate::error::Missing;
 use crate::forces::{forces, friction, lever};
 use crate::hodograph::{hodographs, polars};
 use crate::motion::{accelerations, velocities};
@@ -14,6 +13,7 @@ use crate::train::train;
 use crate::work::work;
 use assur_drawing::Drawing;
 use assur_model::model::{Level, LinkId};
+use assur_text::diagnostic::Diagnosis;
 
 /// A kind of picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -157,7 +157,7 @@ impl Kind {
 ///
 /// # Errors
 /// What the file does not declare.
-pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Drawing>, Missing> {
+pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Drawing>, Diagnosis> {
     let paper = &options.scheme.paper();
     match kind {
         Kind::Scheme => scheme_or_section(scene, options).map(|scheme| vec![scheme]),
@@ -177,7 +177,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
 }
 
 /// The scheme; of shafts that have no place the section.
-fn scheme_or_section(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Missing> {
+fn scheme_or_section(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Diagnosis> {
     let placed = (1..scene.mechanism().links.len()).any(|i| scene.is_placed(LinkId::at(i)));
     if placed { scheme(scene, &options.scheme) } else { train(scene) }
 }

@@ -29,7 +29,6 @@ mod work;
 
 pub use animation::{animation, moving};
 pub use cam::cams_alone;
-pub use error::Missing;
 pub use frame::Frame;
 pub use kind::{KINDS, Kind, Options, draw};
 pub use paper::{Paper, SCALED, Scaled, Scales};

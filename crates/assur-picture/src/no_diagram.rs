@@ -5,168 +5,126 @@ use crate::words::offered;
 use assur_position::position::turns;
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::Cause;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Span;
-use miette::Diagnostic;
-use thiserror::Error;
-
-/// Why there is no diagram.
-#[derive(Clone, Debug, Error, Diagnostic)]
-pub enum NoDiagram {
-    /// There are no positions to go over.
-    #[error("there is no {what} to draw: {why}")]
-    #[diagnostic(code("mech::picture::no_sweep"))]
-    NoSweep {
-        /// `plot`, `hodograph`, …
-        what: &'static str,
-        /// What the file does not give.
-        why: &'static str,
-        #[label("{label}")]
-        at: Option<Span>,
-        /// What is said of it.
-        label: &'static str,
-        #[help]
-        help: String,
-    },
-    /// Nothing is asked that changes over the sweep.
-    #[error("there is nothing to plot: {why}")]
-    #[diagnostic(code("mech::picture::no_quantity"))]
-    NoQuantity {
-        /// `no item of `find` is a number`
-        why: String,
-        #[label("asked for here")]
-        at: Option<Span>,
-        #[help]
-        help: String,
-    },
-    #[error("there is no work to draw: the file declares no flywheel")]
-    #[diagnostic(code("mech::picture::no_flywheel"))]
-    NoFlywheel {
-        #[help]
-        help: String,
-    },
-    #[error("there is no cam to draw: the file designs none")]
-    #[diagnostic(
-        code("mech::picture::no_cam"),
-        help(
-            "design one: `cam plate {{ base_radius 50 mm; follower translating roller {{ radius 10 mm }}; rise 120 deg through 30 mm cycloidal; fall 120 deg poly345 }}`"
-        )
-    )]
-    NoCam,
-    /// A point or a pair that is not there.
-    #[error("there is no {what} to draw: {why}")]
-    #[diagnostic(code("mech::picture::unknown"))]
-    Unknown {
-        /// `hodograph` or `polar diagram`.
-        what: &'static str,
-        /// `no point is named `ram.X``.
-        why: String,
-        /// What the file asks for instead, or the link that has no such point.
-        #[label("{label}")]
-        at: Option<Span>,
-        /// What is said of it.
-        label: &'static str,
-        #[help]
-        help: String,
-    },
-}
-
-impl assur_text::diagnostic::Problem for NoDiagram {}
 
 /// A place with what is said of it.
 pub type Place = (Option<Span>, &'static str);
 
-impl NoDiagram {
-    /// The first item of `find`, which does not ask for what is drawn.
-    pub(crate) fn first_item(scene: &Scene<'_>) -> Place {
-        (scene.mechanism().finds.first().map(|find| find.span), "asks for something else")
-    }
+/// The first item of `find`, which does not ask for what is drawn.
+pub(crate) fn first_item(scene: &Scene<'_>) -> Place {
+    (scene.mechanism().finds.first().map(|find| find.span), "asks for something else")
+}
 
-    /// The link of a point that it has not.
-    pub(crate) fn link_of(scene: &Scene<'_>, point: &str) -> Place {
-        let name = point.split_once('.').map_or(point, |(link, _)| link);
-        let link = scene.mechanism().links.iter().skip(1).find(|link| link.name == name);
-        (link.map(|link| link.span), "this link has no such point")
-    }
+/// The link of a point that it has not.
+pub(crate) fn link_of(scene: &Scene<'_>, point: &str) -> Place {
+    let name = point.split_once('.').map_or(point, |(link, _)| link);
+    let link = scene.mechanism().links.iter().skip(1).find(|link| link.name == name);
+    (link.map(|link| link.span), "this link has no such point")
+}
 
-    /// There is no sweep; the help writes one.
-    pub(crate) fn no_sweep(scene: &Scene<'_>, what: &'static str, cause: &Cause) -> Self {
-        let mechanism = scene.mechanism();
-        if let Some(simulation) = &mechanism.simulation {
-            return Self::NoSweep {
-                what,
-                why: "the motion follows from the loads, and it is drawn over a sweep alone",
-                at: Some(simulation.span),
-                label: "followed in time",
-                help:
-                    "draw numbers over time, with `assur draw FILE plot`, or let a drive turn the mechanism"
-                        .to_owned(),
-            };
-        }
-        let why = match cause {
-            Cause::NoSweep(NoSweep::OnePosition) if mechanism.drives.is_empty() => "the file has no drive",
-            Cause::NoSweep(NoSweep::OnePosition) => "the file has one position and no sweep",
-            Cause::NoSweep(NoSweep::Unordered(_)) => "the positions of the drive are listed out of order",
-            Cause::NoSweep(NoSweep::TooLong) => "the sweep is too long",
-            _ => "the sweep cannot be followed",
-        };
-        let drive = mechanism.drives.first();
-        let turns = drive.is_none_or(|drive| turns(&scene.model, drive));
-        let name = drive.map_or("crank", |drive| drive.name.as_str());
-        let line = if turns {
-            format!("drive {name} = 0 deg .. 360 deg in 36 steps at 80 rpm")
-        } else {
-            format!("drive {name} = 0 mm .. 100 mm in 20 steps at 0.1 m/s")
-        };
-        let label = match cause {
-            Cause::NoSweep(NoSweep::Unordered(_)) => "out of order",
-            Cause::NoSweep(NoSweep::OnePosition) => "one position",
-            _ => "over this way",
-        };
-        let at = drive.map(|drive| drive.span);
-        Self::NoSweep { what, why, at, label, help: format!("let the drive go through positions: `{line}`") }
-    }
-
-    /// Nothing to plot; the help says what the file asks for.
-    pub(crate) fn no_quantity(scene: &Scene<'_>, why: &str) -> Self {
-        let link = scene.mechanism().links.get(1).map_or("rocker", |link| link.name.as_str());
-        let help = format!(
-            "name a number: `plot \"omega({link})\"`, or ask for one in the file: `find omega({link})`"
+/// There is no sweep; the help writes one.
+pub(crate) fn no_sweep(scene: &Scene<'_>, what: &'static str, cause: &Cause) -> Diagnosis {
+    let mechanism = scene.mechanism();
+    if let Some(simulation) = &mechanism.simulation {
+        return nothing_to_go_over(
+            what,
+            "the motion follows from the loads, and it is drawn over a sweep alone",
+            Some(simulation.span),
+            "followed in time",
+            "draw numbers over time, with `assur draw FILE plot`, or let a drive turn the mechanism",
         );
-        let at = scene.mechanism().finds.first().map(|find| find.span);
-        Self::NoQuantity { why: why.to_owned(), at, help }
     }
+    let why = match cause {
+        Cause::NoSweep(NoSweep::OnePosition) if mechanism.drives.is_empty() => "the file has no drive",
+        Cause::NoSweep(NoSweep::OnePosition) => "the file has one position and no sweep",
+        Cause::NoSweep(NoSweep::Unordered(_)) => "the positions of the drive are listed out of order",
+        Cause::NoSweep(NoSweep::TooLong) => "the sweep is too long",
+        _ => "the sweep cannot be followed",
+    };
+    let drive = mechanism.drives.first();
+    let turns = drive.is_none_or(|drive| turns(&scene.model, drive));
+    let name = drive.map_or("crank", |drive| drive.name.as_str());
+    let line = if turns {
+        format!("drive {name} = 0 deg .. 360 deg in 36 steps at 80 rpm")
+    } else {
+        format!("drive {name} = 0 mm .. 100 mm in 20 steps at 0.1 m/s")
+    };
+    let label = match cause {
+        Cause::NoSweep(NoSweep::Unordered(_)) => "out of order",
+        Cause::NoSweep(NoSweep::OnePosition) => "one position",
+        _ => "over this way",
+    };
+    let at = drive.map(|drive| drive.span);
+    nothing_to_go_over(what, why, at, label, format!("let the drive go through positions: `{line}`"))
+}
 
-    /// No flywheel; the help writes one.
-    pub(crate) fn no_flywheel(scene: &Scene<'_>) -> Self {
-        let mechanism = scene.mechanism();
-        let drive = mechanism.drives.first();
-        let name = drive.map_or("crank", |drive| drive.name.as_str());
-        Self::NoFlywheel { help: format!("declare one: `flywheel J on {name} {{ fluctuation 1/25 }}`") }
-    }
+/// Nothing to plot; the help says what the file asks for.
+pub(crate) fn no_quantity(scene: &Scene<'_>, why: &str) -> Diagnosis {
+    let link = scene.mechanism().links.get(1).map_or("rocker", |link| link.name.as_str());
+    let help =
+        format!("name a number: `plot \"omega({link})\"`, or ask for one in the file: `find omega({link})`");
+    let at = scene.mechanism().finds.first().map(|find| find.span);
+    Diagnosis::error("mech::picture::no_quantity", format!("there is nothing to plot: {why}"))
+        .label(at, "asked for here")
+        .help(help)
+}
 
-    /// No point to draw the velocity of; the help names one on the command line and in the file.
-    pub(crate) fn no_velocity(why: String, (at, label): Place, points: &[String]) -> Self {
-        let help = points.first().map_or_else(
-            || "give a link a point: `link crank A-B 100 mm`".to_owned(),
-            |first| {
-                let known = offered(points);
-                format!("name a point, `hodograph {first}`, or ask in the file, `find velocity({first})`; there are {known}")
-            },
-        );
-        Self::Unknown { what: "hodograph", why, at, label, help }
-    }
+/// No flywheel; the help writes one.
+pub(crate) fn no_flywheel(scene: &Scene<'_>) -> Diagnosis {
+    let mechanism = scene.mechanism();
+    let drive = mechanism.drives.first();
+    let name = drive.map_or("crank", |drive| drive.name.as_str());
+    Diagnosis::error("mech::picture::no_flywheel", "there is no work to draw: the file declares no flywheel")
+        .help(format!("declare one: `flywheel J on {name} {{ fluctuation 1/25 }}`"))
+}
 
-    /// No pair to draw the reaction of; the help names one on the command line and asks in the file.
-    pub(crate) fn no_reaction(why: String, (at, label): Place, pairs: &[String]) -> Self {
-        let help = pairs.first().map_or_else(
-            || "declare a pair: `revolute A: ground - crank`".to_owned(),
-            |first| {
-                let known = offered(pairs);
-                format!(
-                    "name a pair, `polar {first}`, or ask in the file, `find reactions`; there are {known}"
-                )
-            },
-        );
-        Self::Unknown { what: "polar diagram", why, at, label, help }
-    }
+/// No point to draw the velocity of; the help names one on the command line and in the file.
+pub(crate) fn no_velocity(why: String, (at, label): Place, points: &[String]) -> Diagnosis {
+    let help = points.first().map_or_else(
+        || "give a link a point: `link crank A-B 100 mm`".to_owned(),
+        |first| {
+            let known = offered(points);
+            format!("name a point, `hodograph {first}`, or ask in the file, `find velocity({first})`; there are {known}")
+        },
+    );
+    unknown("hodograph", &why, at, label, help)
+}
+
+/// No pair to draw the reaction of; the help names one on the command line and asks in the file.
+pub(crate) fn no_reaction(why: String, (at, label): Place, pairs: &[String]) -> Diagnosis {
+    let help = pairs.first().map_or_else(
+        || "declare a pair: `revolute A: ground - crank`".to_owned(),
+        |first| {
+            let known = offered(pairs);
+            format!("name a pair, `polar {first}`, or ask in the file, `find reactions`; there are {known}")
+        },
+    );
+    unknown("polar diagram", &why, at, label, help)
+}
+
+/// There are no positions to go over.
+fn nothing_to_go_over(
+    what: &'static str,
+    why: &'static str,
+    at: Option<Span>,
+    label: &'static str,
+    help: impl Into<Help>,
+) -> Diagnosis {
+    Diagnosis::error("mech::picture::no_sweep", format!("there is no {what} to draw: {why}"))
+        .label(at, label)
+        .help(help)
+}
+
+/// A point or a pair that is not there.
+fn unknown(
+    what: &'static str,
+    why: &str,
+    at: Option<Span>,
+    label: &'static str,
+    help: impl Into<Help>,
+) -> Diagnosis {
+    Diagnosis::error("mech::picture::unknown", format!("there is no {what} to draw: {why}"))
+        .label(at, label)
+        .help(help)
 }

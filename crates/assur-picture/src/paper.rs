@@ -1,9 +1,9 @@
 //! The space that a picture has, and the scale factors that are wanted for it.
 
-use crate::error::Missing;
 use crate::frame::Frame;
 use assur_drawing::{Rect, Scale};
 use assur_math::math::Vec2;
+use assur_text::diagnostic::Diagnosis;
 
 /// What has a scale factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +77,7 @@ impl Scales {
     ///
     /// # Errors
     /// The picture would be larger than its space, or too small to be seen.
-    pub fn chosen(&self, of: Scaled, fitting: Option<Scale>) -> Result<Option<Scale>, Missing> {
+    pub fn chosen(&self, of: Scaled, fitting: Option<Scale>) -> Result<Option<Scale>, Diagnosis> {
         let (Some(wanted), Some(fitting)) = (self.wanted(of), fitting) else { return Ok(fitting) };
         let share = wanted.factor() / fitting.factor();
         // NaN would be no share either
@@ -86,11 +86,11 @@ impl Scales {
         }
         let (what, unit, least) = (of.name(), of.per_mm(), fitting.text());
         let why = if share < 1.0 { "the picture is larger than its space" } else { "nothing can be seen" };
-        Err(Missing::NoScale {
-            wanted: format!("{what} = {} {unit}", wanted.text()),
-            why,
-            help: format!("the smallest that fits is {least} {unit}: `--scale {what}={}`", fitting.written()),
-        })
+        Err(Diagnosis::error(
+            "mech::picture::no_scale",
+            format!("the scale {what} = {} {unit} does not fit: {why}", wanted.text()),
+        )
+        .help(format!("the smallest that fits is {least} {unit}: `--scale {what}={}`", fitting.written())))
     }
 }
 
@@ -110,7 +110,7 @@ impl Paper {
     ///
     /// # Errors
     /// A scale is wanted that does not fit.
-    pub fn frame(&self, of: Scaled, bounds: &Rect, around: Vec2) -> Result<Frame, Missing> {
+    pub fn frame(&self, of: Scaled, bounds: &Rect, around: Vec2) -> Result<Frame, Diagnosis> {
         let fitting = Frame::fitting(bounds, self.size - around);
         Ok(Frame::new(self.scales.chosen(of, fitting.scale)?, fitting.origin))
     }
@@ -119,7 +119,7 @@ impl Paper {
     ///
     /// # Errors
     /// A scale is wanted that does not fit.
-    pub fn plan(&self, of: Scaled, bounds: &Rect, around: Vec2) -> Result<Frame, Missing> {
+    pub fn plan(&self, of: Scaled, bounds: &Rect, around: Vec2) -> Result<Frame, Diagnosis> {
         Ok(Frame::new(self.frame(of, bounds, around)?.scale, Vec2::zero()))
     }
 }

@@ -3,16 +3,15 @@
 use crate::diagram::{
     Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, over_poses, printed, scaled, with_unit,
 };
-use crate::error::Missing;
 use crate::event_marks::marked_events;
 use crate::figures::{cleared, rounding, unit_text};
-use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
-use crate::words;
+use crate::{no_diagram, words};
 use assur_drawing::{CURVES, Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{Axis as Component, Display, Expr, FindKind, Value};
 use assur_solve::solve::{CourseSet, OverTime, courses, over_time};
+use assur_text::diagnostic::Diagnosis;
 
 /// Width of a panel, mm, and the height of one, two and more.
 const WIDTH: f64 = 150.0;
@@ -74,14 +73,13 @@ impl Curves {
 ///
 /// # Errors
 /// There is neither a sweep nor a motion, or nothing to plot.
-pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Missing> {
+pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Diagnosis> {
     let items = items(scene, which);
     if items.is_empty() {
-        return Err(NoDiagram::no_quantity(
+        return Err(no_diagram::no_quantity(
             scene,
             "the file asks for no number that has a value at every position",
-        )
-        .into());
+        ));
     }
     let (curves, events) = curves(scene, &items)?;
     let mut groups: Vec<Group<'_>> = Vec::new();
@@ -97,9 +95,7 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Mis
         }
     }
     if groups.is_empty() {
-        return Err(
-            NoDiagram::no_quantity(scene, "nothing that is asked for has a value over the sweep").into()
-        );
+        return Err(no_diagram::no_quantity(scene, "nothing that is asked for has a value over the sweep"));
     }
     let title = format!("{}: {}", words::title(scene), listed(scene, &items));
     let mut drawing = Drawing::new(&words::id(scene, "plot"), title, String::new());
@@ -110,7 +106,7 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Mis
 }
 
 /// The curves of items; over a motion under loads with the instants of every event.
-fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>>), Missing> {
+fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>>), Diagnosis> {
     let small = |item: &Item| rounding(scene.greatest.in_si(item.display.dimension));
     let exprs: Vec<(Expr, f64)> = items.iter().map(|item| (item.expr.clone(), small(item))).collect();
     match over_time(&scene.model, scene.solution, &exprs) {
@@ -121,12 +117,12 @@ fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>
             return Ok((curves.map(|(course, item)| Curve::in_time(course, large(item))).collect(), events));
         }
         // as the file itself does not
-        Err(_) => return Err(NoDiagram::no_quantity(scene, "the motion does not begin").into()),
+        Err(_) => return Err(no_diagram::no_quantity(scene, "the motion does not begin")),
     }
     let set = |(expr, rounding)| CourseSet { exprs: vec![expr], rounding };
     let sets: Vec<CourseSet> = exprs.into_iter().map(set).collect();
     let found = courses(&scene.model, &scene.solution.statics, &sets)
-        .map_err(|cause| NoDiagram::no_sweep(scene, "plot", &cause))?;
+        .map_err(|cause| no_diagram::no_sweep(scene, "plot", &cause))?;
     let curves = items.iter().zip(found).map(|(item, found)| match found.as_deref() {
         Ok([course]) => Curve::of(course),
         _ => over_poses(scene, &item.expr),

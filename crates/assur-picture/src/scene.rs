@@ -1,11 +1,12 @@
 //! What a picture is made from: one position of a solved problem, and the positions before and behind it.
 
-use crate::error::Missing;
+use crate::error;
 use assur_drawing::Text;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, GenevaPair, LinkId, Load, Mechanism, PairId, PairKind};
 use assur_solve::answer::PoseAnswers;
 use assur_solve::solve::{BodyState, DriveValue, Greatest, Model, Pose, Solution, Solved, State};
+use assur_text::diagnostic::Diagnosis;
 
 /// One position of a solved problem.
 #[derive(Clone, Copy)]
@@ -39,7 +40,7 @@ impl<'a> Scene<'a> {
         solution: &'a Solution,
         (file, text): (&'a str, &'a str),
         name: Option<&str>,
-    ) -> Result<Self, Missing> {
+    ) -> Result<Self, Diagnosis> {
         let wanted = |pose: &&Pose| name.is_none_or(|name| pose.name == name);
         let found = solution.poses.iter().filter(wanted).find_map(|pose| {
             let solved = pose.outcome.as_ref().ok()?;
@@ -48,7 +49,7 @@ impl<'a> Scene<'a> {
             let is_open = model.mechanism.pairs.iter().any(|p| p.bearing == Some(Bearing::Open));
             Some(Self { model, solution, pose, solved, file, text, greatest, turn: &[], ways: &[], is_open })
         });
-        found.ok_or_else(|| Missing::no_position(model.mechanism, solution, name))
+        found.ok_or_else(|| error::no_position(model.mechanism, solution, name))
     }
 
     #[must_use]

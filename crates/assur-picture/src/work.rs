@@ -4,17 +4,16 @@
 use crate::diagram::{
     Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, hatched, printed, scaled, with_unit,
 };
-use crate::error::Missing;
-use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use crate::wittenbauer::{Wittenbauer, links};
-use crate::words;
+use crate::{no_diagram, words};
 use assur_drawing::{Drawing, Label, Level, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{
     BalanceKind, BinaryOp, Display, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Query,
 };
 use assur_solve::solve::{Course, CourseSet, FlywheelAnswer, courses};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::units::Dimension;
 
 /// Width of the panels, mm, and their heights.
@@ -43,11 +42,11 @@ struct Sheet<'a> {
 ///
 /// # Errors
 /// There is none.
-pub fn work(scene: &Scene<'_>) -> Result<Vec<Drawing>, Missing> {
+pub fn work(scene: &Scene<'_>) -> Result<Vec<Drawing>, Diagnosis> {
     let wheels = scene.mechanism().flywheels.iter().zip(&scene.solution.statics.flywheels);
     let wheels: Vec<(&Flywheel, &FlywheelAnswer)> = wheels.collect();
     if wheels.is_empty() {
-        return Err(NoDiagram::no_flywheel(scene).into());
+        return Err(no_diagram::no_flywheel(scene));
     }
     let numbers = |(i, (wheel, found)): (usize, &(&Flywheel, &FlywheelAnswer))| {
         let own = Expr::Query(Query::Flywheel(i, FlywheelPart::Torque));
@@ -57,7 +56,7 @@ pub fn work(scene: &Scene<'_>) -> Result<Vec<Drawing>, Missing> {
     };
     let sets: Vec<CourseSet> = wheels.iter().enumerate().map(numbers).collect();
     let all = courses(&scene.model, &scene.solution.statics, &sets)
-        .map_err(|cause| NoDiagram::no_sweep(scene, "work", &cause))?;
+        .map_err(|cause| no_diagram::no_sweep(scene, "work", &cause))?;
     let mut drawings = Vec::new();
     for ((wheel, found), courses) in wheels.into_iter().zip(all) {
         let mut courses = courses.into_iter().flatten();

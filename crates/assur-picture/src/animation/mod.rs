@@ -12,18 +12,17 @@ pub use page::animation;
 pub use smil::moving;
 
 use crate::angles::wrapped;
-use crate::error::Missing;
 use crate::frame::Frame;
 use crate::kind::Options;
-use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use crate::scheme::{Loads, Scheme, captioned, described, frame_of_all, scheme_in};
 use crate::shape::{LinkShape, shapes};
 use crate::wording::Wording;
-use crate::words;
+use crate::{error, no_diagram, words};
 use assur_drawing::{Drawing, Later, Rect, Sheet};
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::{Cause, DriveValue, Pose};
+use assur_text::diagnostic::Diagnosis;
 use faded::Faded;
 use moved::{Moved, Mover};
 
@@ -34,7 +33,7 @@ const LABELS: f64 = 6.0;
 const LOOKED_AT: usize = 24;
 
 /// The frames of a mechanism: positions over the way of its drive.
-fn frames<'a>(scene: &Scene<'a>, options: &Options) -> Result<Vec<Scene<'a>>, Missing> {
+fn frames<'a>(scene: &Scene<'a>, options: &Options) -> Result<Vec<Scene<'a>>, Diagnosis> {
     let all: &'a [Pose] = if scene.turn.is_empty() { &scene.solution.poses } else { scene.turn };
     let at = |pose: &'a Pose| Some(Scene { pose, solved: pose.outcome.as_ref().ok()?, ..*scene });
     let mut solved: Vec<Scene<'a>> = all.iter().filter_map(at).collect();
@@ -49,7 +48,7 @@ fn frames<'a>(scene: &Scene<'a>, options: &Options) -> Result<Vec<Scene<'a>>, Mi
     let frames: Vec<Scene<'a>> = solved.into_iter().step_by(step).collect();
     if frames.len() < 2 {
         let cause = Cause::NoSweep(NoSweep::OnePosition);
-        return Err(NoDiagram::no_sweep(scene, "animation", &cause).into());
+        return Err(no_diagram::no_sweep(scene, "animation", &cause));
     }
     Ok(frames)
 }
@@ -86,13 +85,13 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn of(scene: &Scene<'_>, frames: &[Scene<'_>], options: &Options) -> Result<Self, Missing> {
+    fn of(scene: &Scene<'_>, frames: &[Scene<'_>], options: &Options) -> Result<Self, Diagnosis> {
         let wanted = Scheme { loads: Loads::None, ..Scheme::default() };
         // what a link looks like is the same at every position
         let shapes = frames.first().map(shapes).unwrap_or_default();
         let frame = frame_of_all(frames, &shapes, &options.scheme.paper())?;
         if frame.scale.is_none() {
-            return Err(Missing::nothing_placed(scene, "an animation shows links that move"));
+            return Err(error::nothing_placed(scene, "an animation shows links that move"));
         }
         Ok(Self { wanted, shapes, frame })
     }
@@ -120,7 +119,7 @@ impl Drawn {
 ///
 /// # Errors
 /// There is no way to go.
-pub fn still(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Missing> {
+pub fn still(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Diagnosis> {
     let ways = scene.all_ways();
     let frames = frames(&Scene { ways: &ways, ..*scene }, options)?;
     let mut first = described(&frames[0], Drawn::of(scene, &frames, options)?.first(&frames[0]));
@@ -139,7 +138,7 @@ struct Animated<'a> {
 }
 
 impl<'a> Animated<'a> {
-    fn of(scene: &Scene<'a>, options: &Options, wording: &dyn Wording) -> Result<Self, Missing> {
+    fn of(scene: &Scene<'a>, options: &Options, wording: &dyn Wording) -> Result<Self, Diagnosis> {
         let frames = frames(scene, options)?;
         let drawn = Drawn::of(scene, &frames, options)?;
         let (schemes, moved) = motion(&frames, &drawn);

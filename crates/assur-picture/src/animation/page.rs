@@ -5,13 +5,13 @@ use super::Animated;
 use super::moved::{Body, Follower, Redrawn};
 use super::series::{DIGITS, Distinct, series};
 use super::values::{Column, columns, said};
-use crate::error::Missing;
 use crate::kind::Options;
 use crate::plot::{Curves, plot};
 use crate::scene::Scene;
 use crate::wording::Wording;
 use assur_drawing::{Theme, escaped, number};
 use assur_math::math::Vec2;
+use assur_text::diagnostic::Diagnosis;
 use std::fmt::Write;
 
 /// Steps of a millimetre and of a radian.
@@ -26,7 +26,7 @@ pub fn animation(
     options: &Options,
     theme: Theme,
     wording: &dyn Wording,
-) -> Result<String, Missing> {
+) -> Result<String, Diagnosis> {
     let ways = scene.all_ways();
     let scene = &Scene { ways: &ways, ..*scene };
     let animated = Animated::of(scene, options, wording)?;

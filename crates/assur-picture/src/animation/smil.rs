@@ -2,12 +2,12 @@
 
 use super::Animated;
 use super::moved::{Body, Redrawn};
-use crate::error::Missing;
 use crate::kind::Options;
 use crate::scene::Scene;
 use crate::wording::Wording;
 use assur_drawing::{Theme, number};
 use assur_math::math::Vec2;
+use assur_text::diagnostic::Diagnosis;
 use std::fmt::Write;
 
 /// How long the way takes.
@@ -24,7 +24,7 @@ pub fn moving(
     options: &Options,
     theme: Theme,
     wording: &dyn Wording,
-) -> Result<String, Missing> {
+) -> Result<String, Diagnosis> {
     let ways = scene.all_ways();
     let scene = &Scene { ways: &ways, ..*scene };
     let animated = Animated::of(scene, options, wording)?;

@@ -4,13 +4,12 @@ mod motion;
 mod placed;
 mod profile;
 
-use crate::error::Missing;
-use crate::no_diagram::NoDiagram;
 use crate::paper::Paper;
 use crate::scene::Scene;
 use crate::words;
 use assur_drawing::Drawing;
 use assur_model::model::Mechanism;
+use assur_text::diagnostic::Diagnosis;
 use placed::PlacedCam;
 
 /// Whose cams are drawn.
@@ -27,7 +26,7 @@ struct Subject<'s, 'a> {
 ///
 /// # Errors
 /// There is none.
-pub fn cams(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
+pub fn cams(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
     let (title, id) = (words::title(scene), words::id(scene, "cam"));
     drawn(&Subject { mechanism: scene.mechanism(), title, id, scene: Some(scene) }, paper)
 }
@@ -36,16 +35,23 @@ pub fn cams(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
 ///
 /// # Errors
 /// There is none.
-pub fn cams_alone(mechanism: &Mechanism, file: &str, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
+pub fn cams_alone(mechanism: &Mechanism, file: &str, paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
     let title = if mechanism.title.is_empty() { file.to_owned() } else { mechanism.title.clone() };
     let stem = file.rsplit(['/', '\\']).next().unwrap_or_default().trim_end_matches(".mech");
     drawn(&Subject { mechanism, title, id: format!("cam-{stem}"), scene: None }, paper)
 }
 
-fn drawn(subject: &Subject<'_, '_>, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
+fn drawn(subject: &Subject<'_, '_>, paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
     let plates = &subject.mechanism.cams;
     if plates.is_empty() {
-        return Err(NoDiagram::NoCam.into());
+        return Err(Diagnosis::error(
+            "mech::picture::no_cam",
+            "there is no cam to draw: the file designs none",
+        )
+        .help(
+            "design one: `cam plate { base_radius 50 mm; follower translating roller { radius 10 mm }; \
+             rise 120 deg through 30 mm cycloidal; fall 120 deg poly345 }`",
+        ));
     }
     let mut drawings = Vec::new();
     for (i, plate) in plates.iter().enumerate() {

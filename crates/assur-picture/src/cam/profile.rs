@@ -3,7 +3,6 @@
 use super::Subject;
 use super::placed::PlacedCam;
 use crate::angles::flipped;
-use crate::error::Missing;
 use crate::frame::Frame;
 use crate::paper::{Paper, Scaled};
 use crate::scheme::length_scale;
@@ -13,6 +12,7 @@ use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
 use assur_math::element::cam::{Follower, Shape as End};
 use assur_math::math::Vec2;
 use assur_model::model::LinkId;
+use assur_text::diagnostic::Diagnosis;
 
 /// What symbols and labels take beside the cam, mm.
 const AROUND: Vec2 = Vec2::new(30.0, 26.0);
@@ -29,7 +29,11 @@ const FACE: f64 = 0.9;
 ///
 /// # Errors
 /// A scale is wanted that does not fit.
-pub fn profile(subject: &Subject<'_, '_>, placed: &PlacedCam<'_>, paper: &Paper) -> Result<Drawing, Missing> {
+pub fn profile(
+    subject: &Subject<'_, '_>,
+    placed: &PlacedCam<'_>,
+    paper: &Paper,
+) -> Result<Drawing, Diagnosis> {
     let rim = placed.around(|at| at.contact);
     let tips = placed.around(|at| at.tip);
     let bounds = extent(placed, &rim, &tips);

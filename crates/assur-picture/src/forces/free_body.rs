@@ -4,7 +4,6 @@ use super::actions::{Couple, FreeBody};
 use super::polygon::split;
 use super::{Part, names};
 use crate::angles::{flipped, freest};
-use crate::error::Missing;
 use crate::figures::{FORCE, MOMENT};
 use crate::frame::Frame;
 use crate::paper::{Paper, Scaled};
@@ -15,6 +14,7 @@ use crate::symbol::{arrow, cylinder, guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairId, PairKind, Pin};
+use assur_text::diagnostic::Diagnosis;
 
 /// Lengths of arrows, mm: the least, and what the greatest force adds.
 const ARROW: (f64, f64) = (9.0, 8.0);
@@ -39,7 +39,7 @@ pub fn draw(
     part: &Part,
     free: &FreeBody,
     paper: &Paper,
-) -> Result<Drawing, Missing> {
+) -> Result<Drawing, Diagnosis> {
     let mut bounds = Rect::NOTHING;
     for link in &part.links {
         all[link.index()].extent(scene, *link, &mut bounds);

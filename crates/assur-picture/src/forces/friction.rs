@@ -3,7 +3,7 @@
 
 use super::partly_determined;
 use crate::angles::{flipped, freest, wrapped};
-use crate::error::Missing;
+use crate::error;
 use crate::figures::{FORCE, MOMENT, plain};
 use crate::frame::Frame;
 use crate::inset::Inset;
@@ -16,6 +16,7 @@ use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Te
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairId, PairKind};
 use assur_solve::solve::PairFriction;
+use assur_text::diagnostic::Diagnosis;
 use std::f64::consts::TAU;
 
 /// Length of a reaction's arrow, and of its line on the other side, mm.
@@ -37,12 +38,19 @@ const POINT: f64 = 4.4;
 ///
 /// # Errors
 /// No pair has friction; the forces are not known.
-pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
+pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     if !scene.mechanism().pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some())) {
-        return Err(Missing::NoFriction);
+        return Err(Diagnosis::error(
+            "mech::picture::no_friction",
+            "there is no friction to draw: no pair has a friction circle or a coefficient",
+        )
+        .help(
+            "give a pair friction: `revolute A: ground - crank { friction_circle 5 mm }`, \
+             or `prismatic D: … { friction 0.1 }`",
+        ));
     }
     if !scene.model.plan.effects.moving {
-        return Err(Missing::no_speed(scene, "velocities"));
+        return Err(error::no_speed(scene, "velocities"));
     }
     partly_determined(scene)?;
     let frictions: Vec<PairFriction> = scene
@@ -53,7 +61,7 @@ pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
         .filter(|f| !scene.view().shares_friction(f.pair))
         .collect();
     if frictions.is_empty() {
-        return Err(Missing::nothing_placed(scene, "friction is drawn at its pairs"));
+        return Err(error::nothing_placed(scene, "friction is drawn at its pairs"));
     }
     let all = shapes(scene);
     let links: Vec<LinkId> = (1..all.len())

@@ -4,7 +4,7 @@
 use super::actions::Force;
 use super::{is_loaded, powers};
 use crate::angles::{flipped, freest};
-use crate::error::Missing;
+use crate::error;
 use crate::figures::{cleared, plain};
 use crate::frame::Frame;
 use crate::motion::{Nodes, joined, other_image, velocity_at};
@@ -14,6 +14,7 @@ use crate::symbol::{arrow, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{DriveTarget, LinkId, PairKind};
+use assur_text::diagnostic::Diagnosis;
 
 /// Lengths of arrows, mm: the least, and what the greatest force adds.
 const ARROW: (f64, f64) = (8.0, 12.0);
@@ -39,9 +40,9 @@ const DEAD: f64 = 1e-12;
 ///
 /// # Errors
 /// There are no velocities, no forces, or no link has a place.
-pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
+pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     if !scene.model.plan.effects.moving {
-        return Err(Missing::no_speed(scene, "velocities"));
+        return Err(error::no_speed(scene, "velocities"));
     }
     super::determined(scene)?;
     if !is_loaded(&scene.model) {
@@ -49,7 +50,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     }
     if scene.mechanism().drives.iter().any(|d| matches!(d.target, DriveTarget::Point(..))) {
         let help = "the lever needs the whole machine; `forces` draws the group";
-        return Err(Missing::no_forces_by_drive(
+        return Err(error::no_forces_by_drive(
             scene,
             "a driven point replaces the rest of the machine",
             "a driven point",
@@ -58,7 +59,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     }
     let nodes = Nodes::of(scene, false);
     if nodes.nodes.is_empty() {
-        return Err(Missing::nothing_placed(scene, "the lever is a plan of velocities"));
+        return Err(error::nothing_placed(scene, "the lever is a plan of velocities"));
     }
     let terms = powers::terms(scene);
     let mut forces: Vec<&Force> = terms.iter().flat_map(|term| &term.forces).collect();
@@ -104,7 +105,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
 }
 
 /// The frame of the plan, larger where many forces act at images that are close together.
-fn roomy(scene: &Scene<'_>, forces: &[&Force], bounds: &Rect, paper: &Paper) -> Result<Frame, Missing> {
+fn roomy(scene: &Scene<'_>, forces: &[&Force], bounds: &Rect, paper: &Paper) -> Result<Frame, Diagnosis> {
     let frame = paper.plan(Scaled::Velocity, bounds, AROUND)?;
     let mut images: Vec<Vec2> = Vec::new();
     for force in forces {

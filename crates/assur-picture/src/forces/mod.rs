@@ -10,7 +10,8 @@ mod powers;
 pub use friction::friction;
 pub use lever::lever;
 
-use crate::error::Missing;
+use crate::error;
+use crate::error::no_forces_for;
 use crate::paper::Paper;
 use crate::scene::Scene;
 use crate::shape::shapes;
@@ -18,6 +19,7 @@ use actions::FreeBody;
 use assur_drawing::Drawing;
 use assur_model::model::{LinkId, PairId};
 use assur_solve::solve::Model;
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use miette::Diagnostic;
 
@@ -32,7 +34,7 @@ pub struct Part {
 ///
 /// # Errors
 /// There are no forces: nothing loads the mechanism, they are not determined, or friction locks it.
-pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
+pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Diagnosis> {
     partly_determined(scene)?;
     if !is_loaded(&scene.model) {
         return Err(nothing_loads());
@@ -47,44 +49,39 @@ pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing>
         drawings.extend(polygon::draw(scene, &part, &free, paper)?);
     }
     if drawings.is_empty() {
-        return Err(Missing::nothing_placed(scene, "forces act at points"));
+        return Err(error::nothing_placed(scene, "forces act at points"));
     }
     Ok(drawings)
 }
 
 /// Refuses where there are no forces or they are not known.
-pub fn loaded(scene: &Scene<'_>) -> Result<(), Missing> {
+pub fn loaded(scene: &Scene<'_>) -> Result<(), Diagnosis> {
     determined(scene)?;
     if is_loaded(&scene.model) { Ok(()) } else { Err(nothing_loads()) }
 }
 
 /// Refuses where the forces are not known, on any link.
-fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
+fn determined(scene: &Scene<'_>) -> Result<(), Diagnosis> {
     if scene.solved.state.friction_shares() { Err(held(scene)) } else { partly_determined(scene) }
 }
 
-fn held(scene: &Scene<'_>) -> Missing {
+fn held(scene: &Scene<'_>) -> Diagnosis {
     let help = "draw another pose, or give friction to fewer pairs";
     let why = "pairs hold by friction, and how they share the loads is not determined";
-    Missing::no_forces_by_drive(scene, why, "held", help)
+    error::no_forces_by_drive(scene, why, "held", help)
 }
 
 /// Refuses where no force is known: chains of links that share by friction what they hold are left out of the pictures.
-fn partly_determined(scene: &Scene<'_>) -> Result<(), Missing> {
+fn partly_determined(scene: &Scene<'_>) -> Result<(), Diagnosis> {
     if let Some(defect) = &scene.model.structure.force_defect {
         let help = "declare what holds it: `balance torque Mb on crank`";
         let label = defect.labels().and_then(|mut labels| labels.next());
         let at = label.map(|label| Span::new(label.offset(), label.offset() + label.len()));
-        return Err(Missing::NoForces {
-            why: defect.to_string(),
-            at,
-            what: "not determined",
-            help: help.to_owned(),
-        });
+        return Err(no_forces_for(&defect.to_string(), at, "not determined", help.to_owned()));
     }
     if scene.solved.state.forces.locked {
         let help = "draw another pose, or lower the friction";
-        return Err(Missing::no_forces_by_drive(scene, "friction locks the mechanism", "locked", help));
+        return Err(error::no_forces_by_drive(scene, "friction locks the mechanism", "locked", help));
     }
     let links = (1..scene.mechanism().links.len()).map(LinkId::at);
     if scene.solved.state.friction_shares() && links.into_iter().all(|link| is_held(scene, link)) {
@@ -93,9 +90,9 @@ fn partly_determined(scene: &Scene<'_>) -> Result<(), Missing> {
     if scene.model.plan.effects.forces { Ok(()) } else { Err(nothing_loads()) }
 }
 
-fn nothing_loads() -> Missing {
+fn nothing_loads() -> Diagnosis {
     let help = "declare a load: `force P on ram at Q = 100 N @ 180 deg`, or `gravity 9.81 m/s^2` and masses";
-    Missing::no_forces("nothing loads the mechanism", help)
+    error::no_forces("nothing loads the mechanism", help)
 }
 
 fn is_loaded(model: &Model<'_>) -> bool {

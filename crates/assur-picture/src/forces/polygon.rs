@@ -3,7 +3,6 @@
 use super::actions::{Force, FreeBody};
 use super::{Part, names};
 use crate::angles::flipped;
-use crate::error::Missing;
 use crate::figures::FORCE;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
@@ -11,6 +10,7 @@ use crate::symbol::mass;
 use assur_drawing::{Drawing, Label, Level, Rect, Scale, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::PairKind;
+use assur_text::diagnostic::Diagnosis;
 
 const POINT: f64 = 3.8;
 const VECTOR: f64 = 4.0;
@@ -45,7 +45,7 @@ pub fn draw(
     part: &Part,
     free: &FreeBody,
     paper: &Paper,
-) -> Result<Option<Drawing>, Missing> {
+) -> Result<Option<Drawing>, Diagnosis> {
     let Sides { sides, resultants } = sides(scene, part, free);
     if sides.len() < 2 {
         return Ok(None);

@@ -3,25 +3,26 @@
 use super::nodes::{Node, Nodes, acceleration, rank};
 use super::velocity::images;
 use super::{NOTHING_MOVES, PlanOf, magnitudes, natural, title};
-use crate::error::Missing;
+use crate::error;
 use crate::figures::ACCELERATION;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::LinkId;
+use assur_text::diagnostic::Diagnosis;
 
 /// The plan of accelerations at a position.
 ///
 /// # Errors
 /// No drive has a speed; no link has a place.
-pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
+pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     if !scene.model.plan.effects.timed {
-        return Err(Missing::no_speed(scene, "accelerations"));
+        return Err(error::no_speed(scene, "accelerations"));
     }
     let nodes = Nodes::of(scene, false);
     if nodes.nodes.is_empty() {
-        return Err(Missing::nothing_placed(scene, "a plan shows accelerations of points"));
+        return Err(error::nothing_placed(scene, "a plan shows accelerations of points"));
     }
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.acceleration(scene)).collect();
     let parts = parts(scene, &nodes);

@@ -8,7 +8,6 @@ pub use acceleration::accelerations;
 pub use nodes::{Nodes, velocity as velocity_at};
 pub use velocity::velocities;
 
-use crate::error::Missing;
 use crate::figures::plain;
 use crate::frame::Frame;
 use crate::paper::{Paper, Scaled};
@@ -18,6 +17,7 @@ use assur_drawing::{Drawing, Label, Level, Rect, Role, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::LinkId;
 use assur_solve::solve::BodyState;
+use assur_text::diagnostic::Diagnosis;
 
 /// Sizes of letters at points and at vectors.
 const POINT: f64 = 4.4;
@@ -71,7 +71,7 @@ impl PlanOf {
         room: &[Vec2],
         vectors: &[Vec2],
         paper: &Paper,
-    ) -> Result<Self, Missing> {
+    ) -> Result<Self, Diagnosis> {
         let mut bounds = Rect::NOTHING;
         bounds.add(Vec2::zero());
         if room.iter().any(|v| v.norm() > NOISE * natural) {

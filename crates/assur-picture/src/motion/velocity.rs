@@ -2,25 +2,26 @@
 
 use super::nodes::{Node, Nodes, velocity};
 use super::{NOTHING_MOVES, PlanOf, magnitudes, natural, title};
-use crate::error::Missing;
+use crate::error;
 use crate::figures::VELOCITY;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::LinkId;
+use assur_text::diagnostic::Diagnosis;
 
 /// The plan of velocities at a position.
 ///
 /// # Errors
 /// No drive has a speed; no link has a place.
-pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
+pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     if !scene.model.plan.effects.moving {
-        return Err(Missing::no_speed(scene, "velocities"));
+        return Err(error::no_speed(scene, "velocities"));
     }
     let nodes = Nodes::of(scene, true);
     if nodes.nodes.is_empty() {
-        return Err(Missing::nothing_placed(scene, "a plan shows velocities of points"));
+        return Err(error::nothing_placed(scene, "a plan shows velocities of points"));
     }
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.velocity(scene)).collect();
     let ratios = if scene.model.plan.effects.timed { "" } else { " for a unit speed of the drive" };

@@ -16,7 +16,6 @@ mod ways;
 pub use dimension::{Dimension, Measured};
 pub use profile::Freed;
 
-use crate::error::Missing;
 use crate::frame::Frame;
 use crate::paper::{Paper, Scaled, Scales};
 use crate::scene::Scene;
@@ -25,6 +24,7 @@ use crate::words;
 use assur_drawing::{Caption, Drawing, Rect, Scale, Segment, Text, plain, round_length};
 use assur_math::math::Vec2;
 use assur_model::model::LinkId;
+use assur_text::diagnostic::Diagnosis;
 use std::cell::OnceCell;
 
 /// Which loads a scheme shows.
@@ -85,7 +85,7 @@ const BAR: f64 = 25.0;
 ///
 /// # Errors
 /// A path is wanted of a point that is not there, or where the drive has no way.
-pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
+pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Diagnosis> {
     let shapes = shapes(scene);
     let traced = ways::traced(scene, wanted)?;
     let mut bounds = extent(scene, &shapes);
@@ -104,7 +104,7 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
 ///
 /// # Errors
 /// A scale is wanted that does not fit.
-pub fn frame_of_all(scenes: &[Scene<'_>], shapes: &[LinkShape], space: &Paper) -> Result<Frame, Missing> {
+pub fn frame_of_all(scenes: &[Scene<'_>], shapes: &[LinkShape], space: &Paper) -> Result<Frame, Diagnosis> {
     let mut bounds = Rect::NOTHING;
     scenes.iter().for_each(|scene| bounds.join(&extent(scene, shapes)));
     let size = scenes.first().map_or(space.size, |scene| room::for_pairs(scene, &bounds, space.size));

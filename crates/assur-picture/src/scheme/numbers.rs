@@ -1,11 +1,11 @@
 //! Loads and efforts with their numbers: arrows of forces are as long as these are large.
 
 use super::{Scheme, Sketch};
-use crate::error::Missing;
 use crate::paper::Scaled;
 use crate::scene::Scene;
 use assur_drawing::{Caption, Level, Scale, Text};
 use assur_model::model::{BalanceId, BalanceKind, LoadId, LoadKind, PairId, PairKind, Query, Value};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::units::Dimension;
 
 /// The longest arrow, mm.
@@ -15,7 +15,7 @@ const LONGEST: f64 = 32.0;
 ///
 /// # Errors
 /// A scale is wanted that does not fit.
-pub fn scale(scene: &Scene<'_>, wanted: &Scheme) -> Result<Option<Scale>, Missing> {
+pub fn scale(scene: &Scene<'_>, wanted: &Scheme) -> Result<Option<Scale>, Diagnosis> {
     let mechanism = scene.mechanism();
     let gravity = mechanism.gravity.map_or(0.0, |g| g.acceleration.norm());
     let weights = mechanism.links.iter().filter_map(|link| Some(link.mass?.mass * gravity));

@@ -1,12 +1,13 @@
 //! Paths of points over the way of the drive, and the mechanism at other poses.
 
 use super::{LinkId, Scheme, Sketch};
-use crate::error::Missing;
+use crate::error;
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Label, Rect, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{DriveTarget, PairKind};
 use assur_solve::solve::{Pose, State};
+use assur_text::diagnostic::Diagnosis;
 
 /// Radius of a hinge at another pose, and of the point of the crank.
 const HINGE: f64 = 0.7;
@@ -25,10 +26,10 @@ pub struct Traced {
 ///
 /// # Errors
 /// There is no such point; the drive has no way.
-pub fn traced(scene: &Scene<'_>, wanted: &Scheme) -> Result<Vec<Traced>, Missing> {
+pub fn traced(scene: &Scene<'_>, wanted: &Scheme) -> Result<Vec<Traced>, Diagnosis> {
     let mut traced = Vec::new();
     for name in &wanted.paths {
-        traced.push(named(scene, name).ok_or_else(|| Missing::no_point(scene, name))?);
+        traced.push(named(scene, name).ok_or_else(|| error::no_point(scene, name))?);
     }
     if wanted.ghosts > 0
         && let Some((link, at)) = crank_end(scene)
@@ -36,7 +37,7 @@ pub fn traced(scene: &Scene<'_>, wanted: &Scheme) -> Result<Vec<Traced>, Missing
         traced.push(Traced { link, at, name: scene.mechanism().link(link).name.clone() });
     }
     if (!traced.is_empty() || wanted.ghosts > 0) && scene.turn.is_empty() {
-        return Err(Missing::no_way(scene));
+        return Err(error::no_way(scene));
     }
     Ok(traced)
 }

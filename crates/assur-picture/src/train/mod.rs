@@ -6,13 +6,13 @@ mod rack;
 mod rope;
 mod wheels;
 
-use crate::error::Missing;
 use crate::figures::TURNING;
 use crate::scene::Scene;
 use crate::symbol::{arrow, hinge};
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{BalanceKind, DriveTarget, LinkId, LoadId, LoadKind, PairId, Query, Value};
+use assur_text::diagnostic::Diagnosis;
 use layout::{Layout, Shaft};
 use std::f64::consts::FRAC_PI_2;
 
@@ -36,9 +36,13 @@ pub fn has_train(scene: &Scene<'_>) -> bool {
 ///
 /// # Errors
 /// There are none.
-pub fn train(scene: &Scene<'_>) -> Result<Drawing, Missing> {
+pub fn train(scene: &Scene<'_>) -> Result<Drawing, Diagnosis> {
     if !has_train(scene) {
-        return Err(Missing::NoTrain);
+        return Err(Diagnosis::error(
+            "mech::picture::no_train",
+            "there is no train to draw: no shaft or slider is declared without a position",
+        )
+        .help("draw the `scheme`, or declare shafts: `shaft I { wheel a teeth 20 }`"));
     }
     let layout = Layout::of(scene);
     let mechanism = scene.mechanism();
