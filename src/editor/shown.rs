@@ -8,8 +8,8 @@ use crate::report::{
     text::{self, Look},
 };
 use assur_drawing::Theme;
-use assur_picture::{Kind, Missing, Options, Scene, animation, draw};
-use assur_text::diagnostic::{Problems, Style, place, render_most};
+use assur_picture::{Kind, Options, Scene, animation, draw};
+use assur_text::diagnostic::{Diagnosis, Problems, Style, place, render_most};
 use assur_text::source::{Span, shown_in_line};
 use assur_worked::Language;
 use serde::Serialize;
@@ -71,7 +71,7 @@ impl Analysis {
     }
 
     /// The animation; of what does not move the scheme.
-    fn moving(&self, solved: &Solved) -> Result<String, Missing> {
+    fn moving(&self, solved: &Solved) -> Result<String, Diagnosis> {
         let file = (self.source.name.as_str(), self.source.text.as_str());
         let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None)?;
         let turn = turn(&solved.compiled, &solved.solution);

@@ -4,8 +4,8 @@ use super::problem::Problem;
 use super::solution::Diagnostics;
 use crate::pipeline::{self, Solved};
 use assur_drawing::Theme;
-use assur_picture::{KINDS, Kind, Missing, Options, Scene};
-use assur_text::diagnostic::{Problems, did_you_mean};
+use assur_picture::{KINDS, Kind, Options, Scene};
+use assur_text::diagnostic::{Diagnosis, Problems, did_you_mean};
 
 impl Problem {
     /// The names of the kinds of pictures: `scheme`, `velocities`, `forces`, …
@@ -34,7 +34,7 @@ impl Problem {
         })
     }
 
-    fn drawn(&self, solved: &Solved, kind: Kind, pose: Option<&str>) -> Result<Vec<String>, Missing> {
+    fn drawn(&self, solved: &Solved, kind: Kind, pose: Option<&str>) -> Result<Vec<String>, Diagnosis> {
         let file = (self.source.name.as_str(), self.source.text.as_str());
         let (compiled, options) = (&solved.compiled, Options::default());
         if solved.solution.poses.is_empty() && kind == Kind::Cam {

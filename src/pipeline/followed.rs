@@ -8,9 +8,8 @@ use crate::report::{Answers, Precision};
 use assur_model::model::{At, Mechanism, Positions, Relation};
 use assur_solve::message::{self, failure};
 use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Following, Model, Pose, PoseOrigin, Solution};
-use assur_text::diagnostic::Problems;
-use miette::{Diagnostic, LabeledSpan};
-use thiserror::Error;
+use assur_text::diagnostic::{Diagnosis, Problems};
+use miette::LabeledSpan;
 
 /// Positions that are kept at once.
 const MOST: usize = 20_000;
@@ -91,29 +90,6 @@ impl<F: FnMut(&Answers<'_>, &Pose) -> bool> Sink for F {
 /// The solution with all that is to be said of it; `None` where it was stopped; else what makes all positions meaningless.
 pub type Followed = Result<Option<(Solution, Problems)>, Problems>;
 
-/// What is wrong with the number of positions.
-#[derive(Clone, Debug, Error, Diagnostic)]
-pub enum SizeError {
-    /// More than are kept at once.
-    #[error("there are {positions} positions, but at most {most} of this mechanism can be kept at once")]
-    #[diagnostic(
-        code(mech::request::too_many_positions),
-        help(
-            "print one position after another, with `assur solve FILE --format csv` or `--format jsonl`, or take fewer steps"
-        )
-    )]
-    TooManyPositions {
-        /// How many there are.
-        positions: usize,
-        /// How many are kept.
-        most: usize,
-        #[label(collection)]
-        labels: Vec<LabeledSpan>,
-    },
-}
-
-impl assur_text::diagnostic::Problem for SizeError {}
-
 /// How many positions of a mechanism are kept at once.
 #[must_use]
 pub fn most_positions(model: &Model<'_>) -> usize {
@@ -157,8 +133,16 @@ pub fn followed(
     let forgets = sink.as_ref().is_some_and(|sink| sink.forgets()) && model.mechanism.expects.is_empty();
     let keeps_all = few && !forgets;
     if !few && (sink.is_none() || names_all(model.mechanism, following.swept())) {
-        let labels = model.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)).collect();
-        return Err(Problems::of([SizeError::TooManyPositions { positions, most, labels }]));
+        let many = format!(
+            "there are {positions} positions, but at most {most} of this mechanism can be kept at once"
+        );
+        let error = Diagnosis::error("mech::request::too_many_positions", many)
+            .labels(model.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)))
+            .help(
+                "print one position after another, with `assur solve FILE --format csv` or `--format jsonl`, or \
+                 take fewer steps",
+            );
+        return Err(Problems::of([error]));
     }
     let simulation = following.simulation().cloned();
     let mut head = Solution { statics: following.statics().clone(), simulation, ..Solution::default() };

@@ -16,8 +16,7 @@ pub use compile::{Compiled, Looked, Origin, check_source, compile, compile_docum
 pub use compile::{certain_edits, fixed};
 pub use dimensions::dimensions;
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, look_at, row_words};
-pub use followed::{Followed, Sink, SizeError, followed, is_long, most_positions};
-pub use open_sizes::OpenSizeError;
+pub use followed::{Followed, Sink, followed, is_long, most_positions};
 pub use solved::{
     Solved, solve, solve_conducted, solve_each, solve_source, solve_source_conducted, solve_within,
 };

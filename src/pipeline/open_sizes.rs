@@ -9,45 +9,22 @@ use assur_model::model::{Expr, FindKind, Mechanism, OpenSize, Relation, Value};
 use assur_model::structure;
 use assur_position::plan;
 use assur_solve::solve::{self, Following, Model, OpenSizes, Pose, WholeCycle};
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
-use miette::Diagnostic;
-use thiserror::Error;
 
 /// Numbers that differ by more than this part depend on what was changed.
 const EQUAL: f64 = 1e-9;
-
-/// An answer that depends on a size that is not given.
-#[derive(Clone, Debug, Error, Diagnostic)]
-pub enum OpenSizeError {
-    /// On the radius of a wheel, or the module of its teeth.
-    #[error("`{what}` depends on the {size} of `{wheel}`, which is not given")]
-    #[diagnostic(code(mech::train::missing_radius))]
-    MissingRadius {
-        what: String,
-        wheel: String,
-        /// `radius`, `module`
-        size: &'static str,
-        #[help]
-        help: String,
-        #[label(primary, "depends on it")]
-        span: miette::SourceSpan,
-        #[label("no {size}")]
-        wheel_span: miette::SourceSpan,
-    },
-}
-
-impl assur_text::diagnostic::Problem for OpenSizeError {}
 
 /// Finds what depends on open sizes.
 ///
 /// # Errors
 /// What is asked and depends on them.
-pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<OpenSizeError>> {
+pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<Diagnosis>> {
     let mut open = OpenSizes::default();
     if model.mechanism.open_sizes.is_empty() {
         return Ok(open);
     }
-    let mut errors: Vec<OpenSizeError> = Vec::new();
+    let (mut errors, mut told) = (Vec::new(), Vec::new());
     for size in &model.mechanism.open_sizes {
         let (mechanism, _) = check::check_with_other_size(&origin.document, &origin.overrides, &size.wheel);
         let Some(mechanism) = mechanism else { continue };
@@ -56,11 +33,9 @@ pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<O
         let other = Model { mechanism: &mechanism, structure: &structure, plan: &plan };
         let Some(compared) = Compared::of(model, &other) else { continue };
         for (name, span) in compared.questions() {
-            if !errors
-                .iter()
-                .any(|e| matches!(e, OpenSizeError::MissingRadius { span: s, .. } if *s == span.into()))
-            {
-                errors.push(error(size, name, span));
+            if !told.contains(&span) {
+                told.push(span);
+                errors.push(error(size, &name, span));
             }
         }
         compared.note(&mut open);
@@ -68,21 +43,18 @@ pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<O
     if errors.is_empty() { Ok(open) } else { Err(errors) }
 }
 
-fn error(size: &OpenSize, what: String, span: Span) -> OpenSizeError {
-    let wheel = &size.wheel;
-    let (what_size, example) = if size.teeth {
+fn error(open: &OpenSize, what: &str, span: Span) -> Diagnosis {
+    let wheel = &open.wheel;
+    let (size, example) = if open.teeth {
         ("module", format!("wheel {wheel} teeth … module 2 mm"))
     } else {
         ("radius", format!("wheel {wheel} radius 100 mm"))
     };
-    OpenSizeError::MissingRadius {
-        what,
-        wheel: wheel.clone(),
-        size: what_size,
-        help: format!("give the size, as in `{example}`, or ask for a quantity that depends only on ratios"),
-        span: span.into(),
-        wheel_span: size.span.into(),
-    }
+    let message = format!("`{what}` depends on the {size} of `{wheel}`, which is not given");
+    Diagnosis::error("mech::train::missing_radius", message)
+        .primary(span, "depends on it")
+        .label(open.span, format!("no {size}"))
+        .help(format!("give the size, as in `{example}`, or ask for a quantity that depends only on ratios"))
 }
 
 /// An expression of the file, and the same where the size is another.

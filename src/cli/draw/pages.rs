@@ -8,10 +8,10 @@ use assur_check::Overrides;
 use assur_drawing::Theme;
 use assur_math::math::Vec2;
 use assur_model::model::{Mechanism, Positions};
-use assur_picture::{Kind, Missing, Options, Scales, Scene, Scheme};
+use assur_picture::{Kind, Options, Scales, Scene, Scheme};
 use assur_solve::solve::{Pose, PoseOrigin};
 use assur_syntax::document::Document;
-use assur_text::diagnostic::Problems;
+use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
 use assur_worked::{Language, drawing_in, phrase};
 
@@ -129,7 +129,7 @@ impl Pages<'_, '_> {
         scene: &Scene<'_>,
         options: &Options,
         name: &str,
-    ) -> Result<Vec<Page>, Missing> {
+    ) -> Result<Vec<Page>, Diagnosis> {
         if kind == Kind::Animation && !self.drawing.output.is_still() {
             let (theme, language) = (self.drawing.args.theme.into(), self.language());
             let (text, ending) = if self.drawing.output.is_picture() {

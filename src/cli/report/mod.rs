@@ -14,9 +14,10 @@ use crate::cli::reply::{Printer, Reply, Status, complaint, for_each_input};
 use crate::cli::screen::Screen;
 use crate::cli::sink::Sink;
 use crate::pipeline::{self, Solved};
-use assur_picture::{Kind, Missing, Scene};
+use assur_picture::{Kind, Scene};
 use assur_solve::solve::Pose;
 use assur_syntax as syntax;
+use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Source;
 use assur_worked::{
     Block, Document, Inline, Language, Part, design, html, markdown, text, typst, worked_from,
@@ -126,7 +127,7 @@ pub fn document(
     solved: &Solved,
     language: Language,
     (pose, parts): (Option<&str>, &[Part]),
-) -> Result<Document, Missing> {
+) -> Result<Document, Diagnosis> {
     if solved.solution.poses.is_empty() && pose.is_none() {
         return Ok(without_position(language, source, solved));
     }
