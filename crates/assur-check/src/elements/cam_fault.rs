@@ -113,10 +113,10 @@ pub(crate) fn follows(cx: &mut Context<'_>, plate: &PlateCam) {
     match cam.fault() {
         None => {}
         Some(Fault::Undercut { phi, radius }) => {
-            cx.error(undercut(&name, &deg(phi), &bend(radius), enough() + &smaller(radius), span))
+            cx.error(undercut(name, &deg(phi), &bend(radius), enough() + &smaller(radius), span))
         }
         Some(Fault::Loop { phi }) => cx.error(undercut(
-            &name,
+            name,
             &deg(phi),
             "the follower runs ahead of the cam, and the curve turns back",
             enough(),

@@ -254,7 +254,7 @@ impl Context<'_> {
         self.error(match declared {
             Some((is, at)) => {
                 let help = help.map(|help| help.to_string());
-                wrong_kind(&name, &is, "a curve", span, Some(at), help)
+                wrong_kind(&name, is, "a curve", span, Some(at), help)
             }
             None => not_declared("curve", &name, None, span, help),
         });

@@ -178,64 +178,59 @@ impl Context<'_> {
     ) {
         let (span, mm) = (*span, |x| format_value(x, Dimension::LENGTH));
         let name = |i: usize| names[i].clone();
-        match fault {
+        let interference = |message: String, help: &str| {
+            Diagnosis::error("mech::gear::interference", message)
+                .label(span, "these teeth interfere")
+                .help(help)
+        };
+        self.error(match fault {
             GearFault::Undercut { wheel, shift, least } => {
                 let mut shifts = pair.teeth.shift.map(digits);
                 shifts[wheel] = digits((least * 1e3).ceil() / 1e3);
                 if swapped {
                     shifts.swap(0, 1);
                 }
-                self.error(
-                    Diagnosis::warning(
-                        "mech::gear::undercut",
-                        format!(
-                            "wheel `{}` is undercut: its profile shift is {}, the least without \
-                             undercut is {}",
-                            name(wheel),
-                            digits(shift),
-                            digits(least)
-                        ),
-                    )
-                    .label(span, "in this mesh")
-                    .help(format!(
-                        "write `shift {}` or give it more teeth: {} are enough without a shift",
-                        shifts.join(", "),
-                        digits(pair.z_min.ceil())
-                    )),
-                );
-            }
-            GearFault::Pointed { wheel, thickness } => {
-                self.error(
-                    Diagnosis::error(
-                        "mech::gear::pointed",
-                        format!(
-                            "the teeth of wheel `{}` come to a point: on the tip circle their \
-                             thickness would be {}",
-                            name(wheel),
-                            mm(thickness)
-                        ),
-                    )
-                    .label(span, "in this mesh")
-                    .help("use a smaller profile shift, or a smaller addendum"),
-                );
-            }
-            GearFault::Gap { ratio } => {
-                self.error(
-                    Diagnosis::warning(
-                        "mech::gear::contact_ratio",
-                        format!(
-                            "the contact ratio of `{mesh}` is {}: a pair of teeth parts before the \
-                             next one meets",
-                            digits(ratio)
-                        ),
-                    )
-                    .label(span, "does not run smoothly")
-                    .help(
-                        "use more teeth, a smaller pressure angle, or smaller shifts: it should \
-                         be 1.2 or more",
+                Diagnosis::warning(
+                    "mech::gear::undercut",
+                    format!(
+                        "wheel `{}` is undercut: its profile shift is {}, the least without \
+                         undercut is {}",
+                        name(wheel),
+                        digits(shift),
+                        digits(least)
                     ),
-                );
+                )
+                .label(span, "in this mesh")
+                .help(format!(
+                    "write `shift {}` or give it more teeth: {} are enough without a shift",
+                    shifts.join(", "),
+                    digits(pair.z_min.ceil())
+                ))
             }
+            GearFault::Pointed { wheel, thickness } => Diagnosis::error(
+                "mech::gear::pointed",
+                format!(
+                    "the teeth of wheel `{}` come to a point: on the tip circle their \
+                     thickness would be {}",
+                    name(wheel),
+                    mm(thickness)
+                ),
+            )
+            .label(span, "in this mesh")
+            .help("use a smaller profile shift, or a smaller addendum"),
+            GearFault::Gap { ratio } => Diagnosis::warning(
+                "mech::gear::contact_ratio",
+                format!(
+                    "the contact ratio of `{mesh}` is {}: a pair of teeth parts before the \
+                     next one meets",
+                    digits(ratio)
+                ),
+            )
+            .label(span, "does not run smoothly")
+            .help(
+                "use more teeth, a smaller pressure angle, or smaller shifts: it should \
+                 be 1.2 or more",
+            ),
             GearFault::Tip { wheel, reached, begin } => {
                 let message = format!(
                     "the tips of `{}` reach below the involutes of `{}`: to a radius of \
@@ -246,11 +241,7 @@ impl Context<'_> {
                     mm(begin)
                 );
                 let help = "give the smaller wheel more teeth or a greater shift, or use a smaller addendum";
-                self.error(
-                    Diagnosis::error("mech::gear::interference", message)
-                        .label(span, "these teeth interfere")
-                        .help(help),
-                );
+                interference(message, help)
             }
             GearFault::RingTip { tip, base } => {
                 let message = format!(
@@ -261,11 +252,7 @@ impl Context<'_> {
                     mm(base)
                 );
                 let help = "give the ring more teeth or a greater shift, or use a smaller addendum";
-                self.error(
-                    Diagnosis::error("mech::gear::interference", message)
-                        .label(span, "these teeth interfere")
-                        .help(help),
-                );
+                interference(message, help)
             }
             GearFault::Overlap { gap } => {
                 let message = format!(
@@ -276,13 +263,9 @@ impl Context<'_> {
                     format_value(-gap, Dimension::ANGLE)
                 );
                 let help = "take more teeth for the ring, or a smaller addendum";
-                self.error(
-                    Diagnosis::error("mech::gear::interference", message)
-                        .label(span, "these teeth interfere")
-                        .help(help),
-                );
+                interference(message, help)
             }
-        }
+        });
     }
 }
 

@@ -12,7 +12,7 @@ pub(super) fn check(mechanism: &Mechanism, structure: &mut Structure) -> (Vec<Di
     let (mut errors, mut warnings) = (Vec::new(), Vec::new());
     for assertion in &mechanism.groups {
         let pairs = Pairs::of(mechanism, structure, assertion);
-        let (name, span) = (assertion.name.clone(), assertion.span.into());
+        let (name, span) = (assertion.name.clone(), assertion.span);
         if pairs.rest(assertion.links.len()) != 0 {
             errors.push(not_a_group(mechanism, structure, assertion, &pairs));
             continue;

@@ -38,8 +38,8 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
         Halt::StopPassed { stop, by } => stop_passed(model, *stop, *by, time),
         Halt::StopsAtOnce { stops } => stops_at_once(model, stops, time),
         Halt::Shaken { stop } => shaken(model, *stop, time),
-        Halt::RestsUnder { load } => return rests_under(model, *load),
-        Halt::NothingFree => return nothing_free(model),
+        Halt::RestsUnder { load } => rests_under(model, *load),
+        Halt::NothingFree => nothing_free(model),
         Halt::NotANumber => {
             let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
             Diagnosis::error("mech::simulate::no_value", format!("a load has no value at {time}"))

@@ -159,7 +159,7 @@ fn unit_before_name(case: &Case<'_>) -> Option<Diagnosis> {
     case.reads(&line).then(|| {
         instead(
             first,
-            &new,
+            new,
             case.span(case.slice.find(first).unwrap_or_default(), first.len()),
             case.help(0, case.slice.trim_end().len(), &line),
         )

@@ -252,7 +252,7 @@ fn other_word(case: &Case<'_>) -> Option<Diagnosis> {
     (!found.is_empty()).then(|| {
         instead(
             found,
-            &wanted,
+            wanted,
             case.span(case.fail, found.len()),
             case.help(case.fail, end, &format!("{blank}{wanted}")),
         )

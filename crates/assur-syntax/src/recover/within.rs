@@ -121,5 +121,5 @@ fn missing_word(case: &Case<'_>) -> Option<Diagnosis> {
         sign @ (":" | ",") => format!("{sign} "),
         word => format!(" {word} "),
     };
-    Some(lacking(&missing, case.span(case.fail, here.len()), case.help(before.len(), case.fail, &spaced)))
+    Some(lacking(missing, case.span(case.fail, here.len()), case.help(before.len(), case.fail, &spaced)))
 }
