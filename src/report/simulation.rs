@@ -175,16 +175,18 @@ pub(super) const fn method(method: Method) -> &'static str {
 
 /// The method that was taken, and why.
 pub(super) fn taken(mechanism: &Mechanism, report: &SimulationReport) -> String {
-    format!("{}{}", method(report.method), why(mechanism, report))
+    let since = why(mechanism, report).map_or_else(String::new, |why| format!(", since {why}"));
+    format!("{}{since}", method(report.method))
 }
 
-fn why(mechanism: &Mechanism, report: &SimulationReport) -> String {
+/// Why that method was taken.
+pub(super) fn why(mechanism: &Mechanism, report: &SimulationReport) -> Option<String> {
     let name = |pair| &mechanism.pair(pair).name;
-    let why = match report.why {
+    Some(match report.why {
         _ if report.method == Method::Energy => "the one coordinate decides on all forces".to_owned(),
         // what held up the other method is said
-        None => return String::new(),
-        _ if report.method == Method::Radau => return String::new(),
+        None => return None,
+        _ if report.method == Method::Radau => return None,
         Some(NotByEnergy::Coordinates(count)) => format!("{count} coordinates are free"),
         Some(NotByEnergy::Drive(target)) => {
             format!("`drive {}` moves", coordinates(mechanism, &[target]).collect::<String>())
@@ -207,6 +209,5 @@ fn why(mechanism: &Mechanism, report: &SimulationReport) -> String {
             };
             format!("{of} {on}")
         }
-    };
-    format!(", since {why}")
+    })
 }

@@ -163,3 +163,15 @@ balance torque M on crank
         prop_assert!((a - b).abs() <= 1e-10 * b, "{} {}", a, b);
     }
 }
+
+/// 1 − cos² − sin² is zero, on either side by rounding: its root is a number at every position.
+#[test]
+fn roots_of_rounding_are_numbers() {
+    let file = "mech 1\nground { O (0, 0) }\nlink a O-A 1 m\nrevolute O: ground - a\ndrive a = 0 deg .. 360 deg in 360 steps
+let x = position(a.A).x/(1 m)\nlet y = position(a.A).y/(1 m)\nfind r = sqrt(1 - x^2 - y^2)\n";
+    let (solved, problems) = solve("case.mech", file);
+    assert!(problems.is_empty(), "{problems}");
+    let answers =
+        format!("{:?}", of_answers("case.mech", &solved.answers(Precision::READABLE), AccuracyShown::Worst));
+    assert!(!answers.contains("NaN") && !answers.contains("\"—\""), "{answers}");
+}

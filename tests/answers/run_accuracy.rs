@@ -227,9 +227,9 @@ fn ratios(name: &str) -> Vec<(f64, f64)> {
     found
 }
 
-/// Over all examples 93 of 100 lie between 1 and 30, and none below a third; these take a few seconds. What is said to be worse than
-/// it is are mostly works and instants of events, which agree better than the steps that two runs differ by: `engine-with-friction`
-/// knows its works to 3e-12 and says 6e-10.
+/// Over all examples 95 of 100 lie between 1 and 30, and none below a third; these take a few seconds. What is said to be worse than
+/// it is are mostly works, which happen to agree better than the steps that two runs differ by: `engine-with-friction` knows its works
+/// to 1e-12 and says 1e-10.
 #[test]
 fn reported_errors_are_near_the_true_ones() {
     let names = [
@@ -270,7 +270,7 @@ fn reported_errors_are_near_the_true_ones() {
     let near = all.iter().filter(|ratio| (1.0..=30.0).contains(*ratio)).count();
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);
     println!("{near} of {}, least {least:.2}", all.len());
-    assert!(all.len() > 100 && 100 * near >= 92 * all.len() && least > 1.0 / 3.0);
+    assert!(all.len() > 100 && 100 * near >= 95 * all.len() && least > 1.0 / 3.0);
 }
 
 #[test]

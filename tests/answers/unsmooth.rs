@@ -186,3 +186,32 @@ start disk = {start} deg at 25 rad/s\nsimulate 0.3 s in 6 steps within {within}\
     }
     assert_eq!(honest, 6 * LAWS.len());
 }
+
+/// A mass between ends of a spring at ±x: x + (start − l₀) (1 − cos ωt) passes zero where cos ωt = −l₀/(|start| − l₀). There its force
+/// turns round, and the motion ends; beside its line, and without a free length, it goes on.
+#[test]
+fn springs_through_length_zero_end_a_motion_there() {
+    for (k, free, start) in
+        [(100.0_f64, 0.05, 0.12), (37.0, 0.2, 0.61), (2500.0, 0.01, 0.03), (8.0, 0.3, 0.7)]
+    {
+        let quarter = f64::acos(-free / (start - free)) / k.sqrt();
+        let file = |free: f64, aside: f64, more: &str| {
+            format!(
+                "mech 1\nground {{ O (0, {aside} m); A (0, 0); line way through A along 0 deg }}\nlink m {{ P (0, 0); mass 1 kg at P }}
+prismatic G: m.P - ground.way\nspring s: ground.O - m.P {{ stiffness {k} N/m; free_length {free} m }}
+{more}start G = {} m\nsimulate 3 s in 5 steps\nfind displacement(G)\n",
+                -start
+            )
+        };
+        for more in ["", "force F on m at P = (0 N*s/m*relative_velocity(G), 0)\n"] {
+            let (_, words) = tested(&file(free, 0.0, more));
+            let (_, rest) = words.split_once("the force of spring `s` has no direction at ").unwrap();
+            let found: f64 = rest.split_once(" s:").unwrap().0.parse().unwrap();
+            assert!((found / quarter - 1.0).abs() < 1e-3, "{quarter} {words}");
+            for smooth in [file(free, 0.1 * free, more), file(0.0, 0.0, more)] {
+                let (_, words) = tested(&smooth);
+                assert!(words.is_empty(), "{words}\n{smooth}");
+            }
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::entries::{Entries, Number};
 use crate::report::answers::Answers;
-use crate::report::simulation::{coordinates, method};
+use crate::report::simulation::{coordinates, method, why};
 use assur_model::model::{DriveTarget, Stop};
 use assur_solve::solve::Energy;
 use serde::Serialize;
@@ -10,6 +10,8 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct SimulationView {
     method: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
     coordinates: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     changes: Vec<ChangeView>,
@@ -120,6 +122,7 @@ impl SimulationView {
             .map(|(pair, begin, end)| RestView::of(Some(&mechanism.pair(*pair).name), (*begin, *end)));
         Some(Self {
             method: method(report.method),
+            reason: why(mechanism, report),
             coordinates: report.coordinates.iter().map(|&i| mechanism.drives[i].name.clone()).collect(),
             changes: report.changes.iter().map(change).collect(),
             change_points: report.crossed.iter().filter_map(|t| Number::of(*t)).collect(),

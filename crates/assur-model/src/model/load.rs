@@ -141,6 +141,14 @@ pub struct Spring {
     pub damping: f64,
 }
 
+impl Spring {
+    /// Whether its force needs a direction: without a free length it is proportional to the way from end to end, also at zero.
+    #[must_use]
+    pub fn has_direction(&self) -> bool {
+        self.stiffness > 0.0 && self.free_length > 0.0
+    }
+}
+
 /// What a spring in a revolute pair stores; its torque is a load.
 #[derive(Clone, Copy, Debug)]
 pub struct TorsionSpring {

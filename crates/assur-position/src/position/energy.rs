@@ -10,6 +10,9 @@ use crate::math::Vec2;
 use crate::model::{Link, LoadId, LoadKind, Mechanism, Place, Spring, Value};
 use crate::structure::JointKind;
 
+/// The ends of a spring are at one place below this part of its free length and of how far they are.
+const SAME_PLACE: f64 = 1e-12;
+
 impl State {
     /// Kinetic energy of all bodies that have a mass, J.
     #[must_use]
@@ -39,14 +42,34 @@ impl State {
         massive.map(weight).sum::<f64>() + mechanism.springs.iter().map(spring).sum::<f64>()
     }
 
-    /// Power of a spring with its damper, W.
+    /// From one end of a spring to the other: the way, m, and the velocity, m/s.
     #[must_use]
-    pub fn spring_power(&self, s: &Spring) -> f64 {
+    pub fn spring_between(&self, s: &Spring) -> (Vec2, Vec2) {
         let ends = [s.from, s.to].map(|(link, at)| {
             let body = &self.motion.bodies[link.index()];
             (body.position(at), body.velocity(at))
         });
-        let (r, v) = (ends[1].0 - ends[0].0, ends[1].1 - ends[0].1);
+        (ends[1].0 - ends[0].0, ends[1].1 - ends[0].1)
+    }
+
+    /// Whether the ends of a spring whose force needs a direction are at one place.
+    #[must_use]
+    pub fn spring_at_zero(&self, s: &Spring) -> bool {
+        let (link, at) = s.from;
+        let far = s.free_length + self.motion.bodies[link.index()].position(at).norm();
+        s.has_direction() && self.spring_between(s).0.norm() <= SAME_PLACE * far
+    }
+
+    /// The first such spring, by its place in the mechanism.
+    #[must_use]
+    pub fn first_spring_at_zero(&self, mechanism: &Mechanism) -> Option<usize> {
+        mechanism.springs.iter().position(|spring| self.spring_at_zero(spring))
+    }
+
+    /// Power of a spring with its damper, W.
+    #[must_use]
+    pub fn spring_power(&self, s: &Spring) -> f64 {
+        let (r, v) = self.spring_between(s);
         -spring(r, v, s.stiffness, s.free_length, s.damping).f_1.dot(v)
     }
 

@@ -1,6 +1,7 @@
 //! Evaluates expressions at a position.
 
 use super::pose_answers::PoseAnswers;
+use super::sizes::ROUNDING;
 use crate::math::Vec2;
 use crate::model::{Axis, BinaryOp, Comparison, Expr, Function, Value};
 
@@ -71,12 +72,32 @@ impl PoseAnswers<'_> {
         matches!(self.value(expr), Value::Bool(true))
     }
 
+    /// A root; of what is less than zero only by rounding of its terms it is zero.
+    fn root(&self, expr: &Expr) -> f64 {
+        let x = self.scalar(expr);
+        let nothing = x < 0.0 && -x <= ROUNDING * self.terms(expr);
+        if nothing { 0.0 } else { x.sqrt() }
+    }
+
+    /// The sum of the magnitudes of the terms of a sum.
+    fn terms(&self, expr: &Expr) -> f64 {
+        match expr {
+            Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => self.terms(a) + self.terms(b),
+            Expr::Negate(a) => self.terms(a),
+            Expr::Quantity(id) => {
+                let law = self.mechanism.quantities.get(id.index()).map(|quantity| &quantity.expr);
+                law.map_or(0.0, |law| self.terms(law))
+            }
+            _ => self.value(expr).magnitude(),
+        }
+    }
+
     fn call(&self, function: Function, args: &[Expr]) -> Value {
         let arg = |i: usize| args.get(i).map_or(NOT_A_NUMBER, |e| self.value(e));
         let scalar = |i: usize| args.get(i).map_or(f64::NAN, |e| self.scalar(e));
         let vector = |i: usize| args.get(i).map_or(Vec2::new(f64::NAN, f64::NAN), |e| self.vector(e));
         Value::Scalar(match function {
-            Function::Sqrt => scalar(0).sqrt(),
+            Function::Sqrt => args.first().map_or(f64::NAN, |e| self.root(e)),
             Function::Abs => scalar(0).abs(),
             Function::Sin => libm::sin(scalar(0)),
             Function::Cos => libm::cos(scalar(0)),

@@ -2,7 +2,7 @@
 
 use super::consistent::{blocked, undecided};
 use super::format::place;
-use super::impossible::{cannot_hold, curve_left, dead, not_finite, too_far};
+use super::impossible::{cannot_hold, curve_left, dead, not_finite, spring_at_zero, too_far};
 use super::over_sweep::{no_extreme, no_flywheel, no_sweep};
 use super::refusal::refused;
 use super::simulate::halted;
@@ -27,6 +27,7 @@ pub fn failure(model: &Model<'_>, failure: &Failure) -> Diagnosis {
         Cause::TooFar => too_far(model, pose),
         Cause::Dead { group, condition } => dead(model, *group, *condition, pose),
         Cause::CannotHold { group, condition } => cannot_hold(model, *group, *condition, pose),
+        Cause::SpringAtZero { spring } => spring_at_zero(model, *spring, &pose),
         Cause::Lost(lost) => not_finite(model, *lost, pose),
         Cause::CurveLeft(left) => curve_left(left, pose),
         Cause::Undecided => undecided(model, pose),

@@ -87,6 +87,20 @@ pub(super) fn not_finite(model: &Model<'_>, lost: Lost, pose: String) -> Diagnos
     .help("check units and powers of ten of lengths, speeds, masses and loads")
 }
 
+/// A spring of length zero.
+pub(super) fn spring_at_zero(model: &Model<'_>, spring: usize, pose: &str) -> Diagnosis {
+    let spring = &model.mechanism.springs[spring];
+    Diagnosis::error(
+        "mech::solve::spring_at_zero",
+        format!("the force of spring `{}` has no direction{pose}: both its ends are at one place", spring.name),
+    )
+    .label(spring.span, "of length zero")
+    .help(
+        "its force turns round where its length passes zero: let the ends pass each other at a distance, end before \
+         it, or write `free_length 0 mm` where it pulls at every length",
+    )
+}
+
 /// The way to a position is too long to be followed.
 pub(super) fn too_far(model: &Model<'_>, pose: String) -> Diagnosis {
     Diagnosis::error("mech::solve::way_too_long", format!("the step to this position is too large{pose}"))

@@ -2,6 +2,7 @@
 
 use super::clause::clause;
 use super::format::{four, label, labels, length, links, short, with_unit};
+use super::impossible::spring_at_zero;
 use super::opens::opens;
 use crate::message::refusal::not_supported_yet;
 use crate::model::{Drive, DriveTarget, LoadId, PairId};
@@ -40,6 +41,7 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
         Halt::Shaken { stop } => shaken(model, *stop, time),
         Halt::RestsUnder { load } => rests_under(model, *load),
         Halt::NothingFree => nothing_free(model),
+        Halt::SpringAtZero { spring } => spring_at_zero(model, *spring, &format!(" at {time}")),
         Halt::NotANumber => {
             let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
             Diagnosis::error("mech::simulate::no_value", format!("a load has no value at {time}"))

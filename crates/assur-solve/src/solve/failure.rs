@@ -64,6 +64,11 @@ pub enum Cause {
         group: usize,
         condition: f64,
     },
+    /// The ends of a spring are at one place, so that its force has no direction.
+    SpringAtZero {
+        /// Index into [`crate::model::Mechanism::springs`].
+        spring: usize,
+    },
     /// A result has no digit left.
     Lost(Lost),
     /// A curve has no value at the argument it is asked for.
@@ -134,6 +139,11 @@ pub enum Halt {
         group: usize,
         /// What chooses each motion.
         ways: Vec<Clause>,
+    },
+    /// The length of a spring passes zero, or begins there.
+    SpringAtZero {
+        /// Index into [`crate::model::Mechanism::springs`].
+        spring: usize,
     },
     /// A free coordinate moves no mass.
     NoInertia,

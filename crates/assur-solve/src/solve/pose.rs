@@ -89,6 +89,11 @@ impl Run<'_, '_> {
         if let (Some(free), false) = (&frictionless, state.forces.locked) {
             condition = condition.min(self.near_locking(&state, &free.0, pose));
         }
+        if model.plan.effects.forces
+            && let Some(spring) = state.first_spring_at_zero(model.mechanism)
+        {
+            return Err(Cause::SpringAtZero { spring });
+        }
         if state.forces.locked {
             state.forget_forces();
         } else if let Some(lost) = not_finite(model, &state) {

@@ -253,6 +253,7 @@ pub const CODES: &[Code] = codes! {
     "solve" / "needless_flywheel",
     "solve" / "effort_cannot_hold",
     "solve" / "not_finite",
+    "solve" / "spring_at_zero",
     "solve" / "several_balances",
     "solve" / "undecided",
     "solve" / "no_centre",

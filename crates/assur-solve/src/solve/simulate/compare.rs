@@ -122,15 +122,16 @@ impl Compared {
         }
     }
 
-    /// With parts of the differences: of all but works, and of works.
-    pub fn reduced(&self, most: f64, works: f64) -> Self {
+    /// With this part of the differences, and of works a part of that.
+    pub fn reduced(&self, part: f64, of_works: f64) -> Self {
         let mut reduced = Self {
             error: if self.error.is_finite() { 0.0 } else { self.error },
             each: [0.0; KINDS.len()],
             ..*self
         };
         for (kind, error) in self.each.iter().enumerate() {
-            reduced.look(if kind == STATES + 2 { works } else { most } * error, kind);
+            let works = if kind == STATES + 2 { of_works } else { 1.0 };
+            reduced.look(part * works * error, kind);
         }
         reduced
     }

@@ -1,5 +1,6 @@
 //! A run on its way: step after step, with what happens and what is wanted within each.
 
+use super::bends::Bends;
 use super::bonds::Bonds;
 use super::change::CLOSE;
 use super::compare::Kinds;
@@ -59,6 +60,7 @@ pub(super) struct Going<'m, 'o> {
     pub watch: Watch<'m>,
     pub bonds: Bonds,
     pub stops: Stops,
+    bends: Bends,
     pub corners: Corners,
     pub outputs: &'o Outputs<'o>,
     /// The next of the instants that are known beforehand.
@@ -129,6 +131,7 @@ impl<'m, 'o> Going<'m, 'o> {
             watch,
             bonds,
             stops,
+            bends: Bends::default(),
             corners: Corners::new(equations, AT_ONCE * (last - begin)),
             outputs,
             next: 0,
@@ -181,10 +184,10 @@ impl Going<'_, '_> {
             if let Some(load) = self.reversals.look(equations, method, last - self.begin) {
                 return Ended::Halted(Halt::RestsUnder { load });
             }
-            let happened = self.watch.first(equations, method);
-            let turned = self.turning(equations, method);
-            let opened = self.bonds.first(equations, method);
-            let touched = self.stops.first(equations, method);
+            let mut happened = self.watch.first(equations, method);
+            let mut turned = self.turning(equations, method);
+            let mut opened = self.bonds.first(equations, method);
+            let mut touched = self.stops.first(equations, method);
             let wanted = self.outputs.known.get(self.next).map_or(last, |output| output.0);
             let bound = self.watch.bound((method.previous_t(), method.t()));
             let event = happened.as_ref().map(|h| h.time);
@@ -194,10 +197,26 @@ impl Going<'_, '_> {
             let first = turned.filter(|t| t - first <= self.at_once()).unwrap_or(first);
             let cut = (first < method.t()).then_some(first);
             let exact = (exactly && method.previous_t() < wanted && wanted < method.t()).then_some(wanted);
-            if let Some(t) = [cut, exact].into_iter().flatten().reduce(f64::min)
-                && method.shorten(equations, t).is_err()
-            {
-                return Ended::Halted(equations.halt());
+            if let Some(t) = [cut, exact].into_iter().flatten().reduce(f64::min) {
+                let end = method.t();
+                let mut ended = method.shorten(equations, t);
+                if ended.is_ok() && turned == Some(t) {
+                    ended = Self::turn_exactly(equations, method, end).map(|exact| {
+                        turned = Some(exact);
+                        // what happens with the turn
+                        let times = [
+                            happened.as_mut().map(|happened| &mut happened.time),
+                            opened.as_mut().map(|opened| &mut opened.0),
+                            touched.as_mut().map(|touched| &mut touched.0),
+                        ];
+                        let at_once = self.at_once();
+                        let with = times.into_iter().flatten().filter(|time| (**time - t).abs() <= at_once);
+                        with.for_each(|time| *time = exact);
+                    });
+                }
+                if ended.is_err() {
+                    return Ended::Halted(equations.halt());
+                }
             }
             if self.pass.measures && equations.observe(method.t(), method.y(), true) {
                 self.kinds.measure(equations);
@@ -288,10 +307,12 @@ impl Going<'_, '_> {
         if !self.outputs.conduct.goes_on(method.t(), self.last) {
             return Err(Ended::Halted(Halt::Interrupted));
         }
-        let short = self.keep_short(equations, method);
+        let short = self.bends.keep_short(equations, method, self.pass.tolerance);
+        let short = short.and_then(|()| self.keep_short(equations, method));
         if short.and_then(|()| self.corners.shorten(equations, method)).is_err() {
             return Err(Ended::Halted(equations.halt()));
         }
+        self.springs(equations, method)?;
         // after what is taken on its sides: beyond them nothing is what it seems
         self.keep_assemblies(equations, method).map_err(Ended::Halted)?;
         self.terms = (self.terms.0.max(equations.terms.0), self.terms.1.max(equations.terms.1));

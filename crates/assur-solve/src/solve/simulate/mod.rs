@@ -5,6 +5,7 @@
 //! side by side: what they differ by, and how much finer the finer one is, tell its error; it is what comes out.
 
 mod acting;
+mod bends;
 mod bonds;
 mod bridge;
 mod by_energy;
@@ -50,6 +51,7 @@ mod seen;
 mod setup;
 mod sliding;
 mod slipping;
+mod springs;
 mod stages;
 mod standing;
 mod starting;

@@ -10,7 +10,7 @@ use crate::model::{At, Drive, DriveTarget, Mechanism, Occasion, Simulation};
 use crate::plan::{Plan, plan_with};
 use crate::position::{DriveInput, DriveValue, Model, State, turns};
 use crate::solve::assemble::assemble;
-use crate::solve::failure::Failure;
+use crate::solve::failure::{Cause, Failure, Halt};
 use crate::solve::inputs::Rates;
 
 /// A coordinate is not known to more than a few roundings.
@@ -118,6 +118,10 @@ pub(super) fn begin<'s>(
         Some(known) => placed(state, known),
         None => assemble(model, state)?,
     };
+    if let Some(spring) = state.first_spring_at_zero(model.mechanism) {
+        let cause = Cause::Halted { halt: Halt::SpringAtZero { spring }, time: from };
+        return Err(Failure { pose: None, cause });
+    }
     let angles = first_angles(model, &state);
     Ok(Begin { model, statics, first, from, state, angles, still: None })
 }

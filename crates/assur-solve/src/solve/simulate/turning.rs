@@ -14,6 +14,10 @@ use crate::solve::failure::Halt;
 const PLACES: [f64; 9] = [0.0, 0.02, 0.13, 0.31, 0.5, 0.69, 0.87, 0.98, 1.0];
 /// What stays above this part of its variation in the step is smooth enough not to pass zero between the places.
 const CLEAR: f64 = 0.5;
+/// The slope of what turns is taken over this part of the step.
+const SLOPE: f64 = 1e-3;
+/// Rounding of an instant.
+const ROUNDING: f64 = 1e-15;
 
 /// What does not move: pairs, and links that loads against the motion hold.
 #[derive(Clone, Debug, Default)]
@@ -90,6 +94,53 @@ impl Going<'_, '_> {
         let slipping = equations.slipping.as_mut()?;
         slipping.turning = turning;
         first.is_finite().then_some(first)
+    }
+
+    /// Ends the last step, which has been ended at a turning, where that is by its own end: the output between the ends is less accurate
+    /// than the ends. Returns the instant; `end` is where the step could end.
+    ///
+    /// # Errors
+    /// A stage has no value.
+    pub fn turn_exactly<M: Integrator<f64>>(
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        end: f64,
+    ) -> Result<f64, Undefined> {
+        let (from, t) = (method.previous_t(), method.t());
+        if equations.mode == Some(Mode::Resting) {
+            return Ok(t);
+        }
+        let before = t - SLOPE * (t - from);
+        let [room_0, room_1] = [before, t].map(|t| Self::turning_room(equations, method, t));
+        let late = room_1 * (t - before) / (room_1 - room_0);
+        let exact = t - late;
+        // what is not a number is not nearer
+        if !(late.abs() > ROUNDING * t.abs() && late.abs() < t - before && exact < end) {
+            return Ok(t);
+        }
+        method.shorten(equations, exact)?;
+        if let Some(slipping) = &mut equations.slipping {
+            slipping.turning.iter_mut().filter(|turns| turns.0 == t).for_each(|turns| turns.0 = exact);
+        }
+        Ok(exact)
+    }
+
+    /// How far from turning is what turns first in the last step.
+    fn turning_room<M: Integrator<f64>>(equations: &mut Equations<'_, '_>, method: &mut M, t: f64) -> f64 {
+        let mut y = method.y().to_vec();
+        within_step(equations, method, t, &mut y);
+        if let Some(Mode::Moving(sense)) = equations.mode {
+            return sense * y[1];
+        }
+        let Some(slipping) = &equations.slipping else { return f64::NAN };
+        let Some(first) = slipping.turning.iter().copied().reduce(|a, b| if b.0 < a.0 { b } else { a })
+        else {
+            return f64::NAN;
+        };
+        let mut rooms = vec![f64::NAN; slipping.senses.len()];
+        equations.slip_rooms(t, &y, &mut rooms);
+        equations.forget();
+        rooms[first.1]
     }
 
     /// Goes on from where something turns, comes to rest or is pulled off it; or from a corner of the loads, by which a rest may end.
