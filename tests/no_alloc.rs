@@ -13,7 +13,9 @@ use assur::internals::report::json::JsonLines;
 use assur::internals::report::lines::{CsvLines, LineMemory};
 use assur::internals::report::rows::AnswerColumns;
 use assur::internals::report::{Answers, NumberRows, Precision};
-use assur::internals::solve::{Ahead, BLOCK, Block, DriveInput, Following, Model, Solution, solve};
+use assur::internals::solve::{
+    BLOCK, Block, DriveInput, Following, Model, Solution, UpcomingPositions, solve,
+};
 
 /// Allocations of this thread over a revolution of a machine, after it was assembled.
 fn allocations(mechanism: &Mechanism) -> u64 {
@@ -84,7 +86,7 @@ fn a_cam_allocates_nothing() {
 /// Allocations over blocks of a sweep over a turn, after the first of them. What to do at a block is made of the answers.
 fn allocations_of_blocks<W>(text: &str, worker: impl FnOnce(&Answers<'_>) -> W) -> u64
 where
-    W: FnMut(&Answers<'_>, &Ahead<'_>, &mut Block),
+    W: FnMut(&Answers<'_>, &UpcomingPositions<'_>, &mut Block),
 {
     let source = assur::internals::source::Source::new("sweep.mech", text);
     let (compiled, _) = assur::internals::compile(&source, &assur::internals::check::Overrides::none());
@@ -118,7 +120,7 @@ fn a_sweep_and_its_lines_allocate_nothing() {
     let count = allocations_of_blocks(&text, |answers| {
         let (mut memory, mut own, mut out) = (LineMemory::default(), LineMemory::default(), Vec::new());
         let (mut csv, mut json) = (CsvLines::of(&answers.model, None), JsonLines::of("a".to_owned()));
-        move |answers: &Answers<'_>, ahead: &Ahead<'_>, block: &mut Block| {
+        move |answers: &Answers<'_>, ahead: &UpcomingPositions<'_>, block: &mut Block| {
             ahead.answer(block, true);
             for pose in block.poses() {
                 out.clear();
@@ -147,7 +149,7 @@ fn columns_of_a_sweep_allocate_nothing() {
         let columns = rows.wide().expect("its columns are read from lanes").clone();
         let width = AnswerColumns::of_file(&model).fields(model.mechanism).len();
         let mut out = vec![Vec::with_capacity(BLOCK); width];
-        move |answers: &Answers<'_>, _: &Ahead<'_>, block: &mut Block| {
+        move |answers: &Answers<'_>, _: &UpcomingPositions<'_>, block: &mut Block| {
             out.iter_mut().for_each(Vec::clear);
             block.read(&columns, &mut out);
             assert!(out.iter().all(|column| column.len() == BLOCK));

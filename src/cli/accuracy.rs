@@ -6,7 +6,7 @@ use super::args::{Accuracy, Format};
 use super::batch::end_at_once;
 use super::error::CliError;
 use super::files;
-use super::motion::OnTheWay;
+use super::motion::MotionProgress;
 use super::reply::{Reply, Status, complaint, for_each_file};
 use super::screen::{Screen, processor_seconds};
 use super::sink::Sink;
@@ -35,7 +35,7 @@ pub fn run(args: &Accuracy, screen: &Screen) -> Status {
         return Status::Unusable;
     }
     for_each_file(&args.problem.files, screen, args.format.apart(), |source, _| {
-        let way = OnTheWay::shown(&source.name);
+        let way = MotionProgress::shown(&source.name);
         let watch = |reached: f64, last: f64| way.goes_on(reached, last);
         let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
         let (solved, mut problems) = solve_source_conducted(source, &overrides, &conduct);

@@ -1,14 +1,14 @@
 //! `assur solve --format arrow`: positions as a stream of columns.
 
 use super::error::CliError;
-use super::motion::OnTheWay;
+use super::motion::MotionProgress;
 use super::reply::{Printer, Reply, Status, complaint};
 use super::screen::Screen;
 use super::threads::Threads;
 use crate::pipeline::{Compiled, Sink};
 use crate::report::Answers;
 use crate::report::arrow::ArrowRows;
-use assur_solve::solve::{Ahead, Block, Conduct, Method, Pose};
+use assur_solve::solve::{Block, Conduct, Method, Pose, UpcomingPositions};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use std::io::IsTerminal;
@@ -41,7 +41,7 @@ pub fn positions(
         Err(error) => return unprinted(error.to_string()),
     };
     let angles = rows.reads_angles(&compiled.model());
-    let way = OnTheWay::of(&source.name, &compiled.mechanism);
+    let way = MotionProgress::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
     let conduct = Conduct { watch: Some(&watch), method, ..Conduct::default() };
     let mut out = Out { rows, angles, error: None, failed: false, printer, threads, conduct };
@@ -86,11 +86,16 @@ impl Sink for Out<'_, '_, '_> {
         self.threads.blocks()
     }
 
-    fn solve(&mut self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+    fn solve(&mut self, ahead: &UpcomingPositions<'_>, blocks: &mut [Block]) {
         self.threads.solve(&ahead.without_residuals(), blocks);
     }
 
-    fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
+    fn add_blocks(
+        &mut self,
+        answers: &Answers<'_>,
+        ahead: &UpcomingPositions<'_>,
+        blocks: &mut [Block],
+    ) -> bool {
         let angles = self.angles;
         self.threads.each(blocks, |(_, block)| ahead.answer(block, angles));
         let mut poses = blocks.iter().flat_map(Block::poses).filter(|pose| pose.is_position());

@@ -18,7 +18,7 @@ const PAUSE: Duration = Duration::from_millis(50);
 const PARTS: f64 = 1000.0;
 
 /// A motion on its way.
-pub struct OnTheWay {
+pub struct MotionProgress {
     name: String,
     terminal: bool,
     started: Instant,
@@ -37,7 +37,7 @@ struct Shown {
     run: u32,
 }
 
-impl OnTheWay {
+impl MotionProgress {
     /// Of a file that follows a motion; none of others.
     pub fn of(file: &str, mechanism: &Mechanism) -> Option<Self> {
         static LISTENS: Once = Once::new();
@@ -73,7 +73,7 @@ impl OnTheWay {
 }
 
 impl Shown {
-    fn look(&mut self, way: &OnTheWay, reached: f64, last: f64) {
+    fn look(&mut self, way: &MotionProgress, reached: f64, last: f64) {
         self.run += u32::from(reached < self.before);
         self.before = reached;
         self.first = self.first.min(reached);
@@ -94,7 +94,7 @@ impl Shown {
     }
 }
 
-impl Drop for OnTheWay {
+impl Drop for MotionProgress {
     fn drop(&mut self) {
         looks(false);
     }

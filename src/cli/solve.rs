@@ -6,7 +6,7 @@ use super::args::{Format, Solve};
 #[cfg(feature = "arrow")]
 use super::error::CliError;
 use super::files;
-use super::motion::OnTheWay;
+use super::motion::MotionProgress;
 #[cfg(feature = "arrow")]
 use super::reply::complaint;
 use super::reply::{Printer, Reply, Status, for_each_input};
@@ -98,7 +98,7 @@ impl Printing<'_> {
         };
         let solved = match compiled {
             Some(compiled) if !problems.has_errors() => {
-                let way = OnTheWay::of(&source.name, &compiled.mechanism);
+                let way = MotionProgress::of(&source.name, &compiled.mechanism);
                 let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
                 let conduct = Conduct { watch: Some(&watch), method, ..Conduct::default() };
                 let (solved, found) = crate::pipeline::solve_conducted(compiled, self.args.within, &conduct);

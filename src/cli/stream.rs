@@ -2,7 +2,7 @@
 //! on several threads, in their order.
 
 use super::args::Format;
-use super::motion::OnTheWay;
+use super::motion::MotionProgress;
 use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
 use super::threads::Threads;
@@ -11,7 +11,7 @@ use crate::pipeline::{Compiled, Sink, Solved, is_long};
 use crate::report::json::JsonLines;
 use crate::report::lines::{CsvLines, LineMemory};
 use crate::report::{Answers, Precision};
-use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Method, Pose};
+use assur_solve::solve::{BLOCK, Block, Conduct, Method, Pose, UpcomingPositions};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -39,7 +39,7 @@ pub fn positions(
     // of few positions nothing is printed where one makes all of them meaningless
     let held = (format == Format::Csv && !is_long(&compiled.model())).then(Vec::new);
     let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
-    let way = OnTheWay::of(&source.name, &compiled.mechanism);
+    let way = MotionProgress::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
     let conduct = Conduct { watch: Some(&watch), method, ..Conduct::default() };
     let (begun, any, failed) = (false, false, false);
@@ -150,7 +150,7 @@ impl Sink for Out<'_, '_, '_> {
     fn add_side_by_side(
         &mut self,
         answers: &Answers<'_>,
-        ahead: &Ahead<'_>,
+        ahead: &UpcomingPositions<'_>,
         take: &mut dyn FnMut(&mut Block) -> bool,
     ) -> bool {
         // CSV shows no residuals
@@ -188,7 +188,7 @@ impl Sink for Out<'_, '_, '_> {
 struct Writing<'w> {
     lines: &'w Lines,
     answers: &'w Answers<'w>,
-    ahead: Ahead<'w>,
+    ahead: UpcomingPositions<'w>,
     angles: bool,
 }
 

@@ -2,7 +2,7 @@
 
 use super::args::{Format, Test};
 use super::files;
-use super::motion::OnTheWay;
+use super::motion::MotionProgress;
 use super::reply::{Printer, Reply, Status, for_each_input};
 use super::screen::Screen;
 use crate::exercise::Outcome;
@@ -54,7 +54,7 @@ pub fn run(args: &Test, screen: &Screen) -> Status {
         let (tally, reply) = match FileVariants::of(&document, &overrides) {
             Some(Ok(rows)) if !found.has_errors() => of_rows(rows, source, found, screen),
             _ => {
-                let way = OnTheWay::shown(&source.name);
+                let way = MotionProgress::shown(&source.name);
                 let watch = |reached: f64, last: f64| way.goes_on(reached, last);
                 let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
                 let (solved, problems) = test_document(source, &document, found, &overrides, &conduct);

@@ -1,7 +1,7 @@
 //! Work on several threads, which are started when there is the first of it.
 
 use crate::Workers;
-use assur_solve::solve::{Ahead, BLOCK, Block};
+use assur_solve::solve::{BLOCK, Block, UpcomingPositions};
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
@@ -35,7 +35,7 @@ impl Threads {
     }
 
     /// Solves blocks of positions.
-    pub fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+    pub fn solve(&self, ahead: &UpcomingPositions<'_>, blocks: &mut [Block]) {
         self.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
     }
 

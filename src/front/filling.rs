@@ -7,7 +7,7 @@ use crate::pipeline::Sink;
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, NumberField, NumberRows};
 use assur_solve::message::failure;
-use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Model, Pose, Watch, finite};
+use assur_solve::solve::{BLOCK, Block, Conduct, Model, Pose, UpcomingPositions, Watch, finite};
 use miette::Diagnostic;
 use std::sync::Arc;
 
@@ -159,7 +159,7 @@ impl Sink for Filling<'_> {
     fn add_side_by_side(
         &mut self,
         answers: &Answers<'_>,
-        ahead: &Ahead<'_>,
+        ahead: &UpcomingPositions<'_>,
         take: &mut dyn FnMut(&mut Block) -> bool,
     ) -> bool {
         self.rows.begin(answers);

@@ -141,7 +141,7 @@ impl Rows {
     ) -> Option<RowAnswers> {
         let watch = |_: f64, _: f64| !workers.is_stopped();
         let solving = Solving { rows: self, layout, cells, count, watch: &watch, idle: Mutex::default() };
-        let mut all = Together { answers: RowAnswers::with_room(layout, count), workers };
+        let mut all = RowsInOrder { answers: RowAnswers::with_room(layout, count), workers };
         work(workers, count.div_ceil(PIECE), &solving, &mut all).then_some(all.answers)
     }
 
@@ -221,12 +221,12 @@ impl Stages for Solving<'_, '_> {
 }
 
 /// The answers in the order of the rows.
-struct Together<'w> {
+struct RowsInOrder<'w> {
     answers: RowAnswers,
     workers: &'w dyn Workers,
 }
 
-impl InOrder<RowAnswers> for Together<'_> {
+impl InOrder<RowAnswers> for RowsInOrder<'_> {
     fn between(&mut self, _: &mut RowAnswers) -> bool {
         true
     }

@@ -3,7 +3,7 @@
 use super::stages::{InOrder, Job, Stage, Stages, work};
 use super::workers::{Alone, Workers};
 use crate::report::{Answers, NumberRows};
-use assur_solve::solve::{Ahead, BLOCK, Block, finite};
+use assur_solve::solve::{BLOCK, Block, UpcomingPositions, finite};
 use std::collections::VecDeque;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
@@ -19,7 +19,7 @@ pub(super) const OWN: usize = 4;
 /// What the columns are made of.
 pub(super) struct SideBySide<'s> {
     pub answers: &'s Answers<'s>,
-    pub ahead: Ahead<'s>,
+    pub ahead: UpcomingPositions<'s>,
     pub rows: &'s NumberRows,
     /// The columns show angles.
     pub angles: bool,

@@ -6,7 +6,7 @@ use super::positions::{GivenPositions, PositionsError, place};
 use crate::pipeline::{Compiled, Sink};
 use crate::report::{Answers, Precision};
 use assur_model::model::{Mechanism, Positions};
-use assur_solve::solve::{Again, Model, Reads, Solution};
+use assur_solve::solve::{Model, Reads, ReusedSolver, Solution};
 
 /// Who solves positions and rows that do not depend on one another: the caller alone, or several threads of its own.
 ///
@@ -46,7 +46,7 @@ impl Workers for Alone {}
 pub(super) struct OnePosition {
     mechanism: Mechanism,
     /// Once it was looked for; `None` in it where a position takes more than this memory.
-    again: Option<Option<Again>>,
+    again: Option<Option<ReusedSolver>>,
     solution: Solution,
 }
 
@@ -79,7 +79,9 @@ impl OnePosition {
         if !is_one(&self.mechanism) {
             return Ok(None);
         }
-        let Some(again) = self.again.get_or_insert_with(|| Again::of(&model, READS)) else { return Ok(None) };
+        let Some(again) = self.again.get_or_insert_with(|| ReusedSolver::of(&model, READS)) else {
+            return Ok(None);
+        };
         if !again.solve(&model, &mut self.solution) {
             return Ok(None);
         }

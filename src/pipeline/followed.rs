@@ -7,7 +7,9 @@ use super::open_sizes::open_sizes;
 use crate::report::{Answers, Precision};
 use assur_model::model::{At, Mechanism, Positions, Relation};
 use assur_solve::message::{self, failure};
-use assur_solve::solve::{Ahead, BLOCK, Block, Conduct, Following, Model, Pose, PoseOrigin, Solution};
+use assur_solve::solve::{
+    BLOCK, Block, Conduct, Following, Model, Pose, PoseOrigin, Solution, UpcomingPositions,
+};
 use assur_text::diagnostic::{Diagnosis, Problems};
 use miette::LabeledSpan;
 
@@ -40,12 +42,17 @@ pub trait Sink {
     }
 
     /// Solves blocks of positions: on several threads if there are.
-    fn solve(&mut self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+    fn solve(&mut self, ahead: &UpcomingPositions<'_>, blocks: &mut [Block]) {
         blocks.iter_mut().enumerate().for_each(|(i, block)| ahead.solve(block, i * BLOCK));
     }
 
-    /// Takes blocks of positions whose quantities and angles are not known yet, see [`Ahead::answer`].
-    fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
+    /// Takes blocks of positions whose quantities and angles are not known yet, see [`UpcomingPositions::answer`].
+    fn add_blocks(
+        &mut self,
+        answers: &Answers<'_>,
+        ahead: &UpcomingPositions<'_>,
+        blocks: &mut [Block],
+    ) -> bool {
         blocks.iter_mut().all(|block| {
             ahead.answer(block, true);
             block.poses().iter().all(|pose| self.add(answers, pose))
@@ -56,7 +63,7 @@ pub trait Sink {
     fn add_side_by_side(
         &mut self,
         answers: &Answers<'_>,
-        ahead: &Ahead<'_>,
+        ahead: &UpcomingPositions<'_>,
         take: &mut dyn FnMut(&mut Block) -> bool,
     ) -> bool {
         let (mut from, mut whole, mut blocks) = (0, true, Vec::new());

@@ -8,7 +8,7 @@ use assur_check as check;
 use assur_check::{Overrides, Row, RowPatches, Template};
 use assur_model::structure::Structure;
 use assur_position::plan;
-use assur_solve::solve::{Again, Conduct, Method, Reads, Solution, Watch};
+use assur_solve::solve::{Conduct, Method, Reads, ReusedSolver, Solution, Watch};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use std::sync::Arc;
@@ -27,18 +27,18 @@ pub struct VariantSolver<'a> {
     /// What is read of rows beside their answers.
     reads: Reads,
     /// What rows have in common where they differ in numbers alone.
-    quick: Quick,
+    quick: FastPath,
     /// The last row that was solved as a whole.
     last: Option<Solved>,
 }
 
 /// Rows that differ in numbers alone.
-enum Quick {
+enum FastPath {
     /// Not looked for yet: this number of rows went before.
     After(usize),
     /// Looked for in vain.
     None,
-    Rows(Box<QuickRows>),
+    Rows(Box<FastRows>),
 }
 
 /// To look for them takes as long as some rows.
@@ -49,7 +49,7 @@ impl<'a> VariantSolver<'a> {
     #[must_use]
     pub fn new(document: &'a Arc<Document>, overrides: &'a Overrides) -> Self {
         let template = Template::new(document, overrides);
-        let (structure, within, quick, last) = (None, None, Quick::After(0), None);
+        let (structure, within, quick, last) = (None, None, FastPath::After(0), None);
         let (conduct, reads) = (Conduct::default(), Reads::ALL);
         Self { document, overrides, template, structure, within, conduct, reads, quick, last }
     }
@@ -109,8 +109,8 @@ impl<'a> VariantSolver<'a> {
     pub fn solve_quickly(&mut self, row: &Row) -> (Option<&Solved>, Problems, bool) {
         self.look_for_quick(row);
         let ready = match &mut self.quick {
-            Quick::Rows(quick) => quick.compile(row).is_some(),
-            Quick::After(_) | Quick::None => false,
+            FastPath::Rows(quick) => quick.compile(row).is_some(),
+            FastPath::After(_) | FastPath::None => false,
         };
         if !ready {
             // it takes more than numbers
@@ -119,40 +119,40 @@ impl<'a> VariantSolver<'a> {
             return (self.last.as_ref(), problems, false);
         }
         match &mut self.quick {
-            Quick::Rows(quick) => {
+            FastPath::Rows(quick) => {
                 let (solved, problems) = quick.solve(&self.conduct);
                 (solved, problems, true)
             }
-            Quick::After(_) | Quick::None => (None, Problems::new(), false),
+            FastPath::After(_) | FastPath::None => (None, Problems::new(), false),
         }
     }
 
     /// Looks at once for what rows like this one have in common; whether they differ in numbers alone.
     pub fn prepare(&mut self, row: &Row) -> bool {
         self.quick = self.found_quick(row);
-        matches!(self.quick, Quick::Rows(_))
+        matches!(self.quick, FastPath::Rows(_))
     }
 
     /// Looks for what rows have in common once there are some.
     fn look_for_quick(&mut self, row: &Row) {
-        let Quick::After(rows) = &mut self.quick else { return };
+        let FastPath::After(rows) = &mut self.quick else { return };
         *rows += 1;
         if *rows <= ROWS_BEFORE {
             return;
         }
-        self.quick = if self.within.is_none() { self.found_quick(row) } else { Quick::None };
+        self.quick = if self.within.is_none() { self.found_quick(row) } else { FastPath::None };
     }
 
-    fn found_quick(&mut self, row: &Row) -> Quick {
+    fn found_quick(&mut self, row: &Row) -> FastPath {
         let (compiled, problems) = self.compile(row);
-        let Some(compiled) = compiled else { return Quick::After(0) };
+        let Some(compiled) = compiled else { return FastPath::After(0) };
         // a row with a message goes the general way, so that the message keeps its place
         if !problems.is_empty() {
-            return Quick::After(0);
+            return FastPath::After(0);
         }
         let patches = self.template.as_mut().and_then(|template| template.patches(row));
-        let quick = patches.and_then(|patches| QuickRows::new(patches, compiled, self.reads));
-        quick.map_or(Quick::None, |quick| Quick::Rows(Box::new(quick)))
+        let quick = patches.and_then(|patches| FastRows::new(patches, compiled, self.reads));
+        quick.map_or(FastPath::None, |quick| FastPath::Rows(Box::new(quick)))
     }
 
     /// The solution of a row, and all that was found on the way.
@@ -169,24 +169,24 @@ impl<'a> VariantSolver<'a> {
 // numbers of each row.
 
 /// What rows with the same columns have in common.
-pub struct QuickRows {
+pub struct FastRows {
     patches: RowPatches,
     /// The joints whose numbers depend on the row.
     differ: Vec<bool>,
     solved: Solved,
     /// Where it has one position, and nothing is to be said of it.
-    again: Option<Again>,
+    again: Option<ReusedSolver>,
     reads: Reads,
 }
 
-impl QuickRows {
+impl FastRows {
     /// For a file that was compiled with one of its rows, of which nothing was to be said; `None` where a row may change more
     /// than numbers.
     pub fn new(patches: RowPatches, compiled: Compiled, reads: Reads) -> Option<Self> {
         if !compiled.structure.is_renumbered(&compiled.mechanism) || compiled.origin.is_some() {
             return None;
         }
-        let again = Again::of(&compiled.model(), reads);
+        let again = ReusedSolver::of(&compiled.model(), reads);
         let differ = compiled.structure.joints_of(patches.pairs());
         let solved = Solved { compiled, solution: Solution::default(), outcomes: Vec::new(), reached: None };
         Some(Self { patches, differ, solved, again, reads })

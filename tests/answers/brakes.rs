@@ -10,10 +10,12 @@ use assur::internals::source::Source;
 use assur::internals::{compile, pipeline};
 use std::fmt::Write as _;
 
+/// The mass matrix and the forces without brakes: of a phase of the loads, the time, places and rates.
+type Law<'w> = &'w dyn Fn(usize, f64, &[f64], &[f64]) -> (Vec<Vec<f64>>, Vec<f64>);
+
 /// A mechanism whose coordinates are those that brakes act on.
 struct World<'w> {
-    /// The mass matrix and the forces without brakes, at a place with its rates, in a phase of the loads.
-    law: &'w dyn Fn(usize, f64, &[f64], &[f64]) -> (Vec<Vec<f64>>, Vec<f64>),
+    law: Law<'w>,
     /// What the brakes hold at most.
     limits: &'w dyn Fn(f64, &[f64]) -> Vec<f64>,
     /// Where the loads switch, s.
@@ -38,9 +40,8 @@ fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
         b.swap(i, pivot);
         for k in i + 1..n {
             let part = a[k][i] / a[i][i];
-            for j in i..n {
-                a[k][j] -= part * a[i][j];
-            }
+            let row = a[i].clone();
+            a[k].iter_mut().zip(&row).skip(i).for_each(|(x, y)| *x -= part * y);
             b[k] -= part * b[i];
         }
     }
@@ -208,7 +209,8 @@ fn compare(text: &str, asked: &Asked<'_>, right: &[(Now, Vec<f64>)]) {
     let at = |pose: usize, name: String| {
         solution.poses()[pose][&*name].number().unwrap_or_else(|| panic!("{name} has no value\n{text}"))
     };
-    let greatest = |of: &dyn Fn(&(Now, Vec<f64>)) -> f64| right.iter().map(of).fold(1e-3, f64::max);
+    type At = (Now, Vec<f64>);
+    let greatest = |of: &dyn Fn(&At) -> f64| right.iter().map(of).fold(1e-3, f64::max);
     for i in 0..n {
         let fastest = greatest(&|(now, _)| now.y[n + i].abs());
         for (pose, (now, _)) in right.iter().enumerate() {
@@ -276,7 +278,7 @@ fn discs_with_brakes_and_springs() {
             let mass =
                 (0..n).map(|i| (0..n).map(|j| if i == j { inertias[i] } else { 0.0 }).collect()).collect();
             let mut force = vec![0.0; n];
-            force[0] += pull * (turn * t).sin();
+            force[0] += pull * libm::sin(turn * t);
             force[which] += if phase == 1 { extra } else { 0.0 };
             for i in 0..n {
                 let below = if i == 0 { 0.0 } else { q[i - 1] };
@@ -289,8 +291,8 @@ fn discs_with_brakes_and_springs() {
             (mass, force)
         };
         let grows = |t: f64, q: &[f64]| match (by_place, by_time) {
-            (true, _) => 1.0 + 0.5 * q[1].sin(),
-            (_, true) => 1.0 + 0.5 * (2.0 * t).cos(),
+            (true, _) => 1.0 + 0.5 * libm::sin(q[1]),
+            (_, true) => 1.0 + 0.5 * libm::cos(2.0 * t),
             _ => 1.0,
         };
         let limits = |t: f64, q: &[f64]| holds.iter().map(|holds| holds * grows(t, q)).collect();
@@ -346,14 +348,14 @@ fn arms_with_brakes() {
         let (on, extra) = (random(1.0, 2.5), random(-2.0, 2.0) * holds[1]);
         let start = [(random(-2.0, 0.0), random(-5.0, 5.0)), (random(-2.0, 1.0), random(-5.0, 5.0))];
         let law = |phase: usize, _: f64, q: &[f64], w: &[f64]| {
-            let (s, c) = (q[0] - q[1]).sin_cos();
+            let (s, c) = libm::sincos(q[0] - q[1]);
             let mixed = m2 * length * far;
             let mass =
                 vec![vec![j1 + (m1 + m2) * length * length, mixed * c], vec![mixed * c, j2 + m2 * far * far]];
             let own = if phase == 1 { extra } else { 0.0 };
             let force = vec![
-                -mixed * s * w[1] * w[1] - gravity * (m1 + m2) * length * q[0].cos(),
-                mixed * s * w[0] * w[0] - gravity * m2 * far * q[1].cos() + own,
+                -mixed * s * w[1] * w[1] - gravity * (m1 + m2) * length * libm::cos(q[0]),
+                mixed * s * w[0] * w[0] - gravity * m2 * far * libm::cos(q[1]) + own,
             ];
             (mass, force)
         };
@@ -401,7 +403,7 @@ fn sliders_with_brakes_and_friction() {
         // over ground, or the second from the first
         let start = [(0.0, rates[0]), (0.0, if friction { rates[1] - rates[0] } else { rates[1] })];
         let law = |phase: usize, t: f64, _: &[f64], _: &[f64]| {
-            let (one, two) = (pull * (turn * t).sin(), if phase == 1 { extra } else { 0.0 });
+            let (one, two) = (pull * libm::sin(turn * t), if phase == 1 { extra } else { 0.0 });
             if friction {
                 (vec![vec![m1 + m2, m2], vec![m2, m2]], vec![one + two, two])
             } else {

@@ -7,7 +7,7 @@ use crate::geometry::Rect;
 use crate::ground::Grounds;
 use crate::label::{Anchor, Label};
 use crate::mark::Mark;
-use crate::places::{Again, Directions, Places};
+use crate::places::{Directions, Places, SearchMemory};
 use assur_math::math::Vec2;
 
 /// What is kept free around a label, mm.
@@ -41,7 +41,7 @@ pub fn place((marks, boxes): (&[Mark], &[Rect]), labels: &[Label], later: &[Late
     }
     let around = all.grown(MARGIN);
     let grounds = Grounds::of(marks, later, &around);
-    let (directions, mut again) = (Directions::new(), Again::default());
+    let (directions, mut again) = (Directions::new(), SearchMemory::default());
     let places_of = |label| Places::of(label, &directions, &grounds, &mut again);
     let places: Vec<Places> = labels.iter().enumerate().map(places_of).collect();
     let mut order: Vec<usize> = (0..labels.len()).collect();

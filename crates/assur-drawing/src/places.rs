@@ -83,7 +83,7 @@ impl Directions {
 
 /// What is filled for each label again.
 #[derive(Default)]
-pub(crate) struct Again {
+pub(crate) struct SearchMemory {
     rays: Vec<Ray>,
     /// The prices of rays with their numbers.
     prices: Vec<(f64, usize)>,
@@ -118,11 +118,11 @@ impl Places {
         (index, label): (usize, &Label),
         directions: &Directions,
         grounds: &Grounds<'_>,
-        again: &mut Again,
+        again: &mut SearchMemory,
     ) -> Self {
         let half = label.half();
         let round = label.ring.is_some_and(|r| half.x <= r);
-        let Again { rays: all, prices, met } = again;
+        let SearchMemory { rays: all, prices, met } = again;
         all.clear();
         find_rays(label, half, directions, all);
         let reach = reach(label, half, all);

@@ -12,7 +12,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{
     BalanceKind, BinaryOp, Display, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Query,
 };
-use assur_solve::solve::{Course, CourseSet, FlywheelAnswer, courses};
+use assur_solve::solve::{CourseSet, FlywheelAnswer, SweepCurve, courses};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::units::Dimension;
 
@@ -30,7 +30,7 @@ const SMALL: f64 = 0.02;
 struct Sheet<'a> {
     wheel: &'a Flywheel,
     found: &'a FlywheelAnswer,
-    torque: Course,
+    torque: SweepCurve,
     /// Mean of the torque on the shaft of the drive.
     mean: f64,
     along: Display,

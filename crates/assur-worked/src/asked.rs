@@ -1,7 +1,7 @@
 //! What the file asks for of guides, drives and transmissions, where no step has it yet.
 
 use crate::angle::Angle;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::Block;
 use crate::motion::Stage;
 use crate::words::{Message, say};
@@ -12,7 +12,7 @@ use assur_model::structure::EffortSource;
 /// What differs by less than this part of its terms is the same.
 const SAME: f64 = 1e-9;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The questions of the file.
     fn questions(&self) -> Vec<Query> {
         let mechanism = self.scene.mechanism();

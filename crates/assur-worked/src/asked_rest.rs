@@ -1,6 +1,6 @@
 //! What the file asks for and no step has: it is found from what the steps have, by the letters of the question.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::Block;
 use crate::forces::quantity_name;
 use crate::unit::unit_of;
@@ -12,7 +12,7 @@ use assur_position::position::Origin;
 /// What differs by less than this part of it is the same.
 const SAME: f64 = 1e-9;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// Questions without an answer in the steps.
     pub(crate) fn asked_besides(&mut self) {
         let before = self.blocks.len();

@@ -1,7 +1,7 @@
 //! Results that no step needs and that the file asks for: energies, forces of transmissions, pulls of belts, powers, relative motion.
 
 use crate::angle::Angle;
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use crate::expressions::length;
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_model::model::{
@@ -15,7 +15,7 @@ use assur_solve::answer::FollowerWay;
 /// What differs by less than this part of it is the same.
 const SAME: f64 = 1e-9;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// What a question comes to, from what the steps have found; none where it is of another kind.
     pub(crate) fn derived(&mut self, query: &Query) -> Option<Expr> {
         match query {

@@ -28,7 +28,7 @@ pub struct Body {
 }
 
 /// The solution of one position, as it is written.
-pub struct Course<'a> {
+pub struct Derivation<'a> {
     pub scene: Scene<'a>,
     /// The language of its sentences.
     pub language: Language,
@@ -98,7 +98,7 @@ pub struct Counts {
     pub loads: [usize; 2],
 }
 
-impl<'a> Course<'a> {
+impl<'a> Derivation<'a> {
     /// Nothing is known but the ground.
     pub fn new(scene: Scene<'a>, language: Language) -> Self {
         let count = scene.model.plan.bodies;

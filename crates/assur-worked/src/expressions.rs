@@ -2,7 +2,7 @@
 //! results. A part that no step has leaves the whole without letters.
 
 use crate::angle::Angle;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::forces::quantity_name;
 use assur_formula::{Expr, Function as Of, Name, Unit};
 use assur_math::math::{Between, Vec2};
@@ -14,7 +14,7 @@ use assur_model::structure::BodyOrigin;
 /// What differs by less than this part of it is the same.
 const SAME: f64 = 1e-9;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A number, in the units of equations but an angle in rad.
     pub(crate) fn in_letters(&mut self, of: &E) -> Option<Expr> {
         match of {

@@ -1,6 +1,6 @@
 //! What the file asks for by formulas of its own, from the results of the position.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::Block;
 use crate::forces::quantity_name;
 use crate::words::{Message, say};
@@ -25,7 +25,7 @@ pub struct Formula {
     pub results: Vec<(Name, model::Expr)>,
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The formulas whose results are derived, in order.
     pub fn formulas(&mut self, formulas: &[Formula]) {
         let before = self.blocks.len();

@@ -1,12 +1,12 @@
 //! Values of the file: lengths, directions, and the letters under which they are kept.
 
 use crate::angle::Angle;
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use assur_formula::{Expr, Name, Quantity, Unit};
 use assur_math::math::Vec2;
 use std::sync::Arc;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A direction of the file; `name` where it is no whole number of degrees.
     pub fn direction_given(&self, direction: Vec2, name: impl FnOnce() -> Name) -> Angle {
         Angle::whole_degrees(direction)

@@ -1,13 +1,13 @@
 //! Letters of links, points and pairs.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use assur_formula::{Name, Quantity, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, LoadId, LoadKind, PairId, PairKind, Place};
 use assur_model::structure::{BodyOrigin, Joint, JointKind};
 use assur_picture::reaction_index;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The number of a body as written, or its name; of a body that stands for a pair the pair's.
     pub fn label(&self, body: usize) -> String {
         self.scene.body_label(body).to_owned()

@@ -1,6 +1,6 @@
 //! The pictures of a position, as figures.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::Figure;
 use crate::localised::drawing_in;
 use crate::words::{Language, Message};
@@ -13,7 +13,7 @@ const PAPER: f64 = 182.0;
 const TRIES: u8 = 4;
 const LESS: f64 = 0.96;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The pictures of a kind, none where there is nothing to show.
     pub fn pictures(&self, kind: Kind, caption: Message, part: &str) -> Vec<Figure> {
         let drawings = self.drawings(kind, 1.0).into_iter().enumerate();

@@ -1,7 +1,7 @@
 //! Points of bodies whose motion is known: position, velocity, acceleration, each found where it is first needed.
 
 use crate::angle::Angle;
-use crate::course::{Body, Course, joined};
+use crate::course::{Body, Derivation, joined};
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 
@@ -18,7 +18,7 @@ struct Arm {
     rates: [Expr; 2],
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// Where a point of a body is, m.
     pub fn position(&mut self, body: usize, at: Vec2) -> [Expr; 2] {
         if let Some((_, place)) = self.touched(body, at) {

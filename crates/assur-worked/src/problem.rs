@@ -1,6 +1,6 @@
 //! The problem: text, scheme, given values; and what this version only states.
 
-use crate::course::{Course, plain};
+use crate::course::{Derivation, plain};
 use crate::document::{Block, Figure, Inline, Line, Table, text};
 use crate::words::{Message, say};
 use assur_formula::{Name, Quantity, Unit, name_node};
@@ -8,7 +8,7 @@ use assur_model::model::{PairKind, Positions};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// Title, text, scheme.
     pub fn problem(&mut self, scheme: Vec<Figure>) {
         let notes = self.scene.mechanism().notes.join(" ");

@@ -1,6 +1,6 @@
 //! What nothing needs is left out: coordinates and components that no other equation uses and nobody asked for.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Block, text};
 use crate::motion::Stage;
 use crate::words::Message;
@@ -9,7 +9,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{self, FindKind, Mechanism, PointRef, Query};
 use std::collections::BTreeSet;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// Leaves out equations that are not used; returns the places of their blocks.
     pub fn prune(&mut self) -> BTreeSet<usize> {
         let mut used: BTreeSet<Name> = self.asked.clone();
@@ -102,7 +102,7 @@ impl Course<'_> {
     }
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The magnitude of a velocity (1) or acceleration (2) that the file asks for, where it has two components and none was found yet.
     fn size_of_asked(&mut self, order: usize, (body, at): (usize, Vec2), parts: &[Expr; 2]) {
         let (letter, unit) = match order {

@@ -1,6 +1,6 @@
 //! The table of results: the questions of the file and all reactions, as the solver answers them.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Inline, Line, Table, text};
 use crate::unit::unit_of;
 use crate::words::{Message, phrase};
@@ -13,7 +13,7 @@ const DIGITS: usize = 5;
 /// What differs by less than this part of it is the same.
 const SAME: f64 = 1e-9;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The table of results.
     pub fn results(&mut self) {
         let headers = [Message::Quantity, Message::Letters, Message::Value, Message::Unit];

@@ -1,6 +1,6 @@
 //! Exercise sheets without answers, and their keys.
 
-use crate::course::{Course, plain};
+use crate::course::{Derivation, plain};
 use crate::document::{Block, Document, Inline, Line, Table, text};
 use crate::forces::quantity_name;
 use crate::problem::two_abreast;
@@ -102,7 +102,7 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
         blocks.push(Block::Paragraph(vec![text(notes)]));
     }
     if let (Some(scene), Some(shown)) = (exercise.scene, exercise.shown) {
-        let scheme = Course::new(shown, language).blank_scheme();
+        let scheme = Derivation::new(shown, language).blank_scheme();
         if !scheme.is_empty() {
             blocks.push(Block::Figures(scheme));
             blocks.extend(variants.as_ref().map(|v| of(Message::DrawnFor, &v.drawn_for)));

@@ -1,13 +1,13 @@
 //! Structure: pairs, mobility, groups, the formula of structure.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Block, Line, Table, letter, text};
 use crate::words::{Letters, Message};
 use assur_formula::{Figures, Lines, Name, Node, name_node};
 use assur_model::model::PairKind;
 use assur_model::structure::{BodyOrigin, Group, GroupKind};
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The section on structure.
     pub fn structure_section(&mut self) {
         let heading = self.words(Message::Structure);

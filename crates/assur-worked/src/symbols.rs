@@ -1,6 +1,6 @@
 //! The letters under which the steps have what the file asks for.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::forces::quantity_name;
 use assur_formula::{Expr, Name, Node, letters, name_node};
 use assur_math::math::Vec2;
@@ -9,7 +9,7 @@ use assur_model::model::{self, Function, PairId, PairKind, PointRef, Query, Subs
 /// What differs by less than this part of it is the same.
 const SAME: f64 = 1e-9;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The letters of a question's answer; none where no step has them.
     pub(crate) fn symbol(&mut self, name: &str, of: &model::Expr, value: Value) -> Option<Node> {
         match value {

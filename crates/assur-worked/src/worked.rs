@@ -1,6 +1,6 @@
 //! A worked solution as a whole.
 
-use crate::course::{Counts, Course};
+use crate::course::{Counts, Derivation};
 use crate::document::{Block, Document, Figure, Line, cited};
 use crate::formulas::Formula;
 use crate::motion::Stage;
@@ -84,9 +84,9 @@ pub fn worked_from(
     parts: &[Part],
     (sizes, formulas): (&[Size], &[Formula]),
 ) -> Worked {
-    let mut course = Course::new(scene, language);
+    let mut course = Derivation::new(scene, language);
     let mut sections: Vec<(Part, usize)> = Vec::new();
-    let begin = |course: &Course<'_>, part: Part, sections: &mut Vec<(Part, usize)>| {
+    let begin = |course: &Derivation<'_>, part: Part, sections: &mut Vec<(Part, usize)>| {
         sections.push((part, course.blocks.len()));
     };
     for part in PARTS {
@@ -129,7 +129,7 @@ pub fn worked_from(
         labels: language.labels(),
         blocks: numbered(without_empty(cited(blocks, language.labels().figure))),
     };
-    let Course { equations, disagreements, counts, .. } = course;
+    let Derivation { equations, disagreements, counts, .. } = course;
     let equations = equations.into_iter().map(|(_, equation)| equation).collect();
     Worked { document, equations, disagreements, counts, stated }
 }
@@ -141,7 +141,7 @@ pub fn given_rows(
     is_answer: &dyn Fn(f64) -> bool,
     values: &mut Vec<f64>,
 ) -> Vec<[Line; 2]> {
-    let mut course = Course::new(scene, language);
+    let mut course = Derivation::new(scene, language);
     course.shown = false;
     let with_values = |part: &Part| !matches!(part, Part::Structure | Part::Results);
     PARTS.into_iter().filter(with_values).for_each(|part| course.part(part));
@@ -196,7 +196,7 @@ fn numbered(mut blocks: Vec<Block>) -> Vec<Block> {
     blocks
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     fn part(&mut self, part: Part) {
         let level = self.scene.model.plan.effects.level;
         let has_forces = self.scene.model.plan.has_forces() && !self.state().forces.locked;

@@ -23,7 +23,7 @@ use assur_text::source::Source;
 use assur_text::units::write_significant;
 
 /// Where a row is written.
-pub struct Written<'a, 'f> {
+pub struct RowWriter<'a, 'f> {
     pub job: &'a Job,
     pub format: Format,
     pub layout: &'a Layout,
@@ -43,7 +43,7 @@ pub struct Written<'a, 'f> {
 
 /// The messages about a row.
 #[derive(Default)]
-pub struct Said {
+pub struct RowMessages {
     /// Why it failed: a code.
     pub failed: Option<String>,
     /// An expectation is not met.
@@ -56,7 +56,7 @@ pub struct Said {
     pub problems: Option<(Option<Source>, Problems)>,
 }
 
-impl Said {
+impl RowMessages {
     /// Whether there are none.
     pub const fn is_nothing(&self) -> bool {
         self.failed.is_none() && !self.unmet && self.warned.is_empty()
@@ -66,10 +66,10 @@ impl Said {
 /// Solves a row and writes its lines: one per pose, and one without answers where there are none.
 pub fn write_row<'f>(
     job: &'f Job,
-    written: &mut Written<'_, 'f>,
+    written: &mut RowWriter<'_, 'f>,
     family: &mut VariantSolver<'f>,
     input: &Input<'_>,
-) -> Said {
+) -> RowMessages {
     let (written_before, key_before) = (written.out.len(), written.key_out.len());
     let filled_before = written.filled.as_ref().map_or(0, |filled| filled.answers.len());
     let found = catch_unwind(AssertUnwindSafe(|| {
@@ -86,14 +86,14 @@ pub fn write_row<'f>(
     })
 }
 
-impl Written<'_, '_> {
+impl RowWriter<'_, '_> {
     fn row(
         &mut self,
         input: &Input<'_>,
         (solved, quick): (Option<&Solved>, bool),
         problems: Problems,
-    ) -> Said {
-        let mut said = Said::default();
+    ) -> RowMessages {
+        let mut said = RowMessages::default();
         if !problems.is_empty() {
             said = sorted(&problems);
         }
@@ -153,7 +153,7 @@ impl Written<'_, '_> {
     }
 
     /// A row of a table that cannot be read.
-    pub fn fault(&mut self, row: &Cited<'_>, (source, error): Fault) -> Said {
+    pub fn fault(&mut self, row: &Cited<'_>, (source, error): Fault) -> RowMessages {
         let by_row = matches!(*error, TableError::Absent { .. });
         let mut problems = Problems::new();
         problems.push(*error);
@@ -167,9 +167,9 @@ impl Written<'_, '_> {
     }
 
     /// An error of our own ends one row, not the batch.
-    fn panicked(&mut self, input: &Input<'_>) -> Said {
+    fn panicked(&mut self, input: &Input<'_>) -> RowMessages {
         self.unsolved(&input.cited(), "internal error: please report this row with the file", Vec::new);
-        Said { failed: Some("internal error".to_owned()), ..Said::default() }
+        RowMessages { failed: Some("internal error".to_owned()), ..RowMessages::default() }
     }
 
     fn unsolved(
@@ -288,7 +288,7 @@ fn code_of(problem: &dyn miette::Diagnostic) -> String {
 }
 
 /// The messages about a row, by code.
-fn sorted(problems: &Problems) -> Said {
+fn sorted(problems: &Problems) -> RowMessages {
     let (mut failed, mut warned) = (None, Vec::new());
     for problem in problems.sorted() {
         let code = code_of(problem);
@@ -299,7 +299,7 @@ fn sorted(problems: &Problems) -> Said {
             warned.push(code);
         }
     }
-    Said { failed, warned, ..Said::default() }
+    RowMessages { failed, warned, ..RowMessages::default() }
 }
 
 fn first_error(problems: &Problems) -> String {

@@ -1,7 +1,7 @@
 //! Rows that one thread takes at a time.
 
 use super::filled::{Cited, Filled};
-use super::line::{Said, Written, write_row};
+use super::line::{RowMessages, RowWriter, write_row};
 use super::rows::Chunk;
 use super::run::Run;
 use super::stop;
@@ -23,14 +23,14 @@ pub struct Piece<'r> {
     /// Lines of the key.
     pub key: String,
     /// The messages about each row, by its number.
-    pub said: Vec<(usize, Said)>,
+    pub said: Vec<(usize, RowMessages)>,
     /// No signal came before its last row.
     pub whole: bool,
 }
 
 impl<'r> Run<'r> {
     /// Solves the rows of a chunk on all threads; the pieces come in order.
-    pub(super) fn chunk(&self, chunk: &Chunk<'_>, idle: &Idle<'r>) -> Vec<Piece<'r>> {
+    pub(super) fn chunk(&self, chunk: &Chunk<'_>, idle: &SolverPool<'r>) -> Vec<Piece<'r>> {
         let size = (chunk.len() / PIECES).max(if self.job.moves() { 1 } else { PIECE });
         let pieces: Vec<Range<usize>> =
             (0..chunk.len()).step_by(size).map(|start| start..(start + size).min(chunk.len())).collect();
@@ -54,7 +54,7 @@ impl<'r> Run<'r> {
             }
             let before = (piece.out.len(), piece.key.len());
             let filled_before = piece.filled.as_ref().map_or(0, |filled| filled.answers.len());
-            let mut written = Written {
+            let mut written = RowWriter {
                 job: self.job,
                 format: self.format,
                 layout: self.layout,
@@ -94,9 +94,9 @@ impl<'r> Run<'r> {
 
 /// Solvers that no thread uses at the moment: what one has found out about the rows serves the next.
 #[derive(Default)]
-pub struct Idle<'r>(Mutex<Vec<VariantSolver<'r>>>);
+pub struct SolverPool<'r>(Mutex<Vec<VariantSolver<'r>>>);
 
-impl<'r> Idle<'r> {
+impl<'r> SolverPool<'r> {
     pub fn take(&self) -> Option<VariantSolver<'r>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).pop()
     }

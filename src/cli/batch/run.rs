@@ -4,8 +4,8 @@ use super::super::{args::Format, error::CliError, screen::Screen, sink::Sink};
 use super::filled::{Filled, Out};
 use super::job::{FIRST_CHUNK, Job, LARGEST_CHUNK, tell, tell_fault};
 use super::layout::Layout;
-use super::line::Said;
-use super::piece::Idle;
+use super::line::RowMessages;
+use super::piece::SolverPool;
 use super::stop;
 use assur_solve::measure::accuracy::AchievedAccuracy;
 use assur_text::source::shown_in_line;
@@ -39,7 +39,7 @@ impl<'r> Run<'r> {
     pub fn all(&self, out: &mut Out, key_out: &mut Option<Sink>) -> Result<Tally, CliError> {
         let mut tally = Tally::default();
         let mut progress = None;
-        let idle = Idle::default();
+        let idle = SolverPool::default();
         let places = self.layout.places(self.job);
         let key_places = self.key.and_then(|key| key.places(self.job));
         let name = &self.job.source.name;
@@ -105,7 +105,7 @@ impl<'r> Run<'r> {
     }
 
     /// Counts rows; explains the first that fail for a reason.
-    fn tell(&self, said: Vec<(usize, Said)>, tally: &mut Tally, progress: &Progress) {
+    fn tell(&self, said: Vec<(usize, RowMessages)>, tally: &mut Tally, progress: &Progress) {
         for (number, said) in said {
             said.reached.iter().for_each(|reached| tally.reached(reached));
             if said.is_nothing() {

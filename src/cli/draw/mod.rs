@@ -10,7 +10,7 @@ mod rows;
 use super::args::{Draw, Picture};
 use super::error::CliError;
 use super::files;
-use super::motion::OnTheWay;
+use super::motion::MotionProgress;
 use super::reply::{Printer, Reply, Status, complaint, for_each_input};
 use super::screen::Screen;
 use crate::pipeline;
@@ -113,7 +113,7 @@ impl Drawing<'_> {
             kinds.push(Kind::Forces);
         }
         let found = std::mem::take(&mut row.problems);
-        let way = OnTheWay::shown(&source.name);
+        let way = MotionProgress::shown(&source.name);
         let watch = |reached: f64, last: f64| way.goes_on(reached, last);
         let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
         let overrides = &row.overrides;

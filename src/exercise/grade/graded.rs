@@ -2,7 +2,7 @@
 
 use super::mark::{GradedRow, Mark, NotCounted, Part, Sum};
 use super::marker::Marker;
-use super::rows::{Assignment, Owed};
+use super::rows::{Assignment, MissingAnswer};
 use super::rules::{Rules, Submissions};
 use super::sheet::{Quantity, Sheet, SheetRow};
 use crate::exercise::table::{Fault, TableError};
@@ -230,7 +230,7 @@ impl<'a> Grading<'a> {
         rows.map(|(owed, row)| self.missing(person, owed, row)).filter(|row| !row.marks.is_empty()).collect()
     }
 
-    fn missing(&self, person: Option<&Arc<str>>, owed: &Owed, index: usize) -> GradedRow {
+    fn missing(&self, person: Option<&Arc<str>>, owed: &MissingAnswer, index: usize) -> GradedRow {
         let names = &self.key.rows[index].names;
         // the key of another variant is not this student's
         let names = if owed.known { Arc::clone(names) } else { names.of_problem() };

@@ -1,14 +1,14 @@
 //! Marks, and what they add up to.
 
 use super::sheet::{RowNames, Unread};
-use super::slip::Slip;
+use super::slip::CommonMistake;
 use std::sync::Arc;
 
 /// What became of one answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     Right,
-    Wrong(Option<Box<Slip>>),
+    Wrong(Option<Box<CommonMistake>>),
     Missing,
     Unreadable(Box<Unread>),
     /// The key has no value there: what was written where it is not a number.

@@ -3,7 +3,7 @@
 use super::mark::{Known, Mark, Verdict};
 use super::rules::Rules;
 use super::sheet::{Entry, Sheet, Unread};
-use super::slip::{self, Slip};
+use super::slip::{self, CommonMistake};
 use crate::exercise::expect::is_within;
 use assur_text::units::Dimension;
 use std::f64::consts::{PI, TAU};
@@ -163,7 +163,7 @@ impl Marker<'_> {
     }
 
     /// What a wrong answer would be right for; the value of another row only where nothing else explains it.
-    fn slip(&self, place: usize, given: f64, key: f64) -> Option<Slip> {
+    fn slip(&self, place: usize, given: f64, key: f64) -> Option<CommonMistake> {
         let is = |x: f64, of: usize, value: f64| {
             self.difference(of, x, value).abs() <= self.rules.within * self.scale(of, value)
         };
@@ -176,11 +176,12 @@ impl Marker<'_> {
             let parts = [key, in_turn].map(|key| (x - key).abs() / key.abs());
             parts.into_iter().filter(|part| *part <= self.rules.within).reduce(f64::min)
         };
-        let other_sign = || (!zero && near(-given)).then(|| self.other_link(place).unwrap_or(Slip::Sign));
+        let other_sign =
+            || (!zero && near(-given)).then(|| self.other_link(place).unwrap_or(CommonMistake::Sign));
         let by_factor = || if zero { None } else { slip::factor(given, &off) };
         let elsewhere = || if given == 0.0 { None } else { self.other_quantity(place, given, &is) };
         let far = self.difference(place, given, key).abs() / self.scale(place, key);
-        let close = || (far <= NEAR * self.rules.within).then_some(Slip::Close);
+        let close = || (far <= NEAR * self.rules.within).then_some(CommonMistake::Close);
         self.of_angle(place, given, key)
             .or_else(other_sign)
             .or_else(by_factor)
@@ -191,11 +192,15 @@ impl Marker<'_> {
     }
 
     /// Of an angle the nearest of the opposite sign, the opposite direction and the supplement.
-    fn of_angle(&self, place: usize, given: f64, key: f64) -> Option<Slip> {
+    fn of_angle(&self, place: usize, given: f64, key: f64) -> Option<CommonMistake> {
         if self.dimension(place) != Dimension::ANGLE {
             return None;
         }
-        let meant = [(-key, Slip::Sign), (key + PI, Slip::Opposite), (PI - key, Slip::Supplement)];
+        let meant = [
+            (-key, CommonMistake::Sign),
+            (key + PI, CommonMistake::Opposite),
+            (PI - key, CommonMistake::Supplement),
+        ];
         let off = |angle: f64| {
             let size = self.difference(place, angle, 0.0).abs();
             let off = self.difference(place, given, angle).abs();
@@ -207,9 +212,9 @@ impl Marker<'_> {
             .map(|(_, slip)| slip)
     }
 
-    fn other_link(&self, place: usize) -> Option<Slip> {
+    fn other_link(&self, place: usize) -> Option<CommonMistake> {
         let name = &self.key.quantities[place].name;
-        name.starts_with("reaction(").then_some(Slip::OtherLink)
+        name.starts_with("reaction(").then_some(CommonMistake::OtherLink)
     }
 
     fn of_vector(
@@ -218,16 +223,21 @@ impl Marker<'_> {
         given: f64,
         key: f64,
         is: &dyn Fn(f64, usize, f64) -> bool,
-    ) -> Option<Slip> {
+    ) -> Option<CommonMistake> {
         let partner = self.partner(place)?;
         let other = self.number(partner)?;
         if is(given, partner, other) {
-            return Some(Slip::Swapped);
+            return Some(CommonMistake::Swapped);
         }
-        is(given, place, libm::hypot(key, other)).then_some(Slip::Magnitude)
+        is(given, place, libm::hypot(key, other)).then_some(CommonMistake::Magnitude)
     }
 
-    fn other_quantity(&self, place: usize, given: f64, is: &dyn Fn(f64, usize, f64) -> bool) -> Option<Slip> {
+    fn other_quantity(
+        &self,
+        place: usize,
+        given: f64,
+        is: &dyn Fn(f64, usize, f64) -> bool,
+    ) -> Option<CommonMistake> {
         let others = (0..self.key.quantities.len())
             .filter(|i| *i != place && self.dimension(*i) == self.dimension(place));
         let close = |x: f64, value: f64, i: usize| {
@@ -236,13 +246,16 @@ impl Marker<'_> {
         for (sign, wrong) in [(1.0, false), (-1.0, true)] {
             let mut all = others.clone().filter_map(|i| Some((i, self.number(i)?)));
             if let Some((i, _)) = all.find(|(i, value)| close(sign * given, *value, *i)) {
-                return Some(Slip::OtherQuantity { name: self.key.quantities[i].name.clone(), sign: wrong });
+                return Some(CommonMistake::OtherQuantity {
+                    name: self.key.quantities[i].name.clone(),
+                    sign: wrong,
+                });
             }
         }
         None
     }
 
-    fn other_row(&self, place: usize, given: f64) -> Option<Slip> {
+    fn other_row(&self, place: usize, given: f64) -> Option<CommonMistake> {
         let rows = self.key.rows.iter().enumerate().filter(|(i, _)| *i != self.index);
         let mut found = rows.filter(|(_, row)| match row.entries[place] {
             Entry::Number(x) => x != 0.0 && (given - x).abs() <= self.rules.within * x.abs(),
@@ -250,6 +263,6 @@ impl Marker<'_> {
         });
         let (_, row) = found.next()?;
         let words = row.names.words().join(", ");
-        Some(Slip::OtherRow(if words.is_empty() { format!("line {}", row.line) } else { words }))
+        Some(CommonMistake::OtherRow(if words.is_empty() { format!("line {}", row.line) } else { words }))
     }
 }

@@ -15,4 +15,4 @@ pub use mark::{GradedRow, Known, Mark, NotCounted, Part, Sum, Verdict};
 pub use rules::{Credit, Points, Rules, Submissions};
 pub use sheet::cut;
 pub use sheet::{NAMES, Quantity, Sheet};
-pub use slip::{SLIPS, Slip};
+pub use slip::{CommonMistake, SLIPS};

@@ -1,7 +1,7 @@
 //! The rules of marking: tolerance, what is missing, submissions, points, credit.
 
 use super::sheet::{Sheet, SheetRow};
-use super::slip::{SLIPS, Slip};
+use super::slip::{CommonMistake, SLIPS};
 use assur_text::diagnostic::did_you_mean;
 
 const WITHIN: f64 = 0.03;
@@ -136,7 +136,7 @@ impl Credit {
     }
 
     /// The part of the points for a slip; two slips at once get the product.
-    pub(super) fn of(&self, slip: &Slip) -> f64 {
+    pub(super) fn of(&self, slip: &CommonMistake) -> f64 {
         let of = |wanted: &str| self.0.iter().find(|(name, _)| name == wanted).map_or(0.0, |(_, part)| *part);
         of(slip.name()) * if slip.has_other_sign() { of("sign") } else { 1.0 }
     }

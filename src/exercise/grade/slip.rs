@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 /// What was probably done wrong.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Slip {
+pub enum CommonMistake {
     Sign,
     /// Both components have the other sign: the force on the other link of the pair.
     OtherLink,
@@ -81,21 +81,21 @@ pub const SLIPS: [&str; 13] = [
 
 /// The factor by which an answer differs from the key, the sign aside: of those that fit the nearest. `off` says how far
 /// a number is from the key, where that is near.
-pub(super) fn factor(given: f64, off: &dyn Fn(f64) -> Option<f64>) -> Option<Slip> {
+pub(super) fn factor(given: f64, off: &dyn Fn(f64) -> Option<f64>) -> Option<CommonMistake> {
     let signs = [(1.0, false), (-1.0, true)];
-    let mut nearest: Option<(f64, Slip)> = None;
+    let mut nearest: Option<(f64, CommonMistake)> = None;
     for (value, cause) in FACTORS {
         for ((sign, wrong), factor) in signs.into_iter().flat_map(|s| [(s, value), (s, 1.0 / value)]) {
             let Some(off) = off(sign * given / factor) else { continue };
             if nearest.as_ref().is_none_or(|(least, _)| off < *least) {
-                nearest = Some((off, Slip::Factor { factor, cause, sign: wrong }));
+                nearest = Some((off, CommonMistake::Factor { factor, cause, sign: wrong }));
             }
         }
     }
     nearest.map(|(_, slip)| slip)
 }
 
-impl Slip {
+impl CommonMistake {
     /// Its short name, one of [`SLIPS`].
     #[must_use]
     pub const fn name(&self) -> &'static str {

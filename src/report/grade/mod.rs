@@ -37,7 +37,7 @@ const fn word(verdict: &Verdict) -> &'static str {
 fn hint(mark: &Mark) -> String {
     match &mark.verdict {
         Verdict::Wrong(slip) => {
-            let slip = slip.as_deref().map(crate::exercise::grade::Slip::words);
+            let slip = slip.as_deref().map(crate::exercise::grade::CommonMistake::words);
             let zero = is_key_zero(mark).then(|| "key is 0".to_owned());
             slip.into_iter().chain(zero).collect::<Vec<_>>().join("; ")
         }

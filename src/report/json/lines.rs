@@ -10,7 +10,7 @@ use crate::report::reactions::{has_moment, meets_at};
 use assur_model::model::{FindKind, LinkId, PairId, PairKind};
 use assur_position::plan::Level;
 use assur_solve::solve::{
-    Beside, Block, JointReaction, Pose, PoseAnswers, Solved, Source, State, WideColumns, read_numbers,
+    Block, JointReaction, Pose, PoseAnswers, PoseExtras, Solved, Source, State, WideColumns, read_numbers,
     unplaced_reactions,
 };
 use assur_text::units::{Columns, Template};
@@ -173,8 +173,8 @@ impl Filled {
     }
 }
 
-fn beside<'a>(pose: &'a Pose, solved: &'a Solved) -> Beside<'a> {
-    Beside { drives: &pose.drives, residuals: &solved.residuals, condition: solved.condition }
+fn beside<'a>(pose: &'a Pose, solved: &'a Solved) -> PoseExtras<'a> {
+    PoseExtras { drives: &pose.drives, residuals: &solved.residuals, condition: solved.condition }
 }
 
 /// Stands for a number: no JSON has this character.

@@ -323,7 +323,7 @@ fn motion(mechanism: &Mechanism, frames: &[Frame]) -> Option<Vec<Rates>> {
 pub enum Solver {
     Square(nalgebra::FullPivLU<f64, nalgebra::Dyn, nalgebra::Dyn>),
     Tall(DMatrix<f64>, DMatrix<f64>),
-    Wide(DMatrix<f64>, DMatrix<f64>),
+    F64x8(DMatrix<f64>, DMatrix<f64>),
 }
 
 /// Diagonal elements below this share of the greatest are zero.
@@ -345,14 +345,14 @@ impl Solver {
             Self::Tall(qr.q(), qr.r())
         } else {
             let qr = matrix.transpose().qr();
-            Self::Wide(qr.q(), qr.r())
+            Self::F64x8(qr.q(), qr.r())
         }
     }
 
     fn measures(&self) -> Vec<f64> {
         let diagonal = match self {
             Self::Square(lu) => lu.u().diagonal(),
-            Self::Tall(_, r) | Self::Wide(_, r) => r.diagonal(),
+            Self::Tall(_, r) | Self::F64x8(_, r) => r.diagonal(),
         };
         diagonal.iter().map(|x| x.abs()).collect()
     }
@@ -378,7 +378,7 @@ impl Solver {
         match self {
             Self::Square(_) | Self::Tall(..) => vec![self.rank() == columns; columns],
             // what is left of a unit vector outside the range of the rows
-            Self::Wide(q, _) => (0..columns).map(|j| (1.0 - q.row(j).norm_squared()).abs() < 1e-8).collect(),
+            Self::F64x8(q, _) => (0..columns).map(|j| (1.0 - q.row(j).norm_squared()).abs() < 1e-8).collect(),
         }
     }
 
@@ -387,7 +387,7 @@ impl Solver {
         match self {
             Self::Square(lu) => lu.solve(right),
             Self::Tall(q, r) => r.solve_upper_triangular(&(q.transpose() * right)),
-            Self::Wide(q, r) => Some(q * r.transpose().solve_lower_triangular(right)?),
+            Self::F64x8(q, r) => Some(q * r.transpose().solve_lower_triangular(right)?),
         }
     }
 }

@@ -13,7 +13,7 @@ use assur_math::math::Vec2;
 use assur_model::model;
 use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, Positions, Value};
 use assur_syntax::document::{
-    Course, Direction, Drive, DrivePosition, Name, Path, Sensed, Statement, Steps, Turn, Way,
+    Direction, Drive, DrivePosition, DriveRange, Name, Path, Sensed, Statement, Steps, Turn, Way,
 };
 use assur_text::diagnostic::{Diagnosis, Fix, Help};
 use assur_text::source::{Span, Spanned};
@@ -285,7 +285,7 @@ fn timed(cx: &mut Context<'_>, sensed: &Sensed, moves: Moves, name: &str) -> Opt
 
 fn range(
     cx: &mut Context<'_>,
-    (drive, course, span): (&Drive, &Course, Span),
+    (drive, course, span): (&Drive, &DriveRange, Span),
     moves: Moves,
     name: &str,
 ) -> Option<Positions> {

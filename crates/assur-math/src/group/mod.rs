@@ -28,7 +28,7 @@ pub mod rrr;
 pub mod triad;
 mod watch;
 
-pub use watch::{NewtonStep, Watch};
+pub use watch::{IterationLog, NewtonStep};
 
 /// Why a group does not close, and by how much.
 #[derive(Clone, Copy, Debug, PartialEq)]

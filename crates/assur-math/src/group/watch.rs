@@ -14,21 +14,21 @@ pub struct NewtonStep {
 }
 
 /// Sees the steps of an iteration; `()` sees nothing, and costs nothing.
-pub trait Watch {
+pub trait IterationLog {
     /// An iteration begins: another before it came to nothing.
     fn begin(&mut self);
     /// A step of it.
     fn step(&mut self, step: impl FnOnce() -> NewtonStep);
 }
 
-impl Watch for () {
+impl IterationLog for () {
     #[inline(always)]
     fn begin(&mut self) {}
     #[inline(always)]
     fn step(&mut self, _: impl FnOnce() -> NewtonStep) {}
 }
 
-impl Watch for Vec<NewtonStep> {
+impl IterationLog for Vec<NewtonStep> {
     fn begin(&mut self) {
         self.clear();
     }

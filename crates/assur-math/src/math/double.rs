@@ -129,7 +129,7 @@ impl Div for Double {
 
 impl Scalar for Double {
     type Mask = bool;
-    const WIDE: bool = true;
+    const EXTENDED: bool = true;
 
     fn of(x: f64) -> Self {
         Self { high: x, low: 0.0 }

@@ -6,7 +6,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Scalar;
-use super::scalar::Truths;
+use super::scalar::LaneMask;
 
 /// `N` numbers that go through the same operations. Plain arrays: the compiler makes vectors of them. Every lane has the
 /// same bits as `f64` alone. Aligned, so that no vector lies across two lines of the cache.
@@ -66,7 +66,7 @@ impl<const N: usize> Neg for Lanes<N> {
 }
 
 /// All bits of a lane where it holds, none elsewhere: what a comparison of vectors leaves.
-impl<const N: usize> Truths for [u64; N] {
+impl<const N: usize> LaneMask for [u64; N] {
     #[inline]
     fn all(self) -> bool {
         self.iter().fold(u64::MAX, |all, x| all & x) == u64::MAX

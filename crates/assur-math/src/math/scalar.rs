@@ -18,10 +18,10 @@ pub trait Scalar:
     + 'static
 {
     /// The outcome of a comparison, one truth per lane.
-    type Mask: Truths;
+    type Mask: LaneMask;
 
     /// More digits than `f64`: numbers that a plan holds rounded are formed again.
-    const WIDE: bool = false;
+    const EXTENDED: bool = false;
 
     /// ε of its rounding where that is not finer than that of `f64`.
     const ROUNDING: f64 = f64::EPSILON;
@@ -74,12 +74,12 @@ pub trait Scalar:
 }
 
 /// One truth per lane.
-pub trait Truths: Copy + Debug {
+pub trait LaneMask: Copy + Debug {
     /// Holds in every lane.
     fn all(self) -> bool;
 }
 
-impl Truths for bool {
+impl LaneMask for bool {
     #[inline(always)]
     fn all(self) -> bool {
         self
@@ -147,13 +147,13 @@ impl<S: Scalar<Mask = bool>> Real for S {}
 
 /// ε of the numbers.
 pub(super) fn epsilon<S: Real>() -> S {
-    S::of(if S::WIDE { 4.930_380_657_631_324e-32 } else { S::ROUNDING })
+    S::of(if S::EXTENDED { 4.930_380_657_631_324e-32 } else { S::ROUNDING })
 }
 
 /// A coefficient in two parts.
 #[inline(always)]
 pub(super) fn wide<S: Real>([high, low]: [f64; 2]) -> S {
-    if S::WIDE { S::of(high) + S::of(low) } else { S::of(high) }
+    if S::EXTENDED { S::of(high) + S::of(low) } else { S::of(high) }
 }
 
 /// Neither infinite nor NaN.

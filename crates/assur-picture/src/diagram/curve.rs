@@ -4,7 +4,7 @@
 use crate::figures::cleared;
 use crate::scene::Scene;
 use assur_model::model::{Expr, Value};
-use assur_solve::solve::{Course, DriveValue, PoseOrigin, TimeCourse};
+use assur_solve::solve::{DriveValue, PoseOrigin, SweepCurve, TimeCourse};
 
 /// Points of a curve over the sweep before those are left out that lie on lines between others.
 const PARTS: f64 = 480.0;
@@ -26,7 +26,7 @@ pub struct Curve {
 impl Curve {
     /// Of the solver's series.
     #[must_use]
-    pub fn of(course: &Course) -> Self {
+    pub fn of(course: &SweepCurve) -> Self {
         let lines = vec![course.points(PARTS)];
         Self { lines, least: Some(course.least), greatest: Some(course.greatest) }
     }

@@ -51,6 +51,6 @@ impl ExactVec {
     #[must_use]
     pub fn of<S: Scalar>(&self) -> V2<S> {
         let rounded = V2::of(self.rounded);
-        if S::WIDE { rounded + V2::of(self.rest) } else { rounded }
+        if S::EXTENDED { rounded + V2::of(self.rest) } else { rounded }
     }
 }

@@ -62,14 +62,14 @@ impl Leg {
     /// Distance of the two revolutes, m.
     #[inline(always)]
     pub fn length<S: Scalar>(&self) -> S {
-        if S::WIDE { self.arm.of::<S>().norm() } else { S::of(self.length) }
+        if S::EXTENDED { self.arm.of::<S>().norm() } else { S::of(self.length) }
     }
 
     /// The direction from one to the other over the distance, 1/m.
     #[inline(always)]
     pub fn turn<S: Scalar>(&self) -> V2<S> {
         let arm = self.arm.of::<S>();
-        if S::WIDE { arm / arm.dot(arm) } else { V2::of(self.turn) }
+        if S::EXTENDED { arm / arm.dot(arm) } else { V2::of(self.turn) }
     }
 }
 
@@ -77,14 +77,14 @@ impl Leg {
 #[inline(always)]
 pub fn unit<S: Scalar>(direction: Vec2) -> V2<S> {
     let direction = V2::of(direction);
-    if S::WIDE { direction / direction.norm() } else { direction }
+    if S::EXTENDED { direction / direction.norm() } else { direction }
 }
 
 impl Slide {
     /// Direction of the sliding body against the base.
     #[inline(always)]
     pub fn turn<S: Scalar>(&self) -> V2<S> {
-        if S::WIDE { unit(self.along).turned_back(unit(self.direction)) } else { V2::of(self.turn) }
+        if S::EXTENDED { unit(self.along).turned_back(unit(self.direction)) } else { V2::of(self.turn) }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::planned::Plan;
 use super::train_step::{LawSite, PlannedLaw, TrainForces, TrainSupport};
-use crate::math::{Lu, Magnitudes, Part, Vec2};
+use crate::math::{AbsLinearSystem, Lu, Part, Vec2};
 
 impl TrainSupport {
     /// Coefficient of a law with losses on the member's coordinate, with what is left of the forces on its two sides.
@@ -48,7 +48,7 @@ pub fn loss_system(
     loads: &[f64],
     departures: &[Vec<f64>],
     columns: &[usize],
-) -> Option<Magnitudes> {
+) -> Option<AbsLinearSystem> {
     let mut lu = Lu::new(n);
     middle.chunks_exact(n).enumerate().for_each(|(i, row)| lu.set_row(i, row.iter().copied()));
     if !lu.factor() {
@@ -69,7 +69,7 @@ pub fn loss_system(
     });
     let parts: Vec<Part> = parts.collect();
     let finite = parts.iter().all(|p| p.constant.x.is_finite() && p.slopes.iter().all(|s| s.x.is_finite()));
-    finite.then(|| Magnitudes { orientation: lu.sign(), weights: vec![-1.0; columns.len()], parts })
+    finite.then(|| AbsLinearSystem { orientation: lu.sign(), weights: vec![-1.0; columns.len()], parts })
 }
 
 /// Whether a group has one solution whatever its loads and the senses of its rates.

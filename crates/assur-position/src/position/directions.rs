@@ -1,6 +1,6 @@
 //! Directions of angles side by side, with the bits of one angle alone.
 
-use super::together::{WIDTH, Wide};
+use super::together::{F64x8, WIDTH};
 use crate::math::{V2, Vec2};
 
 /// 2⁵² · 1.5: added to a number, its last bits hold the nearest whole one.
@@ -39,7 +39,7 @@ const LARGE: f64 = 1e6;
 /// The directions: the operations of `libm::sincos` in its order where they are those of most angles, and itself for the others.
 #[cfg_attr(in_one, inline(always))]
 #[must_use]
-pub fn directions(angles: Wide) -> V2<Wide> {
+pub fn directions(angles: F64x8) -> V2<F64x8> {
     let (mut cos, mut sin, mut plain) = ([0.0; WIDTH], [0.0; WIDTH], true);
     for lane in 0..WIDTH {
         let one = direction(angles.0[lane]);

@@ -33,7 +33,7 @@ impl<S: Scalar> State<S> {
         b: Point<S>,
     ) {
         let [one, two] = legs;
-        let sides = if S::WIDE { Sides::new(one.length(), two.length()) } else { sides.of() };
+        let sides = if S::EXTENDED { Sides::new(one.length(), two.length()) } else { sides.of() };
         let at = sides.position(a.p, b.p, S::of(self.branches[branch].root));
         self.motion.conditions[branch] = at.conditioning;
         self.closes(branch, at.closure, S::of(one.length + two.length));

@@ -13,7 +13,7 @@
 //! where the determinant of ∂g/∂φ is 1, and accepts a solution where it is positive. Magnitudes have kinks where a force
 //! changes its sense: where Newton does not settle, all laws of the mechanism are searched (`friction_search`).
 
-use super::friction_steps::Watch;
+use super::friction_steps::FrictionLog;
 use super::friction_work::FrictionWork;
 use super::state::State;
 use super::wrench::{Reaction, Wrench};
@@ -186,7 +186,7 @@ impl State {
         plain: &ForceStep,
         group: &FrictionGroup,
         work: &mut FrictionWork,
-        watch: &mut impl Watch,
+        watch: &mut impl FrictionLog,
     ) -> Option<f64> {
         let conditioning = self.respond(plan, plain, group, work, None);
         for unit in 0..group.elements.len() {
@@ -251,7 +251,7 @@ fn presses(plan: &Plan, group: &FrictionGroup, work: &FrictionWork) -> Vec<f64> 
 }
 
 /// Newton's method; on success the efforts are in `work.values` and the motion is possible.
-fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork, watch: &mut impl Watch) -> bool {
+fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork, watch: &mut impl FrictionLog) -> bool {
     let count = group.elements.len();
     work.values.fill(0.0);
     watch.begin(|| presses(plan, group, work));

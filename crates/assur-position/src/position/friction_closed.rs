@@ -21,7 +21,7 @@
 //! The hinge of a driven link, or the guide of a driven slider, presses with what the loads give, whatever its friction.
 
 use super::friction::STEPS;
-use super::friction_steps::Watch;
+use super::friction_steps::FrictionLog;
 use super::state::State;
 use super::wrench::Reaction;
 use crate::group::{rrp, rrr};
@@ -86,7 +86,12 @@ impl Dyad {
 
     /// The force f; `None` where the equations have no solution that is a motion.
     #[inline(always)]
-    fn solve<const GUIDE: bool>(&self, start: Vec2, steps: &mut u32, watch: &mut impl Watch) -> Option<Vec2> {
+    fn solve<const GUIDE: bool>(
+        &self,
+        start: Vec2,
+        steps: &mut u32,
+        watch: &mut impl FrictionLog,
+    ) -> Option<Vec2> {
         match self.newton::<GUIDE, true>(start, Sense::Kept, steps, watch) {
             Found::Motion(f) => Some(f),
             Found::Locked => None,
@@ -101,7 +106,7 @@ impl Dyad {
         &self,
         start: Vec2,
         steps: &mut u32,
-        watch: &mut impl Watch,
+        watch: &mut impl FrictionLog,
     ) -> Option<Vec2> {
         let senses = [Sense::Present, Sense::OneSide(1.0), Sense::OneSide(-1.0)];
         let tried = if GUIDE { &senses[..] } else { &senses[..1] };
@@ -117,7 +122,7 @@ impl Dyad {
         start: Vec2,
         sense: Sense,
         steps: &mut u32,
-        watch: &mut impl Watch,
+        watch: &mut impl FrictionLog,
     ) -> Found {
         let [w_A, w_C, w_B] = self.weights;
         let upright = self.p_1.cross(self.q);
@@ -201,7 +206,7 @@ impl State {
         plan: &Plan,
         plain: &ForceStep,
         elements: &[Option<usize>; 3],
-        (steps, watch): (&mut u32, &mut impl Watch),
+        (steps, watch): (&mut u32, &mut impl FrictionLog),
     ) -> Option<f64> {
         match plain {
             ForceStep::Rrr { outer, inner, motion } => {
@@ -265,7 +270,7 @@ impl State {
         (group, conditioning): (rrr::Rrr<f64>, f64),
         ([one, two], inner): (&[Hinge; 2], &Inner),
         elements: &[Option<usize>; 3],
-        (steps, watch): (&mut u32, &mut impl Watch),
+        (steps, watch): (&mut u32, &mut impl FrictionLog),
     ) -> Option<f64> {
         let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
         let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
@@ -299,7 +304,7 @@ impl State {
         (group, conditioning): (rrp::Rrp<f64>, f64),
         (outer, inner, guide): (&Hinge, &Inner, &Guide),
         elements: &[Option<usize>; 3],
-        (steps, watch): (&mut u32, &mut impl Watch),
+        (steps, watch): (&mut u32, &mut impl FrictionLog),
     ) -> Option<f64> {
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let p_C = p_A + group.r_1;

@@ -5,7 +5,7 @@
 use super::consistent::Consistent;
 use super::state::State;
 use super::wrench::Wrench;
-use crate::math::{Magnitudes, Part, Vec2};
+use crate::math::{AbsLinearSystem, Part, Vec2};
 use crate::plan::{FrictionLaw, Plan};
 
 impl State {
@@ -18,7 +18,7 @@ impl State {
         let sensed = self.sensed(plan);
         let (taken, consistent) = if sensed.is_empty() {
             let laws = self.friction_laws(plan, &moving, &loads);
-            match Magnitudes::follow(|part| Some(laws.scaled(part))) {
+            match AbsLinearSystem::follow(|part| Some(laws.scaled(part))) {
                 Some(efforts) => (Some(efforts), Consistent::One),
                 None => self.least_loss(plan, &moving, &laws),
             }
@@ -48,7 +48,7 @@ impl State {
         &mut self,
         plan: &Plan,
         moving: &[usize],
-        laws: &Magnitudes,
+        laws: &AbsLinearSystem,
     ) -> (Option<Vec<f64>>, Consistent) {
         let all = laws.solutions(self.scratch.searched.left());
         self.scratch.searched.add(all.work);
@@ -67,7 +67,12 @@ impl State {
     }
 
     /// The laws of the elements that slide or turn: what presses, from the loads and from a unit of each friction.
-    pub(super) fn friction_laws(&mut self, plan: &Plan, moving: &[usize], loads: &[Wrench]) -> Magnitudes {
+    pub(super) fn friction_laws(
+        &mut self,
+        plan: &Plan,
+        moving: &[usize],
+        loads: &[Wrench],
+    ) -> AbsLinearSystem {
         let mut measured = vec![vec![Vec2::zero(); moving.len() + 1]; moving.len()];
         for column in 0..=moving.len() {
             if column == 0 {
@@ -81,7 +86,7 @@ impl State {
                 row[column] = self.measured(plan, &plan.friction[element]);
             }
         }
-        let mut laws = Magnitudes { orientation: 1.0, weights: Vec::new(), parts: Vec::new() };
+        let mut laws = AbsLinearSystem { orientation: 1.0, weights: Vec::new(), parts: Vec::new() };
         for (row, (&index, measured)) in moving.iter().zip(&measured).enumerate() {
             let element = &plan.friction[index];
             laws.weights.push(self.forces.senses[index] * element.kind.factor());

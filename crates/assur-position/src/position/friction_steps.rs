@@ -6,21 +6,21 @@ use super::state::State;
 use crate::plan::{ForceStep, Plan};
 
 /// Sees the steps of an iteration; `()` sees nothing, and costs nothing.
-pub(super) trait Watch {
+pub(super) trait FrictionLog {
     /// An iteration begins where this presses in the pairs: another before it came to nothing.
     fn begin(&mut self, presses: impl FnOnce() -> Vec<f64>);
     /// A step of it.
     fn step(&mut self, presses: impl FnOnce() -> Vec<f64>);
 }
 
-impl Watch for () {
+impl FrictionLog for () {
     #[inline(always)]
     fn begin(&mut self, _: impl FnOnce() -> Vec<f64>) {}
     #[inline(always)]
     fn step(&mut self, _: impl FnOnce() -> Vec<f64>) {}
 }
 
-impl Watch for Vec<Vec<f64>> {
+impl FrictionLog for Vec<Vec<f64>> {
     fn begin(&mut self, presses: impl FnOnce() -> Vec<f64>) {
         self.clear();
         self.push(presses());

@@ -3,7 +3,7 @@
 use super::body::BodyState;
 use super::general_work::Workspace;
 use super::state::{Branch, State};
-use crate::group::Watch;
+use crate::group::IterationLog;
 use crate::group::general::{self, Acceleration, Constraint, Geared, General, Law, Meant, Pose, Velocity};
 use crate::plan::{GeneralMotion, Settings};
 
@@ -17,7 +17,7 @@ impl State {
         problem: usize,
         group: &GeneralMotion,
         small: f64,
-        seen: &mut impl Watch,
+        seen: &mut impl IterationLog,
     ) {
         let Some(mut work) = self.scratch.motion_work.get_mut(problem).and_then(Option::take) else {
             self.motion.open.get_or_insert(branch);

@@ -48,7 +48,7 @@ impl<S: Scalar> State<S> {
                 let heavy = Heavy {
                     mass,
                     moment_of_inertia: S::of(*moment_of_inertia),
-                    weight: if S::WIDE { V2::of(*gravity) * mass } else { V2::of(*weight) },
+                    weight: if S::EXTENDED { V2::of(*gravity) * mass } else { V2::of(*weight) },
                 };
                 self.forces.wrenches[*body] =
                     if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };

@@ -4,7 +4,7 @@
 
 use super::body::BodyState;
 use super::state::State;
-use crate::math::{Scalar, Truths, V2, Vec2};
+use crate::math::{LaneMask, Scalar, V2, Vec2};
 use crate::plan::step::unit;
 use crate::plan::{Anchor, Arm, MotionStep, Plan, Slide};
 

@@ -18,7 +18,7 @@ use crate::plan::{Level, Plan};
 pub const WIDTH: usize = if cfg!(target_family = "wasm") { 1 } else { 8 };
 
 /// Numbers of positions side by side.
-pub type Wide = Lanes<WIDTH>;
+pub type F64x8 = Lanes<WIDTH>;
 
 /// Rows of lanes that go step by step together.
 const TOGETHER: usize = 2;
@@ -27,30 +27,30 @@ const TOGETHER: usize = 2;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Checked {
     /// See [`Residuals`].
-    pub closure: Wide,
+    pub closure: F64x8,
     /// The same; nothing where it is not known.
-    pub equilibrium: Wide,
-    pub power: Wide,
+    pub equilibrium: F64x8,
+    pub power: F64x8,
     /// The least condition figure of all groups.
-    pub condition: Wide,
+    pub condition: F64x8,
     /// Sum of the magnitudes of all answers: what is no number, or beyond all, is in it.
-    pub magnitude: Wide,
+    pub magnitude: F64x8,
 }
 
 /// Memory for positions of plans that are [batchable](Plan::is_batchable).
 #[derive(Debug, Default)]
-pub struct Together {
-    totals: Vec<Wrench<Wide>>,
+pub struct LaneSolver {
+    totals: Vec<Wrench<F64x8>>,
 }
 
-impl Together {
+impl LaneSolver {
     /// Solves motion, loads and forces of states in which inputs and assemblies are set, and checks them. Of the drives that are
     /// `turned` the directions are found from their values. Where one has a group `open`, one of its positions does not close. Without
     /// `forces` only the closure is checked. Allocates nothing once it has run.
     pub fn run(
         &mut self,
         plan: &Plan,
-        (states, turned): (&mut [State<Wide>], &[usize]),
+        (states, turned): (&mut [State<F64x8>], &[usize]),
         checked: &mut [Checked],
         forces: bool,
     ) {
@@ -76,10 +76,10 @@ pub fn in_avx2<R>(work: impl FnOnce() -> R) -> R {
 
 struct Work<'a> {
     plan: &'a Plan,
-    states: &'a mut [State<Wide>],
+    states: &'a mut [State<F64x8>],
     turned: &'a [usize],
     checked: &'a mut [Checked],
-    totals: &'a mut Vec<Wrench<Wide>>,
+    totals: &'a mut Vec<Wrench<F64x8>>,
     forces: bool,
 }
 
@@ -109,7 +109,7 @@ impl Work<'_> {
                 let [closure, equilibrium, power] = if forces {
                     state.residuals(plan, totals)
                 } else {
-                    [state.closure(&plan.checks), Wide::zero(), Wide::zero()]
+                    [state.closure(&plan.checks), F64x8::zero(), F64x8::zero()]
                 };
                 let condition = state.least_condition(plan);
                 let magnitude = state.magnitude();
@@ -119,18 +119,18 @@ impl Work<'_> {
     }
 }
 
-impl State<Wide> {
+impl State<F64x8> {
     #[cfg_attr(in_one, inline(always))]
-    fn least_condition(&self, plan: &Plan) -> Wide {
+    fn least_condition(&self, plan: &Plan) -> F64x8 {
         let forces = if plan.effects.forces { self.forces.conditions.as_slice() } else { &[] };
         let all = self.motion.conditions.iter().chain(forces);
-        all.fold(Wide::one(), |least, c| least.min(c.abs()))
+        all.fold(F64x8::one(), |least, c| least.min(c.abs()))
     }
 
     #[cfg_attr(in_one, inline(always))]
-    fn magnitude(&self) -> Wide {
-        let of = |v: V2<Wide>| v.x.abs() + v.y.abs();
-        let mut sum = Wide::zero();
+    fn magnitude(&self) -> F64x8 {
+        let of = |v: V2<F64x8>| v.x.abs() + v.y.abs();
+        let mut sum = F64x8::zero();
         for b in &self.motion.bodies {
             // several sums at a time, as none waits for another
             let [places, motion] = [of(b.p) + of(b.u), of(b.v) + of(b.a)];
@@ -164,10 +164,10 @@ impl Checked {
     }
 }
 
-impl DriveInput<Wide> {
+impl DriveInput<F64x8> {
     /// Sets one of the positions.
     pub fn set_lane(&mut self, lane: usize, input: &DriveInput) {
-        let set = |v: &mut V2<Wide>, x: Vec2| (v.x.0[lane], v.y.0[lane]) = (x.x, x.y);
+        let set = |v: &mut V2<F64x8>, x: Vec2| (v.x.0[lane], v.y.0[lane]) = (x.x, x.y);
         set(&mut self.place, input.place);
         set(&mut self.velocity, input.velocity);
         set(&mut self.point_acceleration, input.point_acceleration);
@@ -176,7 +176,7 @@ impl DriveInput<Wide> {
     }
 }
 
-impl Motion<Wide> {
+impl Motion<F64x8> {
     fn write_lane(&self, lane: usize, out: &mut Motion) {
         write(&self.inputs, &mut out.inputs, |input| DriveInput {
             place: vector(input.place, lane),
@@ -212,9 +212,9 @@ impl Motion<Wide> {
     }
 }
 
-impl Forces<Wide> {
+impl Forces<F64x8> {
     fn write_lane(&self, lane: usize, out: &mut Forces) {
-        let wrench = |w: &Wrench<Wide>| Wrench { force: vector(w.force, lane), moment: w.moment.0[lane] };
+        let wrench = |w: &Wrench<F64x8>| Wrench { force: vector(w.force, lane), moment: w.moment.0[lane] };
         write(&self.applied, &mut out.applied, wrench);
         write(&self.wrenches, &mut out.wrenches, wrench);
         write(&self.reactions, &mut out.reactions, |r| Reaction {
@@ -231,6 +231,6 @@ fn write<A, B>(from: &[A], to: &mut [B], one: impl Fn(&A) -> B) {
     to.iter_mut().zip(from).for_each(|(to, from)| *to = one(from));
 }
 
-fn vector(v: V2<Wide>, lane: usize) -> Vec2 {
+fn vector(v: V2<F64x8>, lane: usize) -> Vec2 {
     Vec2::new(v.x.0[lane], v.y.0[lane])
 }

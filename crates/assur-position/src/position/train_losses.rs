@@ -8,7 +8,7 @@
 use super::consistent::Consistent;
 use super::state::State;
 use super::train_work::TrainWork;
-use crate::math::Magnitudes;
+use crate::math::AbsLinearSystem;
 use crate::plan::{Plan, PlannedLaw, TrainForces, loss_system};
 
 /// Rounds in which directions are turned before all are searched.
@@ -72,7 +72,7 @@ impl State {
         let Some(laws) = self.loss_laws(plan, train, &work.loads, 1.0) else {
             return self.try_directions(plan, train, work);
         };
-        let followed = Magnitudes::follow(|part| self.loss_laws(plan, train, &work.loads, part));
+        let followed = AbsLinearSystem::follow(|part| self.loss_laws(plan, train, &work.loads, part));
         let left = self.scratch.searched.left();
         // a motion is looked at so often that others than the one followed are not
         let others = if plan.effects.simulated { 0.0 } else { left.min(WORK_FOR_OTHERS) };
@@ -135,7 +135,13 @@ impl State {
 
     /// The system in the magnitudes of the multipliers of the laws that lose: those are linear in the magnitudes. `None`
     /// where it is singular with the middles of the columns.
-    fn loss_laws(&self, plan: &Plan, train: &TrainForces, loads: &[f64], part: f64) -> Option<Magnitudes> {
+    fn loss_laws(
+        &self,
+        plan: &Plan,
+        train: &TrainForces,
+        loads: &[f64],
+        part: f64,
+    ) -> Option<AbsLinearSystem> {
         let n = train.members.len();
         let lossy: Vec<(usize, usize)> = train
             .laws

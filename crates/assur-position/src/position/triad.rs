@@ -3,7 +3,7 @@
 use super::motion::{Point, line, place, point, under};
 use super::state::State;
 use super::wrench::Reaction;
-use crate::group::Watch;
+use crate::group::IterationLog;
 use crate::group::general::Pose;
 use crate::group::triad::{End, Followed, Triad, modes};
 use crate::math::Vec2;
@@ -17,7 +17,7 @@ impl State {
         branch: usize,
         triad: &TriadMotion,
         small: f64,
-        seen: &mut impl Watch,
+        seen: &mut impl IterationLog,
     ) {
         let (before, now) = (self.triad_stands(triad), self.triad_ends(triad));
         match triad.plate.follow_seen((&before, &now), &self.triad_pose(triad), small, seen) {

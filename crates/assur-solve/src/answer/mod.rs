@@ -49,7 +49,7 @@ pub use left_curve::LeftCurve;
 pub(crate) use locking::Locked;
 pub use number_columns::{NumberColumns, Shown};
 pub use pose_answers::PoseAnswers;
-pub use pose_numbers::{Beside, Source, read_numbers};
+pub use pose_numbers::{PoseExtras, Source, read_numbers};
 pub use pressure_angle::FollowerWay;
 pub(crate) use size::Measured;
 pub use sizes::Sizes;

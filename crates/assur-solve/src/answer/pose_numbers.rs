@@ -50,7 +50,7 @@ pub(super) const NO_FORCE: f64 = 1e-12;
 
 /// What a position has beside its state.
 #[derive(Clone, Copy, Debug)]
-pub struct Beside<'a> {
+pub struct PoseExtras<'a> {
     /// The values of the drives.
     pub drives: &'a [DriveValue],
     pub residuals: &'a Residuals,
@@ -62,7 +62,7 @@ pub struct Beside<'a> {
 pub fn read_numbers(
     sources: &[Source],
     view: &PoseAnswers<'_>,
-    beside: &Beside<'_>,
+    beside: &PoseExtras<'_>,
     out: &mut Vec<f64>,
 ) -> bool {
     let begin = out.len();
@@ -74,7 +74,7 @@ pub fn read_numbers(
     out[begin..].iter().all(|x| x.is_finite())
 }
 
-fn read(source: &Source, view: &PoseAnswers<'_>, beside: &Beside<'_>, out: &mut Vec<f64>) -> Option<()> {
+fn read(source: &Source, view: &PoseAnswers<'_>, beside: &PoseExtras<'_>, out: &mut Vec<f64>) -> Option<()> {
     let vector = |v: Vec2, out: &mut Vec<f64>| out.extend([v.x, v.y]);
     match source {
         Source::Drive(i) => value(beside.drives.get(*i)?.value()?, out)?,

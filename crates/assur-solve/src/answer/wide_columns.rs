@@ -8,7 +8,7 @@ use super::wide_crossing::WideCrossing;
 use super::wide_rows::{numbers, of_drive, vectors, write_drive};
 use crate::math::{Scalar, V2, Vec2};
 use crate::model::{Axis, BinaryOp, Expr, FindKind, LinkId, PairId, PointRef, Query, Value};
-use crate::position::{BodyState, DriveValue, Model, State, Wide, in_avx2};
+use crate::position::{BodyState, DriveValue, F64x8, Model, State, in_avx2};
 use crate::structure::EffortSource;
 use assur_text::units::Conversion;
 
@@ -29,7 +29,7 @@ pub(super) enum WideShown {
     /// What an expression comes to.
     Found(WideExpr),
     /// What is known of a position in addition to its state.
-    Beside(WideBeside),
+    PoseExtras(WideBeside),
 }
 
 /// What is known of a position in addition to its state.
@@ -66,8 +66,8 @@ pub(super) enum WideExpr {
 
 #[derive(Clone, Copy)]
 enum WideValue {
-    Number(Wide),
-    Vector(V2<Wide>),
+    Number(F64x8),
+    Vector(V2<F64x8>),
 }
 
 /// Longer expressions are evaluated position by position: quantities of the file are written out in them.
@@ -111,7 +111,7 @@ impl WideColumns {
     /// those of the drives. What is known in addition to the states is left to `beside`.
     pub(crate) fn write(
         &self,
-        rows: &[State<Wide>],
+        rows: &[State<F64x8>],
         (values, drives): (&[DriveValue], usize),
         out: &mut dyn Iterator<Item = &mut [f64]>,
         beside: impl Fn(WideBeside, &mut [f64]),
@@ -130,7 +130,7 @@ impl WideColumns {
                     #[inline(always)]
                     || expr.write_numbers(rows, first, *unit),
                 ),
-                WideShown::Beside(what) => beside(*what, first),
+                WideShown::PoseExtras(what) => beside(*what, first),
                 WideShown::Drive(drive, vector) => {
                     let second = if *vector { out.next() } else { None };
                     write_drive(of_drive(values, drives, *drive), *unit, first, second);
@@ -145,7 +145,7 @@ impl Column {
         1 + usize::from(match &self.shown {
             WideShown::Drive(_, vector) => *vector,
             WideShown::Found(expr) => expr.is_vector(),
-            WideShown::Beside(_) => false,
+            WideShown::PoseExtras(_) => false,
         })
     }
 }
@@ -235,7 +235,7 @@ impl WideExpr {
 
     // the usual ones without a look at the expression at every row
     #[inline(always)]
-    fn write_vectors(&self, rows: &[State<Wide>], x: &mut [f64], y: &mut [f64], unit: Conversion) {
+    fn write_vectors(&self, rows: &[State<F64x8>], x: &mut [f64], y: &mut [f64], unit: Conversion) {
         match self {
             Self::Position(link, at) => {
                 vectors(rows, (x, y), unit, |state| state.motion.bodies[link.index()].position(*at));
@@ -255,7 +255,7 @@ impl WideExpr {
     }
 
     #[inline(always)]
-    fn write_numbers(&self, rows: &[State<Wide>], out: &mut [f64], unit: Conversion) {
+    fn write_numbers(&self, rows: &[State<F64x8>], out: &mut [f64], unit: Conversion) {
         match self {
             Self::Omega(link) => numbers(rows, out, unit, |state| state.motion.bodies[link.index()].omega),
             Self::Effort(slot) => numbers(rows, out, unit, |state| state.forces.efforts[*slot]),
@@ -267,11 +267,11 @@ impl WideExpr {
         }
     }
 
-    fn value(&self, state: &State<Wide>) -> WideValue {
+    fn value(&self, state: &State<F64x8>) -> WideValue {
         use WideValue::{Number, Vector};
-        let body = |link: &LinkId| -> &BodyState<Wide> { &state.motion.bodies[link.index()] };
+        let body = |link: &LinkId| -> &BodyState<F64x8> { &state.motion.bodies[link.index()] };
         match self {
-            Self::Number(x) => Number(Wide::of(*x)),
+            Self::Number(x) => Number(F64x8::of(*x)),
             Self::Vector(v) => Vector(V2::of(*v)),
             Self::Position(link, at) => Vector(body(link).position(*at)),
             Self::Velocity(link, at) => Vector(body(link).velocity(*at)),
@@ -322,6 +322,6 @@ fn binary(op: BinaryOp, a: WideValue, b: WideValue) -> WideValue {
         (Mul, Vector(a), Number(k)) | (Mul, Number(k), Vector(a)) => Vector(a * k),
         (Div, Vector(a), Number(k)) => Vector(a / k),
         // expressions are made of what fits
-        _ => Number(Wide::of(f64::NAN)),
+        _ => Number(F64x8::of(f64::NAN)),
     }
 }

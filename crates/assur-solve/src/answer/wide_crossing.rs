@@ -5,7 +5,7 @@ use super::pose_numbers::NO_FORCE;
 use super::wide_columns::{couple_joints, joints};
 use crate::math::{Scalar, V2};
 use crate::model::{Guide, LinkId, PairId, PairKind};
-use crate::position::{Model, State, Wide};
+use crate::position::{F64x8, Model, State};
 
 /// The reaction on a link in a prismatic pair and where it crosses the guide.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ impl WideCrossing {
     }
 
     /// The place, m; NaN where there is none.
-    pub fn at(&self, state: &State<Wide>) -> V2<Wide> {
+    pub fn at(&self, state: &State<F64x8>) -> V2<F64x8> {
         let Self { guide, on_link, on_slider } = self;
         let body = |link: LinkId| &state.motion.bodies[link.index()];
         let along = V2::of(guide.along).turned(body(guide.guide).u);
@@ -38,9 +38,9 @@ impl WideCrossing {
         let normal = on_slider.force(state).dot(along.perp());
         let offset = displacement + on_slider.couple(state) / normal;
         let forces = state.forces.reactions.iter().map(|r| r.force.norm());
-        let scale = forces.fold(Wide::zero(), Wide::max);
-        let crosses = (scale * Wide::of(NO_FORCE)).lt(on_link.force(state).norm());
-        let offset = Wide::select(crosses, offset, Wide::of(f64::NAN));
+        let scale = forces.fold(F64x8::zero(), F64x8::max);
+        let crosses = (scale * F64x8::of(NO_FORCE)).lt(on_link.force(state).norm());
+        let offset = F64x8::select(crosses, offset, F64x8::of(f64::NAN));
         through + along * offset
     }
 }

@@ -19,7 +19,7 @@ impl WideColumns {
     /// Whether one shows the angle of a link.
     #[must_use]
     pub fn shows_angles(&self) -> bool {
-        self.0.iter().any(|column| matches!(column.shown, WideShown::Beside(WideBeside::Angle(_))))
+        self.0.iter().any(|column| matches!(column.shown, WideShown::PoseExtras(WideBeside::Angle(_))))
     }
 }
 
@@ -30,10 +30,10 @@ impl WideShown {
                 let target = model.mechanism.drives.get(*drive)?.target;
                 return Some(Self::Drive(*drive, matches!(target, DriveTarget::Point(..))));
             }
-            Source::Angle(link) => return Some(Self::Beside(WideBeside::Angle(*link))),
-            Source::Equilibrium => return Some(Self::Beside(WideBeside::Equilibrium)),
-            Source::Power => return Some(Self::Beside(WideBeside::Power)),
-            Source::Condition => return Some(Self::Beside(WideBeside::Condition)),
+            Source::Angle(link) => return Some(Self::PoseExtras(WideBeside::Angle(*link))),
+            Source::Equilibrium => return Some(Self::PoseExtras(WideBeside::Equilibrium)),
+            Source::Power => return Some(Self::PoseExtras(WideBeside::Power)),
+            Source::Condition => return Some(Self::PoseExtras(WideBeside::Condition)),
             Source::Omega(link) => WideExpr::Omega(*link),
             Source::Alpha(link) => WideExpr::Alpha(*link),
             Source::InertiaForce(link, centre, mass) => WideExpr::Acceleration(*link, *centre).times(-mass),

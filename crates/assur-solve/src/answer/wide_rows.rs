@@ -1,16 +1,16 @@
 //! Numbers of positions side by side, written row by row where the columns have them.
 
 use crate::math::{Scalar, V2, Vec2};
-use crate::position::{DriveValue, State, WIDTH, Wide};
+use crate::position::{DriveValue, F64x8, State, WIDTH};
 use assur_text::units::Conversion;
 
 /// Writes rows of numbers.
 #[inline(always)]
 pub(super) fn numbers(
-    rows: &[State<Wide>],
+    rows: &[State<F64x8>],
     out: &mut [f64],
     unit: Conversion,
-    of: impl Fn(&State<Wide>) -> Wide,
+    of: impl Fn(&State<F64x8>) -> F64x8,
 ) {
     for (state, out) in rows.iter().zip(out.chunks_mut(WIDTH)) {
         let x = of(state);
@@ -21,10 +21,10 @@ pub(super) fn numbers(
 /// Writes rows of vectors.
 #[inline(always)]
 pub(super) fn vectors(
-    rows: &[State<Wide>],
+    rows: &[State<F64x8>],
     (x, y): (&mut [f64], &mut [f64]),
     unit: Conversion,
-    of: impl Fn(&State<Wide>) -> V2<Wide>,
+    of: impl Fn(&State<F64x8>) -> V2<F64x8>,
 ) {
     for (state, (x, y)) in rows.iter().zip(x.chunks_mut(WIDTH).zip(y.chunks_mut(WIDTH))) {
         let v = of(state);
@@ -35,11 +35,11 @@ pub(super) fn vectors(
 
 /// Writes a row of numbers. Half a vector does not exist.
 #[inline(always)]
-fn put(out: &mut [f64], x: &Wide, beside: &Wide, unit: Conversion) {
+fn put(out: &mut [f64], x: &F64x8, beside: &F64x8, unit: Conversion) {
     let row = match unit {
         Conversion::None => *x,
-        Conversion::Times(n) => *x * Wide::of(n),
-        Conversion::Over(factor) => *x / Wide::of(factor),
+        Conversion::Times(n) => *x * F64x8::of(n),
+        Conversion::Over(factor) => *x / F64x8::of(factor),
     };
     let mut row = row;
     for (x, beside) in row.0.iter_mut().zip(beside.0) {
@@ -50,7 +50,7 @@ fn put(out: &mut [f64], x: &Wide, beside: &Wide, unit: Conversion) {
 
 /// Writes a row of numbers, as far as there are places.
 #[inline(always)]
-pub(crate) fn write_row(out: &mut [f64], row: &Wide) {
+pub(crate) fn write_row(out: &mut [f64], row: &F64x8) {
     // nearly always whole: in stores of vectors
     if let Ok(out) = <&mut [f64; WIDTH]>::try_from(&mut *out) {
         out.iter_mut().zip(row.0).for_each(|(out, x)| *out = finite(x));

@@ -33,7 +33,7 @@ impl Reads {
 }
 
 /// Memory for a position.
-pub struct Again {
+pub struct ReusedSolver {
     reads: Reads,
     /// The hints that are settled with each group.
     hints: Vec<Vec<usize>>,
@@ -50,7 +50,7 @@ pub struct Again {
 
 static NOTHING: WholeCycle = WholeCycle::EMPTY;
 
-impl Again {
+impl ReusedSolver {
     /// Memory for a mechanism of closed forms without losses that has one position, and for all that differ from it in numbers
     /// alone; `None` for others.
     #[must_use]

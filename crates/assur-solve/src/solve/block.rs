@@ -10,7 +10,7 @@ use super::lost::{MEETS, MODERATE};
 use super::positions::Sweep;
 use super::regular::NO_NOTE;
 use super::solution::{Pose, Solved};
-use super::steps::Pace;
+use super::steps::StepLimit;
 use super::taken::{Turns, Uneven, vector};
 use super::track::CAREFUL;
 use crate::answer::{PoseAnswers, WholeCycle, WideBeside, WideColumns, finite, of_drive, write_row};
@@ -18,7 +18,7 @@ use crate::math::Lanes;
 use crate::model::PairKind;
 use crate::plan::Numbers;
 use crate::position::{
-    Branch, Checked, DriveInput, DriveValue, Model, PoseOrigin, Residuals, State, Together, WIDTH, Wide,
+    Branch, Checked, DriveInput, DriveValue, F64x8, LaneSolver, Model, PoseOrigin, Residuals, State, WIDTH,
     in_avx2,
 };
 
@@ -38,12 +38,12 @@ pub(super) fn is_free(model: &Model<'_>) -> bool {
 
 /// What the next positions of a sweep are solved from while the one that follows it looks at others.
 #[derive(Clone, Copy, Debug)]
-pub struct Ahead<'f> {
+pub struct UpcomingPositions<'f> {
     pub(super) model: &'f Model<'f>,
     pub(super) rates: &'f Rates,
     pub(super) statics: &'f WholeCycle,
     pub(super) sweep: &'f Sweep,
-    pub(super) pace: &'f Pace,
+    pub(super) pace: &'f StepLimit,
     pub(super) branches: &'f [Branch],
     pub(super) first: usize,
     pub(super) count: usize,
@@ -59,9 +59,9 @@ pub struct Block {
     /// The index of the first position in the sweep.
     first: usize,
     /// Rows of lanes; those of the last that are left over repeat the last position.
-    pub(super) rows: Vec<State<Wide>>,
+    pub(super) rows: Vec<State<F64x8>>,
     checked: Vec<Checked>,
-    together: Together,
+    together: LaneSolver,
     /// The values of the drives, position by position.
     values: Vec<DriveValue>,
     drives: usize,
@@ -85,7 +85,7 @@ pub struct Block {
     poses: Vec<Pose>,
 }
 
-impl Ahead<'_> {
+impl UpcomingPositions<'_> {
     /// How many positions can be tried.
     #[must_use]
     pub const fn count(&self) -> usize {
@@ -246,7 +246,7 @@ impl Block {
     }
 
     /// Writes what is known of the positions from the first on; NaN where it is not.
-    fn write_part(&self, out: &mut [f64], known: bool, part: impl Fn(&Checked) -> Wide) {
+    fn write_part(&self, out: &mut [f64], known: bool, part: impl Fn(&Checked) -> F64x8) {
         if !known {
             return out.fill(f64::NAN);
         }
@@ -270,7 +270,7 @@ impl Block {
     }
 
     /// Sets inputs and assemblies of the positions from one on.
-    fn begin(&mut self, ahead: &Ahead<'_>, from: usize) {
+    fn begin(&mut self, ahead: &UpcomingPositions<'_>, from: usize) {
         let plan = ahead.model.plan;
         self.solved = ahead.count.saturating_sub(from).min(BLOCK);
         (self.first, self.residuals, self.drives) = (ahead.first + from, ahead.residuals, plan.drives);
@@ -331,7 +331,7 @@ impl Block {
 /// Which positions are such that following finds them too, if it found the one before: far from change points, and with nothing to
 /// be said about them. All bits where a position is, as vectors compare.
 #[inline(always)]
-fn regular(model: &Model<'_>, row: &State<Wide>, checked: &Checked) -> [u64; WIDTH] {
+fn regular(model: &Model<'_>, row: &State<F64x8>, checked: &Checked) -> [u64; WIDTH] {
     const fn bits(holds: bool) -> u64 {
         if holds { u64::MAX } else { 0 }
     }
@@ -364,7 +364,7 @@ pub(super) fn keeps_its_assembly(model: &Model<'_>, state: &State) -> bool {
 
 impl Rates {
     /// A drive at rest in its place, at several positions side by side.
-    fn wide(&self, drive: usize) -> DriveInput<Wide> {
+    fn wide(&self, drive: usize) -> DriveInput<F64x8> {
         let one = self.input(drive, DriveValue::None);
         let mut wide = DriveInput::default();
         (0..WIDTH).for_each(|lane| wide.set_lane(lane, &one));

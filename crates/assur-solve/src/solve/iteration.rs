@@ -57,7 +57,7 @@ fn followed(
     let rates = Rates::of(model, &solution.statics);
     let before = step_before(model, &pose.drives);
     let mut tracker = Tracker::new(model, solved.state.clone().ready(model.plan), &pose.drives);
-    tracker.go(model, &rates, &before).ok()?;
+    tracker.advance_to(model, &rates, &before).ok()?;
     let mut state = tracker.state;
     state.motion.inputs.clone_from(&solved.state.motion.inputs);
     state.branches.clone_from(&solved.state.branches);

@@ -40,7 +40,7 @@ mod turn;
 mod unassembled;
 
 pub use crate::answer::{
-    Beside, CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, Shown,
+    CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, PoseExtras, Shown,
     Source, WholeCycle, WideColumns, compare, finite, read_numbers,
 };
 pub use crate::position::Wanted;
@@ -54,12 +54,12 @@ pub use crate::position::{
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
-pub use again::{Again, Reads};
+pub use again::{Reads, ReusedSolver};
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
-pub use block::{Ahead, BLOCK, Block};
+pub use block::{BLOCK, Block, UpcomingPositions};
 pub use block_numbers::BlockNumbers;
 pub use clause::{Clause, NamedPoint};
-pub use cycle::{Course, CourseSet, courses, over_cycle};
+pub use cycle::{CourseSet, SweepCurve, courses, over_cycle};
 pub use failure::{Cause, Failure, GroupId, Halt, Lost, NoCycle};
 pub use gap::GroupGap;
 pub use greatest::Greatest;

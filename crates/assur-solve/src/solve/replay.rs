@@ -102,7 +102,7 @@ fn start(model: &Model<'_>, rates: &Rates, pose: &Pose, solved: &Solved, iterate
     let mut from = solved.state.clone();
     if iterates {
         let mut tracker = Tracker::new(model, solved.state.clone().ready(model.plan), &pose.drives);
-        if tracker.go(model, rates, &step_before(model, &pose.drives)).is_ok() {
+        if tracker.advance_to(model, rates, &step_before(model, &pose.drives)).is_ok() {
             from = tracker.state;
         }
     }

@@ -142,7 +142,7 @@ impl Run<'_, '_> {
         }
         let mut before = self.before.take().unwrap_or_else(|| tracker.clone());
         before.start_from(tracker);
-        if let Ok(switched) = tracker.go(self.model, &self.rates, &pose.drives) {
+        if let Ok(switched) = tracker.advance_to(self.model, &self.rates, &pose.drives) {
             self.before = Some(before);
             return Ok(Arrival::Followed(switched));
         }

@@ -36,13 +36,13 @@ pub(super) fn step_before(model: &Model<'_>, values: &[DriveValue]) -> Vec<Drive
 
 /// The largest steps of the drives.
 #[derive(Clone, Debug)]
-pub(super) struct Pace {
+pub(super) struct StepLimit {
     largest: Vec<f64>,
     /// General groups are followed by finer ones.
     finer: f64,
 }
 
-impl Pace {
+impl StepLimit {
     pub(super) fn of(model: &Model<'_>) -> Self {
         let length = 0.02 * extent(model);
         let largest = |drive: &Drive| if turns(model, drive) { LARGEST_TURN } else { length };

@@ -1,6 +1,6 @@
 //! Solves all positions of a file.
 
-use super::block::{Ahead, Block, is_free};
+use super::block::{Block, UpcomingPositions, is_free};
 use super::centre_notes::CentreNotes;
 use super::come_again::{Begin, begin};
 use super::cycle::loads_name_quantities;
@@ -13,7 +13,7 @@ use super::refusals::{refusals, unit_speeds};
 use super::run::{Arrival, Run, Stuck};
 use super::simulate::{Conduct, SimulationReport, Trajectory};
 use super::solution::{Pose, Solution};
-use super::steps::Pace;
+use super::steps::StepLimit;
 use super::taking::Taking;
 use super::track::Tracker;
 use crate::answer::WholeCycle;
@@ -48,13 +48,13 @@ pub fn solve_with(model: &Model<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
 pub struct Following<'a, 's> {
     pub(super) run: Run<'a, 's>,
     sweep: Sweep,
-    pace: Pace,
+    pace: StepLimit,
     pub(super) next: usize,
     /// A motion under loads, instead of the sweep.
     pub(super) trajectory: Option<Trajectory>,
     current: Option<Tracker>,
     /// Poses beside the sweep, each followed from the nearest position of the sweep that closed.
-    near: VecDeque<Near>,
+    near: VecDeque<SidePose>,
     /// Where the bodies were at the first position.
     begin: Option<Begin>,
     /// Why the first position that failed did.
@@ -112,11 +112,11 @@ impl<'a, 's> Following<'a, 's> {
             cycle_notes =
                 super::cycle::cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
         }
-        let near = beside(model, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
+        let near = beside(model, &statics, &sweep.at(0)).into_iter().map(SidePose::new).collect();
         let mut run = Run::new(model, rates, statics, loads_name_quantities(model.mechanism));
         run.centres = CentreNotes::of(model.mechanism);
         // positions farther apart are followed on a way between them
-        let pace = Pace::of(model);
+        let pace = StepLimit::of(model);
         let apart = || pace.steps(&sweep.values(0), &sweep.values(1));
         let free = trajectory.is_none() && is_free(model) && run.centres.is_empty() && apart() <= 1.0;
         let (next, current, begin, first_failure) = (0, None, None, None);
@@ -211,7 +211,7 @@ impl<'a, 's> Following<'a, 's> {
     pub fn side_by_side<'f>(
         &'f mut self,
         branches: &'f mut Vec<Branch>,
-    ) -> Option<(Ahead<'f>, Taking<'f, 'a>)> {
+    ) -> Option<(UpcomingPositions<'f>, Taking<'f, 'a>)> {
         let tracker = self.current.as_mut()?;
         // the last position of a sweep is looked at beyond its answers
         let count = self.sweep.len().saturating_sub(self.next + 1);
@@ -224,8 +224,18 @@ impl<'a, 's> Following<'a, 's> {
         let model: &'f Model<'a> = model;
         let first = self.next;
         let (sweep, pace, angles) = (&self.sweep, &self.pace, tracker.angles.len());
-        let ahead =
-            Ahead { model, rates, statics, sweep, pace, branches, first, count, angles, residuals: true };
+        let ahead = UpcomingPositions {
+            model,
+            rates,
+            statics,
+            sweep,
+            pace,
+            branches,
+            first,
+            count,
+            angles,
+            residuals: true,
+        };
         Some((
             ahead,
             Taking { model, tracker, next: &mut self.next, try_at: &mut self.try_at, closing, last },
@@ -316,13 +326,13 @@ impl<'a, 's> Following<'a, 's> {
 }
 
 /// A pose beside the sweep, with the tracker at the nearest position of the sweep that closed.
-struct Near {
+struct SidePose {
     pose: Wanted,
     away: f64,
     tracker: Option<Tracker>,
 }
 
-impl Near {
+impl SidePose {
     const fn new(pose: Wanted) -> Self {
         Self { pose, away: f64::INFINITY, tracker: None }
     }
@@ -342,8 +352,8 @@ impl Near {
 
 impl Run<'_, '_> {
     /// A pose beside the sweep.
-    fn beside(&mut self, near: Near) -> Pose {
-        let Near { pose, tracker, .. } = near;
+    fn beside(&mut self, near: SidePose) -> Pose {
+        let SidePose { pose, tracker, .. } = near;
         let outcome = match tracker {
             Some(mut tracker) => match self.moved(&mut tracker, &pose) {
                 Ok(_) => self.solved(&tracker, &pose),

@@ -4,7 +4,7 @@ use super::block::{Block, keeps_its_assembly};
 use super::track::{KEPT, Tracker, continued};
 use crate::answer::whole_turns;
 use crate::math::{V2, Vec2};
-use crate::position::{BodyState, Model, WIDTH, Wide, in_avx2};
+use crate::position::{BodyState, F64x8, Model, WIDTH, in_avx2};
 
 /// Whole turns of the bodies over a block, rad: they change at few positions.
 #[derive(Debug, Default)]
@@ -117,7 +117,7 @@ pub(super) struct Uneven {
     new: Vec2,
 }
 
-pub(super) fn vector(v: V2<Wide>, lane: usize) -> Vec2 {
+pub(super) fn vector(v: V2<F64x8>, lane: usize) -> Vec2 {
     Vec2::new(v.x.0[lane], v.y.0[lane])
 }
 

@@ -7,7 +7,7 @@
 //! of the root stays.
 
 use super::inputs::Rates;
-use super::steps::{APART, MOST_STEPS, Pace, between, length};
+use super::steps::{APART, MOST_STEPS, StepLimit, between, length};
 use crate::answer::first_angles;
 use crate::math::Vec2;
 use crate::plan::MotionStep;
@@ -57,7 +57,7 @@ pub(crate) struct Tracker {
     /// Places before the present one, the last first, each well apart from the next.
     pub(super) history: Vec<Rc<Place>>,
     extent: f64,
-    pub(super) pace: Pace,
+    pub(super) pace: StepLimit,
 }
 
 impl Tracker {
@@ -66,7 +66,7 @@ impl Tracker {
         let angles = first_angles(model, &state);
         let spare = state.clone();
         let (values, history) = (values.to_vec(), Vec::new());
-        Self { state, spare, angles, values, history, extent: extent(model), pace: Pace::of(model) }
+        Self { state, spare, angles, values, history, extent: extent(model), pace: StepLimit::of(model) }
     }
 
     /// Puts the tracker where another one of the same model stands.
@@ -79,7 +79,7 @@ impl Tracker {
 
     /// Moves to other drive values. Returns the groups whose assembly changed on the way, with the values where; on failure
     /// the group that does not close, with the state left at the last place that closed.
-    pub(crate) fn go(
+    pub(crate) fn advance_to(
         &mut self,
         model: &Model<'_>,
         rates: &Rates,
@@ -132,7 +132,7 @@ impl Tracker {
         rates: &Rates,
         target: &[DriveValue],
     ) -> Vec<DriveValue> {
-        if self.go(model, rates, target).is_ok() {
+        if self.advance_to(model, rates, target).is_ok() {
             return target.to_vec();
         }
         let last = self.values.clone();

@@ -55,7 +55,7 @@ impl Turn {
             #[allow(clippy::cast_precision_loss)] // at most 180
             let at = TAU * i as f64 / SAMPLES as f64;
             let target = [DriveValue::Scalar(at)];
-            if i > 0 && tracker.go(model, &rates, &target).is_err() {
+            if i > 0 && tracker.advance_to(model, &rates, &target).is_err() {
                 return Err(NoTurn::Open(Some(ends(model, &rates, &first, 0.0))));
             }
             state.start_from(&tracker.state);

@@ -20,7 +20,7 @@ pub use expr::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
 pub use machine::{Bar, Brake, Cam, CamMember, End, Flywheel, Follower, Ground, Group, Joint, Link};
 pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring, SpringSite};
 pub use motion::{
-    Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Steps,
+    Assemble, AssembleClause, Balance, Direction, Drive, DrivePosition, DriveRange, Load, LoadKind, Steps,
 };
 pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Turn, Way};
 pub use question::{

@@ -62,12 +62,12 @@ pub enum DrivePosition {
     /// One value or several.
     Values(Vec<Sensed>),
     /// `0 deg .. 360 deg in 12 steps`
-    Range(Box<Course>),
+    Range(Box<DriveRange>),
 }
 
 /// `0 deg .. 360 deg in 12 steps`
 #[derive(Clone, Debug, PartialEq)]
-pub struct Course {
+pub struct DriveRange {
     pub from: Expr,
     pub to: Expr,
     /// How it is divided.

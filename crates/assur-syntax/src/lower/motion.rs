@@ -5,7 +5,7 @@ use super::expr::{compare, pose_name, turn};
 use super::state::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{
-    Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Expr, ExprKind, Load,
+    Assemble, AssembleClause, Balance, Direction, Drive, DrivePosition, DriveRange, Expr, ExprKind, Load,
     LoadKind, Number, Order, Place, Pose, Sensed, Setting, Site, Steps, Way,
 };
 use crate::words::Rule;
@@ -47,7 +47,7 @@ impl Lower<'_> {
             parts.word(Rule::w_step);
             let steps = self.expr(parts.any()?)?;
             let steps = if count { Steps::In(steps) } else { Steps::Of(steps) };
-            return Some(DrivePosition::Range(Box::new(Course { from: first.value, to, steps })));
+            return Some(DrivePosition::Range(Box::new(DriveRange { from: first.value, to, steps })));
         }
         let mut given = Vec::new();
         while let Some(pair) = parts.any() {

@@ -1,14 +1,14 @@
 //! The check by virtual power, and the residuals.
 
 use super::is_load;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::structure::EffortKind;
 use assur_position::position::Origin;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// ΣP = 0: all loads, inertia forces and efforts with the velocities of their points. Whether there is such a sum.
     pub fn check(&mut self) -> bool {
         let power = self.power();

@@ -2,7 +2,7 @@
 
 use super::loads::quantity_name;
 use crate::angle::Angle;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Line, text};
 use crate::motion::{of, pin};
 use crate::words::{FrictionMessage, Message};
@@ -13,7 +13,7 @@ use assur_model::structure::{BodyId, EffortSource, JointId, JointKind};
 use assur_position::plan::{EffortLine, Guide, Hinge};
 use assur_position::position::Origin;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The letters of an unknown effort.
     pub fn effort_name(&self, slot: usize, force: bool) -> Name {
         match self.structure().efforts[slot].source {

@@ -1,6 +1,6 @@
 //! Forces and couples that are known on a body.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Line, text};
 use crate::motion::heading_of;
 use assur_formula::{Expr, Name, Unit};
@@ -69,7 +69,7 @@ impl FreeBodies {
     }
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// Writes a force on the body on which it acts, and the opposite on the one that does it.
     pub(super) fn put_force(&mut self, action: &Action, name: &Name, parts: &[Expr; 2], known: &[Line; 2]) {
         for (side, parts) in

@@ -1,6 +1,6 @@
 //! Groups with friction: equilibrium with the friction that the solver found, then the law of friction with these reactions.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Inline, Line, text};
 use crate::motion::of;
 use crate::words::FrictionMessage;
@@ -9,7 +9,7 @@ use assur_model::model::LinkId;
 use assur_position::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw};
 use assur_position::position::Origin;
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn force_friction(&mut self, index: usize, plain: &ForceStep, group: &FrictionGroup) -> bool {
         let elements: Vec<(usize, FrictionElement)> =
             group.elements.iter().map(|&e| (e, self.scene.model.plan.friction[e])).collect();

@@ -1,7 +1,7 @@
 //! What holds a free coordinate: friction in its own pair, or a stop on which it rests. No effort acts on the coordinate, so that the
 //! balance of its link gives the force that holds it.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Line, text};
 use crate::motion::of;
 use crate::words::FrictionMessage;
@@ -26,7 +26,7 @@ pub struct Hold {
 }
 
 /// The pair and the effort of a link that has a hinge or a guide and an effort alone.
-fn balanced(course: &Course<'_>, step: &ForceStep) -> Option<(PairId, usize)> {
+fn balanced(course: &Derivation<'_>, step: &ForceStep) -> Option<(PairId, usize)> {
     let (slot, effort) = match step {
         ForceStep::Turn { hinge, value, .. } => (hinge.slot, value.0),
         ForceStep::Shift { guide, value, .. } => (guide.slot, value.0),
@@ -36,7 +36,7 @@ fn balanced(course: &Course<'_>, step: &ForceStep) -> Option<(PairId, usize)> {
     Some((course.pair_of_reaction(slot), effort))
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The pair of a reaction.
     pub(super) fn pair_of_reaction(&self, slot: usize) -> PairId {
         let joint = self.scene.model.plan.reactions[slot].joint;

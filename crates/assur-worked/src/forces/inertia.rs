@@ -1,6 +1,6 @@
 //! Weights and inertia forces of the links.
 
-use crate::course::{Course, cell};
+use crate::course::{Derivation, cell};
 use crate::document::{against, text};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -9,7 +9,7 @@ use assur_model::model::{LinkId, MassProperties};
 use assur_position::plan::LoadStep;
 use assur_position::position::{Action, Origin};
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The links with mass: weight, inertia force and couple.
     pub fn masses(&mut self) {
         let mechanism = self.scene.mechanism();

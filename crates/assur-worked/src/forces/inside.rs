@@ -2,13 +2,13 @@
 
 use super::quantity_name;
 use crate::angle::Angle;
-use crate::course::{Course, cell};
+use crate::course::{Derivation, cell};
 use crate::document::text;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::{self, BinaryOp, Load, LoadKind, PairId, PairKind, Query, Spring, SpringId, Value};
 use assur_position::position::{Action, Origin};
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A spring with a damper: its length and how fast it grows, its force, and the components of this.
     pub(super) fn spring(&mut self, id: SpringId, spring: &Spring) {
         if !self.scene.model.plan.effects.springs {

@@ -2,7 +2,7 @@
 
 use super::holding::stop_of;
 use super::{Couple, Force, is_load};
-use crate::course::{Course, cell};
+use crate::course::{Derivation, cell};
 use crate::document::text;
 use crate::expressions::length;
 use crate::motion::of;
@@ -16,7 +16,7 @@ use assur_solve::solve::Wrench;
 /// What is left of a sum, over its largest term, where all is listed.
 const LEFT: f64 = 1e-10;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// Forces and torques of the file.
     pub fn loads(&mut self) {
         let mechanism = self.scene.mechanism();

@@ -1,7 +1,7 @@
 //! The iteration of friction as the solver took it; what friction takes: power pair by pair, efficiency, verdict.
 
 use super::is_load;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Inline, Line, Table, text};
 use crate::words::{FrictionMessage, Message};
 use assur_formula::{Expr, Name, Unit, name_node, with_digits};
@@ -14,7 +14,7 @@ const WIDE: usize = 4;
 /// The last step and the values of the solver are one.
 const SAME: f64 = 1e-7;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The steps of the solver's iteration: what presses in every pair, its friction, the greatest change.
     pub(super) fn iteration(&mut self, elements: &[(usize, FrictionElement)], steps: &[Vec<f64>]) {
         if steps.len() < 2 {

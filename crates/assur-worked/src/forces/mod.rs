@@ -34,7 +34,7 @@ use free_body::{Couple, Force, is_load};
 pub use holding::Hold;
 pub use loads::quantity_name;
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Figure, Line, Term, text};
 use crate::words::{FrictionMessage, Message};
 use assur_model::structure::Group;
@@ -51,7 +51,7 @@ fn of_group(labels: &[String], figures: &[Figure]) -> Vec<Figure> {
     figures.iter().filter(own).cloned().collect()
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// All groups of forces, in the order of solution.
     pub fn forces(&mut self, figures: &[Figure]) {
         let plan = self.scene.model.plan;

@@ -1,7 +1,7 @@
 //! Planets without a place: all of a shaft are evenly spaced about the axis of their carrier, so that their mass centre stays on it, and the
 //! carrier has m a² more of inertia.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -12,7 +12,7 @@ const SAME: f64 = 1e-9;
 /// The digits of a value that the file gives.
 const DIGITS: i32 = 12;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The carrier of planets that are one shaft without a place.
     pub(crate) fn carrier_of_planets(&self, body: usize) -> Option<usize> {
         let link = self.link(body)?;

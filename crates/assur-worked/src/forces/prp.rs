@@ -1,13 +1,13 @@
 //! Reactions of a dyad PRP: each slider along its guide gives the inner hinge, then the guides.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::motion::pin;
 use crate::words::Message;
 use assur_formula::Expr;
 use assur_position::plan::{Guide, Inner};
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn force_prp(&mut self, ways: &[Guide; 2], inner: &Inner) {
         [ways[0].body, ways[1].body].into_iter().for_each(|b| self.complete(b));
         let bodies = [ways[0].body, ways[1].body];

@@ -1,13 +1,13 @@
 //! The torque that a flywheel evens out, reduced to its shaft: the power of the effort over the speed of the shaft.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::words::DesignMessage;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::{Flywheel, FlywheelPart, FlywheelTorque, Query, Value};
 use assur_model::structure::{EffortKind, EffortSource};
 use assur_position::position::Origin;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The reduced torque of a flywheel at this position.
     pub(crate) fn reduced_torque(&mut self, which: usize) {
         let mechanism = self.scene.mechanism();

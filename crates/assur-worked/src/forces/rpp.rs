@@ -1,6 +1,6 @@
 //! Reactions of a dyad RPP: the second body along and across its guides, the first about its hinge.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::motion::{of, pin};
 use crate::words::Message;
@@ -8,7 +8,7 @@ use assur_formula::{Expr, Name, Unit};
 use assur_position::plan::{Guide, Hinge};
 use assur_position::position::{Action, Origin};
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn force_rpp(&mut self, outer: &Hinge, inner: &Guide, guide: &Guide) {
         [outer.body, guide.body].into_iter().for_each(|b| self.complete(b));
         let (one, two) = (outer.body, guide.body);

@@ -1,13 +1,13 @@
 //! Reactions of a dyad RPR: the slider about its hinge, both links about the other hinge.
 
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use crate::document::text;
 use crate::motion::pin;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_position::plan::{Guide, Hinge};
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn force_rpr(&mut self, outer: &[Hinge; 2], guide: &Guide) {
         [outer[0].body, outer[1].body].into_iter().for_each(|b| self.complete(b));
         let [one, two] = outer;

@@ -1,7 +1,7 @@
 //! Reactions of a dyad RRP: the link about its inner hinge, the group along the guide, then across it.
 
 use crate::angle::Angle;
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use crate::document::text;
 use crate::motion::{across, of, pin, unknown};
 use crate::words::Message;
@@ -10,7 +10,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{FindKind, Query};
 use assur_position::plan::{Guide, Hinge, Inner};
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The direction of a guide of forces, and the unit vector.
     pub(super) fn way(&self, guide: &Guide) -> (Angle, Vec2) {
         let own = self.direction_given(guide.direction, || Name::new("λ′", &self.label(guide.slider)));

@@ -1,6 +1,6 @@
 //! Reactions of a dyad RRR: moments of each link about the inner hinge, then the sum of forces of the group.
 
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use crate::document::{Line, text};
 use crate::motion::{across, of, pin, unknown};
 use crate::words::Message;
@@ -8,7 +8,7 @@ use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_position::plan::{Hinge, Inner};
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The part of the reaction at an outer hinge across the link, from moments about the inner hinge.
     pub(super) fn tangential(&mut self, hinge: &Hinge, inner: Vec2) -> (Name, Expr) {
         let outer = pin(&hinge.pin);

@@ -1,7 +1,7 @@
 //! How the links of a pair with friction move against each other: the rate that decides the sense of friction.
 
 use crate::angle::Angle;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Unit};
@@ -13,7 +13,7 @@ use assur_position::plan::{FrictionElement, FrictionLaw, Guide};
 /// Velocities nearer than this, over their size, are one.
 const SAME: f64 = 1e-9;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The velocity of the element's body against its base, in the sense in which its friction counts.
     pub(super) fn relative_rate(&mut self, element: &FrictionElement) -> Expr {
         let speed = self.state().sliding_speed(element);

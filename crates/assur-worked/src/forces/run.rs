@@ -2,7 +2,7 @@
 //! of the run, its events.
 
 use super::is_load;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Table, text};
 use crate::words::RunMessage;
 use assur_formula::{Expr, Name, Unit, with_digits};
@@ -14,7 +14,7 @@ use assur_solve::solve::{Method, SimulationReport};
 /// A speed below this part of the greatest is none.
 const STILL: f64 = 1e-9;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The section of a motion under loads.
     pub fn run(&mut self) {
         let Some(report) = self.scene.solution.simulation.as_ref() else { return };
@@ -178,6 +178,6 @@ impl Course<'_> {
 }
 
 /// How many joints stand for a pair.
-fn joint_count(course: &Course<'_>, pair: PairId) -> usize {
+fn joint_count(course: &Derivation<'_>, pair: PairId) -> usize {
     course.structure().replaced.joints_of(pair).count()
 }

@@ -1,6 +1,6 @@
 //! The reduced masses of several free coordinates, from how the links move per unit rate of each.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::words::RunMessage;
 use assur_formula::{Expr, Name, Unit};
 use assur_model::model::{DriveTarget, LinkId, MassProperties};
@@ -28,7 +28,7 @@ fn times(a: &Expr, b: &Expr, same: bool) -> Expr {
     if same { a.clone().squared() } else { a.clone() * b.clone() }
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The masses of all pairs of coordinates, and the kinetic energy by them; where something is driven, nothing.
     pub(super) fn reduced_masses(&mut self, report: &SimulationReport, energy: &Expr) {
         let Some(coordinates) = self.coordinates_of(report) else { return };

@@ -1,6 +1,6 @@
 //! Groups whose reactions are stated, not derived.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -8,7 +8,7 @@ use assur_math::math::Vec2;
 use assur_model::model::Bearing;
 use assur_model::structure::JointKind;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The reactions of a group as the solver found them.
     pub(super) fn stated_forces(&mut self, index: usize) {
         let group = &self.structure().forces[index];

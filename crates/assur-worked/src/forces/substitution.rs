@@ -1,6 +1,6 @@
 //! Two point masses in place of a link, where the file asks for them: m₁ l₁ = m₂ l₂ and m₁ + m₂ = m; dynamic with l₁ l₂ = J / m too.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -24,7 +24,7 @@ impl Wanted {
     }
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// All substitutions that the file asks for.
     pub fn substitutions(&mut self) {
         let mechanism = self.scene.mechanism();

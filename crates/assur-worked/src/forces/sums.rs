@@ -1,13 +1,13 @@
 //! Sums of forces and moments on bodies.
 
 use crate::angle::Angle;
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use crate::document::Term;
 use crate::motion::unknown;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The moment of all that is known on a body about a point of it, without reactions still sought.
     pub fn moment_about(&mut self, body: usize, at: Vec2) -> Expr {
         let place = self.moved(body).position(at);

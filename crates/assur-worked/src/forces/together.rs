@@ -1,7 +1,7 @@
 //! Groups that are solved as a whole: their equations as a matrix, the solution, equilibrium of every link with it.
 
 use super::train::scale_of;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Block, text};
 use crate::system::System;
 use crate::words::{Message, say};
@@ -33,7 +33,7 @@ impl Lettered {
     }
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A group that is solved as a whole: its equations of equilibrium as a matrix, the solution, and what is left of each
     /// equation. Whether it is all there.
     pub(super) fn force_together(&mut self, index: usize) -> bool {

@@ -2,7 +2,7 @@
 //! unknown gives it; of two with the same two one is eliminated; what is left is stated.
 
 use super::Force;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Line, text};
 use crate::letters::teeth_name;
 use crate::motion::{of, pin};
@@ -22,7 +22,7 @@ struct Row {
 /// An unknown: letters, value, unit.
 type Unknown = (Name, f64, Unit);
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn force_train(&mut self, index: usize, train: usize) -> bool {
         let plan = self.scene.model.plan;
         let Some(of_train) = plan.train_forces.get(train) else { return false };

@@ -1,7 +1,7 @@
 //! Transmissions that rest by their losses: what holds their first side acts back on its carrier.
 
 use super::Couple;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::motion::of;
 use crate::words::FrictionMessage;
@@ -9,7 +9,7 @@ use assur_formula::{Name, Unit};
 use assur_position::plan::LawSite;
 use assur_position::position::Origin;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// Puts what holds these laws on the links.
     pub(super) fn hold_laws(&mut self, laws: &[usize]) {
         for &slot in laws {

@@ -1,14 +1,14 @@
 //! Losses of transmissions: the direction of the power decides on which side the efficiency stands.
 
 use super::train::{body_of, scale_of};
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Line, text};
 use crate::motion::of;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_position::plan::{LawSite, PlannedLaw, TrainSupport};
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// What is left of the force of a transmission on one of its sides.
     pub(crate) fn side(&self, slot: usize, term: usize) -> Expr {
         let sides = self.state().forces.law_forces[slot].sides;

@@ -3,7 +3,7 @@
 use super::Couple;
 use super::train::{body_of, scale_of};
 use crate::angle::Angle;
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Function, Name, Unit};
@@ -12,7 +12,7 @@ use assur_model::model::Meeting;
 use assur_position::plan::{Guide, LawSite, PlannedLaw, TrainSupport};
 use assur_position::position::{Action, Origin};
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// What a transmission does: couples on bodies of other groups, forces on all whose place is known.
     pub(super) fn pass_on(&mut self, slot: usize, force: &Expr, members: &[TrainSupport]) {
         let law = self.scene.model.plan.laws[slot].clone();

@@ -1,12 +1,12 @@
 //! Normal forces of a body between two guides; how they share the couple is not determined.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_position::plan::Guide;
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn force_translation(&mut self, ways: &[Guide; 2]) {
         let body = ways[0].body;
         self.complete(body);

@@ -2,7 +2,7 @@
 
 use super::{Stage, of};
 use crate::angle::Angle;
-use crate::course::{Body, Course};
+use crate::course::{Body, Derivation};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -22,7 +22,7 @@ pub(super) struct CamLaw {
     pub turns: bool,
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A follower that its cam moves.
     pub(super) fn cam(&mut self, stage: Stage, step: &CamStep) {
         let contact = &step.contact;

@@ -5,7 +5,7 @@
 use super::Stage;
 use super::cam::CamLaw;
 use crate::angle::Angle;
-use crate::course::{Body, Course, joined};
+use crate::course::{Body, Derivation, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -14,7 +14,7 @@ use assur_math::math::Vec2;
 use assur_model::model::Level;
 use assur_position::plan::CamStep;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The block of a contact, behind the derivatives of the lift, where something needs it.
     pub(super) fn block_placed(&mut self, stage: Stage, step: &CamStep, law: &CamLaw) {
         let moves = self.scene.model.plan.effects.level >= Level::Velocities;

@@ -3,13 +3,13 @@
 use super::cam::{CamLaw, lifts_clockwise};
 use super::{Stage, of};
 use crate::angle::Angle;
-use crate::course::{Body, Course};
+use crate::course::{Body, Derivation};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_position::plan::CamStep;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A cam that its follower turns.
     pub(super) fn cam_turned(&mut self, stage: Stage, step: &CamStep) {
         let (disk, frame) = (step.contact.disk.index(), step.contact.frame.index());

@@ -1,7 +1,7 @@
 //! Groups that are solved as a whole: every hinge closes with the values found, in positions, velocities and accelerations.
 
 use super::Stage;
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Block, text};
 use crate::system::System;
 use crate::words::{Message, say};
@@ -10,7 +10,7 @@ use assur_math::math::Vec2;
 use assur_model::model::DriveTarget;
 use assur_model::structure::{EffortKind, EffortSource, JointId, JointKind};
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The equations of a group's hinges with what is left of each.
     pub(super) fn closure(&mut self, stage: Stage, index: usize) -> Vec<(Name, Expr)> {
         let mut equations = Vec::new();

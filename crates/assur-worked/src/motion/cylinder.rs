@@ -4,7 +4,7 @@ use super::driven_legs::hinge_of;
 use super::pin;
 use super::triangle::Triangle;
 use crate::angle::Angle;
-use crate::course::{Body, Course, joined};
+use crate::course::{Body, Derivation, joined};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
@@ -13,7 +13,7 @@ use assur_position::plan::{DrivenJoint, DrivenLeg, Slide};
 /// A cylinder whose line passes this near to both of its hinges, over its length, is a bar.
 const STRAIGHT: f64 = 1e-9;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The position of a link hung by a hinge and held by a cylinder. Whether it is such a group.
     pub(super) fn on_cylinder(&mut self, legs: &[DrivenLeg; 2]) -> bool {
         let (plain, driven, slide) = match legs {

@@ -2,7 +2,7 @@
 
 use super::{Stage, pin};
 use crate::angle::Angle;
-use crate::course::{Body, Course};
+use crate::course::{Body, Derivation};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
@@ -20,7 +20,7 @@ enum Origin {
     Sense,
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A link on a hinge at a driven angle.
     pub(super) fn turn(
         &mut self,

@@ -6,7 +6,7 @@ use super::pin;
 use super::rrp::Reached;
 use super::triangle::Triangle;
 use crate::angle::Angle;
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -23,7 +23,7 @@ struct Stiff {
     own: Angle,
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// Dyad RRR with driven joints inside its links.
     pub(super) fn driven_rrr(&mut self, legs: &[DrivenLeg; 2]) {
         let inner = legs.each_ref().map(|leg| self.inner_of(leg, legs));

@@ -2,7 +2,7 @@
 
 use super::whole::{Row, Unknowns};
 use crate::angle::Angle;
-use crate::course::{Body, Course};
+use crate::course::{Body, Derivation};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -19,7 +19,7 @@ struct Placed<'a> {
     angles: Vec<Angle>,
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The positions of a general group. Whether it closes with what is written.
     pub(super) fn general_group(
         &mut self,

@@ -2,14 +2,14 @@
 
 use super::{Stage, of};
 use crate::angle::Angle;
-use crate::course::{Body, Course};
+use crate::course::{Body, Derivation};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_position::plan::{Anchor, GenevaStep, Slide};
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A wheel with slots.
     pub(super) fn geneva(&mut self, stage: Stage, branch: usize, step: &GenevaStep) {
         let pair = &step.pair;

@@ -1,12 +1,12 @@
 //! Guides: their direction, and the motion of what slides along them.
 
 use crate::angle::Angle;
-use crate::course::{Body, Course};
+use crate::course::{Body, Derivation};
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_position::plan::Slide;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The direction of a guide.
     pub(super) fn guide(&self, slide: &Slide) -> Angle {
         let own = self.direction_given(slide.along, || Name::new("λ", &self.label(slide.body)));

@@ -3,7 +3,7 @@
 use super::whole::Row;
 use super::{end, pin};
 use crate::angle::Angle;
-use crate::course::{Body, Course, joined};
+use crate::course::{Body, Derivation, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -11,7 +11,7 @@ use assur_math::group::general::Pose;
 use assur_position::plan::{Leg, TriadLeg, TriadMotion};
 use assur_solve::solve::Iteration;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The position of a link on three legs. Whether it closes with what is written.
     pub(super) fn on_three_legs(&mut self, triad: &TriadMotion, found: &Iteration) -> bool {
         let (body, label) = (triad.body, self.label(triad.body));

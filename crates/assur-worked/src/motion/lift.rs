@@ -2,7 +2,7 @@
 
 use super::cam::CamLaw;
 use crate::cam_law::{derivatives, greatest_acceleration, inverse, is_of_half, shape};
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::spline::{Spline, Term};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -13,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 /// Angles nearer than this are one, rad.
 const NEAR: f64 = 1e-12;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The lift and its derivatives by the cam's angle, as formulas.
     pub(super) fn lift_by_stage(&mut self, step: &CamStep, law: &CamLaw) -> Option<[Expr; 3]> {
         let (around, turns) = around(law);

@@ -24,7 +24,7 @@ mod triangle;
 mod whole;
 mod willis;
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Line, Term, letter, text};
 use crate::words::Message;
 use assur_formula::{Expr, Name};
@@ -50,7 +50,7 @@ fn end(leg: &Leg) -> Vec2 {
     pin(&leg.pin) + leg.direction * leg.length
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A stage of motion for all groups, in order.
     pub fn motion(&mut self, stage: Stage) {
         let plan = self.scene.model.plan;

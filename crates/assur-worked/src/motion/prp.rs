@@ -1,14 +1,14 @@
 //! Dyad PRP: two sliders on guides, joined by a hinge C; a body that slides on two guides.
 
 use super::{Stage, pin};
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_position::plan::{Arm, Slide};
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn prp(&mut self, stage: Stage, branch: usize, slides: &[Slide; 2], pins: [Arm; 2]) {
         match stage {
             Stage::Positions => self.prp_position(branch, slides, pins.map(|p| pin(&p))),

@@ -1,13 +1,13 @@
 //! Dyad RPP: a link hung by a hinge A slides along a line of a body that slides on a guide.
 
 use super::{Stage, pin};
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_position::plan::{Anchor, Arm, Slide};
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn rpp(
         &mut self,
         stage: Stage,

@@ -3,7 +3,7 @@
 
 use super::{Stage, of, pin, unknown};
 use crate::angle::Angle;
-use crate::course::{Body, Course, joined};
+use crate::course::{Body, Derivation, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Function, Name, Unit};
@@ -24,7 +24,7 @@ struct Letters {
     offset: Expr,
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn rpr(
         &mut self,
         stage: Stage,

@@ -2,7 +2,7 @@
 
 use super::{Stage, across, end, formula, pin, towards, unknown};
 use crate::angle::Angle;
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Function, Name, Unit};
@@ -18,7 +18,7 @@ pub(super) struct Reached {
     pub offset: Expr,
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn rrp(&mut self, stage: Stage, branch: usize, leg: &Leg, slide: &Slide, inner: Arm) {
         match stage {
             Stage::Positions => self.rrp_position(branch, leg, slide, inner),

@@ -3,7 +3,7 @@
 use super::triangle::Triangle;
 use super::{Stage, across, end, formula, pin, towards, unknown};
 use crate::angle::Angle;
-use crate::course::{Body, Course, joined};
+use crate::course::{Body, Derivation, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -18,7 +18,7 @@ struct Letters {
     labels: [String; 2],
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn rrr(&mut self, stage: Stage, legs: &[Leg; 2]) {
         match stage {
             Stage::Positions => self.rrr_position(legs),

@@ -2,14 +2,14 @@
 
 use super::{Stage, of};
 use crate::angle::Angle;
-use crate::course::{Body, Course};
+use crate::course::{Body, Derivation};
 use crate::document::{Line, text};
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::structure::JointKind;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The bodies of a group with what the solver found for them.
     pub(super) fn stated_motion(&mut self, stage: Stage, index: usize) {
         let group = &self.structure().motion[index];

@@ -1,7 +1,7 @@
 //! Trains: every law between rates with one unknown gives that; what several laws give together is stated, and each law checked.
 
 use super::{Stage, of};
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::text;
 use crate::letters::teeth_name;
 use crate::words::Message;
@@ -10,7 +10,7 @@ use assur_model::model::{PairKind, Query, TransmissionKind, Value, Wheel};
 use assur_model::structure::{BodyRate, JointId, JointKind};
 use assur_position::plan::TrainMember;
 
-impl Course<'_> {
+impl Derivation<'_> {
     pub(super) fn train(&mut self, stage: Stage, index: usize, train: usize) {
         match stage {
             Stage::Positions => self.train_places(index, train),

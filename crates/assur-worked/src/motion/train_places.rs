@@ -2,7 +2,7 @@
 
 use super::{of, pin};
 use crate::angle::Angle;
-use crate::course::{Body, Course};
+use crate::course::{Body, Derivation};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
@@ -13,7 +13,7 @@ use assur_position::plan::{Slide, TrainMember};
 /// Coordinates that are found: angles in degrees with their whole turns, distances in m.
 type Places = Vec<(BodyRate, Expr)>;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The members of a train where something needs their places.
     pub(super) fn train_places(&mut self, index: usize, train: usize) {
         self.say_once(Message::TrainPlaces);

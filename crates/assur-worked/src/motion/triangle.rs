@@ -1,6 +1,6 @@
 //! Angles from coordinates and sides.
 
-use crate::course::{Course, joined};
+use crate::course::{Derivation, joined};
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Function, Name, Unit};
@@ -33,7 +33,7 @@ fn named(corners: [&str; 3]) -> String {
     corners.join(if short { "" } else { ", " })
 }
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The distance of two points.
     pub fn distance(&mut self, name: Name, parts: &[Expr; 2]) -> Expr {
         self.length_of(name, Unit::Length, parts)

@@ -1,6 +1,6 @@
 //! Positions of groups that are solved as a whole: the steps of Newton's method as the solver took them.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Table, text};
 use crate::system::matrix;
 use crate::words::Message;
@@ -24,7 +24,7 @@ pub(super) type Unknowns = [Name; 3];
 /// A row of the closure of a group: its name, its unit, what is left of it with the values found.
 pub(super) type Row = (Name, Unit, Expr);
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// The positions of a group that the solver finds by iteration. Whether its steps are shown.
     pub(super) fn whole(&mut self, index: usize, step: &MotionStep) -> bool {
         let scene = self.scene;

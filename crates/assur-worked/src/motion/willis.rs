@@ -1,6 +1,6 @@
 //! Willis' table: the carrier locked, the turn of the carrier, their sum; exact fractions of the speed of the drive.
 
-use crate::course::Course;
+use crate::course::Derivation;
 use crate::document::{Line, Table, text};
 use crate::motion::of;
 use crate::words::Message;
@@ -11,7 +11,7 @@ use assur_model::structure::{BodyRate, JointId, JointKind};
 /// The largest denominator that teeth give.
 const DENOMINATOR: f64 = 1e6;
 
-impl Course<'_> {
+impl Derivation<'_> {
     /// A table per carrier, behind the last group with a transmission on it.
     pub(super) fn willis(&mut self, index: usize) {
         let mut carriers: Vec<usize> = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::constraint::Row;
 use super::{Constraint, Gearing, Pose};
-use crate::group::{NewtonStep, Watch};
+use crate::group::{IterationLog, NewtonStep};
 use crate::math::{Dense, Vec2};
 
 /// Greatest number of steps.
@@ -118,7 +118,7 @@ impl General {
         &mut self,
         poses: &mut [Pose],
         small: f64,
-        seen: &mut impl Watch,
+        seen: &mut impl IterationLog,
     ) -> Result<f64, Failure> {
         let (mut now, mut next) = (std::mem::take(&mut self.now), std::mem::take(&mut self.next));
         for buffer in [&mut now, &mut next] {
@@ -140,7 +140,7 @@ impl General {
         now: &mut [Pose],
         next: &mut [Pose],
         small: f64,
-        seen: &mut impl Watch,
+        seen: &mut impl IterationLog,
     ) -> Result<f64, Failure> {
         let mut error = self.residual(now);
         let mut last = f64::INFINITY;

@@ -30,7 +30,7 @@
 
 use super::Triad;
 use crate::group::general::Pose;
-use crate::group::{NewtonStep, Watch};
+use crate::group::{IterationLog, NewtonStep};
 use crate::math::Vec2;
 
 /// A part of the way below this is a dead position.
@@ -230,7 +230,7 @@ impl Plate {
         (from, to): (&[End; 3], &[End; 3]),
         start: &Pose,
         small: f64,
-        seen: &mut impl Watch,
+        seen: &mut impl IterationLog,
     ) -> Option<Followed> {
         seen.begin();
         let (mut pose, rounding) = (*start, small.max(ROUNDING) * self.size(to, start));
@@ -254,7 +254,12 @@ impl Plate {
 
     /// Newton's method from any pose, by steps of half the plate's length at the most; not certified.
     #[must_use]
-    pub fn uncertified(&self, ends: &[End; 3], start: &Pose, seen: &mut impl Watch) -> Option<Followed> {
+    pub fn uncertified(
+        &self,
+        ends: &[End; 3],
+        start: &Pose,
+        seen: &mut impl IterationLog,
+    ) -> Option<Followed> {
         seen.begin();
         let mut pose = *start;
         for _ in 0..MANY_STEPS {
@@ -303,7 +308,7 @@ impl Plate {
         (from, to): (&[End; 3], &[End; 3]),
         pose: &Pose,
         small: f64,
-        seen: &mut impl Watch,
+        seen: &mut impl IterationLog,
     ) -> Option<Followed> {
         match self.certified((from, to), pose, small, seen) {
             Some(found) => Some(found),
@@ -317,7 +322,7 @@ impl Plate {
         (from, to): (&[End; 3], &[End; 3]),
         start: &Pose,
         small: f64,
-        seen: &mut impl Watch,
+        seen: &mut impl IterationLog,
     ) -> Option<Followed> {
         // where nothing moves, near a dead position, the pose stays
         if let Some(found) = self.closed(to, start, &self.local(to, start)) {
@@ -358,7 +363,7 @@ impl Plate {
         at: &impl Fn(f64) -> [End; 3],
         (last, length): (Pose, f64),
         (pose, done): (Pose, f64),
-        seen: &mut impl Watch,
+        seen: &mut impl IterationLog,
     ) -> Option<(Followed, f64)> {
         let (shift, turn) = ((pose.p - last.p) / length, last.u.cross(pose.u) / length);
         let mut part = 16.0 * LEAST;

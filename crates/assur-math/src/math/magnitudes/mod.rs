@@ -31,7 +31,7 @@ pub struct Part {
 
 /// A system with magnitudes.
 #[derive(Clone, Debug)]
-pub struct Magnitudes {
+pub struct AbsLinearSystem {
     /// Sign of the determinant that the system was divided by to come to this form.
     pub orientation: f64,
     /// Weight of each row.
@@ -47,7 +47,7 @@ impl Part {
     }
 }
 
-impl Magnitudes {
+impl AbsLinearSystem {
     #[must_use]
     pub fn len(&self) -> usize {
         self.weights.len()

@@ -1,6 +1,6 @@
 //! Newton's method: the direction of every part is taken as it is at present.
 
-use super::Magnitudes;
+use super::AbsLinearSystem;
 use crate::math::{Lu, Vec2};
 
 const STEPS: usize = 60;
@@ -15,7 +15,7 @@ pub struct Found {
     pub sign: f64,
 }
 
-impl Magnitudes {
+impl AbsLinearSystem {
     /// Newton's method; `None` where it does not settle.
     #[doc(hidden)]
     #[must_use]
@@ -70,7 +70,7 @@ const SHORTEST: f64 = 1e-5;
 /// No part may change by more than this share of the greatest in one step.
 const CHANGE: f64 = 0.2;
 
-impl Magnitudes {
+impl AbsLinearSystem {
     /// Follows the solution of `at(0)`, whose weights or slopes are zero, to that of `at(1)`. `None` where it ends on the way:
     /// it grows beyond all bounds, or turns back. `at` may leave out single parts of the way.
     #[must_use]

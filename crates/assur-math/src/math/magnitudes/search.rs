@@ -7,7 +7,7 @@
 //! by a solution of the linear system with some direction of each sector: where none of these is singular there is one at
 //! most, and Newton's method finds it or not. Sectors are halved until either decides.
 
-use super::Magnitudes;
+use super::AbsLinearSystem;
 use super::simplex::Equations;
 use crate::math::{Lu, Vec2};
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -49,13 +49,13 @@ enum Verdict {
 }
 
 struct Search<'a> {
-    system: &'a Magnitudes,
+    system: &'a AbsLinearSystem,
     /// Typical sizes of the unknowns against each other.
     sizes: Vec<f64>,
     found: Vec<Vec<f64>>,
 }
 
-impl Magnitudes {
+impl AbsLinearSystem {
     /// All solutions, with `most_work` multiplications or so at most.
     #[must_use]
     pub fn solutions(&self, most_work: f64) -> Solutions {

@@ -64,7 +64,7 @@ impl<S: Real> Extrapolation<S> {
     pub fn new(tolerance: Tolerance<S>) -> Self {
         let n = tolerance.order();
         let zeros = || vec![S::zero(); n];
-        let columns = if S::WIDE { COLUMNS.1 } else { COLUMNS.0 };
+        let columns = if S::EXTENDED { COLUMNS.1 } else { COLUMNS.0 };
         let expected = (6 * tolerance.digits()).div_ceil(10);
         Self {
             progress: Progress::new(n),

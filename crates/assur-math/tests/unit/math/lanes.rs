@@ -1,6 +1,6 @@
 //! Numbers side by side.
 
-use assur_math::math::{Lanes, Scalar, Truths};
+use assur_math::math::{LaneMask, Lanes, Scalar};
 
 const X: [f64; 4] = [0.1, -2.0, f64::NAN, 7.5];
 const Y: [f64; 4] = [3.0, -2.0, 1.0, f64::INFINITY];

@@ -1,6 +1,6 @@
 //! All solutions of systems with magnitudes.
 
-use assur_math::math::{Dense, Magnitudes, Part, Vec2};
+use assur_math::math::{AbsLinearSystem, Dense, Part, Vec2};
 
 /// What a solution may leave of the equations.
 const SOLVED: f64 = 1e-11;
@@ -15,7 +15,7 @@ impl Sequence {
     }
 }
 
-fn random(sequence: &mut Sequence, numbers: usize, planes: usize, strength: f64) -> Magnitudes {
+fn random(sequence: &mut Sequence, numbers: usize, planes: usize, strength: f64) -> AbsLinearSystem {
     let n = numbers + planes;
     let part = |row: usize, sequence: &mut Sequence| {
         let plane = row >= numbers;
@@ -25,11 +25,11 @@ fn random(sequence: &mut Sequence, numbers: usize, planes: usize, strength: f64)
         Part { row, plane, constant, slopes: (0..n).map(|_| vector(strength)).collect() }
     };
     let parts = (0..n).map(|row| part(row, sequence)).collect();
-    Magnitudes { orientation: 1.0, weights: (0..n).map(|_| sequence.next().signum()).collect(), parts }
+    AbsLinearSystem { orientation: 1.0, weights: (0..n).map(|_| sequence.next().signum()).collect(), parts }
 }
 
 /// All patterns of signs, one linear system each.
-fn by_patterns(system: &Magnitudes) -> usize {
+fn by_patterns(system: &AbsLinearSystem) -> usize {
     let n = system.len();
     let sign = |pattern: usize, p: usize| if pattern >> p & 1 == 0 { 1.0 } else { -1.0 };
     (0..1_usize << n)

@@ -64,7 +64,7 @@ fn reached(
     over: Over,
 ) -> bool {
     let before = tracker.clone();
-    if tracker.go(model, rates, values).is_ok() {
+    if tracker.advance_to(model, rates, values).is_ok() {
         return true;
     }
     *tracker = before.clone();

@@ -23,7 +23,7 @@ const AROUND: f64 = 1e-3;
 
 /// A number over the sweep.
 #[derive(Clone, Debug, Default)]
-pub struct Course {
+pub struct SweepCurve {
     /// The number in the sweep's own coordinate from 0 to 1, panel by panel.
     panels: Vec<Series>,
     /// Where it may jump, in that coordinate.
@@ -38,7 +38,7 @@ pub struct Course {
     pub scale: f64,
 }
 
-impl Course {
+impl SweepCurve {
     /// Points of it: values of the drive and of the number, at least `parts` over the sweep. Two at one place are a jump.
     #[must_use]
     pub fn points(&self, parts: f64) -> Vec<(f64, f64)> {
@@ -99,12 +99,12 @@ pub fn courses(
     model: &Model<'_>,
     statics: &WholeCycle,
     sets: &[CourseSet],
-) -> Result<Vec<Result<Vec<Course>, Undefined>>, Cause> {
+) -> Result<Vec<Result<Vec<SweepCurve>, Undefined>>, Cause> {
     let sweep = Sweep::of(model, statics);
     let interval = Interval::of(model, statics, &sweep).map_err(Cause::NoSweep)?;
     let mut sampler = Sampler::new(model, statics, &interval)?;
     sampler.tolerance = sampler.tolerance.max(DRAWN);
-    let mut found: Vec<Option<Result<Vec<Course>, Undefined>>> = vec![None; sets.len()];
+    let mut found: Vec<Option<Result<Vec<SweepCurve>, Undefined>>> = vec![None; sets.len()];
     for forces in [false, true] {
         let late = |set: &CourseSet| set.exprs.iter().any(|e| depends_on_forces(model.mechanism, e));
         let sets = || sets.iter().enumerate().filter(|(_, set)| late(set) == forces);
@@ -128,7 +128,7 @@ fn of_set(
     statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     exprs: &[Expr],
-) -> Result<Vec<Course>, Undefined> {
+) -> Result<Vec<SweepCurve>, Undefined> {
     sampler.begin();
     let mut breaks = Vec::new();
     for expr in exprs {
@@ -147,8 +147,13 @@ fn of_set(
         };
         let (least, greatest) = (found(-1.0)?, found(1.0)?);
         let scale = piecewise.scale;
-        let mut course =
-            Course { panels: piecewise.panels, breaks: breaks.clone(), interval, scale, ..Course::default() };
+        let mut course = SweepCurve {
+            panels: piecewise.panels,
+            breaks: breaks.clone(),
+            interval,
+            scale,
+            ..SweepCurve::default()
+        };
         course.least = (course.value(least.0), least.1);
         course.greatest = (course.value(greatest.0), greatest.1);
         Ok(course)

@@ -1,7 +1,7 @@
 //! The sweep as an interval: s from 0 to 1.
 
 use super::super::positions::Sweep;
-use super::super::steps::{Pace, between};
+use super::super::steps::{StepLimit, between};
 use crate::answer::{NoSweep, SweepPlace, WholeCycle, constant};
 use crate::model::Positions;
 use crate::position::{DriveValue, Model, turns};
@@ -48,7 +48,8 @@ impl Interval {
             return Err(NoSweep::OnePosition);
         }
         // also where a way is no number
-        if !Pace::of(model).ways(&interval.from, &interval.to).all(|interval| interval.abs() <= LONGEST) {
+        if !StepLimit::of(model).ways(&interval.from, &interval.to).all(|interval| interval.abs() <= LONGEST)
+        {
             return Err(NoSweep::TooLong);
         }
         let turning = matches!(drives.as_slice(), [drive] if turns(model, drive));

@@ -14,7 +14,7 @@ mod roots;
 mod sampler;
 mod switches;
 
-pub use course::{Course, CourseSet, courses};
+pub use course::{CourseSet, SweepCurve, courses};
 pub(super) use depends::loads_name_quantities;
 
 use super::failure::{Cause, Failure};

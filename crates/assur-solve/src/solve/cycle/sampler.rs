@@ -3,7 +3,7 @@
 use super::super::assemble::assemble;
 use super::super::failure::Cause;
 use super::super::inputs::Rates;
-use super::super::steps::Pace;
+use super::super::steps::StepLimit;
 use super::super::track::{Tracker, continued};
 use super::depends::{
     asks_for_angles, asks_for_ideal, depends_on_forces, loads_name_quantities, names_quantity,
@@ -112,7 +112,7 @@ impl<'a> Sampler<'a> {
         rates.at(&interval.from, &mut state.motion.inputs);
         let state = assemble(model, state)?;
         let mut tracker = Tracker::new(model, state.clone(), &interval.from);
-        let count = Pace::of(model).steps(&interval.from, &interval.to).max(FEWEST);
+        let count = StepLimit::of(model).steps(&interval.from, &interval.to).max(FEWEST);
         let anchor = |tracker: &Tracker| Anchor {
             branches: tracker.state.branches.clone(),
             bodies: tracker.state.motion.bodies.clone(),
@@ -126,7 +126,7 @@ impl<'a> Sampler<'a> {
             done += 1.0;
             values.clear();
             values.extend(interval.values(done / count));
-            if tracker.go(model, &rates, &values).is_err() {
+            if tracker.advance_to(model, &rates, &values).is_err() {
                 open = Some(done / count);
                 break;
             }

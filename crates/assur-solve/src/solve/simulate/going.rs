@@ -198,23 +198,13 @@ impl Going<'_, '_> {
             let cut = (first < method.t()).then_some(first);
             let exact = (exactly && method.previous_t() < wanted && wanted < method.t()).then_some(wanted);
             if let Some(t) = [cut, exact].into_iter().flatten().reduce(f64::min) {
-                let end = method.t();
-                let mut ended = method.shorten(equations, t);
-                if ended.is_ok() && turned == Some(t) {
-                    ended = Self::turn_exactly(equations, method, end).map(|exact| {
-                        turned = Some(exact);
-                        // what happens with the turn
-                        let times = [
-                            happened.as_mut().map(|happened| &mut happened.time),
-                            opened.as_mut().map(|opened| &mut opened.0),
-                            touched.as_mut().map(|touched| &mut touched.0),
-                        ];
-                        let at_once = self.at_once();
-                        let with = times.into_iter().flatten().filter(|time| (**time - t).abs() <= at_once);
-                        with.for_each(|time| *time = exact);
-                    });
-                }
-                if ended.is_err() {
+                // what happens with a turn, too
+                let times = [
+                    happened.as_mut().map(|happened| &mut happened.time),
+                    opened.as_mut().map(|opened| &mut opened.0),
+                    touched.as_mut().map(|touched| &mut touched.0),
+                ];
+                if !self.shorten(equations, method, t, (&mut turned, times)) {
                     return Ended::Halted(equations.halt());
                 }
             }
@@ -275,22 +265,57 @@ impl Going<'_, '_> {
                     Err(halt) => return Ended::Halted(halt),
                 }
             }
-            let struck = touched.as_ref().filter(|_| self.by_energy).map(Touch::stop);
-            match self.touch(equations, method, touched) {
-                Ok(false) => {}
-                Ok(true) => return Ended::Done,
-                Err(halt) => return Ended::Halted(halt),
-            }
-            if let Some(stop) = struck {
-                return Ended::Struck(stop);
-            }
-            if let Some(change) = self.better(equations, (method.t(), method.y()), charts) {
-                return Ended::Changed(Box::new(change));
+            if let Some(ended) = self.after_step(equations, method, touched, charts) {
+                return ended;
             }
             if condition < DEAD {
                 return Ended::Halted(equations.halt());
             }
         }
+    }
+
+    /// What a stop that is hit does, and whether the run goes on in other coordinates or by another method.
+    fn after_step<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        touched: Option<Touch>,
+        charts: &mut Charts<'_>,
+    ) -> Option<Ended> {
+        let struck = touched.as_ref().filter(|_| self.by_energy).map(Touch::stop);
+        match self.touch(equations, method, touched) {
+            Ok(false) => {}
+            Ok(true) => return Some(Ended::Done),
+            Err(halt) => return Some(Ended::Halted(halt)),
+        }
+        if let Some(stop) = struck {
+            return Some(Ended::Struck(stop));
+        }
+        let change = self.better(equations, (method.t(), method.y()), charts)?;
+        Some(Ended::Changed(Box::new(change)))
+    }
+
+    /// Ends the step at an instant, where the motion turns exactly there, and so do the times of what happens with it. False where
+    /// it is not defined there.
+    fn shorten<M: Integrator<f64>>(
+        &self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        t: f64,
+        (turned, times): (&mut Option<f64>, [Option<&mut f64>; 3]),
+    ) -> bool {
+        let end = method.t();
+        if method.shorten(equations, t).is_err() {
+            return false;
+        }
+        if *turned != Some(t) {
+            return true;
+        }
+        let Ok(exact) = Self::turn_exactly(equations, method, end) else { return false };
+        *turned = Some(exact);
+        let with = times.into_iter().flatten().filter(|time| (**time - t).abs() <= self.at_once());
+        with.for_each(|time| *time = exact);
+        true
     }
 
     /// One step, no longer than what is looked at within it allows, unless the run has taken enough.
