@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
+use crate::share::{least, spread};
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
 use assur::internals::report::{AccuracyShown, Page, Precision, json, of_answers, text::Look};
@@ -23,7 +24,7 @@ fn solved(source: &Source) -> (Option<String>, String) {
 fn every_example_answers_with_all_motion() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let (mut answered, mut refused) = (0, 0);
-    for path in crate::folder::files(&root, "mech") {
+    for path in spread(crate::folder::files(&root, "mech")) {
         let name = path.display().to_string();
         let text = std::fs::read_to_string(&path).unwrap();
         let (before, _) = solved(&Source::new(&name, &text));
@@ -48,5 +49,5 @@ fn every_example_answers_with_all_motion() {
         }
     }
     println!("{answered} answered, {refused} refused");
-    assert!(answered > 100, "{answered} answered, {refused} refused");
+    assert!(answered > least(100), "{answered} answered, {refused} refused");
 }

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
+use crate::folder::files;
+use crate::share::spread;
 use assur::internals::editor::Analysis;
 use assur::internals::source::{Source, Span};
 use assur::internals::syntax::TokenKind;
@@ -15,7 +17,7 @@ fn look(text: &str) -> Analysis {
 fn every_word_is_offered_where_it_is() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let (mut all, mut missed) = (0, Vec::new());
-    for path in crate::folder::files(&root, "mech") {
+    for path in spread(files(&root, "mech")) {
         let text = std::fs::read_to_string(&path).unwrap();
         let analysis = look(&text);
         for token in &analysis.tokens {
@@ -43,7 +45,7 @@ fn every_word_is_offered_where_it_is() {
 #[test]
 fn every_question_has_an_answer_in_wrong_texts() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
-    for path in crate::folder::files(&root, "mech") {
+    for path in spread(files(&root, "mech")) {
         let Ok(text) = std::fs::read_to_string(&path) else { continue };
         let analysis = look(&text);
         let whole = Span::new(0, text.len());

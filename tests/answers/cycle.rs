@@ -294,7 +294,7 @@ fn smooth_machine() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(ProptestConfig::with_cases(crate::share::part(40)))]
 
     /// Over a cycle inertia and weights do no work.
     #[test]

@@ -94,7 +94,7 @@ fn a_range_of_no_length_is_an_error_before_and_while_it_is_solved() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig::with_cases(crate::share::part(60)))]
 
     #[test]
     fn runs_of_equal_positions_are_solved(runs in prop::collection::vec((1..70_usize, -3_i32..4), 1..6)) {

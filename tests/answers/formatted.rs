@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
+use crate::folder::files;
+use crate::share::spread;
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::Problems;
 use assur::internals::report::{Precision, json};
@@ -43,7 +45,7 @@ fn with_other_blanks(text: &str) -> String {
 #[test]
 fn answers_do_not_depend_on_blanks() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    for path in crate::folder::files(&root, "mech") {
+    for path in spread(files(&root, "mech")) {
         let text = std::fs::read_to_string(&path).unwrap();
         let wanted = answers(&text);
         let other = with_other_blanks(&text);

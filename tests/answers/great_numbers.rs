@@ -97,7 +97,7 @@ fn digits_that_numbers_do_not_have_are_a_warning() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(ProptestConfig::with_cases(crate::share::part(150)))]
 
     /// Wherever a number is huge or tiny, nothing printed is `inf` or `NaN`.
     #[test]

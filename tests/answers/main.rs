@@ -33,6 +33,8 @@ mod quick_rows;
 mod renamed;
 mod resting;
 mod run_accuracy;
+#[path = "../share/mod.rs"]
+mod share;
 mod simulation;
 mod starts;
 mod terminal;

@@ -116,7 +116,7 @@ find low = min(displacement(D)), high = max(displacement(D))
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: crate::share::part(12), ..ProptestConfig::default() })]
 
     /// A stop of a rocker just beyond its range, and just within it.
     #[test]

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
+use crate::folder::files;
+use crate::share::spread;
 use assur::internals::editor::Analysis;
 use assur::internals::source::{Source, Span};
 use assur::internals::syntax::document::Statement;
@@ -54,7 +56,7 @@ fn is_of_language(analysis: &Analysis, index: usize) -> bool {
 fn every_name_leads_to_its_declaration() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let mut left = Vec::new();
-    for path in crate::folder::files(&root, "mech") {
+    for path in spread(files(&root, "mech")) {
         let text = std::fs::read_to_string(&path).unwrap();
         let analysis = look(&text);
         for token in unknown(&analysis) {

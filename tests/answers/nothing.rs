@@ -68,7 +68,7 @@ fn what_cannot_be_given_has_its_reason() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(crate::share::part(24)))]
 
     /// Peaucellier's cell draws a straight line.
     #[test]

@@ -144,7 +144,7 @@ fn motion() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig::with_cases(crate::share::part(60)))]
 
     #[test]
     fn tables_of_random_motions_show_what_was_computed(text in motion()) {

@@ -49,7 +49,7 @@ fn seams_of_cams_end_a_step() {
 #[test]
 fn random_pulses_of_curves_have_their_impulse() {
     let pulses = proptest::collection::vec((0.05_f64..0.95, -6.0_f64..-2.0, -2.0_f64..2.0), 3);
-    let config = Config { failure_persistence: None, ..Config::with_cases(24) };
+    let config = Config { failure_persistence: None, ..Config::with_cases(crate::share::part(24)) };
     TestRunner::new_with_rng(config, proptest::test_runner::TestRng::deterministic_rng(
         proptest::test_runner::RngAlgorithm::ChaCha,
     ))

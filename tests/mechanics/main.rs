@@ -21,6 +21,8 @@ mod properties;
 mod reference_position;
 mod rolling;
 mod rubbing_wheels;
+#[path = "../share/mod.rs"]
+mod share;
 mod structure;
 mod support;
 mod train_losses;

@@ -159,7 +159,7 @@ fn soup() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig::with_cases(crate::share::part(400)))]
 
     #[test]
     fn any_text(text in "\\PC{0,60}(\\n\\PC{0,30}){0,3}") {

@@ -16,5 +16,7 @@ mod mistakes;
 mod mutated_input;
 mod paste;
 mod request_cases;
+#[path = "../share/mod.rs"]
+mod share;
 mod table_cases;
 mod use_cases;

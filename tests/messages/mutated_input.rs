@@ -160,7 +160,10 @@ const fn is_name(byte: u8) -> bool {
 
 /// `PROPTEST_CASES=100000` looks harder.
 fn cases() -> u32 {
-    std::env::var("PROPTEST_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(2_000)
+    std::env::var("PROPTEST_CASES")
+        .ok()
+        .and_then(|n| n.parse().ok())
+        .unwrap_or_else(|| crate::share::part(2_000))
 }
 
 proptest! {

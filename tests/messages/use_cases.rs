@@ -119,7 +119,7 @@ fn notes_that_lead_to_what_is_missing() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig::with_cases(crate::share::part(60)))]
 
     /// Shafts in a ring, each with two wheels: by the product of the ratios the ring turns or is locked.
     #[test]

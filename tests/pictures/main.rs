@@ -20,5 +20,7 @@ mod over_sweeps;
 mod over_time;
 mod random;
 mod scenes;
+#[path = "../share/mod.rs"]
+mod share;
 mod without_script;
 mod xml;

@@ -108,7 +108,7 @@ fn diagnostics_follow_the_text() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(crate::share::part(200)) })]
 
     /// After any edits, what is published is what a fresh start says of the text.
     #[test]

@@ -167,7 +167,7 @@ fn settled(server: &mut Server, published: &[Value]) -> (Value, bool) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(60) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(crate::share::part(60)) })]
 
     /// After any edits, with or without time to solve between them, a client sees what a fresh start shows of the text; hints that an
     /// unchanged line keeps while there are no answers are more.

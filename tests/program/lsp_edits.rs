@@ -28,9 +28,9 @@ const PUT: [&str; 16] = [
 /// Edits between two comparisons.
 const EVERY: usize = 25;
 
-/// How many edits there are: a thousand, or as many as `ASSUR_EDITS` says.
+/// How many edits there are: a thousand or a fifth, or as many as `ASSUR_EDITS` says.
 fn edits() -> usize {
-    std::env::var("ASSUR_EDITS").ok().and_then(|n| n.parse().ok()).unwrap_or(1000)
+    std::env::var("ASSUR_EDITS").ok().and_then(|n| n.parse().ok()).unwrap_or_else(|| crate::share::part(1000))
 }
 
 /// A number that is not the last one.

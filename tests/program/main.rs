@@ -31,6 +31,8 @@ mod report;
 mod row_names;
 mod run;
 mod schema;
+#[path = "../share/mod.rs"]
+mod share;
 mod sheets;
 mod solve;
 mod start;

@@ -175,7 +175,7 @@ fn folders_of_problems_become_folders_of_sheets() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(10) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(crate::share::part(10)) })]
 
     /// Planetary trains by teeth: only the numbers of teeth are given, and no radius is on any page.
     #[test]

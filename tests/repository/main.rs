@@ -9,3 +9,5 @@ mod folder;
 mod language_tables;
 mod plain_words;
 mod reference_scripts;
+#[path = "../share/mod.rs"]
+mod share;

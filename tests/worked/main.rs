@@ -24,4 +24,6 @@ mod languages;
 mod made;
 mod random;
 mod reader;
+#[path = "../share/mod.rs"]
+mod share;
 mod sheets;

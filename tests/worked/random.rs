@@ -14,7 +14,10 @@ const USUAL: u64 = 120;
 
 #[test]
 fn equations_of_random_mechanisms_balance() {
-    let wanted = std::env::var("ASSUR_WORKED").ok().and_then(|n| n.parse().ok()).unwrap_or(USUAL);
+    let wanted = std::env::var("ASSUR_WORKED")
+        .ok()
+        .and_then(|n| n.parse().ok())
+        .unwrap_or_else(|| crate::share::part(USUAL));
     let mut tally = Tally::default();
     for seed in 0..wanted {
         judge(seed, &mut tally);

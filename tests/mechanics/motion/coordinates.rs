@@ -1,7 +1,7 @@
 //! The same motion started by other coordinates: it goes on past their dead positions.
 
 use super::newton_euler::{followed, last};
-use super::{freed, times};
+use super::{freed, many};
 use crate::support::run::{Run, scalar, vector};
 use assur::internals::math::Vec2;
 use assur::internals::model::{
@@ -79,7 +79,7 @@ fn places_apart(one: &Run, two: &Run) -> f64 {
 fn a_motion_does_not_depend_on_what_is_started() {
     let (mut compared, mut changed, mut crossed, mut ended, mut worst) = (0, 0, 0, 0, (0.0, 0));
     for seed in 60_000.. {
-        if compared >= 60 * times() {
+        if compared >= many(60) {
             break;
         }
         let mut draft = freed(seed);

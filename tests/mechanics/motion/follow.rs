@@ -1,7 +1,7 @@
 //! Runs of random mechanisms against an integration of all bodies at once, energy, and the same mechanism seen otherwise.
 
 use super::newton_euler::{Bodies, followed, last};
-use super::{freed, times};
+use super::{freed, many};
 use crate::support::change::Change;
 use crate::support::draft::{Draft, Frame};
 use crate::support::reference::{Rates, Reference, Solver};
@@ -126,7 +126,7 @@ fn differs(draft: &Draft) -> Option<(f64, Method)> {
 fn a_second_is_that_of_all_bodies_at_once() {
     let (mut compared, mut tried, mut worst, mut failures) = (0, 0, (0.0, 0), Vec::new());
     for seed in 30_000.. {
-        if compared >= 20 * times() * times().min(2) {
+        if compared >= many(20) {
             break;
         }
         let Some(draft) = smooth(seed, 4) else { continue };
@@ -149,7 +149,7 @@ fn a_second_is_that_of_all_bodies_at_once() {
 fn the_energy_tells_what_all_bodies_do() {
     let (mut compared, mut worst, mut failures) = (0, (0.0, 0), Vec::new());
     for seed in 60_000.. {
-        if compared >= 15 * times() * times().min(2) {
+        if compared >= many(15) {
             break;
         }
         let Some(mut draft) = smooth(seed, 6) else { continue };
@@ -177,7 +177,7 @@ fn the_energy_tells_what_all_bodies_do() {
 fn energy_stays() {
     let (mut went, mut worst) = (0, (0.0, 0));
     for seed in 40_000.. {
-        if went >= 60 * times() {
+        if went >= many(60) {
             break;
         }
         let mut draft = freed(seed);
@@ -218,7 +218,7 @@ fn energy_stays() {
 fn a_motion_does_not_hang_on_frames_scales_and_order() {
     let (mut compared, mut worst) = (0, (0.0, 0, ""));
     for seed in 50_000.. {
-        if compared >= 30 * times() {
+        if compared >= many(30) {
             break;
         }
         let Some(mut draft) = smooth(seed, 8) else { continue };

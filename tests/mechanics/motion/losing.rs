@@ -1,7 +1,7 @@
 //! Losses of transmissions in motions of several free coordinates against the equations of all shafts at once: every direction of the
 //! power and every rest of a mesh is tried, and the one that is consistent is taken.
 
-use super::times;
+use super::many;
 use crate::support::random::Random;
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
@@ -271,7 +271,7 @@ fn found(text: &str, last: bool) -> Result<Vec<f64>, String> {
 fn losses_of_several_coordinates_are_those_of_all_shafts_at_once() {
     let (mut compared, mut held, mut several, mut worst) = (0, 0, 0, 0.0_f64);
     let mut failures = Vec::new();
-    for seed in 1..=300 * times() {
+    for seed in 1..=many(300) {
         let mut random = Random::new(seed);
         let train = Train::new(&mut random);
         let all = train.all(&train.rates());
@@ -312,7 +312,7 @@ fn losses_of_several_coordinates_are_those_of_all_shafts_at_once() {
 fn meshes_with_losses_come_to_rest_and_turn() {
     let (mut compared, mut turned, mut worst) = (0, 0, 0.0_f64);
     let mut failures = Vec::new();
-    for seed in 5_001..=5_000 + 100 * times() {
+    for seed in 5_001..=5_000 + many(100) {
         let mut random = Random::new(seed);
         let train = Train::new(&mut random);
         let Some((want, turns)) = train.after(1.0) else { continue };
@@ -338,7 +338,7 @@ fn meshes_with_losses_come_to_rest_and_turn() {
 /// A differential between two motors, each with its belt: a belt that slips passes on r₂/r₁ of a torque and (1 − s) r₁/r₂ of a speed.
 #[test]
 fn belts_that_slip_pass_on_less_speed() {
-    for seed in 1..=20 * times() {
+    for seed in 1..=many(20) {
         let mut random = Random::new(seed);
         let (mut motors, mut alone) = (String::new(), String::new());
         let mut wheels = [String::new(), String::new()];

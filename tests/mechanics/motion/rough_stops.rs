@@ -116,7 +116,7 @@ fn states(name: &str, text: &str) -> Option<(Mechanism, Vec<State>)> {
 #[test]
 fn impacts_next_to_friction_keep_the_momentum_of_all_bodies() {
     let (mut impacts, mut runs, mut shaken) = (0, 0, 0);
-    for seed in 0..20 * super::times() {
+    for seed in 0..super::many(20) {
         let name = format!("chain {seed}");
         let (text, stops, _) = rough(seed, "");
         let Some((mechanism, states)) = states(&name, &text) else {
@@ -139,7 +139,8 @@ fn impacts_next_to_friction_keep_the_momentum_of_all_bodies() {
 #[test]
 fn friction_next_to_stops_keeps_the_laws_of_all_bodies() {
     let (mut seen, mut runs, mut ended) = (Seen::default(), 0, 0);
-    for seed in 0..20 * super::times() {
+    // all of them: a fifth does not meet everything that is counted below
+    for seed in 0..20 * super::times().unwrap_or(1) {
         let name = format!("chain {seed}");
         let (text, stops, radii) = rough(seed, " in 60 steps");
         let Some((mechanism, states)) = states(&name, &text) else {

@@ -2,7 +2,7 @@
 //! follow their laws by a damped fixed point.
 
 use super::newton_euler::{Bodies, followed};
-use super::{condition, freed, off, times};
+use super::{condition, freed, many, off};
 use crate::friction::fixed_point::{laws, rubbing, step};
 use crate::friction::pair_friction::{loaded, pair_frictions};
 use crate::support::draft::Draft;
@@ -68,7 +68,7 @@ fn missed(draft: &Draft) -> Result<Option<f64>, String> {
 fn friction_of_several_coordinates_is_that_of_all_bodies_at_once() {
     let (mut compared, mut opened, mut failures, mut worst) = (0, 0, Vec::new(), (0.0, 0));
     for seed in 60_000.. {
-        if compared >= 500 * times() {
+        if compared >= many(500) {
             break;
         }
         let draft = freed(seed);

@@ -2,7 +2,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "an independent computation")]
 
-use super::times;
+use super::many;
 use crate::geared_chains::{answers, close};
 use crate::support::random::Random;
 use std::fmt::Write as _;
@@ -17,7 +17,7 @@ fn first(text: &str) -> impl Fn(&str) -> f64 {
 /// A planetary stage between shafts in a row: speeds of all shafts are linear in those of sun and carrier.
 #[test]
 fn planetary_trains_with_two_freedoms() {
-    for seed in 0..30 * times() {
+    for seed in 0..many(30) {
         let random = &mut Random::new(60_000 + seed);
         let (zs, zp) = (12 + random.below(40), 12 + random.below(40));
         let zr = zs + 2 * zp;
@@ -102,7 +102,7 @@ start S at {} rad/s\nstart H at {} rad/s\nsimulate 1 ms within 1e-6\n",
 /// A motor with a pinion on the crank of a heavy crank-slider; a planet that rolls in a ring hangs on the crank's pin.
 #[test]
 fn wheels_beside_a_linkage() {
-    for seed in 0..40 * times() {
+    for seed in 0..many(40) {
         let random = &mut Random::new(61_000 + seed);
         let (r, phi) = (random.within(0.05, 0.2), random.within(-3.1, 3.1));
         let (l, s) = (r * random.within(1.5, 4.0), random.within(0.02, 0.2));

@@ -73,7 +73,7 @@ fn rounded(x: f64) -> String {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(12) })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(crate::share::part(12)) })]
 
     /// The supplement and the opposite of an angle are called that, also where another row has just this value.
     #[test]

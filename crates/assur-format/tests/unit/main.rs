@@ -3,4 +3,6 @@
 mod every_text;
 mod mutants;
 mod rules;
+#[path = "../../../../tests/share/mod.rs"]
+mod share;
 mod texts;

@@ -66,7 +66,10 @@ fn changed(text: &str, change: &Change) -> String {
 #[test]
 fn only_blanks_of_mutants_change() {
     let texts = all();
-    let wanted = std::env::var("MUTANTS").ok().and_then(|n| n.parse().ok()).unwrap_or(2000);
+    let wanted = std::env::var("MUTANTS")
+        .ok()
+        .and_then(|n| n.parse().ok())
+        .unwrap_or_else(|| crate::share::part(2000));
     let mut runner = TestRunner::new(Config { failure_persistence: None, ..Config::with_cases(wanted) });
     let read = Cell::new(0_u32);
     let strategy = (0..texts.len(), prop::collection::vec(change(), 1..12));
