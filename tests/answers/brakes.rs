@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its text has failed
 
+use crate::share::part;
 use assur::Solution;
 use assur::internals::check::Overrides;
 use assur::internals::solve::Conduct;
@@ -261,7 +262,7 @@ fn instants(end: f64, steps: u32) -> Vec<f64> {
 #[test]
 fn discs_with_brakes_and_springs() {
     let mut random = random(5);
-    for case in 0..24 {
+    for case in 0..part(24) {
         let n: usize = 2 + case % 2;
         let inertias: Vec<f64> = (0..n).map(|_| random(0.5, 3.0)).collect();
         let springs: Vec<f64> =
@@ -338,7 +339,7 @@ fn discs_with_brakes_and_springs() {
 #[test]
 fn arms_with_brakes() {
     let mut random = random(6);
-    for case in 0..16 {
+    for case in 0..part(16) {
         let (length, far) = (random(0.4, 1.0), random(0.2, 0.8));
         let (m1, m2) = (random(0.5, 2.0), random(0.3, 1.5));
         let (j1, j2) = (random(0.05, 0.3), random(0.02, 0.2));
@@ -392,7 +393,7 @@ start b = {} rad at {} rad/s
 #[test]
 fn sliders_with_brakes_and_friction() {
     let mut random = random(7);
-    for case in 0..24 {
+    for case in 0..part(24) {
         let (m1, m2) = (random(0.5, 4.0), random(0.3, 2.0));
         let (friction, between) = (case % 2 == 1, random(0.05, 0.4));
         let g = 10.0;
@@ -445,7 +446,7 @@ start H = 0 mm at {} m/s
 #[test]
 fn a_brake_on_what_a_belt_takes_along() {
     let mut random = random(8);
-    for _ in 0..20 {
+    for _ in 0..part(20) {
         let (mass, belt) = (random(0.5, 4.0), random(0.2, 2.0));
         let (rubs, holds) = (random(2.0, 20.0), random(2.0, 20.0));
         let end = random(0.3, 4.0);

@@ -79,7 +79,7 @@ fn a_range_of_no_length_is_an_error_before_and_while_it_is_solved() {
         let source = Source::new("empty.mech", range(empty));
         let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
         let words = format!("{problems:?}");
-        assert!(solved.is_none() && words.contains("EmptyRange"), "{empty}: {words}");
+        assert!(solved.is_none() && words.contains("empty_range"), "{empty}: {words}");
         // what is offered solves
         let from = empty.split(" .. ").next().expect("a range");
         let line = format!("drive crank = {from} at 1500 rpm");
