@@ -2,6 +2,7 @@
 
 use crate::drawn::{animated, faults, moving, moving_picture, sheets, solved};
 use crate::every_example::examples;
+use crate::share::{all, least};
 use assur::internals::picture::KINDS;
 
 /// Changes per example.
@@ -40,9 +41,14 @@ fn changed(text: &str, random: &mut Random) -> String {
 fn other_numbers_give_pictures_or_diagnostics() {
     let (mut wrong, mut count) = (Vec::new(), 0);
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    for (name, text) in examples().into_iter().filter(|(_, text)| text.len() < 6000) {
+    let texts = examples().into_iter().filter(|(_, text)| text.len() < 6000);
+    for (index, (name, text)) in texts.enumerate() {
         for _ in 0..CHANGES {
             let other = changed(&text, &mut random);
+            // one example of five, changed as where all are drawn
+            if !all() && index % 5 > 0 {
+                continue;
+            }
             let drawn = std::panic::catch_unwind(|| {
                 let (source, solved) = solved(&name, &other)?;
                 let sheets = KINDS.into_iter().flat_map(|kind| sheets(&source, &solved, kind));
@@ -63,6 +69,6 @@ fn other_numbers_give_pictures_or_diagnostics() {
             }
         }
     }
-    assert!(count as u64 > 40 * CHANGES, "changed examples are solved: {count}");
+    assert!(count as u64 > least(40) * CHANGES, "changed examples are solved: {count}");
     assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
 }
