@@ -338,7 +338,7 @@ fn the_steps_of_a_run_allocate_nothing() {
         let ends = ["0.3 s", "0.5 s", "0.7 s", "1 s", "1.5 s", "2 s", "2.8 s", "3 s"];
         let found = ends.map(|end| allocations_of_a_run(text, end));
         let alike = |a: &(u64, usize), b: &(u64, usize)| a.0 == b.0 && b.1 > a.1 + 30;
-        assert!(found.iter().any(|a| found.iter().any(|b| alike(a, b))), "{found:?}");
+        assert!(found.iter().any(|a| found.iter().any(|b| alike(a, b))), "{found:?} of{text}");
     }
 }
 

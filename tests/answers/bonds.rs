@@ -10,7 +10,7 @@ use assur::internals::source::Source;
 /// The last instant of a motion, s, and whether it ended with an error.
 fn end(text: &str) -> (f64, bool) {
     let (solved, problems) = solve_source(&Source::new("bonds.mech", text), &Overrides::none());
-    let opens = format!("{problems:?}").contains("Opens");
+    let opens = problems.has("mech::simulate::opens");
     assert_eq!(opens, problems.has_errors(), "{problems:?}");
     // what does not begin has no solution
     (solved.map_or(0.0, |solved| solved.solution.simulation.as_ref().unwrap().end), opens)

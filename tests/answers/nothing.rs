@@ -170,7 +170,7 @@ fn roots_of_rounding_are_numbers() {
     let file = "mech 1\nground { O (0, 0) }\nlink a O-A 1 m\nrevolute O: ground - a\ndrive a = 0 deg .. 360 deg in 360 steps
 let x = position(a.A).x/(1 m)\nlet y = position(a.A).y/(1 m)\nfind r = sqrt(1 - x^2 - y^2)\n";
     let (solved, problems) = solve("case.mech", file);
-    assert!(problems.is_empty(), "{problems}");
+    assert!(problems.contains("items: []"), "{problems}");
     let answers =
         format!("{:?}", of_answers("case.mech", &solved.answers(Precision::READABLE), AccuracyShown::Worst));
     assert!(!answers.contains("NaN") && !answers.contains("\"—\""), "{answers}");

@@ -15,6 +15,8 @@ pub(super) struct Bends {
     /// Where, s.
     t: f64,
     forces: Vec<Vec2>,
+    /// Those where it began.
+    before: Vec<Vec2>,
     /// The greatest so far.
     greatest: f64,
 }
@@ -37,7 +39,7 @@ impl Bends {
             let y = method.previous_y().to_vec();
             self.look(equations, (method.previous_t(), &y));
         }
-        let begin = std::mem::take(&mut self.forces);
+        std::mem::swap(&mut self.before, &mut self.forces);
         self.look(equations, (method.t(), method.y()));
         let much = tolerance * equations.extent() * self.greatest;
         let part = |((a, b), radius): ((&Vec2, &Vec2), f64)| {
@@ -50,7 +52,7 @@ impl Bends {
             let approach = if a.dot(way) < 0.0 { 1.0 + MOST } else { 1.0 };
             MOST * nearest.max(a.norm() / approach).max(much / radius) / length
         };
-        let pairs = begin.iter().zip(&self.forces).zip(equations.circles());
+        let pairs = self.before.iter().zip(&self.forces).zip(equations.circles());
         let part = pairs.map(part).fold(1.0, f64::min);
         if part < 1.0 {
             let from = method.previous_t();

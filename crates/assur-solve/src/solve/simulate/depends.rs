@@ -1,7 +1,20 @@
 //! What values that are watched depend on.
 
-use super::turning::Kept;
-use crate::model::{Expr, Level, Mechanism, PairKind, Query};
+use crate::model::{Expr, Level, LinkId, Mechanism, PairId, PairKind, Query};
+
+/// What does not move: pairs, and links that loads against the motion hold.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Kept {
+    pub pairs: Vec<PairId>,
+    pub links: Vec<LinkId>,
+}
+
+impl Kept {
+    /// Whether everything moves.
+    pub const fn is_empty(&self) -> bool {
+        self.pairs.is_empty() && self.links.is_empty()
+    }
+}
 
 /// Whether links join moving links: then rates go with angles.
 pub(super) fn is_linkage(mechanism: &Mechanism) -> bool {

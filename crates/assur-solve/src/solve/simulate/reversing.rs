@@ -32,7 +32,9 @@ impl Reversals {
     ) -> Option<LoadId> {
         let plan = equations.model.plan;
         let apart = |id: LoadId| !plan.opposing.iter().any(|load| load.load == id);
-        if equations.mode.is_some() || !equations.is_braked() {
+        let mut loads = equations.model.mechanism.loads.iter().enumerate();
+        let any = loads.any(|(index, load)| load.is_against_motion() && apart(LoadId::at(index)));
+        if !any || equations.mode.is_some() || !equations.is_braked() {
             return None;
         }
         let loads: Vec<_> =

@@ -1,5 +1,6 @@
 //! Where, within a step, what rubs comes to rest, turns, or is let go, and how the run goes on from there.
 
+use super::depends::Kept;
 use super::equations::Equations;
 use super::going::Going;
 use super::records::within_step;
@@ -18,20 +19,6 @@ const CLEAR: f64 = 0.5;
 const SLOPE: f64 = 1e-3;
 /// Rounding of an instant.
 const ROUNDING: f64 = 1e-15;
-
-/// What does not move: pairs, and links that loads against the motion hold.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Kept {
-    pub pairs: Vec<PairId>,
-    pub links: Vec<LinkId>,
-}
-
-impl Kept {
-    /// Whether everything moves.
-    pub const fn is_empty(&self) -> bool {
-        self.pairs.is_empty() && self.links.is_empty()
-    }
-}
 
 impl Going<'_, '_> {
     /// Where, in the last step, what rubs comes to rest, turns or leaves its rest.

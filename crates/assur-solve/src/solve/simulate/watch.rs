@@ -1,11 +1,10 @@
 //! Events of a run.
 
 use super::conduct::Drawn;
-use super::depends::{comes_again, is_deep, is_kept, is_linkage};
+use super::depends::{Kept, comes_again, is_deep, is_kept, is_linkage};
 use super::equations::Equations;
 use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
 use super::records::within_step;
-use super::turning::Kept;
 use crate::answer::{OF_FORCES, OF_MOTION};
 use crate::math::lobatto::Extremes;
 use crate::math::ode::Integrator;
