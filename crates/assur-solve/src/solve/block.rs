@@ -163,7 +163,7 @@ impl UpcomingPositions<'_> {
 }
 
 impl Block {
-    /// The positions, once they were [answered](Ahead::answer).
+    /// The positions, once they were [answered](UpcomingPositions::answer).
     #[must_use]
     pub fn poses(&self) -> &[Pose] {
         &self.poses[..self.free.min(self.poses.len())]
