@@ -101,7 +101,33 @@ impl Derivation<'_> {
                 add(body, action.at);
             }
         }
+        // and every other place that is none of the file's, unless several arms from it are the shape of a link
+        let unnamed = self.unnamed.borrow().clone();
+        let arms = |name: &String| {
+            let ends = |sub: &str| sub.ends_with(name.as_str()) || sub.starts_with(name.as_str());
+            self.given.borrow().keys().filter(|arm| &*arm.letter == "l" && ends(&arm.sub)).count()
+        };
+        let other = unnamed.into_iter().filter(|(body, at)| !self.is_of_file(*body, *at));
+        names.extend(other.map(|(body, at)| self.point_name(body, at)).filter(|name| arms(name) == 1));
         (names, given)
+    }
+
+    /// Whether the file gives this place of a body: on a line, as a centre, or as that of a load.
+    fn is_of_file(&self, body: usize, at: Vec2) -> bool {
+        let mechanism = self.scene.mechanism();
+        let Some(id) = self.link(body) else { return true };
+        let link = mechanism.link(id);
+        let loads = mechanism.loads.iter().filter_map(|load| match &load.kind {
+            LoadKind::Force { on, at: Place::Local(at), .. }
+            | LoadKind::ForceAgainstMotion { on, at: Place::Local(at), .. } => (*on == id).then_some(*at),
+            _ => None,
+        });
+        let lines = link.lines.iter().map(|line| line.through);
+        let circles = link.circles.iter().map(|circle| circle.centre);
+        let cams = link.cam_profiles.iter().map(|profile| profile.centre);
+        // the origin, from which its coordinates count
+        let mut places = lines.chain(circles).chain(cams).chain(loads).chain([Vec2::zero()]);
+        places.any(|place| (place - at).norm() <= self.tiny)
     }
 
     /// A name for a place on a body that has none in the file.
