@@ -149,6 +149,8 @@ fn accelerations_are_those_of_all_bodies_at_once() {
     }
     println!("{compared} compared, {several} with several free coordinates, worst {worst:?}");
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
-    assert!(several * 4 >= compared, "{several} of {compared}");
+    // of the first fifth exactly a quarter has several
+    let quarter = if crate::share::all() { compared + 1 } else { compared };
+    assert!(several * 4 >= quarter, "{several} of {compared}");
     assert!(opened < compared, "{opened} open at once, {compared} compared");
 }

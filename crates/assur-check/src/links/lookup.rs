@@ -255,7 +255,7 @@ impl Context<'_> {
             |&(link, _): &(LinkId, Vec2)| format!("`{}.{}`", self.builder.mech.link(link).name, name.node);
         let choices = bearers.iter().map(spelled).collect::<Vec<_>>().join(" or ");
         let message = format!("several points have the name `{}`, and no pin joins them", name.node);
-        let told = Diagnosis::error("mech::name::ambiguous_point", message)
+        let diagnosis = Diagnosis::error("mech::name::ambiguous_point", message)
             .primary(name.span, "the link is missing");
         self.error(match bearers.as_slice() {
             // where a pin may be missing, it is not known which point is meant
@@ -266,9 +266,9 @@ impl Context<'_> {
                 } else {
                     "if a hinge is missing, add".to_owned()
                 };
-                told.help(format!("write {choices}; {joins} `revolute {}: {a} - {b}`", name.node))
+                diagnosis.help(format!("write {choices}; {joins} `revolute {}: {a} - {b}`", name.node))
             }
-            _ => told.help(format!("write {choices}")).quoted(name.span),
+            _ => diagnosis.help(format!("write {choices}")).quoted(name.span),
         });
         None
     }

@@ -225,13 +225,13 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     cx.problems.reported.insert(("point", format!("{link}.{name}")));
     // what is not found because of this is no second mistake
     cx.names.bad.extend(lookalike);
-    let told =
+    let diagnosis =
         Diagnosis::error("mech::geometry::nothing_to_join", format!("`{link}` has no {what} `{name}`"))
             .primary(end.span, format!("the {what} `{name}` of `{link}` is joined here"))
             .label(joint.name.span, format!("the name of the pair is also the name of the {what}s it joins"))
             .help(help);
     let missing = || Undeclared { kind: "point", name, owner: Some(link), at: joint.name.span.to(end.span) };
-    cx.error(if what == "point" { told.undeclared(missing()) } else { told });
+    cx.error(if what == "point" { diagnosis.undeclared(missing()) } else { diagnosis });
 }
 
 /// The prismatic pair that may be meant where a hinge names a link with a line that no pair uses.

@@ -81,7 +81,7 @@ fn steps(structure: &Structure, body: usize) -> Vec<Step> {
     steps.collect()
 }
 
-/// Whether a way of so many parallel guides at most leads from a step on to the ground.
+/// Whether a chain of at most `most` parallel guides leads on to the ground.
 fn leads_down(structure: &Structure, step: Step, most: usize) -> bool {
     let on = |next: &Step| next.joint != step.joint && next.direction.cross(step.there).abs() <= PARALLEL;
     step.other == 0

@@ -124,6 +124,13 @@ impl<'a> Case<'a> {
         found.dedup();
         found
     }
+
+    /// What is to be written in a place, if the text reads with it: `new` as written, `wanted` as it is called.
+    pub fn instead(&self, (start, end): (usize, usize), new: &str, wanted: &str) -> Option<Diagnosis> {
+        let found = self.slice.get(start..end).unwrap_or_default().trim();
+        let reads = self.reads(&self.with(start, end, new));
+        reads.then(|| instead(found, wanted, self.span(start, end - start), self.help(start, end, new)))
+    }
 }
 
 /// The first byte that fits nothing.
@@ -153,14 +160,7 @@ fn joined(case: &Case<'_>, first: (usize, &str), second: (usize, &str)) -> Optio
     if !names || !apart || !(declares(case, start) && hyphen || stands_elsewhere(case, &wanted)) {
         return None;
     }
-    case.reads(&case.with(start, end, &wanted)).then(|| {
-        instead(
-            case.slice.get(start..end).unwrap_or_default(),
-            &wanted,
-            case.span(start, end - start),
-            case.help(start, end, &wanted),
-        )
-    })
+    case.instead((start, end), &wanted, &wanted)
 }
 
 /// Whether the piece declares what it names there: a name follows the word of the statement, or the number of a link.

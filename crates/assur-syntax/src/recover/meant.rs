@@ -36,14 +36,7 @@ pub(super) fn in_other_places(case: &Case<'_>) -> Option<Diagnosis> {
 
 /// The repair of a part, if the piece reads with it.
 fn repair(case: &Case<'_>, start: usize, end: usize, wanted: &str, new: &str) -> Option<Diagnosis> {
-    case.reads(&case.with(start, end, new)).then(|| {
-        instead(
-            case.slice.get(start..end).unwrap_or_default().trim(),
-            wanted,
-            case.span(start, end - start),
-            case.help(start, end, new),
-        )
-    })
+    case.instead((start, end), new, wanted)
 }
 
 /// `mechanism "a \"quick\" return"`: a text has no quotes inside.

@@ -36,14 +36,7 @@ pub(super) fn two_words(case: &Case<'_>) -> Option<Diagnosis> {
     let pair = words.windows(2).find(named)?;
     let (_, _, wanted) = TWO_WORDS.iter().find(|(a, b, _)| (pair[0].1, pair[1].1) == (*a, *b))?;
     let (start, end) = (pair[0].0, pair[1].0 + pair[1].1.len());
-    case.reads(&case.with(start, end, wanted)).then(|| {
-        instead(
-            case.slice.get(start..end).unwrap_or_default(),
-            wanted,
-            case.span(start, end - start),
-            case.help(start, end, wanted),
-        )
-    })
+    case.instead((start, end), wanted, wanted)
 }
 
 /// `find the acceleration of B`
@@ -136,14 +129,7 @@ fn bar(case: &Case<'_>) -> Option<Diagnosis> {
         _ => None,
     });
     let (start, end, wanted) = spoken.or_else(|| ends(*words.get(at)?))?;
-    case.reads(&case.with(start, end, &wanted)).then(|| {
-        instead(
-            case.slice.get(start..end).unwrap_or_default(),
-            &wanted,
-            case.span(start, end - start),
-            case.help(start, end, &wanted),
-        )
-    })
+    case.instead((start, end), &wanted, &wanted)
 }
 
 /// `drive crank 45 deg`: `=` before a position, `at` before a speed.

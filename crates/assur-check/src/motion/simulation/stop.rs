@@ -61,28 +61,24 @@ fn is_free(cx: &mut Context<'_>, stop: &document::Stop, found: &Stop) -> bool {
     for other in others.cloned().collect::<Vec<_>>() {
         if other.side == found.side {
             let what = format!("`{name}` has two stops on the same side");
-            let help = "keep the one that is reached first".to_owned();
-            cx.error(
-                Diagnosis::error("mech::simulate::stop", what)
-                    .primary(found.span, "here")
-                    .label(other.span, "first here")
-                    .help(help)
-                    .left_out("this stop", found.span),
-            );
+            cx.error(two_stops(what, (found.span, other.span), "keep the one that is reached first"));
             return false;
         }
         if found.side * (other.bound - found.bound) <= 0.0 {
             let what = format!("nothing is left between the two stops of `{name}`");
-            let help = "let the coordinate stay above the lesser bound and below the greater one".to_owned();
-            cx.error(
-                Diagnosis::error("mech::simulate::stop", what)
-                    .primary(found.span, "here")
-                    .label(other.span, "first here")
-                    .help(help)
-                    .left_out("this stop", found.span),
-            );
+            let help = "let the coordinate stay above the lesser bound and below the greater one";
+            cx.error(two_stops(what, (found.span, other.span), help));
             return false;
         }
     }
     true
+}
+
+/// Two stops of a pair that cannot both be.
+fn two_stops(what: String, (at, first): (Span, Span), help: &str) -> Diagnosis {
+    Diagnosis::error("mech::simulate::stop", what)
+        .primary(at, "here")
+        .label(first, "first here")
+        .help(help)
+        .left_out("this stop", at)
 }

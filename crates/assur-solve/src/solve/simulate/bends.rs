@@ -6,7 +6,8 @@ use crate::math::Vec2;
 use crate::math::ode::{Integrator, Undefined};
 use crate::plan::FrictionLaw;
 
-/// Within a step a force changes by so many times its least magnitude there at most: then the series of a step reaches over it.
+/// A step ends before a force changes by more than this multiple of its least magnitude: up to there the series of a step is exact
+/// enough.
 const MOST: f64 = 2.0;
 
 /// The forces in all friction circles where the last step ended.

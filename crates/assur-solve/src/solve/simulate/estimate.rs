@@ -13,7 +13,7 @@ use super::trace::Fraction;
 use crate::answer::LEAST_CONDITION;
 
 /// The error of a finer run is that of the coarser one times what the witnesses tell, but for chance: over the examples and a thousand
-/// random motions, at tolerances from 1e-3 to 1e-13, it is so many times greater in 3 of 100.
+/// random motions, at tolerances from 1e-3 to 1e-13, the ratio of the two exceeds this in 3 of 100 runs.
 const BY_CHANCE: f64 = 3.5;
 /// Works are integrals along the motion, and known better: their errors are this part.
 const OF_WORKS: f64 = 0.4;

@@ -8,7 +8,7 @@ use crate::math::ode::Integrator;
 use crate::model::{LoadId, LoadKind, Place};
 use crate::position::State;
 
-/// Reversals that are looked at, and the part of the run in which so many are none of a motion.
+/// A motion has fewer reversals than `MANY` within the part `SOON` of a run. More of them mean that the point is at rest.
 const MANY: usize = 8;
 const SOON: f64 = 1e6 * AT_ONCE;
 

@@ -9,7 +9,7 @@ use crate::solve::failure::Halt;
 
 /// The output between the ends of a step is as exact as this, of the size of the mechanism.
 const NOTHING: f64 = 1e-7;
-/// What moves may come further in a step than by its velocities at both ends, so many times.
+/// In a step an end of a spring may move this many times as far as its velocities at both ends of the step say.
 const FURTHER: f64 = 2.0;
 
 impl Going<'_, '_> {
