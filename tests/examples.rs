@@ -8,7 +8,7 @@ use assur::internals::check::Overrides;
 use assur::internals::diagnostic::Problems;
 use assur::internals::report::document::{Block, Report};
 use assur::internals::report::text::Look;
-use assur::internals::report::{self, AccuracyShown, Precision};
+use assur::internals::report::{self, AccuracyShown, PrintedDigits};
 use assur::internals::source::Source;
 use assur::internals::{Compiled, Solved};
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -43,7 +43,7 @@ fn holds(path: &Path, name: &str) -> Result<(), Failed> {
         Ok(solved) if !problems.has_errors() => {
             answer_key(&solved, &source)?;
             rows_hold(&source)?;
-            let answers = solved.answers(Precision::STABLE);
+            let answers = solved.answers(PrintedDigits::STABLE);
             let answers = report::of_answers(&source.name, &answers, AccuracyShown::EveryPose);
             // the structure stands in full already
             stages.sections.extend(answers.sections.into_iter().filter(|s| s.heading != "Structure"));

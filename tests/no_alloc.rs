@@ -12,7 +12,7 @@ use assur::internals::model::{Friction, Mechanism, PairKind};
 use assur::internals::report::json::JsonLines;
 use assur::internals::report::lines::{CsvLines, LineMemory};
 use assur::internals::report::rows::AnswerColumns;
-use assur::internals::report::{Answers, NumberRows, Precision};
+use assur::internals::report::{Answers, NumberRows, PrintedDigits};
 use assur::internals::solve::{
     BLOCK, Block, DriveInput, Following, Model, Solution, UpcomingPositions, solve,
 };
@@ -95,7 +95,7 @@ where
     let mut following = Following::new(&model, Vec::new()).expect("it is solved").expect("it moves");
     following.next();
     let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
-    let precision = Precision::READABLE;
+    let precision = PrintedDigits::READABLE;
     let answers = Answers { model, solution: &solution, outcomes: &[], reached: None, precision };
     let mut work = worker(&answers);
     let (mut block, mut branches) = (Block::default(), Vec::new());
@@ -238,7 +238,7 @@ fn allocations_of_rows(for_answers: bool) -> u64 {
             assert!(solver.prepare(&read.row));
         }
         let (solved, problems) = solver.solve_in_place(&read.row);
-        let solved = solved.expect("the row closes").answers(Precision::READABLE);
+        let solved = solved.expect("the row closes").answers(PrintedDigits::READABLE);
         assert!(problems.is_empty());
         let written = answers.get_or_insert_with(|| AnswerColumns::of(&solved.model));
         let whole = written.whole_if_any(&solved);

@@ -9,7 +9,7 @@ use assur::internals::diagnostic::{Problems, Style, render};
 use assur::internals::drawing::Theme;
 use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw, moving};
 use assur::internals::pipeline::{dimensions, solve_drawn_conducted, turn, turn_in};
-use assur::internals::solve::Conduct;
+use assur::internals::solve::IntegrationOptions;
 use assur::internals::source::Source;
 use assur::internals::worked::Language;
 use libfuzzer_sys::fuzz_target;
@@ -27,7 +27,7 @@ fuzz_target!(|text: &str| {
     let document = Arc::new(document);
     let steps = AtomicUsize::new(0);
     let watch = |_: f64, _: f64| steps.fetch_add(1, Ordering::Relaxed) < MOST;
-    let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+    let conduct = IntegrationOptions { watch: Some(&watch), ..IntegrationOptions::default() };
     let solved = solve_drawn_conducted(&source, &document, found, &Overrides::none(), &KINDS, &conduct).0;
     let Some(solved) = solved.filter(|_| steps.load(Ordering::Relaxed) <= MOST) else { return };
     // positions alone take their time in `solve`

@@ -8,7 +8,7 @@ use assur::internals::check::Overrides;
 use assur::internals::compile;
 use assur::internals::diagnostic::{Style, render};
 use assur::internals::pipeline::solve_conducted;
-use assur::internals::solve::Conduct;
+use assur::internals::solve::IntegrationOptions;
 use assur::internals::source::Source;
 use libfuzzer_sys::fuzz_target;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -31,7 +31,7 @@ fuzz_target!(|text: &str| {
     }
     let steps = AtomicUsize::new(0);
     let watch = |_: f64, _: f64| steps.fetch_add(1, Ordering::Relaxed) < MOST;
-    let (solved, problems) = solve_conducted(compiled, None, &Conduct { watch: Some(&watch), ..Conduct::default() });
+    let (solved, problems) = solve_conducted(compiled, None, &IntegrationOptions { watch: Some(&watch), ..IntegrationOptions::default() });
     assert!(steps.load(Ordering::Relaxed) <= MOST + RUNS, "it goes on");
     if let Ok(solved) = solved {
         for pose in &solved.solution.poses {

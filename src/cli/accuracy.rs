@@ -11,7 +11,7 @@ use super::reply::{Reply, Status, complaint, for_each_file};
 use super::screen::{Screen, processor_seconds};
 use super::sink::Sink;
 use crate::pipeline::{Solved, solve_source_conducted};
-use crate::report::{self, Shown};
+use crate::report::{self, Extent};
 use assur_model::model::Simulation;
 use assur_solve::measure::{
     RunStudy,
@@ -19,7 +19,7 @@ use assur_solve::measure::{
     study_runs,
 };
 use assur_solve::message;
-use assur_solve::solve::Conduct;
+use assur_solve::solve::IntegrationOptions;
 use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
 
@@ -37,7 +37,7 @@ pub fn run(args: &Accuracy, screen: &Screen) -> Status {
     for_each_file(&args.problem.files, screen, args.format.apart(), |source, _| {
         let way = MotionProgress::shown(&source.name);
         let watch = |reached: f64, last: f64| way.goes_on(reached, last);
-        let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+        let conduct = IntegrationOptions { watch: Some(&watch), ..IntegrationOptions::default() };
         let (solved, mut problems) = solve_source_conducted(source, &overrides, &conduct);
         let Some(solved) = solved.filter(|_| !problems.has_errors()) else {
             return Reply::new(String::new(), &problems, source, screen);
@@ -68,7 +68,11 @@ enum Measured {
 }
 
 impl Measured {
-    fn of(solved: &Solved, wanted: Option<f64>, conduct: &Conduct<'_>) -> Result<Self, Box<Problems>> {
+    fn of(
+        solved: &Solved,
+        wanted: Option<f64>,
+        conduct: &IntegrationOptions<'_>,
+    ) -> Result<Self, Box<Problems>> {
         let model = solved.compiled.model();
         let problems = |failure| Box::new(Problems::of([message::failure(&model, &failure)]));
         Ok(
@@ -104,7 +108,7 @@ impl Measured {
                 Self::Runs(study) => report::run_study_json(&source.name, study),
             } + "\n";
         }
-        let shown = if args.details { Shown::Details } else { Shown::Answer };
+        let shown = if args.details { Extent::Details } else { Extent::Answer };
         let model = solved.compiled.model();
         let report = match self {
             Self::Positions(study) => report::of_study(&source.name, &model, study, shown),

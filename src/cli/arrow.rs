@@ -8,7 +8,7 @@ use super::threads::Threads;
 use crate::pipeline::{Compiled, Sink};
 use crate::report::Answers;
 use crate::report::arrow::ArrowRows;
-use assur_solve::solve::{Block, Conduct, Method, Pose, UpcomingPositions};
+use assur_solve::solve::{Block, IntegrationOptions, Method, Pose, UpcomingPositions};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use std::io::IsTerminal;
@@ -43,7 +43,7 @@ pub fn positions(
     let angles = rows.reads_angles(&compiled.model());
     let way = MotionProgress::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
-    let conduct = Conduct { watch: Some(&watch), method, ..Conduct::default() };
+    let conduct = IntegrationOptions { watch: Some(&watch), method, ..IntegrationOptions::default() };
     let mut out = Out { rows, angles, error: None, failed: false, printer, threads, conduct };
     let (_, found) = crate::pipeline::solve_each(compiled, &mut out);
     problems.append(found);
@@ -64,11 +64,11 @@ struct Out<'p, 'o, 'w> {
     failed: bool,
     printer: &'p mut Printer<'o>,
     threads: &'p Threads,
-    conduct: Conduct<'w>,
+    conduct: IntegrationOptions<'w>,
 }
 
 impl Sink for Out<'_, '_, '_> {
-    fn conduct(&self) -> Conduct<'_> {
+    fn conduct(&self) -> IntegrationOptions<'_> {
         self.conduct
     }
 

@@ -22,11 +22,11 @@ pub struct MotionProgress {
     name: String,
     terminal: bool,
     started: Instant,
-    shown: Mutex<Shown>,
+    shown: Mutex<BarState>,
 }
 
 /// What is shown of it.
-struct Shown {
+struct BarState {
     bar: Option<ProgressBar>,
     drawn: Instant,
     /// The instant that was reached when it was last looked at, s.
@@ -54,7 +54,7 @@ impl MotionProgress {
 
     fn from(file: &str, first: f64) -> Self {
         let started = Instant::now();
-        let shown = Shown { bar: None, drawn: started, before: f64::NEG_INFINITY, first, run: 1 };
+        let shown = BarState { bar: None, drawn: started, before: f64::NEG_INFINITY, first, run: 1 };
         Self {
             name: shown_in_line(file).to_string(),
             terminal: std::io::stderr().is_terminal(),
@@ -72,7 +72,7 @@ impl MotionProgress {
     }
 }
 
-impl Shown {
+impl BarState {
     fn look(&mut self, way: &MotionProgress, reached: f64, last: f64) {
         self.run += u32::from(reached < self.before);
         self.before = reached;
@@ -100,7 +100,7 @@ impl Drop for MotionProgress {
     }
 }
 
-impl Drop for Shown {
+impl Drop for BarState {
     fn drop(&mut self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();

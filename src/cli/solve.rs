@@ -17,9 +17,9 @@ use crate::pipeline::{Compiled, Solved};
 use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words};
 use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::json::Variant;
-use crate::report::{self, AccuracyShown, Answers, Precision};
+use crate::report::{self, AccuracyShown, Answers, PrintedDigits};
 use assur_check::{ColumnUse, Overrides, RowColumn};
-use assur_solve::solve::{Conduct, Method};
+use assur_solve::solve::{IntegrationOptions, Method};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -100,7 +100,8 @@ impl Printing<'_> {
             Some(compiled) if !problems.has_errors() => {
                 let way = MotionProgress::of(&source.name, &compiled.mechanism);
                 let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
-                let conduct = Conduct { watch: Some(&watch), method, ..Conduct::default() };
+                let conduct =
+                    IntegrationOptions { watch: Some(&watch), method, ..IntegrationOptions::default() };
                 let (solved, found) = crate::pipeline::solve_conducted(compiled, self.args.within, &conduct);
                 problems.append(found);
                 solved.map_err(Some)
@@ -110,7 +111,7 @@ impl Printing<'_> {
         let results = match (self.format, &solved) {
             (Format::Json, Ok(solved)) => json(source, Ok(solved), &problems),
             (Format::Json, Err(compiled)) => json(source, Err(compiled.as_ref()), &problems),
-            (_, Ok(solved)) => self.answers(source, &solved.answers(Precision::READABLE)),
+            (_, Ok(solved)) => self.answers(source, &solved.answers(PrintedDigits::READABLE)),
             (_, Err(_)) => String::new(),
         };
         Reply::new(results, &problems, source, self.screen)
@@ -170,7 +171,7 @@ impl Printing<'_> {
         let mut count = 0;
         for row in rows.solve(false) {
             count += 1;
-            let solved = row.solved.as_ref().map(|s| s.answers(Precision::READABLE));
+            let solved = row.solved.as_ref().map(|s| s.answers(PrintedDigits::READABLE));
             match (self.format, &solved) {
                 (Format::Csv, solved) => csv_row(&mut table, &columns, &row, solved.as_ref()),
                 (Format::Json, solved) => {
@@ -259,7 +260,7 @@ fn json(source: &Source, solved: Result<&Solved, Option<&Compiled>>, problems: &
     let diagnostics = problems.views(source);
     let line = match solved {
         Ok(solved) => {
-            let answers = solved.answers(Precision::READABLE);
+            let answers = solved.answers(PrintedDigits::READABLE);
             report::json::render(&source.name, Some(&answers.model), Some(&answers), &diagnostics)
         }
         Err(compiled) => {

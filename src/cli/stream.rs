@@ -10,8 +10,8 @@ use crate::front::stages::{InOrder, Stages, work};
 use crate::pipeline::{Compiled, Sink, Solved, is_long};
 use crate::report::json::JsonLines;
 use crate::report::lines::{CsvLines, LineMemory};
-use crate::report::{Answers, Precision};
-use assur_solve::solve::{BLOCK, Block, Conduct, Method, Pose, UpcomingPositions};
+use crate::report::{Answers, PrintedDigits};
+use assur_solve::solve::{BLOCK, Block, IntegrationOptions, Method, Pose, UpcomingPositions};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -41,7 +41,7 @@ pub fn positions(
     let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
     let way = MotionProgress::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
-    let conduct = Conduct { watch: Some(&watch), method, ..Conduct::default() };
+    let conduct = IntegrationOptions { watch: Some(&watch), method, ..IntegrationOptions::default() };
     let (begun, any, failed) = (false, false, false);
     let mut out = Out { lines, text, held, begun, any, failed, printer, threads, conduct };
     let (solved, found) = crate::pipeline::solve_each(compiled, &mut out);
@@ -123,11 +123,11 @@ struct Out<'p, 'o, 'w> {
     failed: bool,
     printer: &'p mut Printer<'o>,
     threads: &'p Threads,
-    conduct: Conduct<'w>,
+    conduct: IntegrationOptions<'w>,
 }
 
 impl Sink for Out<'_, '_, '_> {
-    fn conduct(&self) -> Conduct<'_> {
+    fn conduct(&self) -> IntegrationOptions<'_> {
         self.conduct
     }
 
@@ -298,7 +298,7 @@ impl Out<'_, '_, '_> {
     /// Writes what is left; what needs no pose where there is none.
     fn end(&mut self, solved: &Solved) {
         if !self.any {
-            let answers = solved.answers(Precision::READABLE);
+            let answers = solved.answers(PrintedDigits::READABLE);
             self.lines.begin(&answers, None);
             self.lines.add_without_pose(&answers, &mut self.text);
         }

@@ -8,7 +8,7 @@ use super::screen::Screen;
 use crate::exercise::Outcome;
 use crate::pipeline::{FileVariants, test_document};
 use crate::report::document::{Column, Report, Section, Table};
-use assur_solve::solve::Conduct;
+use assur_solve::solve::IntegrationOptions;
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Source, shown_in_line};
@@ -56,7 +56,7 @@ pub fn run(args: &Test, screen: &Screen) -> Status {
             _ => {
                 let way = MotionProgress::shown(&source.name);
                 let watch = |reached: f64, last: f64| way.goes_on(reached, last);
-                let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+                let conduct = IntegrationOptions { watch: Some(&watch), ..IntegrationOptions::default() };
                 let (solved, problems) = test_document(source, &document, found, &overrides, &conduct);
                 drop(way);
                 let outcomes = solved.as_ref().map(|s| s.outcomes.as_slice());

@@ -4,7 +4,7 @@ use super::{Analysis, Results};
 use crate::exercise::Outcome;
 use crate::pipeline::{FileVariants, test_text};
 use crate::report::text::Look;
-use crate::report::{AccuracyShown, Page, Precision, of_answers};
+use crate::report::{AccuracyShown, Page, PrintedDigits, of_answers};
 use assur_check::Overrides;
 use assur_syntax::document::Statement;
 use assur_text::diagnostic::Problems;
@@ -61,7 +61,7 @@ impl Analysis {
         let solved_now = if results.is_some() { None } else { self.solve(&|| true) };
         match results.or(solved_now.as_ref()).and_then(|results| results.solved.as_ref()) {
             Some(solved) => {
-                let answers = solved.answers(Precision::READABLE);
+                let answers = solved.answers(PrintedDigits::READABLE);
                 let report = of_answers(&self.source.name, &answers, AccuracyShown::Worst);
                 Page::Text(Look::PLAIN).render(&report)
             }

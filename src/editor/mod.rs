@@ -25,12 +25,12 @@ pub use lenses::{Action, Lens};
 pub use names::{Declaration, Names};
 pub use results::{GoesOn, Results};
 pub use shown::Picture;
-pub use shown::{Declared, Shown};
+pub use shown::{Declared, PageParts};
 pub use signature::Signature;
 pub use symbols::{Symbol, SymbolKind, symbols};
 pub use tokens::{Coloured, TOKEN_COLOURS};
 
-use crate::pipeline::{Compiled, Looked, certain_edits, look};
+use crate::pipeline::{CompileFindings, Compiled, certain_edits, look};
 use assur_syntax::document::Document;
 use assur_syntax::{Token, parse_with_tokens};
 use assur_text::diagnostic::{Fix, Problem, Problems};
@@ -60,7 +60,7 @@ impl Analysis {
         let (document, tokens, found) = parse_with_tokens(&source);
         let document = Arc::new(document);
         let is_read = !found.has_errors();
-        let Looked { compiled, problems, uses, constants } = look(&source, &document, found);
+        let CompileFindings { compiled, problems, uses, constants } = look(&source, &document, found);
         let names = Names::of(&source.text, &tokens, &document, &uses);
         Self { source, document, tokens, problems, names, is_read, compiled, constants }
     }

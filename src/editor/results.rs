@@ -5,10 +5,10 @@ use super::lenses::in_words;
 use crate::exercise::{Outcome, mismatches};
 use crate::pipeline::{Sink, Solved, compile_document, is_long, solve, solve_each};
 use crate::report::rows::AnswerColumns;
-use crate::report::{Answers, Precision};
+use crate::report::{Answers, PrintedDigits};
 use assur_check::Overrides;
 use assur_model::model::{Display, Query, Value};
-use assur_solve::solve::{Conduct, Pose, PoseAnswers, Watch};
+use assur_solve::solve::{IntegrationOptions, Pose, PoseAnswers, Progress};
 use assur_syntax::document::Statement;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Span;
@@ -71,7 +71,7 @@ impl Analysis {
 /// Keeps the positions as long as it is to go on.
 struct Watched<'g> {
     goes_on: &'g GoesOn<'g>,
-    watch: &'g Watch<'g>,
+    watch: &'g Progress<'g>,
 }
 
 impl Sink for Watched<'_> {
@@ -79,8 +79,8 @@ impl Sink for Watched<'_> {
         (self.goes_on)()
     }
 
-    fn conduct(&self) -> Conduct<'_> {
-        Conduct { watch: Some(self.watch), ..Conduct::default() }
+    fn conduct(&self) -> IntegrationOptions<'_> {
+        IntegrationOptions { watch: Some(self.watch), ..IntegrationOptions::default() }
     }
 }
 
@@ -108,7 +108,7 @@ impl Results {
         let index = self.pose.load(Ordering::Relaxed);
         let at = || {
             let solved = self.solved.as_ref().filter(|_| series.values.len() > 1)?;
-            let name = &solved.answers(Precision::READABLE).poses().nth(index)?.name;
+            let name = &solved.answers(PrintedDigits::READABLE).poses().nth(index)?.name;
             let pose = if name.starts_with(|c: char| c.is_ascii_digit()) { "pose " } else { "" };
             Some(format!("{} ({pose}{name})", series.display.text((*series.values.get(index)?)?, DIGITS)))
         };
@@ -174,7 +174,7 @@ impl Results {
 
 /// The positions that are asked for, as answers see them; nothing for one without a solution.
 fn views(solved: &Solved) -> impl Iterator<Item = Option<PoseAnswers<'_>>> {
-    let answers = solved.answers(Precision::READABLE);
+    let answers = solved.answers(PrintedDigits::READABLE);
     let model = answers.model;
     answers.poses().map(move |pose| {
         let found = pose.outcome.as_ref().ok()?;
@@ -183,7 +183,7 @@ fn views(solved: &Solved) -> impl Iterator<Item = Option<PoseAnswers<'_>>> {
 }
 
 fn series(solved: &Solved) -> IndexMap<String, Series> {
-    let answers = solved.answers(Precision::READABLE);
+    let answers = solved.answers(PrintedDigits::READABLE);
     let columns = AnswerColumns::of_file(&answers.model);
     let whole = columns.whole(&answers);
     let rows = answers.poses().map(|pose| columns.values(&answers, pose, &whole)).collect::<Vec<_>>();

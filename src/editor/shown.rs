@@ -4,7 +4,7 @@ use super::symbols::{Symbol, SymbolKind};
 use super::{Analysis, Results, symbols};
 use crate::pipeline::{Solved, turn};
 use crate::report::{
-    AccuracyShown, Precision, of_answers,
+    AccuracyShown, PrintedDigits, of_answers,
     text::{self, Look},
 };
 use assur_drawing::Theme;
@@ -24,7 +24,7 @@ const MOST: usize = 50;
 
 /// What a page shows of a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Shown {
+pub struct PageParts {
     /// The mechanism as a page of its own, in motion where it can move; none where nothing is solved.
     pub picture: Option<String>,
     /// The answers as in a terminal.
@@ -52,13 +52,13 @@ pub struct Declared {
 impl Analysis {
     /// The text with its answers, or with why it has none.
     #[must_use]
-    pub fn preview(&self, results: Option<&Results>) -> Shown {
+    pub fn preview(&self, results: Option<&Results>) -> PageParts {
         let mut diagnostics = render_most(&self.problems, &self.source, STYLE, MOST);
         if let Some(results) = results {
             diagnostics += &render_most(&results.problems, &self.source, STYLE, MOST);
         }
         let Some(solved) = results.and_then(|results| results.solved.as_ref()) else {
-            return Shown { diagnostics, ..Shown::default() };
+            return PageParts { diagnostics, ..PageParts::default() };
         };
         let picture = match self.moving(solved) {
             Ok(picture) => Some(picture),
@@ -67,7 +67,7 @@ impl Analysis {
                 None
             }
         };
-        Shown { picture, answers: self.answers(solved), diagnostics, declared: self.declared() }
+        PageParts { picture, answers: self.answers(solved), diagnostics, declared: self.declared() }
     }
 
     /// The animation; of what does not move the scheme.
@@ -85,7 +85,7 @@ impl Analysis {
     }
 
     fn answers(&self, solved: &Solved) -> String {
-        let answers = solved.answers(Precision::READABLE);
+        let answers = solved.answers(PrintedDigits::READABLE);
         text::render(&of_answers(&self.source.name, &answers, AccuracyShown::Worst), Look::PLAIN)
     }
 

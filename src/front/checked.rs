@@ -7,9 +7,9 @@ use super::solution::{Diagnostics, Expectation};
 use super::workers::{OnePosition, Workers};
 use crate::exercise;
 use crate::pipeline::{Compiled, followed, solve_conducted};
-use crate::report::{Answers, Precision};
+use crate::report::{Answers, PrintedDigits};
 use assur_model::model::Mechanism;
-use assur_solve::solve::{Conduct, Model, Watch};
+use assur_solve::solve::{IntegrationOptions, Model, Progress};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use std::sync::{Mutex, OnceLock};
@@ -90,7 +90,7 @@ impl Checked {
         one.solve(&self.compiled, given, filling)
     }
 
-    fn filling<'w>(&self, workers: &'w dyn Workers, watch: &'w Watch<'w>) -> Filling<'w> {
+    fn filling<'w>(&self, workers: &'w dyn Workers, watch: &'w Progress<'w>) -> Filling<'w> {
         let blank = self.blank.get_or_init(|| Blank::of(&self.compiled.model()));
         Filling::of(blank.clone(), workers, watch)
     }
@@ -132,12 +132,12 @@ impl Checked {
         filling: &mut Filling<'_>,
     ) -> (Option<Vec<Expectation>>, Problems) {
         let origin = self.compiled.origin.as_ref();
-        match followed(model, origin, Some(filling), &Conduct::default()) {
+        match followed(model, origin, Some(filling), &IntegrationOptions::default()) {
             Err(problems) => (None, problems),
             Ok(None) => (None, Problems::new()),
             Ok(Some((solution, mut problems))) => {
                 let outcomes = exercise::evaluate(model, &solution, &mut problems);
-                let precision = Precision::READABLE;
+                let precision = PrintedDigits::READABLE;
                 let answers = Answers {
                     model: *model,
                     solution: &solution,
@@ -167,9 +167,9 @@ impl Checked {
             plan: plan.clone(),
             origin: origin.clone(),
         };
-        let (solved, problems) = solve_conducted(compiled, Some(within), &Conduct::default());
+        let (solved, problems) = solve_conducted(compiled, Some(within), &IntegrationOptions::default());
         let Ok(solved) = solved else { return (None, problems) };
-        let answers = solved.answers(Precision::READABLE);
+        let answers = solved.answers(PrintedDigits::READABLE);
         for pose in answers.poses() {
             crate::pipeline::Sink::add(filling, &answers, pose);
         }

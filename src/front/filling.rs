@@ -7,7 +7,9 @@ use crate::pipeline::Sink;
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, NumberField, NumberRows};
 use assur_solve::message::failure;
-use assur_solve::solve::{BLOCK, Block, Conduct, Model, Pose, UpcomingPositions, Watch, finite};
+use assur_solve::solve::{
+    BLOCK, Block, IntegrationOptions, Model, Pose, Progress, UpcomingPositions, finite,
+};
 use miette::Diagnostic;
 use std::sync::Arc;
 
@@ -34,7 +36,7 @@ pub(super) struct Filling<'w> {
     room: usize,
     row: Vec<f64>,
     workers: &'w dyn Workers,
-    watch: &'w Watch<'w>,
+    watch: &'w Progress<'w>,
     /// The workers wanted to go on so far.
     pub goes_on: bool,
 }
@@ -60,7 +62,7 @@ impl Blank {
 }
 
 impl<'w> Filling<'w> {
-    pub fn of(blank: Blank, workers: &'w dyn Workers, watch: &'w Watch<'w>) -> Self {
+    pub fn of(blank: Blank, workers: &'w dyn Workers, watch: &'w Progress<'w>) -> Self {
         let Blank { columns, rows, angles } = blank;
         let (memory, row) = (Vec::new(), Vec::new());
         Self { columns, rows, angles, memory, room: 0, row, workers, watch, goes_on: true }
@@ -136,8 +138,8 @@ fn quality(pose: &Pose) -> [f64; OWN] {
 }
 
 impl Sink for Filling<'_> {
-    fn conduct(&self) -> Conduct<'_> {
-        Conduct { watch: Some(self.watch), ..Conduct::default() }
+    fn conduct(&self) -> IntegrationOptions<'_> {
+        IntegrationOptions { watch: Some(self.watch), ..IntegrationOptions::default() }
     }
 
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {

@@ -4,7 +4,7 @@ use super::checked::Checked;
 use super::rows::Rows;
 use super::solution::{Diagnostics, Solution};
 use crate::pipeline::{Compiled, FileVariants, SolvedRow, compile_document, solve_within, test_text};
-use crate::report::{Precision, json::render};
+use crate::report::{PrintedDigits, json::render};
 use assur_check::Overrides;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
@@ -190,7 +190,7 @@ impl Problem {
         problems.append(found);
         match solved {
             Ok(solved) => {
-                let answers = solved.answers(Precision::READABLE);
+                let answers = solved.answers(PrintedDigits::READABLE);
                 let views = problems.views(&self.source);
                 render(&self.source.name, Some(&answers.model), Some(&answers), &views)
             }

@@ -1,7 +1,7 @@
 //! The answers to rows of variants as columns: one line per row and position.
 
 use super::rows::RowLayout;
-use crate::exercise::table::{Separator, Written};
+use crate::exercise::table::{PreciseNumber, Separator};
 use crate::report::Answers;
 use assur_check::{ColumnUse, Row, RowCell, RowColumn};
 use assur_solve::message::failure;
@@ -230,7 +230,7 @@ pub(crate) fn header_line(document: &Document, header: &[(String, Option<String>
 
 /// One unit in the last digit of a number as it would be written.
 fn last_digit(number: f64) -> f64 {
-    Written::read(&number.to_string(), Separator::Comma).map_or(0.0, |written| written.digit)
+    PreciseNumber::read(&number.to_string(), Separator::Comma).map_or(0.0, |written| written.digit)
 }
 
 /// The header of a column as in a table of text: without a unit of its own the `given` has that of its declaration.

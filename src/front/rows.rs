@@ -7,10 +7,10 @@ use super::stages::{InOrder, Stages, work};
 use super::workers::Workers;
 use crate::exercise::table::Table;
 use crate::pipeline::{Compiled, VariantSolver};
-use crate::report::{NumberField, Precision, rows::AnswerColumns};
+use crate::report::{NumberField, PrintedDigits, rows::AnswerColumns};
 use assur_check as check;
 use assur_check::{ColumnUse, Overrides, Row, RowColumn};
-use assur_solve::solve::{NumberColumns, Watch};
+use assur_solve::solve::{NumberColumns, Progress};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -145,7 +145,7 @@ impl Rows {
         work(workers, count.div_ceil(PIECE), &solving, &mut all).then_some(all.answers)
     }
 
-    fn solver<'r>(&'r self, watch: &'r Watch<'r>) -> VariantSolver<'r> {
+    fn solver<'r>(&'r self, watch: &'r Progress<'r>) -> VariantSolver<'r> {
         VariantSolver::new(&self.document, &self.overrides).within(self.within).watched(watch).for_answers()
     }
 
@@ -153,14 +153,14 @@ impl Rows {
     fn one<'r>(
         &'r self,
         row: &Row,
-        (worker, watch): (&mut Worker<'r>, &'r Watch<'r>),
+        (worker, watch): (&mut Worker<'r>, &'r Progress<'r>),
         (layout, index, out): (&RowLayout, usize, &mut RowAnswers),
     ) {
         let before = out.len();
         let found = catch_unwind(AssertUnwindSafe(|| {
             let Worker { solver, columns, numbers } = &mut *worker;
             let (solved, problems, quick) = solver.solve_quickly(row);
-            let answers = solved.map(|solved| solved.answers(Precision::READABLE));
+            let answers = solved.map(|solved| solved.answers(PrintedDigits::READABLE));
             let columns = answers.filter(|_| quick && !layout.key).and_then(|answers| {
                 columns.get_or_insert_with(|| layout.answers.in_quick_rows(&answers.model)).as_ref()
             });
@@ -183,7 +183,7 @@ struct Solving<'s, 'r> {
     layout: &'s RowLayout,
     cells: &'s [Cells<'s>],
     count: usize,
-    watch: &'r Watch<'r>,
+    watch: &'r Progress<'r>,
     /// Solvers that wait for rows.
     idle: Mutex<Vec<Worker<'r>>>,
 }

@@ -2,7 +2,7 @@
 
 use crate::exercise::Outcome;
 use crate::pipeline::Solved;
-use crate::report::{Answers, Precision, rows::AnswerColumns};
+use crate::report::{Answers, PrintedDigits, rows::AnswerColumns};
 use assur_math::math::Vec2;
 use assur_model::model::{Display, Value};
 use assur_solve::message::failure;
@@ -52,7 +52,7 @@ impl Expectation {
 
 impl Solution {
     pub(super) fn of(solved: &Solved, diagnostics: Diagnostics) -> Self {
-        let answers = solved.answers(Precision::READABLE);
+        let answers = solved.answers(PrintedDigits::READABLE);
         let columns = AnswerColumns::of_file(&answers.model);
         let names: Arc<[String]> = columns.names().collect();
         let whole = columns.whole(&answers);

@@ -4,9 +4,9 @@ use super::columns::Columns;
 use super::filling::Filling;
 use super::positions::{GivenPositions, PositionsError, place};
 use crate::pipeline::{Compiled, Sink};
-use crate::report::{Answers, Precision};
+use crate::report::{Answers, PrintedDigits};
 use assur_model::model::{Mechanism, Positions};
-use assur_solve::solve::{Model, Reads, ReusedSolver, Solution};
+use assur_solve::solve::{Model, PoseOutputs, ReusedSolver, Solution};
 
 /// Who solves positions and rows that do not depend on one another: the caller alone, or several threads of its own.
 ///
@@ -51,7 +51,7 @@ pub(super) struct OnePosition {
 }
 
 /// Columns show the residuals.
-const READS: Reads = Reads { residuals: true, angles: false };
+const READS: PoseOutputs = PoseOutputs { residuals: true, angles: false };
 
 impl std::fmt::Debug for OnePosition {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -86,7 +86,7 @@ impl OnePosition {
             return Ok(None);
         }
         let solution = &self.solution;
-        let precision = Precision::READABLE;
+        let precision = PrintedDigits::READABLE;
         let answers = Answers { model, solution, outcomes: &[], reached: None, precision };
         for pose in &solution.poses {
             filling.add(&answers, pose);

@@ -1,6 +1,6 @@
 //! Which question a request asks.
 
-use super::asked::Asked;
+use super::asked::TextRequest;
 use super::client::{Client, EXPLAIN, SOLVE, TEST};
 use super::error::Failure;
 use super::shown::Sent;
@@ -125,20 +125,23 @@ impl Session<'_> {
     fn of<T: Serialize>(
         &self,
         document: &TextDocumentIdentifier,
-        ask: impl FnOnce(&Asked<'_>) -> Result<T, Failure>,
+        ask: impl FnOnce(&TextRequest<'_>) -> Result<T, Failure>,
     ) -> Result<Value, Failure> {
         let uri = document.uri.to_string();
         let analysis = self.texts.look(&uri)?;
-        let asked = Asked::of(&uri, analysis, self.texts.results(&uri), self.client);
-        let answer =
-            ask(&Asked { earlier: self.texts.earlier(&uri), tested: self.texts.tested(&uri), ..asked })?;
+        let asked = TextRequest::of(&uri, analysis, self.texts.results(&uri), self.client);
+        let answer = ask(&TextRequest {
+            earlier: self.texts.earlier(&uri),
+            tested: self.texts.tested(&uri),
+            ..asked
+        })?;
         serde_json::to_value(answer).map_err(|_| Failure::internal())
     }
 
     fn whole<T: Serialize>(
         &self,
         message: &Value,
-        ask: impl FnOnce(&Asked<'_>) -> T,
+        ask: impl FnOnce(&TextRequest<'_>) -> T,
     ) -> Result<Value, Failure> {
         self.of(&params::<Whole>(message)?.text_document, |text| Ok(ask(text)))
     }
@@ -182,7 +185,7 @@ impl Session<'_> {
     fn at<T: Serialize>(
         &self,
         message: &Value,
-        ask: impl FnOnce(&Asked<'_>, usize) -> Result<T, Failure>,
+        ask: impl FnOnce(&TextRequest<'_>, usize) -> Result<T, Failure>,
     ) -> Result<Value, Failure> {
         let asked = params::<TextDocumentPositionParams>(message)?;
         self.of(&asked.text_document, |text| ask(text, text.byte(asked.position)?))

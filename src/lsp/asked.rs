@@ -20,7 +20,7 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 
 /// A text that is looked at.
-pub struct Asked<'a> {
+pub struct TextRequest<'a> {
     pub uri: &'a str,
     pub analysis: &'a Analysis,
     /// Its answers, where it is solved.
@@ -33,7 +33,7 @@ pub struct Asked<'a> {
     pub client: Client,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> TextRequest<'a> {
     /// A text of which nothing is known but what is in it and what it comes to.
     pub fn of(uri: &'a str, analysis: &'a Analysis, results: Option<&'a Results>, client: Client) -> Self {
         let lines = Lines::of(&analysis.source.text);
@@ -41,7 +41,7 @@ impl<'a> Asked<'a> {
     }
 }
 
-impl Asked<'_> {
+impl TextRequest<'_> {
     /// What is wrong with the text, with what its answers show where it is solved; then what nothing depends on, where it is shown faded.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
         let all = self.analysis.problems_with(self.results).into_iter();
@@ -231,7 +231,7 @@ const fn kind(kind: SymbolKind) -> gen_lsp_types::SymbolKind {
 
 // Help while a text is typed: completions, signatures.
 
-impl Asked<'_> {
+impl TextRequest<'_> {
     pub fn completions(&self, byte: usize) -> Vec<Value> {
         // the line that is typed has no answers yet
         let results = self.results.or(self.earlier.map(|earlier| &*earlier.results));
@@ -277,7 +277,7 @@ impl Asked<'_> {
 
 // Where a name leads to and where it is used; another name.
 
-impl Asked<'_> {
+impl TextRequest<'_> {
     fn location(&self, at: Span) -> Location {
         Location { uri: self.uri.into(), range: self.range(at) }
     }

@@ -11,7 +11,7 @@ mod shown;
 mod texts;
 
 use crate::editor::Results;
-use asked::Asked;
+use asked::TextRequest;
 use client::Client;
 use error::Failure;
 use gen_lsp_types::{LspNotificationMethod, LspRequestMethod, TextDocumentPositionParams};
@@ -139,7 +139,9 @@ impl Server {
     fn published(&self, uri: &str, version: i32) -> Vec<Value> {
         let found = guarded(|| {
             let analysis = self.texts.look(uri)?;
-            Ok::<_, Failure>(Asked::of(uri, analysis, self.texts.results(uri), self.client).diagnostics())
+            Ok::<_, Failure>(
+                TextRequest::of(uri, analysis, self.texts.results(uri), self.client).diagnostics(),
+            )
         });
         let broken = found.is_none().then(|| self.broken(PUBLISH, &json!({ "uri": uri })));
         // an error of the program says nothing of the text; what was said before is no longer true

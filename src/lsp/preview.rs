@@ -5,14 +5,14 @@ use super::client::PREVIEW;
 use super::convert::span;
 use super::error::Failure;
 use super::texts::params;
-use crate::editor::{GoesOn, Shown};
+use crate::editor::{GoesOn, PageParts};
 use assur_text::source::Lines;
 use gen_lsp_types::{ExecuteCommandParams, Range, TextDocumentPositionParams};
 use serde_json::{Value, json};
 use std::fmt::Debug;
 
 /// What a page shows of a text, once it is drawn; nothing where it is not to go on.
-pub type View = Box<dyn FnOnce(&GoesOn<'_>) -> Option<Shown> + Send>;
+pub type View = Box<dyn FnOnce(&GoesOn<'_>) -> Option<PageParts> + Send>;
 
 /// Where texts are shown as pages: given by a program that has sockets and threads.
 pub trait Pages: Debug {

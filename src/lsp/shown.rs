@@ -1,6 +1,6 @@
 //! What is shown in and beside a text: hints, lenses, colours, selections.
 
-use super::asked::Asked;
+use super::asked::TextRequest;
 use super::client::{PREVIEW, SOLVE, TEST};
 use super::error::Failure;
 use crate::editor::{Action, Declared, Picture};
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-impl Asked<'_> {
+impl TextRequest<'_> {
     pub fn hints(&self, range: Range) -> Result<Vec<Value>, Failure> {
         let found = self.analysis.hints(self.span(range)?, self.results, self.earlier).into_iter();
         let found = found.filter(|one| self.client.wants(one.kind));

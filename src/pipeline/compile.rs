@@ -69,7 +69,7 @@ pub fn compile_document(
 
 /// What is found in a document before anything is solved.
 #[derive(Debug)]
-pub struct Looked {
+pub struct CompileFindings {
     /// It compiled, as [`compile_document`] does.
     pub compiled: Option<Compiled>,
     /// All that was found wrong.
@@ -82,7 +82,7 @@ pub struct Looked {
 
 /// As [`compile_document`], with what an editor asks for.
 #[must_use]
-pub fn look(source: &Source, document: &Arc<Document>, found: Problems) -> Looked {
+pub fn look(source: &Source, document: &Arc<Document>, found: Problems) -> CompileFindings {
     let is_read = !found.has_errors();
     let of_file = look_with(source, document, found, &Overrides::none());
     let row = if is_read && of_file.problems.has_errors() { first_row(document) } else { None };
@@ -93,13 +93,18 @@ pub fn look(source: &Source, document: &Arc<Document>, found: Problems) -> Looke
     if of_row.problems.has_errors() {
         return of_file;
     }
-    Looked { compiled: of_row.compiled, problems: of_row.problems, ..of_file }
+    CompileFindings { compiled: of_row.compiled, problems: of_row.problems, ..of_file }
 }
 
-fn look_with(source: &Source, document: &Arc<Document>, found: Problems, overrides: &Overrides) -> Looked {
-    let check::Looked { mechanism, problems, uses, constants } = check::look(document, overrides);
+fn look_with(
+    source: &Source,
+    document: &Arc<Document>,
+    found: Problems,
+    overrides: &Overrides,
+) -> CompileFindings {
+    let check::CheckFindings { mechanism, problems, uses, constants } = check::look(document, overrides);
     let (compiled, problems) = compile_checked(source, document, found, overrides, (mechanism, problems));
-    Looked { compiled, problems, uses, constants }
+    CompileFindings { compiled, problems, uses, constants }
 }
 
 /// The first row of a table of variants.

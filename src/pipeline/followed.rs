@@ -4,11 +4,11 @@
 use super::compile::Origin;
 use super::critical::criticals;
 use super::open_sizes::open_sizes;
-use crate::report::{Answers, Precision};
+use crate::report::{Answers, PrintedDigits};
 use assur_model::model::{At, Mechanism, Positions, Relation};
 use assur_solve::message::{self, failure};
 use assur_solve::solve::{
-    BLOCK, Block, Conduct, Following, Model, Pose, PoseOrigin, Solution, UpcomingPositions,
+    BLOCK, Block, Following, IntegrationOptions, Model, Pose, PoseOrigin, Solution, UpcomingPositions,
 };
 use assur_text::diagnostic::{Diagnosis, Problems};
 use miette::LabeledSpan;
@@ -27,8 +27,8 @@ pub trait Sink {
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool;
 
     /// How a motion under loads is integrated.
-    fn conduct(&self) -> Conduct<'_> {
-        Conduct::default()
+    fn conduct(&self) -> IntegrationOptions<'_> {
+        IntegrationOptions::default()
     }
 
     /// Whether positions need not be kept, even if they are few.
@@ -126,7 +126,7 @@ pub fn followed(
     model: &Model<'_>,
     origin: Option<&Origin>,
     sink: Option<&mut dyn Sink>,
-    conduct: &Conduct<'_>,
+    conduct: &IntegrationOptions<'_>,
 ) -> Followed {
     let critical = origin.map(|o| criticals(model, o)).unwrap_or_default();
     let Some(mut following) =
@@ -157,7 +157,7 @@ pub fn followed(
         head.open = open_sizes(model, origin).map_err(Problems::of)?;
     }
     let (mut poses, mut problems) = (Vec::new(), Problems::new());
-    let precision = Precision::READABLE;
+    let precision = PrintedDigits::READABLE;
     let answers = Answers { model: *model, solution: &head, outcomes: &[], reached: None, precision };
     let (mut sink, mut branches) = (sink, Vec::new());
     let (mut failed, mut ambiguous) = (0, false);

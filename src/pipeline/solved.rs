@@ -8,7 +8,7 @@ use assur_check::Overrides;
 use assur_picture::Kind;
 use assur_position::plan::{Effects, plan_with};
 use assur_solve::measure::accuracy::{self, AchievedAccuracy};
-use assur_solve::solve::{Conduct, Solution};
+use assur_solve::solve::{IntegrationOptions, Solution};
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
@@ -29,7 +29,7 @@ pub struct Solved {
 impl Solved {
     /// As a report sees it.
     #[must_use]
-    pub fn answers(&self, precision: report::Precision) -> report::Answers<'_> {
+    pub fn answers(&self, precision: report::PrintedDigits) -> report::Answers<'_> {
         let model = self.compiled.model();
         let reached = self.reached.as_ref();
         report::Answers { model, solution: &self.solution, outcomes: &self.outcomes, reached, precision }
@@ -39,10 +39,10 @@ impl Solved {
 /// Solves a compiled file and compares it with its answer key. A failed expectation is an outcome, not a problem; one
 /// that cannot be evaluated is a problem, and so are more positions than can be kept: see [`solve_each`].
 pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
-    solve_so(compiled, &Conduct::default())
+    solve_so(compiled, &IntegrationOptions::default())
 }
 
-fn solve_so(compiled: Compiled, conduct: &Conduct<'_>) -> (Result<Solved, Compiled>, Problems) {
+fn solve_so(compiled: Compiled, conduct: &IntegrationOptions<'_>) -> (Result<Solved, Compiled>, Problems) {
     let found = followed(&compiled.model(), compiled.origin.as_ref(), None, conduct);
     evaluated(compiled, found)
 }
@@ -50,7 +50,8 @@ fn solve_so(compiled: Compiled, conduct: &Conduct<'_>) -> (Result<Solved, Compil
 /// As [`solve()`], however many positions there are: each is handed out, with the answers to what needs none, and of many
 /// those alone are kept that an expectation names. There is no result and no message if `sink` stops it.
 pub fn solve_each(compiled: Compiled, sink: &mut dyn Sink) -> (Result<Solved, Compiled>, Problems) {
-    let found = followed(&compiled.model(), compiled.origin.as_ref(), Some(sink), &Conduct::default());
+    let found =
+        followed(&compiled.model(), compiled.origin.as_ref(), Some(sink), &IntegrationOptions::default());
     evaluated(compiled, found)
 }
 
@@ -69,14 +70,14 @@ fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, 
 /// As [`solve()`], with the fastest settings that reach a wanted accuracy, see [`accuracy::candidates`]. If none
 /// does, the result is the most accurate answer with an error.
 pub fn solve_within(compiled: Compiled, within: Option<f64>) -> (Result<Solved, Compiled>, Problems) {
-    solve_conducted(compiled, within, &Conduct::default())
+    solve_conducted(compiled, within, &IntegrationOptions::default())
 }
 
 /// As [`solve_within()`]; a motion under loads is integrated as `conduct` says.
 pub fn solve_conducted(
     mut compiled: Compiled,
     within: Option<f64>,
-    conduct: &Conduct<'_>,
+    conduct: &IntegrationOptions<'_>,
 ) -> (Result<Solved, Compiled>, Problems) {
     let Some(wanted) = within else { return solve_so(compiled, conduct) };
     if let Some(simulation) = &mut compiled.mechanism.simulation {
@@ -112,7 +113,7 @@ pub fn solve_conducted(
 /// evaluated.
 #[must_use]
 pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
-    solve_source_conducted(source, overrides, &Conduct::default())
+    solve_source_conducted(source, overrides, &IntegrationOptions::default())
 }
 
 /// As [`solve_source()`]; a motion under loads is integrated as `conduct` says.
@@ -120,7 +121,7 @@ pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, 
 pub fn solve_source_conducted(
     source: &Source,
     overrides: &Overrides,
-    conduct: &Conduct<'_>,
+    conduct: &IntegrationOptions<'_>,
 ) -> (Option<Solved>, Problems) {
     let (document, found) = syntax::parse(source);
     let (compiled, mut problems) = compile_document(source, &Arc::new(document), found, overrides);
@@ -148,7 +149,7 @@ pub fn solve_document_drawn(
     overrides: &Overrides,
     kinds: &[Kind],
 ) -> (Option<Solved>, Problems) {
-    solve_drawn_conducted(source, document, found, overrides, kinds, &Conduct::default())
+    solve_drawn_conducted(source, document, found, overrides, kinds, &IntegrationOptions::default())
 }
 
 /// As [`solve_document_drawn()`]; a motion under loads is integrated as `conduct` says.
@@ -159,7 +160,7 @@ pub fn solve_drawn_conducted(
     found: Problems,
     overrides: &Overrides,
     kinds: &[Kind],
-    conduct: &Conduct<'_>,
+    conduct: &IntegrationOptions<'_>,
 ) -> (Option<Solved>, Problems) {
     let (compiled, mut problems) = compile_document(source, document, found, overrides);
     let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };

@@ -8,7 +8,7 @@ use crate::exercise::{self, ExpectError};
 use crate::report::Answers;
 use assur_check::Overrides;
 use assur_solve::message::clause;
-use assur_solve::solve::{self, Conduct, Pose};
+use assur_solve::solve::{self, IntegrationOptions, Pose};
 use assur_syntax as syntax;
 use assur_syntax::document::{Document, Statement};
 use assur_text::diagnostic::{self, Problems};
@@ -33,7 +33,7 @@ pub fn test_text(
 ) -> (Option<Solved>, Problems) {
     let rows = if found.has_errors() { None } else { FileVariants::of(document, overrides) };
     let Some(rows) = rows else {
-        return test_document(source, document, found, overrides, &Conduct::default());
+        return test_document(source, document, found, overrides, &IntegrationOptions::default());
     };
     let mut first = None;
     match rows {
@@ -53,7 +53,7 @@ pub fn test_document(
     document: &Arc<Document>,
     found: Problems,
     overrides: &Overrides,
-    conduct: &Conduct<'_>,
+    conduct: &IntegrationOptions<'_>,
 ) -> (Option<Solved>, Problems) {
     let (compiled, mut problems) = compile_document(source, document, found, overrides);
     let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
@@ -70,14 +70,14 @@ pub fn test_document(
 }
 
 /// Keeps no position but for expectations.
-struct Compared<'c>(&'c Conduct<'c>);
+struct Compared<'c>(&'c IntegrationOptions<'c>);
 
 impl Sink for Compared<'_> {
     fn add(&mut self, _: &Answers<'_>, _: &Pose) -> bool {
         true
     }
 
-    fn conduct(&self) -> Conduct<'_> {
+    fn conduct(&self) -> IntegrationOptions<'_> {
         *self.0
     }
 }

@@ -8,7 +8,7 @@ use assur_check as check;
 use assur_check::{Overrides, Row, RowPatches, Template};
 use assur_model::structure::Structure;
 use assur_position::plan;
-use assur_solve::solve::{Conduct, Method, Reads, ReusedSolver, Solution, Watch};
+use assur_solve::solve::{IntegrationOptions, Method, PoseOutputs, Progress, ReusedSolver, Solution};
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use std::sync::Arc;
@@ -23,9 +23,9 @@ pub struct VariantSolver<'a> {
     /// The accuracy that is wanted.
     within: Option<f64>,
     /// How motions under loads are integrated.
-    conduct: Conduct<'a>,
+    conduct: IntegrationOptions<'a>,
     /// What is read of rows beside their answers.
-    reads: Reads,
+    reads: PoseOutputs,
     /// What rows have in common where they differ in numbers alone.
     quick: FastPath,
     /// The last row that was solved as a whole.
@@ -50,7 +50,7 @@ impl<'a> VariantSolver<'a> {
     pub fn new(document: &'a Arc<Document>, overrides: &'a Overrides) -> Self {
         let template = Template::new(document, overrides);
         let (structure, within, quick, last) = (None, None, FastPath::After(0), None);
-        let (conduct, reads) = (Conduct::default(), Reads::ALL);
+        let (conduct, reads) = (IntegrationOptions::default(), PoseOutputs::ALL);
         Self { document, overrides, template, structure, within, conduct, reads, quick, last }
     }
 
@@ -63,19 +63,19 @@ impl<'a> VariantSolver<'a> {
     /// With motions under loads that are integrated by a method.
     #[must_use]
     pub fn by(self, method: Option<Method>) -> Self {
-        Self { conduct: Conduct { method, ..self.conduct }, ..self }
+        Self { conduct: IntegrationOptions { method, ..self.conduct }, ..self }
     }
 
     /// With motions under loads that are watched, and ended where that is wanted.
     #[must_use]
-    pub fn watched(self, watch: &'a Watch<'a>) -> Self {
-        Self { conduct: Conduct { watch: Some(watch), ..self.conduct }, ..self }
+    pub fn watched(self, watch: &'a Progress<'a>) -> Self {
+        Self { conduct: IntegrationOptions { watch: Some(watch), ..self.conduct }, ..self }
     }
 
     /// With rows of which nothing but their answers is read.
     #[must_use]
     pub fn for_answers(self) -> Self {
-        Self { reads: Reads::ANSWERS, ..self }
+        Self { reads: PoseOutputs::ANSWERS, ..self }
     }
 
     /// The mechanism of a row with its structure and its plan, and all that was found on the way.
@@ -176,13 +176,13 @@ pub struct FastRows {
     solved: Solved,
     /// Where it has one position, and nothing is to be said of it.
     again: Option<ReusedSolver>,
-    reads: Reads,
+    reads: PoseOutputs,
 }
 
 impl FastRows {
     /// For a file that was compiled with one of its rows, of which nothing was to be said; `None` where a row may change more
     /// than numbers.
-    pub fn new(patches: RowPatches, compiled: Compiled, reads: Reads) -> Option<Self> {
+    pub fn new(patches: RowPatches, compiled: Compiled, reads: PoseOutputs) -> Option<Self> {
         if !compiled.structure.is_renumbered(&compiled.mechanism) || compiled.origin.is_some() {
             return None;
         }
@@ -211,7 +211,7 @@ impl FastRows {
     }
 
     /// The solution of the row that was compiled last, and all that was found on the way.
-    pub fn solve(&mut self, conduct: &Conduct<'_>) -> (Option<&Solved>, Problems) {
+    pub fn solve(&mut self, conduct: &IntegrationOptions<'_>) -> (Option<&Solved>, Problems) {
         let Solved { compiled, solution, outcomes, .. } = &mut self.solved;
         let mut problems = Problems::new();
         let again = self.again.as_mut();

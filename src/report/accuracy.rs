@@ -1,6 +1,6 @@
 //! How well the answers satisfy equations that were not used to find them.
 
-use super::answers::{Answers, NONE, Precision};
+use super::answers::{Answers, NONE, PrintedDigits};
 use super::document::{Column, Report, Section, Table};
 use super::{cycle, simulation};
 use assur_solve::solve::{Pose, Residuals, Solved};
@@ -96,7 +96,7 @@ fn table(answers: &Answers<'_>, poses: &[(&Pose, &Solved)]) -> Table {
 }
 
 /// A residual in one figure, or the power of ten it stays below.
-pub(super) fn order_of(residual: f64, precision: Precision) -> String {
+pub(super) fn order_of(residual: f64, precision: PrintedDigits) -> String {
     if !precision.coarse_residuals {
         return if residual == 0.0 { "0".to_owned() } else { format!("{residual:.0e}") };
     }

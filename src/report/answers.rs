@@ -3,7 +3,7 @@
 use crate::exercise::Outcome;
 use assur_model::model::{Drive, DriveTarget, FindKind, Mechanism};
 use assur_solve::measure::accuracy::AchievedAccuracy;
-use assur_solve::solve::{DriveValue, Greatest, Model, Pose, PoseOrigin, Solution};
+use assur_solve::solve::{DriveValue, Model, MotionScales, Pose, PoseOrigin, Solution};
 use assur_text::units::{Dimension, significant};
 
 #[derive(Clone, Copy, Debug)]
@@ -15,12 +15,12 @@ pub struct Answers<'a> {
     /// The accuracy wanted and reached, if one was.
     pub reached: Option<&'a AchievedAccuracy>,
     /// How numbers are rounded for people.
-    pub precision: Precision,
+    pub precision: PrintedDigits,
 }
 
 /// How numbers are rounded for people.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Precision {
+pub struct PrintedDigits {
     pub digits: usize,
     /// Numbers below this part of the greatest one in their column are printed as 0: they are rounding errors.
     pub noise: f64,
@@ -28,7 +28,7 @@ pub struct Precision {
     pub coarse_residuals: bool,
 }
 
-impl Precision {
+impl PrintedDigits {
     pub const READABLE: Self = Self { digits: 6, noise: 1e-13, coarse_residuals: false };
     /// Independent of the last digits of the arithmetic.
     pub const STABLE: Self = Self { digits: 6, noise: 1e-9, coarse_residuals: true };
@@ -83,13 +83,13 @@ impl<'a> Answers<'a> {
 
     /// How quantities of a position, or of all, are rounded: of a motion what is below its error is 0. At the first instant, which is
     /// given, there is none.
-    pub(super) fn precision_of(&self, pose: Option<&Pose>) -> Precision {
+    pub(super) fn precision_of(&self, pose: Option<&Pose>) -> PrintedDigits {
         let time = pose.and_then(|pose| Some(pose.outcome.as_ref().ok()?.state.motion.time));
         let error = match &self.solution.simulation {
             Some(run) if run.steady.is_some() || time != Some(0.0) => run.error.min(ERROR_OF_MOTION),
             _ => 0.0,
         };
-        Precision { noise: self.precision.noise.max(error), ..self.precision }
+        PrintedDigits { noise: self.precision.noise.max(error), ..self.precision }
     }
 
     /// A pose by its name, in a sentence.
@@ -103,8 +103,8 @@ impl<'a> Answers<'a> {
 
     /// What the quantities of these poses are large against.
     #[must_use]
-    pub fn greatest(&self) -> Greatest {
-        Greatest::of(&self.model, self.poses().filter_map(|pose| pose.outcome.as_ref().ok()))
+    pub fn greatest(&self) -> MotionScales {
+        MotionScales::of(&self.model, self.poses().filter_map(|pose| pose.outcome.as_ref().ok()))
     }
 
     /// Whether the file asks for all reactions.

@@ -7,7 +7,7 @@ use super::reactions::reactions;
 use super::results::figures;
 use super::symbols::Symbols;
 use assur_model::model::{FindKind, Value};
-use assur_solve::solve::{Greatest, Pose};
+use assur_solve::solve::{MotionScales, Pose};
 use assur_text::units::Dimension;
 use unicode_width::UnicodeWidthStr;
 
@@ -57,7 +57,7 @@ fn counts(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<String> {
 }
 
 /// `Mb = 472.5 N*m`, or `x_C = 335.41 … 450 mm`; of a vector that varies its magnitude.
-fn item(answers: &Answers<'_>, symbols: &Symbols<'_>, scale: Greatest, quantity: &Quantity) -> String {
+fn item(answers: &Answers<'_>, symbols: &Symbols<'_>, scale: MotionScales, quantity: &Quantity) -> String {
     let name = symbols.label(&quantity.name);
     let unit = &quantity.display.unit;
     let text = |value: Value| figures(answers, scale, &quantity.display, Some(value));

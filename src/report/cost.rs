@@ -4,7 +4,7 @@ use super::answers::{Answers, NONE};
 use super::document::{Block, Column, Section, Table};
 use super::simulation::taken;
 use assur_model::structure::{BodyOrigin, Group};
-use assur_position::plan::{ForceStep, MotionStep, Numbers};
+use assur_position::plan::{ForceStep, MotionStep, Precision};
 use assur_solve::measure::{
     Costs, DigitLess, MotionCost, Over, run_with_a_digit_less, samples_with_a_digit_less,
 };
@@ -195,8 +195,8 @@ pub(super) fn line(answers: &Answers<'_>) -> Option<String> {
         plan.motion.iter().any(|s| matches!(s, MotionStep::General { .. } | MotionStep::Triad { .. }))
             || plan.forces.iter().any(|s| matches!(s, ForceStep::Friction { .. }));
     let numbers = match plan.settings.scalar {
-        Numbers::Double => "f64",
-        Numbers::DoubleDouble => "double-double",
+        Precision::F64 => "f64",
+        Precision::DoubleDouble => "double-double",
     };
     let saves =
         if iterated { "the last steps of its iterations at most" } else { "nothing: nothing is iterated" };

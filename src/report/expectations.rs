@@ -7,7 +7,7 @@ use crate::exercise::Outcome;
 use assur_model::model::Value;
 use assur_solve::solve::Pose;
 use assur_text::units::significant;
-use assur_worked::Asked;
+use assur_worked::SheetQuestion;
 
 /// A difference that is shown though the key allows it, in parts of the expected value.
 const VISIBLE: f64 = 0.01;
@@ -85,7 +85,7 @@ fn expected_is_truth(outcome: &Outcome) -> bool {
 impl AnswerColumns {
     /// The questions with their answers at a pose; those that need none where there is none.
     #[must_use]
-    pub fn asked(&self, answers: &Answers<'_>, pose: Option<&Pose>) -> Vec<Asked> {
+    pub fn asked(&self, answers: &Answers<'_>, pose: Option<&Pose>) -> Vec<SheetQuestion> {
         let (whole, greatest) = (self.whole(answers), answers.greatest());
         let values = match pose {
             Some(pose) => self.values(answers, pose, &whole),
@@ -99,7 +99,7 @@ impl AnswerColumns {
                 Value::Vector(v) => Value::Vector(display.of_si_vector(v)),
                 truth @ Value::Bool(_) => truth,
             });
-            Asked {
+            SheetQuestion {
                 name: answer.name.clone(),
                 unit: display.unit.clone(),
                 factor: display.factor,

@@ -40,7 +40,7 @@ mod tradeoff;
 mod train;
 
 pub use accuracy::AccuracyShown;
-pub use answers::{Answers, Precision};
+pub use answers::{Answers, PrintedDigits};
 pub use brief::brief;
 pub use element::full as full_table;
 pub use mobility::groups_in_order;
@@ -48,7 +48,7 @@ pub use page::Page;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
 pub use row_numbers::{NumberField, NumberRows};
 pub use run_tradeoff::{of_run_study, run_study_json};
-pub use tradeoff::{Shown, of_study, study_json};
+pub use tradeoff::{Extent, of_study, study_json};
 
 use assur_solve::measure::Costs;
 use assur_solve::solve::{Assemblies, Model};

@@ -8,7 +8,7 @@ use super::simulation;
 use super::symbols::Symbols;
 use assur_model::model::{Display, Value};
 use assur_solve::message::failure;
-use assur_solve::solve::{Greatest, Pose};
+use assur_solve::solve::{MotionScales, Pose};
 use assur_text::units::{Dimension, significant};
 
 /// Digits that remain after the conversion from SI into the author's unit: 30 deg remain 30 deg.
@@ -46,7 +46,7 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
 }
 
 /// One row per quantity.
-fn of_one_pose(answers: &Answers<'_>, scale: Greatest, header: String, quantities: &[Quantity]) -> Table {
+fn of_one_pose(answers: &Answers<'_>, scale: MotionScales, header: String, quantities: &[Quantity]) -> Table {
     let with_vectors = quantities.iter().any(|q| matches!(q.values[..], [Some(Value::Vector(_))]));
     let mut columns = vec![Column::words(header), Column::numbers("value"), Column::words("unit")];
     if with_vectors {
@@ -76,7 +76,7 @@ fn of_one_pose(answers: &Answers<'_>, scale: Greatest, header: String, quantitie
 /// A value in figures, rounding errors as 0.
 pub(super) fn figures(
     answers: &Answers<'_>,
-    scale: Greatest,
+    scale: MotionScales,
     display: &Display,
     value: Option<Value>,
 ) -> String {
@@ -92,7 +92,7 @@ pub(super) fn figures(
 }
 
 /// One row per pose, one column per number.
-fn of_a_sweep(answers: &Answers<'_>, scale: Greatest, poses: &[&Pose], quantities: &[Quantity]) -> Table {
+fn of_a_sweep(answers: &Answers<'_>, scale: MotionScales, poses: &[&Pose], quantities: &[Quantity]) -> Table {
     let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
     table.rows = poses.iter().map(|p| vec![answers.pose_cell(p)]).collect();
     if simulation::names_events(answers.model.mechanism) {

@@ -4,7 +4,7 @@ use super::answers::Answers;
 use super::rows::{Answer, AnswerColumns, Content};
 use assur_model::model::{Display, FindKind, Mechanism, PairId, Value};
 use assur_solve::solve::{
-    Greatest, JointReaction, Model, NumberColumns, Pose, PoseAnswers, Shown, State, WideColumns,
+    ColumnSource, JointReaction, Model, MotionScales, NumberColumns, Pose, PoseAnswers, State, WideColumns,
 };
 use assur_text::units::{Dimension, Kind};
 
@@ -135,7 +135,7 @@ impl AnswerColumns {
         answers: &Answers<'_>,
         pose: &Pose,
         whole: &[Option<Value>],
-        greatest: Option<&Greatest>,
+        greatest: Option<&MotionScales>,
         out: &mut Vec<f64>,
     ) {
         out.clear();
@@ -158,12 +158,12 @@ impl AnswerColumns {
         let mut columns = NumberColumns::default();
         for (i, answer) in self.answers.iter().enumerate() {
             let shown = match &answer.content {
-                Content::Drive(i) => Shown::Drive(*i),
-                Content::Find { index, poseless: false } => Shown::Find(*index),
-                Content::Find { poseless: true, .. } => Shown::Known(whole.get(i).copied().flatten()),
-                Content::Effort(slot) => Shown::Effort(*slot),
-                Content::Reaction(_, _, joints) if self.placed => Shown::Force(joints.clone()?),
-                Content::Moment(_, _, joints) if self.placed => Shown::Couple(joints.clone()?),
+                Content::Drive(i) => ColumnSource::Drive(*i),
+                Content::Find { index, poseless: false } => ColumnSource::Find(*index),
+                Content::Find { poseless: true, .. } => ColumnSource::Known(whole.get(i).copied().flatten()),
+                Content::Effort(slot) => ColumnSource::Effort(*slot),
+                Content::Reaction(_, _, joints) if self.placed => ColumnSource::Force(joints.clone()?),
+                Content::Moment(_, _, joints) if self.placed => ColumnSource::Couple(joints.clone()?),
                 Content::Reaction(..) | Content::Moment(..) => return None,
             };
             columns.push(shown, answer.vector, &answer.display);

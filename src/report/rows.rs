@@ -7,7 +7,7 @@ use super::simulation;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
 use assur_solve::solve::{
-    DriveValue, Greatest, JointReaction, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions,
+    DriveValue, JointReaction, Model, MotionScales, Pose, PoseAnswers, Solved, State, unplaced_reactions,
 };
 use assur_text::units::{Dimension, push_significant};
 
@@ -95,7 +95,7 @@ impl AnswerColumns {
         };
         answers.extend(finds(false));
         let solution = assur_solve::solve::Solution::default();
-        let precision = super::Precision::READABLE;
+        let precision = super::PrintedDigits::READABLE;
         let blank = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
         for (slot, effort) in blank.efforts().into_iter().enumerate() {
             let wanted = effort.of_drive || blank.wants_reactions();
@@ -192,7 +192,7 @@ impl AnswerColumns {
         answers: &Answers<'_>,
         pose: &Pose,
         whole: &[Option<Value>],
-        (digits, key): (usize, Option<&Greatest>),
+        (digits, key): (usize, Option<&MotionScales>),
         out: &mut Vec<u8>,
     ) {
         let from = if key.is_some() { self.drives } else { 0 };
@@ -333,7 +333,7 @@ impl Answer {
     }
 
     /// Without what is rounding.
-    pub(super) fn cleared(&self, value: Option<Value>, greatest: &Greatest) -> Option<Value> {
+    pub(super) fn cleared(&self, value: Option<Value>, greatest: &MotionScales) -> Option<Value> {
         let large = greatest.in_si(self.display.dimension);
         let clear = |x: f64| if x.abs() <= ROUNDING * large { 0.0 } else { x };
         Some(match value? {

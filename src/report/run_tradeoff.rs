@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use super::cost::{change, count, digits, part, size, time};
 use super::document::{Column, Report, Section, Table};
 use super::headed;
-use super::tradeoff::{SCHEMA, Shown};
+use super::tradeoff::{Extent, SCHEMA};
 use assur_solve::measure::accuracy::lanes;
 use assur_solve::measure::{Choice, MethodStudy, Price, RunRow, RunStudy};
 use assur_solve::solve::{Method, Model};
@@ -17,12 +17,12 @@ const ROWS: usize = 4;
 
 /// The output of `accuracy` for a file that follows a motion.
 #[must_use]
-pub fn of_run_study(file: &str, model: &Model<'_>, study: &RunStudy, shown: Shown) -> Report {
+pub fn of_run_study(file: &str, model: &Model<'_>, study: &RunStudy, shown: Extent) -> Report {
     let mut report = headed(file, model);
     report.notes.clear();
     report.title += ": what accuracy costs";
     report.section(answer(study, shown));
-    if shown == Shown::Answer {
+    if shown == Extent::Answer {
         return report;
     }
     report.section(measured(study));
@@ -56,7 +56,7 @@ pub(super) fn options(study: &RunStudy, choice: Choice) -> String {
 }
 
 /// Digits against time, what one more takes, the file's own setting, and what is recommended.
-fn answer(study: &RunStudy, shown: Shown) -> Section {
+fn answer(study: &RunStudy, shown: Extent) -> Section {
     let mut section = Section::new("");
     let right = ["digits", "evaluations", "time", "a digit more"].map(Column::right);
     let [digit, evaluations, times, more] = right;
@@ -100,7 +100,7 @@ fn one_more(row: &RunRow, next: Option<&RunRow>) -> String {
 }
 
 /// The recommendation in one line, and what the table shows.
-pub(super) fn findings(study: &RunStudy, shown: Shown) -> [String; 2] {
+pub(super) fn findings(study: &RunStudy, shown: Extent) -> [String; 2] {
     let wanted = size(study.wanted);
     let own = study.own();
     let found = match study.recommendation {
@@ -285,7 +285,7 @@ fn summary(study: &RunStudy) -> Value {
         super::tradeoff::flags(&mut view, study.own() == Some(choice), study.recommendation == Some(choice));
         Value::Object(view)
     });
-    let [found, _] = findings(study, Shown::Details);
+    let [found, _] = findings(study, Extent::Details);
     json!({ "rows": rows.collect::<Vec<_>>(), "finding": found })
 }
 

@@ -7,7 +7,7 @@ use super::answers::NONE;
 use super::cost::{digits, part, size, time};
 use super::document::{Column, Report, Section, Table};
 use super::headed;
-use assur_position::plan::{Numbers, Settings};
+use assur_position::plan::{Precision, Settings};
 use assur_solve::measure::accuracy::{
     AccuracyStudy, AchievedAccuracy, Kind, PositionChoice, Row, Setting, Source, lanes,
 };
@@ -19,13 +19,13 @@ pub(super) const SCHEMA: &str = "assur.accuracy/1";
 
 /// How much is shown of what was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shown {
+pub enum Extent {
     Answer,
     /// All that was measured after it.
     Details,
 }
 
-impl Shown {
+impl Extent {
     /// Where to find more than is shown.
     pub(super) const fn more(self) -> &'static str {
         match self {
@@ -37,12 +37,12 @@ impl Shown {
 
 /// The output of `accuracy`.
 #[must_use]
-pub fn of_study(file: &str, model: &Model<'_>, study: &AccuracyStudy, shown: Shown) -> Report {
+pub fn of_study(file: &str, model: &Model<'_>, study: &AccuracyStudy, shown: Extent) -> Report {
     let mut report = headed(file, model);
     report.notes.clear();
     report.title += ": what accuracy costs";
     report.section(answer(model, study, shown));
-    if shown == Shown::Answer {
+    if shown == Extent::Answer {
         return report;
     }
     report.section(measured(study));
@@ -60,10 +60,10 @@ pub fn of_study(file: &str, model: &Model<'_>, study: &AccuracyStudy, shown: Sho
 /// What a choice is called: the options to write.
 pub(super) fn options(choice: &PositionChoice) -> String {
     match (choice.within, choice.settings.scalar) {
-        (None, Numbers::Double) => "f64, as the file is".to_owned(),
-        (None, Numbers::DoubleDouble) => "double-double, the reference".to_owned(),
-        (Some(within), Numbers::Double) => format!("--within {}", size(within)),
-        (Some(within), Numbers::DoubleDouble) => format!("--within {}, double-double", size(within)),
+        (None, Precision::F64) => "f64, as the file is".to_owned(),
+        (None, Precision::DoubleDouble) => "double-double, the reference".to_owned(),
+        (Some(within), Precision::F64) => format!("--within {}", size(within)),
+        (Some(within), Precision::DoubleDouble) => format!("--within {}, double-double", size(within)),
     }
 }
 
@@ -77,7 +77,7 @@ pub(super) fn in_short(study: &AccuracyStudy) -> Vec<usize> {
     chosen
 }
 
-fn answer(model: &Model<'_>, study: &AccuracyStudy, shown: Shown) -> Section {
+fn answer(model: &Model<'_>, study: &AccuracyStudy, shown: Extent) -> Section {
     let mut section = Section::new("");
     let Some(own) = study.choices.first() else {
         section.text("Nothing is computed for positions here, and nothing can be set.");
@@ -279,10 +279,10 @@ fn positions(reached: &AchievedAccuracy) -> String {
 
 fn words(settings: &Settings) -> String {
     let numbers = match settings.scalar {
-        Numbers::Double => "f64",
-        Numbers::DoubleDouble => "double-double",
+        Precision::F64 => "f64",
+        Precision::DoubleDouble => "double-double",
     };
-    if (Settings { scalar: Numbers::Double, ..*settings }) == Settings::FULL {
+    if (Settings { scalar: Precision::F64, ..*settings }) == Settings::FULL {
         return format!("{numbers}, all its digits");
     }
     format!(

@@ -5,7 +5,7 @@
 use crate::share::{least, spread};
 use assur::internals::accuracy::{AccuracyStudy, Kind, Setting, Source as Reference, candidates, study};
 use assur::internals::check::Overrides;
-use assur::internals::plan::{Numbers, Settings};
+use assur::internals::plan::{Precision, Settings};
 use assur::internals::solve::{PoseOrigin, Solution, State, extent};
 use assur::internals::source::Source;
 use assur::internals::{Solved, solve_source, solve_within};
@@ -44,7 +44,7 @@ fn a_chain_keeps_what_it_says() {
     let source = example("accuracy/chain-of-40-dyads.mech");
     let (compiled, _) = assur::internals::compile(&source, &Overrides::none());
     let mut compiled = compiled.unwrap();
-    for (within, numbers) in [(1e-9, Numbers::Double), (1e-15, Numbers::DoubleDouble)] {
+    for (within, numbers) in [(1e-9, Precision::F64), (1e-15, Precision::DoubleDouble)] {
         let (found, problems) = solve_within(compiled, Some(within));
         assert!(!problems.has_errors());
         let found = found.unwrap();
@@ -113,7 +113,7 @@ fn what_cannot_be_set_says_why() {
 #[test]
 fn the_default_is_what_it_was() {
     let full = Settings::default();
-    assert_eq!(full.scalar, Numbers::Double);
+    assert_eq!(full.scalar, Precision::F64);
     let tolerances = [full.friction, full.friction_step, full.newton, full.triad, full.samples, full.root];
     let unit = f64::EPSILON;
     assert_eq!(tolerances, [1e-15, 1e-9, 1e-12, 4.0 * unit, 2e-15, 4.0 * unit]);
@@ -129,7 +129,7 @@ fn candidates_go_from_cheap_to_dear() {
     let all = candidates(&model, 1e-6);
     assert_eq!(all.len(), 3);
     assert!(all[0].newton > all[1].newton && all[1] == Settings::FULL);
-    assert_eq!(all[2].scalar, Numbers::DoubleDouble);
+    assert_eq!(all[2].scalar, Precision::DoubleDouble);
 }
 
 /// What is offered has the error that a solution with it has, and the solver takes those settings for it.
@@ -160,7 +160,7 @@ fn what_is_offered_is_what_the_solver_takes() {
     let solved = solved(&example("accuracy/chain-of-40-dyads.mech"));
     let beyond = study(&solved.compiled.model(), &solved.solution, 1e-15, seconds);
     let taken = &beyond.choices[beyond.recommendation.unwrap()];
-    assert_eq!((taken.settings.scalar, taken.within), (Numbers::DoubleDouble, Some(1e-15)));
+    assert_eq!((taken.settings.scalar, taken.within), (Precision::DoubleDouble, Some(1e-15)));
     assert!(taken.error > 1e-16 && taken.error < 1e-15, "{taken:?}");
 }
 

@@ -5,7 +5,7 @@
 use crate::share::{least, spread};
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
-use assur::internals::report::{AccuracyShown, Page, Precision, json, of_answers, text::Look};
+use assur::internals::report::{AccuracyShown, Page, PrintedDigits, json, of_answers, text::Look};
 use assur::internals::source::Source;
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use std::path::Path;
 fn solved(source: &Source) -> (Option<String>, String) {
     let (solved, problems) = assur::internals::solve_source(source, &Overrides::none());
     let printed = solved.map(|solved| {
-        let answers = solved.answers(Precision::READABLE);
+        let answers = solved.answers(PrintedDigits::READABLE);
         let page = Page::Text(Look::PLAIN).render(&of_answers("a.mech", &answers, AccuracyShown::Worst));
         page + &json::render("a.mech", Some(&answers.model), Some(&answers), &[])
     });

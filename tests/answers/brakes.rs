@@ -6,7 +6,7 @@
 use crate::share::part;
 use assur::Solution;
 use assur::internals::check::Overrides;
-use assur::internals::solve::Conduct;
+use assur::internals::solve::IntegrationOptions;
 use assur::internals::source::Source;
 use assur::internals::{compile, pipeline};
 use std::fmt::Write as _;
@@ -250,7 +250,7 @@ fn compare(text: &str, asked: &Asked<'_>, right: &[(Now, Vec<f64>)]) {
 /// Evaluations in all runs of a motion.
 fn evaluations(text: &str) -> usize {
     let (compiled, _) = compile(&Source::new("run.mech", text), &Overrides::none());
-    let (solved, _) = pipeline::solve_conducted(compiled.unwrap(), None, &Conduct::default());
+    let (solved, _) = pipeline::solve_conducted(compiled.unwrap(), None, &IntegrationOptions::default());
     solved.unwrap_or_else(|_| panic!("{text}")).solution.simulation.unwrap().evaluations
 }
 

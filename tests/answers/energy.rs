@@ -5,7 +5,7 @@
 
 use assur::internals::Solved;
 use assur::internals::check::Overrides;
-use assur::internals::solve::{Conduct, Method};
+use assur::internals::solve::{IntegrationOptions, Method};
 use assur::internals::source::Source;
 use assur::internals::{compile, pipeline};
 use std::path::Path;
@@ -41,7 +41,7 @@ assemble B ahead of O
 fn solved(text: &str, method: Option<Method>) -> Solved {
     let (compiled, problems) = compile(&Source::new("run.mech", text), &Overrides::none());
     let compiled = compiled.unwrap_or_else(|| panic!("{problems:?}"));
-    let conduct = Conduct { method, ..Conduct::default() };
+    let conduct = IntegrationOptions { method, ..IntegrationOptions::default() };
     let (solved, problems) = pipeline::solve_conducted(compiled, None, &conduct);
     assert!(!problems.has_errors(), "{problems:?}");
     solved.unwrap_or_else(|_| panic!("{text} moves"))

@@ -6,7 +6,7 @@ use crate::folder::files;
 use crate::share::spread;
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::Problems;
-use assur::internals::report::{Precision, json};
+use assur::internals::report::{PrintedDigits, json};
 use assur::internals::source::{Edit, Source, Span, edited};
 use assur::internals::syntax::{TokenKind, parse_with_tokens};
 use std::path::Path;
@@ -16,7 +16,7 @@ fn answers(text: &str) -> (Option<String>, Vec<Option<String>>) {
     let source = Source::new("a.mech", text);
     let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
     let printed = solved.map(|solved| {
-        let answers = solved.answers(Precision::READABLE);
+        let answers = solved.answers(PrintedDigits::READABLE);
         json::render("a.mech", Some(&answers.model), Some(&answers), &[])
     });
     (printed, codes(&problems, &source))

@@ -4,7 +4,7 @@ use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
 use assur::internals::exercise::grade::{Credit, Points, Rules, Sheet, Submissions, grade};
 use assur::internals::report::text::{self, Look};
-use assur::internals::report::{self, AccuracyShown, Precision};
+use assur::internals::report::{self, AccuracyShown, PrintedDigits};
 use assur::internals::source::Source;
 use proptest::prelude::*;
 
@@ -116,7 +116,7 @@ proptest! {
         let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
         let mut out = render(&problems, &source, Style::PLAIN);
         if let Some(solved) = &solved {
-            let answers = solved.answers(Precision::READABLE);
+            let answers = solved.answers(PrintedDigits::READABLE);
             out += &text::render(&report::of_answers("great", &answers, AccuracyShown::EveryPose), Look::PLAIN);
             out += &report::json::render("great", Some(&answers.model), Some(&answers), &problems.views(&source));
         }

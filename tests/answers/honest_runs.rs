@@ -7,7 +7,7 @@
 mod kinds;
 
 use assur::internals::check::Overrides;
-use assur::internals::solve::{Cause, Conduct, Halt, Method, Trial, Trials};
+use assur::internals::solve::{Cause, Halt, IntegrationOptions, Method, Trial, Trials};
 use assur::internals::solve_source;
 use assur::internals::source::Source;
 use kinds::{KINDS, Random};
@@ -39,10 +39,13 @@ fn worst(errors: &[f64]) -> f64 {
 
 /// The reference, with its error: two runs by another method or in other steps than the solver's own choice.
 fn reference(trials: &Trials<'_, '_>) -> Option<(Trial, f64)> {
-    let own = trials.run(1e-9, &Conduct::default()).ok()?;
+    let own = trials.run(1e-9, &IntegrationOptions::default()).ok()?;
     let method = (own.report().method == Method::Energy).then_some(Method::Dop853);
     let fine = |within, steps, method| {
-        trials.run(within, &Conduct { steps, method, ..Conduct::default() }).ok().filter(ended)
+        trials
+            .run(within, &IntegrationOptions { steps, method, ..IntegrationOptions::default() })
+            .ok()
+            .filter(ended)
     };
     let mut both = [fine(1e-14, 333.0, method)?, fine(1e-13, 2741.0, method)?];
     both.sort_by(|a, b| a.report().error.total_cmp(&b.report().error));
@@ -68,7 +71,7 @@ fn followed(text: &str) -> Found {
     };
     let (mut found, mut last) = (Found::default(), 0);
     for within in WITHIN {
-        let Ok(trial) = trials.run(within, &Conduct::default()) else { continue };
+        let Ok(trial) = trials.run(within, &IntegrationOptions::default()) else { continue };
         let report = trial.report();
         let error = worst(&trials.errors(&trial, &exact));
         if report.printed != last && error > KNOWN * floor && ended(&trial) {

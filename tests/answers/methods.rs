@@ -4,7 +4,7 @@
 
 use assur::internals::Solved;
 use assur::internals::check::Overrides;
-use assur::internals::solve::{Conduct, Method, NotByEnergy};
+use assur::internals::solve::{IntegrationOptions, Method, NotByEnergy};
 use assur::internals::source::Source;
 use assur::internals::{compile, pipeline};
 use proptest::prelude::*;
@@ -12,7 +12,7 @@ use proptest::prelude::*;
 fn solved_by(text: &str, method: Option<Method>) -> Solved {
     let (compiled, problems) = compile(&Source::new("run.mech", text), &Overrides::none());
     let compiled = compiled.unwrap_or_else(|| panic!("{problems:?}\n{text}"));
-    let conduct = Conduct { method, ..Conduct::default() };
+    let conduct = IntegrationOptions { method, ..IntegrationOptions::default() };
     let (solved, problems) = pipeline::solve_conducted(compiled, None, &conduct);
     solved.unwrap_or_else(|_| panic!("{problems:?}\n{text}"))
 }

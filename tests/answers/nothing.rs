@@ -5,7 +5,7 @@
 
 use assur::internals::Solved;
 use assur::internals::check::Overrides;
-use assur::internals::report::{AccuracyShown, Precision, of_answers};
+use assur::internals::report::{AccuracyShown, PrintedDigits, of_answers};
 use assur::internals::source::Source;
 use proptest::prelude::*;
 
@@ -53,7 +53,7 @@ fn cases() {
 fn residuals_of_nothing_are_nothing() {
     for name in ["power-of-nothing", "mean-of-nothing"] {
         let (solved, _) = solve(name, &case(name));
-        let report = of_answers("case.mech", &solved.answers(Precision::READABLE), AccuracyShown::Worst);
+        let report = of_answers("case.mech", &solved.answers(PrintedDigits::READABLE), AccuracyShown::Worst);
         let page = format!("{:?}", report.sections);
         assert!(!page.contains("e0\"") && !page.contains("e0,"), "{page}");
     }
@@ -171,7 +171,9 @@ fn roots_of_rounding_are_numbers() {
 let x = position(a.A).x/(1 m)\nlet y = position(a.A).y/(1 m)\nfind r = sqrt(1 - x^2 - y^2)\n";
     let (solved, problems) = solve("case.mech", file);
     assert!(problems.contains("items: []"), "{problems}");
-    let answers =
-        format!("{:?}", of_answers("case.mech", &solved.answers(Precision::READABLE), AccuracyShown::Worst));
+    let answers = format!(
+        "{:?}",
+        of_answers("case.mech", &solved.answers(PrintedDigits::READABLE), AccuracyShown::Worst)
+    );
     assert!(!answers.contains("NaN") && !answers.contains("\"—\""), "{answers}");
 }

@@ -7,7 +7,7 @@ use assur::internals::check::Overrides;
 use assur::internals::report::json::JsonLines;
 use assur::internals::report::lines::{CsvLines, LineMemory};
 use assur::internals::report::rows::AnswerColumns;
-use assur::internals::report::{Answers, NumberRows, Precision, csv, json, table_of_poses};
+use assur::internals::report::{Answers, NumberRows, PrintedDigits, csv, json, table_of_poses};
 use assur::internals::solve::{Block, Following, Model, Pose, Solution};
 use assur::internals::source::Source;
 use std::path::Path;
@@ -25,7 +25,7 @@ fn every_example_comes_out_the_same() {
         let source = Source::new(path.display().to_string(), std::fs::read_to_string(&path).unwrap());
         let (Some(first), Some(second)) = (compiled(&source), compiled(&source)) else { continue };
         let (Ok(all), _) = assur::internals::pipeline::solve(first) else { continue };
-        let answers = all.answers(Precision::READABLE);
+        let answers = all.answers(PrintedDigits::READABLE);
         let mut rows = CsvLines::of(&second.model(), None);
         let (mut text, mut objects) = (rows.header().into_bytes(), Vec::new());
         let (solved, _) = assur::internals::solve_each(second, &mut |answers: &Answers<'_>, pose: &Pose| {
@@ -36,8 +36,8 @@ fn every_example_comes_out_the_same() {
         });
         let solved = solved.unwrap();
         if objects.is_empty() {
-            rows.begin(&solved.answers(Precision::READABLE));
-            rows.add_without_pose(&solved.answers(Precision::READABLE), &mut text);
+            rows.begin(&solved.answers(PrintedDigits::READABLE));
+            rows.add_without_pose(&solved.answers(PrintedDigits::READABLE), &mut text);
         }
         let mut table = csv::render(&table_of_poses(&answers));
         if answers.poses().next().is_none() && table.lines().count() == 1 {
@@ -120,7 +120,7 @@ fn compare_columns(model: &Model<'_>, name: &str) -> usize {
     let Ok(Some(mut following)) = Following::new(model, Vec::new()) else { return 0 };
     following.next();
     let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
-    let precision = Precision::READABLE;
+    let precision = PrintedDigits::READABLE;
     let answers = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
     let mut rows = NumberRows::of(AnswerColumns::of_file(model).each_once());
     rows.begin(&answers);
@@ -176,7 +176,7 @@ fn compare_objects(model: &Model<'_>, name: &str) -> usize {
     let Ok(Some(mut following)) = Following::new(model, Vec::new()) else { return 0 };
     following.next();
     let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
-    let precision = Precision::READABLE;
+    let precision = PrintedDigits::READABLE;
     let answers = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
     let mut lines = JsonLines::of("a".to_owned());
     let (mut block, mut branches, mut memory) = (Block::default(), Vec::new(), LineMemory::default());

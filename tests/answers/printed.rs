@@ -5,7 +5,7 @@
 use assur::internals::Solved;
 use assur::internals::check::Overrides;
 use assur::internals::report::document::{Block, Table};
-use assur::internals::report::{AccuracyShown, Precision, of_answers, table_of_poses};
+use assur::internals::report::{AccuracyShown, PrintedDigits, of_answers, table_of_poses};
 use assur::internals::source::Source;
 use proptest::prelude::*;
 use std::path::Path;
@@ -21,7 +21,7 @@ fn solved(name: &str, text: &str) -> Solved {
 
 /// The tables with the answers of a report.
 fn answers(solved: &Solved) -> Vec<Table> {
-    let report = of_answers("case.mech", &solved.answers(Precision::READABLE), AccuracyShown::Worst);
+    let report = of_answers("case.mech", &solved.answers(PrintedDigits::READABLE), AccuracyShown::Worst);
     let sections = report.sections.into_iter().filter(|section| section.heading == "Answers");
     let tables = sections.flat_map(|section| section.blocks);
     tables.filter_map(|block| if let Block::Table(table) = block { Some(table) } else { None }).collect()
@@ -55,7 +55,7 @@ fn wrong(header: &str, shown: &[&str], full: &[&str]) -> Vec<String> {
 
 /// What is wrong in the tables of a solved file.
 fn wrong_cells(solved: &Solved) -> Vec<String> {
-    let full = table_of_poses(&solved.answers(Precision::READABLE));
+    let full = table_of_poses(&solved.answers(PrintedDigits::READABLE));
     let tables = answers(solved);
     let Some(sweep) = tables.first().filter(|table| table.rows.len() == full.rows.len()) else {
         return Vec::new();

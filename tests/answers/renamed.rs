@@ -6,7 +6,7 @@ use crate::folder::files;
 use crate::share::spread;
 use assur::internals::check::Overrides;
 use assur::internals::editor::Analysis;
-use assur::internals::report::{Precision, json};
+use assur::internals::report::{PrintedDigits, json};
 use assur::internals::source::{Source, edited};
 use std::path::Path;
 
@@ -19,7 +19,7 @@ fn numbers(text: &str) -> (Vec<String>, usize) {
     let source = Source::new("a.mech", text);
     let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
     let printed = solved.map_or_else(String::new, |solved| {
-        let answers = solved.answers(Precision::READABLE);
+        let answers = solved.answers(PrintedDigits::READABLE);
         json::render("a.mech", Some(&answers.model), Some(&answers), &[])
     });
     // every second part is in quotes; no answer has a quote within its quotes

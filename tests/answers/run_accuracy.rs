@@ -6,7 +6,7 @@
 use assur::internals::check::Overrides;
 use assur::internals::measure::{MethodStudy, Price, RunRow, RunStudy, run_with_a_digit_less, study_runs};
 use assur::internals::report::diagram;
-use assur::internals::solve::{Conduct, Method, Trials};
+use assur::internals::solve::{IntegrationOptions, Method, Trials};
 use assur::internals::source::Source;
 use assur::internals::{compile, solve_source, solve_within};
 use std::path::Path;
@@ -26,9 +26,15 @@ fn counter() -> f64 {
 fn studied(name: &str) -> RunStudy {
     let source = example(name);
     let solved = solve_source(&source, &Overrides::none()).0.unwrap();
-    study_runs(&solved.compiled.model(), &solved.solution, Some(1e-6), counter, &Conduct::default())
-        .unwrap()
-        .unwrap()
+    study_runs(
+        &solved.compiled.model(),
+        &solved.solution,
+        Some(1e-6),
+        counter,
+        &IntegrationOptions::default(),
+    )
+    .unwrap()
+    .unwrap()
 }
 
 /// The number of an answer at the last instant, for an accuracy.
@@ -204,7 +210,9 @@ fn ratios(name: &str) -> Vec<(f64, f64)> {
     let solved = solve_source(&example(name), &Overrides::none()).0.unwrap();
     let model = solved.compiled.model();
     let trials = Trials::new(&model, &solved.solution.statics).unwrap().unwrap();
-    let fine = |(within, steps)| trials.run(within, &Conduct { steps, ..Conduct::default() }).unwrap();
+    let fine = |(within, steps)| {
+        trials.run(within, &IntegrationOptions { steps, ..IntegrationOptions::default() }).unwrap()
+    };
     let mut finest = [(1e-14, 333.0), (1e-13, 347.0)].map(fine);
     finest.sort_by(|a, b| a.report().error.total_cmp(&b.report().error));
     let [best, next] = finest;
@@ -215,7 +223,7 @@ fn ratios(name: &str) -> Vec<(f64, f64)> {
     let mut found = Vec::new();
     for digits in 3..=13 {
         let within = libm::pow(10.0, -f64::from(digits));
-        let trial = trials.run(within, &Conduct::default()).unwrap();
+        let trial = trials.run(within, &IntegrationOptions::default()).unwrap();
         let report = trial.report();
         let error = worst(&trials.errors(&trial, &exact));
         if report.printed != last && error > 3.0 * floor {
@@ -279,8 +287,14 @@ fn files_without_a_motion_have_no_runs() {
     let source = Source::new("four-bar", std::fs::read_to_string(path).unwrap());
     let solved = solve_source(&source, &Overrides::none()).0.unwrap();
     assert!(
-        study_runs(&solved.compiled.model(), &solved.solution, Some(1e-6), counter, &Conduct::default())
-            .unwrap()
-            .is_none()
+        study_runs(
+            &solved.compiled.model(),
+            &solved.solution,
+            Some(1e-6),
+            counter,
+            &IntegrationOptions::default()
+        )
+        .unwrap()
+        .is_none()
     );
 }

@@ -4,7 +4,7 @@
 
 use assur::internals::Solved;
 use assur::internals::check::Overrides;
-use assur::internals::report::{self, Precision, csv};
+use assur::internals::report::{self, PrintedDigits, csv};
 use assur::internals::solve::{Method, extent};
 use assur::internals::source::Source;
 use assur::internals::{compile, solve_source, solve_within};
@@ -168,7 +168,7 @@ fn solved(text: &str, overrides: &Overrides) -> Solved {
 }
 
 fn csv_of(solved: &Solved) -> String {
-    csv::render(&report::table_of_poses(&solved.answers(Precision::READABLE)))
+    csv::render(&report::table_of_poses(&solved.answers(PrintedDigits::READABLE)))
 }
 
 /// All that a run leaves, to the last bit.

@@ -4,7 +4,7 @@ use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
 use assur::internals::report::document::Report;
 use assur::internals::report::text::{self, Look};
-use assur::internals::report::{self, AccuracyShown, Precision};
+use assur::internals::report::{self, AccuracyShown, PrintedDigits};
 use assur::internals::source::Source;
 use std::collections::HashSet;
 use std::path::Path;
@@ -48,7 +48,7 @@ fn every_example_fits_the_terminal() {
         if compiled.mechanism.simulation.is_none()
             && let (Ok(solved), _) = assur::internals::pipeline::solve(compiled)
         {
-            let answers = solved.answers(Precision::READABLE);
+            let answers = solved.answers(PrintedDigits::READABLE);
             fits(&report::of_answers(&source.name, &answers, AccuracyShown::EveryPose), &name);
             count += 1;
         }

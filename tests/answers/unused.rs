@@ -1,7 +1,7 @@
 //! A definition that nothing uses asks for nothing.
 
 use assur::internals::check::Overrides;
-use assur::internals::report::{AccuracyShown, Precision, of_answers};
+use assur::internals::report::{AccuracyShown, PrintedDigits, of_answers};
 use assur::internals::source::Source;
 
 /// Definitions of every kind that nothing uses, of any drive: no speed is wanted for them, no sweep, and nothing is solved.
@@ -58,7 +58,7 @@ assemble C ahead of B
             let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
             let solved = solved.unwrap_or_else(|| panic!("{problems:?}\n{text}"));
             let (cycles, plan) = (solved.compiled.mechanism.cycles.len(), &solved.compiled.plan);
-            let answers = solved.answers(Precision::READABLE);
+            let answers = solved.answers(PrintedDigits::READABLE);
             let report = of_answers("case.mech", &answers, AccuracyShown::Worst);
             (
                 cycles,

@@ -3,7 +3,7 @@
 
 use assur::internals::check::{self, Overrides, Row, RowCell, RowColumn};
 use assur::internals::pipeline::VariantSolver;
-use assur::internals::report::{self, Precision, csv, rows::AnswerColumns, rows::FULL};
+use assur::internals::report::{self, PrintedDigits, csv, rows::AnswerColumns, rows::FULL};
 use assur::internals::source::Source;
 use assur::internals::syntax::document::Variants;
 use assur::internals::{Solved, diagnostic::Problems};
@@ -65,7 +65,7 @@ fn codes(problems: &Problems, source: &Source) -> Vec<String> {
 
 fn shown(solved: Option<&Solved>) -> String {
     let Some(solved) = solved else { return "not solved".to_owned() };
-    let answers = solved.answers(Precision::READABLE);
+    let answers = solved.answers(PrintedDigits::READABLE);
     let outcomes = solved.outcomes.iter().map(|o| format!("{} {:?} {:?}\n", o.text, o.got, o.expected));
     let states = solved.solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok());
     let states: String =
@@ -137,7 +137,7 @@ fn a_batch_writes_what_solve_writes() {
         if solved.compiled.mechanism.events.iter().any(|event| event.name.is_some()) {
             continue;
         }
-        let answers = solved.answers(Precision::READABLE);
+        let answers = solved.answers(PrintedDigits::READABLE);
         let columns = AnswerColumns::of(&answers.model);
         let mut text = std::iter::once(columns.pose_header().to_owned()).chain(columns.headers(false));
         let head: Vec<String> = text.by_ref().map(|h| csv::field(&h).into_owned()).collect();
@@ -179,13 +179,13 @@ fn the_columns_of_one_row_are_those_of_another_structure() {
     };
     let (smooth, rough) = (solved("0"), solved("0.2"));
     for (first, other) in [(&smooth, &rough), (&rough, &smooth)] {
-        let answers = other.answers(Precision::READABLE);
+        let answers = other.answers(PrintedDigits::READABLE);
         let written = |columns: &AnswerColumns| {
             let mut line = String::new();
             answers.poses().for_each(|pose| columns.write(&answers, pose, FULL, false, &mut line));
             line
         };
-        let model = first.answers(Precision::READABLE).model;
+        let model = first.answers(PrintedDigits::READABLE).model;
         assert_eq!(written(&AnswerColumns::of(&model)), written(&AnswerColumns::of_file(&answers.model)));
     }
 }

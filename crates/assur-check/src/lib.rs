@@ -63,7 +63,7 @@ pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, 
 
 /// What a check finds for an editor.
 #[derive(Debug)]
-pub struct Looked {
+pub struct CheckFindings {
     /// The mechanism, if nothing is wrong.
     pub mechanism: Option<Mechanism>,
     /// All that was found wrong.
@@ -76,7 +76,7 @@ pub struct Looked {
 
 /// As [`check`], with the uses of all names.
 #[must_use]
-pub fn look(document: &Document, overrides: &Overrides) -> Looked {
+pub fn look(document: &Document, overrides: &Overrides) -> CheckFindings {
     let mut cx = start(document, overrides);
     cx.names.uses.keep();
     definitions(&mut cx);
@@ -84,7 +84,7 @@ pub fn look(document: &Document, overrides: &Overrides) -> Looked {
     let uses = std::mem::take(&mut cx.names.uses).into_sorted();
     let constants = texts::constants(&cx.names, &cx.values.definitions);
     let (mechanism, problems) = cx.finish();
-    Looked { mechanism, problems, uses, constants }
+    CheckFindings { mechanism, problems, uses, constants }
 }
 
 /// As [`check`], with one `given` that has this SI value for any document and overrides.

@@ -5,7 +5,7 @@ use assur_drawing::Text;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, GenevaPair, LinkId, Load, Mechanism, PairId, PairKind};
 use assur_solve::answer::PoseAnswers;
-use assur_solve::solve::{BodyState, DriveValue, Greatest, Model, Pose, Solution, Solved, State};
+use assur_solve::solve::{BodyState, DriveValue, Model, MotionScales, Pose, Solution, Solved, State};
 use assur_text::diagnostic::Diagnosis;
 
 /// One position of a solved problem.
@@ -21,7 +21,7 @@ pub struct Scene<'a> {
     pub file: &'a str,
     pub text: &'a str,
     /// What the quantities of all positions are large against.
-    pub greatest: Greatest,
+    pub greatest: MotionScales,
     /// Positions in small steps over the way of the drive, where paths or other poses are wanted.
     pub turn: &'a [Pose],
     /// The ways of the pairs, where many positions of one scene are drawn; else they are looked up in all positions.
@@ -45,7 +45,7 @@ impl<'a> Scene<'a> {
         let found = solution.poses.iter().filter(wanted).find_map(|pose| {
             let solved = pose.outcome.as_ref().ok()?;
             let all = solution.poses.iter().filter_map(|pose| pose.outcome.as_ref().ok());
-            let greatest = Greatest::of(&model, all);
+            let greatest = MotionScales::of(&model, all);
             let is_open = model.mechanism.pairs.iter().any(|p| p.bearing == Some(Bearing::Open));
             Some(Self { model, solution, pose, solved, file, text, greatest, turn: &[], ways: &[], is_open })
         });

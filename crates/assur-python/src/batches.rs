@@ -5,7 +5,7 @@ use crate::errors;
 
 use crate::import::{Reader, of_arrow};
 use crate::numbers::Numbers;
-use crate::solving::{Begin, Form, Solving};
+use crate::solving::{Form, Solving, StartError};
 use crate::values::{Cell, cells};
 use arrow_array::cast::AsArray;
 use arrow_array::ffi::{FFI_ArrowArray, FFI_ArrowSchema};
@@ -133,8 +133,8 @@ impl Batches {
     pub fn of(py: Python<'_>, rows: Rows, reader: Reader, form: Form) -> PyResult<Self> {
         let mut solving = Solving::of(rows, reader, form);
         py.detach(|| solving.begin()).map_err(|error| match error {
-            Begin::Diagnostics(diagnostics) => errors::outside(py, &diagnostics),
-            Begin::Arrow(error) => arrow(error),
+            StartError::Diagnostics(diagnostics) => errors::outside(py, &diagnostics),
+            StartError::Arrow(error) => arrow(error),
         })?;
         Ok(Self { schema: solving.schema(), solving: Mutex::new(Some(solving)) })
     }

@@ -34,7 +34,7 @@ impl From<(bool, bool, Option<usize>)> for Form {
 }
 
 /// Why it cannot begin.
-pub enum Begin {
+pub enum StartError {
     /// The text is wrong whatever the row.
     Diagnostics(assur::Diagnostics),
     /// The rows cannot be read.
@@ -101,12 +101,12 @@ impl Solving {
     }
 
     /// Reads the first rows and finds the columns of the answers.
-    pub fn begin(&mut self) -> Result<(), Begin> {
-        self.first = self.read().transpose().map_err(Begin::Arrow)?;
+    pub fn begin(&mut self) -> Result<(), StartError> {
+        self.first = self.read().transpose().map_err(StartError::Arrow)?;
         let columns = self.first.as_ref().map_or(&[][..], |first| &first.columns);
         let cells: Vec<Cells<'_>> = columns.iter().map(cells).collect();
         let count = self.first.as_ref().map_or(0, |first| first.count);
-        let layout = self.rows.layout(&cells, count, self.form.key).map_err(Begin::Diagnostics)?;
+        let layout = self.rows.layout(&cells, count, self.form.key).map_err(StartError::Diagnostics)?;
         self.head = self.head(&layout);
         self.schema = self.head.schema();
         self.layout = Some(layout);

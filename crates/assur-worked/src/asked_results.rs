@@ -5,7 +5,7 @@ use crate::course::{Derivation, joined};
 use crate::expressions::length;
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_model::model::{
-    FlywheelPart, Grip, LinkId, PairId, PairKind, ProfileShape, Query, SpringId, Transmission, Value,
+    FlywheelPart, FrictionLimit, LinkId, PairId, PairKind, ProfileShape, Query, SpringId, Transmission, Value,
 };
 use assur_model::structure::BodyOrigin;
 use assur_position::plan::{FrictionElement, FrictionLaw};
@@ -210,17 +210,17 @@ impl Derivation<'_> {
         let force = self.force_of_mesh(pair, None)?;
         let words = self.scene.mechanism().pair(pair).name.clone();
         match self.transmission(pair)?.grip? {
-            Grip::Belt { pretension: Some(at_rest), .. } => {
+            FrictionLimit::Belt { pretension: Some(at_rest), .. } => {
                 let half = force / Expr::Int(2);
                 let at_rest = self.given(Name::new("F", &format!("0,{words}")), at_rest, Unit::Force);
                 Some([at_rest.clone() + half.clone(), at_rest - half])
             }
-            Grip::Belt { ratio, wrap, pretension: None } => {
+            FrictionLimit::Belt { ratio, wrap, pretension: None } => {
                 let q = self.ratio_of_pulls(&words, ratio, wrap);
                 let slack = force.clone() / (q - Expr::Int(1));
                 Some([slack.clone() + force, slack])
             }
-            Grip::Clutch(_) => None,
+            FrictionLimit::Clutch(_) => None,
         }
     }
 
@@ -235,12 +235,12 @@ impl Derivation<'_> {
     fn capacity(&mut self, pair: PairId) -> Option<Expr> {
         let words = self.scene.mechanism().pair(pair).name.clone();
         match self.transmission(pair)?.grip? {
-            Grip::Belt { ratio, wrap, pretension: Some(at_rest) } => {
+            FrictionLimit::Belt { ratio, wrap, pretension: Some(at_rest) } => {
                 let q = self.ratio_of_pulls(&words, ratio, wrap);
                 let at_rest = self.given(Name::new("F", &format!("0,{words}")), at_rest, Unit::Force);
                 Some(Expr::Int(2) * at_rest * (q.clone() - Expr::Int(1)) / (q + Expr::Int(1)))
             }
-            Grip::Belt { .. } | Grip::Clutch(_) => None,
+            FrictionLimit::Belt { .. } | FrictionLimit::Clutch(_) => None,
         }
     }
 

@@ -39,7 +39,9 @@ pub use document::{Block, Document, Figure, Inline, Table, Term};
 pub use forces::quantity_name;
 pub use formulas::Formula;
 pub use localised::{drawing_in, localised};
-pub use sheet::{Asked, Exercise, GivenRow, Variants, asks_for_positions, given, in_letters, key, sheet};
+pub use sheet::{
+    Exercise, GivenRow, SheetQuestion, Variants, asks_for_positions, given, in_letters, key, sheet,
+};
 pub use unit::unit_of;
 pub use words::{Language, phrase};
 pub use worked::{Part, Size, Worked, worked, worked_from};

@@ -52,7 +52,7 @@ const NEAR: f64 = 6e-3;
 
 /// A question with its unit, and its values at a position in it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
+pub struct SheetQuestion {
     /// What `assur grade` reads it by.
     pub name: String,
     pub unit: String,
@@ -76,7 +76,7 @@ pub struct Exercise<'a> {
     pub scene: Option<Scene<'a>>,
     /// The position of the scheme, another one where positions are asked for.
     pub shown: Option<Scene<'a>>,
-    pub asked: Vec<Asked>,
+    pub asked: Vec<SheetQuestion>,
     /// Other numbers that are answers, in the units of the file: expected ones that the file does not give.
     pub hidden: Vec<f64>,
     /// The positions that answers are asked at, by name.
@@ -133,7 +133,12 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
     let positions = exercise.positions_without();
     let several = positions.len() > 1 && positions.len() <= MOST_LINES;
     let headers = |whole: bool| -> Vec<String> {
-        exercise.asked.iter().filter(|a| !several || a.whole == whole).flat_map(Asked::headers).collect()
+        exercise
+            .asked
+            .iter()
+            .filter(|a| !several || a.whole == whole)
+            .flat_map(SheetQuestion::headers)
+            .collect()
     };
     let blank = |count: usize| vec![String::from("\u{2003}"); count];
     if several {
@@ -149,16 +154,20 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
 
 /// The key of a problem: the answers of every row and position, with four digits. `rows` begin with the name of the row and of the position.
 #[must_use]
-pub fn key(exercise: &Exercise<'_>, language: Language, rows: &[([String; 2], Vec<Asked>)]) -> Document {
+pub fn key(
+    exercise: &Exercise<'_>,
+    language: Language,
+    rows: &[([String; 2], Vec<SheetQuestion>)],
+) -> Document {
     let mut blocks = vec![Block::Remark(say(language, Message::KeyHead, &[]))];
     let headers: Vec<String> =
-        rows.first().iter().flat_map(|(_, asked)| asked).flat_map(Asked::headers).collect();
+        rows.first().iter().flat_map(|(_, asked)| asked).flat_map(SheetQuestion::headers).collect();
     let mut positions = rows.iter().map(|(names, _)| &names[1]);
     let first = positions.next();
     let lead = if positions.all(|name| Some(name) == first) { 1 } else { 2 };
     let words = [Message::Variant, Message::Position].map(|m| plain(&say(language, m, &[])));
-    let cells = |(names, asked): &([String; 2], Vec<Asked>)| {
-        names.iter().take(lead).cloned().chain(asked.iter().flat_map(Asked::figures)).collect()
+    let cells = |(names, asked): &([String; 2], Vec<SheetQuestion>)| {
+        names.iter().take(lead).cloned().chain(asked.iter().flat_map(SheetQuestion::figures)).collect()
     };
     let rows: Vec<Vec<String>> = rows.iter().map(cells).collect();
     blocks.extend(in_parts(&words[..lead], &headers, &rows));
@@ -219,7 +228,7 @@ pub fn asks_for_positions(mechanism: &Mechanism) -> bool {
     positions
 }
 
-impl Asked {
+impl SheetQuestion {
     /// The numbers of its value.
     #[must_use]
     pub fn values(&self) -> Vec<f64> {
@@ -323,7 +332,7 @@ impl Exercise<'_> {
             Value::Scalar(x) => near(x, value) || near(x.to_degrees(), value),
             _ => false,
         });
-        let is = |asked: &Asked, x: f64| {
+        let is = |asked: &SheetQuestion, x: f64| {
             near(x, value) || near(x * asked.factor, value) || near((x * asked.factor).to_degrees(), value)
         };
         !named && self.asked.iter().any(|a| a.values().iter().any(|x| is(a, *x)))

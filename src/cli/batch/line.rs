@@ -15,7 +15,7 @@ use crate::pipeline::{VariantSolver, row_words};
 use crate::report::csv::LINE_END;
 use crate::report::json::{self, Variant};
 use crate::report::rows::{AnswerColumns, FULL, write_text};
-use crate::report::{Answers, Precision};
+use crate::report::{Answers, PrintedDigits};
 use assur_solve::measure::accuracy::AchievedAccuracy;
 use assur_solve::message::failure;
 use assur_text::diagnostic::{Problem, Problems};
@@ -100,7 +100,7 @@ impl RowWriter<'_, '_> {
         said.reached = solved.and_then(|s| s.reached);
         said.unmet = solved.is_some_and(|s| s.outcomes.iter().any(|o| !o.passed));
         let error = if said.failed.is_some() { first_error(&problems) } else { String::new() };
-        let answers = solved.map(|s| s.answers(Precision::READABLE));
+        let answers = solved.map(|s| s.answers(PrintedDigits::READABLE));
         if let Some(filled) = &mut self.filled {
             filled.row(self.job, &input.cited(), (answers.as_ref(), quick), &error);
         } else if matches!(self.format, Format::Json | Format::Jsonl) {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::filled::Cited;
-use crate::exercise::table::{Cell, Fault, Lines, RawRow, Read, Separator, TableError, Written};
+use crate::exercise::table::{Cell, Fault, Lines, PreciseNumber, RawRow, Read, Separator, TableError};
 use crate::front::{Cells, Missing, read_row};
 use assur_check::{FileRow, Row, RowColumn};
 use assur_text::source::{Source, Span};
@@ -69,7 +69,8 @@ impl AsWritten<'_> {
         match self {
             Self::No => f64::NAN,
             Self::Line(cells, separator) => {
-                let read = cells.get(column).and_then(|cell| Written::read(&cell.text, *separator).ok());
+                let read =
+                    cells.get(column).and_then(|cell| PreciseNumber::read(&cell.text, *separator).ok());
                 read.map_or(f64::NAN, |written| written.value)
             }
             Self::Columns(cells, index) => match cells.get(column) {

@@ -16,7 +16,7 @@ use super::screen::Screen;
 use crate::pipeline;
 use assur_check::Overrides;
 use assur_picture::Kind;
-use assur_solve::solve::Conduct;
+use assur_solve::solve::IntegrationOptions;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
@@ -115,7 +115,7 @@ impl Drawing<'_> {
         let found = std::mem::take(&mut row.problems);
         let way = MotionProgress::shown(&source.name);
         let watch = |reached: f64, last: f64| way.goes_on(reached, last);
-        let conduct = Conduct { watch: Some(&watch), ..Conduct::default() };
+        let conduct = IntegrationOptions { watch: Some(&watch), ..IntegrationOptions::default() };
         let overrides = &row.overrides;
         let (solved, mut problems) =
             pipeline::solve_drawn_conducted(source, document, found, overrides, &kinds, &conduct);

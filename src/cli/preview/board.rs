@@ -1,6 +1,6 @@
 //! What a page shows now, and who waits for what it shows next.
 
-use crate::editor::Shown;
+use crate::editor::PageParts;
 use serde_json::{Value, json};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Duration;
@@ -74,7 +74,7 @@ impl Board {
     }
 
     /// Shows a text. The picture, the answers and the places of the last good one stay where it has none.
-    pub fn show(&self, shown: Shown) {
+    pub fn show(&self, shown: PageParts) {
         let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
         now.version += 1;
         let version = now.version;

@@ -5,7 +5,7 @@ use crate::cli::error::CliError;
 use crate::cli::files::{Input, missing};
 use crate::cli::reply::{Reply, guarded};
 use crate::cli::screen::Screen;
-use crate::editor::{Analysis, Shown};
+use crate::editor::{Analysis, PageParts};
 use assur_text::source::Source;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -80,7 +80,7 @@ impl Followed {
                 Some(Ok(source)) => next = self.show_text(&source, board, screen),
                 Some(Err(error)) => {
                     let diagnostics = format!("  × {error}\n");
-                    board.show(Shown { diagnostics, ..Shown::default() });
+                    board.show(PageParts { diagnostics, ..PageParts::default() });
                 }
                 None => {
                     thread::sleep(PAUSE);
@@ -116,7 +116,7 @@ impl Followed {
             Reply::default()
         });
         if !reply.diagnostics.is_empty() {
-            board.show(Shown { diagnostics: reply.diagnostics, ..Shown::default() });
+            board.show(PageParts { diagnostics: reply.diagnostics, ..PageParts::default() });
         }
         newer.into_inner().unwrap_or_else(PoisonError::into_inner).2
     }

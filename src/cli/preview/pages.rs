@@ -2,7 +2,7 @@
 
 use super::board::Board;
 use super::site::Site;
-use crate::editor::Shown;
+use crate::editor::PageParts;
 use crate::lsp::{self, View};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -75,7 +75,7 @@ impl Slot {
                 Ok(None) => {}
                 Err(_) => {
                     let diagnostics = format!("internal error of assur {}", env!("CARGO_PKG_VERSION"));
-                    board.show(Shown { diagnostics, ..Shown::default() });
+                    board.show(PageParts { diagnostics, ..PageParts::default() });
                 }
             }
         }

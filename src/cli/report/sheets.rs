@@ -10,7 +10,7 @@ use crate::cli::screen::Screen;
 use crate::cli::threads::Threads;
 use crate::pipeline::{self, Compiled, Solved, VariantSolver};
 use crate::report::rows::AnswerColumns;
-use crate::report::{Answers, Precision};
+use crate::report::{Answers, PrintedDigits};
 use assur_check::{self as check, FileRow, Overrides};
 use assur_model::model::{Level, Value};
 use assur_picture::Scene;
@@ -187,7 +187,7 @@ impl Sheets<'_> {
             Some(own)
         };
         let asking = own.as_ref().unwrap_or(&solved);
-        let answers = asking.answers(Precision::READABLE);
+        let answers = asking.answers(PrintedDigits::READABLE);
         let wanted = answers.poses().find(|pose| scene.is_some_and(|scene| scene.pose.name == pose.name));
         let mechanism = &solved.compiled.mechanism;
         let hides = mechanism.simulation.is_none() && asks_for_positions(mechanism);
@@ -310,7 +310,7 @@ impl Sheets<'_> {
             if self.scene(&solved, problems).is_err() {
                 return Ok(String::new());
             }
-            let answers = solved.answers(Precision::READABLE);
+            let answers = solved.answers(PrintedDigits::READABLE);
             let columns = AnswerColumns::of(&solved.compiled.model());
             let poses: Vec<&Pose> = answers.poses().filter(|pose| self.is_wanted(pose)).collect();
             if poses.is_empty() {

@@ -3,7 +3,7 @@
 
 use crate::pipeline::Solved;
 use crate::report::document::{Align, Block as Printed, Section, Table as Rows};
-use crate::report::{self, AccuracyShown, Precision};
+use crate::report::{self, AccuracyShown, PrintedDigits};
 use assur_drawing::Theme;
 use assur_formula::unit_words;
 use assur_picture::{Kind, Options, Scene, draw};
@@ -17,7 +17,8 @@ const PICTURES: [Kind; 4] = [Kind::Plot, Kind::Work, Kind::Cam, Kind::Train];
 
 /// The sections, for behind the last of a solution; all of them where no position is worked out.
 pub fn blocks(source: &Source, solved: &Solved, scene: Option<&Scene<'_>>, language: Language) -> Vec<Block> {
-    let report = report::of_answers(&source.name, &solved.answers(Precision::READABLE), AccuracyShown::Worst);
+    let report =
+        report::of_answers(&source.name, &solved.answers(PrintedDigits::READABLE), AccuracyShown::Worst);
     let one = solved.solution.poses.len() == 1;
     let kept = |section: &&Section| {
         let heading = section.heading.as_str();

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// A row of answers whose row of the key is wanted.
-pub(super) struct Wanted<'a> {
+pub(super) struct RowRequest<'a> {
     /// Its line in the file.
     pub line: usize,
     pub text: &'a str,
@@ -19,7 +19,7 @@ pub(super) struct Wanted<'a> {
 }
 
 /// The row of the key that a row of the answers is for. Names that are alike to the letter go before others.
-pub(super) fn find(key: &Sheet, answers: &Sheet, row: &Wanted<'_>) -> Result<usize, TableError> {
+pub(super) fn find(key: &Sheet, answers: &Sheet, row: &RowRequest<'_>) -> Result<usize, TableError> {
     if answers.persons && row.person.is_none() {
         let help = "write who answered into every row".to_owned();
         return Err(unknown(row, "nothing says who answered".to_owned(), help));
@@ -60,11 +60,11 @@ fn alike(which: usize, a: &str, k: &str) -> bool {
         || which == 0 && (stem(a) == stem(k) || number(a).is_some_and(|a| leading(k) == Some(a)))
 }
 
-fn unknown(row: &Wanted<'_>, why: String, help: String) -> TableError {
+fn unknown(row: &RowRequest<'_>, why: String, help: String) -> TableError {
     TableError::UnknownRow { line: row.line, why, help, span: Span::new(0, row.text.len()) }
 }
 
-fn none_or_several(key: &Sheet, answers: &Sheet, row: &Wanted<'_>, found: usize) -> TableError {
+fn none_or_several(key: &Sheet, answers: &Sheet, row: &RowRequest<'_>, found: usize) -> TableError {
     let words = as_written(row.names).join(", ");
     let person = row.person.map(|name| format!(" ({name})")).unwrap_or_default();
     let (why, help) = match (found, words.is_empty()) {
@@ -92,7 +92,7 @@ fn none_or_several(key: &Sheet, answers: &Sheet, row: &Wanted<'_>, found: usize)
 }
 
 /// How the key names its rows, where a row of the answers is none of them.
-fn named_in_key(key: &Sheet, row: &Wanted<'_>) -> String {
+fn named_in_key(key: &Sheet, row: &RowRequest<'_>) -> String {
     /// The most names that are listed.
     const MOST: usize = 8;
     let as_the_key = "number the rows as the key does".to_owned();

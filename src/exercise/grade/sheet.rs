@@ -1,10 +1,10 @@
 //! Sheets of a key and of answers: quantities by name with their units, rows by number, variant, file and pose.
 
 use super::columns::Role;
-use super::rows::{Wanted, find};
+use super::rows::{RowRequest, find};
 use super::rules::MOST_POINTS;
 use crate::exercise::table::{
-    Cell, Fault, Lines, RawRow, Separator, Table, TableError, Written, cells, from_cell,
+    Cell, Fault, Lines, PreciseNumber, RawRow, Separator, Table, TableError, cells, from_cell,
 };
 use assur_text::source::{Source, Span, shown};
 use assur_text::units::{Dimension, Unit, lookup};
@@ -174,7 +174,7 @@ impl Sheet {
         }
         let mut row = SheetRow { line, names: Arc::default(), person, entries, in_key: None };
         match key.map(|key| {
-            (key, find(key, self, &Wanted { line, text, names: &names, person: row.person.as_deref() }))
+            (key, find(key, self, &RowRequest { line, text, names: &names, person: row.person.as_deref() }))
         }) {
             None => row.names = RowNames::of(names),
             Some((key, Ok(found))) => {
@@ -412,7 +412,7 @@ impl Entry {
 
 /// A number; a cell of its own may have a decimal comma.
 pub(super) fn plain(text: &str) -> Result<f64, String> {
-    Written::read(text, Separator::Semicolon).map(|written| written.value).map_err(|(why, _)| why)
+    PreciseNumber::read(text, Separator::Semicolon).map(|written| written.value).map_err(|(why, _)| why)
 }
 
 /// A number with a unit of its own, SI.

@@ -7,7 +7,7 @@ mod number;
 pub use error::TableError;
 pub use line::{Cell, Separator, cells};
 pub use line::{as_cell, from_cell};
-pub use number::Written;
+pub use number::PreciseNumber;
 
 use assur_check::{ColumnUse, Row, RowCell, RowColumn};
 use assur_syntax::document::{Column, Variants};
@@ -267,7 +267,7 @@ impl<'a> RawRow<'a> {
                 row.push(RowCell::default());
                 continue;
             }
-            let written = Written::read(&cell.text, separator).map_err(|(why, help)| {
+            let written = PreciseNumber::read(&cell.text, separator).map_err(|(why, help)| {
                 let name = column.name.clone();
                 fault(text, TableError::Number { line, column: i + 1, name, why, help, span: cell.span })
             })?;

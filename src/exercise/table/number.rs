@@ -9,7 +9,7 @@ const EXACT: usize = 22;
 
 /// A number with what its figures say of its precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Written {
+pub struct PreciseNumber {
     pub value: f64,
     /// One unit in the last digit written.
     pub digit: f64,
@@ -18,7 +18,7 @@ pub struct Written {
 /// The mistake, and the correction.
 pub type Why = (String, Option<String>);
 
-impl Written {
+impl PreciseNumber {
     /// Reads a plain number. Where cells are not separated by commas it may have a decimal comma.
     ///
     /// # Errors

@@ -5,7 +5,7 @@ use crate::report::cost::{digits, part, time};
 use crate::report::tradeoff::{in_short, most_saved, prices};
 use assur_drawing::{Drawing, Role, Shape, Style, Theme};
 use assur_math::math::Vec2;
-use assur_position::plan::Numbers;
+use assur_position::plan::Precision;
 use assur_solve::measure::accuracy::{AccuracyStudy, PositionChoice};
 
 /// What is left of the bars, for their names, and the longest bar, mm.
@@ -70,7 +70,7 @@ fn sentence(study: &AccuracyStudy, own: &PositionChoice) -> String {
         || "fewer would save nothing".to_owned(),
         |saved| format!("fewer save {} of the work at most", part(saved)),
     );
-    let twice = study.choices.iter().find(|choice| choice.settings.scalar == Numbers::DoubleDouble);
+    let twice = study.choices.iter().find(|choice| choice.settings.scalar == Precision::DoubleDouble);
     let twice = twice.map_or_else(String::new, |twice| {
         format!(", double-double takes {} as long", part(twice.micros / own.micros))
     });
@@ -111,7 +111,7 @@ fn accuracies(drawing: &mut Drawing, study: &AccuracyStudy, own: &PositionChoice
             continue;
         }
         let numbers = match (choice.within, choice.settings.scalar) {
-            (_, Numbers::DoubleDouble) => "double-double",
+            (_, Precision::DoubleDouble) => "double-double",
             (None, _) => "f64",
             _ => "looser",
         };

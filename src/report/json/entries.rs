@@ -11,7 +11,7 @@ use crate::report::{
 use assur_math::math::Vec2;
 use assur_model::model::{FlywheelPart, Value};
 use assur_model::structure::{Group, GroupKind};
-use assur_position::plan::Numbers;
+use assur_position::plan::Precision;
 use assur_solve::measure::accuracy::{AchievedAccuracy, Source};
 use assur_solve::solve::{CycleAnswer, Model, PoseAnswers, State};
 use serde::ser::SerializeMap;
@@ -107,8 +107,8 @@ impl ReachedView {
                 Source::Full => "condition",
             },
             numbers: match settings.scalar {
-                Numbers::Double => "f64",
-                Numbers::DoubleDouble => "double-double",
+                Precision::F64 => "f64",
+                Precision::DoubleDouble => "double-double",
             },
             friction: Number::of(settings.friction),
             general_groups: Number::of(settings.newton),

@@ -4,7 +4,7 @@
 
 use assur::internals::check::Overrides;
 use assur::internals::report::document::{Column, Report, Section, Table};
-use assur::internals::report::{AccuracyShown, Page, Precision, of_answers};
+use assur::internals::report::{AccuracyShown, Page, PrintedDigits, of_answers};
 use assur::internals::source::Source;
 use std::path::Path;
 
@@ -52,7 +52,7 @@ fn every_example_is_a_page_without_unknown_signs() {
     for path in crate::folder::files(&root, "mech") {
         let source = Source::new(path.display().to_string(), std::fs::read_to_string(&path).unwrap());
         let (Some(solved), _) = assur::internals::solve_source(&source, &Overrides::none()) else { continue };
-        let answers = solved.answers(Precision::READABLE);
+        let answers = solved.answers(PrintedDigits::READABLE);
         let page = Page::Latex.render(&of_answers("a.mech", &answers, AccuracyShown::EveryPose));
         // letters with accents are read by every engine
         let read = |c: char| c.is_ascii() || c.is_alphabetic() && c <= 'ÿ';

@@ -1,13 +1,13 @@
 //! Numbers in tables.
 
-use assur::internals::exercise::table::{Separator, Written};
+use assur::internals::exercise::table::{PreciseNumber, Separator};
 
 #[test]
 fn numbers_with_point_or_comma() {
-    let comma = |text| Written::read(text, Separator::Comma);
-    let semicolon = |text| Written::read(text, Separator::Semicolon).map(|w| w.value);
-    assert_eq!(comma("0.350"), Ok(Written { value: 0.35, digit: 1e-3 }));
-    assert_eq!(comma("1.5e3"), Ok(Written { value: 1500.0, digit: 100.0 }));
+    let comma = |text| PreciseNumber::read(text, Separator::Comma);
+    let semicolon = |text| PreciseNumber::read(text, Separator::Semicolon).map(|w| w.value);
+    assert_eq!(comma("0.350"), Ok(PreciseNumber { value: 0.35, digit: 1e-3 }));
+    assert_eq!(comma("1.5e3"), Ok(PreciseNumber { value: 1500.0, digit: 100.0 }));
     assert_eq!(comma("−2").map(|w| w.value), Ok(-2.0));
     assert_eq!(semicolon("1,5"), Ok(1.5));
     assert_eq!(semicolon("-1.5"), Ok(-1.5));
@@ -26,7 +26,7 @@ fn what_is_no_number_is_told() {
         ("--1", "not a number"),
         ("1.500,5", "not a number"),
     ] {
-        let (why, _) = Written::read(text, Separator::Comma).unwrap_err();
+        let (why, _) = PreciseNumber::read(text, Separator::Comma).unwrap_err();
         assert!(why.contains(says), "{text}: {why}");
     }
 }

@@ -96,7 +96,7 @@ fn same(what: &str, here: f64, designed: f64, scale: f64) -> Result<(), Differen
 }
 
 /// A place where the cam stands: frame, its pin, the cam's pin.
-struct Stand<'a> {
+struct CamPlace<'a> {
     frame: LinkId,
     pin: &'a Pin,
 }
@@ -194,14 +194,14 @@ fn tip(cam: &Cam, other: &Profile, scale: f64, link: &str) -> Result<Vec2, Diffe
 }
 
 /// The hinges in the centre of the cam.
-fn stands<'a>(cx: &'a Context<'_>, disk: LinkId, centre: Vec2, scale: f64) -> Vec<Stand<'a>> {
+fn stands<'a>(cx: &'a Context<'_>, disk: LinkId, centre: Vec2, scale: f64) -> Vec<CamPlace<'a>> {
     let mut found = Vec::new();
     for pair in &cx.builder.mech.pairs {
         let PairKind::Revolute(pins) = &pair.kind else { continue };
         let in_centre = |p: &Pin| p.link == disk && (p.at - centre).norm() <= EQUAL * scale;
         if pins.iter().any(in_centre) {
             let others = pins.iter().filter(|p| p.link != disk);
-            found.extend(others.map(|pin| Stand { frame: pin.link, pin }));
+            found.extend(others.map(|pin| CamPlace { frame: pin.link, pin }));
         }
     }
     found

@@ -3,7 +3,7 @@
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find};
 use crate::trains::ends::incomplete;
-use assur_model::model::Grip;
+use assur_model::model::FrictionLimit;
 use assur_syntax::document::{End, Joint};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -14,7 +14,11 @@ pub(crate) fn slip(properties: &[Read]) -> f64 {
 
 /// The ratio of its pulls at which a belt slips, e^(μ θ / sin γ) after Euler and Eytelwein. `Some(None)` where no friction is
 /// given.
-pub(crate) fn belt_grip(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Option<Grip>> {
+pub(crate) fn belt_grip(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    properties: &[Read],
+) -> Option<Option<FrictionLimit>> {
     let of = |name| find(properties, name);
     if let Some(slip) = of("slip")
         && slip.number() >= 1.0
@@ -46,7 +50,7 @@ pub(crate) fn belt_grip(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]
         let message = "the ratio of the pulls at which the belt slips is not a finite number";
         return incomplete(cx, message, "check friction, wrap and groove", friction.span);
     }
-    Some(Some(Grip::Belt { wrap, ratio, pretension: of("pretension").map(Read::number) }))
+    Some(Some(FrictionLimit::Belt { wrap, ratio, pretension: of("pretension").map(Read::number) }))
 }
 
 /// The angle of contact on the smaller pulley: π − 2 asin((R − r)/a) of an open belt, π + 2 asin((R + r)/a) of a crossed one.

@@ -19,7 +19,7 @@ use crate::trains::size::label;
 use crate::trains::thread::{screw, worm};
 use crate::values::format_value::digits;
 use assur_model::model::{
-    Grip, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
+    FrictionLimit, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
 };
 use assur_syntax::document::{Joint, JointKind, Statement};
 use assur_text::diagnostic::Diagnosis;
@@ -71,7 +71,9 @@ fn transmission(
     let efficiency = losses(cx, joint, kind, properties)?;
     let grip = match kind {
         TransmissionKind::Belt => belt_grip(cx, joint, properties)?,
-        TransmissionKind::Clutch => Some(Grip::Clutch(friction_torque(cx, &joint.name, properties)?)),
+        TransmissionKind::Clutch => {
+            Some(FrictionLimit::Clutch(friction_torque(cx, &joint.name, properties)?))
+        }
         _ => None,
     };
     let pressure_angle = pressure_angle(cx, properties)?;

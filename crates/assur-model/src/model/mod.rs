@@ -31,11 +31,11 @@ pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring, TorsionSpring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use numbers::NumberPlaces;
-pub use pair::{Bearing, Bond, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
+pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape, UnilateralCondition};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 pub use simulation::{Bound, Cycle, CycleFunction, Part};
 pub use simulation::{Event, Occasion, Simulation, Situation, Steady, Stop};
-pub use train::{Grip, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
+pub use train::{FrictionLimit, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;
 

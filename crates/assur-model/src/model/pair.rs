@@ -159,7 +159,7 @@ pub enum ProfileShape {
 
 /// What holds only as long as forces act as it takes them: beyond that a motion is another one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bond {
+pub enum UnilateralCondition {
     Presses,
     Pulls,
     /// Power runs from the first wheel of a belt to the second: its slip is of the speed of the first.
@@ -170,7 +170,7 @@ pub enum Bond {
 
 impl PairKind {
     /// What holds only as long as forces act as it takes them.
-    pub fn bonds(&self) -> impl Iterator<Item = Bond> {
+    pub fn bonds(&self) -> impl Iterator<Item = UnilateralCondition> {
         let (contact, rope, slips, grips) = match self {
             Self::Contact { .. } => (true, false, false, false),
             Self::Transmission(t) => {
@@ -179,8 +179,12 @@ impl PairKind {
             }
             _ => (false, false, false, false),
         };
-        let all =
-            [(contact, Bond::Presses), (rope, Bond::Pulls), (slips, Bond::Drives), (grips, Bond::Grips)];
+        let all = [
+            (contact, UnilateralCondition::Presses),
+            (rope, UnilateralCondition::Pulls),
+            (slips, UnilateralCondition::Drives),
+            (grips, UnilateralCondition::Grips),
+        ];
         all.into_iter().filter(|(holds, _)| *holds).map(|(_, bond)| bond)
     }
 

@@ -69,14 +69,14 @@ pub struct Transmission {
     /// Pressure angle, rad.
     pub pressure_angle: Option<f64>,
     /// What friction alone can transmit.
-    pub grip: Option<Grip>,
+    pub grip: Option<FrictionLimit>,
     /// The part of the speed that a belt loses, with its first wheel driving.
     pub slip: f64,
 }
 
 /// What a transmission by friction can transmit before it slips.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Grip {
+pub enum FrictionLimit {
     Belt {
         /// Angle of contact on the smaller pulley, rad.
         wrap: f64,
@@ -89,7 +89,7 @@ pub enum Grip {
     Clutch(f64),
 }
 
-impl Grip {
+impl FrictionLimit {
     /// The greatest torque of a clutch, N m, or the greatest tangential force of a belt at its pretension T₀,
     /// 2 T₀ (m − 1)/(m + 1) with the ratio m of the pulls at which it slips, N; NaN without a pretension.
     #[must_use]

@@ -14,7 +14,9 @@ use super::repeated::repeated;
 use super::ring::locked;
 use super::trial::Trial;
 use super::words::{MOST_LABELS, counted, label, listed, names, with_lines};
-use crate::model::{DriveTarget, Expr, Grip, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value};
+use crate::model::{
+    DriveTarget, Expr, FrictionLimit, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value,
+};
 use crate::source::Span;
 
 const MOST_PARTS: usize = 3;
@@ -205,7 +207,7 @@ fn slipping(trial: Trial<'_>, part: &Part) -> Option<String> {
     let faster = if one > other { [first, second] } else { [second, first] };
     let [a, b] = faster.map(|l| mechanism.link(*l).name.as_str());
     let name = &mechanism.pair(*pair).name;
-    let torque = t.grip.map_or(1.0, Grip::capacity);
+    let torque = t.grip.map_or(1.0, FrictionLimit::capacity);
     let line = |on: &str, sign: &str| {
         format!("torque {name}_{on} on {on} = {sign}{torque} N*m when omega({a}) > omega({b})")
     };

@@ -16,7 +16,7 @@ const STAGES: f64 = 7.0;
 /// Points of a curve per part of the motion.
 const POINTS: u32 = 48;
 
-struct Shown {
+struct CurveOfLaw {
     quantity: Quantity,
     /// What it is multiplied by: powers of the speed.
     factor: f64,
@@ -77,7 +77,7 @@ pub fn motion(subject: &Subject<'_, '_>, plate: &PlateCam) -> Drawing {
 }
 
 /// The numbers shown: by time where the cam has a speed, else by its angle.
-fn shown(subject: &Subject<'_, '_>, plate: &PlateCam) -> Vec<Shown> {
+fn shown(subject: &Subject<'_, '_>, plate: &PlateCam) -> Vec<CurveOfLaw> {
     let oscillates = plate.cam.follower.oscillates();
     let timed = plate.speed.is_some();
     let letter = if oscillates { "ψ" } else { "s" };
@@ -93,7 +93,7 @@ fn shown(subject: &Subject<'_, '_>, plate: &PlateCam) -> Vec<Shown> {
     let of = |n: u8, title: Text, said, style| {
         let part = if n > 0 && timed { CamPart::Rate(n) } else { CamPart::Lift(n) };
         let factor = if timed { plate.rate(n) } else { 1.0 };
-        Shown { quantity: Quantity::Lift(n), factor, title, said, display: display(part), style }
+        CurveOfLaw { quantity: Quantity::Lift(n), factor, title, said, display: display(part), style }
     };
     let rates = if oscillates { ["ω", "ε"] } else { ["v", "a"] };
     let titles = if timed { rates.map(Text::italic) } else { [by_angle(""), by_angle("2")] };
@@ -103,7 +103,7 @@ fn shown(subject: &Subject<'_, '_>, plate: &PlateCam) -> Vec<Shown> {
         of(0, Text::italic(letter), "lift", Style::Curve1),
         of(1, first, said[0], Style::Velocity),
         of(2, second, said[1], Style::Acceleration),
-        Shown {
+        CurveOfLaw {
             quantity: Quantity::PressureAngle,
             factor: 1.0,
             title: Text::italic("α"),
@@ -115,7 +115,7 @@ fn shown(subject: &Subject<'_, '_>, plate: &PlateCam) -> Vec<Shown> {
 }
 
 /// The curve of a number, part by part: where it jumps, both values stand at one place.
-fn line(plate: &PlateCam, shown: &Shown) -> Line {
+fn line(plate: &PlateCam, shown: &CurveOfLaw) -> Line {
     let mut line = Line::new();
     for part in plate.cam.program.parts() {
         for i in 0..=POINTS {

@@ -25,7 +25,7 @@ pub struct Effects {
 
 impl Effects {
     pub(super) fn of(mechanism: &Mechanism) -> Self {
-        let mut wanted = Wanted::default();
+        let mut wanted = EffectRequest::default();
         wanted.requests(mechanism);
         Self::wanted(mechanism, wanted)
     }
@@ -33,21 +33,24 @@ impl Effects {
     /// What the file calls for, and at least this much where the file declares it: for a picture that shows more than it asks.
     #[must_use]
     pub fn at_least(mechanism: &Mechanism, level: Level, forces: bool) -> Self {
-        let mut wanted = Wanted::default();
+        let mut wanted = EffectRequest::default();
         wanted.requests(mechanism);
         Self::wanted(
             mechanism,
-            Wanted { level: wanted.level.max(level), forces: wanted.forces || forces, ..wanted },
+            EffectRequest { level: wanted.level.max(level), forces: wanted.forces || forces, ..wanted },
         )
     }
 
     /// What would be computed if everything were asked for that the file declares.
     #[must_use]
     pub fn declared(mechanism: &Mechanism) -> Self {
-        Self::wanted(mechanism, Wanted { level: Level::Accelerations, forces: true, ..Wanted::default() })
+        Self::wanted(
+            mechanism,
+            EffectRequest { level: Level::Accelerations, forces: true, ..EffectRequest::default() },
+        )
     }
 
-    fn wanted(mechanism: &Mechanism, mut wanted: Wanted) -> Self {
+    fn wanted(mechanism: &Mechanism, mut wanted: EffectRequest) -> Self {
         let timed = mechanism.drives.iter().any(|d| d.speed.is_some() || d.acceleration.is_some());
         let moving = timed || mechanism.drives.iter().any(|d| d.sense.is_some());
         let has_mass = mechanism.links.iter().any(|l| l.mass.is_some());
@@ -153,7 +156,7 @@ fn loses(mechanism: &Mechanism) -> bool {
 }
 
 #[derive(Default)]
-struct Wanted {
+struct EffectRequest {
     level: Level,
     forces: bool,
     /// The file's quantities that something asked for names: a definition alone asks for nothing.
@@ -162,7 +165,7 @@ struct Wanted {
     loads: Vec<LoadId>,
 }
 
-impl Wanted {
+impl EffectRequest {
     fn requests(&mut self, mechanism: &Mechanism) {
         for find in &mechanism.finds {
             match &find.kind {

@@ -46,7 +46,7 @@ pub use joint::{Guide, Hinge, OuterJoint};
 pub use load_step::{ForceLine, LoadStep};
 pub use opposing::Opposing;
 pub use planned::Plan;
-pub use settings::{Numbers, Settings};
+pub use settings::{Precision, Settings};
 pub use step::{Anchor, Arm, DrivenJoint, DrivenLeg, Leg, MotionStep, Slide};
 pub use train_losses::loss_system;
 pub use triad_step::{TriadForceLeg, TriadForces, TriadHold, TriadLeg, TriadMotion};

@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// What every position is computed with.
-    pub scalar: Numbers,
+    pub scalar: Precision,
     /// Newton's method on the force of a dyad with friction has settled when the error that its step leaves is this part of
     /// the forces.
     pub friction: f64,
@@ -23,10 +23,10 @@ pub struct Settings {
 
 /// What every position is computed with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Numbers {
+pub enum Precision {
     /// `f64`.
     #[default]
-    Double,
+    F64,
     /// Twice its digits, rounded to it at the end.
     DoubleDouble,
 }
@@ -34,7 +34,7 @@ pub enum Numbers {
 impl Settings {
     /// All digits that `f64` has.
     pub const FULL: Self = Self {
-        scalar: Numbers::Double,
+        scalar: Precision::F64,
         friction: 1e-15,
         friction_step: 1e-9,
         newton: 1e-12,

@@ -38,7 +38,7 @@ fn centre(shape: ProfileShape) -> Option<Vec2> {
 
 /// How an element of friction moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Grip {
+pub struct ContactMode {
     /// The sense of its relative motion, ±1, or 0 where it is held.
     pub sense: f64,
     /// The torque or force on the element's body that holds it.
@@ -64,7 +64,7 @@ impl State {
     /// Adds what holds to the loads.
     pub(super) fn apply_grips(&mut self, plan: &Plan) {
         for (index, element) in plan.friction.iter().enumerate() {
-            let Some(Grip { sense: 0.0, effort, .. }) = self.motion.grips.get(index).copied() else {
+            let Some(ContactMode { sense: 0.0, effort, .. }) = self.motion.grips.get(index).copied() else {
                 continue;
             };
             if effort != 0.0 {

@@ -2,7 +2,7 @@
 
 use super::against::Against;
 use super::body::BodyState;
-use super::grip::Grip;
+use super::grip::ContactMode;
 use crate::element::cam::Part;
 use crate::math::{Scalar, V2, Vec2};
 use crate::plan::Plan;
@@ -54,7 +54,7 @@ pub struct Motion<S = f64> {
     /// Efforts of closed stops along their coordinates, N or N m.
     pub stops: Vec<f64>,
     /// How the elements of friction move there, where such a motion says it.
-    pub grips: Vec<Grip>,
+    pub grips: Vec<ContactMode>,
     /// How the loads against the motion act there, where such a motion says it: by load.
     pub against: Vec<Against>,
     /// The parts of laws by which designed cams are taken there, beyond their ends too, by contact.

@@ -1,7 +1,7 @@
 //! Losses of transmissions in a motion under loads, where the run and not the velocity says how their sides move: as friction in
 //! pairs does, they hold a transmission at rest by an effort that no direction of the power gives.
 
-use super::grip::Grip;
+use super::grip::ContactMode;
 use super::state::State;
 use super::train_losses::sides;
 use crate::math::Vec2;
@@ -9,7 +9,7 @@ use crate::plan::{LawSite, Plan, PlannedLaw};
 
 impl State {
     /// How the sides of a law with losses move, where the run says it.
-    pub(super) fn law_grip(&self, law: &PlannedLaw) -> Option<Grip> {
+    pub(super) fn law_grip(&self, law: &PlannedLaw) -> Option<ContactMode> {
         self.motion.grips.get(law.grip?).copied()
     }
 
@@ -29,7 +29,7 @@ impl State {
     /// Calls `act` with what holds a law at rest: on its first side, and back on the carrier.
     pub(super) fn grip_of_law(&self, law: &PlannedLaw, act: &mut dyn FnMut(usize, Vec2, Vec2, f64)) {
         let held = self.law_grip(law).filter(|grip| grip.sense == 0.0 && grip.effort != 0.0);
-        let Some(Grip { effort, .. }) = held else { return };
+        let Some(ContactMode { effort, .. }) = held else { return };
         for (term, value) in [(0, effort), (2, -effort)] {
             match law.terms.get(term) {
                 Some((LawSite::Turn(body), _)) => {
@@ -84,8 +84,8 @@ impl State {
         let force = &self.forces.law_forces[slot];
         let [one, other] = force.sides.map(|side| force.multiplier * side);
         match self.law_grip(law) {
-            Some(Grip { open: true, .. }) => [f64::NAN; 2],
-            Some(Grip { sense: 0.0, effort, .. }) => [one + effort / law.terms[0].1, other],
+            Some(ContactMode { open: true, .. }) => [f64::NAN; 2],
+            Some(ContactMode { sense: 0.0, effort, .. }) => [one + effort / law.terms[0].1, other],
             _ => [one, other],
         }
     }

@@ -47,7 +47,7 @@ pub use friction_answers::PairFriction;
 pub use joint_reaction::JointReaction;
 pub use left_curve::LeftCurve;
 pub(crate) use locking::Locked;
-pub use number_columns::{NumberColumns, Shown};
+pub use number_columns::{ColumnSource, NumberColumns};
 pub use pose_answers::PoseAnswers;
 pub use pose_numbers::{PoseExtras, Source, read_numbers};
 pub use pressure_angle::FollowerWay;

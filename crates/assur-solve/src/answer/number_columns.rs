@@ -8,7 +8,7 @@ use assur_text::units::Conversion;
 
 /// What a column shows, or two for a vector.
 #[derive(Clone, Debug)]
-pub enum Shown {
+pub enum ColumnSource {
     /// The value of a drive.
     Drive(usize),
     /// An item of `find` that is a value.
@@ -27,20 +27,20 @@ pub struct NumberColumns(Vec<Column>);
 
 #[derive(Clone, Debug)]
 struct Column {
-    shown: Shown,
+    shown: ColumnSource,
     vector: bool,
     unit: Conversion,
 }
 
 impl NumberColumns {
     /// Adds what is shown, in two columns if it is a vector.
-    pub fn push(&mut self, shown: Shown, vector: bool, display: &Display) {
+    pub fn push(&mut self, shown: ColumnSource, vector: bool, display: &Display) {
         let unit = Conversion::into_units_of(display.factor);
         self.0.push(Column { shown, vector, unit });
     }
 
     /// What the columns show, whether they are two for a vector, and their unit.
-    pub(super) fn columns(&self) -> impl Iterator<Item = (&Shown, bool, Conversion)> {
+    pub(super) fn columns(&self) -> impl Iterator<Item = (&ColumnSource, bool, Conversion)> {
         self.0.iter().map(|column| (&column.shown, column.vector, column.unit))
     }
 
@@ -49,12 +49,14 @@ impl NumberColumns {
         out.clear();
         for Column { shown, vector, unit } in &self.0 {
             let value = match shown {
-                Shown::Drive(i) => drives.get(*i).and_then(DriveValue::value),
-                Shown::Find(index) => view.found(*index),
-                Shown::Effort(slot) => view.state.forces.efforts.get(*slot).copied().map(Value::Scalar),
-                Shown::Force(joints) => Some(Value::Vector(joints.force(view.state))),
-                Shown::Couple(joints) => Some(Value::Scalar(joints.couple(view.state))),
-                Shown::Known(value) => *value,
+                ColumnSource::Drive(i) => drives.get(*i).and_then(DriveValue::value),
+                ColumnSource::Find(index) => view.found(*index),
+                ColumnSource::Effort(slot) => {
+                    view.state.forces.efforts.get(*slot).copied().map(Value::Scalar)
+                }
+                ColumnSource::Force(joints) => Some(Value::Vector(joints.force(view.state))),
+                ColumnSource::Couple(joints) => Some(Value::Scalar(joints.couple(view.state))),
+                ColumnSource::Known(value) => *value,
             };
             match (value, vector) {
                 (Some(Value::Vector(v)), true) => out.extend([unit.of(v.x), unit.of(v.y)]),

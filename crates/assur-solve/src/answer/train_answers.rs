@@ -2,7 +2,7 @@
 
 use super::pose_answers::{NAN_VECTOR, PoseAnswers};
 use crate::math::Vec2;
-use crate::model::{Grip, LinkId, PairId, PairKind, Transmission};
+use crate::model::{FrictionLimit, LinkId, PairId, PairKind, Transmission};
 use crate::plan::{LawSite, PlannedLaw};
 
 impl PoseAnswers<'_> {
@@ -62,20 +62,20 @@ impl PoseAnswers<'_> {
     pub(super) fn belt_pulls(&self, pair: PairId) -> [f64; 2] {
         let force = self.tangential_force(pair);
         match self.grip(pair) {
-            Some(Grip::Belt { pretension: Some(at_rest), .. }) => {
+            Some(FrictionLimit::Belt { pretension: Some(at_rest), .. }) => {
                 [at_rest + force / 2.0, at_rest - force / 2.0]
             }
-            Some(Grip::Belt { ratio, pretension: None, .. }) => {
+            Some(FrictionLimit::Belt { ratio, pretension: None, .. }) => {
                 let slack = force / (ratio - 1.0);
                 [slack + force, slack]
             }
-            Some(Grip::Clutch(_)) | None => [f64::NAN; 2],
+            Some(FrictionLimit::Clutch(_)) | None => [f64::NAN; 2],
         }
     }
 
     /// The greatest torque of a clutch, N m, or tangential force of a belt, N; NaN where it has none.
     pub(super) fn capacity(&self, pair: PairId) -> f64 {
-        self.grip(pair).map_or(f64::NAN, Grip::capacity)
+        self.grip(pair).map_or(f64::NAN, FrictionLimit::capacity)
     }
 
     /// Whether a clutch or a belt must transmit more than its capacity. What is at the limit but for rounding still grips.
@@ -83,7 +83,7 @@ impl PoseAnswers<'_> {
         self.tangential_force(pair) > self.capacity(pair) * (1.0 + 1e-9)
     }
 
-    fn grip(&self, pair: PairId) -> Option<Grip> {
+    fn grip(&self, pair: PairId) -> Option<FrictionLimit> {
         self.transmission(pair).and_then(|t| t.grip)
     }
 

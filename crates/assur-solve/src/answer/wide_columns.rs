@@ -2,7 +2,7 @@
 //! each position.
 
 use super::joint_reaction::JointReaction;
-use super::number_columns::{NumberColumns, Shown};
+use super::number_columns::{ColumnSource, NumberColumns};
 use super::pose_answers::PoseAnswers;
 use super::wide_crossing::WideCrossing;
 use super::wide_rows::{numbers, of_drive, vectors, write_drive};
@@ -79,20 +79,24 @@ impl NumberColumns {
     pub fn wide(&self, model: &Model<'_>) -> Option<WideColumns> {
         let columns = self.columns().map(|(shown, vector, unit)| {
             let shown = match shown {
-                Shown::Drive(drive) => WideShown::Drive(*drive, vector),
-                Shown::Effort(slot) => WideShown::Found(WideExpr::Effort(*slot)),
-                Shown::Force(joints) => WideShown::Found(WideExpr::Force(joints.clone())),
-                Shown::Couple(joints) => WideShown::Found(WideExpr::Couple(joints.clone())),
-                Shown::Find(index) => {
+                ColumnSource::Drive(drive) => WideShown::Drive(*drive, vector),
+                ColumnSource::Effort(slot) => WideShown::Found(WideExpr::Effort(*slot)),
+                ColumnSource::Force(joints) => WideShown::Found(WideExpr::Force(joints.clone())),
+                ColumnSource::Couple(joints) => WideShown::Found(WideExpr::Couple(joints.clone())),
+                ColumnSource::Find(index) => {
                     let FindKind::Value { expr, .. } = &model.mechanism.finds.get(*index)?.kind else {
                         return None;
                     };
                     let found = WideExpr::of_answer(model, expr)?;
                     (found.is_vector() == vector).then_some(WideShown::Found(found))?
                 }
-                Shown::Known(Some(Value::Scalar(x))) if !vector => WideShown::Found(WideExpr::Number(*x)),
-                Shown::Known(Some(Value::Vector(v))) if vector => WideShown::Found(WideExpr::Vector(*v)),
-                Shown::Known(_) => return None,
+                ColumnSource::Known(Some(Value::Scalar(x))) if !vector => {
+                    WideShown::Found(WideExpr::Number(*x))
+                }
+                ColumnSource::Known(Some(Value::Vector(v))) if vector => {
+                    WideShown::Found(WideExpr::Vector(*v))
+                }
+                ColumnSource::Known(_) => return None,
             };
             Some(Column { shown, unit })
         });

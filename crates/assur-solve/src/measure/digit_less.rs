@@ -4,7 +4,7 @@ use super::accuracy::sampled;
 use super::runs::bounded;
 use crate::plan::Settings;
 use crate::position::Model;
-use crate::solve::{Conduct, Method, Solution, Trials};
+use crate::solve::{IntegrationOptions, Method, Solution, Trials};
 
 /// Counts of the same answers for two accuracies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +23,9 @@ pub fn run_with_a_digit_less(model: &Model<'_>, solution: &Solution) -> Option<D
     // by the same method, also where another had been chosen
     let method = Some(run.method).filter(|method| *method == Method::Dop853);
     let trials = Trials::new(model, &solution.statics).ok()??;
-    let less = bounded(&trials, 10.0 * run.within, Conduct { method, ..Conduct::default() }).ok()?;
+    let less =
+        bounded(&trials, 10.0 * run.within, IntegrationOptions { method, ..IntegrationOptions::default() })
+            .ok()?;
     let less = less.map(|trial| trial.report().evaluations);
     Some(DigitLess { within: run.within, took: run.evaluations, less })
 }

@@ -9,7 +9,7 @@ use super::clock::{Clock, micros};
 use super::price::Price;
 use crate::model::Simulation;
 use crate::position::Model;
-use crate::solve::{Conduct, Failure, KINDS, Method, STATES, Solution, Trial, Trials};
+use crate::solve::{Failure, IntegrationOptions, KINDS, Method, STATES, Solution, Trial, Trials};
 use std::hint::black_box;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
@@ -101,7 +101,7 @@ pub fn study_runs(
     solution: &Solution,
     wanted: Option<f64>,
     clock: Clock,
-    conduct: &Conduct<'_>,
+    conduct: &IntegrationOptions<'_>,
 ) -> Result<Option<RunStudy>, Failure> {
     let asked = model.mechanism.simulation.as_ref().and_then(|s| s.within).unwrap_or(Simulation::WITHIN);
     let Some(trials) = Trials::new(model, &solution.statics)? else { return Ok(None) };
@@ -142,11 +142,11 @@ struct Exact {
 
 /// The motion that counts as exact: of several runs by both methods the one that reports the least error, where that can be with
 /// twice the digits at its instants.
-fn reference(trials: &Trials<'_, '_>, conduct: &Conduct<'_>) -> Result<Option<Exact>, Failure> {
+fn reference(trials: &Trials<'_, '_>, conduct: &IntegrationOptions<'_>) -> Result<Option<Exact>, Failure> {
     let mut all = Vec::new();
     for method in [None, Some(Method::Radau)] {
         for (within, steps) in REFERENCES {
-            all.extend(bounded(trials, within, Conduct { method, steps, ..*conduct })?);
+            all.extend(bounded(trials, within, IntegrationOptions { method, steps, ..*conduct })?);
         }
     }
     all.sort_by(|a: &Trial, b| a.report().error.total_cmp(&b.report().error));
@@ -167,7 +167,7 @@ fn reference(trials: &Trials<'_, '_>, conduct: &Conduct<'_>) -> Result<Option<Ex
 pub(super) fn bounded(
     trials: &Trials<'_, '_>,
     within: f64,
-    conduct: Conduct<'_>,
+    conduct: IntegrationOptions<'_>,
 ) -> Result<Option<Trial>, Failure> {
     let (steps, reached) = (AtomicUsize::new(0), AtomicU64::new(0));
     let few = |time: f64, last: f64| {
@@ -178,7 +178,7 @@ pub(super) fn bounded(
         }
         conduct.goes_on(time, last) && steps.fetch_add(1, Ordering::Relaxed) < MOST
     };
-    let trial = trials.run(within, &Conduct { watch: Some(&few), ..conduct })?;
+    let trial = trials.run(within, &IntegrationOptions { watch: Some(&few), ..conduct })?;
     Ok((steps.into_inner() <= MOST).then_some(trial))
 }
 
@@ -200,11 +200,11 @@ fn accuracies(asked: f64) -> Vec<f64> {
 fn measured(
     trials: &Trials<'_, '_>,
     exact: &Exact,
-    (asked, all, conduct): (Option<Method>, &[f64], &Conduct<'_>),
+    (asked, all, conduct): (Option<Method>, &[f64], &IntegrationOptions<'_>),
     clock: Clock,
 ) -> Result<MethodStudy, Failure> {
-    let conduct = Conduct { method: asked, ..*conduct };
-    let alone = Conduct { watch: None, ..conduct };
+    let conduct = IntegrationOptions { method: asked, ..*conduct };
+    let alone = IntegrationOptions { watch: None, ..conduct };
     let (method, rows, price) = (Method::default(), Vec::new(), Price::default());
     let mut study = MethodStudy { asked, method, rows, cut: false, price };
     let mut last = None;

@@ -2,7 +2,7 @@
 
 use super::format::{and_at, label, place};
 use crate::model::PairId;
-use crate::position::{Model, Wanted};
+use crate::position::{Model, PoseRequest};
 use assur_text::diagnostic::Diagnosis;
 use miette::LabeledSpan;
 
@@ -10,7 +10,7 @@ use miette::LabeledSpan;
 pub(super) fn several(
     model: &Model<'_>,
     (count, followed): (usize, bool),
-    (pose, more): (&Wanted, usize),
+    (pose, more): (&PoseRequest, usize),
 ) -> Diagnosis {
     let what = what(model);
     let reported = if followed {

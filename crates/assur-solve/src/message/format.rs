@@ -1,7 +1,7 @@
 //! Positions, lengths and links in words.
 
 use crate::plan::{contact_in, is_turned};
-use crate::position::{DriveValue, Model, PoseOrigin, Wanted, turns};
+use crate::position::{DriveValue, Model, PoseOrigin, PoseRequest, turns};
 use miette::LabeledSpan;
 
 use crate::model::{LinkId, PairKind};
@@ -11,7 +11,7 @@ use crate::units::Dimension;
 
 /// ` at pose 3 (crank = 60 deg)`; empty where nothing is driven.
 #[must_use]
-pub fn place(model: &Model<'_>, pose: &Wanted) -> String {
+pub fn place(model: &Model<'_>, pose: &PoseRequest) -> String {
     let drives = drive_text(model, &pose.drives);
     match pose.origin {
         _ if model.mechanism.simulation.is_some() => {

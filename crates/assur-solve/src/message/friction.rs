@@ -2,7 +2,7 @@
 
 use super::format::{label, place};
 use crate::model::{FindKind, Friction, Mechanism, PairId, PairKind, Value};
-use crate::position::{Model, Wanted};
+use crate::position::{Model, PoseRequest};
 use crate::solve::Locking;
 use crate::units::{Dimension, significant};
 use assur_text::diagnostic::Diagnosis;
@@ -11,7 +11,11 @@ use miette::LabeledSpan;
 const DIGITS: usize = 4;
 
 /// Nothing slides in a pair with friction.
-pub(super) fn no_sliding(model: &Model<'_>, pair_id: PairId, (pose, more): (&Wanted, usize)) -> Diagnosis {
+pub(super) fn no_sliding(
+    model: &Model<'_>,
+    pair_id: PairId,
+    (pose, more): (&PoseRequest, usize),
+) -> Diagnosis {
     let pair = model.mechanism.pair(pair_id);
     let (name, span) = (pair.name.clone(), pair.span);
     if matches!(model.mechanism.pair(pair_id).kind, PairKind::Transmission(_)) {
@@ -76,7 +80,11 @@ pub(super) fn locked(model: &Model<'_>, locking: &Locking) -> Diagnosis {
 }
 
 /// What the file asks for does not exist where no effort moves the mechanism.
-pub(super) fn no_effort(model: &Model<'_>, finds: &[usize], (pose, more): (&Wanted, usize)) -> Diagnosis {
+pub(super) fn no_effort(
+    model: &Model<'_>,
+    finds: &[usize],
+    (pose, more): (&PoseRequest, usize),
+) -> Diagnosis {
     let mechanism = model.mechanism;
     let finds: Vec<_> = finds.iter().map(|i| &mechanism.finds[*i]).collect();
     let first = match finds.iter().find(|f| !matches!(f.kind, FindKind::Reactions)) {

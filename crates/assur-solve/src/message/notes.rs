@@ -9,7 +9,7 @@ use super::simulate::never_ended;
 use super::slip::slips;
 use super::speeds::{no_damping, unit_speed};
 use crate::model::LinkId;
-use crate::position::{DriveValue, Model, Wanted};
+use crate::position::{DriveValue, Model, PoseRequest};
 use crate::solve::{GroupId, Loss, Note, Pull, Uncertified};
 use crate::source::Span;
 use crate::units::Dimension;
@@ -76,7 +76,7 @@ fn no_centre(
     model: &Model<'_>,
     find: usize,
     links: [LinkId; 2],
-    (pose, more): (&Wanted, usize),
+    (pose, more): (&PoseRequest, usize),
 ) -> Diagnosis {
     let mechanism = model.mechanism;
     let [link, seen_from] = links.map(|link| mechanism.link(link).name.as_str());
@@ -141,7 +141,7 @@ fn elsewhere(model: &Model<'_>, link: LinkId, (off, turned): (f64, f64), drives:
     ))
 }
 
-fn self_locking(model: &Model<'_>, (pose, more): (&Wanted, usize)) -> Diagnosis {
+fn self_locking(model: &Model<'_>, (pose, more): (&PoseRequest, usize)) -> Diagnosis {
     let lossy = model.plan.laws.iter().filter_map(|l| Some((model.mechanism.pair(l.pair), l.efficiency?)));
     let lossy: Vec<_> = lossy.collect();
     let labels = lossy.iter().map(|(p, _)| label("self-locking here", p.span));
@@ -183,7 +183,7 @@ fn parts(model: &Model<'_>, pull: &Pull) -> (String, Span, String, String, Strin
 
 fn ill_conditioned(
     model: &Model<'_>,
-    pose: &Wanted,
+    pose: &PoseRequest,
     group: GroupId,
     (condition, digits, loss): (f64, u32, Loss),
 ) -> Diagnosis {

@@ -2,12 +2,16 @@
 
 use super::format::four;
 use super::slip::capacity;
-use crate::model::{Bond, Grip, PairId, PairKind, Transmission};
+use crate::model::{FrictionLimit, PairId, PairKind, Transmission, UnilateralCondition};
 use crate::position::Model;
 use assur_text::diagnostic::Diagnosis;
 
 /// From an instant on a pair does no more what it has done.
-pub(super) fn opens(model: &Model<'_>, (pair, bond): (PairId, Bond), time: String) -> Diagnosis {
+pub(super) fn opens(
+    model: &Model<'_>,
+    (pair, bond): (PairId, UnilateralCondition),
+    time: String,
+) -> Diagnosis {
     let pair = model.mechanism.pair(pair);
     let name = &pair.name;
     let (what, text, help) = match (&pair.kind, bond) {
@@ -21,8 +25,8 @@ pub(super) fn opens(model: &Model<'_>, (pair, bond): (PairId, Bond), time: Strin
                 ),
             )
         }
-        (PairKind::Transmission(t), Bond::Drives) => driven_backwards(t, name, &time),
-        (PairKind::Transmission(t @ Transmission { grip: Some(grip), .. }), Bond::Grips) => {
+        (PairKind::Transmission(t), UnilateralCondition::Drives) => driven_backwards(t, name, &time),
+        (PairKind::Transmission(t @ Transmission { grip: Some(grip), .. }), UnilateralCondition::Grips) => {
             grips_no_more(model, (t, *grip), name, &time)
         }
         _ => (
@@ -53,12 +57,12 @@ fn driven_backwards(t: &Transmission, name: &str, time: &str) -> (String, &'stat
 
 fn grips_no_more(
     model: &Model<'_>,
-    (t, grip): (&Transmission, Grip),
+    (t, grip): (&Transmission, FrictionLimit),
     name: &str,
     time: &str,
 ) -> (String, &'static str, String) {
     let transmitted = match (grip, t.links.first()) {
-        (Grip::Clutch(_), Some(shaft)) => {
+        (FrictionLimit::Clutch(_), Some(shaft)) => {
             format!("abs(moment({name}, {}))", model.mechanism.link(*shaft).name)
         }
         _ => format!("tangential_force({name})"),

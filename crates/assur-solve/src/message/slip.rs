@@ -1,7 +1,7 @@
 //! The sentences about belts and clutches that slip.
 
 use super::format::{and_at, place, with_unit};
-use crate::model::{Grip, PairId, PairKind, Transmission, TransmissionKind};
+use crate::model::{FrictionLimit, PairId, PairKind, Transmission, TransmissionKind};
 use crate::position::Model;
 use crate::solve::Pull;
 use crate::units::Dimension;
@@ -36,18 +36,18 @@ pub(super) fn slips(model: &Model<'_>, pull: &Pull) -> Option<Diagnosis> {
     Some(error)
 }
 
-const fn dimension(grip: Grip) -> Dimension {
+const fn dimension(grip: FrictionLimit) -> Dimension {
     match grip {
-        Grip::Belt { .. } => Dimension::FORCE,
-        Grip::Clutch(_) => Dimension::TORQUE,
+        FrictionLimit::Belt { .. } => Dimension::FORCE,
+        FrictionLimit::Clutch(_) => Dimension::TORQUE,
     }
 }
 
 /// What a grip can transmit at most, and what lets it transmit more.
-pub(super) fn capacity(model: &Model<'_>, grip: Grip) -> (String, &'static str) {
+pub(super) fn capacity(model: &Model<'_>, grip: FrictionLimit) -> (String, &'static str) {
     let firmer = match grip {
-        Grip::Belt { .. } => "raise the pretension, the friction or the angle of contact",
-        Grip::Clutch(_) => "press its faces harder",
+        FrictionLimit::Belt { .. } => "raise the pretension, the friction or the angle of contact",
+        FrictionLimit::Clutch(_) => "press its faces harder",
     };
     (with_unit(model, grip.capacity(), dimension(grip)), firmer)
 }

@@ -12,21 +12,21 @@ use super::regular::{self, NO_NOTE, conditions, is_sound};
 use super::solution::{Pose, Solution, Solved};
 use crate::answer::{PoseAnswers, WholeCycle, balanced, every_query, first_angles_in};
 use crate::model::{At, Expr, HintKind, LoadId, Mechanism, PairKind, Positions, Value};
-use crate::plan::{Level, Numbers};
+use crate::plan::{Level, Precision};
 use crate::position::{
-    Branch, DriveValue, Model, PoseOrigin, State, Wanted, Wrench, closure_alone, extent, residuals_in,
+    Branch, DriveValue, Model, PoseOrigin, PoseRequest, State, Wrench, closure_alone, extent, residuals_in,
 };
 
 /// What of a position is read beside its answers. What is not read may be missing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Reads {
+pub struct PoseOutputs {
     /// The residuals of the forces.
     pub residuals: bool,
     /// The angles of all bodies, whether an answer shows them or not.
     pub angles: bool,
 }
 
-impl Reads {
+impl PoseOutputs {
     pub const ALL: Self = Self { residuals: true, angles: true };
     /// Nothing but the answers.
     pub const ANSWERS: Self = Self { residuals: false, angles: false };
@@ -34,7 +34,7 @@ impl Reads {
 
 /// Memory for a position.
 pub struct ReusedSolver {
-    reads: Reads,
+    reads: PoseOutputs,
     /// The hints that are settled with each group.
     hints: Vec<Vec<usize>>,
     /// The ways in which a group can stand.
@@ -54,12 +54,12 @@ impl ReusedSolver {
     /// Memory for a mechanism of closed forms without losses that has one position, and for all that differ from it in numbers
     /// alone; `None` for others.
     #[must_use]
-    pub fn of(model: &Model<'_>, reads: Reads) -> Option<Self> {
+    pub fn of(model: &Model<'_>, reads: PoseOutputs) -> Option<Self> {
         let (mechanism, plan) = (model.mechanism, model.plan);
         let contact = |pair: &crate::model::Pair| matches!(pair.kind, PairKind::Contact { .. });
         let plain = has_one_position(mechanism)
             && plan.is_renumbered()
-            && plan.settings.scalar == Numbers::Double
+            && plan.settings.scalar == Precision::F64
             && !plan.effects.loses()
             && mechanism.links.len() > 1
             && mechanism.cycles.is_empty()
@@ -74,7 +74,7 @@ impl ReusedSolver {
         let mut angles = reads.angles;
         every_query(mechanism, &mut |query, _| angles |= query.facts().continuous.is_some());
         plain.then(|| Self {
-            reads: Reads { angles, ..reads },
+            reads: PoseOutputs { angles, ..reads },
             hints: hints_by_group(model),
             ways: Vec::new(),
             cylinders: mechanism.pairs.iter().any(|pair| matches!(pair.kind, PairKind::Cylinder { .. })),
@@ -151,7 +151,7 @@ impl ReusedSolver {
     /// Whether groups near a change point lose so few digits that nothing is to be said.
     fn is_quiet(&mut self, model: &Model<'_>, state: &State, drives: &[DriveValue]) -> bool {
         let (name, origin) = ("1".to_owned(), PoseOrigin::Sweep(0));
-        let (mut notes, pose) = (Notes::default(), Wanted { name, origin, drives: drives.to_vec() });
+        let (mut notes, pose) = (Notes::default(), PoseRequest { name, origin, drives: drives.to_vec() });
         let motion = regular::of_motion(model, state, &mut self.carried, &mut notes, &pose);
         let forces =
             !model.plan.effects.forces || regular::of_forces(model, state, &mut notes, &pose).is_ok();

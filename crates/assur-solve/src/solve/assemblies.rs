@@ -8,14 +8,14 @@ use super::inputs::Rates;
 use super::positions::Sweep;
 use super::refusals::{missing_speeds, not_supported};
 use super::unassembled::does_not_close;
-use crate::position::{Model, State, Wanted, extent};
+use crate::position::{Model, PoseRequest, State, extent};
 use crate::structure::GroupKind;
 
 /// The assemblies at the first position.
 #[derive(Debug)]
 pub struct Assemblies {
     /// The position; absent where there is no mechanism to assemble.
-    pub pose: Option<Wanted>,
+    pub pose: Option<PoseRequest>,
     /// The groups that can stand in several ways or are not driven links, in the order of solution.
     pub groups: Vec<GroupAssemblies>,
     /// Why the mechanism is not assembled, where it is not.

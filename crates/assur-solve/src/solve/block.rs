@@ -16,7 +16,7 @@ use super::track::CAREFUL;
 use crate::answer::{PoseAnswers, WholeCycle, WideBeside, WideColumns, finite, of_drive, write_row};
 use crate::math::Lanes;
 use crate::model::PairKind;
-use crate::plan::Numbers;
+use crate::plan::Precision;
 use crate::position::{
     Branch, Checked, DriveInput, DriveValue, F64x8, LaneSolver, Model, PoseOrigin, Residuals, State, WIDTH,
     in_avx2,
@@ -30,7 +30,7 @@ pub(super) fn is_free(model: &Model<'_>) -> bool {
     let plan = model.plan;
     let contact = |pair: &crate::model::Pair| matches!(pair.kind, PairKind::Contact { .. });
     plan.is_batchable()
-        && plan.settings.scalar == Numbers::Double
+        && plan.settings.scalar == Precision::F64
         && !plan.effects.loses()
         && !model.mechanism.has_curves
         && !model.mechanism.pairs.iter().any(contact)

@@ -3,29 +3,29 @@
 use super::note::Note;
 use crate::answer::PoseAnswers;
 use crate::model::{Expr, FindKind, LinkId, Mechanism, Query};
-use crate::position::{PoseOrigin, Wanted};
+use crate::position::{PoseOrigin, PoseRequest};
 
 /// The instant centres that are asked for, and where they have no value.
 #[derive(Debug, Default)]
-pub(super) struct CentreNotes(Vec<Asked>);
+pub(super) struct CentreNotes(Vec<CentreRequest>);
 
 #[derive(Debug)]
-struct Asked {
+struct CentreRequest {
     find: usize,
     links: [LinkId; 2],
     /// The first position without a value, and how many more there are.
-    without: Option<(Wanted, usize)>,
+    without: Option<(PoseRequest, usize)>,
 }
 
 impl CentreNotes {
     pub(super) fn of(mechanism: &Mechanism) -> Self {
-        let mut asked: Vec<Asked> = Vec::new();
+        let mut asked: Vec<CentreRequest> = Vec::new();
         let finds = if is_asked(mechanism) { mechanism.finds.as_slice() } else { &[] };
         for (find, item) in finds.iter().enumerate() {
             let FindKind::Value { expr, .. } = &item.kind else { continue };
             each(mechanism, expr, &mut |links| {
                 if !asked.iter().rev().take_while(|a| a.find == find).any(|a| a.links == links) {
-                    asked.push(Asked { find, links, without: None });
+                    asked.push(CentreRequest { find, links, without: None });
                 }
             });
         }
@@ -38,7 +38,7 @@ impl CentreNotes {
     }
 
     /// Looks at the answers of a position.
-    pub(super) fn look(&mut self, view: &PoseAnswers<'_>, pose: &Wanted) {
+    pub(super) fn look(&mut self, view: &PoseAnswers<'_>, pose: &PoseRequest) {
         if matches!(pose.origin, PoseOrigin::Expected(_)) {
             return;
         }
@@ -56,7 +56,7 @@ impl CentreNotes {
 
     /// All that was found.
     pub(super) fn into_notes(self) -> impl Iterator<Item = Note> {
-        self.0.into_iter().filter_map(|Asked { find, links, without }| {
+        self.0.into_iter().filter_map(|CentreRequest { find, links, without }| {
             without.map(|(pose, more)| Note::NoCentre { find, links, pose, more })
         })
     }

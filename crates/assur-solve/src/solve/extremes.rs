@@ -11,8 +11,8 @@ use crate::position::{Model, turns};
 pub(crate) fn statics(model: &Model<'_>) -> Result<WholeCycle, Cause> {
     let wanted = wanted(model.mechanism);
     let Some(first) = wanted.first() else { return Ok(WholeCycle::EMPTY) };
-    let none = |ask: &Asked, why: NoExtreme| {
-        let Asked { pair, function, which } = *ask;
+    let none = |ask: &ExtremesRequest, why: NoExtreme| {
+        let ExtremesRequest { pair, function, which } = *ask;
         Cause::NoExtreme { pair, function, which, why }
     };
     match model.mechanism.drives.as_slice() {
@@ -39,19 +39,19 @@ pub(super) fn asks_extremes(mechanism: &Mechanism) -> bool {
 }
 
 /// A pair whose extremes are asked for, with the query that does.
-struct Asked {
+struct ExtremesRequest {
     pair: PairId,
     function: Function,
     which: Option<u8>,
 }
 
 /// Pairs whose extremes are asked for anywhere in the file.
-fn wanted(mechanism: &Mechanism) -> Vec<Asked> {
-    let mut asked: Vec<Asked> = Vec::new();
+fn wanted(mechanism: &Mechanism) -> Vec<ExtremesRequest> {
+    let mut asked: Vec<ExtremesRequest> = Vec::new();
     every_query(mechanism, &mut |query, _| {
         let Some((pair, function, which)) = query.facts().extreme else { return };
         if !asked.iter().any(|a| a.pair == pair) {
-            asked.push(Asked { pair, function, which });
+            asked.push(ExtremesRequest { pair, function, which });
         }
     });
     asked

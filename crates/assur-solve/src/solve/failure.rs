@@ -5,15 +5,15 @@ use super::gap::GroupGap;
 use super::refusal::Refusal;
 use crate::answer::{LeftCurve, NoExtreme, NoFlywheel, NoSweep};
 use crate::language::Function;
-use crate::model::{Bond, DriveTarget, LoadId, PairId};
-use crate::position::Wanted;
+use crate::model::{DriveTarget, LoadId, PairId, UnilateralCondition};
+use crate::position::PoseRequest;
 use crate::structure::{BodyId, Group, Structure};
 
 /// Why a file, or one of its positions, has no solution.
 #[derive(Clone, Debug)]
 pub struct Failure {
     /// The position; absent where the cause concerns none, or a position that the file does not name.
-    pub pose: Option<Box<Wanted>>,
+    pub pose: Option<Box<PoseRequest>>,
     pub cause: Cause,
 }
 
@@ -162,7 +162,7 @@ pub enum Halt {
     Opens {
         pair: PairId,
         /// What it does no more.
-        bond: Bond,
+        bond: UnilateralCondition,
     },
     /// A motion that comes again was not found.
     NoCycle(NoCycle),
@@ -241,7 +241,7 @@ pub enum Lost {
 
 impl Failure {
     /// A cause at a position.
-    pub(super) fn at(pose: &Wanted, cause: Cause) -> Self {
+    pub(super) fn at(pose: &PoseRequest, cause: Cause) -> Self {
         Self { pose: Some(Box::new(pose.clone())), cause }
     }
 }

@@ -4,7 +4,7 @@
 use super::note::{Locking, Note};
 use crate::answer::{Locked, PoseAnswers};
 use crate::model::{At, Expr, FindKind, Mechanism, PairId, Query, Relation};
-use crate::position::{Model, PoseOrigin, Wanted};
+use crate::position::{Model, PoseOrigin, PoseRequest};
 
 /// A pair that loses less than this part of the greatest loss is not what locks.
 const SLIGHT: f64 = 0.05;
@@ -14,13 +14,13 @@ const SLIGHT: f64 = 0.05;
 pub(super) struct FrictionNotes {
     locked: Option<Locking>,
     /// Results without a value at the first position that has such results, and how many more there are.
-    without_effort: Option<(Vec<usize>, Wanted, usize)>,
-    still: Vec<(PairId, Wanted, usize)>,
+    without_effort: Option<(Vec<usize>, PoseRequest, usize)>,
+    still: Vec<(PairId, PoseRequest, usize)>,
 }
 
 impl FrictionNotes {
     /// Looks at the friction of a position.
-    pub(super) fn look(&mut self, model: &Model<'_>, view: &PoseAnswers<'_>, pose: &Wanted) {
+    pub(super) fn look(&mut self, model: &Model<'_>, view: &PoseAnswers<'_>, pose: &PoseRequest) {
         if matches!(pose.origin, PoseOrigin::Expected(_)) {
             return;
         }
@@ -66,7 +66,7 @@ impl FrictionNotes {
     }
 
     /// A pair or a transmission whose losses have no direction.
-    fn stands(&mut self, pair: PairId, pose: &Wanted) {
+    fn stands(&mut self, pair: PairId, pose: &PoseRequest) {
         match self.still.iter_mut().find(|s| s.0 == pair) {
             Some((_, _, more)) => *more += 1,
             None => self.still.push((pair, pose.clone(), 0)),
@@ -81,7 +81,7 @@ impl FrictionNotes {
     }
 }
 
-fn locked(model: &Model<'_>, view: &PoseAnswers<'_>, pose: &Wanted) -> Locking {
+fn locked(model: &Model<'_>, view: &PoseAnswers<'_>, pose: &PoseRequest) -> Locking {
     let ideal = view.without_friction().power_of_efforts();
     let position = Locked { model, state: view.state, ideal };
     let part = position.limit(None).unwrap_or(0.0);
@@ -100,7 +100,7 @@ fn locked(model: &Model<'_>, view: &PoseAnswers<'_>, pose: &Wanted) -> Locking {
 }
 
 /// Whether the file expects `locked()` at this position: then it is no news.
-fn expects_lock(mechanism: &Mechanism, pose: &Wanted) -> bool {
+fn expects_lock(mechanism: &Mechanism, pose: &PoseRequest) -> bool {
     mechanism.expects.iter().any(|expect| {
         let here = match &expect.at {
             None => matches!(pose.origin, PoseOrigin::Sweep(_)),

@@ -8,18 +8,18 @@ mod block;
 mod block_numbers;
 mod centre_notes;
 mod clause;
-mod come_again;
+mod closure_after_turn;
 mod cycle;
 mod digits;
 mod extremes;
 mod failure;
 mod friction_notes;
 mod gap;
-mod greatest;
 mod inputs;
 mod iteration;
 mod lost;
 mod meant;
+mod motion_scales;
 mod note;
 mod notes;
 mod pose;
@@ -40,10 +40,10 @@ mod turn;
 mod unassembled;
 
 pub use crate::answer::{
-    CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, PoseExtras, Shown,
-    Source, WholeCycle, WideColumns, compare, finite, read_numbers,
+    ColumnSource, CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers,
+    PoseExtras, Source, WholeCycle, WideColumns, compare, finite, read_numbers,
 };
-pub use crate::position::Wanted;
+pub use crate::position::PoseRequest;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use crate::position::block_in_avx2;
 #[cfg(feature = "lanes")]
@@ -54,7 +54,7 @@ pub use crate::position::{
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
-pub use again::{Reads, ReusedSolver};
+pub use again::{PoseOutputs, ReusedSolver};
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
 pub use block::{BLOCK, Block, UpcomingPositions};
 pub use block_numbers::BlockNumbers;
@@ -62,15 +62,15 @@ pub use clause::{Clause, NamedPoint};
 pub use cycle::{CourseSet, SweepCurve, courses, over_cycle};
 pub use failure::{Cause, Failure, GroupId, Halt, Lost, NoCycle};
 pub use gap::GroupGap;
-pub use greatest::Greatest;
 pub use iteration::{Begun, Iteration, iteration};
+pub use motion_scales::MotionScales;
 pub use note::{Closing, Gap, Locking, Loss, Note, Pull, Uncertified};
 pub use refusal::{Refusal, Unpositioned};
 pub use refusals::{refusals, unplaced_reactions};
 pub use replay::Replay;
 pub use simulate::{
-    Conduct, Energy, KINDS, Method, NotByEnergy, On, OverTime, STATES, SimulationReport, SteadyReport,
-    TimeCourse, Trial, Trials, Watch, over_time,
+    Energy, IntegrationOptions, KINDS, Method, NotByEnergy, On, OverTime, Progress, STATES, SimulationReport,
+    SteadyReport, TimeCourse, Trial, Trials, over_time,
 };
 pub use solution::{OpenSizes, Pose, Solution, Solved};
 pub use sweep::{Following, solve, solve_with};

@@ -2,7 +2,7 @@
 
 use super::failure::GroupId;
 use crate::model::{DriveId, LinkId, LoadId, PairId, SpringId};
-use crate::position::{DriveValue, Wanted};
+use crate::position::{DriveValue, PoseRequest};
 
 /// Something that deserves a warning, or a note.
 #[derive(Clone, Debug)]
@@ -38,7 +38,7 @@ pub enum Note {
     },
     /// The load cannot drive the mechanism.
     SelfLocking {
-        pose: Wanted,
+        pose: PoseRequest,
         /// The number of others.
         more: usize,
     },
@@ -48,7 +48,7 @@ pub enum Note {
         count: usize,
         /// The one reported is reached continuously from that without friction and losses.
         followed: bool,
-        pose: Wanted,
+        pose: PoseRequest,
         /// The number of others.
         more: usize,
     },
@@ -67,7 +67,7 @@ pub enum Note {
     },
     /// The group with the fewest digits left.
     IllConditioned {
-        pose: Wanted,
+        pose: PoseRequest,
         group: GroupId,
         /// Its condition figure σ.
         condition: f64,
@@ -103,7 +103,7 @@ pub enum Note {
     /// Nothing slides in a pair with friction.
     NoSliding {
         pair: PairId,
-        pose: Wanted,
+        pose: PoseRequest,
         /// The number of others.
         more: usize,
     },
@@ -115,7 +115,7 @@ pub enum Note {
         find: usize,
         /// The link, and that against which it does not turn.
         links: [LinkId; 2],
-        pose: Wanted,
+        pose: PoseRequest,
         /// The number of others.
         more: usize,
     },
@@ -123,7 +123,7 @@ pub enum Note {
     NoEffort {
         /// Indices into [`crate::model::Mechanism::finds`].
         finds: Vec<usize>,
-        pose: Wanted,
+        pose: PoseRequest,
         /// The number of others.
         more: usize,
     },
@@ -137,7 +137,7 @@ pub struct Pull {
     /// (N m) wanted, with a minus.
     pub least: f64,
     /// The position where it is least.
-    pub pose: Wanted,
+    pub pose: PoseRequest,
     /// The number of positions with such a force.
     pub poses: usize,
 }
@@ -145,7 +145,7 @@ pub struct Pull {
 /// The worst position of those whose certificate fails.
 #[derive(Clone, Debug)]
 pub struct Uncertified {
-    pub pose: Wanted,
+    pub pose: PoseRequest,
     /// Index into [`crate::structure::Structure::motion`].
     pub group: usize,
     /// The figure h of Newton and Kantorovich.
@@ -189,7 +189,7 @@ pub enum Loss {
 /// The first position at which friction locks the mechanism.
 #[derive(Clone, Debug)]
 pub struct Locking {
-    pub pose: Wanted,
+    pub pose: PoseRequest,
     /// The number of others.
     pub more: usize,
     /// The pairs that lock, that with the greatest loss first; with the part of its friction below which the mechanism moves.

@@ -4,7 +4,7 @@ use super::failure::{Cause, GroupId};
 use super::note::{Closing, Gap, Loss, Note, Pull, Uncertified};
 use super::track::Switch;
 use crate::model::PairId;
-use crate::position::{Consistent, DriveValue, Model, Wanted};
+use crate::position::{Consistent, DriveValue, Model, PoseRequest};
 
 /// With fewer digits left a note is made: σ = 1e-3 for accelerations, 5e-5 for velocities and forces.
 const FEW_DIGITS: f64 = 7.0;
@@ -35,9 +35,9 @@ pub(super) struct Notes {
     slack: Vec<Pull>,
     /// Belts and clutches that slip.
     slips: Vec<Pull>,
-    locking: First<Wanted>,
+    locking: First<PoseRequest>,
     /// Several states of the forces: their number, and whether the one reported was followed.
-    several: First<(usize, bool, Wanted)>,
+    several: First<(usize, bool, PoseRequest)>,
     /// The greatest figure h beyond 1/2.
     uncertified: Option<Uncertified>,
 }
@@ -91,7 +91,7 @@ impl Notes {
         model: &Model<'_>,
         group: GroupId,
         (condition, loss): (f64, Loss),
-        pose: &Wanted,
+        pose: &PoseRequest,
     ) {
         let power = match loss {
             Loss::ForcesNearLocking => 1.0,
@@ -114,7 +114,7 @@ impl Notes {
     }
 
     /// The figure h of Newton and Kantorovich of a group of motion that was solved by iteration.
-    pub(super) fn certificate(&mut self, group: usize, h: f64, sigma: f64, pose: &Wanted) {
+    pub(super) fn certificate(&mut self, group: usize, h: f64, sigma: f64, pose: &PoseRequest) {
         if h <= 0.5 {
             return;
         }
@@ -127,22 +127,22 @@ impl Notes {
     }
 
     /// A contact that pulls with this normal force.
-    pub(super) fn pulls(&mut self, pair: PairId, normal: f64, pose: &Wanted) {
+    pub(super) fn pulls(&mut self, pair: PairId, normal: f64, pose: &PoseRequest) {
         add(&mut self.pulls, pair, normal, pose);
     }
 
     /// A rope that pushes with this tension.
-    pub(super) fn pushes(&mut self, pair: PairId, tension: f64, pose: &Wanted) {
+    pub(super) fn pushes(&mut self, pair: PairId, tension: f64, pose: &PoseRequest) {
         add(&mut self.slack, pair, tension, pose);
     }
 
     /// A belt or a clutch that must transmit this force or torque, which is more than it can.
-    pub(super) fn slips(&mut self, pair: PairId, wanted: f64, pose: &Wanted) {
+    pub(super) fn slips(&mut self, pair: PairId, wanted: f64, pose: &PoseRequest) {
         add(&mut self.slips, pair, -wanted, pose);
     }
 
     /// The load cannot drive the mechanism.
-    pub(super) fn self_locking(&mut self, pose: &Wanted) {
+    pub(super) fn self_locking(&mut self, pose: &PoseRequest) {
         match &mut self.locking {
             Some((_, more)) => *more += 1,
             None => self.locking = Some((pose.clone(), 0)),
@@ -154,7 +154,7 @@ impl Notes {
         &mut self,
         model: &Model<'_>,
         found: Consistent,
-        pose: &Wanted,
+        pose: &PoseRequest,
     ) -> Result<(), Cause> {
         match found {
             Consistent::Several { count, followed } => {
@@ -194,7 +194,7 @@ impl Notes {
 }
 
 /// Counts a position, and keeps it where the force is the least so far.
-fn add(pulls: &mut Vec<Pull>, pair: PairId, force: f64, pose: &Wanted) {
+fn add(pulls: &mut Vec<Pull>, pair: PairId, force: f64, pose: &PoseRequest) {
     match pulls.iter_mut().find(|p| p.pair == pair) {
         Some(pull) => {
             pull.poses += 1;

@@ -1,7 +1,7 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a note.
 
 use crate::answer::{LeftCurve, PoseAnswers, balanced};
-use crate::position::{Model, Residuals, State, Wanted, residuals_in};
+use crate::position::{Model, PoseRequest, Residuals, State, residuals_in};
 use crate::reference::exact;
 
 use super::failure::{Cause, Failure, GroupId};
@@ -13,7 +13,7 @@ use super::simulate::Given;
 use super::solution::Solved;
 use super::track::Tracker;
 use crate::model::{PairId, PairKind, Query, TransmissionKind, Value};
-use crate::plan::{ForceStep, Numbers};
+use crate::plan::{ForceStep, Precision};
 
 /// Forces without friction over those with it, below which the mechanism is near self-locking.
 const NEAR_LOCKING: f64 = 1e-3;
@@ -31,7 +31,7 @@ fn slip_backwards(model: &Model<'_>, state: &State) -> Result<(), Cause> {
 
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
-    pub(super) fn solved(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, Failure> {
+    pub(super) fn solved(&mut self, tracker: &Tracker, pose: &PoseRequest) -> Result<Solved, Failure> {
         self.solved_from(&tracker.state, &tracker.angles, pose, None)
     }
 
@@ -40,7 +40,7 @@ impl Run<'_, '_> {
         &mut self,
         from: &State,
         angles: &[f64],
-        pose: &Wanted,
+        pose: &PoseRequest,
         given: Option<&Given>,
     ) -> Result<Solved, Failure> {
         let mut solved = Solved::default();
@@ -53,7 +53,7 @@ impl Run<'_, '_> {
     pub(super) fn solve_into(
         &mut self,
         from: &State,
-        (angles, pose): (&[f64], &Wanted),
+        (angles, pose): (&[f64], &PoseRequest),
         given: Option<&Given>,
         solved: &mut Solved,
     ) -> Result<(), Cause> {
@@ -74,7 +74,7 @@ impl Run<'_, '_> {
         if model.plan.effects.forces && put.is_none_or(|(_, forces)| !forces) {
             condition = condition.min(self.forces(&mut state, angles, pose)?);
         }
-        if model.plan.settings.scalar == Numbers::DoubleDouble && put.is_none() {
+        if model.plan.settings.scalar == Precision::DoubleDouble && put.is_none() {
             self.with_twice_the_digits(&mut state);
         }
         let frictionless = model.plan.effects.loses().then(|| {
@@ -146,7 +146,7 @@ impl Run<'_, '_> {
 
     /// 1 unless friction multiplies the forces a thousandfold: near self-locking they go as 1/(1 − f/f_locking), and what
     /// rounding makes of the coefficient goes with them.
-    fn near_locking(&mut self, state: &State, free: &State, pose: &Wanted) -> f64 {
+    fn near_locking(&mut self, state: &State, free: &State, pose: &PoseRequest) -> f64 {
         let reactions = |s: &State| s.forces.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
         let applied = state.forces.applied.iter().map(|w| w.force.norm()).fold(0.0, f64::max);
         let share = reactions(free).max(applied) / reactions(state);
@@ -160,7 +160,7 @@ impl Run<'_, '_> {
         share
     }
 
-    fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, Cause> {
+    fn forces(&mut self, state: &mut State, angles: &[f64], pose: &PoseRequest) -> Result<f64, Cause> {
         let model = self.model;
         if model.mechanism.has_curves {
             let view = PoseAnswers::new(model, state, angles, &self.statics);
@@ -179,7 +179,7 @@ impl Run<'_, '_> {
     }
 
     /// Ropes that push, and trains that the load cannot drive.
-    fn note_trains(&mut self, solved: &Solved, pose: &Wanted) {
+    fn note_trains(&mut self, solved: &Solved, pose: &PoseRequest) {
         if !self.model.plan.effects.forces || solved.state.forces.locked {
             return;
         }
@@ -211,7 +211,7 @@ impl Run<'_, '_> {
         }
     }
 
-    fn note_contacts(&mut self, solved: &Solved, pose: &Wanted) {
+    fn note_contacts(&mut self, solved: &Solved, pose: &PoseRequest) {
         if !self.model.plan.effects.forces {
             return;
         }

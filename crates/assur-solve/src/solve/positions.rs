@@ -3,7 +3,7 @@
 use super::refusal::Refusal;
 use crate::answer::{WholeCycle, constant};
 use crate::model::{At, Drive, DriveId, Expr, Mechanism, Positions, Value};
-use crate::position::{DriveValue, Model, PoseOrigin, Wanted, turns};
+use crate::position::{DriveValue, Model, PoseOrigin, PoseRequest, turns};
 use std::sync::Arc;
 
 /// The ends of a range that differ by no more, rad or m, are one position: one of them is found by solving.
@@ -129,10 +129,10 @@ impl Sweep {
     }
 
     /// The position after whole turns, which is left out since the mechanism is where it began; `None` where none is left out.
-    pub fn after_turns(&self) -> Option<Wanted> {
+    pub fn after_turns(&self) -> Option<PoseRequest> {
         let drives = self.drives.iter().map(Values::after_turns).collect::<Option<Vec<_>>>()?;
         let origin = PoseOrigin::Sweep(self.len);
-        (self.len > 1).then(|| Wanted { name: (self.len + 1).to_string(), origin, drives })
+        (self.len > 1).then(|| PoseRequest { name: (self.len + 1).to_string(), origin, drives })
     }
 
     /// Drive values at a position, counted from 0.
@@ -150,14 +150,14 @@ impl Sweep {
         }
     }
 
-    pub fn at(&self, index: usize) -> Wanted {
+    pub fn at(&self, index: usize) -> PoseRequest {
         let origin = PoseOrigin::Sweep(index);
-        Wanted { name: (index + 1).to_string(), origin, drives: self.values(index) }
+        PoseRequest { name: (index + 1).to_string(), origin, drives: self.values(index) }
     }
 }
 
 /// Positions beside the sweep: drives that are not named keep the value of the sweep's first position.
-pub(super) fn beside(model: &Model<'_>, statics: &WholeCycle, first: &Wanted) -> Vec<Wanted> {
+pub(super) fn beside(model: &Model<'_>, statics: &WholeCycle, first: &PoseRequest) -> Vec<PoseRequest> {
     let at = |list: &[(DriveId, Expr)]| {
         let mut drives = first.drives.clone();
         for (id, expr) in list {
@@ -165,13 +165,13 @@ pub(super) fn beside(model: &Model<'_>, statics: &WholeCycle, first: &Wanted) ->
         }
         drives
     };
-    let named = model.mechanism.poses.iter().enumerate().map(|(i, pose)| Wanted {
+    let named = model.mechanism.poses.iter().enumerate().map(|(i, pose)| PoseRequest {
         name: pose.name.clone(),
         origin: PoseOrigin::Named(i),
         drives: at(&pose.at),
     });
     let expected = model.mechanism.expects.iter().enumerate().filter_map(|(i, e)| match &e.at {
-        Some(At::Drives(list)) => Some(Wanted {
+        Some(At::Drives(list)) => Some(PoseRequest {
             name: format!("expect {}", i + 1),
             origin: PoseOrigin::Expected(i),
             drives: at(list),

@@ -5,7 +5,7 @@ use super::lost::{is_moderate, out_of_scale};
 use super::note::Loss;
 use super::notes::Notes;
 use crate::plan::Level;
-use crate::position::{DEAD, Model, Residuals, State, Wanted};
+use crate::position::{DEAD, Model, PoseRequest, Residuals, State};
 
 /// Conditions above this are not worth a note, whatever they are of, and make no group behind them worse.
 pub(super) const NO_NOTE: f64 = 0.05;
@@ -16,7 +16,7 @@ pub(super) fn of_motion(
     state: &State,
     carried: &mut Vec<f64>,
     notes: &mut Notes,
-    pose: &Wanted,
+    pose: &PoseRequest,
 ) -> Result<f64, Cause> {
     let level = model.plan.effects.level;
     let mut least = 1.0_f64;
@@ -51,7 +51,7 @@ pub(super) fn of_forces(
     model: &Model<'_>,
     state: &State,
     notes: &mut Notes,
-    pose: &Wanted,
+    pose: &PoseRequest,
 ) -> Result<f64, Cause> {
     let mut least = 1.0_f64;
     let groups = model.structure.forces.iter().zip(&state.forces.conditions);

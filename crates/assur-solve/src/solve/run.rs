@@ -13,7 +13,7 @@ use super::track::{Switch, Tracker};
 use super::unassembled::does_not_close;
 use crate::answer::WholeCycle;
 use crate::model::{LoadId, Value};
-use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted, Wrench};
+use crate::position::{DriveValue, Model, PoseRequest, STARTS, Searched, State, Wrench};
 
 /// Positions in a row at which all starts of a search are tried in vain.
 const MANY: usize = 32;
@@ -95,7 +95,7 @@ impl<'a, 's> Run<'a, 's> {
 }
 
 impl Run<'_, '_> {
-    pub(super) fn assembled(&mut self, pose: &Wanted) -> Result<Tracker, Box<Stuck>> {
+    pub(super) fn assembled(&mut self, pose: &PoseRequest) -> Result<Tracker, Box<Stuck>> {
         let mut state = State::new(self.model.plan);
         self.rates.at(&pose.drives, &mut state.motion.inputs);
         // what was not found at many positions is not looked for as long at the next
@@ -113,7 +113,7 @@ impl Run<'_, '_> {
     }
 
     /// Notes how a position was reached from the one before.
-    pub(super) fn note_arrival(&mut self, arrival: Arrival, tracker: &Tracker, pose: &Wanted) {
+    pub(super) fn note_arrival(&mut self, arrival: Arrival, tracker: &Tracker, pose: &PoseRequest) {
         let Some((name, drives)) = &self.last else { return };
         let back = || tracker.clone().limit(self.model, &self.rates, drives);
         if self.notes.in_gap() {
@@ -135,7 +135,7 @@ impl Run<'_, '_> {
         }
     }
 
-    pub(super) fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Arrival, Box<Stuck>> {
+    pub(super) fn moved(&mut self, tracker: &mut Tracker, pose: &PoseRequest) -> Result<Arrival, Box<Stuck>> {
         if tracker.is_too_long(&pose.drives) {
             let failure = Failure::at(pose, Cause::TooFar);
             return Err(Box::new(Stuck { failure, back: Some(tracker.clone()) }));
@@ -163,8 +163,8 @@ impl Run<'_, '_> {
         }
     }
 
-    pub(super) fn posed(&mut self, pose: Wanted, outcome: Result<Solved, Failure>) -> Pose {
-        let Wanted { name, origin, drives } = pose;
+    pub(super) fn posed(&mut self, pose: PoseRequest, outcome: Result<Solved, Failure>) -> Pose {
+        let PoseRequest { name, origin, drives } = pose;
         self.last = Some((name.clone(), drives.clone()));
         Pose { name, origin, drives, outcome }
     }

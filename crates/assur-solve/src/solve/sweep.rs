@@ -2,7 +2,7 @@
 
 use super::block::{Block, UpcomingPositions, is_free};
 use super::centre_notes::CentreNotes;
-use super::come_again::{Begin, begin};
+use super::closure_after_turn::{FirstPoses, begin};
 use super::cycle::loads_name_quantities;
 use super::extremes::statics;
 use super::failure::{Cause, Failure};
@@ -11,13 +11,13 @@ use super::note::Note;
 use super::positions::{Sweep, beside};
 use super::refusals::{refusals, unit_speeds};
 use super::run::{Arrival, Run, Stuck};
-use super::simulate::{Conduct, SimulationReport, Trajectory};
+use super::simulate::{IntegrationOptions, SimulationReport, Trajectory};
 use super::solution::{Pose, Solution};
 use super::steps::StepLimit;
 use super::taking::Taking;
 use super::track::Tracker;
 use crate::answer::WholeCycle;
-use crate::position::{Branch, DriveValue, Model, Wanted};
+use crate::position::{Branch, DriveValue, Model, PoseRequest};
 use std::collections::VecDeque;
 
 /// Fewer positions are not worth to be solved side by side.
@@ -56,7 +56,7 @@ pub struct Following<'a, 's> {
     /// Poses beside the sweep, each followed from the nearest position of the sweep that closed.
     near: VecDeque<SidePose>,
     /// Where the bodies were at the first position.
-    begin: Option<Begin>,
+    begin: Option<FirstPoses>,
     /// Why the first position that failed did.
     first_failure: Option<Failure>,
     cycle_notes: Vec<Note>,
@@ -74,7 +74,7 @@ impl<'a, 's> Following<'a, 's> {
     /// # Errors
     /// As [`solve`].
     pub fn new(model: &'s Model<'a>, criticals: Vec<f64>) -> Result<Option<Self>, Vec<Failure>> {
-        Self::conducted(model, criticals, &Conduct::default())
+        Self::conducted(model, criticals, &IntegrationOptions::default())
     }
 
     /// As [`Following::new`]; a motion under loads is integrated as `conduct` says.
@@ -84,7 +84,7 @@ impl<'a, 's> Following<'a, 's> {
     pub fn conducted(
         model: &'s Model<'a>,
         criticals: Vec<f64>,
-        conduct: &Conduct<'_>,
+        conduct: &IntegrationOptions<'_>,
     ) -> Result<Option<Self>, Vec<Failure>> {
         let refused = refusals(model);
         if !refused.is_empty() {
@@ -283,7 +283,7 @@ impl<'a, 's> Following<'a, 's> {
         }
     }
 
-    fn swept_pose(&mut self, pose: Wanted) -> Result<Pose, Failure> {
+    fn swept_pose(&mut self, pose: PoseRequest) -> Result<Pose, Failure> {
         let run = &mut self.run;
         let came = match self.current.take() {
             None => run.assembled(&pose).map(|t| (t, Arrival::Followed(Vec::new()))),
@@ -327,13 +327,13 @@ impl<'a, 's> Following<'a, 's> {
 
 /// A pose beside the sweep, with the tracker at the nearest position of the sweep that closed.
 struct SidePose {
-    pose: Wanted,
+    pose: PoseRequest,
     away: f64,
     tracker: Option<Tracker>,
 }
 
 impl SidePose {
-    const fn new(pose: Wanted) -> Self {
+    const fn new(pose: PoseRequest) -> Self {
         Self { pose, away: f64::INFINITY, tracker: None }
     }
 

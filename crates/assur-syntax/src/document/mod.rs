@@ -26,7 +26,7 @@ pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Turn, Way};
 pub use question::{
     Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Find, FindItem, Row, Variants,
 };
-pub use simulation::{Event, Passage, Passing, Simulate, Start, Steady, Stop, TimeCourse, Until};
+pub use simulation::{Event, Passing, PassingSense, Simulate, Start, Steady, Stop, TimeCourse, Until};
 
 use assur_text::source::{Span, Spanned};
 

@@ -78,12 +78,12 @@ pub struct Passing {
     /// The value that it passes; absent for a condition.
     pub value: Option<Expr>,
     /// The way in which it passes, where only one counts.
-    pub way: Option<Spanned<Passage>>,
+    pub way: Option<Spanned<PassingSense>>,
 }
 
 /// A way in which a value is passed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Passage {
+pub enum PassingSense {
     /// `rising`
     Rising,
     /// `falling`

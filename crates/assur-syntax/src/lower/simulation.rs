@@ -3,7 +3,7 @@
 use super::expr::compare;
 use super::state::Lower;
 use super::walk::{P, Parts, span};
-use crate::document::{Event, Passage, Passing, Simulate, Start, Steady, Stop, TimeCourse, Until};
+use crate::document::{Event, Passing, PassingSense, Simulate, Start, Steady, Stop, TimeCourse, Until};
 use crate::words::Rule;
 use assur_text::source::Spanned;
 
@@ -96,7 +96,7 @@ impl Lower<'_> {
     }
 }
 
-fn passage(parts: &mut Parts<'_>) -> Option<Spanned<Passage>> {
-    let rising = parts.take(Rule::w_rising).map(|p| Spanned::new(Passage::Rising, span(&p)));
-    rising.or_else(|| parts.take(Rule::w_falling).map(|p| Spanned::new(Passage::Falling, span(&p))))
+fn passage(parts: &mut Parts<'_>) -> Option<Spanned<PassingSense>> {
+    let rising = parts.take(Rule::w_rising).map(|p| Spanned::new(PassingSense::Rising, span(&p)));
+    rising.or_else(|| parts.take(Rule::w_falling).map(|p| Spanned::new(PassingSense::Falling, span(&p))))
 }

@@ -46,7 +46,7 @@ pub fn render_most(problems: &Problems, source: &Source, style: Style, most: usi
         }
         let labels = problem.labels().map(Iterator::collect).unwrap_or_default();
         let (excerpt, labels) = Excerpt::of(source, &lines, labels);
-        let drawn = Shown { problem: Located { inner: problem, labels, excerpt }, style };
+        let drawn = Rendered { problem: Located { inner: problem, labels, excerpt }, style };
         // Writing to a String fails only if a diagnostic's own Display does.
         if write!(out, "{drawn}").is_err() {
             out.push_str(&shown(&problem.to_string()));
@@ -83,12 +83,12 @@ fn grouped(n: usize) -> String {
     parts.join(",")
 }
 
-struct Shown<'a> {
+struct Rendered<'a> {
     problem: Located<'a>,
     style: Style,
 }
 
-impl fmt::Debug for Shown<'_> {
+impl fmt::Debug for Rendered<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.style {
             Style::Graphical { colour, width } => {
@@ -108,7 +108,7 @@ impl fmt::Debug for Shown<'_> {
     }
 }
 
-impl Display for Shown<'_> {
+impl Display for Rendered<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Debug::fmt(self, f)
     }

@@ -9,13 +9,13 @@ use assur_model::model::{FindKind, Level, LinkId, MassProperties, Query, Substit
 
 /// A substitution that is asked for, by its first question, and its second point where the file chooses that.
 #[derive(Clone, Copy, PartialEq)]
-struct Wanted {
+struct SubstitutionRequest {
     link: LinkId,
     first: Vec2,
     second: Option<Vec2>,
 }
 
-impl Wanted {
+impl SubstitutionRequest {
     const fn query(&self, part: SubstitutionPart) -> Query {
         match self.second {
             None => Query::DynamicSubstitution(self.link, self.first, part),
@@ -28,14 +28,16 @@ impl Derivation<'_> {
     /// All substitutions that the file asks for.
     pub fn substitutions(&mut self) {
         let mechanism = self.scene.mechanism();
-        let mut wanted: Vec<Wanted> = Vec::new();
+        let mut wanted: Vec<SubstitutionRequest> = Vec::new();
         for find in &mechanism.finds {
             let FindKind::Value { expr, .. } = &find.kind else { continue };
             crate::prune::queries(mechanism, expr, &mut |query| {
                 let one = match *query {
-                    Query::DynamicSubstitution(link, first, _) => Wanted { link, first, second: None },
+                    Query::DynamicSubstitution(link, first, _) => {
+                        SubstitutionRequest { link, first, second: None }
+                    }
                     Query::StaticSubstitution(link, first, second, _) => {
-                        Wanted { link, first, second: Some(second) }
+                        SubstitutionRequest { link, first, second: Some(second) }
                     }
                     _ => return,
                 };
@@ -51,7 +53,7 @@ impl Derivation<'_> {
         }
     }
 
-    fn substitution(&mut self, one: Wanted, mass: MassProperties) {
+    fn substitution(&mut self, one: SubstitutionRequest, mass: MassProperties) {
         let body = one.link.index();
         let centre = self.point_name(body, mass.centre);
         let Some(other) = one.second.or_else(|| self.vector_of(&one.query(SubstitutionPart::P2))) else {

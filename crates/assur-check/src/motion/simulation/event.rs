@@ -5,7 +5,7 @@ use crate::motion::simulation::without_meaning;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type};
 use assur_model::model::{BinaryOp, Comparison, Event, Expr, Function, Query, Situation};
-use assur_syntax::document::{Passage, Passing, Statement};
+use assur_syntax::document::{Passing, PassingSense, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
@@ -69,7 +69,7 @@ fn passed(
     };
     let read = cx.read(value)?;
     let bound = cx.fit(read, wanted, "the value that is passed", value)?;
-    let rising = passing.way.as_ref().map(|way| way.node == Passage::Rising);
+    let rising = passing.way.as_ref().map(|way| way.node == PassingSense::Rising);
     Some((fold::binary(BinaryOp::Sub, what.expr, bound.expr), rising))
 }
 

@@ -5,7 +5,7 @@ use crate::expr::results::Call;
 use crate::names::declared::QuantityKind;
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{Expr, Grip, PairId, PairKind, Query, TransmissionKind};
+use assur_model::model::{Expr, FrictionLimit, PairId, PairKind, Query, TransmissionKind};
 use assur_text::language::Function;
 use assur_text::units::Dimension;
 
@@ -26,10 +26,10 @@ impl Context<'_> {
         let args = self.arguments(call, 1, 1)?;
         let (pair, kind) = self.transmission(call, args[0])?;
         match self.grip(pair) {
-            Some(Grip::Belt { .. }) => {
+            Some(FrictionLimit::Belt { .. }) => {
                 Some(Typed::new(Expr::Query(query(pair)), Type::number(Dimension::FORCE)))
             }
-            Some(Grip::Clutch(_)) | None => {
+            Some(FrictionLimit::Clutch(_)) | None => {
                 self.no_grip(call, pair, kind);
                 None
             }
@@ -40,7 +40,7 @@ impl Context<'_> {
     fn wrap(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let (pair, kind) = self.transmission(call, args[0])?;
-        let Some(Grip::Belt { wrap, .. }) = self.grip(pair) else {
+        let Some(FrictionLimit::Belt { wrap, .. }) = self.grip(pair) else {
             self.no_grip(call, pair, kind);
             return None;
         };
@@ -71,9 +71,9 @@ impl Context<'_> {
         }
         let (pair, kind) = self.transmission(call, args[0])?;
         match self.grip(pair) {
-            Some(Grip::Clutch(_)) => Some((pair, Dimension::TORQUE)),
-            Some(Grip::Belt { pretension: Some(_), .. }) => Some((pair, Dimension::FORCE)),
-            Some(Grip::Belt { pretension: None, .. }) => {
+            Some(FrictionLimit::Clutch(_)) => Some((pair, Dimension::TORQUE)),
+            Some(FrictionLimit::Belt { pretension: Some(_), .. }) => Some((pair, Dimension::FORCE)),
+            Some(FrictionLimit::Belt { pretension: None, .. }) => {
                 let help = "it depends on the pull at rest: add `pretension 400 N` to the belt";
                 self.not_of_this_pair(call, pair, Some(help));
                 None
@@ -93,7 +93,7 @@ impl Context<'_> {
         self.not_of_this_pair(call, pair, Some(help));
     }
 
-    fn grip(&self, pair: PairId) -> Option<Grip> {
+    fn grip(&self, pair: PairId) -> Option<FrictionLimit> {
         match &self.builder.mech.pair(pair).kind {
             PairKind::Transmission(t) => t.grip,
             _ => None,

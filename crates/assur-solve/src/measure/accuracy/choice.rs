@@ -4,7 +4,7 @@ use super::setting::{Kind, Setting};
 use super::study::{AccuracyStudy, Measured, estimated, sampled};
 use super::within::{candidates, checked};
 use crate::measure::price::CLEARLY;
-use crate::plan::{Numbers, Settings};
+use crate::plan::{Precision, Settings};
 use crate::solve::WholeCycle;
 
 /// Looser accuracies that are tried.
@@ -38,7 +38,7 @@ impl PositionChoice {
     /// Whether answers can be had with it.
     #[must_use]
     pub fn can_be_had(&self) -> bool {
-        self.within.is_some() || self.settings.scalar == Numbers::Double
+        self.within.is_some() || self.settings.scalar == Precision::F64
     }
 }
 
@@ -93,7 +93,7 @@ pub(super) fn choices(
         let needed = own.error > TWICE && error <= TWICE && all.model.plan.laws.is_empty();
         let (within, error) =
             if needed { (Some(TWICE), error.max(0.5 * f64::EPSILON)) } else { (None, error) };
-        let settings = Settings { scalar: Numbers::DoubleDouble, ..Settings::FULL };
+        let settings = Settings { scalar: Precision::DoubleDouble, ..Settings::FULL };
         if error < own.error {
             found.push(choice(within, settings, (micros, error), own.cycle));
         }

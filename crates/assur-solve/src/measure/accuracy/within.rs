@@ -8,7 +8,7 @@ use super::error::{errors, scales};
 use super::study::{AccuracyStudy, estimated};
 use crate::measure::runs::RunStudy;
 use crate::model::Mechanism;
-use crate::plan::{Level, Numbers, Settings};
+use crate::plan::{Level, Precision, Settings};
 use crate::solve::{Model, Solution, Solved};
 use crate::units::significant;
 use assur_text::diagnostic::Diagnosis;
@@ -53,9 +53,9 @@ pub fn candidates(model: &Model<'_>, wanted: f64) -> Vec<Settings> {
         root: (0.001 * left).max(full.root),
         ..full.with_friction(left)
     };
-    let mut all = vec![loose, full, Settings { scalar: Numbers::DoubleDouble, ..full }];
+    let mut all = vec![loose, full, Settings { scalar: Precision::DoubleDouble, ..full }];
     // the state of a transmission holds more than forces: it is not put together again
-    all.retain(|s| s.scalar == Numbers::Double || model.plan.laws.is_empty());
+    all.retain(|s| s.scalar == Precision::F64 || model.plan.laws.is_empty());
     all.dedup();
     all
 }

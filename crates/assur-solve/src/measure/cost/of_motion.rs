@@ -4,7 +4,7 @@ use crate::answer::WholeCycle;
 use crate::measure::clock::Clock;
 use crate::model::Simulation;
 use crate::position::Model;
-use crate::solve::{Conduct, SimulationReport, Trials};
+use crate::solve::{IntegrationOptions, SimulationReport, Trials};
 
 /// A run that takes longer is not repeated, s.
 const LONG: f64 = 20e-3;
@@ -26,15 +26,16 @@ pub(super) fn of_motion(model: &Model<'_>, statics: &WholeCycle, clock: Clock) -
     let mechanism = model.mechanism;
     let within = mechanism.simulation.as_ref()?.within.unwrap_or(Simulation::WITHIN);
     let trials = Trials::new(model, statics).ok()??;
-    let once = |conduct: &Conduct<'_>| {
+    let once = |conduct: &IntegrationOptions<'_>| {
         let start = clock();
         let trial = trials.run(within, conduct).ok()?;
         Some((clock() - start, trial.report().clone()))
     };
-    let (time, report) = once(&Conduct::default())?;
+    let (time, report) = once(&IntegrationOptions::default())?;
     let looks = !mechanism.cycles.is_empty() || mechanism.events.iter().any(|event| !event.ends);
     let least = |bare: bool| {
-        let conduct = Conduct { alone: Some(report.tolerance), bare, ..Conduct::default() };
+        let conduct =
+            IntegrationOptions { alone: Some(report.tolerance), bare, ..IntegrationOptions::default() };
         let times = if time > LONG { 1 } else { REPEATS };
         (0..times).filter_map(|_| Some(once(&conduct)?.0)).reduce(f64::min)
     };

@@ -30,7 +30,7 @@ pub(super) struct Found {
 
 /// A flywheel that is asked for.
 #[derive(Clone, Copy)]
-pub(super) struct Asked {
+pub(super) struct FlywheelRequest {
     /// Index into [`crate::model::Mechanism::flywheels`].
     pub index: usize,
     /// As it would be without friction.
@@ -41,7 +41,7 @@ pub(super) fn flywheel(
     model: &Model<'_>,
     statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
-    asked: Asked,
+    asked: FlywheelRequest,
 ) -> Result<Found, NoFlywheel> {
     let wheel = &model.mechanism.flywheels[asked.index];
     let rate = one_turning_drive(model, statics, sampler)?;
@@ -118,8 +118,8 @@ fn rate(model: &Model<'_>, statics: &WholeCycle) -> f64 {
 }
 
 /// What is followed over the cycle: the effort reduced to the drive, the reduced moment of inertia of the links.
-pub(super) fn numbers(model: &Model<'_>, statics: &WholeCycle, asked: Asked) -> Option<[Expr; 2]> {
-    let Asked { index, ideal } = asked;
+pub(super) fn numbers(model: &Model<'_>, statics: &WholeCycle, asked: FlywheelRequest) -> Option<[Expr; 2]> {
+    let FlywheelRequest { index, ideal } = asked;
     let power = power(model, &model.mechanism.flywheels[index])?;
     let power = if ideal { Expr::Frictionless(Box::new(power)) } else { power };
     let rate = Expr::number(rate(model, statics));

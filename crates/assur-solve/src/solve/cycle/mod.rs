@@ -25,7 +25,7 @@ use crate::math::quadrature::{Mean, mean};
 use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
 use crate::position::Model;
 use depends::{asks_for_ideal_flywheels, counts_turns, depends_on_forces, depends_on_nothing_else};
-use flywheel::Asked;
+use flywheel::FlywheelRequest;
 use interval::Interval;
 use panels::{COARSE, Piecewise};
 use sampler::Sampler;
@@ -57,9 +57,9 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     let mut notes = Vec::new();
     let ideal = model.plan.effects.loses() && asks_for_ideal_flywheels(mechanism);
     let asked = [false, true].into_iter().take(1 + usize::from(ideal));
-    let asked =
-        asked.flat_map(|ideal| (0..mechanism.flywheels.len()).map(move |index| Asked { index, ideal }));
-    let asked: Vec<Asked> = asked.collect();
+    let asked = asked
+        .flat_map(|ideal| (0..mechanism.flywheels.len()).map(move |index| FlywheelRequest { index, ideal }));
+    let asked: Vec<FlywheelRequest> = asked.collect();
     let wheels = asked.iter().filter_map(|asked| flywheel::numbers(model, statics, *asked));
     sampler.share(
         of(&late).into_iter().filter(|e| depends_on_nothing_else(mechanism, e)).chain(wheels.flatten()),

@@ -3,7 +3,7 @@
 
 use crate::model::{DriveTarget, Mechanism};
 use crate::plan::{FrictionElement, MotionStep, Plan, plan_with};
-use crate::position::{BodyState, Forces, Grip, Model, Reaction, State, extent};
+use crate::position::{BodyState, ContactMode, Forces, Model, Reaction, State, extent};
 use crate::solve::assemble::every_way;
 use crate::structure::{BodyId, GroupJoint, Structure, structure};
 
@@ -68,11 +68,11 @@ impl Chart {
     }
 
     /// How the elements of friction of this plan move, as the mechanism as it is written has them.
-    pub fn grips(&self, here: &[Grip]) -> Vec<Grip> {
+    pub fn grips(&self, here: &[ContactMode]) -> Vec<ContactMode> {
         let each = self.back.friction.iter().map(|at| {
-            at.map_or_else(Grip::default, |(i, sign)| {
-                let Grip { sense, effort, open } = here[i];
-                Grip { sense: sign * sense, effort: sign * effort, open }
+            at.map_or_else(ContactMode::default, |(i, sign)| {
+                let ContactMode { sense, effort, open } = here[i];
+                ContactMode { sense: sign * sense, effort: sign * effort, open }
             })
         });
         // losses have the same order in both

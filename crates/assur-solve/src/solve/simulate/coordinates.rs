@@ -3,7 +3,7 @@
 use super::change::{CLOSE, FOUND};
 use super::chart::{Chart, standing};
 use super::equations::Equations;
-use super::slipping::Held;
+use super::sliding_sense::Held;
 use super::starting;
 use crate::answer::{PoseAnswers, WholeCycle};
 use crate::model::{DriveTarget, LinkId, PairId, PairKind};

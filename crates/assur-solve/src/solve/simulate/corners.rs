@@ -5,7 +5,7 @@
 
 use super::equations::Equations;
 use super::records::within_step;
-use super::slipping::Mode;
+use super::sliding_sense::Mode;
 use crate::answer::{OF_MOTION, PoseAnswers, Switch};
 use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Integrator, Undefined};

@@ -4,7 +4,7 @@ use super::derivatives::Derivatives;
 use crate::answer::Switch;
 use crate::math::Vec2;
 use crate::model::{Axis, Drive, DriveTarget, Positions};
-use crate::position::{Against, DriveInput, Grip, Motion};
+use crate::position::{Against, ContactMode, DriveInput, Motion};
 
 /// What the drives of one instant say beside their positions.
 #[derive(Clone, Debug, Default)]
@@ -17,7 +17,7 @@ pub(crate) struct Instant {
     /// What closed stops bear.
     pub stops: Vec<f64>,
     /// How the elements of friction move, where the run says it.
-    pub grips: Vec<Grip>,
+    pub grips: Vec<ContactMode>,
     /// How the loads against the motion act, where the run says it.
     pub against: Vec<Against>,
 }

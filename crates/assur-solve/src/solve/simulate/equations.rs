@@ -1,13 +1,13 @@
 //! The equations of the free coordinates as a system of the first order: y holds the coordinates, their rates, and the work of
 //! all loads since the first instant.
 
-use super::bridge::Bridge;
 use super::chart::Chart;
 use super::drives::{moves, prescribed};
 use super::loads::{loads_need_angles, sides};
-use super::passage::Passage;
-use super::setup::{Begin, is_length};
-use super::slipping::{Mode, Slipping};
+use super::multi_crossing::MultiCrossing;
+use super::setup::{StartState, is_length};
+use super::singular_crossing::SingularCrossing;
+use super::sliding_sense::{Mode, Slipping};
 use super::stages::Stages;
 use super::walk::Walk;
 use crate::answer::{Sizes, Switch, WholeCycle};
@@ -28,9 +28,9 @@ pub(super) struct Equations<'a, 's> {
     /// The assemblies at the first instant.
     pub begins: &'s [Branch],
     /// The way over the change point that is near.
-    pub bridge: Option<Box<Bridge>>,
+    pub bridge: Option<Box<SingularCrossing>>,
     /// The same with several free coordinates.
-    pub passage: Option<Box<Passage>>,
+    pub passage: Option<Box<MultiCrossing>>,
     /// When change points were passed, s.
     pub crossed: Vec<f64>,
     /// The same with the friction at rest, where it is another one.
@@ -94,7 +94,7 @@ impl<'a, 's> Equations<'a, 's> {
     /// From an assembled state with the angles of its bodies, at an instant, s; in the coordinates of a chart, or those written.
     pub fn new(
         model: &'s Model<'a>,
-        begin: &'s Begin<'_>,
+        begin: &'s StartState<'_>,
         chart: Option<&'s Chart>,
         (t, state, angles): (f64, &State, &[f64]),
     ) -> Self {

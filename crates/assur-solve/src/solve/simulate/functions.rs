@@ -1,9 +1,9 @@
 //! Functions over a run: extremes, means and integrals, from series over its steps.
 
 use super::equations::Equations;
+use super::event_detector::{AT_ONCE, EventDetector};
 use super::part::{is_known, part};
 use super::records::within_step;
-use super::watch::{AT_ONCE, Watch};
 use crate::answer::{OF_FORCES, OF_MOTION};
 use crate::math::lobatto::{PLACES, Short};
 use crate::math::ode::Integrator;
@@ -197,7 +197,7 @@ pub(super) struct Memory {
     series: Vec<Short>,
 }
 
-impl Watch<'_> {
+impl EventDetector<'_> {
     /// Takes all functions over the last step.
     pub(super) fn functions_in<M: Integrator<f64>>(
         &mut self,

@@ -1,6 +1,6 @@
 //! Numbers over a motion under loads as they run, for pictures.
 
-use super::conduct::{Conduct, Drawn};
+use super::options::{Drawn, IntegrationOptions};
 use super::trajectory::trajectory;
 use crate::math::lobatto::Short;
 use crate::model::{Cycle, CycleFunction, Expr, Part, Simulation};
@@ -124,7 +124,7 @@ pub fn over_time(
     let looser = (WITHIN / solved.within).max(1.0);
     let alone = Some(solved.tolerance * looser);
     let drawn = Some(Drawn { same: SAME, smooth: SMOOTH, roundings: &roundings, start });
-    let conduct = Conduct { alone, drawn, ..Conduct::default() };
+    let conduct = IntegrationOptions { alone, drawn, ..IntegrationOptions::default() };
     let statics = &solution.statics;
     let first = Sweep::of(&model, statics).at(0).drives;
     let found = trajectory(&model, statics, &Rates::of(&model, statics), &first, &simulation, &conduct)?;

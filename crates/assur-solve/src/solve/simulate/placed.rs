@@ -1,20 +1,20 @@
 //! The bodies at the inputs that are set: by the plan, or on the way over a change point.
 
-use super::bridge::Bridge;
 use super::chart::Given;
 use super::coordinates::measured;
 use super::equations::Equations;
-use super::passage::Passage;
-use super::records::Stand;
+use super::multi_crossing::MultiCrossing;
+use super::records::BodyPose;
+use super::singular_crossing::SingularCrossing;
 use crate::answer::PoseAnswers;
 use crate::math::Vec2;
 use crate::position::Branch;
 
 impl Equations<'_, '_> {
     /// Motion at given accelerations of the free coordinates, as in a solution, and forces where they are planned.
-    pub fn place(&mut self, t: f64, y: &[f64], accelerations: &[f64], stand: Option<&[Stand]>) {
+    pub fn place(&mut self, t: f64, y: &[f64], accelerations: &[f64], stand: Option<&[BodyPose]>) {
         if let Some(stand) = stand {
-            Stand::put(stand, &mut self.trial.motion.bodies);
+            BodyPose::put(stand, &mut self.trial.motion.bodies);
         }
         self.set_inputs(t, y);
         for (&drive, a) in self.reduced.free().iter().zip(accelerations) {
@@ -100,7 +100,7 @@ impl Equations<'_, '_> {
             let (t, here, _) = self.here();
             let mut here = here.clone();
             self.inputs_at(t, y, &mut here.motion);
-            self.passage = Passage::near(plan, &self.reduced, &here, self.extent()).map(Box::new);
+            self.passage = MultiCrossing::near(plan, &self.reduced, &here, self.extent()).map(Box::new);
             if let Some(passage) = &self.passage {
                 self.rough = std::array::from_fn(|kind| self.rough[kind].max(passage.rough[kind]));
             }
@@ -108,7 +108,7 @@ impl Equations<'_, '_> {
         }
         if self.bridge.is_none() {
             let sense = if y[1] == 0.0 { 0.0 } else { y[1].signum() };
-            self.bridge = Bridge::near(self, y[0], sense).map(Box::new);
+            self.bridge = SingularCrossing::near(self, y[0], sense).map(Box::new);
             if let Some(bridge) = &self.bridge {
                 self.rough = std::array::from_fn(|kind| self.rough[kind].max(bridge.rough[kind]));
             }

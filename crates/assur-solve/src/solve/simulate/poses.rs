@@ -1,10 +1,10 @@
 //! Positions of a trajectory, instant by instant.
 
 use super::drives::{Instant, prescribed};
-use super::records::{Origin, Stand};
+use super::records::{BodyPose, Origin};
 use super::trajectory::Trajectory;
 use crate::model::{DriveTarget, Positions};
-use crate::position::{DriveInput, DriveValue, Model, PoseOrigin, Wanted};
+use crate::position::{DriveInput, DriveValue, Model, PoseOrigin, PoseRequest};
 use crate::solve::failure::Failure;
 use crate::solve::solution::Pose;
 use crate::solve::sweep::Following;
@@ -31,14 +31,14 @@ impl Following<'_, '_> {
     fn ended(&mut self, index: usize, end: f64, why: Failure) -> Pose {
         let drives = vec![DriveValue::None; self.run.model.mechanism.drives.len()];
         let name = self.run.model.mechanism.instant_text(end);
-        self.run.posed(Wanted { name, origin: PoseOrigin::Sweep(index), drives }, Err(why))
+        self.run.posed(PoseRequest { name, origin: PoseOrigin::Sweep(index), drives }, Err(why))
     }
 
     fn solved_instant(&mut self, index: usize, trajectory: &mut Trajectory) -> Pose {
         let (wanted, instant) = trajectory.wanted(self.run.model, index);
         self.run.instant = Some(instant);
         if let Some(stand) = trajectory.records.stand(index) {
-            Stand::put(stand, &mut trajectory.start.motion.bodies);
+            BodyPose::put(stand, &mut trajectory.start.motion.bodies);
         }
         let assemblies = trajectory.records.assemblies[index].as_deref().unwrap_or(&trajectory.assemblies);
         trajectory.start.branches.copy_from_slice(assemblies);
@@ -56,7 +56,7 @@ impl Trajectory {
     }
 
     /// The position at an instant, and what the drives say there.
-    fn wanted(&mut self, model: &Model<'_>, index: usize) -> (Wanted, Instant) {
+    fn wanted(&mut self, model: &Model<'_>, index: usize) -> (PoseRequest, Instant) {
         let (time, n) = (self.records.times[index], self.records.order);
         let elapsed = time - self.from;
         let mut drives = Vec::with_capacity(self.first.len());
@@ -87,7 +87,7 @@ impl Trajectory {
             Origin::Expected(expect) => PoseOrigin::Expected(expect),
         };
         (
-            Wanted { name, origin, drives },
+            PoseRequest { name, origin, drives },
             Instant {
                 time,
                 rates,

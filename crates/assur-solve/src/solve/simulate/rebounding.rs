@@ -4,11 +4,11 @@
 //! friction is the same in all of them: a pair that the rebounds bring to rest must move with the coordinate of the stop, or not at all.
 //! Else each rebound lets such pairs slip and stick, and the series is read off the last ones, where these have become one.
 
+use super::contact_modes::joins;
+use super::dissipative::DissipativeElement;
 use super::equations::Equations;
-use super::holding::joins;
 use super::impact::Rebounds;
-use super::rubs::Rubs;
-use super::slipping::Slipping;
+use super::sliding_sense::Slipping;
 use super::stop::{FLIGHT, LOWEST, ROUNDING, Stops, Struck};
 use crate::solve::failure::Halt;
 
@@ -165,7 +165,8 @@ impl Equations<'_, '_> {
         self.choose_slips(t, &mut after)?;
         self.settle(t, &after)?;
         let acceleration = self.stop_acceleration(stop);
-        let sliding = Rubs::all(self.model.plan).map(|rubs| rubs.acceleration(&self.trial)).collect();
+        let sliding =
+            DissipativeElement::all(self.model.plan).map(|rubs| rubs.acceleration(&self.trial)).collect();
         let mut slipping = self.slipping.clone();
         slipping.iter_mut().for_each(|slipping| slipping.off = None);
         Ok(After { y: after, slipping, closed: self.closed.clone(), acceleration, sliding })
@@ -186,7 +187,7 @@ impl Equations<'_, '_> {
         let mut speeds = [&up.y, rest].map(|y| {
             self.set_position(t, y);
             self.trial.run_motion::<1>(self.model.plan);
-            Rubs::all(self.model.plan).map(|rubs| rubs.speed(&self.trial)).collect::<Vec<_>>()
+            DissipativeElement::all(self.model.plan).map(|rubs| rubs.speed(&self.trial)).collect::<Vec<_>>()
         });
         let [with, without] = &mut speeds;
         self.find_masses(t, rest)?;

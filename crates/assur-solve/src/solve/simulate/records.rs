@@ -3,11 +3,11 @@
 use super::chart::Given;
 use super::equations::Equations;
 use super::report::Energy;
-use super::slipping::Mode;
+use super::sliding_sense::Mode;
 use crate::answer::OF_MOTION;
 use crate::math::Vec2;
 use crate::math::ode::{Integrator, System};
-use crate::position::{Against, BodyState, Branch, Grip};
+use crate::position::{Against, BodyState, Branch, ContactMode};
 
 /// What wants an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,13 +18,13 @@ pub(crate) enum Origin {
 
 /// Where a body stands, with its whole turns.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stand {
+pub(crate) struct BodyPose {
     p: Vec2,
     u: Vec2,
     turned: f64,
 }
 
-impl Stand {
+impl BodyPose {
     fn of(body: &BodyState) -> Self {
         Self { p: body.p, u: body.u, turned: body.turned }
     }
@@ -54,13 +54,13 @@ pub(crate) struct Records {
     /// What closed stops bear, as many numbers each as there are stops.
     pub stops: Vec<f64>,
     /// How the elements of friction move, where that is known.
-    pub grips: Vec<Vec<Grip>>,
+    pub grips: Vec<Vec<ContactMode>>,
     /// How the loads against the motion act.
     pub against: Vec<Vec<Against>>,
     /// Angles of the bodies, rad, continuous over the run.
     pub angles: Vec<f64>,
     /// Where the bodies stand, for steps of motion that start from there.
-    pub stands: Vec<Stand>,
+    pub stands: Vec<BodyPose>,
     pub bodies: usize,
     /// The whole position, of instants that were found in other coordinates than those written.
     pub given: Vec<Option<Box<Given>>>,
@@ -92,7 +92,7 @@ impl Records {
     }
 
     /// How the elements of friction move at an instant.
-    pub fn grips(&self, index: usize) -> &[Grip] {
+    pub fn grips(&self, index: usize) -> &[ContactMode] {
         &self.grips[index]
     }
 
@@ -108,7 +108,7 @@ impl Records {
     }
 
     /// Where the bodies stand, if that is kept.
-    pub fn stand(&self, index: usize) -> Option<&[Stand]> {
+    pub fn stand(&self, index: usize) -> Option<&[BodyPose]> {
         self.stands.get(self.bodies * index..)?.get(..self.bodies).filter(|s| !s.is_empty())
     }
 }
@@ -209,7 +209,7 @@ impl Recorder {
         records.against.push(equations.trial.motion.against.clone());
         records.angles.extend_from_slice(&equations.angles);
         if self.goes_on {
-            records.stands.extend(equations.trial.motion.bodies.iter().map(Stand::of));
+            records.stands.extend(equations.trial.motion.bodies.iter().map(BodyPose::of));
         }
         self.energy(equations);
         (equations.closed, equations.mode) = after;

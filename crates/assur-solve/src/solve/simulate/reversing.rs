@@ -2,7 +2,7 @@
 //! the force would change its direction at every evaluation.
 
 use super::equations::Equations;
-use super::watch::AT_ONCE;
+use super::event_detector::AT_ONCE;
 use crate::math::Vec2;
 use crate::math::ode::Integrator;
 use crate::model::{LoadId, LoadKind, Place};

@@ -1,23 +1,23 @@
 //! One run of the integrator at one tolerance.
 
-use super::bonds::Bonds;
 use super::chart::Chart;
 use super::compare::{Kinds, Outcome};
 use super::coordinates::{Change, Charts};
 use super::corners::Corners;
 use super::equations::Equations;
+use super::event_detector::AT_ONCE;
 use super::functions::OverRun;
-use super::going::{Ended, Going};
-use super::left_off::LeftOff;
+use super::integration::{Ended, Integration};
 use super::pass::{Pass, SHORTER};
 use super::records::Records;
 use super::report::{Energy, Method, NotByEnergy};
-use super::rubbing::rubs;
-use super::setup::{Begin, Outputs, allowed, at_rest, scale};
-use super::slipping::Mode;
+use super::setup::{Outputs, StartState, allowed, at_rest, scale};
+use super::sliding_sense::Mode;
+use super::stick_slip_single::rubs;
 use super::stop::Stops;
 use super::trace::{Fraction, Trace};
-use super::watch::AT_ONCE;
+use super::truncation::TruncationError;
+use super::unilateral::UnilateralConditions;
 use crate::math::lobatto::Short;
 use crate::math::ode::{Counts, Dop853, Energy as ByEnergy, Integrator, Radau, System, Tolerance, Undefined};
 use crate::model::{DriveTarget, PairId};
@@ -60,7 +60,7 @@ pub(super) struct Run {
     /// The last instant that was reached, s.
     pub end: f64,
     /// What its steps leave off.
-    pub left_off: LeftOff,
+    pub left_off: TruncationError,
     /// By how much rounding may shift an impact, of the length of the run.
     pub shift: f64,
     /// By how much rounding of the energy may shift its instants, s.
@@ -74,7 +74,7 @@ pub(super) struct Run {
 
 /// Integrates from the first of the instants, s, to the last.
 pub(super) fn run(
-    begin: &Begin<'_>,
+    begin: &StartState<'_>,
     charts: &mut Charts<'_>,
     pass: Pass<'_>,
     outputs: &Outputs<'_>,
@@ -95,11 +95,11 @@ pub(super) fn run(
     if let Err(halt) = stops.begin(&mut equations, begin.from, &mut y) {
         return Run::halted(begin.from, halt);
     }
-    let bonds = Bonds::new(begin.model.mechanism);
+    let bonds = UnilateralConditions::new(begin.model.mechanism);
     if let Some((pair, bond)) = bonds.at_once(&mut equations, begin.from, &y) {
         return Run::halted(begin.from, Halt::Opens { pair, bond });
     }
-    let mut going = Going::new(&equations, (bonds, stops), outputs, (begin.from, last), pass);
+    let mut going = Integration::new(&equations, (bonds, stops), outputs, (begin.from, last), pass);
     if before != y && equations.slipping.is_none() {
         going.recorder.struck = Some((begin.from, before));
     }
@@ -130,7 +130,7 @@ pub(super) struct Part {
     counts: Counts,
     /// Its last instant, s.
     end: f64,
-    left_off: LeftOff,
+    left_off: TruncationError,
 }
 
 /// By what it was integrated.
@@ -164,7 +164,7 @@ struct Reached {
     /// Its last instant, s.
     end: f64,
     y: Vec<f64>,
-    left_off: LeftOff,
+    left_off: TruncationError,
 }
 
 impl Part {
@@ -179,12 +179,12 @@ impl Part {
     }
 
     fn none(end: f64, ended: Ended) -> Self {
-        let (counts, left_off) = (Counts::default(), LeftOff::default());
+        let (counts, left_off) = (Counts::default(), TruncationError::default());
         Self { ended, by: By::default(), counts, end, left_off }
     }
 }
 
-impl Going<'_, '_> {
+impl Integration<'_, '_> {
     /// Integrates from here, in the coordinates of the equations, as far as they go.
     fn part(
         &mut self,
@@ -213,7 +213,7 @@ impl Going<'_, '_> {
             let mut method = ByEnergy::new(y.len(), watched, tolerance, scale(equations));
             equations.begin_walk(y[0]);
             let mut found = self.begin_with(&mut method, equations, charts, (t, y));
-            found.left_off = LeftOff::of_series(method.left_off());
+            found.left_off = TruncationError::of_series(method.left_off());
             self.late += method.late_by_rounding();
             found
         } else {
@@ -246,7 +246,8 @@ impl Going<'_, '_> {
                 Err(Undefined) => Ended::Halted(equations.halt()),
             };
             let counts = sum(found.counts, implicit.counts());
-            let left_off = found.left_off.with(LeftOff::of_steps(tolerance, implicit.progress().errors));
+            let left_off =
+                found.left_off.with(TruncationError::of_steps(tolerance, implicit.progress().errors));
             let y = Vec::new();
             (found, name) = (Reached { ended, counts, end: implicit.t(), y, left_off }, Method::Radau);
         }
@@ -290,12 +291,12 @@ impl Going<'_, '_> {
                 Ended::Halted(equations.halt())
             }
         };
-        let left_off = LeftOff::of_steps(self.pass.tolerance, method.progress().errors);
+        let left_off = TruncationError::of_steps(self.pass.tolerance, method.progress().errors);
         Reached { ended, counts: method.counts(), end: method.t(), y: method.y().to_vec(), left_off }
     }
 
     /// Goes on in other coordinates.
-    fn changed(&mut self, begin: &Begin<'_>, charts: &mut Charts<'_>, to: &Change) -> Part {
+    fn changed(&mut self, begin: &StartState<'_>, charts: &mut Charts<'_>, to: &Change) -> Part {
         let own = to.chart.as_deref().map(Chart::model);
         let model = own.as_ref().unwrap_or(begin.model);
         let mut equations = Equations::new(model, begin, to.chart.as_deref(), (to.t, &to.state, &to.angles));
@@ -330,7 +331,7 @@ impl Going<'_, '_> {
         let shift = (self.stops.shift / (self.last - self.begin)).max(self.cancelled());
         let (functions, left_off) = (self.watch.functions(end), self.watch.left_off());
         let courses = self.watch.courses();
-        let Going {
+        let Integration {
             watch,
             recorder,
             kinds,
@@ -446,7 +447,7 @@ impl Run {
             ended_by: None,
             stopped: Some((first, halt)),
             end: first,
-            left_off: LeftOff::default(),
+            left_off: TruncationError::default(),
             shift: 0.0,
             late: 0.0,
             tolerance: 0.0,

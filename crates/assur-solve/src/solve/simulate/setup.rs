@@ -1,8 +1,8 @@
 //! What a run starts from: the instants wanted, the first position and the errors allowed.
 
-use super::conduct::Conduct;
 use super::drives::prescribed;
 use super::equations::Equations;
+use super::options::IntegrationOptions;
 use super::records::Origin;
 use crate::answer::{WholeCycle, first_angles};
 use crate::math::ode::Tolerance;
@@ -26,7 +26,7 @@ pub(super) struct Outputs<'c> {
     /// Expectations of the last instant, wherever it is.
     pub end: Vec<usize>,
     pub prints_events: bool,
-    pub conduct: Conduct<'c>,
+    pub conduct: IntegrationOptions<'c>,
     /// An event that does not count before an instant, s; without bound the one with which a period begins and ends.
     pub guard: Option<(usize, f64)>,
 }
@@ -61,7 +61,7 @@ pub(super) fn outputs<'c>(mechanism: &Mechanism, simulation: &Simulation) -> Out
 }
 
 /// From where every run of a motion begins.
-pub(super) struct Begin<'s> {
+pub(super) struct StartState<'s> {
     /// The mechanism as it is written.
     pub model: &'s Model<'s>,
     pub statics: &'s WholeCycle,
@@ -89,7 +89,7 @@ pub(super) fn at_rest(model: &Model<'_>) -> Option<(Mechanism, Plan)> {
     Some((mechanism, planned))
 }
 
-impl<'s> Begin<'s> {
+impl<'s> StartState<'s> {
     /// The equations at the first instant.
     pub fn equations(&self) -> Equations<'s, '_> {
         let mut equations = Equations::new(self.model, self, None, (self.from, &self.state, &self.angles));
@@ -105,7 +105,7 @@ pub(super) fn begin<'s>(
     rates: &Rates,
     (values, known): (&[DriveValue], Option<&State>),
     from: f64,
-) -> Result<Begin<'s>, Failure> {
+) -> Result<StartState<'s>, Failure> {
     let mut state = State::new(model.plan);
     rates.at(values, &mut state.motion.inputs);
     for (drive, input) in
@@ -123,7 +123,7 @@ pub(super) fn begin<'s>(
         return Err(Failure { pose: None, cause });
     }
     let angles = first_angles(model, &state);
-    Ok(Begin { model, statics, first, from, state, angles, still: None })
+    Ok(StartState { model, statics, first, from, state, angles, still: None })
 }
 
 /// With the bodies where they stand in a known state.

@@ -1,7 +1,7 @@
 //! Springs whose length passes zero: the force turns round there at once, and at zero itself it has no direction.
 
 use super::equations::Equations;
-use super::going::{Ended, Going};
+use super::integration::{Ended, Integration};
 use super::records::within_step;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::first_crossing;
@@ -12,7 +12,7 @@ const NOTHING: f64 = 1e-7;
 /// In a step an end of a spring may move this many times as far as its velocities at both ends of the step say.
 const FURTHER: f64 = 2.0;
 
-impl Going<'_, '_> {
+impl Integration<'_, '_> {
     /// Ends the motion where a spring passes length zero in the last step.
     ///
     /// # Errors

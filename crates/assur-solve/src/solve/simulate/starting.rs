@@ -4,7 +4,7 @@
 use super::change::FOUND;
 use super::coordinates::{Change, Charts, measured, unit};
 use super::equations::Equations;
-use super::setup::{Begin, is_length};
+use super::setup::{StartState, is_length};
 use crate::answer::{PoseAnswers, WholeCycle};
 use crate::math::Vec2;
 use crate::math::ode::System;
@@ -26,7 +26,7 @@ const SAME_RATE: f64 = 1e-6;
 ///
 /// # Errors
 /// There are no such rates, or two motions begin.
-pub(super) fn look(begin: &Begin<'_>, charts: &mut Charts<'_>) -> Result<(), Halt> {
+pub(super) fn look(begin: &StartState<'_>, charts: &mut Charts<'_>) -> Result<(), Halt> {
     let mut equations = begin.equations();
     let y = equations.start();
     equations.accepted(begin.from, &y);
@@ -44,7 +44,7 @@ pub(super) fn look(begin: &Begin<'_>, charts: &mut Charts<'_>) -> Result<(), Hal
 }
 
 /// A coordinate that has no rate there, and another that has.
-fn without_rate(begin: &Begin<'_>, equations: &Equations<'_, '_>, change: &Change) -> Halt {
+fn without_rate(begin: &StartState<'_>, equations: &Equations<'_, '_>, change: &Change) -> Halt {
     let free = equations.reduced.free();
     let written = |drive: usize| begin.model.mechanism.drives[drive].target;
     let others = change.coordinates(begin.model);
@@ -54,7 +54,7 @@ fn without_rate(begin: &Begin<'_>, equations: &Equations<'_, '_>, change: &Chang
 }
 
 /// The motions that begin in a change point, by a start next to it and what chooses each there.
-fn two_motions(begin: &Begin<'_>, equations: &Equations<'_, '_>) -> Option<Halt> {
+fn two_motions(begin: &StartState<'_>, equations: &Equations<'_, '_>) -> Option<Halt> {
     let conditions = &equations.here().1.motion.conditions;
     let mechanism = Mechanism { hints: Vec::new(), ..begin.model.mechanism.clone() };
     let model = Model { mechanism: &mechanism, ..*begin.model };

@@ -8,7 +8,7 @@ use super::coordinates::Charts;
 use super::pass::Pass;
 use super::report::SteadyReport;
 use super::run::{Run, run};
-use super::setup::{Begin, Outputs};
+use super::setup::{Outputs, StartState};
 use crate::math::Lu;
 use crate::math::ode::System;
 use crate::model::{
@@ -53,7 +53,7 @@ struct Unknown {
 }
 
 struct Search<'s> {
-    begin: Begin<'s>,
+    begin: StartState<'s>,
     charts: Charts<'s>,
     from: f64,
     within: f64,
@@ -65,7 +65,7 @@ struct Search<'s> {
 
 /// Finds the steady motion from the starts as a first guess.
 pub(super) fn steady(
-    begin: &Begin<'_>,
+    begin: &StartState<'_>,
     simulation: &Simulation,
     after: Steady,
 ) -> Result<Found, (f64, Halt)> {
@@ -74,7 +74,7 @@ pub(super) fn steady(
     mechanism.events = vec![end(begin.model.mechanism, simulation, after, &begin.angles)];
     let model = &Model { mechanism: &mechanism, ..*begin.model };
     let (first, state, angles) = (begin.first.clone(), begin.state.clone(), begin.angles.clone());
-    let begin = Begin { model, first, state, angles, ..*begin };
+    let begin = StartState { model, first, state, angles, ..*begin };
     let charts = Charts::new(model, begin.statics);
     let mut search = Search {
         begin,

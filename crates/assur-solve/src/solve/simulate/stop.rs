@@ -3,7 +3,7 @@
 use super::equations::Equations;
 use super::impact::Rebounds;
 use super::meeting::{hit, opening};
-use super::slipping::Mode;
+use super::sliding_sense::Mode;
 use crate::math::ode::Integrator;
 use crate::solve::failure::Halt;
 

@@ -1,13 +1,13 @@
 //! A run at a stop: the state jumps, and what is looked at with it.
 
 use super::equations::Equations;
-use super::going::Going;
+use super::integration::Integration;
 use super::stop::Touch;
 use crate::math::ode::Integrator;
 use crate::model::Situation;
 use crate::solve::failure::Halt;
 
-impl Going<'_, '_> {
+impl Integration<'_, '_> {
     /// Goes on from what happens at a stop where the last step ended; whether the motion ends there.
     ///
     /// # Errors

@@ -1,16 +1,16 @@
 //! The motion from its first instant to its last, to the accuracy wanted.
 
 use super::compare::{Compared, Kinds, Outcome};
-use super::conduct::Conduct;
 use super::coordinates::Charts;
 use super::estimate::estimate;
 use super::functions::OverRun;
+use super::options::IntegrationOptions;
 use super::pass::Pass;
 use super::records::Records;
 use super::refining::{Found, until_kept};
 use super::report::SimulationReport;
 use super::run::{Run, run};
-use super::setup::{Begin, at_rest, begin, outputs, scales};
+use super::setup::{StartState, at_rest, begin, outputs, scales};
 use super::starting;
 use super::steady::steady;
 use crate::answer::{CycleAnswer, Undefined, WholeCycle};
@@ -103,7 +103,7 @@ pub(crate) fn trajectory(
     rates: &Rates,
     first: &[DriveValue],
     simulation: &Simulation,
-    conduct: &Conduct<'_>,
+    conduct: &IntegrationOptions<'_>,
 ) -> Result<Trajectory, Failure> {
     let known = conduct.drawn.and_then(|drawn| drawn.start);
     let mut begin = begin(model, statics, rates, (first, known), simulation.from)?;
@@ -159,7 +159,7 @@ fn ended(
     run: Run,
     kinds: Kinds,
     report: SimulationReport,
-    Begin { first, from, state: start, .. }: Begin<'_>,
+    StartState { first, from, state: start, .. }: StartState<'_>,
 ) -> Trajectory {
     let ended = run.stopped.map(|(time, halt)| Cause::Halted { time, halt }.into());
     let (records, functions, courses) = (run.records, run.functions, run.courses);

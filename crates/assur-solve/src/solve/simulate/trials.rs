@@ -1,10 +1,10 @@
 //! One motion integrated again and again, to several accuracies and by several methods.
 
 use super::compare::{Compared, KINDS};
-use super::conduct::Conduct;
+use super::options::IntegrationOptions;
 use super::precise::refine;
 use super::report::SimulationReport;
-use super::setup::{Begin, begin};
+use super::setup::{StartState, begin};
 use super::trajectory::{Trajectory, trajectory};
 use crate::answer::WholeCycle;
 use crate::model::Simulation;
@@ -20,7 +20,7 @@ pub struct Trials<'a, 's> {
     simulation: &'s Simulation,
     rates: Rates,
     first: Vec<DriveValue>,
-    begin: Begin<'s>,
+    begin: StartState<'s>,
 }
 
 /// The motion as it comes out for one accuracy.
@@ -81,7 +81,7 @@ impl<'a, 's> Trials<'a, 's> {
     ///
     /// # Errors
     /// A start that cannot move.
-    pub fn run(&self, within: f64, conduct: &Conduct<'_>) -> Result<Trial, Failure> {
+    pub fn run(&self, within: f64, conduct: &IntegrationOptions<'_>) -> Result<Trial, Failure> {
         let simulation = Simulation { within: Some(within), ..self.simulation.clone() };
         trajectory(self.model, self.statics, &self.rates, &self.first, &simulation, conduct).map(Trial)
     }

@@ -1,11 +1,11 @@
 //! Where, within a step, what rubs comes to rest, turns, or is let go, and how the run goes on from there.
 
 use super::depends::Kept;
+use super::dissipative::DissipativeElement;
 use super::equations::Equations;
-use super::going::Going;
+use super::integration::Integration;
 use super::records::within_step;
-use super::rubs::Rubs;
-use super::slipping::{Mode, Slipping};
+use super::sliding_sense::{Mode, Slipping};
 use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Integrator, Undefined};
 use crate::model::{LinkId, PairId, PairKind, Situation};
@@ -20,7 +20,7 @@ const SLOPE: f64 = 1e-3;
 /// Rounding of an instant.
 const ROUNDING: f64 = 1e-15;
 
-impl Going<'_, '_> {
+impl Integration<'_, '_> {
     /// Where, in the last step, what rubs comes to rest, turns or leaves its rest.
     pub fn turning<M: Integrator<f64>>(
         &self,
@@ -271,9 +271,11 @@ impl Equations<'_, '_> {
         let mut kept = Kept { pairs: self.held_pairs(), links: Vec::new() };
         kept.pairs.extend(self.closed.iter().map(|index| self.stop(*index).pair));
         let Some(slipping) = &self.slipping else { return kept };
-        let held = Rubs::all(self.model.plan).enumerate().filter(|(element, _)| slipping.holds(*element));
+        let held = DissipativeElement::all(self.model.plan)
+            .enumerate()
+            .filter(|(element, _)| slipping.holds(*element));
         kept.links.extend(held.filter_map(|(_, rubs)| match rubs {
-            Rubs::Load(load) => Some(LinkId::at(load.body)),
+            DissipativeElement::Load(load) => Some(LinkId::at(load.body)),
             _ => None,
         }));
         let stands = |link: LinkId| link.index() == 0 || kept.links.contains(&link);
@@ -289,7 +291,7 @@ impl Equations<'_, '_> {
     /// The pairs that friction holds.
     pub fn held_pairs(&self) -> Vec<PairId> {
         let Some(slipping) = &self.slipping else { return Vec::new() };
-        let rubs = Rubs::all(self.model.plan).enumerate();
+        let rubs = DissipativeElement::all(self.model.plan).enumerate();
         let mut pairs: Vec<PairId> =
             rubs.filter(|(index, _)| slipping.holds(*index)).filter_map(|(_, rubs)| rubs.pair()).collect();
         pairs.sort_unstable();

@@ -4,23 +4,28 @@ use super::note::Note;
 use super::run::Run;
 use super::track::Tracker;
 use crate::math::Vec2;
-use crate::position::{Wanted, extent};
+use crate::position::{PoseRequest, extent};
 use crate::structure::{BodyId, BodyOrigin, GroupKind};
 
 /// Bodies are elsewhere if they are by this part of the mechanism's size, or by such an angle.
 const ELSEWHERE: f64 = 1e-6;
 
 /// Origins and directions of the bodies at the first position.
-pub(super) type Begin = Vec<(Vec2, Vec2)>;
+pub(super) type FirstPoses = Vec<(Vec2, Vec2)>;
 
-pub(super) fn begin(tracker: &Tracker) -> Begin {
+pub(super) fn begin(tracker: &Tracker) -> FirstPoses {
     tracker.state.motion.bodies.iter().map(|b| (b.p, b.u)).collect()
 }
 
 impl Run<'_, '_> {
     /// The link that is farthest from where it began. Wheels that only turn are not looked at: with most ratios they never
     /// come back.
-    pub(super) fn elsewhere(&mut self, begin: &Begin, last: &Tracker, after: &Wanted) -> Option<Note> {
+    pub(super) fn elsewhere(
+        &mut self,
+        begin: &FirstPoses,
+        last: &Tracker,
+        after: &PoseRequest,
+    ) -> Option<Note> {
         let model = self.model;
         let mut tracker = last.clone();
         self.moved(&mut tracker, after).ok()?;

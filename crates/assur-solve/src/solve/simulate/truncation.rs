@@ -5,14 +5,14 @@ const OF_FUNCTIONS: f64 = 2.0;
 
 /// What steps leave off, relative to what is much.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct LeftOff {
+pub(super) struct TruncationError {
     /// The most that one of them does, or the series of a function over the run.
     pub worst: f64,
     /// What all of them do together.
     pub all: f64,
 }
 
-impl LeftOff {
+impl TruncationError {
     /// Of steps to a tolerance: the greatest error and the sum of all, over what it allows.
     pub fn of_steps(tolerance: f64, (worst, all): (f64, f64)) -> Self {
         Self { worst: tolerance * worst, all: tolerance * all }

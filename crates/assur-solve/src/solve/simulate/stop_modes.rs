@@ -1,8 +1,8 @@
 //! Stops next to pairs that rub, each in a way of its own: which of those that are touched press.
 
+use super::contact_modes::{SLOW, joins};
 use super::equations::Equations;
-use super::holding::{SLOW, joins};
-use super::slipping::Slipping;
+use super::sliding_sense::Slipping;
 use super::stop::ROUNDING;
 use crate::model::{LoadId, Query, Value};
 

@@ -6,11 +6,11 @@
 //! are tried. A way fits where what is held lies within friction at rest, what begins to slide accelerates in its sense, closed stops
 //! press, and others are not passed.
 
+use super::dissipative::DissipativeElement;
 use super::drives::moves;
 use super::equations::Equations;
-use super::rubbing::wakes;
-use super::rubs::Rubs;
-use super::slipping::{Held, Slipping};
+use super::sliding_sense::{Held, Slipping};
+use super::stick_slip_single::wakes;
 use super::ways::Way;
 use crate::math::Lu;
 use crate::solve::failure::Halt;
@@ -100,8 +100,9 @@ impl Equations<'_, '_> {
     /// Sliding speeds of all elements in the state that was moved last; the greatest is kept, lengths over the extent.
     pub fn sliding_speeds(&self, slipping: &mut Slipping) -> Vec<f64> {
         let extent = self.extent();
-        let speed = |rubs: Rubs<'_>| rubs.speed(&self.trial) / if rubs.turns() { 1.0 } else { extent };
-        let speeds: Vec<f64> = Rubs::all(self.model.plan).map(speed).collect();
+        let speed =
+            |rubs: DissipativeElement<'_>| rubs.speed(&self.trial) / if rubs.turns() { 1.0 } else { extent };
+        let speeds: Vec<f64> = DissipativeElement::all(self.model.plan).map(speed).collect();
         // what turns as one body slides by rounding of its speed
         let bodies = self.trial.motion.bodies.iter();
         let rates = bodies.map(|body| AS_ONE * body.omega.abs().max(body.v.norm() / extent));
@@ -164,8 +165,10 @@ impl Equations<'_, '_> {
         self.take_independent(slipping, at, 0);
         let depends = slipping.held.len() < open.len();
         let all = slipping.held.len() + self.closed.len() == self.order() && !self.drives_move();
-        let rubs = |element: &usize| Rubs::of(self.model.plan, *element);
-        if let Some(pair) = open.iter().map(rubs).find(|rubs| !rubs.can_hold()).and_then(Rubs::pair) {
+        let rubs = |element: &usize| DissipativeElement::of(self.model.plan, *element);
+        if let Some(pair) =
+            open.iter().map(rubs).find(|rubs| !rubs.can_hold()).and_then(DissipativeElement::pair)
+        {
             return Err(Halt::Rolls { pair });
         }
         if !depends || !all || wakes(self) {
@@ -223,7 +226,7 @@ impl Equations<'_, '_> {
         }
         let mut most = (0.0, None);
         for &element in &slipping.held {
-            if !Rubs::of(plan, element).can_hold() {
+            if !DissipativeElement::of(plan, element).can_hold() {
                 return Ok(Judged::Jams);
             }
             let limit = if slipping.before[element] { 1.0 + ROUNDING } else { 1.0 - SURE };
@@ -236,7 +239,7 @@ impl Equations<'_, '_> {
             return Ok(Judged::LetGo(element, -slipping.efforts[element].signum()));
         }
         for (&element, &sense) in open.iter().zip(senses).filter(|(_, sense)| **sense != 0.0) {
-            let acceleration = Rubs::of(plan, element).acceleration(&self.trial);
+            let acceleration = DissipativeElement::of(plan, element).acceleration(&self.trial);
             let mut slopes = Vec::with_capacity(self.order());
             self.slopes_of_element(element, &mut slopes);
             let unit: f64 =
@@ -262,17 +265,17 @@ impl Equations<'_, '_> {
     /// What holds an element over what friction at rest, or the losses, can, where everything was evaluated.
     pub fn part_held(&self, slipping: &Slipping, index: usize) -> f64 {
         let effort = slipping.efforts[index];
-        match Rubs::of(self.model.plan, index) {
+        match DissipativeElement::of(self.model.plan, index) {
             _ if effort == 0.0 => 0.0,
-            Rubs::Pair(element) => {
+            DissipativeElement::Pair(element) => {
                 let pressing = self.trial.pressing(self.model.plan, element);
                 effort.abs() / (element.kind.factor() * slipping.at_rest[index] * pressing)
             }
             // where no power flows what holds is rounding
-            Rubs::Law(..) if slipping.share(index, self.order()) <= NOTHING => 0.0,
-            Rubs::Law(law, slot) => self.trial.part_of_losses(law, slot, effort),
-            Rubs::Load(_) if slipping.share(index, self.order()) <= NOTHING => 0.0,
-            Rubs::Load(load) => effort.abs() / self.greatest_of_load(load.load).max(0.0),
+            DissipativeElement::Law(..) if slipping.share(index, self.order()) <= NOTHING => 0.0,
+            DissipativeElement::Law(law, slot) => self.trial.part_of_losses(law, slot, effort),
+            DissipativeElement::Load(_) if slipping.share(index, self.order()) <= NOTHING => 0.0,
+            DissipativeElement::Load(load) => effort.abs() / self.greatest_of_load(load.load).max(0.0),
         }
     }
 
@@ -326,7 +329,7 @@ impl Equations<'_, '_> {
         let mut impulses = Vec::with_capacity(count);
         for k in 0..count {
             impulses.push(match k.checked_sub(held) {
-                None => Rubs::of(self.model.plan, slipping.held[k]).speed(&self.trial),
+                None => DissipativeElement::of(self.model.plan, slipping.held[k]).speed(&self.trial),
                 Some(place) => self.rate(self.closed[place], y).0,
             });
             for (j, each) in each.iter().enumerate() {

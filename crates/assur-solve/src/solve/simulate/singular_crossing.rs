@@ -13,7 +13,7 @@ use crate::position::{BodyState, Branch, Motion, State};
 
 /// The way over a change point.
 #[derive(Clone, Debug)]
-pub(super) struct Bridge {
+pub(super) struct SingularCrossing {
     low: f64,
     high: f64,
     /// The sense in which it lies from where it was found.
@@ -33,7 +33,7 @@ pub(super) struct Bridge {
     pub rough: [f64; 3],
 }
 
-impl Bridge {
+impl SingularCrossing {
     /// Over the change point near where the present step begins: ahead in the sense of the motion, or so close behind that the formulas
     /// have lost digits.
     pub fn near(equations: &Equations<'_, '_>, value: f64, sense: f64) -> Option<Self> {

@@ -4,11 +4,11 @@ use super::report::Method;
 use crate::position::State;
 
 /// Told each instant that is reached, s, and the last one: `false` ends the motion there.
-pub type Watch<'w> = dyn Fn(f64, f64) -> bool + Sync + 'w;
+pub type Progress<'w> = dyn Fn(f64, f64) -> bool + Sync + 'w;
 
 /// How a motion is integrated, beside what its file says.
 #[derive(Clone, Copy, Default)]
-pub struct Conduct<'c> {
+pub struct IntegrationOptions<'c> {
     /// [`Method::Radau`] from the first instant on, or [`Method::Dop853`] also where the method of energy would do; without it, the
     /// solver's own choice.
     pub method: Option<Method>,
@@ -21,7 +21,7 @@ pub struct Conduct<'c> {
     /// Functions over the run are drawn.
     pub drawn: Option<Drawn<'c>>,
     /// Told how far it is, in each of the runs that it takes.
-    pub watch: Option<&'c Watch<'c>>,
+    pub watch: Option<&'c Progress<'c>>,
 }
 
 /// How functions are found that are drawn. Events that change nothing are known then, and not looked for.
@@ -37,7 +37,7 @@ pub struct Drawn<'c> {
     pub start: Option<&'c State>,
 }
 
-impl Conduct<'_> {
+impl IntegrationOptions<'_> {
     /// Whether the run goes on from an instant, s.
     pub(crate) fn goes_on(&self, reached: f64, last: f64) -> bool {
         self.watch.is_none_or(|watch| watch(reached, last))

@@ -23,7 +23,7 @@ const UNIT: usize = 3;
 
 /// The way over a change point.
 #[derive(Clone, Debug)]
-pub(super) struct Passage {
+pub(super) struct MultiCrossing {
     /// The slot of the drive of the coordinate that passes it.
     drive: usize,
     /// The sense in which it does.
@@ -51,7 +51,7 @@ pub(super) struct Passage {
     pub rough: [f64; 3],
 }
 
-impl Passage {
+impl MultiCrossing {
     /// Over the change point ahead of where the present step begins, if there is one in the way of a coordinate.
     pub fn near(plan: &Plan, reduced: &Reduced, here: &State, extent: f64) -> Option<Self> {
         let mut found: Option<(f64, Self)> = None;

@@ -6,13 +6,13 @@ use crate::model::{Display, LinkId};
 
 /// The greatest length, angular velocity and force of all poses, in SI; every other dimension follows from them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Greatest {
+pub struct MotionScales {
     length: f64,
     per_time: f64,
     force: f64,
 }
 
-impl Greatest {
+impl MotionScales {
     /// Of the positions of a solution.
     #[must_use]
     pub fn of<'s>(model: &Model<'_>, positions: impl IntoIterator<Item = &'s Solved>) -> Self {

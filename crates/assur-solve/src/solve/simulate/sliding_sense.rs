@@ -1,6 +1,6 @@
 //! How what rubs moves: one free coordinate in a sense, or every pair in its own.
 
-use super::rubs::Rubs;
+use super::dissipative::DissipativeElement;
 use super::secants::Secants;
 use crate::math::Lu;
 use crate::model::{LoadId, PairId};
@@ -64,7 +64,7 @@ pub(super) struct Slipping {
 impl Slipping {
     /// For the free drives of a model; `still` is it with the friction at rest, where that is another one.
     pub fn new(model: &Model<'_>, still: Option<&Model<'_>>, free: &[usize]) -> Self {
-        let count = Rubs::count(model.plan);
+        let count = DissipativeElement::count(model.plan);
         let own = |&drive: &usize| {
             let is_own = |source| matches!(source, EffortSource::Drive(id) if id.index() == drive);
             model.structure.efforts.iter().position(|effort| is_own(effort.source))
@@ -75,7 +75,7 @@ impl Slipping {
             still: vec![false; count],
             before: vec![true; count],
             efforts: vec![0.0; count],
-            at_rest: Rubs::all(model.plan).map(|rubs| greater_at_rest(still, rubs)).collect(),
+            at_rest: DissipativeElement::all(model.plan).map(|rubs| greater_at_rest(still, rubs)).collect(),
             struck: vec![false; count],
             kept: vec![false; model.mechanism.stops.len()],
             off: None,
@@ -96,13 +96,13 @@ impl Slipping {
 
     /// What is held, whatever the coordinates.
     pub fn held_in(&self, plan: &Plan) -> Held {
-        let held = Rubs::all(plan).zip(&self.senses).filter(|(_, sense)| **sense == 0.0);
+        let held = DissipativeElement::all(plan).zip(&self.senses).filter(|(_, sense)| **sense == 0.0);
         Held { elements: held.map(|(rubs, _)| place(rubs)).collect(), fastest: self.fastest }
     }
 
     /// Takes over what was held in other coordinates.
     pub fn take(&mut self, held: &Held, plan: &Plan) {
-        for (rubs, sense) in Rubs::all(plan).zip(&mut self.senses) {
+        for (rubs, sense) in DissipativeElement::all(plan).zip(&mut self.senses) {
             *sense = if held.elements.contains(&place(rubs)) { 0.0 } else { 1.0 };
         }
         (self.begun, self.fastest) = (true, held.fastest);
@@ -145,17 +145,17 @@ fn bodies(element: &FrictionElement) -> Place {
     Place::Pair(element.pair, [one.min(other), one.max(other)])
 }
 
-fn place(rubs: Rubs<'_>) -> Place {
+fn place(rubs: DissipativeElement<'_>) -> Place {
     match rubs {
-        Rubs::Pair(element) => bodies(element),
-        Rubs::Law(law, _) => Place::Pair(law.pair, [law.index; 2]),
-        Rubs::Load(load) => Place::Load(load.load),
+        DissipativeElement::Pair(element) => bodies(element),
+        DissipativeElement::Law(law, _) => Place::Pair(law.pair, [law.index; 2]),
+        DissipativeElement::Load(load) => Place::Load(load.load),
     }
 }
 
 /// The friction of an element at rest over that of its sliding.
-fn greater_at_rest(still: Option<&Model<'_>>, rubs: Rubs<'_>) -> f64 {
-    let Rubs::Pair(element) = rubs else { return 1.0 };
+fn greater_at_rest(still: Option<&Model<'_>>, rubs: DissipativeElement<'_>) -> f64 {
+    let DissipativeElement::Pair(element) = rubs else { return 1.0 };
     let same = |other: &&FrictionElement| bodies(other) == bodies(element);
     let found = still.and_then(|model| model.plan.friction.iter().find(same));
     found.map_or(1.0, |other| other.kind.factor() / element.kind.factor())

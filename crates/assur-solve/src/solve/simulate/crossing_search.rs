@@ -7,7 +7,7 @@
 
 use super::coordinates::CAREFUL;
 use super::equations::Equations;
-use super::going::{AGAIN, Going};
+use super::integration::{AGAIN, Integration};
 use super::records::within_step;
 use crate::math::ode::Integrator;
 use crate::plan::MotionStep;
@@ -24,7 +24,7 @@ const BEFORE: f64 = 0.8 * LOOKED;
 /// A place of a step: the instant, s, |σ|, and how fast it may change, 1/s.
 type Place = (f64, f64, f64);
 
-impl Going<'_, '_> {
+impl Integration<'_, '_> {
     /// Ends the last step before a change point that it would leap over.
     ///
     /// # Errors

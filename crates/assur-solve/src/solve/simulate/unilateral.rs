@@ -3,20 +3,20 @@
 
 use super::equations::Equations;
 use super::records::within_step;
-use super::slipping::Mode;
+use super::sliding_sense::Mode;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::first_crossing;
-use crate::model::{Bond, Grip, Mechanism, PairId, PairKind, Query, Value};
+use crate::model::{FrictionLimit, Mechanism, PairId, PairKind, Query, UnilateralCondition, Value};
 
 /// Rounding of a force, relative to the greatest in the mechanism.
 const ROUNDING: f64 = 1e-9;
 
 /// What holds only as long as forces act as it takes them.
-pub(super) struct Bonds {
-    bonds: Vec<(PairId, Bond)>,
+pub(super) struct UnilateralConditions {
+    bonds: Vec<(PairId, UnilateralCondition)>,
 }
 
-impl Bonds {
+impl UnilateralConditions {
     pub fn new(mechanism: &Mechanism) -> Self {
         let pairs = mechanism.pairs.iter().enumerate();
         let bonds = pairs.flat_map(|(i, pair)| pair.kind.bonds().map(move |bond| (PairId::at(i), bond)));
@@ -29,7 +29,12 @@ impl Bonds {
     }
 
     /// What is open at an instant, where the motion begins or goes on in another way.
-    pub fn at_once(&self, equations: &mut Equations<'_, '_>, t: f64, y: &[f64]) -> Option<(PairId, Bond)> {
+    pub fn at_once(
+        &self,
+        equations: &mut Equations<'_, '_>,
+        t: f64,
+        y: &[f64],
+    ) -> Option<(PairId, UnilateralCondition)> {
         let known = !self.rests(equations) && equations.observe(t, y, true);
         let noise = ROUNDING * equations.greatest_force();
         self.bonds.iter().copied().find(|bond| known && equations.holding_force(*bond) < -noise)
@@ -40,13 +45,13 @@ impl Bonds {
         &self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
-    ) -> Option<(f64, (PairId, Bond))> {
+    ) -> Option<(f64, (PairId, UnilateralCondition))> {
         if self.rests(equations) {
             return None;
         }
         let step = (method.previous_t(), method.t());
         let mut y = method.y().to_vec();
-        let mut first: Option<(f64, (PairId, Bond))> = None;
+        let mut first: Option<(f64, (PairId, UnilateralCondition))> = None;
         for bond in &self.bonds {
             let mut force = |t: f64| {
                 let known = within_step(equations, method, t, &mut y) && equations.observe(t, &y, true);
@@ -70,21 +75,21 @@ impl Equations<'_, '_> {
     /// What presses a contact together or pulls a rope in the state that is observed, N; the least of a rope's parts. Of a belt with a
     /// slip what the force loses on its way from the first wheel to the second, and what a grip can take beside what it transmits, N or
     /// N m.
-    fn holding_force(&self, (pair, bond): (PairId, Bond)) -> f64 {
+    fn holding_force(&self, (pair, bond): (PairId, UnilateralCondition)) -> f64 {
         let (view, kind) = (self.view(), &self.model.mechanism.pair(pair).kind);
         let forces = self.trial.forces.law_forces.iter().zip(&self.model.plan.laws);
         let forces = forces.filter(|(_, law)| law.pair == pair);
         match (bond, kind) {
-            (Bond::Presses, PairKind::Contact { first, .. }) => {
+            (UnilateralCondition::Presses, PairKind::Contact { first, .. }) => {
                 match view.query(&Query::Normal(pair, first.link)) {
                     Value::Scalar(normal) => normal,
                     _ => f64::NAN,
                 }
             }
-            (Bond::Grips, PairKind::Transmission(t)) => {
-                t.grip.map_or(f64::NAN, Grip::capacity) - view.tangential_force(pair)
+            (UnilateralCondition::Grips, PairKind::Transmission(t)) => {
+                t.grip.map_or(f64::NAN, FrictionLimit::capacity) - view.tangential_force(pair)
             }
-            (Bond::Drives, _) => {
+            (UnilateralCondition::Drives, _) => {
                 let lost = forces
                     .map(|(f, law)| (f.sides[0].abs() - f.sides[1].abs()) * (f.multiplier * law.force).abs());
                 lost.fold(f64::INFINITY, f64::min)

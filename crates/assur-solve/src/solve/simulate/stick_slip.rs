@@ -6,14 +6,14 @@
 //! effort(q̈, φ) = 0 of all free coordinates, relative acceleration(q̈) = 0 of all pairs that are held,
 //!
 //! by secants from M q̈ − Jᵀφ = Q, J q̈ = −J̇ q̇ without other friction. What closed stops bear is found with them, as if it
-//! were held. Which pairs are held and which stops are closed changes at events alone (`holding`).
+//! were held. Which pairs are held and which stops are closed changes at events alone (`contact_modes`).
 
+use super::dissipative::{DissipativeElement, acts};
 use super::equations::Equations;
-use super::rubs::{Rubs, acts};
-use super::slipping::Slipping;
+use super::sliding_sense::Slipping;
 use crate::math::{Lu, Vec2};
 use crate::model::{LoadId, Value};
-use crate::position::{Against, Grip};
+use crate::position::{Against, ContactMode};
 use crate::solve::failure::Halt;
 
 impl Equations<'_, '_> {
@@ -114,7 +114,7 @@ impl Equations<'_, '_> {
         for (k, &element) in held.iter().enumerate() {
             let effort = x[n + k] * units[n + k];
             self.trial.motion.grips[element].effort = effort;
-            if let Rubs::Load(load) = Rubs::of(self.model.plan, element) {
+            if let DissipativeElement::Load(load) = DissipativeElement::of(self.model.plan, element) {
                 let held = acts(load, &self.trial, effort);
                 self.trial.motion.against[load.load.index()].held = held;
                 let value = if load.line.is_some() { Value::Vector(held) } else { Value::Scalar(held.x) };
@@ -136,7 +136,8 @@ impl Equations<'_, '_> {
     fn speeds_change(&self, (held, units): (&[usize], &[f64]), left: &mut [f64]) {
         let n = self.order();
         for (k, &element) in held.iter().enumerate() {
-            left[n + k] = Rubs::of(self.model.plan, element).acceleration(&self.trial) * units[n + k];
+            left[n + k] =
+                DissipativeElement::of(self.model.plan, element).acceleration(&self.trial) * units[n + k];
         }
         for (k, left) in left.iter_mut().enumerate().skip(n + held.len()) {
             *left = self.stop_acceleration(self.closed[k - n - held.len()]) * units[k];
@@ -172,7 +173,7 @@ impl Equations<'_, '_> {
 
     /// The speeds of an element for a unit rate of each free coordinate.
     pub fn slopes_of_element(&mut self, element: usize, out: &mut Vec<f64>) {
-        let rubs = Rubs::of(self.model.plan, element);
+        let rubs = DissipativeElement::of(self.model.plan, element);
         for i in 0..self.order() {
             out.push(self.reduced.at_unit_rate(i, &mut self.trial, |state| rubs.speed(state)));
         }
@@ -182,7 +183,7 @@ impl Equations<'_, '_> {
     fn take_grips(&mut self, slipping: &Slipping) {
         let grips = &mut self.trial.motion.grips;
         grips.clear();
-        grips.extend(slipping.senses.iter().map(|&sense| Grip { sense, ..Grip::default() }));
+        grips.extend(slipping.senses.iter().map(|&sense| ContactMode { sense, ..ContactMode::default() }));
     }
 
     /// Lets the loads against the motion act in the senses of their elements, others by the velocity, in the state that was moved last.
@@ -195,7 +196,7 @@ impl Equations<'_, '_> {
         against.clear();
         let parts = (0..self.model.mechanism.loads.len()).map(|load| self.view().against_velocity(load));
         against.extend(parts.map(|part| Against { part, held: Vec2::zero() }));
-        let grips = &self.trial.motion.grips[Rubs::inner(plan)..];
+        let grips = &self.trial.motion.grips[DissipativeElement::inner(plan)..];
         for (load, grip) in plan.opposing.iter().zip(grips) {
             against[load.load.index()].part = acts(load, &self.trial, -grip.sense);
         }

@@ -5,7 +5,7 @@ use crate::model::Value;
 
 /// A position to be solved.
 #[derive(Clone, Debug)]
-pub struct Wanted {
+pub struct PoseRequest {
     /// Its name in the file, or the values of its drives.
     pub name: String,
     /// Where it comes from.

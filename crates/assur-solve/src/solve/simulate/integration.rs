@@ -1,21 +1,21 @@
 //! A run on its way: step after step, with what happens and what is wanted within each.
 
 use super::bends::Bends;
-use super::bonds::Bonds;
 use super::change::CLOSE;
 use super::compare::Kinds;
 use super::coordinates::{CAREFUL, Change, Charts};
 use super::corners::Corners;
 use super::equations::Equations;
+use super::event_detector::{AT_ONCE, EventDetector};
 use super::pass::Pass;
 use super::records::{Origin, Recorder};
 use super::reversing::Reversals;
-use super::rubbing::wakes;
 use super::setup::Outputs;
-use super::slipping::Mode;
+use super::sliding_sense::Mode;
+use super::stick_slip_single::wakes;
 use super::stop::{Stops, Touch};
 use super::trace::Trace;
-use super::watch::{AT_ONCE, Watch};
+use super::unilateral::UnilateralConditions;
 use crate::math::ode::{Integrator, Step, Stopped, System, Undefined};
 use crate::model::{DriveTarget, PairId};
 use crate::solve::failure::Halt;
@@ -55,10 +55,10 @@ pub(super) enum Ended {
 }
 
 /// A run on its way.
-pub(super) struct Going<'m, 'o> {
+pub(super) struct Integration<'m, 'o> {
     pub recorder: Recorder,
-    pub watch: Watch<'m>,
-    pub bonds: Bonds,
+    pub watch: EventDetector<'m>,
+    pub bonds: UnilateralConditions,
     pub stops: Stops,
     bends: Bends,
     pub corners: Corners,
@@ -111,17 +111,17 @@ pub(super) struct Going<'m, 'o> {
     pub terms: (f64, f64),
 }
 
-impl<'m, 'o> Going<'m, 'o> {
+impl<'m, 'o> Integration<'m, 'o> {
     /// From where a run begins, between the first instant and the last, s.
     pub fn new(
         equations: &Equations<'m, '_>,
-        (bonds, stops): (Bonds, Stops),
+        (bonds, stops): (UnilateralConditions, Stops),
         outputs: &'o Outputs,
         (begin, last): (f64, f64),
         pass: Pass<'o>,
     ) -> Self {
         let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
-        let mut watch = Watch::new(equations, (begin, last), pass.tolerance);
+        let mut watch = EventDetector::new(equations, (begin, last), pass.tolerance);
         watch.guard = outputs.guard;
         watch.bare = outputs.conduct.bare;
         watch.comes_again &= !watch.bare;
@@ -163,7 +163,7 @@ impl<'m, 'o> Going<'m, 'o> {
     }
 }
 
-impl Going<'_, '_> {
+impl Integration<'_, '_> {
     /// Integrates up to the end; `exactly` where steps end at every instant wanted, for a method whose output between steps is
     /// less accurate than its steps.
     pub fn integrate<M: Integrator<f64>>(
@@ -406,7 +406,7 @@ impl Going<'_, '_> {
     }
 }
 
-impl Going<'_, '_> {
+impl Integration<'_, '_> {
     /// Keeps what is wanted before the end of the last step.
     fn keep_within<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &mut M) -> bool {
         let mut kept = true;
@@ -452,7 +452,7 @@ impl Going<'_, '_> {
     }
 }
 
-impl Going<'_, '_> {
+impl Integration<'_, '_> {
     /// Ends a step where a body has turned too far for what is looked at within it, and bounds the next one.
     fn keep_short<M: Integrator<f64>>(
         &mut self,

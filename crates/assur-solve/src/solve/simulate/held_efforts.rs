@@ -1,11 +1,11 @@
 //! What friction and losses bear where they hold. What holds alone bears what is left of the loads; how several share it that depend on
 //! each other, or a pair beside a brake or a stop, is not determined.
 
+use super::dissipative::DissipativeElement;
 use super::equations::Equations;
-use super::rubs::Rubs;
-use super::slipping::{Mode, Slipping};
+use super::sliding_sense::{Mode, Slipping};
 use crate::math::Vec2;
-use crate::position::Grip;
+use crate::position::ContactMode;
 
 impl Equations<'_, '_> {
     /// Puts what the elements of friction bear that hold, where everything was evaluated.
@@ -20,7 +20,10 @@ impl Equations<'_, '_> {
             let losing = self.senses_of_losses();
             let senses = self.trial.forces.senses.iter().chain(&losing);
             self.trial.motion.grips.clear();
-            self.trial.motion.grips.extend(senses.map(|&sense| Grip { sense, ..Grip::default() }));
+            self.trial
+                .motion
+                .grips
+                .extend(senses.map(|&sense| ContactMode { sense, ..ContactMode::default() }));
         }
     }
 
@@ -43,10 +46,10 @@ impl Equations<'_, '_> {
 
     /// The one coordinate rests by friction or losses.
     fn hold_at_rest(&mut self) {
-        let count = Rubs::inner(self.model.plan);
+        let count = DissipativeElement::inner(self.model.plan);
         let grips = &mut self.trial.motion.grips;
         grips.clear();
-        grips.resize(count, Grip { open: true, ..Grip::default() });
+        grips.resize(count, ContactMode { open: true, ..ContactMode::default() });
         let loads = self.model.mechanism.loads.iter().enumerate();
         let against: Vec<usize> =
             loads.filter(|(_, load)| load.is_against_motion()).map(|(i, _)| i).collect();
@@ -65,7 +68,7 @@ impl Equations<'_, '_> {
         };
         let known = holds.filter(|effort| effort.is_finite() && self.left_with(*effort).is_some());
         if known.is_none() {
-            self.trial.motion.grips[0] = Grip { open: true, ..Grip::default() };
+            self.trial.motion.grips[0] = ContactMode { open: true, ..ContactMode::default() };
         }
     }
 
@@ -92,12 +95,12 @@ impl Equations<'_, '_> {
 
     /// What is left of the effort of the coordinate where its element bears this.
     fn left_with(&mut self, effort: f64) -> Option<f64> {
-        self.trial.motion.grips[0] = Grip { effort, ..Grip::default() };
+        self.trial.motion.grips[0] = ContactMode { effort, ..ContactMode::default() };
         self.effort(0.0).ok()
     }
 
     /// How all elements move, as the mechanism as it is written has them, where their speeds do not tell it.
-    pub fn grips(&self) -> Vec<Grip> {
+    pub fn grips(&self) -> Vec<ContactMode> {
         let grips = &self.trial.motion.grips;
         if self.slipping.is_none() && self.mode != Some(Mode::Resting) && !self.leaves_rest() {
             return Vec::new();

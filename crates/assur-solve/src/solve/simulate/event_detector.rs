@@ -1,9 +1,9 @@
 //! Events of a run.
 
-use super::conduct::Drawn;
 use super::depends::{Kept, comes_again, is_deep, is_kept, is_linkage};
 use super::equations::Equations;
 use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
+use super::options::Drawn;
 use super::records::within_step;
 use crate::answer::{OF_FORCES, OF_MOTION};
 use crate::math::lobatto::Extremes;
@@ -31,7 +31,7 @@ const SHORT: f64 = 1e-6;
 const MOST_TRIES: usize = 4;
 
 /// What is looked at within every step.
-pub(super) struct Watch<'m> {
+pub(super) struct EventDetector<'m> {
     events: &'m [Event],
     pub(super) functions: Vec<Function<'m>>,
     /// An event depends on accelerations or forces.
@@ -79,7 +79,7 @@ pub(super) struct Happened {
     events: Vec<(usize, bool)>,
 }
 
-impl<'m> Watch<'m> {
+impl<'m> EventDetector<'m> {
     pub fn new(equations: &Equations<'m, '_>, (begin, end): (f64, f64), tolerance: f64) -> Self {
         let mechanism = equations.model.mechanism;
         let functions = Function::all(&mechanism.cycles);

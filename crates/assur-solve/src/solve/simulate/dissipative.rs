@@ -7,13 +7,13 @@ use crate::plan::{FrictionElement, FrictionLaw, LawSite, Opposing, Plan, Planned
 use crate::position::State;
 
 #[derive(Clone, Copy)]
-pub(super) enum Rubs<'p> {
+pub(super) enum DissipativeElement<'p> {
     Pair(&'p FrictionElement),
     Law(&'p PlannedLaw, usize),
     Load(&'p Opposing),
 }
 
-impl<'p> Rubs<'p> {
+impl<'p> DissipativeElement<'p> {
     pub fn of(plan: &'p Plan, index: usize) -> Self {
         let inner = Self::inner(plan);
         match plan.friction.get(index) {

@@ -4,15 +4,15 @@
 //! method of secants from the acceleration without friction. The effort is a broken line in q̈; where it does not rise with q̈
 //! no acceleration is the answer, or several are (Painlevé), and the run ends.
 
+use super::dissipative::DissipativeElement;
 use super::equations::Equations;
 use super::loads::all_parts;
-use super::rubs::Rubs;
-use super::slipping::Mode;
+use super::sliding_sense::Mode;
 use crate::answer::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{Expr, Query};
 use crate::plan::FrictionLaw;
-use crate::position::{Against, Grip, STILL, State};
+use crate::position::{Against, ContactMode, STILL, State};
 use crate::solve::failure::Halt;
 use crate::structure::EffortSource;
 
@@ -77,7 +77,10 @@ impl Equations<'_, '_> {
         };
         let held = if self.held { &self.senses[..] } else { &[] };
         self.trial.motion.grips.clear();
-        self.trial.motion.grips.extend(held.iter().map(|&sense| Grip { sense, ..Grip::default() }));
+        self.trial
+            .motion
+            .grips
+            .extend(held.iter().map(|&sense| ContactMode { sense, ..ContactMode::default() }));
         let acceleration = self.rubbing_acceleration(sense)?;
         if self.model.plan.effects.loses() {
             let term = self.reduced.greatest_power(0, &self.trial) / self.reduced.mass()[0];
@@ -278,7 +281,7 @@ impl Equations<'_, '_> {
     /// Whether drives alone move nothing against each other that rubs: then all of it rests with the free coordinate.
     pub fn rests_together(&mut self, t: f64, y: &[f64]) -> bool {
         let speeds = |equations: &Self| {
-            let all = Rubs::all(equations.model.plan);
+            let all = DissipativeElement::all(equations.model.plan);
             all.map(|rubs| rubs.speed(&equations.trial).abs()).fold(0.0, f64::max)
         };
         self.set_position(t, &[y[0], 1.0]);
