@@ -36,7 +36,7 @@ fn graded(args: &Grade, screen: &Screen) -> Result<Status, CliError> {
         Ok(graded) => graded,
         Err(fault) => {
             warn((&left_out, 0), screen);
-            tell(fault, screen);
+            report(fault, screen);
             return Ok(Status::Unusable);
         }
     };
@@ -75,13 +75,13 @@ fn sheet(name: &str, key: Option<&Sheet>, screen: &Screen) -> Result<Option<Shee
     match Sheet::read(name, BufReader::new(file), key).map_err(fail)? {
         Ok(sheet) => Ok(Some(sheet)),
         Err(fault) => {
-            tell(fault, screen);
+            report(fault, screen);
             Ok(None)
         }
     }
 }
 
-fn tell((source, error): Fault, screen: &Screen) {
+fn report((source, error): Fault, screen: &Screen) {
     screen.complain(&screen.diagnostics(&Problems::of([*error]), &source));
 }
 

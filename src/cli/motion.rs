@@ -66,14 +66,14 @@ impl MotionProgress {
     /// Says how far it is; `false` where it is to end.
     pub fn goes_on(&self, reached: f64, last: f64) -> bool {
         if self.terminal {
-            self.shown.lock().unwrap_or_else(PoisonError::into_inner).look(self, reached, last);
+            self.shown.lock().unwrap_or_else(PoisonError::into_inner).update(self, reached, last);
         }
         signal().is_none()
     }
 }
 
 impl BarState {
-    fn look(&mut self, way: &MotionProgress, reached: f64, last: f64) {
+    fn update(&mut self, way: &MotionProgress, reached: f64, last: f64) {
         self.run += u32::from(reached < self.before);
         self.before = reached;
         self.first = self.first.min(reached);

@@ -133,7 +133,7 @@ impl Sink {
             Target::Special(file) => file.write_all(bytes),
             Target::File(file, _) => file.write_all(bytes),
         };
-        self.told(written)
+        self.checked(written)
     }
 
     /// Whether nobody reads any more.
@@ -141,7 +141,7 @@ impl Sink {
         self.closed
     }
 
-    fn told(&mut self, done: io::Result<()>) -> Result<(), CliError> {
+    fn checked(&mut self, done: io::Result<()>) -> Result<(), CliError> {
         match done {
             Err(error)
                 if matches!(self.target, Target::Stdout(_)) && error.kind() == ErrorKind::BrokenPipe =>
@@ -170,7 +170,7 @@ impl Sink {
             Target::File(file, _) if lasts => file.flush().and_then(|()| file.get_ref().sync_all()),
             Target::File(file, _) => file.flush(),
         };
-        self.told(flushed)?;
+        self.checked(flushed)?;
         let read = !self.closed;
         if let Target::File(file, temporary) = self.target {
             drop(file);

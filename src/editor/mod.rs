@@ -30,7 +30,7 @@ pub use signature::Signature;
 pub use symbols::{Symbol, SymbolKind, symbols};
 pub use tokens::{Coloured, TOKEN_COLOURS};
 
-use crate::pipeline::{CompileFindings, Compiled, certain_edits, look};
+use crate::pipeline::{CompileFindings, Compiled, analyze, certain_edits};
 use assur_syntax::document::Document;
 use assur_syntax::{Token, parse_with_tokens};
 use assur_text::diagnostic::{Fix, Problem, Problems};
@@ -60,7 +60,7 @@ impl Analysis {
         let (document, tokens, found) = parse_with_tokens(&source);
         let document = Arc::new(document);
         let is_read = !found.has_errors();
-        let CompileFindings { compiled, problems, uses, constants } = look(&source, &document, found);
+        let CompileFindings { compiled, problems, uses, constants } = analyze(&source, &document, found);
         let names = Names::of(&source.text, &tokens, &document, &uses);
         Self { source, document, tokens, problems, names, is_read, compiled, constants }
     }

@@ -128,7 +128,7 @@ impl Session<'_> {
         ask: impl FnOnce(&TextRequest<'_>) -> Result<T, Failure>,
     ) -> Result<Value, Failure> {
         let uri = document.uri.to_string();
-        let analysis = self.texts.look(&uri)?;
+        let analysis = self.texts.analysis(&uri)?;
         let asked = TextRequest::of(&uri, analysis, self.texts.results(&uri), self.client);
         let answer = ask(&TextRequest {
             earlier: self.texts.earlier(&uri),
@@ -169,7 +169,7 @@ impl Session<'_> {
         let uri = words.next();
         let uri =
             uri.ok_or_else(|| Failure::params(format!("`{}` needs the address of a text", asked.command)))?;
-        let analysis = self.texts.look(uri)?;
+        let analysis = self.texts.analysis(uri)?;
         match asked.command.as_str() {
             SOLVE => Ok(Value::String(analysis.solved_page(self.texts.results(uri)))),
             TEST => {

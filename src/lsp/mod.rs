@@ -138,7 +138,7 @@ impl Server {
 
     fn published(&self, uri: &str, version: i32) -> Vec<Value> {
         let found = guarded(|| {
-            let analysis = self.texts.look(uri)?;
+            let analysis = self.texts.analysis(uri)?;
             Ok::<_, Failure>(
                 TextRequest::of(uri, analysis, self.texts.results(uri), self.client).diagnostics(),
             )

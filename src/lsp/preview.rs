@@ -54,7 +54,7 @@ impl Server {
     }
 
     fn page(&mut self, uri: &str) -> Result<Value, Failure> {
-        self.texts.look(uri)?;
+        self.texts.analysis(uri)?;
         let pages = self.pages.as_mut();
         let pages = pages.ok_or_else(|| Failure::request("this server has no pages to show".to_owned()))?;
         let address = pages.address(uri).map_err(Failure::request)?;
@@ -90,7 +90,7 @@ impl Server {
         let Some(at) = &self.cursor else { return };
         let uri = at.text_document.uri.to_string();
         let Some(pages) = self.pages.as_mut().filter(|pages| pages.has(&uri)) else { return };
-        let Ok(analysis) = self.texts.look(&uri) else { return };
+        let Ok(analysis) = self.texts.analysis(&uri) else { return };
         let range = Range { start: at.position, end: at.position };
         let byte = span(&Lines::of(&analysis.source.text), range, self.client.encoding);
         pages.mark(&uri, byte.ok().and_then(|byte| analysis.marked(byte.start)));

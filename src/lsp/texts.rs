@@ -69,7 +69,7 @@ impl Text {
     fn changed(&self, uri: &str, text: String, version: i32) -> Self {
         let results = self.results.as_ref().and_then(Option::as_ref).filter(|results| results.is_solved());
         let solved = results
-            .map(|results| Earlier { analysis: Arc::clone(self.look()), results: Arc::clone(results) });
+            .map(|results| Earlier { analysis: Arc::clone(self.analysis()), results: Arc::clone(results) });
         Self {
             part: self.part,
             earlier: solved.or_else(|| self.earlier.clone()),
@@ -77,7 +77,7 @@ impl Text {
         }
     }
 
-    fn look(&self) -> &Arc<Analysis> {
+    fn analysis(&self) -> &Arc<Analysis> {
         self.analysis.get_or_init(|| Arc::new(Analysis::of(self.source.clone())))
     }
 }
@@ -102,8 +102,8 @@ pub fn params<T: DeserializeOwned>(params: &Value) -> Result<T, Failure> {
 
 impl Texts {
     /// What is found in a text.
-    pub fn look(&self, uri: &str) -> Result<&Analysis, Failure> {
-        self.get(uri).map(|text| text.look().as_ref())
+    pub fn analysis(&self, uri: &str) -> Result<&Analysis, Failure> {
+        self.get(uri).map(|text| text.analysis().as_ref())
     }
 
     /// Its answers, where it is solved.
@@ -154,7 +154,7 @@ impl Texts {
     pub fn solve(&mut self, patience: &Patience<'_>) -> Vec<(String, i32)> {
         let mut solved = Vec::new();
         for (uri, text) in self.open.iter_mut().filter(|(_, text)| text.results.is_none()) {
-            let tried = guarded(|| text.look().solve(&|| patience().is_none()));
+            let tried = guarded(|| text.analysis().solve(&|| patience().is_none()));
             text.is_broken |= tried.is_none();
             let found = tried.flatten();
             if found.is_none() && patience() == Some(Stop::Later) {
@@ -172,7 +172,7 @@ impl Texts {
     /// What a page shows of a text that is solved or has no answers. A text that took too long is solved there.
     pub fn view(&self, uri: &str) -> Option<View> {
         let text = self.open.get(uri)?;
-        let (analysis, results) = (Arc::clone(text.look()), text.results.clone()?);
+        let (analysis, results) = (Arc::clone(text.analysis()), text.results.clone()?);
         Some(Box::new(move |goes_on| match results {
             Some(results) => Some(analysis.preview(Some(&*results))),
             None => {

@@ -82,7 +82,7 @@ pub struct CompileFindings {
 
 /// As [`compile_document`], with what an editor asks for.
 #[must_use]
-pub fn look(source: &Source, document: &Arc<Document>, found: Problems) -> CompileFindings {
+pub fn analyze(source: &Source, document: &Arc<Document>, found: Problems) -> CompileFindings {
     let is_read = !found.has_errors();
     let of_file = look_with(source, document, found, &Overrides::none());
     let row = if is_read && of_file.problems.has_errors() { first_row(document) } else { None };
@@ -102,7 +102,7 @@ fn look_with(
     found: Problems,
     overrides: &Overrides,
 ) -> CompileFindings {
-    let check::CheckFindings { mechanism, problems, uses, constants } = check::look(document, overrides);
+    let check::CheckFindings { mechanism, problems, uses, constants } = check::analyze(document, overrides);
     let (compiled, problems) = compile_checked(source, document, found, overrides, (mechanism, problems));
     CompileFindings { compiled, problems, uses, constants }
 }

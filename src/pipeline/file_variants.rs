@@ -68,7 +68,7 @@ impl<'a> FileVariants<'a> {
     }
 
     /// What all rows are, as far as it is known before one is solved: the first that can be, and all that is to be said.
-    pub fn look(mut self) -> (Option<Compiled>, Problems) {
+    pub fn analyze(mut self) -> (Option<Compiled>, Problems) {
         let (mut first, mut problems) = (None, Problems::new());
         for (i, row) in self.rows.iter().enumerate() {
             let (compiled, found) = looked_at(&mut self.solver, row);
@@ -121,7 +121,7 @@ pub fn look_at(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
     let rows = if found.has_errors() { None } else { FileVariants::of(&document, overrides) };
     match rows {
         Some(Ok(rows)) => {
-            let (compiled, problems) = rows.look();
+            let (compiled, problems) = rows.analyze();
             found.append(problems);
             (compiled, found)
         }

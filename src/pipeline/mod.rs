@@ -12,7 +12,7 @@ mod turn;
 mod variant_solver;
 
 pub use compile::assembly_clauses;
-pub use compile::{CompileFindings, Compiled, Origin, check_source, compile, compile_document, look};
+pub use compile::{CompileFindings, Compiled, Origin, analyze, check_source, compile, compile_document};
 pub use compile::{certain_edits, fixed};
 pub use dimensions::dimensions;
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, look_at, row_words};

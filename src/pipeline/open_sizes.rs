@@ -100,13 +100,13 @@ impl<'a> Compared<'a> {
         let mut there = Following::new(other, Vec::new()).ok()?;
         while let (Some(a), Some(b)) = (&mut here, &mut there) {
             let (Some(first), Some(second)) = (a.next(), b.next()) else { break };
-            compared.look((a.statics(), &first.ok()?), (b.statics(), &second.ok()?));
+            compared.compare((a.statics(), &first.ok()?), (b.statics(), &second.ok()?));
         }
         Some(compared)
     }
 
     /// Looks at one position of both.
-    fn look(&mut self, (statics, a): (&WholeCycle, &Pose), (changed, b): (&WholeCycle, &Pose)) {
+    fn compare(&mut self, (statics, a): (&WholeCycle, &Pose), (changed, b): (&WholeCycle, &Pose)) {
         let (Ok(here), Ok(there)) = (&a.outcome, &b.outcome) else { return };
         let (view, other) = (here.view(self.model, statics), there.view(self.other, changed));
         for question in self.questions.iter_mut().filter(|q| !q.differs) {

@@ -76,7 +76,7 @@ pub struct CheckFindings {
 
 /// As [`check`], with the uses of all names.
 #[must_use]
-pub fn look(document: &Document, overrides: &Overrides) -> CheckFindings {
+pub fn analyze(document: &Document, overrides: &Overrides) -> CheckFindings {
     let mut cx = start(document, overrides);
     cx.names.uses.keep();
     definitions(&mut cx);

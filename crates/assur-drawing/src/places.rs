@@ -175,12 +175,12 @@ impl Places {
             } else if least == f64::INFINITY {
                 return None;
             }
-            self.look(distance, grounds);
+            self.try_distance(distance, grounds);
         }
     }
 
     /// Looks at the next place at a distance.
-    fn look(&mut self, distance: usize, grounds: &Grounds<'_>) {
+    fn try_distance(&mut self, distance: usize, grounds: &Grounds<'_>) {
         let ray = self.rays[self.open[distance].trailing_zeros() as usize];
         self.open[distance] &= self.open[distance] - 1;
         self.expect(distance);

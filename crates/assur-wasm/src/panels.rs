@@ -22,7 +22,7 @@ impl Panels {
         std::mem::take(&mut self.0.borrow_mut().messages)
     }
 
-    fn tell(&self, method: &str, params: Value) {
+    fn send(&self, method: &str, params: Value) {
         let message = json!({ "jsonrpc": "2.0", "method": method, "params": params });
         self.0.borrow_mut().messages.push(message);
     }
@@ -45,12 +45,12 @@ impl Pages for Panels {
 
     fn mark(&mut self, uri: &str, what: Option<(&'static str, String)>) {
         let marked = what.map(|(class, name)| json!({ "class": class, "name": name }));
-        self.tell("assur/marked", json!({ "uri": uri, "marked": marked }));
+        self.send("assur/marked", json!({ "uri": uri, "marked": marked }));
     }
 
     fn show(&mut self, uri: &str, view: View) {
         if let Some(shown) = view(&|| true) {
-            self.tell("assur/shown", json!({ "uri": uri, "shown": shown }));
+            self.send("assur/shown", json!({ "uri": uri, "shown": shown }));
         }
     }
 }

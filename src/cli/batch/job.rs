@@ -72,7 +72,7 @@ pub fn unread(name: &str, error: &std::io::Error) -> CliError {
 }
 
 /// Says what is wrong with one text.
-pub fn tell(problems: &Problems, source: &Source, screen: &Screen) {
+pub fn report(problems: &Problems, source: &Source, screen: &Screen) {
     screen.complain(&screen.diagnostics(problems, source));
 }
 
@@ -80,7 +80,7 @@ pub fn tell(problems: &Problems, source: &Source, screen: &Screen) {
 pub fn tell_fault((source, error): Fault, screen: &Screen) {
     let mut problems = Problems::new();
     problems.push(*error);
-    tell(&problems, &source, screen);
+    report(&problems, &source, screen);
 }
 
 impl Job {
@@ -95,14 +95,14 @@ impl Job {
     ) -> Result<Result<Self, Status>, CliError> {
         let (document, problems) = syntax::parse(&source);
         let document = Arc::new(document);
-        tell(&problems, &source, screen);
+        report(&problems, &source, screen);
         if problems.has_errors() {
             return Ok(Err(Status::Wrong));
         }
         if !overrides.values.is_empty() {
             let (_, found) = check::check(&document, overrides);
             if Status::of(&found) == Status::Unusable {
-                tell(&found, &source, screen);
+                report(&found, &source, screen);
                 return Ok(Err(Status::Unusable));
             }
         }
@@ -119,7 +119,7 @@ impl Job {
         let overrides = overrides.clone();
         let Some(columns) = columns else {
             // where the table is fine, the `given` that it replaces is not
-            tell(&check::check(&document, &overrides).1, &source, screen);
+            report(&check::check(&document, &overrides).1, &source, screen);
             return Ok(Err(Status::Wrong));
         };
         let columns = Arc::from(columns);
@@ -315,14 +315,14 @@ fn outer(
         let reader = columns::open(name)?;
         return Ok(columns::header(document, name, &reader).and_then(|table| {
             let (columns, problems) = check::columns(document, overrides, &table.columns);
-            tell(&problems, &table.header, screen);
+            report(&problems, &table.header, screen);
             let wrong = columns.as_ref().and_then(|c| columns::wrong_kind(&table.header, &reader, c));
             wrong.map_or_else(|| Ok((Rows::Columns(name.to_owned()), columns)), Err)
         }));
     }
     Ok(open_table(name)?.map(|table| {
         let (columns, problems) = check::columns(document, overrides, &table.columns);
-        tell(&problems, &table.header, screen);
+        report(&problems, &table.header, screen);
         (Rows::Csv(name.to_owned()), columns)
     }))
 }
@@ -331,7 +331,7 @@ fn outer(
 fn own(source: &Source, document: &Document, overrides: &Overrides, screen: &Screen) -> Found {
     let Some(table) = check::table(document) else { return (Rows::One, Some(Vec::new())) };
     let (columns, problems) = check::columns(document, overrides, table);
-    tell(&problems, source, screen);
+    report(&problems, source, screen);
     let columns: Option<Arc<[RowColumn]>> = columns.map(Arc::from);
     let rows = columns.as_ref().map(|c| check::file_rows(table, c)).unwrap_or_default();
     (Rows::Own(rows), columns.map(|c| c.to_vec()))

@@ -2,7 +2,7 @@
 
 use super::super::{args::Format, error::CliError, screen::Screen, sink::Sink};
 use super::filled::{Filled, Out};
-use super::job::{FIRST_CHUNK, Job, LARGEST_CHUNK, tell, tell_fault};
+use super::job::{FIRST_CHUNK, Job, LARGEST_CHUNK, report, tell_fault};
 use super::layout::Layout;
 use super::line::RowMessages;
 use super::piece::SolverPool;
@@ -68,7 +68,7 @@ impl<'r> Run<'r> {
                     let key_lines = key_places.as_ref().map(|places| key.placed(&piece.key, places, name));
                     sink.write(key_lines.as_ref().unwrap_or(&piece.key))?;
                 }
-                self.tell(piece.said, &mut tally, progress);
+                self.report(piece.said, &mut tally, progress);
                 if !piece.whole {
                     whole = false;
                     break;
@@ -105,7 +105,7 @@ impl<'r> Run<'r> {
     }
 
     /// Counts rows; explains the first that fail for a reason.
-    fn tell(&self, said: Vec<(usize, RowMessages)>, tally: &mut Tally, progress: &Progress) {
+    fn report(&self, said: Vec<(usize, RowMessages)>, tally: &mut Tally, progress: &Progress) {
         for (number, said) in said {
             said.reached.iter().for_each(|reached| tally.reached(reached));
             if said.is_nothing() {
@@ -127,7 +127,7 @@ impl<'r> Run<'r> {
             }
             if let (true, Some((source, problems))) = (explain, said.problems) {
                 let source = source.as_ref().unwrap_or(&self.job.source);
-                progress.aside(|| tell(&problems, source, self.screen));
+                progress.aside(|| report(&problems, source, self.screen));
             }
         }
     }

@@ -112,8 +112,8 @@ fn build(
     let (disk, follower) = (rim.link, other.link);
     let scale = cam.base_radius;
     let tip = tip(cam, other, scale, &name(follower))?;
-    let stands = stands(cx, disk, centre, scale);
-    if stands.is_empty() {
+    let places_of = places_of(cx, disk, centre, scale);
+    if places_of.is_empty() {
         let message = format!("`{}` has no hinge in the centre of its profile", name(disk));
         let help = format!("join the centre to the frame: `revolute O: ground - {}`", name(disk));
         return Err((message, help));
@@ -123,8 +123,8 @@ fn build(
         cam: index,
         disk,
         centre,
-        frame: stands[0].frame,
-        frame_centre: stands[0].pin.at,
+        frame: places_of[0].frame,
+        frame_centre: places_of[0].pin.at,
         towards: Vec2::new(1.0, 0.0),
         follower,
         roller: None,
@@ -138,7 +138,7 @@ fn build(
         tip,
     };
     let oscillates = cam.follower.oscillates();
-    for stand in &stands {
+    for stand in &places_of {
         contact.frame = stand.frame;
         contact.frame_centre = stand.pin.at;
         for kind in cx.builder.mech.pairs.iter().map(|p| &p.kind) {
@@ -162,7 +162,7 @@ fn build(
         }
     }
     let (motion, pair) = if oscillates { ("turns", "revolute pair") } else { ("slides", "prismatic pair") };
-    let (frame, follower) = (name(stands[0].frame), name(follower));
+    let (frame, follower) = (name(places_of[0].frame), name(follower));
     let message = format!(
         "the cam is designed for a follower that {motion}, but no {pair} joins \
          `{follower}` and `{frame}`"
@@ -194,7 +194,7 @@ fn tip(cam: &Cam, other: &Profile, scale: f64, link: &str) -> Result<Vec2, Diffe
 }
 
 /// The hinges in the centre of the cam.
-fn stands<'a>(cx: &'a Context<'_>, disk: LinkId, centre: Vec2, scale: f64) -> Vec<CamPlace<'a>> {
+fn places_of<'a>(cx: &'a Context<'_>, disk: LinkId, centre: Vec2, scale: f64) -> Vec<CamPlace<'a>> {
     let mut found = Vec::new();
     for pair in &cx.builder.mech.pairs {
         let PairKind::Revolute(pins) = &pair.kind else { continue };

@@ -5,7 +5,7 @@ use crate::values::rates::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
 use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Span, Spanned};
-use assur_text::units::{Dimension, is_unit, lookup, meant};
+use assur_text::units::{Dimension, is_unit, lookup, suggestions};
 
 impl Context<'_> {
     /// Whether the factors from this operand on were meant as a part of the unit before them, which is reported.
@@ -33,7 +33,7 @@ impl Context<'_> {
             end = operand.span.end;
         }
         let Some(foreign) = foreign else { return false };
-        let units = meant(&word);
+        let units = suggestions(&word);
         if units.is_empty() {
             return false;
         }

@@ -6,7 +6,7 @@ use indexmap::IndexSet;
 /// Calls `visit` on every result the expression depends on, those of its quantities included.
 pub fn queries(mech: &Mechanism, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
     let mut found = Behind::default();
-    found.look(expr, visit);
+    found.visit_queries(expr, visit);
     let (mut quantities, mut cycles) = (0, 0);
     loop {
         let quantity = found.quantities.get_index(quantities).map(|id| id.index());
@@ -23,7 +23,7 @@ pub fn queries(mech: &Mechanism, expr: &model::Expr, visit: &mut dyn FnMut(&mode
             (None, None) => return,
         };
         if let Some(next) = next {
-            found.look(next, visit);
+            found.visit_queries(next, visit);
         }
     }
 }
@@ -36,7 +36,7 @@ struct Behind {
 }
 
 impl Behind {
-    fn look(&mut self, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
+    fn visit_queries(&mut self, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
         expr.parts(&mut |part| match part {
             model::Expr::Query(query) => {
                 visit(query);

@@ -202,8 +202,9 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     let inside = &cx.names.inside[end.link.index()];
     let link = cx.builder.mech.link(end.link).name.clone();
     let lookalike = inside.points.keys().find(|p| skeleton(p) == skeleton(name)).cloned();
-    let elsewhere =
-        (what == "point").then(|| missing_on_ground(cx, joint, end).or_else(|| meant(cx, joint))).flatten();
+    let elsewhere = (what == "point")
+        .then(|| missing_on_ground(cx, joint, end).or_else(|| suggested_point(cx, joint)))
+        .flatten();
     let all = inside.points.keys().map(|p| format!("`{link}.{p}`")).collect::<Vec<_>>();
     let choices = match all.len() {
         0 => format!("give `{link}` the point: `{}`", with_point(cx, &link, name)),
@@ -279,7 +280,7 @@ fn with_point(cx: &Context<'_>, link: &str, point: &str) -> String {
 }
 
 /// The statement that may be meant where a hinge joins links that lack the point of its name.
-fn meant(cx: &Context<'_>, joint: &Joint) -> Option<String> {
+fn suggested_point(cx: &Context<'_>, joint: &Joint) -> Option<String> {
     let name = &joint.name.node;
     let has = |inside: &Inside| inside.points.contains_key(name);
     let links = cx.names.inside.iter().zip(&cx.builder.mech.links).filter(|(inside, _)| has(inside));

@@ -162,14 +162,17 @@ fn check_column(cx: &mut Context<'_>, column: &Column) -> Option<RowColumn> {
         Some(kind) => {
             let is = kind.phrase().to_owned();
             let replaces = "a row of variants replaces the values of `given`";
-            let meant = given_meant(cx, &name.node);
+            let suggestion = given_meant(cx, &name.node);
             cx.error(wrong_kind(
                 &name.node,
                 &is,
                 "a `given`",
                 name.span,
                 cx.names.quantities.get(&name.node).map(|d| d.span),
-                Some(meant.map_or(replaces.into(), |meant| format!("write `{meant}`: {replaces}"))),
+                Some(
+                    suggestion
+                        .map_or(replaces.into(), |suggestion| format!("write `{suggestion}`: {replaces}")),
+                ),
             ));
             None
         }

@@ -172,7 +172,7 @@ impl<S: Scalar> Sums<S> {
     #[cfg_attr(in_one, inline(always))]
     pub fn add(&mut self, state: &State<S>, action: Action<S>) {
         let Action { on, by, at, force, couple, .. } = action;
-        let norm = self.look(force, couple);
+        let norm = self.update_max(force, couple);
         let mut arm = self.put(state, on, at, (force, couple));
         if let Some(by) = by {
             arm = arm.max(self.put(state, by, at, (-force, -couple)));
@@ -182,7 +182,7 @@ impl<S: Scalar> Sums<S> {
 
     /// The magnitude of a force: it and the couple may be the greatest.
     #[inline(always)]
-    fn look(&mut self, force: V2<S>, couple: S) -> S {
+    fn update_max(&mut self, force: V2<S>, couple: S) -> S {
         let norm_2 = square(force);
         self.most_force = self.most_force.max(norm_2);
         self.most_moment = self.most_moment.max(couple.abs());

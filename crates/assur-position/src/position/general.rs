@@ -4,7 +4,9 @@ use super::body::BodyState;
 use super::general_work::Workspace;
 use super::state::{Branch, State};
 use crate::group::IterationLog;
-use crate::group::general::{self, Acceleration, Constraint, Geared, General, Law, Meant, Pose, Velocity};
+use crate::group::general::{
+    self, Acceleration, Constraint, Geared, General, InitialGuess, Law, Pose, Velocity,
+};
 use crate::plan::{GeneralMotion, Settings};
 
 /// Starts of the search for assemblies: many for few bodies, as `group::general::assemblies` advises.
@@ -151,7 +153,7 @@ pub fn to_start(
     branch: usize,
     problem: usize,
     group: &GeneralMotion,
-    (starts, meant): (usize, Option<&Meant>),
+    (starts, meant): (usize, Option<&InitialGuess>),
 ) -> bool {
     let Some(mut work) = state.scratch.motion_work.get(problem).cloned().flatten() else { return false };
     state.set_drives(&mut work.equations, group);
@@ -180,7 +182,7 @@ pub fn assemblies(
     branch: usize,
     problem: usize,
     group: &GeneralMotion,
-    (starts, meant): (usize, Option<&Meant>),
+    (starts, meant): (usize, Option<&InitialGuess>),
 ) -> Vec<State> {
     let Some(work) = before.scratch.motion_work.get(problem).and_then(Option::as_ref) else {
         return Vec::new();

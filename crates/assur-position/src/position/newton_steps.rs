@@ -3,7 +3,7 @@
 use super::general::to_start;
 use super::state::State;
 use crate::group::NewtonStep;
-use crate::group::general::Meant;
+use crate::group::general::InitialGuess;
 use crate::group::triad::modes;
 use crate::plan::{MotionStep, Plan};
 
@@ -32,7 +32,7 @@ impl State {
         &mut self,
         plan: &Plan,
         index: usize,
-        search: (usize, Option<&Meant>),
+        search: (usize, Option<&InitialGuess>),
     ) -> Vec<NewtonStep> {
         match plan.motion.get(index) {
             Some(MotionStep::Triad { triad, .. }) => {

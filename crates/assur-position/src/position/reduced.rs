@@ -78,7 +78,7 @@ impl Reduced {
         state.assemble_as(plan, there);
         let mut reduced = Self::new(plan, free.to_vec(), true);
         reduced.several(plan, &mut state);
-        if state.motion.open.is_some() || !state.stands_as(there) {
+        if state.motion.open.is_some() || !state.is_at(there) {
             return None;
         }
         reduced.sum_up(&state);
@@ -370,7 +370,7 @@ impl State {
         self.start(plan);
         for (index, step) in plan.motion.iter().enumerate() {
             self.step::<0>(plan, step);
-            if step.has_two_roots() && !self.stands_as(there) {
+            if step.has_two_roots() && !self.is_at(there) {
                 self.branches[index].root = -self.branches[index].root;
                 self.step::<0>(plan, step);
             }
@@ -378,7 +378,7 @@ impl State {
     }
 
     /// Whether all bodies stand as they do in another state.
-    fn stands_as(&self, there: &Self) -> bool {
+    fn is_at(&self, there: &Self) -> bool {
         let bodies = self.motion.bodies.iter().zip(&there.motion.bodies);
         let far = bodies.map(|(a, b)| ((a.p - b.p).norm() / (1.0 + b.p.norm())).max((a.u - b.u).norm()));
         far.fold(0.0, f64::max) < SAME_PLACE

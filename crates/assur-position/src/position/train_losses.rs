@@ -176,7 +176,7 @@ impl State {
 
     /// Whether power in a law has no direction, since its sides stand.
     #[must_use]
-    pub fn stands(&self, law: &PlannedLaw) -> bool {
+    pub fn is_at_rest(&self, law: &PlannedLaw) -> bool {
         self.side_rates(law) == [0.0, 0.0]
     }
 

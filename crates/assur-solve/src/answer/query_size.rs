@@ -8,7 +8,7 @@ use crate::structure::{EffortKind, EffortSource};
 
 impl Sizes {
     /// Looks at a position. Its quantities are known.
-    pub(crate) fn look(&mut self, at: &PoseAnswers<'_>) {
+    pub(crate) fn update_max(&mut self, at: &PoseAnswers<'_>) {
         // loads are those at speeds that there are
         let alone = std::mem::take(&mut self.alone);
         self.look_at_motion(at);

@@ -163,7 +163,7 @@ pub(super) fn labels(model: &Model<'_>, group: &Group, text: &str) -> Vec<Labele
 }
 
 /// How a group stands whose determinant vanishes.
-pub(super) fn stands(model: &Model<'_>, group: &Group, condition: f64) -> String {
+pub(super) fn dead_position(model: &Model<'_>, group: &Group, condition: f64) -> String {
     let links = links(model, group);
     let first = group.bodies.first().map(|&b| body(model, b));
     let turned = contact_in(model.mechanism, model.structure, group)

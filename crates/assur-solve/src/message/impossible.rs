@@ -1,6 +1,6 @@
 //! Positions at which there is no motion, or no force, or no number.
 
-use super::format::{body, label, labels, links, stands};
+use super::format::{body, dead_position, label, labels, links};
 use crate::answer::LeftCurve;
 use crate::position::Model;
 use crate::solve::{GroupId, Lost};
@@ -13,7 +13,7 @@ pub(super) fn dead(model: &Model<'_>, group: GroupId, condition: f64, pose: Stri
     let group = group.of(model.structure);
     Diagnosis::error(
         "mech::solve::dead_position",
-        format!("dead position{pose}: {}", stands(model, group, condition)),
+        format!("dead position{pose}: {}", dead_position(model, group, condition)),
     )
     .labels(labels(model, group, "dead"))
     .help(format!(

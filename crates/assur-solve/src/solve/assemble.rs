@@ -1,7 +1,7 @@
 //! Finds the assembly of the first position: all of them are tried, group by group, and `assemble` chooses.
 
 use super::failure::Cause;
-use super::meant::meant;
+use super::initial_guess::initial_guess;
 use super::unassembled::{ambiguous, does_not_close, not_met};
 use crate::answer::{PoseAnswers, first_angles};
 use crate::math::Vec2;
@@ -154,8 +154,14 @@ fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize)
     if let MotionStep::General { problem, .. } = step {
         let group = &model.plan.general[*problem];
         let mut found = {
-            let meant = meant(model, state, index, group);
-            crate::position::general_assemblies(state, index, *problem, group, (starts, meant.as_ref()))
+            let initial_guess = initial_guess(model, state, index, group);
+            crate::position::general_assemblies(
+                state,
+                index,
+                *problem,
+                group,
+                (starts, initial_guess.as_ref()),
+            )
         };
         found.retain(|state| cylinders_are_positive(model, state, index));
         return found.iter().map(|state| Assembly::of(model, state, index)).collect();

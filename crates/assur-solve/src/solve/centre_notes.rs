@@ -38,7 +38,7 @@ impl CentreNotes {
     }
 
     /// Looks at the answers of a position.
-    pub(super) fn look(&mut self, view: &PoseAnswers<'_>, pose: &PoseRequest) {
+    pub(super) fn update(&mut self, view: &PoseAnswers<'_>, pose: &PoseRequest) {
         if matches!(pose.origin, PoseOrigin::Expected(_)) {
             return;
         }

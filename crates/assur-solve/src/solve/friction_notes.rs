@@ -20,15 +20,15 @@ pub(super) struct FrictionNotes {
 
 impl FrictionNotes {
     /// Looks at the friction of a position.
-    pub(super) fn look(&mut self, model: &Model<'_>, view: &PoseAnswers<'_>, pose: &PoseRequest) {
+    pub(super) fn update(&mut self, model: &Model<'_>, view: &PoseAnswers<'_>, pose: &PoseRequest) {
         if matches!(pose.origin, PoseOrigin::Expected(_)) {
             return;
         }
         let simulated = model.mechanism.simulation.is_some();
         if model.plan.effects.losses && !simulated && !view.state.forces.locked {
             for (law, force) in model.plan.laws.iter().zip(&view.state.forces.law_forces) {
-                if law.efficiency.is_some() && force.multiplier != 0.0 && view.state.stands(law) {
-                    self.stands(law.pair, pose);
+                if law.efficiency.is_some() && force.multiplier != 0.0 && view.state.is_at_rest(law) {
+                    self.note_at_rest(law.pair, pose);
                 }
             }
         }
@@ -42,7 +42,7 @@ impl FrictionNotes {
             let senses =
                 || model.plan.friction_of.places(id).iter().filter_map(|&e| view.state.forces.senses.get(e));
             if rubs && senses().all(|sense| *sense == 0.0) {
-                self.stands(id, pose);
+                self.note_at_rest(id, pose);
             }
         }
         if view.efficiency() > 0.0 || view.efficiency().is_nan() || view.overcomes_friction_alone() {
@@ -66,7 +66,7 @@ impl FrictionNotes {
     }
 
     /// A pair or a transmission whose losses have no direction.
-    fn stands(&mut self, pair: PairId, pose: &PoseRequest) {
+    fn note_at_rest(&mut self, pair: PairId, pose: &PoseRequest) {
         match self.still.iter_mut().find(|s| s.0 == pair) {
             Some((_, _, more)) => *more += 1,
             None => self.still.push((pair, pose.clone(), 0)),

@@ -1,7 +1,7 @@
 //! How a group without a closed form comes to a position of a solution: the steps of the solver, taken again.
 
+use super::initial_guess::initial_guess;
 use super::inputs::Rates;
-use super::meant::meant;
 use super::solution::{Pose, Solution, Solved};
 use super::steps::step_before;
 use super::track::Tracker;
@@ -77,11 +77,13 @@ fn searched(
     index: usize,
 ) -> Option<Iteration> {
     let mut state = solved.state.clone().ready(model.plan);
-    let meant = match &model.plan.motion[index] {
-        MotionStep::General { problem, .. } => meant(model, &state, index, &model.plan.general[*problem]),
+    let initial_guess = match &model.plan.motion[index] {
+        MotionStep::General { problem, .. } => {
+            initial_guess(model, &state, index, &model.plan.general[*problem])
+        }
         _ => None,
     };
-    let steps = state.search_steps(model.plan, index, (STARTS, meant.as_ref()));
+    let steps = state.search_steps(model.plan, index, (STARTS, initial_guess.as_ref()));
     let found = is_there(model, &state, solved, index) && !steps.is_empty();
     found.then_some(Iteration { begun: Begun::Searched, steps })
 }

@@ -121,8 +121,8 @@ impl Run<'_, '_> {
         if let Some(left) = self.left(&view) {
             return Err(Cause::CurveLeft(left));
         }
-        self.friction.look(model, &view, pose);
-        self.centres.look(&view, pose);
+        self.friction.update(model, &view, pose);
+        self.centres.update(&view, pose);
         Ok(())
     }
 

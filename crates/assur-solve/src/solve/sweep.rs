@@ -106,7 +106,7 @@ impl<'a, 's> Following<'a, 's> {
         if let Some(simulation) = &model.mechanism.simulation {
             let found = super::simulate::trajectory(model, &statics, &rates, &first, simulation, conduct);
             let found = found.map_err(|failure| vec![failure])?;
-            found.tell(model.mechanism, &mut statics);
+            found.report_to(model.mechanism, &mut statics);
             trajectory = Some(found);
         } else {
             cycle_notes =
@@ -293,7 +293,7 @@ impl<'a, 's> Following<'a, 's> {
             Ok((tracker, arrival)) => {
                 run.note_arrival(arrival, &tracker, &pose);
                 let outcome = run.solved(&tracker, &pose);
-                self.near.iter_mut().for_each(|n| n.look(&tracker, &pose.drives));
+                self.near.iter_mut().for_each(|n| n.update(&tracker, &pose.drives));
                 self.current = Some(tracker);
                 outcome
             }
@@ -338,7 +338,7 @@ impl SidePose {
     }
 
     /// Keeps the tracker if its position is nearer than those before.
-    fn look(&mut self, tracker: &Tracker, drives: &[DriveValue]) {
+    fn update(&mut self, tracker: &Tracker, drives: &[DriveValue]) {
         let away = away(drives, &self.pose.drives);
         if away < self.away {
             self.away = away;

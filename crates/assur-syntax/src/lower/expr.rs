@@ -205,8 +205,8 @@ impl Lower<'_> {
             let own = factors.iter().skip(1).position(|f| !units::is_unit(f.symbol));
             let own = own.map_or(factors.len(), |i| i + 1);
             // `об/мин` is a unit of another language as a whole
-            let foreign =
-                factors.first().is_some_and(|f| !units::is_unit(f.symbol)) && !units::meant(word).is_empty();
+            let foreign = factors.first().is_some_and(|f| !units::is_unit(f.symbol))
+                && !units::suggestions(word).is_empty();
             let own = if foreign { factors.len() } else { own };
             let end = factors.get(own.checked_sub(1)?).map_or(word.len(), |f| f.end);
             let unit_at = if end == unit.as_str().len() { whole } else { Span::new(start, start + end) };

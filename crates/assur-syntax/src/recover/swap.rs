@@ -212,7 +212,7 @@ const SYNONYMS: &[(&str, &str)] = &[
 ];
 
 /// Whether a word or sign may have been meant: a sign for a word, and what fits nearly everywhere, says nothing.
-fn meant(found: &str, wanted: &str) -> bool {
+fn may_replace(found: &str, wanted: &str) -> bool {
     let is_word = |text: &str| text.starts_with(is_name_char);
     let anywhere = ["@", "within", "when", "along", "near", "on"].contains(&wanted);
     !anywhere && (is_word(found) || !is_word(wanted)) && !matches!((found, wanted), (",", ":" | "="))
@@ -243,7 +243,7 @@ fn other_word(case: &Case<'_>) -> Option<Diagnosis> {
     fitting.retain(|w| w != "(" && w != "{" && case.reads(&case.with(case.fail, end, &format!(" {w} "))));
     fitting.dedup();
     let wanted = match fitting.as_slice() {
-        [wanted] if synonym.is_some() || meant(found, wanted) => wanted,
+        [wanted] if synonym.is_some() || may_replace(found, wanted) => wanted,
         _ => return None,
     };
     let before = case.slice.get(..case.fail)?;
@@ -268,7 +268,7 @@ fn other_word_before(case: &Case<'_>) -> Option<Diagnosis> {
     fitting
         .retain(|w| !matches!(*w, "and" | "or" | "not") && *w != found && case.reads(&case.with(at, end, w)));
     let wanted = match fitting.as_slice() {
-        [wanted] if meant(found, wanted) => wanted,
+        [wanted] if may_replace(found, wanted) => wanted,
         _ => return None,
     };
     Some(instead(found, wanted, case.span(at, found.len()), case.help(at, end, wanted)))

@@ -9,7 +9,7 @@ mod unit;
 
 pub use crate::language::{Dimension, Kind};
 pub use number::{push_row, push_significant, significant, write_significant};
-pub use spelling::meant;
+pub use spelling::suggestions;
 pub use template::{Columns, Pieces, Template};
 pub use unit::UnitError;
 pub use unit::{Conversion, Unit};

@@ -26,7 +26,7 @@ pub(super) fn nearest(word: &str) -> Vec<String> {
 
 /// Spellings of the whole word that certainly were meant: other words for units, powers without `^`.
 #[must_use]
-pub fn meant(word: &str) -> Vec<String> {
+pub fn suggestions(word: &str) -> Vec<String> {
     spellings(word, false)
 }
 

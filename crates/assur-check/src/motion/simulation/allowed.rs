@@ -9,7 +9,7 @@ use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
 /// Reports what has no meaning beside `simulate`.
-pub(super) fn look(cx: &mut Context<'_>, simulate: Span) {
+pub(super) fn check(cx: &mut Context<'_>, simulate: Span) {
     starts_or_drives(cx, simulate);
     positions(cx, simulate);
     no_meaning(cx);

@@ -38,7 +38,7 @@ pub(crate) fn simulation(cx: &mut Context<'_>) {
     };
     event::events(cx);
     cx.builder.mech.simulation = course(cx, simulate, span);
-    allowed::look(cx, span);
+    allowed::check(cx, span);
 }
 
 fn second_statement(cx: &mut Context<'_>) {

@@ -11,7 +11,6 @@ mod formula;
 mod friction;
 mod gear;
 mod grip;
-mod meant;
 mod motion;
 mod named;
 mod own_usage;
@@ -20,6 +19,7 @@ mod part;
 mod relative;
 mod simulation;
 mod substitution;
+mod suggestion;
 
 use crate::expr::context::Context;
 use crate::expr::results::{Call, Results};

@@ -21,7 +21,7 @@ const VANISHES: f64 = 4.0 * f64::EPSILON;
 
 /// Where the bodies of a group are meant to stand.
 #[derive(Clone, Debug)]
-pub struct Meant {
+pub struct InitialGuess {
     /// One pose for each of the group's own bodies.
     pub poses: Vec<Pose>,
     /// Every one of them follows from places that are named.
@@ -48,7 +48,7 @@ pub fn assemblies_near(
     group: &mut General,
     poses: &[Pose],
     starts: usize,
-    meant: Option<&Meant>,
+    meant: Option<&InitialGuess>,
 ) -> Vec<Vec<Pose>> {
     let mut found: Vec<Vec<Pose>> = Vec::new();
     if is_never_regular(group, poses) {
@@ -71,7 +71,7 @@ pub fn start_of(
     group: &mut General,
     poses: &[Pose],
     starts: usize,
-    meant: Option<&Meant>,
+    meant: Option<&InitialGuess>,
     assembly: &[Pose],
 ) -> Option<Vec<Pose>> {
     let around = surroundings(group, poses);
@@ -107,7 +107,7 @@ fn started(group: &General, poses: &[Pose], start: usize, (centre, reach): (Vec2
 }
 
 /// The poses of all bodies with the group's own as they are meant.
-fn meant_start(group: &General, poses: &[Pose], meant: &Meant) -> Vec<Pose> {
+fn meant_start(group: &General, poses: &[Pose], meant: &InitialGuess) -> Vec<Pose> {
     let mut trial = poses.to_vec();
     trial[..group.moving].copy_from_slice(&meant.poses);
     trial

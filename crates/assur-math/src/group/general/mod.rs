@@ -42,7 +42,7 @@ mod gearing;
 mod newton;
 mod rates;
 
-pub use assemblies::{Meant, assemblies, assemblies_near, is_never_regular, start_of};
+pub use assemblies::{InitialGuess, assemblies, assemblies_near, is_never_regular, start_of};
 pub use constraint::{Constraint, Law, Line, Point};
 pub use gearing::{GearTerm, Geared, Gearing};
 pub use newton::{Failure, General};

@@ -73,7 +73,7 @@ impl AbsLinearSystem {
             if work > most_work {
                 return Solutions { found: search.found, complete: false, work };
             }
-            match search.look(&node) {
+            match search.examine(&node) {
                 Verdict::Closed => {}
                 Verdict::Open => complete = false,
                 Verdict::Split(part) => {
@@ -113,7 +113,7 @@ impl AbsLinearSystem {
 }
 
 impl Search<'_> {
-    fn look(&mut self, node: &[Sector]) -> Verdict {
+    fn examine(&mut self, node: &[Sector]) -> Verdict {
         if !self.feasible(node) {
             return Verdict::Closed;
         }

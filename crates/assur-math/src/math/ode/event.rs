@@ -65,7 +65,7 @@ pub fn crossings<S: Real, B>(
     mut g: impl FnMut(S) -> S,
     mut found: impl FnMut(Crossing<S>) -> ControlFlow<B>,
 ) -> ControlFlow<B> {
-    let mut points = PARTS.map(|part| look((from, to), part, &mut g));
+    let mut points = PARTS.map(|part| point_at((from, to), part, &mut g));
     if let Some(rising) = passed {
         points[0].1 = passed_value(points[0].1, rising);
     }
@@ -99,7 +99,7 @@ pub fn crossings<S: Real, B>(
 }
 
 /// The value at a part of the step; where that is a root by chance, beside it, as there is more to see.
-fn look<S: Real>((from, to): (S, S), part: f64, g: &mut impl FnMut(S) -> S) -> Point<S> {
+fn point_at<S: Real>((from, to): (S, S), part: f64, g: &mut impl FnMut(S) -> S) -> Point<S> {
     let t = if part < 1.0 { from + S::of(part) * (to - from) } else { to };
     let value = g(t);
     if sign(value) != 0 || part == 0.0 || part == 1.0 {
@@ -124,7 +124,7 @@ fn with_more<S: Real>(
         });
         if hides(pair[0].1, values, pair[1].1) {
             for i in 0..INSIDE {
-                all[count] = look(step, inside(gap, i), g);
+                all[count] = point_at(step, inside(gap, i), g);
                 count += 1;
             }
         }

@@ -323,7 +323,7 @@ fn starts_where_the_bodies_are_meant_to_stand() {
     let all = assemblies(&mut group, &poses, 40);
     for wanted in &all {
         let near = |pose: &Pose| pose.moved(Vec2::new(0.01, -0.02), 0.03);
-        let meant = Meant { poses: wanted.iter().map(near).collect(), whole: true };
+        let meant = InitialGuess { poses: wanted.iter().map(near).collect(), whole: true };
         // one start alone, and as one more among others
         let found = assemblies_near(&mut group, &poses, 0, Some(&meant));
         assert!(found.len() == 1 && (found[0][0].u - wanted[0].u).norm() < 1e-9, "{found:?}");

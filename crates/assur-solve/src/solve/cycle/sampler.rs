@@ -323,7 +323,7 @@ impl<'a> Sampler<'a> {
             self.quantities = self.view(statics).all_quantities_in(memory);
         }
         let mut sizes = std::mem::take(&mut self.sizes);
-        sizes.look(&self.view(statics));
+        sizes.update_max(&self.view(statics));
         self.sizes = sizes;
         self.last = Some((s, need));
         Ok(())

@@ -38,10 +38,10 @@ impl Bends {
         }
         if self.t != method.previous_t() || self.forces.is_empty() {
             let y = method.previous_y().to_vec();
-            self.look(equations, (method.previous_t(), &y));
+            self.sample(equations, (method.previous_t(), &y));
         }
         std::mem::swap(&mut self.before, &mut self.forces);
-        self.look(equations, (method.t(), method.y()));
+        self.sample(equations, (method.t(), method.y()));
         let much = tolerance * equations.extent() * self.greatest;
         let part = |((a, b), radius): ((&Vec2, &Vec2), f64)| {
             let way = *b - *a;
@@ -58,12 +58,12 @@ impl Bends {
         if part < 1.0 {
             let from = method.previous_t();
             method.shorten(equations, from + part * (method.t() - from))?;
-            self.look(equations, (method.t(), method.y()));
+            self.sample(equations, (method.t(), method.y()));
         }
         Ok(())
     }
 
-    fn look(&mut self, equations: &mut Equations<'_, '_>, (t, y): (f64, &[f64])) {
+    fn sample(&mut self, equations: &mut Equations<'_, '_>, (t, y): (f64, &[f64])) {
         self.t = t;
         self.forces.clear();
         if equations.is_at(t, y) || equations.observe(t, y, true) {

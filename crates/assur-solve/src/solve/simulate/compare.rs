@@ -97,15 +97,15 @@ impl Compared {
         let mut found = kinds.worst(equations.extent(), missing);
         let length = fine_run.end - equations.from;
         for (a, b) in events.flat_map(|(a, b)| a.iter().zip(b)) {
-            found.look((a - b).abs() / length, STATES);
+            found.update_max((a - b).abs() / length, STATES);
         }
         if let (Some(a), Some(b)) = (coarse_run.opens, fine_run.opens) {
-            found.look((a - b).abs() / length, STATES);
+            found.update_max((a - b).abs() / length, STATES);
         }
         found.works(coarse, fine, both);
         for (a, b) in coarse_run.functions.iter().zip(fine_run.functions) {
             let difference = (a.value - b.value).abs();
-            found.look(if difference <= b.rounding { 0.0 } else { difference / b.scale }, STATES + 1);
+            found.update_max(if difference <= b.rounding { 0.0 } else { difference / b.scale }, STATES + 1);
         }
         found
     }
@@ -118,7 +118,7 @@ impl Compared {
             let greatest = (0..both).map(|i| of(fine, i).abs()).fold(0.0, f64::max);
             let difference = (0..both).map(|i| (of(coarse, i) - of(fine, i)).abs()).fold(0.0, f64::max);
             let same = difference <= SAME * fine.nothing[id];
-            self.look(if same { 0.0 } else { difference / greatest }, STATES + 2);
+            self.update_max(if same { 0.0 } else { difference / greatest }, STATES + 2);
         }
     }
 
@@ -131,17 +131,17 @@ impl Compared {
         };
         for (kind, error) in self.each.iter().enumerate() {
             let works = if kind == STATES + 2 { of_works } else { 1.0 };
-            reduced.look(part * works * error, kind);
+            reduced.update_max(part * works * error, kind);
         }
         reduced
     }
 
     /// The error of a steady motion itself.
     pub fn steady(&mut self, error: f64) {
-        self.look(error, STATES + 3);
+        self.update_max(error, STATES + 3);
     }
 
-    fn look(&mut self, error: f64, kind: usize) {
+    fn update_max(&mut self, error: f64, kind: usize) {
         if error > self.error {
             (self.error, self.worst) = (error, KINDS[kind]);
         }
@@ -163,7 +163,7 @@ impl Equations<'_, '_> {
         let assemblies = records.assemblies[index].as_deref().unwrap_or(self.begins);
         self.trial.branches.copy_from_slice(assemblies);
         let (state, accelerations) = (records.state(index), records.accelerations(index));
-        self.place(records.times[index], state, accelerations, records.stand(index));
+        self.place(records.times[index], state, accelerations, records.bodies_at(index));
     }
 }
 
@@ -213,7 +213,7 @@ impl Kinds {
         })
     }
 
-    fn look(&mut self, kind: usize, difference: f64, magnitude: f64, nothing: &[f64; STATES]) {
+    fn update_max(&mut self, kind: usize, difference: f64, magnitude: f64, nothing: &[f64; STATES]) {
         // what is not a number is the worst there is
         let difference = if difference.is_nan() { f64::INFINITY } else { difference };
         self.difference[kind] = self.difference[kind].max(difference);
@@ -237,20 +237,20 @@ impl Kinds {
 
     fn bodies(&mut self, coarse: &[BodyState], fine: &[BodyState], nothing: &[f64; STATES]) {
         for (a, b) in coarse.iter().zip(fine) {
-            self.look(0, (a.p - b.p).norm(), 0.0, nothing);
-            self.look(1, (a.u - b.u).norm(), 1.0, nothing);
-            self.look(2, (a.v - b.v).norm(), b.v.norm(), nothing);
-            self.look(3, (a.omega - b.omega).abs(), b.omega.abs(), nothing);
-            self.look(4, (a.a - b.a).norm(), b.a.norm(), nothing);
-            self.look(5, (a.alpha - b.alpha).abs(), b.alpha.abs(), nothing);
+            self.update_max(0, (a.p - b.p).norm(), 0.0, nothing);
+            self.update_max(1, (a.u - b.u).norm(), 1.0, nothing);
+            self.update_max(2, (a.v - b.v).norm(), b.v.norm(), nothing);
+            self.update_max(3, (a.omega - b.omega).abs(), b.omega.abs(), nothing);
+            self.update_max(4, (a.a - b.a).norm(), b.a.norm(), nothing);
+            self.update_max(5, (a.alpha - b.alpha).abs(), b.alpha.abs(), nothing);
         }
     }
 
     /// The same efforts of both runs.
     fn forces(&mut self, both: impl Iterator<Item = (Efforts, Efforts)>, nothing: &[f64; STATES]) {
         for (a, b) in both {
-            self.look(6, libm::hypot(a.0 - b.0, a.1 - b.1), libm::hypot(b.0, b.1), nothing);
-            self.look(7, (a.2 - b.2).abs(), b.2.abs(), nothing);
+            self.update_max(6, libm::hypot(a.0 - b.0, a.1 - b.1), libm::hypot(b.0, b.1), nothing);
+            self.update_max(7, (a.2 - b.2).abs(), b.2.abs(), nothing);
         }
     }
 
@@ -260,7 +260,7 @@ impl Kinds {
         for kind in 0..STATES {
             let scale = if kind == 0 { extent.max(self.magnitude[0]) } else { self.magnitude[kind] };
             let counts = self.beyond[kind] && self.difference[kind] > 0.0;
-            found.look(if counts { self.difference[kind] / scale } else { 0.0 }, kind);
+            found.update_max(if counts { self.difference[kind] / scale } else { 0.0 }, kind);
         }
         found
     }

@@ -71,7 +71,7 @@ impl Corners {
         if self.ranges.len() == equations.seams() && !equations.may_pass_seams() {
             return Ok(());
         }
-        self.look(equations, method, step);
+        self.take_ranges(equations, method, step);
         let mut first: Option<(f64, usize)> = None;
         for index in 0..self.ranges.len() {
             let (least, greatest) = self.ranges[index];
@@ -114,7 +114,7 @@ impl Corners {
     }
 
     /// The ranges of all numbers within the last step.
-    fn look<M: Integrator<f64>>(
+    fn take_ranges<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,

@@ -325,7 +325,7 @@ impl<'m> EventDetector<'m> {
             }
             if let Some(passed) = self.passed[index] {
                 // it was reached with the stop, and is left as the stop is
-                self.passed[index] = if equations.stands() { None } else { Some(!passed) };
+                self.passed[index] = if equations.is_held() { None } else { Some(!passed) };
                 continue;
             }
             let rising = after > before;
@@ -382,7 +382,7 @@ impl<'m> EventDetector<'m> {
     }
 
     /// A step has ended, at events or not. Returns the event that ends the run.
-    pub fn look<M: Integrator<f64>>(
+    pub fn detect<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,

@@ -238,7 +238,7 @@ impl Equations<'_, '_> {
     }
 
     /// Whether nothing moves, and nothing but an instant can change that.
-    pub fn stands(&self) -> bool {
+    pub fn is_held(&self) -> bool {
         let held = self.slipping.as_ref().is_some_and(|slipping| slipping.rests);
         held || self.mode == Some(Mode::Resting) || (self.order() == 1 && !self.closed.is_empty())
     }

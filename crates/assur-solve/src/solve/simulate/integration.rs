@@ -181,7 +181,7 @@ impl Integration<'_, '_> {
             if condition < self.worst_condition.0 {
                 self.worst_condition = (condition, method.previous_t());
             }
-            if let Some(load) = self.reversals.look(equations, method, last - self.begin) {
+            if let Some(load) = self.reversals.detect(equations, method, last - self.begin) {
                 return Ended::Halted(Halt::RestsUnder { load });
             }
             let mut happened = self.watch.first(equations, method);
@@ -212,14 +212,14 @@ impl Integration<'_, '_> {
                 self.kinds.measure(equations);
             }
             self.trace.note(method.t(), method.counts().shortened);
-            self.recorder.look(equations, method);
+            self.recorder.take_works(equations, method);
             let here = method.t() + self.at_once();
             let happened = happened.filter(|h| h.time <= here);
             let turned = turned.is_some_and(|t| t <= method.t());
             let opened = opened.filter(|(t, _)| *t <= here);
             let touched = self.stops.passed(equations, method, (touched, here));
             self.watch.begin();
-            self.ended_by = self.watch.look(equations, method, happened);
+            self.ended_by = self.watch.detect(equations, method, happened);
             // where the motion jumps what is wanted then is what was before
             let jumps = turned || touched.is_some();
             let by = if jumps { here } else { method.t() };
@@ -230,7 +230,7 @@ impl Integration<'_, '_> {
             if let Some((_, (pair, bond))) = opened.filter(|_| self.ended_by.is_none()) {
                 return Ended::Halted(Halt::Opens { pair, bond });
             }
-            self.recorder.stands = turned && equations.mode.is_some();
+            self.recorder.is_held = turned && equations.mode.is_some();
             let mut y = Vec::new();
             if turned {
                 if !self.keep(equations, method, (by, done)) {
@@ -244,13 +244,13 @@ impl Integration<'_, '_> {
                 }
                 done |= self.ended_by.is_some();
             }
-            if equations.stands() {
+            if equations.is_held() {
                 self.watch.rests();
             }
             if !self.keep(equations, method, (by, done)) {
                 return Ended::Halted(equations.halt());
             }
-            self.recorder.stands = false;
+            self.recorder.is_held = false;
             if done {
                 return Ended::Done;
             }

@@ -37,7 +37,7 @@ impl Following<'_, '_> {
     fn solved_instant(&mut self, index: usize, trajectory: &mut Trajectory) -> Pose {
         let (wanted, instant) = trajectory.wanted(self.run.model, index);
         self.run.instant = Some(instant);
-        if let Some(stand) = trajectory.records.stand(index) {
+        if let Some(stand) = trajectory.records.bodies_at(index) {
             BodyPose::put(stand, &mut trajectory.start.motion.bodies);
         }
         let assemblies = trajectory.records.assemblies[index].as_deref().unwrap_or(&trajectory.assemblies);

@@ -16,7 +16,7 @@ pub(crate) enum Origin {
     Expected(usize),
 }
 
-/// Where a body stands, with its whole turns.
+/// Where a body is, with its whole turns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BodyPose {
     p: Vec2,
@@ -29,9 +29,9 @@ impl BodyPose {
         Self { p: body.p, u: body.u, turned: body.turned }
     }
 
-    pub fn put(stands: &[Self], bodies: &mut [BodyState]) {
-        for (body, stand) in bodies.iter_mut().zip(stands) {
-            (body.p, body.u, body.turned) = (stand.p, stand.u, stand.turned);
+    pub fn put(poses: &[Self], bodies: &mut [BodyState]) {
+        for (body, pose) in bodies.iter_mut().zip(poses) {
+            (body.p, body.u, body.turned) = (pose.p, pose.u, pose.turned);
         }
     }
 }
@@ -60,7 +60,7 @@ pub(crate) struct Records {
     /// Angles of the bodies, rad, continuous over the run.
     pub angles: Vec<f64>,
     /// Where the bodies stand, for steps of motion that start from there.
-    pub stands: Vec<BodyPose>,
+    pub poses: Vec<BodyPose>,
     pub bodies: usize,
     /// The whole position, of instants that were found in other coordinates than those written.
     pub given: Vec<Option<Box<Given>>>,
@@ -108,8 +108,8 @@ impl Records {
     }
 
     /// Where the bodies stand, if that is kept.
-    pub fn stand(&self, index: usize) -> Option<&[BodyPose]> {
-        self.stands.get(self.bodies * index..)?.get(..self.bodies).filter(|s| !s.is_empty())
+    pub fn bodies_at(&self, index: usize) -> Option<&[BodyPose]> {
+        self.poses.get(self.bodies * index..)?.get(..self.bodies).filter(|s| !s.is_empty())
     }
 }
 
@@ -125,8 +125,8 @@ pub(super) struct Recorder {
     /// The length of the last step, s.
     length: f64,
     goes_on: bool,
-    /// The one coordinate that rubs stands where the last step ends.
-    pub stands: bool,
+    /// The one coordinate that rubs is held where the last step ends.
+    pub is_held: bool,
     /// The first instant, s, and the unknowns there before an impact.
     pub struck: Option<(f64, Vec<f64>)>,
     begin: Option<f64>,
@@ -147,7 +147,7 @@ impl Recorder {
             dy: equations.start(),
             length: 0.0,
             goes_on: equations.model.plan.goes_on(),
-            stands: false,
+            is_held: false,
             struck: None,
             begin: None,
             end: 0.0,
@@ -168,7 +168,7 @@ impl Recorder {
         if !within_step(equations, method, time.min(end), &mut self.y) {
             return false;
         }
-        if self.stands && time >= method.t() {
+        if self.is_held && time >= method.t() {
             self.y[1] = 0.0;
         }
         let after = (equations.closed.clone(), equations.mode);
@@ -209,7 +209,7 @@ impl Recorder {
         records.against.push(equations.trial.motion.against.clone());
         records.angles.extend_from_slice(&equations.angles);
         if self.goes_on {
-            records.stands.extend(equations.trial.motion.bodies.iter().map(BodyPose::of));
+            records.poses.extend(equations.trial.motion.bodies.iter().map(BodyPose::of));
         }
         self.energy(equations);
         (equations.closed, equations.mode) = after;
@@ -226,7 +226,7 @@ impl Recorder {
     }
 
     /// Works up to the end of a step.
-    pub fn look<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &M) {
+    pub fn take_works<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &M) {
         self.exchanged = self.exchanged.max(method.y()[2 * self.records.order].abs());
         if self.sizes.is_empty() || !equations.observe(method.t(), method.y(), true) {
             return;

@@ -24,7 +24,7 @@ impl Default for Reversals {
 
 impl Reversals {
     /// The load whose point has come to rest in the last step, in a run of this length, s.
-    pub fn look<M: Integrator<f64>>(
+    pub fn detect<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &M,

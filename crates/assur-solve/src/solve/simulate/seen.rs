@@ -24,7 +24,7 @@ impl Equations<'_, '_> {
     /// Looks at what results are made of in the state that is observed, and at what each of its loads would do alone.
     pub fn look_at_sizes(&mut self) {
         let mut sizes = std::mem::take(&mut self.sizes);
-        self.named(|view| sizes.look(view));
+        self.named(|view| sizes.update_max(view));
         let (order, force, length) = (self.order(), sizes.applied(), sizes.length());
         for coordinate in 0..order {
             let mass = self.reduced.mass()[coordinate * (order + 1)];

@@ -26,7 +26,7 @@ const SAME_RATE: f64 = 1e-6;
 ///
 /// # Errors
 /// There are no such rates, or two motions begin.
-pub(super) fn look(begin: &StartState<'_>, charts: &mut Charts<'_>) -> Result<(), Halt> {
+pub(super) fn check_dead_position(begin: &StartState<'_>, charts: &mut Charts<'_>) -> Result<(), Halt> {
     let mut equations = begin.equations();
     let y = equations.start();
     equations.accepted(begin.from, &y);

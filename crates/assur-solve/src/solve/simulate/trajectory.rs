@@ -75,7 +75,7 @@ impl Trajectory {
     }
 
     /// Puts what the run has found beside its instants to what needs no position.
-    pub fn tell(&self, mechanism: &Mechanism, statics: &mut WholeCycle) {
+    pub fn report_to(&self, mechanism: &Mechanism, statics: &mut WholeCycle) {
         statics.events.clone_from(&self.report.events);
         statics.sizes.clone_from(&self.kinds.sizes);
         statics.period = self.report.steady.map(|steady| steady.period);
@@ -112,7 +112,7 @@ pub(crate) fn trajectory(
     begin.still = still.as_ref();
     let mut charts = Charts::new(model, statics);
     let halted = |halt| Cause::Halted { time: simulation.from, halt };
-    starting::look(&begin, &mut charts).map_err(halted)?;
+    starting::check_dead_position(&begin, &mut charts).map_err(halted)?;
     let steady = match simulation.steady {
         Some(after) => {
             let found = steady(&begin, simulation, after);

@@ -278,10 +278,10 @@ impl Equations<'_, '_> {
             DissipativeElement::Load(load) => Some(LinkId::at(load.body)),
             _ => None,
         }));
-        let stands = |link: LinkId| link.index() == 0 || kept.links.contains(&link);
+        let is_held = |link: LinkId| link.index() == 0 || kept.links.contains(&link);
         for (index, pair) in self.model.mechanism.pairs.iter().enumerate() {
             let hinge = matches!(pair.kind, PairKind::Revolute(_));
-            if !kept.links.is_empty() && hinge && pair.kind.links().into_iter().all(stands) {
+            if !kept.links.is_empty() && hinge && pair.kind.links().into_iter().all(is_held) {
                 kept.pairs.push(PairId::at(index));
             }
         }

@@ -42,8 +42,8 @@ impl Context<'_> {
         if !self.problems.reported.insert(("function", name.clone())) {
             return;
         }
-        let meant = self.meant(call).map(Help::from);
-        let help = meant.or_else(|| near(call.name)).unwrap_or_else(|| {
+        let suggestion = self.suggestion(call).map(Help::from);
+        let help = suggestion.or_else(|| near(call.name)).unwrap_or_else(|| {
             "ask for one of `position`, `velocity`, `acceleration`, `angle`, `omega`, `alpha`, `displacement`, `reaction`, \
              `moment`, `effort`, `power`, `efficiency`; the language has no others like it"
                 .into()
@@ -54,7 +54,7 @@ impl Context<'_> {
     }
 
     /// `write …` with a call that can be read.
-    pub(crate) fn meant(&mut self, call: Call<'_>) -> Option<String> {
+    pub(crate) fn suggestion(&mut self, call: Call<'_>) -> Option<String> {
         let name = call.name.node.as_str();
         let also = ALSO.iter().filter(|(_, others)| others.contains(&name)).map(|(function, _)| *function);
         let named = also.map(|function| called(function, call.args, call.span));

@@ -1,7 +1,7 @@
 //! Where the bodies of a general group are meant to stand: places that `near` names, places of bodies that stand already, and
 //! what follows from both through hinges.
 
-use crate::group::general::{Meant, Pose};
+use crate::group::general::{InitialGuess, Pose};
 use crate::math::Vec2;
 use crate::model::HintKind;
 use crate::plan::GeneralMotion;
@@ -12,7 +12,12 @@ use crate::structure::JointKind;
 type Placed = (Vec2, Vec2);
 
 /// `None` where `near` names no point of the group.
-pub(super) fn meant(model: &Model<'_>, state: &State, index: usize, group: &GeneralMotion) -> Option<Meant> {
+pub(super) fn initial_guess(
+    model: &Model<'_>,
+    state: &State,
+    index: usize,
+    group: &GeneralMotion,
+) -> Option<InitialGuess> {
     let own = &group.bodies[..group.moving];
     let mut placed: Vec<Vec<Placed>> = vec![Vec::new(); own.len()];
     let mut is_named = false;
@@ -62,7 +67,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn poses(&self, mut placed: Vec<Vec<Placed>>) -> Meant {
+    fn poses(&self, mut placed: Vec<Vec<Placed>>) -> InitialGuess {
         let mut poses: Vec<Option<Pose>> = vec![None; self.own.len()];
         let mut place_of: Vec<Option<Vec2>> = self
             .hinges
@@ -98,7 +103,7 @@ impl Search<'_> {
         }
         let whole = poses.iter().all(Option::is_some);
         let poses = poses.iter().zip(&placed).map(|(pose, placed)| pose.unwrap_or_else(|| beside(placed)));
-        Meant { poses: poses.collect(), whole }
+        InitialGuess { poses: poses.collect(), whole }
     }
 }
 
