@@ -5,7 +5,7 @@
 #     benches/instructions.sh
 set -eu
 cd "$(dirname "$0")/.."
-program=$(cargo bench --no-run --features lanes --bench position --message-format json | sed -n 's/.*"executable":"\([^"]*position-[^"]*\)".*/\1/p')
+program=$(cargo bench --no-run --bench position --message-format json | sed -n 's/.*"executable":"\([^"]*position-[^"]*\)".*/\1/p')
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 

@@ -191,34 +191,3 @@ fn f_by_hand_four_bar(bencher: Bencher) {
 fn f_by_hand_four_bar_from_the_angle(bencher: Bencher) {
     by_hand_from(bencher, |input| Vec2::direction(input.value));
 }
-
-#[cfg(feature = "lanes")]
-mod lanes {
-    use super::*;
-    use assur::internals::solve::{Batch, DriveColumns};
-
-    /// All forces of many positions with nothing between them, in lanes or in one.
-    fn together(bencher: Bencher, name: &str, in_lanes: bool) {
-        let bench = Bench::new(machine(name));
-        let inputs = DriveColumns::of(&bench.inputs, 1);
-        let new = if in_lanes { Batch::new } else { Batch::in_one_lane };
-        let mut positions = new(&bench.plan, &bench.state);
-        bencher.counter(ItemsCount::new(POSITIONS)).bench_local(|| {
-            let mut sum = 0.0;
-            positions.run(&inputs, |_, place| sum += place.effort(0) + place.body(2).p.x);
-            sum
-        });
-    }
-
-    const LANED: [&str; 3] = ["crank-slider", "four-bar", "six-bar"];
-
-    #[divan::bench(args = LANED)]
-    fn h_together_in_one_lane(bencher: Bencher, name: &str) {
-        together(bencher, name, false);
-    }
-
-    #[divan::bench(args = LANED)]
-    fn i_together_in_lanes(bencher: Bencher, name: &str) {
-        together(bencher, name, true);
-    }
-}

@@ -1,5 +1,5 @@
 //! What every effect costs that is asked for: Andrews' mechanism, three dyads on a crank, from its text, over a revolution
-//! of 360 positions. Items are positions. `cargo bench --features lanes --bench ladder`; the figures stand in `docs/effects.md`.
+//! of 360 positions. Items are positions. `cargo bench --bench ladder`; the figures stand in `docs/effects.md`.
 
 #[path = "by_hand/andrews.rs"]
 mod by_hand;
@@ -11,8 +11,6 @@ use assur::internals::solve::State;
 use by_hand::{Reduced, reduced};
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-#[cfg(feature = "lanes")]
-use run::side_by_side;
 use run::{Run, asking};
 
 fn main() {
@@ -42,14 +40,13 @@ fn one_by_one(bencher: Bencher<'_, '_>, what: &str) {
     bencher.counter(ItemsCount::new(positions)).bench_local(|| black_box(run.one_by_one()));
 }
 
-#[cfg(feature = "lanes")]
 #[divan::bench(args = LADDER)]
 fn side_by_side_in_lanes(bencher: Bencher<'_, '_>, what: &str) {
     let run = Run::of(&text(what));
-    let ((mut lanes, inputs), forces) = (run.together(true), run.compiled.plan.effects.forces);
+    let mut positions = run.side_by_side();
     bencher
         .counter(ItemsCount::new(run.positions()))
-        .bench_local(|| black_box(side_by_side(&mut lanes, &inputs, forces)));
+        .bench_local(|| black_box(positions.sum(&run.compiled.plan)));
 }
 
 /// The mechanism from rest, 360 instants.

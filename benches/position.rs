@@ -1,13 +1,13 @@
 //! The time per position of `.mech` files, from their texts, on one thread: the plan of each is run over the file's
-//! positions, and the least of many rounds is printed as JSON, in microseconds per position. Each figure three times: one
-//! position after the other, eight together in one lane, and in lanes.
+//! positions, and the least of many rounds is printed as JSON, in microseconds per position. Each figure twice: one
+//! position after the other, and in lanes with the closure checked.
 //!
 //! - `plan`: the plan alone; the sine and the cosine of the drive are given, and nothing is stored;
 //! - `array`: from the angle of the drive to an array of what the file asks for;
 //! - `text`: `array` for a hundred turns in lanes, and once before them the text is read and compiled, and its turn followed
 //!   with all residuals; one figure.
 //!
-//! `cargo bench --features lanes --bench position -- FILE…`. With `--rounds N` the plan is run so often without looking at a
+//! `cargo bench --bench position -- FILE…`. With `--rounds N` the plan is run so often without looking at a
 //! clock, for a count of instructions: see `benches/instructions.sh`. With `--by-hand` the four-bar by hand is measured, one position
 //! after the other and in lanes of AVX2: `plan` stores the reactions here.
 
@@ -16,8 +16,8 @@ mod run;
 
 use assur::internals::math::{Lanes, V2, Vec2};
 use by_hand::Answer;
+use run::Run;
 use run::turn::Turn;
-use run::{Run, side_by_side};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -57,14 +57,12 @@ fn measure(file: &str, text: &str) {
     let mut turn = Turn::of(&run);
     let positions = run.positions();
     let us = |seconds: f64| 1e6 * seconds / positions as f64;
-    let forces = run.compiled.plan.effects.forces;
-    let mut plan = [us(least(|| run.one_by_one())), 0.0, 0.0];
-    let mut array = [us(least(|| turn.one_by_one(&mut run))), 0.0, 0.0];
-    for (i, in_lanes) in [(1, false), (2, true)] {
-        let (mut batch, inputs) = run.together(in_lanes);
-        plan[i] = us(least(|| side_by_side(&mut batch, &inputs, forces)));
-        array[i] = us(least(|| turn.side_by_side(&run.compiled.plan, &mut batch)));
-    }
+    let mut lanes = run.side_by_side();
+    let plan = [us(least(|| run.one_by_one())), us(least(|| lanes.sum(&run.compiled.plan)))];
+    let array = [
+        us(least(|| turn.one_by_one(&mut run))),
+        us(least(|| turn.side_by_side(&run.compiled.plan, &mut lanes))),
+    ];
     let effects = run.compiled.plan.effects.computed().join(", ");
     println!(
         r#"{{"file": "{file}", "positions": {positions}, "effects": "{effects}", "plan": {plan:.5?}, "array": {array:.5?}, "text": {:.5}}}"#,
@@ -76,8 +74,8 @@ fn measure(file: &str, text: &str) {
 fn a_hundred_turns(text: &str) -> f64 {
     let run = Run::of(text);
     let mut turn = Turn::of(&run);
-    let (mut batch, _) = run.together(true);
-    (0..100).map(|_| black_box(turn.side_by_side(&run.compiled.plan, &mut batch))).sum()
+    let mut lanes = run.side_by_side();
+    (0..100).map(|_| black_box(turn.side_by_side(&run.compiled.plan, &mut lanes))).sum()
 }
 
 /// The four-bar written by hand, with the directions of its crank given, and from its angles.

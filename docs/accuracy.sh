@@ -53,7 +53,6 @@ Common results of the eight problems:
 - Fewer samples save three fifths of the time of functions over the sweep.
 - `--within` guarantees an accuracy: it compares positions with double-double, which takes longer than looser tolerances save.
 - Double-double is useful where `f64` has lost digits: near dead positions and in long chains.
-- One position at a time, `f32` saves a few per cent at most; lanes of `f64` save three quarters (`--features lanes`, `--details`).
 TEXT
   problem examples/accuracy/four-bar.mech four-bar <<'TEXT'
 All groups have closed forms: there is no iteration, and nothing to save.

@@ -37,12 +37,10 @@ WHOLE = {
 }
 ROWS = [
     *(("assur, one by one", what, FROM_ANGLE) for what in ASKS),
-    *(("assur, eight together", what, FROM_ANGLE) for what in ASKS),
     *(("assur, lanes", what, FROM_ANGLE) for what in ASKS),
     ("assur, lanes, from the text", FORCES, "the same for 36,000 positions, and once reading and compiling the text and following a turn with residuals"),
     *((f"`assur solve --format {form}`{on}", FORCES, WHOLE[form] + clock) for form in WHOLE for on, clock, _ in THREADS),
     ("plan alone, one by one", FORCES, "sine and cosine given, nothing stored"),
-    ("plan alone, eight together", FORCES, "sine and cosine given, nothing stored"),
     ("plan alone, lanes", FORCES, "sine and cosine given, nothing stored"),
     ("by hand", FORCES, FROM_ANGLE),
     ("by hand, sine and cosine given", FORCES, "answers stored in an array"),
@@ -82,7 +80,7 @@ def built():
     made = []
     # the loops by hand are compiled as benches are, not as the program
     for what in (["build", "--release", "--bin", "assur"], ["bench", "--no-run", "--bench", "position"]):
-        command = ["cargo", *what, "--features", "lanes", "--message-format", "json"]
+        command = ["cargo", *what, "--message-format", "json"]
         out = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
         made += [m for m in map(json.loads, out.splitlines()) if m.get("executable")]
     return [next(m["executable"] for m in made if m["target"]["name"] == name) for name in ("assur", "position")]
@@ -160,7 +158,7 @@ class Case:
 
     def measure_assur(self, assur, program):
         machine = self.text.split("\nfind ")[0]
-        ways = ("one by one", "eight together", "lanes")
+        ways = ("one by one", "lanes")
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "scene.mech"
             for what, find in ASKS.items():

@@ -1,14 +1,12 @@
 //! A `.mech` text, compiled once, and its plan run over the text's positions through the public interface.
 #![allow(dead_code)] // every bench uses some of it
 
-#[cfg(feature = "lanes")]
 pub mod turn;
 
 use assur::internals::Compiled;
 use assur::internals::check::Overrides;
-#[cfg(feature = "lanes")]
-use assur::internals::solve::{Batch, DriveColumns};
-use assur::internals::solve::{DriveInput, State, solve};
+use assur::internals::plan::Plan;
+use assur::internals::solve::{Checked, DriveInput, F64x8, LaneSolver, State, WIDTH, solve};
 use assur::internals::source::Source;
 
 /// A text ready to be run.
@@ -65,26 +63,66 @@ impl Run {
         sum
     }
 
-    #[cfg(feature = "lanes")]
-    /// The same side by side, in lanes or in one, with the inputs as it reads them.
-    pub fn together(&self, in_lanes: bool) -> (Batch<'_>, DriveColumns) {
+    /// Memory for the same in lanes.
+    pub fn side_by_side(&self) -> SideBySide {
         let plan = &self.compiled.plan;
-        let new = if in_lanes { Batch::new } else { Batch::in_one_lane };
-        (new(plan, &self.state), DriveColumns::of(&self.inputs, plan.drives))
+        let mut row = State::closed(plan);
+        row.branches.clone_from(&self.state.branches);
+        let mut inputs = vec![DriveInput::default(); plan.drives * self.positions().div_ceil(WIDTH)];
+        for (i, input) in self.inputs.iter().enumerate() {
+            let (position, drive) = (i / plan.drives, i % plan.drives);
+            inputs[position / WIDTH * plan.drives + drive].set_lane(position % WIDTH, input);
+        }
+        SideBySide {
+            rows: vec![row; ROWS],
+            checked: vec![Checked::default(); ROWS],
+            inputs,
+            ..SideBySide::default()
+        }
     }
 }
 
-/// One round of positions side by side.
-#[cfg(feature = "lanes")]
-pub fn side_by_side(lanes: &mut Batch<'_>, inputs: &DriveColumns, forces: bool) -> f64 {
-    let mut sum = 0.0;
-    lanes.run(inputs, |_, place| {
-        sum += place.body(1).p.x;
-        if forces {
-            sum += place.effort(0);
+/// Rows of lanes that are solved at once, as in a sweep.
+const ROWS: usize = 8;
+
+/// All positions of a text, side by side.
+#[derive(Default)]
+pub struct SideBySide {
+    rows: Vec<State<F64x8>>,
+    checked: Vec<Checked>,
+    solver: LaneSolver,
+    /// All drives of the first row of positions, of the second, and so on.
+    pub inputs: Vec<DriveInput<F64x8>>,
+}
+
+impl SideBySide {
+    /// Solves them; directions of drives that are `turned` are found from their angles.
+    pub fn all(&mut self, plan: &Plan, turned: &[usize], mut each: impl FnMut(usize, &State<F64x8>)) {
+        let rows = self.inputs.len() / plan.drives;
+        for first in (0..rows).step_by(ROWS) {
+            let count = ROWS.min(rows - first);
+            let (states, checked) = (&mut self.rows[..count], &mut self.checked[..count]);
+            for (state, inputs) in
+                states.iter_mut().zip(self.inputs[first * plan.drives..].chunks(plan.drives))
+            {
+                state.motion.inputs.copy_from_slice(inputs);
+            }
+            self.solver.run(plan, (states, turned), checked, false);
+            self.rows[..count].iter().enumerate().for_each(|(i, row)| each(first + i, row));
         }
-    });
-    sum
+    }
+
+    /// The same with directions given; the sum of something of every row, so that nothing is left out.
+    pub fn sum(&mut self, plan: &Plan) -> f64 {
+        let mut sum = 0.0;
+        self.all(plan, &[], |_, row| {
+            sum += row.motion.bodies[1].p.x.0[0];
+            if plan.effects.forces {
+                sum += row.forces.efforts[0].0[0];
+            }
+        });
+        sum
+    }
 }
 
 /// The text with other requests: everything from its first `find` on is left out.

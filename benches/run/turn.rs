@@ -1,17 +1,16 @@
 //! From the angles of a drive to an array of what a text asks for: the sine and the cosine of every angle are computed, and
 //! every answer is stored.
 
-use super::Run;
+use super::{Run, SideBySide};
 use assur::internals::math::{Lanes, Scalar, Vec2};
 use assur::internals::plan::{Level, Plan};
-use assur::internals::solve::{Batch, BodyState, DriveColumns, DriveInput, Place, State, WIDTH};
+use assur::internals::solve::{BodyState, DriveInput, State, WIDTH};
 
 /// The angles of the drive, and arrays for the answers.
 pub struct Turn {
     /// Speed and acceleration of the drive.
     rates: DriveInput,
     angles: Vec<f64>,
-    columns: DriveColumns,
     /// Of positions one by one.
     answers: Vec<f64>,
     /// Of rows of positions side by side.
@@ -28,8 +27,8 @@ impl Turn {
         let angles: Vec<f64> = run.inputs.iter().map(|input| input.value).collect();
         let width = width(plan);
         let rows = vec![Lanes::default(); width * angles.len().div_ceil(WIDTH)];
-        let (columns, answers) = (DriveColumns::of(&run.inputs, 1), vec![0.0; width * angles.len()]);
-        Self { rates: run.inputs[0], angles, columns, answers, rows, width }
+        let answers = vec![0.0; width * angles.len()];
+        Self { rates: run.inputs[0], angles, answers, rows, width }
     }
 
     /// One position after the other.
@@ -45,15 +44,12 @@ impl Turn {
     }
 
     /// Several at a time.
-    pub fn side_by_side(&mut self, plan: &Plan, batch: &mut Batch<'_>) -> f64 {
-        self.columns.set_angles(0, &self.angles);
-        let Self { answers, rows, width, .. } = self;
-        batch.run(&self.columns, |i, place| match place {
-            Place::Alone(state) => store(plan, state, &mut answers[i * *width..][..*width]),
-            // all of a row with its first
-            Place::Lane(state, 0) => store(plan, state, &mut rows[i / WIDTH * *width..][..*width]),
-            Place::Lane(..) => {}
-        });
+    pub fn side_by_side(&mut self, plan: &Plan, positions: &mut SideBySide) -> f64 {
+        for (input, angles) in positions.inputs.iter_mut().zip(self.angles.chunks(WIDTH)) {
+            input.value.0[..angles.len()].copy_from_slice(angles);
+        }
+        let Self { rows, width, .. } = self;
+        positions.all(plan, &[0], |i, state| store(plan, state, &mut rows[i * *width..][..*width]));
         self.rows[0].0[0]
     }
 }

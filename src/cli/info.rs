@@ -16,9 +16,8 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
 /// The features that a build may have.
-const FEATURES: [(&str, bool); 5] = [
+const FEATURES: [(&str, bool); 4] = [
     ("arrow", cfg!(feature = "arrow")),
-    ("lanes", cfg!(feature = "lanes")),
     ("lsp", cfg!(feature = "lsp")),
     ("parquet", cfg!(feature = "parquet")),
     ("png", cfg!(feature = "png")),

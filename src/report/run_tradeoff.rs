@@ -6,8 +6,7 @@ use serde_json::{Map, Value, json};
 use super::cost::{change, count, digits, part, size, time};
 use super::document::{Column, Report, Section, Table};
 use super::headed;
-use super::tradeoff::{Extent, SCHEMA};
-use assur_solve::measure::accuracy::lanes;
+use super::tradeoff::{Extent, ONE_BY_ONE, SCHEMA};
 use assur_solve::measure::{Choice, MethodStudy, Price, RunRow, RunStudy};
 use assur_solve::solve::{Method, Model};
 use assur_text::units::significant;
@@ -308,8 +307,8 @@ pub fn run_study_json(file: &str, study: &RunStudy) -> String {
         positions: study.instants,
         reference: if study.precise { "double-double" } else { "f64" },
         floor: study.floor,
-        instructions: lanes().1,
-        lanes: lanes().0,
+        instructions: ONE_BY_ONE,
+        lanes: 1,
         knobs: knobs.collect(),
         absent: [],
         wanted: study.wanted,

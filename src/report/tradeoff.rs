@@ -9,13 +9,15 @@ use super::document::{Column, Report, Section, Table};
 use super::headed;
 use assur_position::plan::{Precision, Settings};
 use assur_solve::measure::accuracy::{
-    AccuracyStudy, AchievedAccuracy, Kind, PositionChoice, Row, Setting, Source, lanes,
+    AccuracyStudy, AchievedAccuracy, Kind, PositionChoice, Row, Setting, Source,
 };
 use assur_solve::solve::Model;
 use assur_text::units::significant;
 
 /// Name and version of the format.
 pub(super) const SCHEMA: &str = "assur.accuracy/1";
+/// How positions are measured.
+pub(super) const ONE_BY_ONE: &str = "one position at a time";
 
 /// How much is shown of what was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -207,11 +209,7 @@ fn measured(study: &AccuracyStudy) -> Section {
         .map(|(what, _, scale, unit)| format!("{what} relative to {} {unit}", significant(*scale, 3)))
         .collect();
     section.text(format!("Errors are the greatest over all positions: {}.", in_play.join(", ")));
-    let wide = match lanes() {
-        (1, _) => String::new(),
-        (width, instructions) => format!("; lanes are {width} wide with {instructions}"),
-    };
-    section.text(format!("Times are the best of repeated runs, on one thread{wide}."));
+    section.text("Times are the best of repeated runs, on one thread.");
     section
 }
 
@@ -390,8 +388,8 @@ pub fn study_json(file: &str, study: &AccuracyStudy) -> String {
             Source::Full => "f64",
         },
         floor: study.floor,
-        instructions: lanes().1,
-        lanes: lanes().0,
+        instructions: ONE_BY_ONE,
+        lanes: 1,
         knobs: knobs.collect(),
         absent: study.absent.iter().map(|a| AbsentView { name: a.what, why: a.why }).collect(),
         wanted: study.wanted,

@@ -100,7 +100,6 @@ fn errors_fall_as_tolerances_fall() {
 fn what_cannot_be_set_says_why() {
     let study = studied(&example("cams/lever.mech"));
     for (what, why) in [
-        ("f32, lanes", "the law of a cam has several cases"),
         ("friction", "none in this problem"),
         ("general groups", "none in this problem"),
         ("samples", "no functions over the cycle"),
@@ -249,48 +248,4 @@ fn what_is_chosen_hangs_on_no_clock() {
         (found.reached.unwrap(), found.solution.statics.flywheels[0].fluctuation.to_bits())
     };
     assert_eq!(run(), run());
-}
-
-#[cfg(feature = "lanes")]
-mod lanes {
-    use super::*;
-
-    /// A crank at these angles, rad, turning at `speed` rad/s; the origin of its frame stays.
-    fn crank(angles: &str, speed: f64) -> Source {
-        let text = format!(
-            "mech 1\nground {{ A (0, 0) }}\nlink crank A-B 250 mm\nrevolute A: ground - crank\n\
-             drive crank = {angles} at {speed} rad/s\nfind velocity(B)\n"
-        );
-        Source::new("crank.mech", text)
-    }
-
-    /// The one body has the direction (cos φ, sin φ): what f32 makes of it is known without any solver.
-    #[test]
-    fn the_error_of_f32_is_the_true_one() {
-        let angles = [0.3_f64, 1.1, 2.9];
-        let study = studied(&crank("0.3 rad, 1.1 rad, 2.9 rad", 3.0));
-        assert_eq!(study.source, Reference::DoubleDouble);
-        let off = |exact: f64| f64::from(exact as f32) - exact;
-        let turned = angles.map(|x| libm::hypot(off(libm::cos(x)), off(libm::sin(x))));
-        let expected = turned.into_iter().fold(0.0, f64::max);
-        let rows = &knob(&study, Kind::Scalar).rows;
-        let f32_row = rows.iter().find(|r| r.setting == "f32").unwrap();
-        let got = f32_row.error.unwrap();
-        assert!((got - expected).abs() < 1e-14 && expected > 1e-9, "{got:e} {expected:e}");
-    }
-
-    /// 0.1 rad/s is no f32: its relative error is that of all velocities here.
-    #[test]
-    fn velocities_are_held_against_the_greatest() {
-        let study = studied(&crank("0 rad", 0.1));
-        let row = knob(&study, Kind::Scalar).rows.iter().find(|r| r.setting == "f32").unwrap();
-        let expected = (f64::from(0.1_f32) - 0.1).abs() / 0.1;
-        assert!((row.error.unwrap() - expected).abs() < 1e-15, "{row:?} {expected:e}");
-    }
-
-    #[test]
-    fn a_batch_has_all_digits() {
-        let study = studied(&example("accuracy/four-bar.mech"));
-        assert!(knob(&study, Kind::Scalar).rows.iter().any(|r| r.setting == "f64 in lanes"));
-    }
 }

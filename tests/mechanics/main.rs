@@ -9,8 +9,6 @@ mod gears;
 mod geneva;
 mod grip;
 mod hard;
-#[cfg(feature = "lanes")]
-mod lanes_avx2;
 mod legs;
 mod motion;
 mod no_silent_errors;

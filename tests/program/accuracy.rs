@@ -36,50 +36,24 @@ fn accuracy_is_measured() {
         assert!(answer.contains(part) && short.contains(part), "{part}: {answer}");
     }
     let tables = format!("Measured\n{tables}");
-    let sets = ["no AVX2", "Neon", "AVX2", "AVX-512"];
-    let tables = sets.iter().fold(tables, |text, set| text.replace(&format!(" with {set}."), " with …."));
-    if cfg!(feature = "lanes") {
-        insta::assert_snapshot!(plain_rows(&tables), @r"
-            Measured
-             2 positions, compared with the same positions in double-double, whose own error is about 2e-31.
-             Errors are the greatest over all positions: positions relative to 0.35 m, velocities relative to 35 m/s.
-             Times are the best of repeated runs, on one thread; lanes are 8 wide with ….
+    insta::assert_snapshot!(plain_rows(&tables), @r"
+        Measured
+         2 positions, compared with the same positions in double-double, whose own error is about 2e-31.
+         Errors are the greatest over all positions: positions relative to 0.35 m, velocities relative to 35 m/s.
+         Times are the best of repeated runs, on one thread.
 
-            Scalar: the number type of every position
-             numbers µs per position error digits
-             ─ ─ ─ ─
-             f32 µs 5e-8 7.3
-             f64 in lanes µs 2e-16 15.8
-             f64 µs 2e-16 15.8
-             double-double µs 3e-31 30.6
+        Scalar: the number type of every position
+         numbers µs per position error digits
+         ─ ─ ─ ─
+         f64 µs 2e-16 15.8
+         double-double µs 3e-31 30.6
 
-            Settings without effect here
-             - friction: none in this problem
-             - general groups: none in this problem
-             - triads: none in this problem
-             - samples: no functions over the cycle
-            ");
-    } else {
-        insta::assert_snapshot!(plain_rows(&tables), @r"
-            Measured
-             2 positions, compared with the same positions in double-double, whose own error is about 2e-31.
-             Errors are the greatest over all positions: positions relative to 0.35 m, velocities relative to 35 m/s.
-             Times are the best of repeated runs, on one thread.
-
-            Scalar: the number type of every position
-             numbers µs per position error digits
-             ─ ─ ─ ─
-             f64 µs 2e-16 15.8
-             double-double µs 3e-31 30.6
-
-            Settings without effect here
-             - f32, lanes: built without the feature `lanes`
-             - friction: none in this problem
-             - general groups: none in this problem
-             - triads: none in this problem
-             - samples: no functions over the cycle
-            ");
-    }
+        Settings without effect here
+         - friction: none in this problem
+         - general groups: none in this problem
+         - triads: none in this problem
+         - samples: no functions over the cycle
+        ");
     let svg = folder.read("a.svg");
     assert!(
         svg.starts_with("<svg")
@@ -96,8 +70,7 @@ fn accuracy_is_measured() {
     assert_eq!(value["summary"]["rows"][0]["file"], true, "{}", value["summary"]);
     let rows = value["knobs"][0]["settings"].as_array().unwrap();
     let names: Vec<&str> = rows.iter().filter_map(|r| r["setting"].as_str()).collect();
-    let all = ["f32", "f64 in lanes", "f64", "double-double"];
-    assert_eq!(names, if cfg!(feature = "lanes") { &all[..] } else { &all[2..] });
+    assert_eq!(names, ["f64", "double-double"]);
     assert!(rows.iter().all(|r| r["microseconds"].as_f64().unwrap() > 0.0));
 }
 

@@ -6,7 +6,6 @@ mod degenerate;
 mod derivatives;
 mod grouping;
 mod invariance;
-#[cfg(feature = "lanes")]
 mod lanes;
 mod rubbing;
 mod sweeps;

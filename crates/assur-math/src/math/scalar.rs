@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A real number, or several of them side by side.
 ///
-/// Every kernel in `group` and `force` is generic over it, so that one formula serves `f64`, `f32`, SIMD lanes and
+/// Every kernel in `group` and `force` is generic over it, so that one formula serves `f64`, SIMD lanes and
 /// double-double. Where lanes may differ a branch is a [`Scalar::select`].
 pub trait Scalar:
     Copy
@@ -23,9 +23,6 @@ pub trait Scalar:
     /// More digits than `f64`: numbers that a plan holds rounded are formed again.
     const EXTENDED: bool = false;
 
-    /// ε of its rounding where that is not finer than that of `f64`.
-    const ROUNDING: f64 = f64::EPSILON;
-
     /// The same value in every lane.
     fn of(x: f64) -> Self;
     /// Square root; NaN below zero.
@@ -40,11 +37,6 @@ pub trait Scalar:
     /// `a` where the mask holds, `b` elsewhere.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
 
-    /// 2ˢ + 1, s half of the digits of the number, rounded up: splits it in two (Veltkamp).
-    #[inline(always)]
-    fn splitter() -> Self {
-        Self::of(134_217_729.0)
-    }
     /// A number whose reciprocal times the square of a length is finite.
     #[inline(always)]
     fn tiny() -> Self {
@@ -54,7 +46,8 @@ pub trait Scalar:
     #[inline(always)]
     fn two_product(self, other: Self) -> (Self, Self) {
         let split = |x: Self| {
-            let scaled = x * Self::splitter();
+            // 2²⁷ + 1, of half of the digits (Veltkamp)
+            let scaled = x * Self::of(134_217_729.0);
             let high = scaled - (scaled - x);
             (high, x - high)
         };
@@ -86,57 +79,38 @@ impl LaneMask for bool {
     }
 }
 
-macro_rules! float {
-    ($t:ident, $of:expr, { $($more:item)* }) => {
-        impl Scalar for $t {
-            type Mask = bool;
+impl Scalar for f64 {
+    type Mask = bool;
 
-            #[inline(always)]
-            fn of(x: f64) -> Self {
-                $of(x)
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                $t::sqrt(self)
-            }
-            #[inline(always)]
-            fn abs(self) -> Self {
-                $t::abs(self)
-            }
-            #[inline(always)]
-            fn max(self, other: Self) -> Self {
-                if self < other { other } else { self }
-            }
-            #[inline(always)]
-            fn min(self, other: Self) -> Self {
-                if other < self { other } else { self }
-            }
-            #[inline(always)]
-            fn lt(self, other: Self) -> bool {
-                self < other
-            }
-            #[inline(always)]
-            fn select(mask: bool, a: Self, b: Self) -> Self {
-                if mask { a } else { b }
-            }
-            $($more)*
-        }
-    };
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self::sqrt(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self::abs(self)
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self < other { other } else { self }
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn select(mask: bool, a: Self, b: Self) -> Self {
+        if mask { a } else { b }
+    }
 }
-
-float!(f64, |x| x, {});
-float!(f32, |x| x as f32, {
-    const ROUNDING: f64 = 1.0 / 8_388_608.0;
-
-    #[inline(always)]
-    fn splitter() -> Self {
-        4097.0
-    }
-    #[inline(always)]
-    fn tiny() -> Self {
-        1e-30
-    }
-});
 
 // Real numbers one at a time, for methods that decide by comparing.
 
@@ -147,7 +121,7 @@ impl<S: Scalar<Mask = bool>> Real for S {}
 
 /// ε of the numbers.
 pub(super) fn epsilon<S: Real>() -> S {
-    S::of(if S::EXTENDED { 4.930_380_657_631_324e-32 } else { S::ROUNDING })
+    S::of(if S::EXTENDED { 4.930_380_657_631_324e-32 } else { f64::EPSILON })
 }
 
 /// A coefficient in two parts.

@@ -10,8 +10,6 @@ use crate::plan::{Level, Plan};
 pub(super) struct Closed<'a, S> {
     pub plan: &'a Plan,
     pub blocks: &'a mut [State<S>],
-    /// The loads are kept apart from what the steps of forces add to them: residuals and answers read them.
-    pub keeps_loads: bool,
 }
 
 impl<S: Scalar> Closed<'_, S> {
@@ -51,9 +49,8 @@ impl<S: Scalar> Closed<'_, S> {
                 block.known_load(load);
             }
         }
-        if self.keeps_loads {
-            self.blocks.iter_mut().for_each(|block| block.forces.applied.clone_from(&block.forces.wrenches));
-        }
+        // kept apart from what the steps of forces add to them: residuals and answers read them
+        self.blocks.iter_mut().for_each(|block| block.forces.applied.clone_from(&block.forces.wrenches));
         for (index, step) in self.plan.forces.iter().enumerate() {
             for block in &mut *self.blocks {
                 block.forces.conditions[index] = block.closed_force(step);

@@ -6,8 +6,6 @@ mod body;
 mod cam;
 mod check;
 mod closed;
-#[cfg(feature = "lanes")]
-mod columns;
 mod consistent;
 mod contact;
 mod directions;
@@ -29,16 +27,12 @@ mod general_work;
 mod geneva;
 mod grip;
 mod kinematics;
-#[cfg(feature = "lanes")]
-mod lanes;
 mod law_grip;
 mod loads;
 mod losses;
 mod model;
 mod motion;
 mod newton_steps;
-#[cfg(feature = "lanes")]
-mod one_lane;
 mod pose_request;
 mod precise;
 mod reduced;
@@ -58,8 +52,6 @@ mod wrench;
 
 pub use against::Against;
 pub use body::BodyState;
-#[cfg(feature = "lanes")]
-pub use columns::DriveColumns;
 pub use consistent::{Consistent, Searched};
 #[doc(hidden)]
 pub use directions::directions;
@@ -70,10 +62,6 @@ pub use general::{STARTS, assemblies as general_assemblies, is_never_regular};
 pub use general_work::Workspace;
 pub use grip::ContactMode;
 pub use kinematics::{DriveInput, Motion};
-#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
-pub use lanes::block_in_avx2;
-#[cfg(feature = "lanes")]
-pub use lanes::{Batch, Place, instructions};
 pub use model::turns;
 pub use model::{Model, extent};
 pub use pose_request::PoseRequest;

@@ -172,7 +172,7 @@ impl<S: Scalar> State<S> {
     /// Keeps the first group that does not close.
     #[inline(always)]
     pub(super) fn closes(&mut self, branch: usize, closure: S, scale: S) {
-        if !(S::of(-CLOSURE * S::ROUNDING) * scale).lt(closure).all() {
+        if !(S::of(-CLOSURE * f64::EPSILON) * scale).lt(closure).all() {
             self.motion.open.get_or_insert(branch);
         }
     }

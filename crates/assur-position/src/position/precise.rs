@@ -1,4 +1,4 @@
-//! One position in another scalar: with twice the digits, the reference for what `f64` loses; with half of them.
+//! One position in another scalar: with twice the digits, the reference for what `f64` loses.
 
 use super::kinematics::DriveInput;
 use super::state::State;
@@ -11,16 +11,6 @@ pub trait Edge: Scalar + Default {
     fn direction(angle: f64) -> V2<Self>;
     /// The same number with twice the digits of `f64`.
     fn widened(self) -> Double;
-}
-
-#[cfg(feature = "lanes")]
-impl Edge for f32 {
-    fn direction(angle: f64) -> V2<Self> {
-        V2::of(Vec2::direction(angle))
-    }
-    fn widened(self) -> Double {
-        Double::of(f64::from(self))
-    }
 }
 
 impl Edge for f64 {

@@ -7,17 +7,8 @@ use crate::plan::{Level, Plan};
 
 impl State {
     /// Motion, loads and forces, with the drives' inputs and the branches set. Loads that are evaluated at every position
-    /// are left out, and where the plan is [batchable](Plan::is_batchable) no loads are kept for residuals. Allocates nothing.
+    /// are left out. Allocates nothing.
     pub fn run(&mut self, plan: &Plan) {
-        #[cfg(feature = "lanes")]
-        if plan.is_batchable() {
-            return super::one_lane::run_one(plan, self);
-        }
-        self.run_steps(plan);
-    }
-
-    #[inline(never)]
-    fn run_steps(&mut self, plan: &Plan) {
         self.run_planned_motion(plan);
         if plan.effects.forces {
             self.known_loads(plan);

@@ -104,7 +104,7 @@ impl Work<'_> {
                     input.place = directions(input.value);
                 }
             }
-            Closed { plan, blocks: states, keeps_loads: true }.run();
+            Closed { plan, blocks: states }.run();
             for (state, checked) in states.iter().zip(checked) {
                 let [closure, equilibrium, power] = if forces {
                     state.residuals(plan, totals)

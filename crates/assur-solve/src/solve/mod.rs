@@ -44,13 +44,9 @@ pub use crate::answer::{
     PoseExtras, Source, WholeCycle, WideColumns, compare, finite, read_numbers,
 };
 pub use crate::position::PoseRequest;
-#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
-pub use crate::position::block_in_avx2;
-#[cfg(feature = "lanes")]
-pub use crate::position::{Batch, DriveColumns, Place, WIDTH, instructions};
 pub use crate::position::{
-    BodyState, Branch, Consistent, DriveInput, Edge, FrictionWork, LawForce, Model, Reaction, Residuals,
-    Searched, State, TrainWork, Wrench, in_scalar, precise, residuals,
+    BodyState, Branch, Checked, Consistent, DriveInput, Edge, F64x8, FrictionWork, LaneSolver, LawForce,
+    Model, Reaction, Residuals, Searched, State, TrainWork, WIDTH, Wrench, in_scalar, precise, residuals,
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};

@@ -182,7 +182,7 @@ fn ahead<S: Real>(a: S, b: S, direction: S) -> bool {
 }
 
 fn crossing<S: Real>(a: Point<S>, b: Point<S>, g: &mut impl FnMut(S) -> S) -> Crossing<S> {
-    let tolerance = if S::EXTENDED { 2e-31 } else { 4.0 * S::ROUNDING };
+    let tolerance = if S::EXTENDED { 2e-31 } else { 4.0 * f64::EPSILON };
     Crossing { t: root_within(tolerance, (a.0, b.0), (a.1, b.1), g), rising: sign(a.1) < 0 }
 }
 

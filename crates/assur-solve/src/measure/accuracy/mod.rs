@@ -6,8 +6,6 @@
 mod answer;
 mod choice;
 mod error;
-#[cfg(feature = "lanes")]
-mod lanes;
 mod setting;
 mod study;
 mod within;
@@ -19,12 +17,3 @@ pub use setting::{Kind, NotApplicable, Row, Setting};
 pub(super) use study::sampled;
 pub use study::{AccuracyStudy, study};
 pub use within::{AchievedAccuracy, candidates, out_of_reach, reached, run_out_of_reach};
-
-/// Positions in a batch and the instructions they use on this machine; one by one without the feature `lanes`.
-#[must_use]
-pub fn lanes() -> (usize, &'static str) {
-    #[cfg(feature = "lanes")]
-    return (crate::solve::WIDTH, crate::solve::instructions());
-    #[cfg(not(feature = "lanes"))]
-    (1, "one position at a time")
-}

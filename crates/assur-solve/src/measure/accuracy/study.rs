@@ -160,7 +160,6 @@ impl Measured<'_, '_> {
     fn scalars(&mut self, floor: f64, source: Source, absent: &mut Vec<NotApplicable>) -> Setting {
         let mut rows = Vec::new();
         if self.model.plan.is_batchable() {
-            self.in_lanes(&mut rows, absent);
             let (micros, error) = self.closed::<f64>();
             rows.push(Row::scalar("f64", micros, error, false));
             let (micros, error) = self.closed::<Double>();
@@ -169,7 +168,6 @@ impl Measured<'_, '_> {
             let plan = self.model.plan;
             let (micros, error) = (self.micros(plan), self.error(plan).greatest());
             rows.push(Row::scalar("f64", micros, error.max(floor), source == Source::Full));
-            absent.push(NotApplicable { what: "f32, lanes", why: not_closed(plan) });
             if source == Source::DoubleDouble {
                 rows.push(Row::scalar("double-double", self.reference_micros(), floor, true));
             } else {
@@ -177,11 +175,6 @@ impl Measured<'_, '_> {
             }
         }
         Setting { kind: Kind::Scalar, rows }
-    }
-
-    #[cfg(not(feature = "lanes"))]
-    fn in_lanes(&mut self, _: &mut Vec<Row>, absent: &mut Vec<NotApplicable>) {
-        absent.push(NotApplicable { what: "f32, lanes", why: "built without the feature `lanes`" });
     }
 
     fn reference_micros(&mut self) -> f64 {
