@@ -5,10 +5,11 @@ use super::motion::MotionProgress;
 use super::reply::{Printer, Reply, Status, complaint};
 use super::screen::Screen;
 use super::threads::Threads;
+use crate::front::in_order::{each, in_order};
 use crate::pipeline::{Compiled, Sink};
 use crate::report::Answers;
 use crate::report::arrow::ArrowRows;
-use assur_solve::solve::{Block, IntegrationOptions, Method, Pose, UpcomingPositions};
+use assur_solve::solve::{Block, FreeSweep, IntegrationOptions, Method, Model, Pose, PoseOutputs};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use std::io::IsTerminal;
@@ -40,11 +41,10 @@ pub fn positions(
         Ok(rows) => rows,
         Err(error) => return unprinted(error.to_string()),
     };
-    let angles = rows.reads_angles(&compiled.model());
     let way = MotionProgress::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
     let conduct = IntegrationOptions { watch: Some(&watch), method, ..IntegrationOptions::default() };
-    let mut out = Out { rows, angles, error: None, failed: false, printer, threads, conduct };
+    let mut out = Out { rows, error: None, failed: false, printer, threads, conduct };
     let (_, found) = crate::pipeline::solve_each(compiled, &mut out);
     problems.append(found);
     let ended = out.rows.end();
@@ -59,7 +59,6 @@ pub fn positions(
 
 struct Out<'p, 'o, 'w> {
     rows: ArrowRows,
-    angles: bool,
     error: Option<String>,
     failed: bool,
     printer: &'p mut Printer<'o>,
@@ -82,24 +81,19 @@ impl Sink for Out<'_, '_, '_> {
         true
     }
 
-    fn blocks(&self) -> usize {
-        self.threads.blocks()
+    fn reads(&self, model: &Model<'_>) -> PoseOutputs {
+        PoseOutputs { residuals: false, angles: self.rows.reads_angles(model) }
     }
 
-    fn solve(&mut self, ahead: &UpcomingPositions<'_>, blocks: &mut [Block]) {
-        self.threads.solve(&ahead.without_residuals(), blocks);
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        each(self.threads, count, work);
     }
 
-    fn add_blocks(
-        &mut self,
-        answers: &Answers<'_>,
-        ahead: &UpcomingPositions<'_>,
-        blocks: &mut [Block],
-    ) -> bool {
-        let angles = self.angles;
-        self.threads.each(blocks, |(_, block)| ahead.answer(block, angles));
-        let mut poses = blocks.iter().flat_map(Block::poses).filter(|pose| pose.is_position());
-        poses.all(|pose| self.add(answers, pose))
+    fn add_sweep(&mut self, answers: &Answers<'_>, sweep: &FreeSweep<'_>) -> bool {
+        let solve = |number: usize, block: &mut Block| sweep.solve(number, block);
+        in_order(self.threads, sweep.blocks(), &Block::default, solve, |block| {
+            block.poses().iter().filter(|pose| pose.is_position()).all(|pose| self.add(answers, pose))
+        })
     }
 }
 

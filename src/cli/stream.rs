@@ -6,12 +6,12 @@ use super::motion::MotionProgress;
 use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
 use super::threads::Threads;
-use crate::front::stages::{InOrder, Stages, work};
+use crate::front::in_order::{each, in_order};
 use crate::pipeline::{Compiled, Sink, Solved, is_long};
 use crate::report::json::JsonLines;
-use crate::report::lines::{CsvLines, LineMemory};
+use crate::report::lines::CsvLines;
 use crate::report::{Answers, PrintedDigits};
-use assur_solve::solve::{BLOCK, Block, IntegrationOptions, Method, Pose, UpcomingPositions};
+use assur_solve::solve::{Block, FreeSweep, IntegrationOptions, Method, Model, Pose, PoseOutputs};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -19,8 +19,8 @@ use assur_text::source::Source;
 const PIECE: usize = 1 << 16;
 /// What is held back at the most while no position has closed yet: where none does, the file has no answers.
 const HELD: usize = 1 << 25;
-/// Positions that a thread solves, or writes, at once: what they hold stays in its cache.
-const PIECES: usize = 2 * BLOCK;
+/// Blocks of positions that a thread solves and writes at once.
+const BLOCKS: usize = 4;
 
 /// Writes all positions of a file; in CSV after its name, if one is given.
 pub fn positions(
@@ -71,35 +71,19 @@ impl Lines {
         }
     }
 
-    /// Whether all of it is found that is looked for.
-    const fn have_begun(&self) -> bool {
+    /// What they show beside answers: CSV has no residuals.
+    fn reads(&self, model: &Model<'_>) -> PoseOutputs {
         match self {
-            Self::Csv(lines) => lines.has_begun(),
-            Self::Json(lines) => lines.has_begun(),
-        }
-    }
-
-    /// Whether they show angles.
-    fn show_angles(&self, answers: &Answers<'_>) -> bool {
-        match self {
-            Self::Csv(lines) => lines.reads_angles(&answers.model),
-            Self::Json(lines) => lines.shows_angles(),
+            Self::Csv(lines) => PoseOutputs { residuals: false, angles: lines.reads_angles(model) },
+            Self::Json(_) => PoseOutputs::ALL,
         }
     }
 
     /// Adds the line of a position.
-    fn add(&self, answers: &Answers<'_>, pose: &Pose, memory: &mut LineMemory, text: &mut Vec<u8>) {
+    fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, text: &mut Vec<u8>) {
         match self {
-            Self::Csv(lines) => lines.add(answers, pose, memory, text),
-            Self::Json(lines) => lines.add(answers, pose, memory, text),
-        }
-    }
-
-    /// Adds the lines of positions side by side from their numbers alone; `false`, and nothing, where that is not all.
-    fn add_block(&self, block: &Block, memory: &mut LineMemory, text: &mut Vec<u8>) -> bool {
-        match self {
-            Self::Csv(lines) => lines.add_block(block, memory, text),
-            Self::Json(lines) => lines.add_block(block, memory, text),
+            Self::Csv(lines) => lines.add(answers, pose, text),
+            Self::Json(lines) => lines.add(answers, pose, row, text),
         }
     }
 
@@ -136,7 +120,7 @@ impl Sink for Out<'_, '_, '_> {
         self.any = true;
         self.begun |= pose.outcome.is_ok() || pose.failure().is_some();
         self.lines.begin(answers, Some(pose));
-        self.lines.add(answers, pose, &mut LineMemory::default(), &mut self.text);
+        self.lines.add(answers, pose, &mut Vec::new(), &mut self.text);
         if self.text.len() >= if self.begun { PIECE } else { HELD } {
             self.flush();
         }
@@ -147,129 +131,44 @@ impl Sink for Out<'_, '_, '_> {
         true
     }
 
-    fn add_side_by_side(
-        &mut self,
-        answers: &Answers<'_>,
-        ahead: &UpcomingPositions<'_>,
-        take: &mut dyn FnMut(&mut Block) -> bool,
-    ) -> bool {
-        // CSV shows no residuals
-        let ahead = if matches!(self.lines, Lines::Csv(_)) { ahead.without_residuals() } else { *ahead };
+    fn reads(&self, model: &Model<'_>) -> PoseOutputs {
+        self.lines.reads(model)
+    }
+
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        each(self.threads, count, work);
+    }
+
+    fn add_sweep(&mut self, answers: &Answers<'_>, sweep: &FreeSweep<'_>) -> bool {
         (self.any, self.begun) = (true, true);
         self.flush();
-        let (mut from, mut block) = (0, Block::default());
-        while from < ahead.count() && !self.lines.have_begun() {
-            ahead.solve(&mut block, from);
-            let whole = take(&mut block);
-            ahead.answer(&mut block, true);
-            self.lines.begin(answers, block.poses().first());
-            write(&self.lines, answers, &block, (&mut LineMemory::default(), &mut self.text));
-            if !whole {
-                return !self.failed;
+        let mut block = Block::default();
+        sweep.solve(0, &mut block);
+        block.poses().iter().for_each(|pose| self.lines.begin(answers, Some(pose)));
+        let Self { lines, printer, held, threads, .. } = self;
+        let lines = &*lines;
+        let work = |number: usize, piece: &mut Piece| {
+            piece.text.clear();
+            for block in number * BLOCKS..((number + 1) * BLOCKS).min(sweep.blocks()) {
+                sweep.solve(block, &mut piece.block);
+                let poses = piece.block.poses().iter().filter(|pose| pose.is_position());
+                poses.for_each(|pose| lines.add(answers, pose, &mut piece.row, &mut piece.text));
             }
-            from += BLOCK;
-        }
-        self.flush();
-        let ahead = ahead.behind(from);
-        let Self { lines, printer, held, .. } = self;
-        let stages = Writing { lines, answers, ahead, angles: lines.show_angles(answers) };
-        let goes_on = work(
-            self.threads,
-            ahead.count().div_ceil(PIECES),
-            &stages,
-            &mut Printing { take, held, printer },
-        );
+        };
+        let pieces = sweep.blocks().div_ceil(BLOCKS);
+        let hand_out = |piece: &mut Piece| print(&piece.text, held, printer);
+        let goes_on = in_order(*threads, pieces, &Piece::default, work, hand_out);
         self.failed |= !goes_on;
         goes_on
     }
 }
 
-/// Positions that are solved, and then written.
-struct Writing<'w> {
-    lines: &'w Lines,
-    answers: &'w Answers<'w>,
-    ahead: UpcomingPositions<'w>,
-    angles: bool,
-}
-
 /// Positions with their lines.
 #[derive(Default)]
 struct Piece {
-    blocks: Vec<Block>,
+    block: Block,
     text: Vec<u8>,
-    /// The text is that of the blocks.
-    is_written: bool,
-    memory: LineMemory,
-}
-
-impl Stages for Writing<'_> {
-    type Piece = Piece;
-
-    fn piece(&self) -> Piece {
-        Piece::default()
-    }
-
-    fn begin(&self, number: usize, piece: &mut Piece) {
-        let ahead = self.ahead.behind(number * PIECES);
-        piece.text.clear();
-        piece.blocks.resize_with(ahead.count().min(PIECES).div_ceil(BLOCK), Block::default);
-        piece.is_written = !self.angles;
-        for (i, block) in piece.blocks.iter_mut().enumerate() {
-            ahead.solve(block, i * BLOCK);
-            // angles depend on the positions before: lines that show none are written while the states are at hand
-            if piece.is_written {
-                self.write(block, &mut piece.memory, &mut piece.text);
-            }
-        }
-    }
-
-    fn is_finished(&self, piece: &Piece) -> bool {
-        piece.is_written
-    }
-
-    fn finish(&self, piece: &mut Piece) {
-        piece.text.clear();
-        for block in &mut piece.blocks {
-            self.write(block, &mut piece.memory, &mut piece.text);
-        }
-    }
-}
-
-impl Writing<'_> {
-    /// Adds the lines of a block.
-    fn write(&self, block: &mut Block, memory: &mut LineMemory, text: &mut Vec<u8>) {
-        if !self.lines.add_block(block, memory, text) {
-            self.ahead.answer(block, self.angles);
-            write(self.lines, self.answers, block, (memory, text));
-        }
-    }
-}
-
-/// Takes positions over, and prints their lines.
-struct Printing<'t, 'p, 'o> {
-    take: &'t mut dyn FnMut(&mut Block) -> bool,
-    held: &'t mut Option<Vec<u8>>,
-    printer: &'p mut Printer<'o>,
-}
-
-impl InOrder<Piece> for Printing<'_, '_, '_> {
-    fn between(&mut self, piece: &mut Piece) -> bool {
-        for i in 0..piece.blocks.len() {
-            let solved = piece.blocks[i].len();
-            let whole = (self.take)(&mut piece.blocks[i]);
-            let is_last = i + 1 == piece.blocks.len();
-            piece.is_written &= piece.blocks[i].len() == solved && (whole || is_last);
-            if !whole {
-                piece.blocks.truncate(i + 1);
-                return false;
-            }
-        }
-        true
-    }
-
-    fn end(&mut self, piece: &mut Piece) -> bool {
-        print(&piece.text, self.held, self.printer)
-    }
+    row: Vec<f64>,
 }
 
 /// Prints lines, or holds them back.
@@ -281,17 +180,6 @@ fn print(text: &[u8], held: &mut Option<Vec<u8>>, printer: &mut Printer<'_>) -> 
         }
         None => printer.print(text),
     }
-}
-
-/// Adds the lines of positions that were answered.
-fn write(
-    lines: &Lines,
-    answers: &Answers<'_>,
-    block: &Block,
-    (memory, text): (&mut LineMemory, &mut Vec<u8>),
-) {
-    let poses = block.poses().iter().filter(|pose| pose.is_position());
-    poses.for_each(|pose| lines.add(answers, pose, memory, text));
 }
 
 impl Out<'_, '_, '_> {

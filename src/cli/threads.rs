@@ -1,12 +1,8 @@
 //! Work on several threads, which are started when there is the first of it.
 
 use crate::Workers;
-use assur_solve::solve::{BLOCK, Block, UpcomingPositions};
 use rayon::prelude::*;
 use std::sync::OnceLock;
-
-/// Blocks that a thread solves at once: what they hold fits the cache.
-const BLOCKS: usize = 4;
 
 /// Threads, started when they are needed.
 #[derive(Debug)]
@@ -26,17 +22,6 @@ impl Threads {
     pub fn count(&self) -> usize {
         let all = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         *self.count.get_or_init(all)
-    }
-
-    /// How many blocks of positions are solved at once.
-    #[must_use]
-    pub fn blocks(&self) -> usize {
-        self.count() * BLOCKS
-    }
-
-    /// Solves blocks of positions.
-    pub fn solve(&self, ahead: &UpcomingPositions<'_>, blocks: &mut [Block]) {
-        self.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
     }
 
     /// The threads, where there is more than one item and more than one processor.

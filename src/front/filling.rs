@@ -1,20 +1,24 @@
 //! Positions made into columns.
 
 use super::columns::{Column, Columns, PoseFailure, Residuals, Values, WrittenUnit};
-use super::side_by_side::{OWN, SideBySide};
+use super::in_order::{each, in_order};
 use super::workers::Workers;
 use crate::pipeline::Sink;
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, NumberField, NumberRows};
 use assur_solve::message::failure;
 use assur_solve::solve::{
-    BLOCK, Block, IntegrationOptions, Model, Pose, Progress, UpcomingPositions, finite,
+    BLOCK, Block, FreeSweep, IntegrationOptions, Model, Pose, PoseOutputs, Progress, finite,
 };
 use miette::Diagnostic;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Positions there is room for at first.
 const FIRST: usize = 16;
+/// Residuals and condition.
+const OWN: usize = 4;
+/// Blocks of positions that a thread works on at a time; then the workers are asked whether to go on.
+const BLOCKS: usize = 64;
 
 /// The columns of a text without a position yet.
 #[derive(Clone, Debug)]
@@ -158,21 +162,41 @@ impl Sink for Filling<'_> {
         true
     }
 
-    fn add_side_by_side(
-        &mut self,
-        answers: &Answers<'_>,
-        ahead: &UpcomingPositions<'_>,
-        take: &mut dyn FnMut(&mut Block) -> bool,
-    ) -> bool {
+    fn reads(&self, _: &Model<'_>) -> PoseOutputs {
+        PoseOutputs { residuals: true, angles: self.angles }
+    }
+
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        each(self.workers, count, work);
+    }
+
+    fn add_sweep(&mut self, answers: &Answers<'_>, sweep: &FreeSweep<'_>) -> bool {
         self.rows.begin(answers);
         let first = self.columns.len;
-        // the last position of a sweep is solved by itself
-        self.make_room(first + ahead.count() + 1);
-        let Self { columns, rows, angles, memory, room, workers, .. } = self;
-        let places = memory.chunks_mut(*room).map(|values| &mut values[first..]).collect();
-        let positions = SideBySide { answers, ahead: *ahead, rows, angles: *angles, workers: *workers };
-        let (taken, goes_on) = positions.write(places, take);
-        columns.len += taken;
+        self.make_room(first + sweep.count());
+        let Self { columns, rows, memory, room, workers, .. } = self;
+        let (size, pieces) = (BLOCKS * BLOCK, sweep.blocks().div_ceil(BLOCKS));
+        // where the numbers of each piece go, column by column
+        let mut places: Vec<Vec<&mut [f64]>> = (0..pieces).map(|_| Vec::new()).collect();
+        for column in memory.chunks_mut(*room) {
+            let parts = column[first..first + sweep.count()].chunks_mut(size);
+            places.iter_mut().zip(parts).for_each(|(places, part)| places.push(part));
+        }
+        let places: Vec<_> = places.into_iter().map(Mutex::new).collect();
+        let work = |number: usize, (block, row): &mut (Block, Vec<f64>)| {
+            let mut places = places[number].lock().unwrap_or_else(PoisonError::into_inner);
+            let blocks = number * BLOCKS..((number + 1) * BLOCKS).min(sweep.blocks());
+            for (i, number) in blocks.enumerate() {
+                sweep.solve(number, block);
+                for (j, pose) in block.poses().iter().enumerate() {
+                    rows.read(answers, pose, row);
+                    let cells = row.iter().copied().chain(quality(pose)).map(finite);
+                    places.iter_mut().zip(cells).for_each(|(column, x)| column[i * BLOCK + j] = x);
+                }
+            }
+        };
+        let goes_on = in_order(*workers, pieces, &Default::default, work, |_| workers.goes_on());
+        columns.len += sweep.count();
         self.goes_on = goes_on;
         goes_on
     }

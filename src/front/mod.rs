@@ -7,13 +7,12 @@ mod columns;
 mod drawn;
 mod filling;
 mod graded;
+pub(crate) mod in_order;
 mod positions;
 mod problem;
 mod row_answers;
 mod rows;
-mod side_by_side;
 mod solution;
-pub(crate) mod stages;
 mod workers;
 
 pub use checked::{Checked, ColumnsError};

@@ -5,7 +5,6 @@ use crate::exercise::table::{PreciseNumber, Separator};
 use crate::report::Answers;
 use assur_check::{ColumnUse, Row, RowCell, RowColumn};
 use assur_solve::message::failure;
-use assur_solve::solve::NumberColumns;
 use assur_syntax::document::{Document, ExprKind, Statement};
 use std::sync::Arc;
 
@@ -108,8 +107,6 @@ pub(crate) struct Line<'a> {
     pub index: usize,
     /// Memory for its numbers.
     pub numbers: &'a mut Vec<f64>,
-    /// Its columns, where a state decides them.
-    pub columns: Option<&'a NumberColumns>,
     pub out: &'a mut RowAnswers,
 }
 
@@ -124,14 +121,7 @@ impl Line<'_> {
         let mut any = false;
         for pose in answers.asked_for() {
             any = true;
-            let solved = pose.outcome.as_ref().ok().filter(|solved| !solved.state.forces.locked);
-            let solved = self.columns.zip(solved);
-            let read = solved.is_some_and(|(columns, solved)| {
-                columns.read(&answers.solution.view(&answers.model, solved), &pose.drives, &mut row)
-            });
-            if !read {
-                columns.write_row(answers, pose, &whole, greatest.as_ref(), &mut row);
-            }
+            columns.write_row(answers, pose, &whole, greatest.as_ref(), &mut row);
             let why = pose.outcome.as_ref().err().map(|why| failure(&answers.model, why).to_string());
             self.push_event(columns.events_at(answers, pose));
             self.push(&pose.name, &row, why.as_deref().unwrap_or(error));

@@ -1,16 +1,16 @@
 //! Rows of variants from columns in memory.
 
 use super::columns::WrittenUnit;
+use super::in_order::in_order;
 use super::row_answers::{Cells, Line, RowAnswers, digits_count, header_line, read_row};
 use super::solution::Diagnostics;
-use super::stages::{InOrder, Stages, work};
 use super::workers::Workers;
 use crate::exercise::table::Table;
 use crate::pipeline::{Compiled, VariantSolver};
 use crate::report::{NumberField, PrintedDigits, rows::AnswerColumns};
 use assur_check as check;
 use assur_check::{ColumnUse, Overrides, Row, RowColumn};
-use assur_solve::solve::{NumberColumns, Progress};
+use assur_solve::solve::Progress;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -140,9 +140,32 @@ impl Rows {
         workers: &dyn Workers,
     ) -> Option<RowAnswers> {
         let watch = |_: f64, _: f64| !workers.is_stopped();
-        let solving = Solving { rows: self, layout, cells, count, watch: &watch, idle: Mutex::default() };
-        let mut all = RowsInOrder { answers: RowAnswers::with_room(layout, count), workers };
-        work(workers, count.div_ceil(PIECE), &solving, &mut all).then_some(all.answers)
+        // solvers that wait for rows
+        let idle = Mutex::new(Vec::new());
+        let lock = || idle.lock().unwrap_or_else(PoisonError::into_inner);
+        let work = |number: usize, piece: &mut RowAnswers| {
+            let waiting = lock().pop();
+            let mut worker = waiting.unwrap_or_else(|| Worker::of(self.solver(&watch)));
+            let mut row = Row::default();
+            for index in number * PIECE..((number + 1) * PIECE).min(count) {
+                match read_row(&self.columns, cells, index, self.digits, &mut row) {
+                    Ok(()) => self.one(&row, (&mut worker, &watch), (layout, index, piece)),
+                    Err(missing) => {
+                        let numbers = &mut worker.numbers;
+                        let mut line = Line { layout, index, numbers, out: piece };
+                        line.without_answers(&missing.to_string());
+                    }
+                }
+            }
+            lock().push(worker);
+        };
+        let mut all = RowAnswers::with_room(layout, count);
+        let new = || RowAnswers::with_room(layout, PIECE);
+        let goes_on = in_order(workers, count.div_ceil(PIECE), &new, work, |piece| {
+            all.append(piece);
+            workers.goes_on()
+        });
+        goes_on.then_some(all)
     }
 
     fn solver<'r>(&'r self, watch: &'r Progress<'r>) -> VariantSolver<'r> {
@@ -158,97 +181,32 @@ impl Rows {
     ) {
         let before = out.len();
         let found = catch_unwind(AssertUnwindSafe(|| {
-            let Worker { solver, columns, numbers } = &mut *worker;
-            let (solved, problems, quick) = solver.solve_quickly(row);
+            let Worker { solver, numbers } = &mut *worker;
+            let (solved, problems) = solver.solve_in_place(row);
             let answers = solved.map(|solved| solved.answers(PrintedDigits::READABLE));
-            let columns = answers.filter(|_| quick && !layout.key).and_then(|answers| {
-                columns.get_or_insert_with(|| layout.answers.in_quick_rows(&answers.model)).as_ref()
-            });
-            let mut line = Line { layout, index, numbers, columns, out };
+            let mut line = Line { layout, index, numbers, out };
             line.all(answers.as_ref(), &first_error(&problems));
         }));
         if found.is_err() {
             // what the row left behind is not to be used again
             *worker = Worker::of(self.solver(watch));
             out.truncate(before);
-            let mut line = Line { layout, index, numbers: &mut worker.numbers, columns: None, out };
+            let mut line = Line { layout, index, numbers: &mut worker.numbers, out };
             line.without_answers("internal error: please report this row with the file");
         }
-    }
-}
-
-/// Rows that are being solved.
-struct Solving<'s, 'r> {
-    rows: &'r Rows,
-    layout: &'s RowLayout,
-    cells: &'s [Cells<'s>],
-    count: usize,
-    watch: &'r Progress<'r>,
-    /// Solvers that wait for rows.
-    idle: Mutex<Vec<Worker<'r>>>,
-}
-
-impl Stages for Solving<'_, '_> {
-    type Piece = RowAnswers;
-
-    fn piece(&self) -> RowAnswers {
-        RowAnswers::with_room(self.layout, PIECE)
-    }
-
-    fn begin(&self, number: usize, piece: &mut RowAnswers) {
-        let &Self { rows, layout, watch, .. } = self;
-        let lock = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut worker = lock().pop().unwrap_or_else(|| Worker::of(rows.solver(watch)));
-        let mut row = Row::default();
-        for index in number * PIECE..((number + 1) * PIECE).min(self.count) {
-            match read_row(&rows.columns, self.cells, index, rows.digits, &mut row) {
-                Ok(()) => rows.one(&row, (&mut worker, watch), (layout, index, piece)),
-                Err(missing) => {
-                    let numbers = &mut worker.numbers;
-                    let mut line = Line { layout, index, numbers, columns: None, out: piece };
-                    line.without_answers(&missing.to_string());
-                }
-            }
-        }
-        lock().push(worker);
-    }
-
-    fn is_finished(&self, _: &RowAnswers) -> bool {
-        true
-    }
-
-    fn finish(&self, _: &mut RowAnswers) {}
-}
-
-/// The answers in the order of the rows.
-struct RowsInOrder<'w> {
-    answers: RowAnswers,
-    workers: &'w dyn Workers,
-}
-
-impl InOrder<RowAnswers> for RowsInOrder<'_> {
-    fn between(&mut self, _: &mut RowAnswers) -> bool {
-        true
-    }
-
-    fn end(&mut self, piece: &mut RowAnswers) -> bool {
-        self.answers.append(piece);
-        self.workers.goes_on()
     }
 }
 
 /// A solver with what it leaves from row to row.
 struct Worker<'r> {
     solver: VariantSolver<'r>,
-    /// The columns of rows that differ in numbers alone, once they were looked for.
-    columns: Option<Option<NumberColumns>>,
     /// Memory for the numbers of a line.
     numbers: Vec<f64>,
 }
 
 impl<'r> Worker<'r> {
     const fn of(solver: VariantSolver<'r>) -> Self {
-        Self { solver, columns: None, numbers: Vec::new() }
+        Self { solver, numbers: Vec::new() }
     }
 }
 

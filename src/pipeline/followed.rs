@@ -8,7 +8,7 @@ use crate::report::{Answers, PrintedDigits};
 use assur_model::model::{At, Mechanism, Positions, Relation};
 use assur_solve::message::{self, failure};
 use assur_solve::solve::{
-    BLOCK, Block, Following, IntegrationOptions, Model, Pose, PoseOrigin, Solution, UpcomingPositions,
+    Block, Following, FreeSweep, IntegrationOptions, Model, Pose, PoseOrigin, PoseOutputs, Solution,
 };
 use assur_text::diagnostic::{Diagnosis, Problems};
 use miette::LabeledSpan;
@@ -36,55 +36,23 @@ pub trait Sink {
         false
     }
 
-    /// How many blocks of positions are solved at once where none depends on another.
-    fn blocks(&self) -> usize {
-        1
+    /// What of positions is read beside their answers.
+    fn reads(&self, _: &Model<'_>) -> PoseOutputs {
+        PoseOutputs::ALL
     }
 
-    /// Solves blocks of positions: on several threads if there are.
-    fn solve(&mut self, ahead: &UpcomingPositions<'_>, blocks: &mut [Block]) {
-        blocks.iter_mut().enumerate().for_each(|(i, block)| ahead.solve(block, i * BLOCK));
+    /// Calls `work` for all numbers below a count: on several threads if there are.
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        (0..count).for_each(work);
     }
 
-    /// Takes blocks of positions whose quantities and angles are not known yet, see [`UpcomingPositions::answer`].
-    fn add_blocks(
-        &mut self,
-        answers: &Answers<'_>,
-        ahead: &UpcomingPositions<'_>,
-        blocks: &mut [Block],
-    ) -> bool {
-        blocks.iter_mut().all(|block| {
-            ahead.answer(block, true);
+    /// Takes positions of which none depends on another.
+    fn add_sweep(&mut self, answers: &Answers<'_>, sweep: &FreeSweep<'_>) -> bool {
+        let mut block = Block::default();
+        (0..sweep.blocks()).all(|number| {
+            sweep.solve(number, &mut block);
             block.poses().iter().all(|pose| self.add(answers, pose))
         })
-    }
-
-    /// Takes positions of which none depends on another, block by block in their order, as far as `take` takes each over.
-    fn add_side_by_side(
-        &mut self,
-        answers: &Answers<'_>,
-        ahead: &UpcomingPositions<'_>,
-        take: &mut dyn FnMut(&mut Block) -> bool,
-    ) -> bool {
-        let (mut from, mut whole, mut blocks) = (0, true, Vec::new());
-        while whole && from < ahead.count() {
-            let count = (ahead.count() - from).min(self.blocks() * BLOCK);
-            blocks.resize_with(count.div_ceil(BLOCK), Block::default);
-            self.solve(&ahead.behind(from), &mut blocks);
-            let mut taken = 0;
-            for block in &mut blocks {
-                whole = take(block);
-                taken += usize::from(!block.is_empty());
-                if !whole {
-                    break;
-                }
-            }
-            if taken > 0 && !self.add_blocks(answers, ahead, &mut blocks[..taken]) {
-                return false;
-            }
-            from += count;
-        }
-        true
     }
 }
 
@@ -159,16 +127,19 @@ pub fn followed(
     let (mut poses, mut problems) = (Vec::new(), Problems::new());
     let precision = PrintedDigits::READABLE;
     let answers = Answers { model: *model, solution: &head, outcomes: &[], reached: None, precision };
-    let (mut sink, mut branches) = (sink, Vec::new());
+    let mut sink = sink;
     let (mut failed, mut ambiguous) = (0, false);
     loop {
-        if let Some(sink) = sink.as_deref_mut().filter(|_| !keeps_all && model.mechanism.expects.is_empty())
-            && let Some((ahead, mut taking)) = following.side_by_side(&mut branches)
-        {
-            if !sink.add_side_by_side(&answers, &ahead, &mut |block| taking.take(block)) {
+        if let Some(sink) = sink.as_deref_mut().filter(|_| !keeps_all && model.mechanism.expects.is_empty()) {
+            let goes_on = following.side_by_side(
+                sink.reads(model),
+                sink,
+                |sink, count, work| sink.each(count, work),
+                |sink, sweep| sink.add_sweep(&answers, sweep),
+            );
+            if goes_on == Some(false) {
                 return Ok(None);
             }
-            continue;
         }
         let Some(pose) = following.next() else { break };
         let pose = pose.map_err(|why| Problems::of([failure(model, &why)]))?;

@@ -101,12 +101,6 @@ impl<'a> VariantSolver<'a> {
 
     /// As [`VariantSolver::solve`], in the memory of the rows before.
     pub fn solve_in_place(&mut self, row: &Row) -> (Option<&Solved>, Problems) {
-        let (solved, problems, _) = self.solve_quickly(row);
-        (solved, problems)
-    }
-
-    /// The same, and whether its structure and plan are those of all such rows but for their numbers.
-    pub fn solve_quickly(&mut self, row: &Row) -> (Option<&Solved>, Problems, bool) {
         self.look_for_quick(row);
         let ready = match &mut self.quick {
             FastPath::Rows(quick) => quick.compile(row).is_some(),
@@ -116,14 +110,11 @@ impl<'a> VariantSolver<'a> {
             // it takes more than numbers
             let (solved, problems) = self.solve(row);
             self.last = solved;
-            return (self.last.as_ref(), problems, false);
+            return (self.last.as_ref(), problems);
         }
         match &mut self.quick {
-            FastPath::Rows(quick) => {
-                let (solved, problems) = quick.solve(&self.conduct);
-                (solved, problems, true)
-            }
-            FastPath::After(_) | FastPath::None => (None, Problems::new(), false),
+            FastPath::Rows(quick) => quick.solve(&self.conduct),
+            FastPath::After(_) | FastPath::None => (None, Problems::new()),
         }
     }
 

@@ -5,15 +5,7 @@ use super::csv::{LINE_END, field};
 use super::rows::{AnswerColumns, FULL, write_text};
 use super::simulation;
 use assur_model::model::Value;
-use assur_solve::solve::{Block, BlockNumbers, Model, NumberColumns, Pose, WideColumns};
-use assur_text::units::push_row;
-
-/// Memory for the numbers of lines.
-#[derive(Debug, Default)]
-pub struct LineMemory {
-    pub(super) numbers: BlockNumbers,
-    pub(super) row: Vec<f64>,
-}
+use assur_solve::solve::{Model, Pose};
 
 #[derive(Clone, Debug)]
 pub struct CsvLines {
@@ -22,10 +14,6 @@ pub struct CsvLines {
     file: Option<String>,
     /// The answers that need no pose, once known.
     whole: Vec<Option<Value>>,
-    /// The columns, where a state decides them.
-    numbers: Option<NumberColumns>,
-    /// The same for positions side by side.
-    wide: Option<WideColumns>,
     begun: bool,
     /// What heads the names of poses.
     pose: String,
@@ -42,8 +30,6 @@ impl CsvLines {
             columns: AnswerColumns::of_file(model),
             file: file.map(cell),
             whole: Vec::new(),
-            numbers: None,
-            wide: None,
             begun: false,
             pose: pose_header(model.mechanism),
             events: simulation::names_events(model.mechanism),
@@ -68,16 +54,7 @@ impl CsvLines {
     pub fn begin(&mut self, answers: &Answers<'_>) {
         if !std::mem::replace(&mut self.begun, true) {
             self.whole = self.columns.whole(answers);
-            self.numbers = self.columns.numbers(&self.whole);
-            let wide = self.numbers.as_ref().filter(|_| !self.events);
-            self.wide = wide.and_then(|numbers| numbers.wide(&answers.model));
         }
-    }
-
-    /// Whether they are found.
-    #[must_use]
-    pub const fn has_begun(&self) -> bool {
-        self.begun
     }
 
     /// Whether a column shows the angle of a link or of a hinge.
@@ -87,11 +64,10 @@ impl CsvLines {
     }
 
     /// Adds the line of a position, once it has [begun](CsvLines::begin); none where it only says that its accuracy was missed.
-    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, memory: &mut LineMemory, out: &mut Vec<u8>) {
+    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, out: &mut Vec<u8>) {
         if !pose.is_position() {
             return;
         }
-        let row = &mut memory.row;
         out.extend_from_slice(self.file.as_deref().unwrap_or_default().as_bytes());
         if pose.name.bytes().all(|b| b.is_ascii_digit()) {
             out.extend_from_slice(pose.name.as_bytes());
@@ -103,33 +79,8 @@ impl CsvLines {
             let events = simulation::events_at(answers, pose).unwrap_or_default();
             out.extend_from_slice(field(&events).as_bytes());
         }
-        let solved = pose.outcome.as_ref().ok().filter(|solved| !solved.state.forces.locked);
-        match (&self.numbers, solved) {
-            (Some(columns), Some(solved))
-                if columns.read(&answers.solution.view(&answers.model, solved), &pose.drives, row) =>
-            {
-                push_row(out, row, FULL);
-            }
-            _ => self.columns.write_beside(answers, pose, &self.whole, (FULL, None), out),
-        }
+        self.columns.write_beside(answers, pose, &self.whole, (FULL, None), out);
         out.extend_from_slice(LINE_END.as_bytes());
-    }
-
-    /// Adds the lines of positions that were solved side by side, without a state of each. `false`, and nothing, where more than the
-    /// numbers of the columns is to be written.
-    pub fn add_block(&self, block: &Block, memory: &mut LineMemory, out: &mut Vec<u8>) -> bool {
-        if !self.wide.as_ref().is_some_and(|columns| memory.numbers.read(block, columns)) {
-            return false;
-        }
-        let file = self.file.as_deref().unwrap_or_default().as_bytes();
-        for i in 0..block.len() {
-            out.extend_from_slice(file);
-            block.push_name(i, out);
-            memory.numbers.line(i, &mut memory.row);
-            push_row(out, &memory.row, FULL);
-            out.extend_from_slice(LINE_END.as_bytes());
-        }
-        true
     }
 
     /// Adds the one line of a file without positions.

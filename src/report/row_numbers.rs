@@ -2,10 +2,8 @@
 
 use super::answers::Answers;
 use super::rows::{Answer, AnswerColumns, Content};
-use assur_model::model::{Display, FindKind, Mechanism, PairId, Value};
-use assur_solve::solve::{
-    ColumnSource, JointReaction, Model, MotionScales, NumberColumns, Pose, PoseAnswers, State, WideColumns,
-};
+use assur_model::model::{Display, FindKind, Mechanism, Value};
+use assur_solve::solve::{Model, MotionScales, Pose};
 use assur_text::units::{Dimension, Kind};
 
 /// A column of numbers.
@@ -25,44 +23,22 @@ pub struct NumberRows {
     columns: AnswerColumns,
     /// The answers that need no pose, once known.
     whole: Option<Vec<Option<Value>>>,
-    /// The columns, where a state decides them.
-    numbers: Option<NumberColumns>,
-    /// The same for positions side by side.
-    wide: Option<WideColumns>,
 }
 
 impl NumberRows {
     #[must_use]
     pub const fn of(columns: AnswerColumns) -> Self {
-        Self { columns, whole: None, numbers: None, wide: None }
+        Self { columns, whole: None }
     }
 
     /// Finds the answers that need no pose, once.
     pub fn begin(&mut self, answers: &Answers<'_>) {
-        if self.whole.is_none() {
-            let whole = self.columns.whole(answers);
-            self.numbers = self.columns.numbers(&whole);
-            self.wide = self.numbers.as_ref().and_then(|numbers| numbers.wide(&answers.model));
-            self.whole = Some(whole);
-        }
+        self.whole.get_or_insert_with(|| self.columns.whole(answers));
     }
 
     /// Writes a position, once it has [begun](NumberRows::begin).
     pub fn read(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>) {
-        let solved = pose.outcome.as_ref().ok().filter(|solved| !solved.state.forces.locked);
-        let read = self.numbers.as_ref().zip(solved).is_some_and(|(numbers, solved)| {
-            numbers.read(&answers.solution.view(&answers.model, solved), &pose.drives, row)
-        });
-        if !read {
-            let whole = self.whole.as_deref().unwrap_or_default();
-            self.columns.write_row(answers, pose, whole, None, row);
-        }
-    }
-
-    /// The columns for positions side by side, once it has [begun](NumberRows::begin); `None` where they take states.
-    #[must_use]
-    pub const fn wide(&self) -> Option<&WideColumns> {
-        self.wide.as_ref()
+        self.columns.write_row(answers, pose, self.whole.as_deref().unwrap_or_default(), None, row);
     }
 
     /// Writes what needs no pose, for a file that has none.
@@ -150,49 +126,6 @@ impl AnswerColumns {
         out.clear();
         let whole = self.whole(answers);
         self.answers.iter().zip(whole).for_each(|(answer, value)| answer.push_cells(value, out));
-    }
-
-    /// The same columns as numbers, with what needs no pose known. `None` where some depend on more than a state.
-    #[must_use]
-    pub fn numbers(&self, whole: &[Option<Value>]) -> Option<NumberColumns> {
-        let mut columns = NumberColumns::default();
-        for (i, answer) in self.answers.iter().enumerate() {
-            let shown = match &answer.content {
-                Content::Drive(i) => ColumnSource::Drive(*i),
-                Content::Find { index, poseless: false } => ColumnSource::Find(*index),
-                Content::Find { poseless: true, .. } => ColumnSource::Known(whole.get(i).copied().flatten()),
-                Content::Effort(slot) => ColumnSource::Effort(*slot),
-                Content::Reaction(_, _, joints) if self.placed => ColumnSource::Force(joints.clone()?),
-                Content::Moment(_, _, joints) if self.placed => ColumnSource::Couple(joints.clone()?),
-                Content::Reaction(..) | Content::Moment(..) => return None,
-            };
-            columns.push(shown, answer.vector, &answer.display);
-        }
-        Some(columns)
-    }
-
-    /// The same of rows that differ in numbers alone from the one that a file was compiled with.
-    #[must_use]
-    pub fn in_quick_rows(&self, model: &Model<'_>) -> Option<NumberColumns> {
-        let state = State::closed(model.plan);
-        let view = PoseAnswers::bare(model, &state);
-        let determined = |pair: &PairId| model.structure.undetermined_couples.binary_search(pair).is_err();
-        let mut columns = self.clone();
-        for answer in &mut columns.answers {
-            match &mut answer.content {
-                Content::Reaction(pair, on, joints) => *joints = JointReaction::of(&view, *pair, *on),
-                Content::Moment(pair, on, joints) => {
-                    *joints = JointReaction::of(&view, *pair, *on).filter(|_| determined(pair));
-                }
-                // it may depend on the numbers
-                Content::Find { poseless: true, .. } => return None,
-                _ => {}
-            }
-        }
-        let reactions =
-            |answer: &Answer| matches!(answer.content, Content::Reaction(..) | Content::Moment(..));
-        let known = !model.plan.reactions.is_empty() || !self.answers.iter().any(reactions);
-        known.then(|| columns.numbers(&[]))?
     }
 
     /// Whether a column shows the angle of a link or of a hinge, or a quantity does that it may show.

@@ -231,8 +231,8 @@ impl AnswerColumns {
         let shown = &self.answers[from..];
         let solved = pose.outcome.as_ref().ok();
         let view = solved.map(|solved| answers.solution.view(&answers.model, solved));
-        let asked = shown.iter().any(|a| matches!(a.content, Content::Reaction(..) | Content::Moment(..)));
-        let unplaced = if asked && !self.placed { unplaced_reactions(&answers.model) } else { Vec::new() };
+        let asked = || shown.iter().any(|a| matches!(a.content, Content::Reaction(..) | Content::Moment(..)));
+        let unplaced = if !self.placed && asked() { unplaced_reactions(&answers.model) } else { Vec::new() };
         let pressing = |pair: PairId| {
             let known = !answers.model.plan.reactions.is_empty()
                 && solved.is_some_and(|s| !s.state.forces.locked)

@@ -4,7 +4,7 @@
 
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
-use assur::internals::solve::Following;
+use assur::internals::solve::{Block, Following, Pose, PoseOutputs};
 use assur::internals::source::Source;
 use proptest::prelude::*;
 
@@ -25,18 +25,28 @@ fn driven(positions: &[f64]) -> String {
     format!("{MACHINE}drive crank = {list} at 1500 rpm\n")
 }
 
-/// The displacements, m, solved one by one or side by side.
-fn displacements(text: &str, one_by_one: bool) -> Vec<f64> {
+/// The displacements, m, solved one by one or in lanes.
+fn displacements(text: &str, in_lanes: bool) -> Vec<f64> {
     let source = Source::new("equal.mech", text);
     let (compiled, problems) = assur::internals::compile(&source, &Overrides::none());
     let compiled = compiled.unwrap_or_else(|| panic!("{problems:?}"));
     let model = compiled.model();
-    let following = Following::new(&model, Vec::new()).ok().flatten().expect("it moves");
-    let mut following = if one_by_one { following.one_by_one() } else { following };
+    let mut following = Following::new(&model, Vec::new()).ok().flatten().expect("it moves");
+    let x = |pose: &Pose| pose.outcome.as_ref().expect("it closes").state.motion.bodies[3].p.x;
     let mut found = Vec::new();
     while let Some(pose) = following.next() {
-        let pose = pose.expect("it begins");
-        found.push(pose.outcome.as_ref().expect("it closes").state.motion.bodies[3].p.x);
+        found.push(x(&pose.expect("it begins")));
+        let each = |_: &Vec<f64>, count: usize, work: &(dyn Fn(usize) + Sync)| (0..count).for_each(work);
+        if in_lanes {
+            following.side_by_side(PoseOutputs::ALL, &mut found, each, |found, sweep| {
+                let mut block = Block::default();
+                for number in 0..sweep.blocks() {
+                    sweep.solve(number, &mut block);
+                    found.extend(block.poses().iter().map(x));
+                }
+                true
+            });
+        }
     }
     found
 }
@@ -49,10 +59,11 @@ fn right(deg: f64) -> f64 {
 
 fn holds(positions: &[f64]) {
     let text = driven(positions);
-    let (side, one) = (displacements(&text, false), displacements(&text, true));
-    assert_eq!(side, one, "{positions:?}");
-    for (x, deg) in side.iter().zip(positions) {
-        assert!((x - right(*deg)).abs() < 1e-15, "{x} at {deg} deg");
+    for found in [displacements(&text, false), displacements(&text, true)] {
+        assert_eq!(found.len(), positions.len(), "{positions:?}");
+        for (x, deg) in found.iter().zip(positions) {
+            assert!((x - right(*deg)).abs() < 1e-15, "{x} at {deg} deg");
+        }
     }
 }
 

@@ -4,11 +4,9 @@
 
 use crate::share::{least, spread};
 use assur::internals::check::Overrides;
-use assur::internals::report::json::JsonLines;
-use assur::internals::report::lines::{CsvLines, LineMemory};
-use assur::internals::report::rows::AnswerColumns;
-use assur::internals::report::{Answers, NumberRows, PrintedDigits, csv, json, table_of_poses};
-use assur::internals::solve::{Block, Following, Model, Pose, Solution};
+use assur::internals::report::lines::CsvLines;
+use assur::internals::report::{Answers, PrintedDigits, csv, json, table_of_poses};
+use assur::internals::solve::{Block, Following, Model, Pose, PoseOutputs, Solved};
 use assur::internals::source::Source;
 use std::path::Path;
 
@@ -30,7 +28,7 @@ fn every_example_comes_out_the_same() {
         let (mut text, mut objects) = (rows.header().into_bytes(), Vec::new());
         let (solved, _) = assur::internals::solve_each(second, &mut |answers: &Answers<'_>, pose: &Pose| {
             rows.begin(answers);
-            rows.add(answers, pose, &mut LineMemory::default(), &mut text);
+            rows.add(answers, pose, &mut text);
             objects.push(json::render_position("a", None, answers, Some(pose)));
             true
         });
@@ -73,139 +71,71 @@ fn in_steps(text: &str, steps: usize) -> String {
     text.lines().filter(|line| !beside(line)).map(line).collect()
 }
 
-/// Every number of every position, as far as the sweep goes, and what is said about it.
-fn all_numbers(following: Option<Following<'_, '_>>) -> (Vec<String>, String) {
-    let Some(mut following) = following else { return Default::default() };
-    let mut poses = Vec::new();
-    while let Some(pose) = following.next() {
-        poses.push(format!("{pose:?}"));
+/// The numbers of a position: angles, motion, reactions, efforts.
+fn numbers(solved: &Solved) -> Vec<f64> {
+    let mut all = solved.angles.clone();
+    for b in &solved.state.motion.bodies {
+        all.extend([b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]);
     }
-    let end = following.end();
-    (poses, format!("{:?} {}", end.notes, end.unlisted))
+    for r in &solved.state.forces.reactions {
+        all.extend([r.force.x, r.force.y, r.couple]);
+    }
+    all.extend(&solved.state.forces.efforts);
+    all
 }
 
-/// Where positions are solved side by side they are what following finds, to the last bit, with the same notes.
+/// The numbers of all positions and what is said about them; in lanes where that goes, on which it is counted.
+fn all_numbers(model: &Model<'_>, in_lanes: Option<&mut usize>) -> (Vec<Vec<f64>>, String) {
+    let Ok(Some(mut following)) = Following::new(model, Vec::new()) else { return Default::default() };
+    let of = |pose: &Pose| pose.outcome.as_ref().map(numbers).unwrap_or_default();
+    let mut all = Vec::new();
+    if let Some(counted) = in_lanes {
+        all.extend(following.next().map(|pose| pose.map(|pose| of(&pose)).unwrap_or_default()));
+        // in parts that come in another order
+        let each = |_: &Vec<_>, count: usize, work: &(dyn Fn(usize) + Sync)| (0..count).rev().for_each(work);
+        let found = following.side_by_side(PoseOutputs::ALL, &mut all, each, |all, sweep| {
+            let mut block = Block::default();
+            for number in 0..sweep.blocks() {
+                sweep.solve(number, &mut block);
+                all.extend(block.poses().iter().map(of));
+            }
+            true
+        });
+        *counted += usize::from(found.is_some());
+    }
+    while let Some(pose) = following.next() {
+        all.push(pose.map(|pose| of(&pose)).unwrap_or_default());
+    }
+    let end = following.end();
+    (all, format!("{:?} {}", end.notes, end.unlisted))
+}
+
+/// A sweep in lanes is what following finds, but for rounding, with the same notes.
 #[test]
-fn side_by_side_is_one_by_one() {
+fn a_sweep_in_lanes_is_the_one_followed() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let mut aside = 0;
+    let mut in_lanes = 0;
     for path in spread(crate::folder::files(&root, "mech")) {
         let text = in_steps(&std::fs::read_to_string(&path).unwrap(), 480);
         let source = Source::new(path.display().to_string(), text);
         let Some(compiled) = compiled(&source) else { continue };
         let model = compiled.model();
-        let (Ok(first), Ok(second)) =
-            (Following::new(&model, Vec::new()), Following::new(&model, Vec::new()))
-        else {
-            continue;
-        };
-        let one_by_one = all_numbers(first.map(Following::one_by_one));
-        let mut ahead = second;
-        if let Some(following) = &mut ahead {
-            following.next();
-            aside += usize::from(following.side_by_side(&mut Vec::new()).is_some());
-        }
-        let side_by_side = all_numbers(Following::new(&model, Vec::new()).unwrap_or_default());
-        assert_eq!(one_by_one.1, side_by_side.1, "{}", source.name);
-        for (one, other) in one_by_one.0.iter().zip(&side_by_side.0) {
-            assert_eq!(one, other, "{}", source.name);
-        }
-        assert_eq!(one_by_one.0.len(), side_by_side.0.len(), "{}", source.name);
-    }
-    assert!(aside > least(20), "{aside} examples go side by side");
-}
-
-/// Columns that are read from lanes are those of whole positions, to the last bit; gives how many positions were compared.
-fn compare_columns(model: &Model<'_>, name: &str) -> usize {
-    let Ok(Some(mut following)) = Following::new(model, Vec::new()) else { return 0 };
-    following.next();
-    let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
-    let precision = PrintedDigits::READABLE;
-    let answers = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
-    let mut rows = NumberRows::of(AnswerColumns::of_file(model).each_once());
-    rows.begin(&answers);
-    let Some(wide) = rows.wide() else { return 0 };
-    let width = AnswerColumns::of_file(model).each_once().fields(model.mechanism).len();
-    let (mut block, mut branches, mut row, mut compared) = (Block::default(), Vec::new(), Vec::new(), 0);
-    while let Some((ahead, mut taking)) = following.side_by_side(&mut branches) {
-        ahead.solve(&mut block, 0);
-        taking.take(&mut block);
-        let mut columns = vec![Vec::new(); width];
-        block.read(wide, &mut columns);
-        let quality: Vec<_> = block.quality(model).collect();
-        ahead.answer(&mut block, true);
-        assert_eq!(block.poses().len(), block.len(), "{name}");
-        for (i, pose) in block.poses().iter().enumerate() {
-            rows.read(&answers, pose, &mut row);
-            let finite = |x: f64| if x.is_finite() { x.to_bits() } else { f64::NAN.to_bits() };
-            let read: Vec<u64> = columns.iter().map(|column| finite(column[i])).collect();
-            assert_eq!(read, row.iter().map(|x| finite(*x)).collect::<Vec<_>>(), "{name}, {}", pose.name);
-            let solved = pose.outcome.as_ref().unwrap();
-            assert_eq!(quality[i], (solved.residuals, solved.condition), "{name}");
-        }
-        compared += block.len();
-        if block.is_empty() {
-            break;
+        let (lanes, followed) = (all_numbers(&model, Some(&mut in_lanes)), all_numbers(&model, None));
+        assert_eq!(lanes.1, followed.1, "{}", source.name);
+        assert_eq!(lanes.0.len(), followed.0.len(), "{}", source.name);
+        for (one, other) in lanes.0.iter().zip(&followed.0) {
+            let greatest = other.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+            assert_eq!(one.len(), other.len(), "{}", source.name);
+            for (x, y) in one.iter().zip(other) {
+                assert!(
+                    (x - y).abs() <= 1e-12 * greatest || x.is_nan() && y.is_nan(),
+                    "{}: {x} {y}",
+                    source.name
+                );
+            }
         }
     }
-    compared
-}
-
-/// Compares sweeps of 480 steps of all examples.
-fn in_all_examples(compare: impl Fn(&Model<'_>, &str) -> usize) {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let (mut files, mut positions) = (0, 0);
-    for path in spread(crate::folder::files(&root, "mech")) {
-        let text = in_steps(&std::fs::read_to_string(&path).unwrap(), 480);
-        let source = Source::new(path.display().to_string(), text);
-        let Some(compiled) = compiled(&source) else { continue };
-        let compared = compare(&compiled.model(), &source.name);
-        files += usize::from(compared > 0);
-        positions += compared;
-    }
-    assert!(files > least(10) && positions > least(2_000), "{files} files, {positions} positions");
-}
-
-#[test]
-fn columns_side_by_side_are_those_of_whole_positions() {
-    in_all_examples(compare_columns);
-}
-
-/// Lines of JSON that are filled in from lanes are those of whole positions; gives how many were compared.
-fn compare_objects(model: &Model<'_>, name: &str) -> usize {
-    let Ok(Some(mut following)) = Following::new(model, Vec::new()) else { return 0 };
-    following.next();
-    let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
-    let precision = PrintedDigits::READABLE;
-    let answers = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
-    let mut lines = JsonLines::of("a".to_owned());
-    let (mut block, mut branches, mut memory) = (Block::default(), Vec::new(), LineMemory::default());
-    let mut compared = 0;
-    while let Some((ahead, mut taking)) = following.side_by_side(&mut branches) {
-        ahead.solve(&mut block, 0);
-        taking.take(&mut block);
-        let mut filled = Vec::new();
-        let is_filled = lines.add_block(&block, &mut memory, &mut filled);
-        ahead.answer(&mut block, true);
-        for pose in block.poses() {
-            lines.begin(&answers, pose);
-        }
-        if is_filled {
-            let object = |pose| json::render_position("a", None, &answers, Some(pose)) + "\n";
-            let whole: String = block.poses().iter().map(object).collect();
-            assert_eq!(String::from_utf8(filled).unwrap(), whole, "{name}");
-            compared += block.len();
-        }
-        if block.is_empty() {
-            break;
-        }
-    }
-    compared
-}
-
-#[test]
-fn objects_from_lanes_are_those_of_whole_positions() {
-    in_all_examples(compare_objects);
+    assert!(in_lanes > least(15), "{in_lanes} examples go in lanes");
 }
 
 /// The greatest number of bytes in use while a sweep is printed.
@@ -222,7 +152,7 @@ fn peak(name: &str, steps: usize) -> u64 {
             assur::internals::solve_each(compiled, &mut |answers: &Answers<'_>, pose: &Pose| {
                 text.clear();
                 rows.begin(answers);
-                rows.add(answers, pose, &mut LineMemory::default(), &mut text);
+                rows.add(answers, pose, &mut text);
                 lines += 1;
                 true
             });

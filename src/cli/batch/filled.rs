@@ -10,7 +10,6 @@ use super::rows::AsWritten;
 use crate::front::{Line, RowAnswers, RowLayout};
 use crate::report::Answers;
 use assur_check::{Row, RowColumn};
-use assur_solve::solve::NumberColumns;
 use std::path::Path;
 
 /// What lines repeat of their row.
@@ -41,8 +40,6 @@ pub struct Filled<'a> {
     layout: &'a RowLayout,
     /// Memory for the answers of a line.
     numbers: Vec<f64>,
-    /// The columns of rows that differ in numbers alone, once they were looked for.
-    quick: Option<Option<NumberColumns>>,
     /// The answers; rows are counted from 0.
     pub answers: RowAnswers,
     /// The name of the row of each line.
@@ -56,23 +53,14 @@ impl<'a> Filled<'a> {
         let layout = job.layout();
         let givens = job.givens().map(|_| Vec::new()).collect();
         let (numbers, answers, labels) = (Vec::new(), RowAnswers::of(layout), Vec::new());
-        Self { layout, numbers, quick: None, answers, labels, givens }
+        Self { layout, numbers, answers, labels, givens }
     }
 
-    /// Adds the lines of a row, and whether it differs from others in numbers alone; without answers one that says why.
-    pub fn row(
-        &mut self,
-        job: &Job,
-        row: &Cited<'_>,
-        (answers, quick): (Option<&Answers<'_>>, bool),
-        error: &str,
-    ) {
-        let columns = answers.filter(|_| quick).and_then(|answers| {
-            self.quick.get_or_insert_with(|| self.layout.answers.in_quick_rows(&answers.model)).as_ref()
-        });
+    /// Adds the lines of a row; without answers one that says why.
+    pub fn row(&mut self, job: &Job, row: &Cited<'_>, answers: Option<&Answers<'_>>, error: &str) {
         let before = self.answers.len();
         let index = row.number.saturating_sub(1);
-        Line { layout: self.layout, index, numbers: &mut self.numbers, columns, out: &mut self.answers }
+        Line { layout: self.layout, index, numbers: &mut self.numbers, out: &mut self.answers }
             .all(answers, error);
         let count = self.answers.len() - before;
         for ((i, column), cells) in job.givens().zip(&mut self.givens) {

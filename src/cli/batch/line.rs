@@ -73,8 +73,8 @@ pub fn write_row<'f>(
     let (written_before, key_before) = (written.out.len(), written.key_out.len());
     let filled_before = written.filled.as_ref().map_or(0, |filled| filled.answers.len());
     let found = catch_unwind(AssertUnwindSafe(|| {
-        let (solved, problems, quick) = family.solve_quickly(&input.row);
-        written.row(input, (solved, quick), problems)
+        let (solved, problems) = family.solve_in_place(&input.row);
+        written.row(input, solved, problems)
     }));
     found.unwrap_or_else(|_| {
         // what the last row left behind is not to be used again
@@ -87,12 +87,7 @@ pub fn write_row<'f>(
 }
 
 impl RowWriter<'_, '_> {
-    fn row(
-        &mut self,
-        input: &Input<'_>,
-        (solved, quick): (Option<&Solved>, bool),
-        problems: Problems,
-    ) -> RowMessages {
+    fn row(&mut self, input: &Input<'_>, solved: Option<&Solved>, problems: Problems) -> RowMessages {
         let mut said = RowMessages::default();
         if !problems.is_empty() {
             said = sorted(&problems);
@@ -102,7 +97,7 @@ impl RowWriter<'_, '_> {
         let error = if said.failed.is_some() { first_error(&problems) } else { String::new() };
         let answers = solved.map(|s| s.answers(PrintedDigits::READABLE));
         if let Some(filled) = &mut self.filled {
-            filled.row(self.job, &input.cited(), (answers.as_ref(), quick), &error);
+            filled.row(self.job, &input.cited(), answers.as_ref(), &error);
         } else if matches!(self.format, Format::Json | Format::Jsonl) {
             self.json(input, answers.as_ref(), &problems);
         } else {
@@ -180,7 +175,7 @@ impl RowWriter<'_, '_> {
     ) {
         let number = row.number;
         if let Some(filled) = &mut self.filled {
-            filled.row(self.job, row, (None, false), error);
+            filled.row(self.job, row, None, error);
         } else if matches!(self.format, Format::Json | Format::Jsonl) {
             let variant = Some(Variant::unread(number));
             *self.out += &json::render_row(&self.job.source.name, variant, None, None, &views());

@@ -5,15 +5,13 @@ use serde::Serialize;
 use std::io;
 
 use super::{Answers, escaped, render_position};
-use crate::report::lines::LineMemory;
 use crate::report::reactions::{has_moment, meets_at};
 use assur_model::model::{FindKind, LinkId, PairId, PairKind};
 use assur_position::plan::Level;
 use assur_solve::solve::{
-    Block, JointReaction, Pose, PoseAnswers, PoseExtras, Solved, Source, State, WideColumns, read_numbers,
-    unplaced_reactions,
+    JointReaction, Pose, PoseAnswers, PoseExtras, Solved, Source, State, read_numbers, unplaced_reactions,
 };
-use assur_text::units::{Columns, Template};
+use assur_text::units::Template;
 
 /// Positions at which the pieces are looked for.
 const TRIES: usize = 8;
@@ -24,8 +22,6 @@ pub struct JsonLines {
     filled: Option<Filled>,
     /// Positions that were looked at.
     seen: usize,
-    /// Their numbers as far as they were the same at all of them.
-    steady: Vec<Option<f64>>,
 }
 
 /// What is around the name of a position, and where the numbers behind come from.
@@ -34,52 +30,30 @@ struct Filled {
     before: String,
     behind: Template,
     sources: Vec<Source>,
-    /// The same for positions side by side.
-    wide: Option<WideColumns>,
 }
 
 impl JsonLines {
     /// For the positions of a file.
     #[must_use]
     pub const fn of(file: String) -> Self {
-        Self { file, filled: None, seen: 0, steady: Vec::new() }
+        Self { file, filled: None, seen: 0 }
     }
 
-    /// Looks for the pieces at a position, and for numbers that stay the same.
+    /// Looks for the pieces at a position, until they are found.
     pub fn begin(&mut self, answers: &Answers<'_>, pose: &Pose) {
         self.seen += 1;
         // one position alone is not worth it
-        if (2..TRIES).contains(&self.seen) {
-            let found = Filled::of(&self.file, answers, pose, &mut self.steady);
-            self.filled = found.or(self.filled.take());
+        if self.filled.is_none() && (2..=TRIES).contains(&self.seen) {
+            self.filled = Filled::of(&self.file, answers, pose);
         }
     }
 
-    /// Whether they are found, or not looked for any more.
-    #[must_use]
-    pub const fn has_begun(&self) -> bool {
-        self.seen >= TRIES
-    }
-
-    /// Whether a line shows the angle of a link, as far as is known.
-    #[must_use]
-    pub fn shows_angles(&self) -> bool {
-        let columns = self.filled.as_ref().and_then(|filled| filled.wide.as_ref());
-        columns.is_none_or(WideColumns::shows_angles)
-    }
-
-    /// Adds the line of a position.
-    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, memory: &mut LineMemory, out: &mut Vec<u8>) {
-        if !self.filled.as_ref().is_some_and(|filled| filled.write(answers, pose, memory, out)) {
+    /// Adds the line of a position, with memory for its numbers.
+    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) {
+        if !self.filled.as_ref().is_some_and(|filled| filled.write(answers, pose, row, out)) {
             out.extend_from_slice(render_position(&self.file, None, answers, Some(pose)).as_bytes());
         }
         out.push(b'\n');
-    }
-
-    /// Adds the lines of positions that were solved side by side, without a state of each. `false`, and nothing, where one may have
-    /// other entries.
-    pub fn add_block(&self, block: &Block, memory: &mut LineMemory, out: &mut Vec<u8>) -> bool {
-        self.filled.as_ref().is_some_and(|filled| filled.write_block(block, memory, out))
     }
 
     /// Adds the line of a file without positions.
@@ -90,8 +64,8 @@ impl JsonLines {
 }
 
 impl Filled {
-    /// From a position, if its numbers are those of the sources. Those that differ from the positions before are no longer `steady`.
-    fn of(file: &str, answers: &Answers<'_>, pose: &Pose, steady: &mut Vec<Option<f64>>) -> Option<Self> {
+    /// From a position, if its numbers are those of the sources.
+    fn of(file: &str, answers: &Answers<'_>, pose: &Pose) -> Option<Self> {
         let solved = pose.outcome.as_ref().ok()?;
         let (mut text, mut written) = (Vec::new(), Vec::new());
         let marks = Marks(&mut written);
@@ -111,33 +85,18 @@ impl Filled {
         if !complete || numbers.len() > written.len() || !numbers.iter().zip(&written).all(same) {
             return None;
         }
-        if steady.is_empty() {
-            steady.extend(written.iter().copied().map(Some));
-        }
-        steady.resize(written.len(), None);
-        for (steady, x) in steady.iter_mut().zip(&written) {
-            *steady = steady.filter(|steady| same((steady, x)));
-        }
         let name = format!("\"pose\":{{\"name\":\"{}\"", pose.name);
         let (head, behind) = text.split_once(&name).filter(|(head, _)| !head.contains(MARK))?;
         let before = escaped(format!("{head}\"pose\":{{\"name\":\""));
         let pieces: Vec<String> =
             format!("\"{behind}").split(MARK).map(|piece| escaped(piece.to_owned())).collect();
-        let pieces = pieces.iter().map(String::as_str);
         // those behind the sources need no position
-        let behind = Template::of(pieces, &written, numbers.len(), |i| steady[i].is_some());
-        let wide = WideColumns::of_sources(&answers.model, &sources);
-        Some(Self { before, behind, sources, wide })
+        let behind = Template::of(&pieces, &written[numbers.len()..]);
+        Some(Self { before, behind, sources })
     }
 
     /// Writes the line of a position without its end; `false` where its entries differ.
-    fn write(
-        &self,
-        answers: &Answers<'_>,
-        pose: &Pose,
-        LineMemory { row, .. }: &mut LineMemory,
-        out: &mut Vec<u8>,
-    ) -> bool {
+    fn write(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) -> bool {
         let Ok(solved) = &pose.outcome else { return false };
         row.clear();
         let view = answers.solution.view(&answers.model, solved);
@@ -150,25 +109,7 @@ impl Filled {
         }
         out.extend_from_slice(self.before.as_bytes());
         out.extend_from_slice(pose.name.as_bytes());
-        let columns = Columns { numbers: row, lines: 1 };
-        self.behind.pieces(columns).fill(columns, 0, out);
-        true
-    }
-
-    /// Writes the lines of positions side by side; `false`, and nothing, where the entries of one differ.
-    fn write_block(&self, block: &Block, memory: &mut LineMemory, out: &mut Vec<u8>) -> bool {
-        if !self.wide.as_ref().is_some_and(|columns| memory.numbers.read(block, columns)) {
-            return false;
-        }
-        let (numbers, lines) = memory.numbers.columns();
-        let columns = Columns { numbers, lines };
-        let pieces = self.behind.pieces(columns);
-        for i in 0..block.len() {
-            out.extend_from_slice(self.before.as_bytes());
-            block.push_name(i, out);
-            pieces.fill(columns, i, out);
-            out.push(b'\n');
-        }
+        self.behind.fill(row, out);
         true
     }
 }

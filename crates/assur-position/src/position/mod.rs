@@ -73,7 +73,7 @@ pub use scratch::Scratch;
 pub use state::{Branch, State};
 pub use state::{DEAD, SAME};
 pub use statics::Forces;
-pub use together::{Checked, F64x8, LaneSolver, WIDTH, in_avx2};
+pub use together::{Checked, F64x8, LaneSolver, WIDTH};
 pub use train_work::TrainWork;
 pub use triad::assemblies as triad_assemblies;
 pub use wrench::{LawForce, Reaction, Wrench};

@@ -64,16 +64,6 @@ impl LaneSolver {
     }
 }
 
-/// Does something with positions side by side in AVX2, where the processor has it: as far as it is `inline(always)`.
-#[inline(always)]
-pub fn in_avx2<R>(work: impl FnOnce() -> R) -> R {
-    #[cfg(target_arch = "x86_64")]
-    if let Some(avx2) = pulp::x86::V3::try_new() {
-        return avx2.vectorize(work);
-    }
-    work()
-}
-
 struct Work<'a> {
     plan: &'a Plan,
     states: &'a mut [State<F64x8>],
@@ -186,16 +176,6 @@ impl Motion<F64x8> {
             velocity: vector(input.velocity, lane),
             point_acceleration: vector(input.point_acceleration, lane),
         });
-        self.start_lane(lane, out);
-        write(&self.shared, &mut out.shared, |shared| Shared {
-            r_1: vector(shared.r_1, lane),
-            second: vector(shared.second, lane),
-            inverse: shared.inverse.0[lane],
-        });
-    }
-
-    /// Writes what the next position starts from, of one of the positions.
-    pub fn start_lane(&self, lane: usize, out: &mut Motion) {
         write(&self.bodies, &mut out.bodies, |b| BodyState {
             p: vector(b.p, lane),
             u: vector(b.u, lane),
@@ -209,6 +189,11 @@ impl Motion<F64x8> {
         out.certificates.clone_from(&self.certificates);
         out.touches.clone_from(&self.touches);
         out.open = None;
+        write(&self.shared, &mut out.shared, |shared| Shared {
+            r_1: vector(shared.r_1, lane),
+            second: vector(shared.second, lane),
+            inverse: shared.inverse.0[lane],
+        });
     }
 }
 

@@ -46,7 +46,7 @@ pub enum Source {
 }
 
 /// A reaction below this part of the greatest force is none.
-pub(super) const NO_FORCE: f64 = 1e-12;
+const NO_FORCE: f64 = 1e-12;
 
 /// What a position has beside its state.
 #[derive(Clone, Copy, Debug)]
@@ -134,4 +134,11 @@ impl PoseAnswers<'_> {
         let each = both.into_iter().flat_map(|(places, normals)| places.into_iter().zip(normals));
         each.filter(|(_, normal)| normal.is_finite()).map(move |(s, normal)| (point + along * s, normal))
     }
+}
+
+/// An answer that is not a number does not exist.
+#[inline]
+#[must_use]
+pub const fn finite(x: f64) -> f64 {
+    if x.abs() < f64::INFINITY { x } else { f64::NAN }
 }

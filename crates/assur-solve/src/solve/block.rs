@@ -1,25 +1,23 @@
 //! Positions of a sweep side by side, where none depends on the one before.
 //!
 //! A closed form finds a position from the drives and from the assembly alone. Where every group stays far from its change points
-//! the motion keeps the assembly, which is what following would find: a block of such positions is solved at once, here, in lanes,
-//! and then taken over by the one that follows ([`Taking::take`](super::Taking::take)), as far as that holds. Nothing else may
-//! come of it than from following: not a bit, not a note. Only where whole positions are asked for, a state is written of each.
+//! at all positions, the motion keeps the assembly: such a sweep is solved in lanes from its start to its end. Any other is followed.
 
+use super::again::PoseOutputs;
 use super::inputs::Rates;
 use super::lost::{MEETS, MODERATE};
 use super::positions::Sweep;
 use super::regular::NO_NOTE;
 use super::solution::{Pose, Solved};
 use super::steps::StepLimit;
-use super::taken::{Turns, Uneven, vector};
 use super::track::CAREFUL;
-use crate::answer::{PoseAnswers, WholeCycle, WideBeside, WideColumns, finite, of_drive, write_row};
-use crate::math::Lanes;
+use super::whole_turns::Turns;
+use crate::answer::{PoseAnswers, WholeCycle};
+use crate::math::{Lanes, Vec2};
 use crate::model::PairKind;
-use crate::plan::Precision;
+use crate::plan::{MotionStep, Precision};
 use crate::position::{
-    Branch, Checked, DriveInput, DriveValue, F64x8, LaneSolver, Model, PoseOrigin, Residuals, State, WIDTH,
-    in_avx2,
+    BodyState, Branch, Checked, DriveInput, DriveValue, F64x8, LaneSolver, Model, PoseOrigin, State, WIDTH,
 };
 
 /// The most positions of a block.
@@ -36,21 +34,19 @@ pub(super) fn is_free(model: &Model<'_>) -> bool {
         && !model.mechanism.pairs.iter().any(contact)
 }
 
-/// What the next positions of a sweep are solved from while the one that follows it looks at others.
+/// The positions of a sweep behind its first, of which none depends on the one before.
 #[derive(Clone, Copy, Debug)]
-pub struct UpcomingPositions<'f> {
+pub struct FreeSweep<'f> {
     pub(super) model: &'f Model<'f>,
     pub(super) rates: &'f Rates,
     pub(super) statics: &'f WholeCycle,
     pub(super) sweep: &'f Sweep,
     pub(super) pace: &'f StepLimit,
     pub(super) branches: &'f [Branch],
+    pub(super) turns: &'f Turns,
+    /// The index of the first of them in the sweep.
     pub(super) first: usize,
-    pub(super) count: usize,
-    /// How many angles there are, of bodies and pairs.
-    pub(super) angles: usize,
-    /// The balance of forces is checked and its residuals are kept.
-    pub(super) residuals: bool,
+    pub(super) reads: PoseOutputs,
 }
 
 /// Positions side by side, with the memory for them.
@@ -58,10 +54,11 @@ pub struct UpcomingPositions<'f> {
 pub struct Block {
     /// The index of the first position in the sweep.
     first: usize,
+    len: usize,
     /// Rows of lanes; those of the last that are left over repeat the last position.
-    pub(super) rows: Vec<State<F64x8>>,
+    rows: Vec<State<F64x8>>,
     checked: Vec<Checked>,
-    together: LaneSolver,
+    solver: LaneSolver,
     /// The values of the drives, position by position.
     values: Vec<DriveValue>,
     drives: usize,
@@ -69,136 +66,75 @@ pub struct Block {
     rates: Rates,
     /// The drives that an angle or a coordinate places.
     turned: Vec<usize>,
-    /// The residuals of the forces are known.
-    residuals: bool,
-    /// How many were solved.
-    solved: usize,
-    /// How many positions from the first on are what following would find, as far as it was looked at.
-    free: usize,
-    /// How many positions from the first on are one step from the one before, the first apart.
-    pub(super) in_single_steps: usize,
-    /// A bound for the steps between these, in largest ones; not a number where there is none.
-    pub(super) longest_step: f64,
-    /// Where bodies turn by more than their directions tell.
-    pub(super) uneven: Vec<Uneven>,
-    pub(super) turns: Turns,
     poses: Vec<Pose>,
 }
 
-impl UpcomingPositions<'_> {
-    /// How many positions can be tried.
+impl FreeSweep<'_> {
+    /// How many positions there are.
     #[must_use]
     pub const fn count(&self) -> usize {
-        self.count
+        self.sweep.len() - self.first
     }
 
-    /// Those behind the next `count` of them.
+    /// How many blocks these are.
     #[must_use]
-    pub const fn behind(self, count: usize) -> Self {
-        Self { first: self.first + count, count: self.count.saturating_sub(count), ..self }
+    pub const fn blocks(&self) -> usize {
+        self.count().div_ceil(BLOCK)
     }
 
-    /// The same, with the closure as the only residual: of forces that are neither lost nor out of scale nothing else is reported.
-    #[must_use]
-    pub const fn without_residuals(self) -> Self {
-        Self { residuals: false, ..self }
-    }
-
-    /// Solves positions, counted from the first that can be tried.
-    pub fn solve(&self, block: &mut Block, from: usize) {
-        block.begin(self, from);
-        let Block { rows, turned, checked, .. } = block;
-        block.together.run(self.model.plan, (rows, turned), checked, self.residuals);
-        let regular = || block.rows.iter().zip(&block.checked).map(|(row, c)| regular(self.model, row, c));
-        let all = in_avx2(
-            #[inline(always)]
-            || {
-                regular()
-                    .fold([u64::MAX; WIDTH], |all, row| std::array::from_fn(|lane| all[lane] & row[lane]))
-            },
-        );
-        block.free = block.solved;
-        if all.contains(&0) {
-            block.free = regular().flatten().take(block.solved).take_while(|regular| *regular != 0).count();
+    /// Solves the positions of a block.
+    pub fn solve(&self, number: usize, block: &mut Block) {
+        self.place(block, self.first + number * BLOCK, self.count() - number * BLOCK);
+        while block.poses.len() < block.len {
+            let outcome = Ok(Solved { state: State::closed(self.model.plan), ..Solved::default() });
+            let (name, origin, drives) = (String::new(), PoseOrigin::Sweep(0), Vec::new());
+            block.poses.push(Pose { name, origin, drives, outcome });
         }
-        let (single, longest) = self.pace.single_steps(&block.values, block.drives);
-        (block.in_single_steps, block.longest_step) = (single.min(block.free), longest);
-        block.look_at_turns();
-    }
-
-    /// Writes the positions, with the quantities; and with the angles if they are asked for, of positions that were taken over.
-    pub fn answer(&self, block: &mut Block, angles: bool) {
-        block.make_room(self.model);
-        let Block { first, rows, checked, values, drives, residuals, free, turns, poses, .. } = block;
-        let mut write = |i: usize, known: Option<(&[f64], &[f64])>| {
-            let (pose, lane) = (&mut poses[i], i % WIDTH);
-            let Ok(solved) = &mut pose.outcome else { return };
+        let Block { first, len, rows, checked, values, drives, poses, .. } = block;
+        for (i, pose) in poses.iter_mut().enumerate().take(*len) {
+            let (position, row, lane) = (*first + i, i / WIDTH, i % WIDTH);
+            let Ok(solved) = &mut pose.outcome else { continue };
             pose.name.clear();
-            pose.name.push_str(itoa::Buffer::new().format(*first + i + 1));
-            pose.origin = PoseOrigin::Sweep(*first + i);
+            pose.name.push_str(itoa::Buffer::new().format(position + 1));
+            pose.origin = PoseOrigin::Sweep(position);
             pose.drives.clear();
             pose.drives.extend_from_slice(&values[i * *drives..(i + 1) * *drives]);
-            rows[i / WIDTH].write_lane(lane, &mut solved.state);
-            let checked = &checked[i / WIDTH];
-            solved.residuals = checked.residuals(self.model.plan, lane, *residuals);
-            solved.condition = checked.condition.0[lane];
+            rows[row].write_lane(lane, &mut solved.state);
+            solved.residuals = checked[row].residuals(self.model.plan, lane, self.reads.residuals);
+            solved.condition = checked[row].condition.0[lane];
             solved.angles.clear();
-            if let Some((turns, pairs)) = known {
-                let bodies = solved.state.motion.bodies.iter().zip(turns);
-                solved.angles.extend(bodies.map(|(b, turns)| b.u.angle() + turns));
-                solved.angles.extend_from_slice(pairs);
+            if self.reads.angles {
+                let bodies = solved.state.motion.bodies.iter().enumerate();
+                let angle = |(body, b): (usize, &BodyState)| b.u.angle() + self.turns.of(body, position);
+                solved.angles.extend(bodies.map(angle));
+                solved.angles.extend_from_slice(&self.turns.pairs);
             } else {
-                solved.angles.resize(self.angles, f64::NAN);
+                let count = solved.state.motion.bodies.len() + self.turns.pairs.len();
+                solved.angles.resize(count, f64::NAN);
             }
             let quantities = std::mem::take(&mut solved.quantities);
             let view = PoseAnswers::new(self.model, &solved.state, &solved.angles, self.statics);
             solved.quantities = view.all_quantities_in(quantities);
-        };
-        if angles {
-            turns.each(*free, |i, turns, pairs| write(i, Some((turns, pairs))));
-        } else {
-            (0..*free).for_each(|i| write(i, None));
         }
+    }
+
+    /// Solves positions from one of the sweep on, a block of them at the most.
+    pub(super) fn place(&self, block: &mut Block, first: usize, most: usize) {
+        block.begin(self, first, most.min(BLOCK));
+        let Block { rows, turned, checked, .. } = block;
+        block.solver.run(self.model.plan, (rows, turned), checked, self.reads.residuals);
     }
 }
 
 impl Block {
-    /// The positions, once they were [answered](UpcomingPositions::answer).
+    /// The positions.
     #[must_use]
     pub fn poses(&self) -> &[Pose] {
-        &self.poses[..self.free.min(self.poses.len())]
+        &self.poses[..self.len]
     }
 
-    /// How many positions are left.
-    #[must_use]
-    pub const fn len(&self) -> usize {
-        self.free
-    }
-
-    #[must_use]
-    pub const fn is_empty(&self) -> bool {
-        self.free == 0
-    }
-
-    /// Writes what a position is called.
-    pub fn push_name(&self, position: usize, out: &mut Vec<u8>) {
-        out.extend_from_slice(itoa::Buffer::new().format(self.first + position + 1).as_bytes());
-    }
-
-    /// How many were solved.
-    pub(super) const fn solved(&self) -> usize {
-        self.solved
-    }
-
-    /// Hands the positions over.
-    pub(super) fn into_poses(mut self) -> impl Iterator<Item = Pose> {
-        self.poses.truncate(self.free);
-        self.poses.into_iter()
-    }
-
-    /// So many positions are left.
-    pub(super) const fn keep(&mut self, count: usize) {
-        self.free = count;
+    pub(super) const fn len(&self) -> usize {
+        self.len
     }
 
     /// The values of the drives at a position.
@@ -206,94 +142,42 @@ impl Block {
         &self.values[position * self.drives..(position + 1) * self.drives]
     }
 
-    /// Appends the numbers of the positions that are left, column by column.
-    pub fn read(&self, columns: &WideColumns, out: &mut [Vec<f64>]) {
-        let at = out.first().map_or(0, Vec::len);
-        out.iter_mut().for_each(|column| column.resize(at + self.free, f64::NAN));
-        self.write(columns, &mut out.iter_mut().map(|column| &mut column[at..]));
+    /// The directions of the bodies at a position.
+    pub(super) fn directions(&self, position: usize) -> impl Iterator<Item = Vec2> {
+        let (row, lane) = (&self.rows[position / WIDTH], position % WIDTH);
+        row.motion.bodies.iter().map(move |b| Vec2::new(b.u.x.0[lane], b.u.y.0[lane]))
     }
 
-    /// Writes the numbers of the positions that are left, column by column, to places of as many.
-    pub fn write(&self, columns: &WideColumns, out: &mut dyn Iterator<Item = &mut [f64]>) {
-        let beside = |what, out: &mut [f64]| self.write_beside(what, out);
-        columns.write(&self.rows, (&self.values, self.drives), out, beside);
-    }
-
-    /// Writes what is known in addition to the states; angles of positions that were taken over.
-    fn write_beside(&self, beside: WideBeside, out: &mut [f64]) {
-        match beside {
-            WideBeside::Angle(link) => {
-                let each = self.turns.of(link.index(), out.len());
-                for (i, (out, turns)) in out.iter_mut().zip(each).enumerate() {
-                    let u = self.rows[i / WIDTH].motion.bodies[link.index()].u;
-                    *out = finite(vector(u, i % WIDTH).angle() + turns);
-                }
-            }
-            WideBeside::Equilibrium => self.write_part(out, self.residuals, |c| c.equilibrium),
-            WideBeside::Power => self.write_part(out, self.residuals, |c| c.power),
-            WideBeside::Condition => self.write_part(out, true, |c| c.condition),
-        }
-    }
-
-    /// Writes residuals and condition of the positions that are left from a place on; NaN where there are none.
-    pub fn write_quality(&self, model: &Model<'_>, at: usize, out: [&mut [f64]; 4]) {
-        let known = Checked::default().residuals(model.plan, 0, self.residuals);
-        let [closure, equilibrium, power, condition] = out.map(|column| &mut column[at..at + self.free]);
-        self.write_part(closure, true, |c| c.closure);
-        self.write_part(equilibrium, known.equilibrium.is_some(), |c| c.equilibrium);
-        self.write_part(power, known.power.is_some(), |c| c.power);
-        self.write_part(condition, true, |c| c.condition);
-    }
-
-    /// Writes what is known of the positions from the first on; NaN where it is not.
-    fn write_part(&self, out: &mut [f64], known: bool, part: impl Fn(&Checked) -> F64x8) {
-        if !known {
-            return out.fill(f64::NAN);
-        }
-        in_avx2(
-            #[inline(always)]
-            || {
-                for (out, checked) in out.chunks_mut(WIDTH).zip(&self.checked) {
-                    write_row(out, &part(checked));
-                }
-            },
-        );
-    }
-
-    /// Residuals and condition of the positions that are left.
-    pub fn quality(&self, model: &Model<'_>) -> impl Iterator<Item = (Residuals, f64)> {
-        (0..self.free).map(|i| {
-            let checked = &self.checked[i / WIDTH];
-            let residuals = checked.residuals(model.plan, i % WIDTH, self.residuals);
-            (residuals, checked.condition.0[i % WIDTH])
-        })
+    /// Whether all positions are such that following finds them too, if it found the one before: far from change points, and with
+    /// nothing to be said about them.
+    pub(super) fn is_regular(&self, model: &Model<'_>) -> bool {
+        self.rows.iter().zip(&self.checked).all(|(row, checked)| is_regular(model, row, checked))
     }
 
     /// Sets inputs and assemblies of the positions from one on.
-    fn begin(&mut self, ahead: &UpcomingPositions<'_>, from: usize) {
-        let plan = ahead.model.plan;
-        self.solved = ahead.count.saturating_sub(from).min(BLOCK);
-        (self.first, self.residuals, self.drives) = (ahead.first + from, ahead.residuals, plan.drives);
-        ahead.sweep.write_values(self.first, &mut self.values, self.solved);
-        let count = self.solved.div_ceil(WIDTH);
-        let kept = if self.rates == *ahead.rates { self.rows.len() } else { 0 };
+    fn begin(&mut self, sweep: &FreeSweep<'_>, first: usize, len: usize) {
+        let plan = sweep.model.plan;
+        (self.first, self.len, self.drives) = (first, len, plan.drives);
+        sweep.sweep.write_values(first, &mut self.values, len);
+        let count = len.div_ceil(WIDTH);
+        let kept = if self.rates == *sweep.rates { self.rows.len() } else { 0 };
         if kept == 0 {
-            self.rates.clone_from(ahead.rates);
+            self.rates.clone_from(sweep.rates);
         }
         self.rows.truncate(count);
         self.rows.resize_with(count, || State::closed(plan));
         self.checked.resize(count, Checked::default());
-        self.rows.iter_mut().for_each(|row| row.branches.copy_from_slice(ahead.branches));
+        self.rows.iter_mut().for_each(|row| row.branches.copy_from_slice(sweep.branches));
         self.turned.clear();
         for drive in 0..self.drives {
-            self.place(drive, ahead.rates, kept);
+            self.drive(drive, sweep.rates, kept);
         }
     }
 
     /// Puts a drive at its values; the first rows have its rates already.
-    fn place(&mut self, drive: usize, rates: &Rates, kept: usize) {
-        let values = || of_drive(&self.values, self.drives, drive);
-        let Some(last) = values().next_back() else { return };
+    fn drive(&mut self, drive: usize, rates: &Rates, kept: usize) {
+        let values = || self.values.iter().skip(drive).step_by(self.drives);
+        let Some(last) = values().last() else { return };
         let last_and_after = std::iter::repeat(last);
         let mut each = values().chain(last_and_after);
         if values().all(|value| matches!(value, DriveValue::Scalar(_))) {
@@ -318,48 +202,18 @@ impl Block {
             }
         }
     }
-
-    fn make_room(&mut self, model: &Model<'_>) {
-        while self.poses.len() < self.free {
-            let outcome = Ok(Solved { state: State::closed(model.plan), ..Solved::default() });
-            let (name, origin, drives) = (String::new(), PoseOrigin::Sweep(0), Vec::new());
-            self.poses.push(Pose { name, origin, drives, outcome });
-        }
-    }
 }
 
-/// Which positions are such that following finds them too, if it found the one before: far from change points, and with nothing to
-/// be said about them. All bits where a position is, as vectors compare.
-#[inline(always)]
-fn regular(model: &Model<'_>, row: &State<F64x8>, checked: &Checked) -> [u64; WIDTH] {
-    const fn bits(holds: bool) -> u64 {
-        if holds { u64::MAX } else { 0 }
-    }
+fn is_regular(model: &Model<'_>, row: &State<F64x8>, checked: &Checked) -> bool {
     let Checked { closure, equilibrium, power, condition, magnitude } = checked;
-    let closes = bits(row.motion.open.is_none());
-    let mut regular = std::array::from_fn(|lane| {
-        closes
-            & bits(condition.0[lane] > NO_NOTE)
-            & bits(magnitude.0[lane] < MODERATE)
-            & bits(closure.0[lane] <= MEETS)
-            & bits(!equilibrium.0[lane].is_nan())
-            & bits(!power.0[lane].is_nan())
-    });
-    for (step, conditions) in model.plan.motion.iter().zip(&row.motion.conditions) {
-        if step.has_two_roots() {
-            regular
-                .iter_mut()
-                .zip(conditions.0)
-                .for_each(|(regular, c)| *regular &= bits(c.abs() >= CAREFUL));
-        }
-    }
-    regular
-}
-
-/// Whether no group is so near to a change point that following tries both its assemblies.
-pub(super) fn keeps_its_assembly(model: &Model<'_>, state: &State) -> bool {
-    let groups = model.plan.motion.iter().zip(&state.motion.conditions);
-    groups.into_iter().all(|(step, c)| c.abs() >= CAREFUL || !step.has_two_roots())
+    let far =
+        |(step, c): (&MotionStep, &F64x8)| !step.has_two_roots() || c.0.iter().all(|c| c.abs() >= CAREFUL);
+    row.motion.open.is_none()
+        && condition.0.iter().all(|c| *c > NO_NOTE)
+        && magnitude.0.iter().all(|m| *m < MODERATE)
+        && closure.0.iter().all(|c| *c <= MEETS)
+        && !equilibrium.0.iter().chain(&power.0).any(|x| x.is_nan())
+        && model.plan.motion.iter().zip(&row.motion.conditions).all(far)
 }
 
 impl Rates {

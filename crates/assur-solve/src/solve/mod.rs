@@ -5,7 +5,6 @@ mod again;
 mod assemble;
 mod assemblies;
 mod block;
-mod block_numbers;
 mod centre_notes;
 mod clause;
 mod closure_after_turn;
@@ -33,15 +32,14 @@ mod simulate;
 mod solution;
 mod steps;
 mod sweep;
-mod taken;
-mod taking;
 mod track;
 mod turn;
 mod unassembled;
+mod whole_turns;
 
 pub use crate::answer::{
-    ColumnSource, CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers,
-    PoseExtras, Source, WholeCycle, WideColumns, compare, finite, read_numbers,
+    CycleAnswer, FlywheelAnswer, JointReaction, PairFriction, PoseAnswers, PoseExtras, Source, WholeCycle,
+    compare, finite, read_numbers,
 };
 pub use crate::position::PoseRequest;
 pub use crate::position::{
@@ -52,8 +50,7 @@ pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
 pub use again::{PoseOutputs, ReusedSolver};
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
-pub use block::{BLOCK, Block, UpcomingPositions};
-pub use block_numbers::BlockNumbers;
+pub use block::{BLOCK, Block, FreeSweep};
 pub use clause::{Clause, NamedPoint};
 pub use cycle::{CourseSet, SweepCurve, courses, over_cycle};
 pub use failure::{Cause, Failure, GroupId, Halt, Lost, NoCycle};
@@ -70,7 +67,6 @@ pub use simulate::{
 };
 pub use solution::{OpenSizes, Pose, Solution, Solved};
 pub use sweep::{Following, solve, solve_with};
-pub use taking::Taking;
 
 pub(crate) use assemble::assemble;
 pub(crate) use cycle::cycles;

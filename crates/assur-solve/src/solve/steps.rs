@@ -78,45 +78,6 @@ impl StepLimit {
         self.ways(from, to).all(|way| way.abs() * self.finer - 1e-9 <= 1.0)
     }
 
-    /// How many positions from the first on are one step from the one before, the first apart: of values of all drives, position by
-    /// position. And a bound for the longest of these steps, in largest ones; not a number where there is none.
-    pub(super) fn single_steps(&self, values: &[DriveValue], drives: usize) -> (usize, f64) {
-        let count = values.len().checked_div(drives).unwrap_or(usize::MAX);
-        let before = values.chunks_exact(drives.max(1));
-        let steps = before.clone().zip(before.skip(1));
-        let [largest] = self.largest[..] else {
-            return ((1 + steps.take_while(|(a, b)| self.is_one_step(a, b)).count()).min(count), f64::NAN);
-        };
-        // a bound without the rounding of the other: most steps are far below it
-        let short = 0.99 * largest / self.finer;
-        let mut longest = 0.0_f64;
-        let mut is_short = |a: &[DriveValue], b: &[DriveValue]| match (a, b) {
-            ([DriveValue::Scalar(a)], [DriveValue::Scalar(b)]) => {
-                let step = (b - a).abs();
-                longest = longest.max(step);
-                step < short
-            }
-            _ => {
-                longest = f64::INFINITY;
-                false
-            }
-        };
-        let single = steps.take_while(|(a, b)| is_short(a, b) || self.is_one_step(a, b)).count();
-        ((1 + single).min(count), longest / largest)
-    }
-
-    /// How many positions from one on are surely nearer to a place than those that make a parabola, where no step between them is
-    /// longer than this, in largest ones.
-    pub(super) fn surely_near(&self, from: &[DriveValue], to: &[DriveValue], longest: f64) -> usize {
-        let ([largest], [DriveValue::Scalar(a)], [DriveValue::Scalar(b)]) = (&self.largest[..], from, to)
-        else {
-            return 0;
-        };
-        let left = 0.99 * APART - ((b - a) / largest).abs();
-        // what is not a number is no position
-        if left > 0.0 { ((left / longest) as usize).saturating_add(1) } else { 0 }
-    }
-
     /// Whether places are not nearer to each other than those that make a parabola.
     pub(super) fn is_apart(&self, from: &[DriveValue], to: &[DriveValue]) -> bool {
         length(self.ways(from, to)) >= APART

@@ -1,6 +1,7 @@
 //! Solves all positions of a file.
 
-use super::block::{Block, UpcomingPositions, is_free};
+use super::again::PoseOutputs;
+use super::block::{Block, FreeSweep, is_free};
 use super::centre_notes::CentreNotes;
 use super::closure_after_turn::{FirstPoses, begin};
 use super::cycle::loads_name_quantities;
@@ -14,10 +15,10 @@ use super::run::{Arrival, Run, Stuck};
 use super::simulate::{IntegrationOptions, SimulationReport, Trajectory};
 use super::solution::{Pose, Solution};
 use super::steps::StepLimit;
-use super::taking::Taking;
 use super::track::Tracker;
+use super::whole_turns::Turns;
 use crate::answer::WholeCycle;
-use crate::position::{Branch, DriveValue, Model, PoseRequest};
+use crate::position::{DriveValue, Model, PoseRequest};
 use std::collections::VecDeque;
 
 /// Fewer positions are not worth to be solved side by side.
@@ -62,10 +63,6 @@ pub struct Following<'a, 's> {
     cycle_notes: Vec<Note>,
     /// Positions may depend on the drives and the assembly alone.
     free: bool,
-    /// Positions are not tried side by side before this one.
-    try_at: usize,
-    /// Solved already, and not handed out.
-    ahead: VecDeque<Pose>,
 }
 
 impl<'a, 's> Following<'a, 's> {
@@ -120,7 +117,6 @@ impl<'a, 's> Following<'a, 's> {
         let apart = || pace.steps(&sweep.values(0), &sweep.values(1));
         let free = trajectory.is_none() && is_free(model) && run.centres.is_empty() && apart() <= 1.0;
         let (next, current, begin, first_failure) = (0, None, None, None);
-        let (try_at, ahead) = (1, VecDeque::new());
         Ok(Some(Self {
             run,
             sweep,
@@ -133,15 +129,7 @@ impl<'a, 's> Following<'a, 's> {
             first_failure,
             cycle_notes,
             free,
-            try_at,
-            ahead,
         }))
-    }
-
-    /// The same with every position found from the one before, whatever the plan.
-    #[must_use]
-    pub fn one_by_one(self) -> Self {
-        Self { free: false, ..self }
     }
 
     /// How many positions there are, with the poses beside the sweep.
@@ -186,12 +174,6 @@ impl<'a, 's> Following<'a, 's> {
         if self.trajectory.is_some() {
             return self.next_instant();
         }
-        if let Some(pose) = self.ahead.pop_front() {
-            return Some(Ok(pose));
-        }
-        if let Some(pose) = self.next_of_block() {
-            return Some(Ok(pose));
-        }
         if self.next < self.sweep.len() {
             let pose = self.sweep.at(self.next);
             self.next += 1;
@@ -206,51 +188,36 @@ impl<'a, 's> Following<'a, 's> {
         self.near.pop_front().map(|near| Ok(self.run.beside(near)))
     }
 
-    /// The positions behind, for solving them side by side, and what takes them over. `None` where they depend on the one before, or too
-    /// few are left. `branches` is memory for the assembly.
-    pub fn side_by_side<'f>(
-        &'f mut self,
-        branches: &'f mut Vec<Branch>,
-    ) -> Option<(UpcomingPositions<'f>, Taking<'f, 'a>)> {
-        let tracker = self.current.as_mut()?;
-        // the last position of a sweep is looked at beyond its answers
-        let count = self.sweep.len().saturating_sub(self.next + 1);
-        let tried = self.free && self.next >= self.try_at && self.near.is_empty() && count >= FEWEST;
-        if !tried || self.run.notes.in_gap() {
-            return None;
-        }
-        branches.clone_from(&tracker.state.branches);
+    /// Hands out all positions behind the first at once, if none of them depends on the one before; `None` where they are to be followed.
+    /// What of them is read beside their answers is given. `each` calls its argument for all numbers below a count, on any thread.
+    /// Returns what `hand_out` does.
+    pub fn side_by_side<S: ?Sized>(
+        &mut self,
+        reads: PoseOutputs,
+        sink: &mut S,
+        each: impl Fn(&S, usize, &(dyn Fn(usize) + Sync)),
+        hand_out: impl FnOnce(&mut S, &FreeSweep<'_>) -> bool,
+    ) -> Option<bool> {
+        let tracker = self.current.as_mut().filter(|_| self.next == 1 && self.near.is_empty())?;
+        let first = std::mem::replace(&mut self.free, false) && self.sweep.len() > FEWEST;
+        first.then_some(())?;
         let Run { model, rates, statics, closing, last, .. } = &mut self.run;
-        let model: &'f Model<'a> = model;
-        let first = self.next;
-        let (sweep, pace, angles) = (&self.sweep, &self.pace, tracker.angles.len());
-        let ahead = UpcomingPositions {
-            model,
-            rates,
-            statics,
-            sweep,
-            pace,
-            branches,
-            first,
-            count,
-            angles,
-            residuals: true,
-        };
-        Some((
-            ahead,
-            Taking { model, tracker, next: &mut self.next, try_at: &mut self.try_at, closing, last },
-        ))
-    }
-
-    /// The next position, where the ones behind it are solved side by side.
-    fn next_of_block(&mut self) -> Option<Pose> {
-        let (mut branches, mut block) = (Vec::new(), Block::default());
-        let (ahead, mut taking) = self.side_by_side(&mut branches)?;
-        ahead.solve(&mut block, 0);
-        taking.take(&mut block);
-        ahead.answer(&mut block, true);
-        self.ahead.extend(block.into_poses());
-        self.ahead.pop_front()
+        let begin = Turns::begin(&tracker.angles, tracker.state.motion.bodies.iter().map(|b| b.u));
+        let (branches, turns) = (tracker.state.branches.clone(), &begin);
+        let (sweep, pace, first) = (&self.sweep, &self.pace, self.next);
+        let all = FreeSweep { model, rates, statics, sweep, pace, branches: &branches, turns, first, reads };
+        let turns = &all.turns(&|count, work| each(sink, count, work))?;
+        let goes_on = hand_out(sink, &FreeSweep { turns, ..all });
+        let mut block = Block::default();
+        FreeSweep { turns, reads: PoseOutputs::ALL, ..all }.solve(all.blocks() - 1, &mut block);
+        if let Some(Pose { name, drives, outcome: Ok(solved), .. }) = block.poses().last() {
+            tracker.put(solved, drives);
+            *last = Some((name.clone(), drives.clone()));
+        }
+        closing.swept += all.count();
+        self.next = self.sweep.len();
+        self.look_after_turns();
+        Some(goes_on)
     }
 
     /// What was found over all positions.

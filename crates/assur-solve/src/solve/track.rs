@@ -7,6 +7,7 @@
 //! of the root stays.
 
 use super::inputs::Rates;
+use super::solution::Solved;
 use super::steps::{APART, MOST_STEPS, StepLimit, between, length};
 use crate::answer::first_angles;
 use crate::math::Vec2;
@@ -24,15 +25,15 @@ const CHANGES: f64 = 3e-7;
 const GOLDEN: f64 = 0.381_966_011_250_105;
 
 /// So many places before the present one are kept.
-pub(super) const KEPT: usize = 4;
+const KEPT: usize = 4;
 
 /// Pose of a body: origin and direction.
 type Pose = (Vec2, Vec2);
 
 /// A place of the mechanism before the present one.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Place {
-    pub(super) values: Vec<DriveValue>,
+struct Place {
+    values: Vec<DriveValue>,
     poses: Vec<Pose>,
 }
 
@@ -53,11 +54,11 @@ pub(crate) struct Tracker {
     spare: State,
     /// Continuous angles of the bodies, rad, and the whole turns of the pairs.
     pub angles: Vec<f64>,
-    pub(super) values: Vec<DriveValue>,
+    values: Vec<DriveValue>,
     /// Places before the present one, the last first, each well apart from the next.
-    pub(super) history: Vec<Rc<Place>>,
+    history: Vec<Rc<Place>>,
     extent: f64,
-    pub(super) pace: StepLimit,
+    pace: StepLimit,
 }
 
 impl Tracker {
@@ -67,6 +68,15 @@ impl Tracker {
         let spare = state.clone();
         let (values, history) = (values.to_vec(), Vec::new());
         Self { state, spare, angles, values, history, extent: extent(model), pace: StepLimit::of(model) }
+    }
+
+    /// Puts the tracker at a position that was solved without it.
+    pub(super) fn put(&mut self, solved: &Solved, values: &[DriveValue]) {
+        self.history.clear();
+        self.state.start_from(&solved.state);
+        self.angles.clone_from(&solved.angles);
+        self.values.clear();
+        self.values.extend_from_slice(values);
     }
 
     /// Puts the tracker where another one of the same model stands.
@@ -274,28 +284,19 @@ impl Tracker {
     }
 
     /// Keeps the present place, if it is well apart from the last one kept.
-    pub(super) fn remember(&mut self) {
+    fn remember(&mut self) {
         if self.history.first().is_some_and(|last| !self.pace.is_apart(&last.values, &self.values)) {
             return;
         }
-        let poses = self.state.motion.bodies.iter().map(|b| (b.p, b.u));
-        Self::keep(&mut self.history, &self.values, poses);
-    }
-
-    pub(super) fn keep(
-        history: &mut Vec<Rc<Place>>,
-        values: &[DriveValue],
-        poses: impl Iterator<Item = Pose>,
-    ) {
         // the oldest gives its memory
-        let oldest = if history.len() < KEPT { None } else { history.pop() };
+        let oldest = if self.history.len() < KEPT { None } else { self.history.pop() };
         let mut here = oldest.unwrap_or_default();
         let place = Rc::make_mut(&mut here);
         place.values.clear();
-        place.values.extend_from_slice(values);
+        place.values.extend_from_slice(&self.values);
         place.poses.clear();
-        place.poses.extend(poses);
-        history.insert(0, here);
+        place.poses.extend(self.state.motion.bodies.iter().map(|b| (b.p, b.u)));
+        self.history.insert(0, here);
     }
 
     /// Where the bodies would be at these values: the parabola through the present place and two others on the line of

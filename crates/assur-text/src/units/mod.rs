@@ -8,9 +8,9 @@ mod template;
 mod unit;
 
 pub use crate::language::{Dimension, Kind};
-pub use number::{push_row, push_significant, significant, write_significant};
+pub use number::{push_significant, significant, write_significant};
 pub use spelling::suggestions;
-pub use template::{Columns, Pieces, Template};
+pub use template::Template;
 pub use unit::UnitError;
 pub use unit::{Conversion, Unit};
 pub use unit::{Factor, factors};

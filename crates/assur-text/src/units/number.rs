@@ -31,16 +31,6 @@ pub fn push_significant(out: &mut Vec<u8>, x: f64, digits: usize) {
     out.truncate(len);
 }
 
-/// Numbers in a row of a table, a comma before each; nothing for one that is not finite.
-pub fn push_row(out: &mut Vec<u8>, numbers: &[f64], digits: usize) {
-    for &x in numbers {
-        out.push(b',');
-        if x.is_finite() {
-            push_significant(out, x, digits);
-        }
-    }
-}
-
 /// A short text in place.
 #[derive(Default)]
 struct Text {
