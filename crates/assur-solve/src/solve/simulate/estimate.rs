@@ -26,7 +26,7 @@ const IMPLICIT: f64 = 0.6;
 const SEEN: f64 = 1e-13;
 /// Where mass and force are known along the coordinate, what is missing in the energy is what their series leave off at an instant
 /// that is printed: between them it may be so many times that.
-const BETWEEN: f64 = 5.0;
+const BETWEEN: f64 = 8.0;
 /// Two runs may agree by chance: by the method of energy the error is not said to be less than this part of the worst that a series
 /// leaves off.
 const LEAST: f64 = 0.05;
@@ -67,9 +67,11 @@ pub(super) fn estimate(
     } else {
         0.0
     };
-    let rounding = rounding(fine, scales);
-    // what of it shows
+    let greatest = greatest(fine, scales);
+    let rounding = rounding(fine, scales, greatest);
+    // what of it shows, if not by chance less than the last digit
     let shown = if fine.method == Method::Dop853 { APART * difference } else { rounding };
+    let shown = shown.max(f64::EPSILON * greatest);
     let floor = rounding.min(shown.max(fine.shift)).max(left_off);
     let error = reduced.max(floor).max(difference.min(ROUNDINGS * rounding));
     let is_rounding = error.max(shown) <= rounding;
@@ -89,8 +91,7 @@ fn shorter((coarse, fine): (&Run, &Run), difference: f64, conserved: bool) -> f6
 
 /// The same by the method of energy.
 fn by_energy((coarse, fine): (&Run, &Run), conserved: bool) -> f64 {
-    of_energy((coarse, fine), conserved)
-        .unwrap_or_else(|| one_over(fine.left_off.worst, coarse.left_off.worst))
+    of_energy((coarse, fine), conserved).unwrap_or_else(|| one_over(fine.left_off.all, coarse.left_off.all))
 }
 
 /// What is missing in the energy of both, where it can be seen.
@@ -104,12 +105,16 @@ fn one_over(fine: f64, coarse: f64) -> f64 {
     if fine < coarse { fine / coarse } else { 1.0 }
 }
 
+/// The greatest coordinate of a run, of what is much for it.
+fn greatest(run: &Run, scales: &[f64]) -> f64 {
+    let kept = (0..run.records.count).flat_map(|index| run.records.state(index).iter().zip(scales));
+    kept.map(|(q, scale)| q.abs() / scale).fold(1.0, f64::max)
+}
+
 /// What rounding makes of a run: that of the greatest coordinate adds up from step to step, and grows near dead positions; that of
 /// the instants at which steps are ended shifts what comes after; and that of change points is added.
 #[allow(clippy::cast_precision_loss)] // far below 2^52
-fn rounding(run: &Run, scales: &[f64]) -> f64 {
-    let kept = (0..run.records.count).flat_map(|index| run.records.state(index).iter().zip(scales));
-    let greatest = kept.map(|(q, scale)| q.abs() / scale).fold(1.0, f64::max);
+fn rounding(run: &Run, scales: &[f64], greatest: f64) -> f64 {
     let walk =
         WALK * greatest * (run.counts.steps as f64).sqrt() / run.worst_condition.0.max(LEAST_CONDITION);
     let changes = if run.records.order > 1 { OF_CHANGE * (run.crossed.len() as f64).sqrt() } else { 0.0 };

@@ -211,6 +211,7 @@ impl Integration<'_, '_> {
         let mut found = if self.by_energy {
             let watched = equations.model.mechanism.stops.len();
             let mut method = ByEnergy::new(y.len(), watched, tolerance, scale(equations));
+            method.lengthen(shorter / SHORTER);
             equations.begin_walk(y[0]);
             let mut found = self.begin_with(&mut method, equations, charts, (t, y));
             found.left_off = TruncationError::of_series(method.left_off());

@@ -18,9 +18,9 @@ impl TruncationError {
         Self { worst: tolerance * worst, all: tolerance * all }
     }
 
-    /// Of series of mass and force over the coordinate: the worst.
-    pub const fn of_series(worst: f64) -> Self {
-        Self { worst, all: worst }
+    /// Of series of mass and force over the coordinate: the worst, and all in the mean over time.
+    pub const fn of_series((worst, all): (f64, f64)) -> Self {
+        Self { worst, all }
     }
 
     /// With what the steps before leave off.

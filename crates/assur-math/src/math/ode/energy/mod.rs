@@ -17,10 +17,11 @@ use way::{Values, Way};
 const KEPT: usize = 32;
 /// The first interval, parts of the scale.
 const FIRST: f64 = 0.5;
-/// The next interval is so much shorter than it might be, and not shorter or longer than these parts of the last.
+/// The next interval is so much shorter than it might be, and not shorter than this part of the last.
 const SAFE: f64 = 0.8;
 const LEAST: f64 = 0.2;
-const MOST: f64 = 1.4;
+/// It is longer than the last by this part of it at most, where nothing makes it shorter.
+const MORE: f64 = 0.4;
 /// What series leave off is so much more than what integrals of them miss.
 const OFF: f64 = 12.0;
 /// Below this part of the scale an interval is too short.
@@ -65,6 +66,8 @@ pub struct Energy {
     late: [f64; 2],
     /// Length of the next interval.
     length: f64,
+    /// It is longer than the last by this factor at most.
+    growth: f64,
     ways: Vec<Way>,
     /// How many of them are known.
     known: usize,
@@ -76,6 +79,9 @@ pub struct Energy {
     out: Vec<f64>,
     /// The most that a series has left off.
     worst: f64,
+    /// The integral over time of what the series of mass and force leave off, and the time.
+    left_off: f64,
+    passed: f64,
     /// By how much rounding of the kinetic energy may shift the instants, where it is small.
     late_by_rounding: f64,
 }
@@ -94,6 +100,7 @@ impl Energy {
             kinetic: 0.0,
             late: [0.0; 2],
             length: FIRST * scale,
+            growth: 1.0 + MORE,
             ways: vec![Way::new(works, watched); KEPT],
             known: 0,
             next: 0,
@@ -101,14 +108,24 @@ impl Energy {
             values: vec![[0.0; NODES]; 2 + works + watched],
             out: vec![0.0; 2 + works + watched],
             worst: 0.0,
+            left_off: 0.0,
+            passed: 0.0,
             late_by_rounding: 0.0,
         }
     }
 
-    /// What the series of all steps so far leave off of integrals: a relative accuracy, that may be far better than the wanted one.
+    /// Begins with a longer interval and lets them grow by more: of two runs whose intervals are the same the difference would say
+    /// nothing.
+    pub fn lengthen(&mut self, longer: f64) {
+        (self.length, self.growth) = (FIRST * longer * self.scale, 1.0 + MORE * longer);
+    }
+
+    /// What the series of all steps so far leave off of integrals, at most and in the mean over time: a relative accuracy, that may be
+    /// far better than the wanted one.
     #[must_use]
-    pub fn left_off(&self) -> f64 {
-        self.worst / OFF
+    pub fn left_off(&self) -> (f64, f64) {
+        let mean = if self.passed > 0.0 { self.left_off / self.passed } else { 0.0 };
+        (self.worst / OFF, mean / OFF)
     }
 
     /// By how much rounding of the kinetic energy, which is small where it passes slowly, may have shifted the instants so far.
@@ -168,14 +185,15 @@ impl Energy {
                 continue;
             }
             let way = &self.ways[index];
-            let left_off = way.left_off(&self.values, sense, way.rests(q, sense, self.kinetic));
+            let left_off = way.leaves_off(&self.values, sense, way.rests(q, sense, self.kinetic));
             // the sixteenth root
             let factor = (self.tolerance / left_off).sqrt().sqrt().sqrt().sqrt();
             let rounding = left_off < ROUNDING && left_off > LESS * before;
             if left_off <= self.tolerance || rounding {
                 self.worst = self.worst.max(left_off);
-                let next = length * if rounding { 1.0 } else { (SAFE * factor).min(MOST) };
-                self.length = if length < wanted { next.max(wanted.min(MOST * length)) } else { next };
+                self.ways[index].left_off = left_off;
+                let next = length * if rounding { 1.0 } else { (SAFE * factor).min(self.growth) };
+                self.length = if length < wanted { next.max(wanted.min(self.growth * length)) } else { next };
                 break;
             }
             self.progress.counts.rejected += 1;
@@ -357,8 +375,11 @@ impl Integrator<f64> for Energy {
             self.late[1] = 0.0;
             (limit, stretch.place_after(limit - t - self.late[0]))
         };
-        let rounding = f64::EPSILON * self.ways[way].energies_at_most();
-        self.late_by_rounding += 0.5 * rounding / stretch.slowest * (t - self.progress.t0);
+        let (passed, gone) = (t - self.progress.t0, &self.ways[way]);
+        let rounding = f64::EPSILON * gone.energies_at_most();
+        self.late_by_rounding += 0.5 * rounding / stretch.slowest * passed;
+        self.left_off += gone.left_off * passed;
+        self.passed += passed;
         self.current = Some((way, stretch));
         self.end_at(system, (t, q), sense).map_err(|Undefined| self.undone(Stopped::Undefined))?;
         if rest == Some(q) {

@@ -38,6 +38,8 @@ pub(super) struct Way {
     force: [f64; NODES],
     force_slope: [f64; NODES],
     energy: [f64; NODES + 1],
+    /// What the series of mass and force leave off.
+    pub left_off: f64,
     /// What else adds up along it.
     works: Vec<[f64; NODES + 1]>,
     /// What is watched along it, each with a bound of its slope in an interval of length 2, and with what its series leaves off.
@@ -64,6 +66,7 @@ impl Way {
             force: none,
             force_slope: none,
             energy: [0.0; NODES + 1],
+            left_off: 0.0,
             works: vec![[0.0; NODES + 1]; works],
             watched: vec![(none, 0.0, 0.0); watched],
         }
@@ -219,7 +222,7 @@ impl Way {
     }
 
     /// What the series leave off, relative to the mass and to the greatest kinetic energy between the places of rest.
-    pub fn left_off(&self, values: &Values, sense: f64, [behind, ahead]: [Option<f64>; 2]) -> f64 {
+    pub fn leaves_off(&self, values: &Values, sense: f64, [behind, ahead]: [Option<f64>; 2]) -> f64 {
         let least = values[0].iter().fold(f64::INFINITY, |least, m| m.min(least));
         let within = |q: Option<f64>, other: f64| q.map_or(other, |q| q.clamp(self.low, self.high));
         let (first, last) = if sense > 0.0 { (self.low, self.high) } else { (self.high, self.low) };
