@@ -26,6 +26,7 @@ FORMS = {
     "csv": ["solve", "--format", "csv"],
     "markdown": ["solve", "--format", "markdown"],
     "latex": ["solve", "--format", "latex"],
+    "typst": ["solve", "--format", "typst"],
     "pictures": ["draw", "--all", "--format", "html"],
     "html": ["report", "--format", "html"],
     "text": ["report"],

@@ -8,7 +8,7 @@ mod report;
 
 pub use command::Command;
 pub use draw::{Draw, DrawFormat, LoadsArg, Picture, ThemeArg};
-pub use format::{BatchFormat, Format, ProfileFormat, SolveFormat};
+pub use format::{COLUMNS, DRAWINGS, Format, STREAMS, TABLES};
 pub use pages::Batch;
 pub use pages::Fmt;
 #[cfg(feature = "lsp")]
@@ -24,6 +24,7 @@ use clap::{Args as _, FromArgMatches, Parser, ValueEnum};
 use crate::exercise::grade::{Credit, Points, Submissions};
 use assur_check::Overrides;
 use assur_solve::solve::Method;
+use format::table_or;
 
 /// Solves planar mechanism problems written as text.
 ///
@@ -130,7 +131,7 @@ pub struct Check {
     #[arg(long)]
     pub fix: bool,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Table)]
+    #[arg(long, value_name = "FORMAT", default_value = "table", value_parser = table_or(&[]))]
     pub format: Format,
 }
 
@@ -141,7 +142,7 @@ pub struct Test {
     #[command(flatten)]
     pub problem: Problem,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Table)]
+    #[arg(long, value_name = "FORMAT", default_value = "table", value_parser = table_or(&[]))]
     pub format: Format,
 }
 
@@ -152,8 +153,8 @@ pub struct Solve {
     #[command(flatten)]
     pub problem: Problem,
     /// Output format
-    #[arg(long, value_enum, default_value_t = SolveFormat::Common(Format::Table))]
-    pub format: SolveFormat,
+    #[arg(long, value_name = "FORMAT", default_value = "table", value_parser = table_or(STREAMS))]
+    pub format: Format,
     /// Maximum relative error, e.g. 1e-6; the fastest sufficient settings are used and the error reached is reported
     #[arg(long, value_name = "ERROR", value_parser = accuracy)]
     pub within: Option<f64>,
@@ -184,7 +185,7 @@ pub struct Accuracy {
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<String>,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Table)]
+    #[arg(long, value_name = "FORMAT", default_value = "table", value_parser = table_or(&[]))]
     pub format: Format,
 }
 
@@ -251,7 +252,7 @@ pub struct Grade {
     #[arg(long, value_name = "SLIP=PART,…", value_parser = Credit::read)]
     pub credit: Vec<Credit>,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Table)]
+    #[arg(long, value_name = "FORMAT", default_value = "table", value_parser = table_or(&[]))]
     pub format: Format,
 }
 
@@ -300,8 +301,8 @@ pub struct Profile {
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(3..=36_000))]
     pub steps: u32,
     /// Output format
-    #[arg(long, value_enum, default_value_t = ProfileFormat::Common(Format::Csv))]
-    pub format: ProfileFormat,
+    #[arg(long, value_name = "FORMAT", default_value = "csv", value_parser = table_or(DRAWINGS))]
+    pub format: Format,
 }
 
 /// When to use colours.

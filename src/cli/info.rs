@@ -1,8 +1,8 @@
 //! `assur info`: what this build is and can do, for reports of errors.
 
 use super::args::{
-    Args, Batch, BatchFormat, Completions, DrawFormat, Format, Info, InfoFormat, Man, ProfileFormat,
-    ReportFormat, SolveFormat,
+    Args, Batch, COLUMNS, Completions, DRAWINGS, DrawFormat, Format, Info, InfoFormat, Man, ReportFormat,
+    STREAMS, TABLES,
 };
 use super::error::CliError;
 use super::reply::{Status, complaint};
@@ -50,12 +50,12 @@ impl About {
         let reads =
             [("problems", vec!["mech"]), ("variants", Batch::tables().collect()), ("grade", vec!["csv"])];
         let writes = [
-            ("solve", values::<SolveFormat>()),
-            ("batch", values::<BatchFormat>()),
+            ("solve", tables(STREAMS)),
+            ("batch", tables(COLUMNS)),
             ("draw", drawn()),
             ("report", values::<ReportFormat>()),
-            ("profile", values::<ProfileFormat>()),
-            ("other tables", values::<Format>()),
+            ("profile", tables(DRAWINGS)),
+            ("other tables", tables(&[])),
         ];
         Self {
             version: env!("CARGO_PKG_VERSION"),
@@ -86,8 +86,17 @@ impl About {
 
 /// The names of formats; without those that only other builds have.
 fn values<T: ValueEnum>() -> Vec<String> {
-    let names = T::value_variants().iter().filter_map(ValueEnum::to_possible_value);
-    names.map(|value| value.get_name().to_owned()).collect()
+    names(T::value_variants())
+}
+
+/// The names of the forms of tables and of others.
+fn tables(others: &[Format]) -> Vec<String> {
+    names(&[TABLES, others].concat())
+}
+
+fn names(values: &[impl ValueEnum]) -> Vec<String> {
+    let values = values.iter().filter_map(ValueEnum::to_possible_value);
+    values.map(|value| value.get_name().to_owned()).collect()
 }
 
 /// Pixels are of builds with that feature.

@@ -1,6 +1,6 @@
 //! `assur profile`
 
-use super::args::{Format, Profile, ProfileFormat};
+use super::args::{Format, Profile};
 use super::error::CliError;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
@@ -16,7 +16,8 @@ pub fn run(args: &Profile, screen: &Screen) -> Status {
         let (mechanism, mut problems) = crate::pipeline::check_source(source, &overrides);
         let results = match mechanism.as_ref().map(|m| (m, chosen(m, args.cam.as_deref()))) {
             Some((mechanism, Ok(plate))) => match args.format {
-                ProfileFormat::Common(format) => {
+                Format::Dxf => report::element::dxf(plate, args.steps as usize),
+                format => {
                     let steps = args.steps as usize;
                     let table = plate.table(&CAM_PARTS, steps, |d| mechanism.display_of(d));
                     let table = report::full_table(&table);
@@ -25,7 +26,6 @@ pub fn run(args: &Profile, screen: &Screen) -> Status {
                         format => format.page(screen.look()).render(&of_cam(source, plate, table)),
                     }
                 }
-                ProfileFormat::Dxf => report::element::dxf(plate, args.steps as usize),
             },
             Some((_, Err(error))) => {
                 problems.push(error);

@@ -1,7 +1,5 @@
 //! `assur solve`
 
-#[cfg(feature = "arrow")]
-use super::args::SolveFormat;
 use super::args::{Format, Solve};
 #[cfg(feature = "arrow")]
 use super::error::CliError;
@@ -31,9 +29,10 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
     let inputs = files::expand(&args.problem.files);
     let several = inputs.len() > 1;
     let threads = Threads::new(args.threads);
-    let format = args.format.common();
+    // a stream of Arrow goes position by position as lines of JSON do
+    let format = if args.format.is_columns() { Format::Jsonl } else { args.format };
     #[cfg(feature = "arrow")]
-    if args.format == SolveFormat::Arrow
+    if args.format.is_columns()
         && let Some(error) = super::arrow::refusal(several)
     {
         screen.complain(&complaint(error, screen));
@@ -65,7 +64,7 @@ impl Printing<'_> {
         let method = self.args.method.map(Method::from);
         match FileVariants::of(&document, overrides) {
             #[cfg(feature = "arrow")]
-            Some(Ok(_)) if self.args.format == SolveFormat::Arrow => {
+            Some(Ok(_)) if self.args.format.is_columns() => {
                 let diagnostics = complaint(CliError::OneStream, self.screen);
                 return Reply { diagnostics, status: Status::Unusable, ..Reply::default() };
             }
@@ -82,7 +81,7 @@ impl Printing<'_> {
         let (compiled, mut problems) = compile_document(source, &document, found, overrides);
         #[cfg(feature = "arrow")]
         let compiled = match compiled {
-            Some(compiled) if !problems.has_errors() && self.args.format == SolveFormat::Arrow => {
+            Some(compiled) if !problems.has_errors() && self.args.format.is_columns() => {
                 let to = (printer, &self.threads);
                 return super::arrow::positions(source, compiled, problems, self.screen, to, method);
             }

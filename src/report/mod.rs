@@ -38,6 +38,7 @@ pub mod symbols;
 pub mod text;
 mod tradeoff;
 mod train;
+mod typst;
 
 pub use accuracy::AccuracyShown;
 pub use answers::{Answers, PrintedDigits};

@@ -2,7 +2,7 @@
 
 use super::document::{Block, Report};
 use super::text::{self, Look};
-use super::{csv, latex, markdown};
+use super::{csv, latex, markdown, typst};
 use serde::Serialize;
 
 /// The form of a page.
@@ -17,6 +17,8 @@ pub enum Page {
     Markdown,
     /// Sections and tables of a LaTeX document, for `\input`.
     Latex,
+    /// Sections and tables of a Typst document, for `#include`.
+    Typst,
 }
 
 impl Page {
@@ -29,6 +31,7 @@ impl Page {
             Self::Csv => csv(report),
             Self::Markdown => markdown::render(report),
             Self::Latex => latex::render(report),
+            Self::Typst => typst::render(report),
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::run::{Folder, Said, assur};
 use crate::schema::fits_schema;
 use serde_json::Value;
 
-const FORMS: [&str; 6] = ["table", "json", "jsonl", "csv", "markdown", "latex"];
+const FORMS: [&str; 7] = ["table", "json", "jsonl", "csv", "markdown", "latex", "typst"];
 
 /// Each command with its arguments.
 const COMMANDS: &[&[&str]] = &[
@@ -56,6 +56,10 @@ fn every_command_has_every_form() {
                 "latex" => {
                     let ends = text.starts_with("\\section*{") && text.contains("\\end{tabular}");
                     assert!(ends && text.is_ascii(), "{command:?}: {text}");
+                }
+                "typst" => {
+                    let ends = text.starts_with("= ") && text.contains("\n#table(\n  columns: ");
+                    assert!(ends && text.matches("#table(").count() == text.matches("\n)\n").count(), "{text}");
                 }
                 _ => assert!(!text.contains("\\section") && !text.contains("| "), "{command:?}: {text}"),
             }

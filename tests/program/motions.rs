@@ -147,7 +147,7 @@ find reactions
 fn no_form_has_numbers_for_what_friction_shares() {
     let folder = Folder::new("shared").with("a.mech", STOPS);
     let said = "how pairs share what friction holds is not determined";
-    for format in ["table", "json", "jsonl", "csv", "markdown", "latex"] {
+    for format in ["table", "json", "jsonl", "csv", "markdown", "latex", "typst"] {
         let out = assur(&folder, &["solve", "a.mech", "--format", format]).stdout;
         assert!(!out.contains("NaN") && !out.contains("null"), "{format}: {out}");
         assert!(format != "table" || out.contains(said), "{out}");

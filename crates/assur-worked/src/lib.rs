@@ -45,4 +45,4 @@ pub use sheet::{
 pub use unit::unit_of;
 pub use words::{Language, phrase};
 pub use worked::{Part, Size, Worked, worked, worked_from};
-pub use write::{html, markdown, text, typst};
+pub use write::{html, markdown, text, typst, typst_escaped};

@@ -1,14 +1,15 @@
-//! The forms of output: the same in every command.
+//! The forms of output: one list for all commands, and those that each of them writes.
 
 use crate::report::Page;
 use crate::report::text::Look;
 use clap::ValueEnum;
-use clap::builder::PossibleValue;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 /// A form of output.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// Tables to read, in the author's units
+    #[default]
     Table,
     /// Objects, one per file and line; of `batch` one per row
     Json,
@@ -20,197 +21,101 @@ pub enum Format {
     Markdown,
     /// Tables for a LaTeX document
     Latex,
+    /// Tables for a Typst document
+    Typst,
+    /// A drawing: DXF R12 in millimetres, layers PROFILE, PITCH, BASE, CENTRE
+    Dxf,
+    /// A stream of Arrow IPC: columns with their units as metadata
+    #[cfg(feature = "arrow")]
+    Arrow,
+    /// The same as a file of Arrow IPC, with the places of its batches
+    #[cfg(feature = "arrow")]
+    Feather,
+    /// The same as a file of Parquet, compressed by Snappy
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
+/// What every command with tables writes.
+pub const TABLES: &[Format] = &[
+    Format::Table,
+    Format::Json,
+    Format::Jsonl,
+    Format::Csv,
+    Format::Markdown,
+    Format::Latex,
+    Format::Typst,
+];
+/// What `solve` writes beside tables.
+pub const STREAMS: &[Format] = &[
+    #[cfg(feature = "arrow")]
+    Format::Arrow,
+];
+/// What `batch` writes beside tables.
+pub const COLUMNS: &[Format] = &[
+    #[cfg(feature = "arrow")]
+    Format::Arrow,
+    #[cfg(feature = "arrow")]
+    Format::Feather,
+    #[cfg(feature = "parquet")]
+    Format::Parquet,
+];
+/// What `profile` writes beside tables.
+pub const DRAWINGS: &[Format] = &[Format::Dxf];
+
+/// Reads one of the tables, or one of these.
+pub(super) fn table_or(others: &[Format]) -> impl TypedValueParser<Value = Format> + use<> {
+    let values = TABLES.iter().chain(others).filter_map(ValueEnum::to_possible_value);
+    PossibleValuesParser::new(values).try_map(|name| Format::from_str(&name, false))
 }
 
 impl Format {
-    /// The form of a report.
+    /// The form of a report. What is not a page has no reports.
     pub(in crate::cli) const fn page(self, look: Look) -> Page {
         match self {
             Self::Table => Page::Text(look),
             Self::Json | Self::Jsonl => Page::Json,
-            Self::Csv => Page::Csv,
             Self::Markdown => Page::Markdown,
             Self::Latex => Page::Latex,
+            Self::Typst => Page::Typst,
+            _ => Page::Csv,
         }
     }
 
     /// Whether it is read by people.
     pub(in crate::cli) const fn is_read(self) -> bool {
-        matches!(self, Self::Table | Self::Markdown | Self::Latex)
+        matches!(self, Self::Table | Self::Markdown | Self::Latex | Self::Typst)
     }
 
     /// What separates two files.
     pub(in crate::cli) const fn apart(self) -> &'static str {
         match self {
-            Self::Json | Self::Jsonl => "",
             Self::Csv => "\r\n",
-            Self::Table | Self::Markdown | Self::Latex => "\n",
+            _ if self.is_read() => "\n",
+            _ => "",
         }
     }
 
-    /// The form of a file with this ending.
+    /// Columns of Arrow, which are filled as the lines of another form are.
+    pub(in crate::cli) fn is_columns(self) -> bool {
+        COLUMNS.contains(&self)
+    }
+
+    /// The form of a file with this ending; columns of Arrow too.
     pub(super) fn of_ending(ending: &str) -> Option<Self> {
-        match ending {
-            "csv" => Some(Self::Csv),
-            "json" | "jsonl" | "ndjson" => Some(Self::Jsonl),
-            "md" => Some(Self::Markdown),
-            "tex" => Some(Self::Latex),
-            _ => None,
-        }
-    }
-}
-
-/// A form of a profile: a drawing too.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ProfileFormat {
-    /// As in every command.
-    Common(Format),
-    /// A drawing.
-    Dxf,
-}
-
-impl ValueEnum for ProfileFormat {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            Self::Common(Format::Csv),
-            Self::Dxf,
-            Self::Common(Format::Table),
-            Self::Common(Format::Json),
-            Self::Common(Format::Jsonl),
-            Self::Common(Format::Markdown),
-            Self::Common(Format::Latex),
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        match self {
-            Self::Common(format) => format.to_possible_value(),
-            Self::Dxf => Some(
-                PossibleValue::new("dxf")
-                    .help("A drawing: DXF R12 in millimetres, layers PROFILE, PITCH, BASE, CENTRE"),
-            ),
-        }
-    }
-}
-
-/// A form of the answers to rows: files of columns too.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BatchFormat {
-    /// As in every command.
-    Common(Format),
-    /// Columns.
-    #[cfg(feature = "arrow")]
-    Columns(assur_arrow::Kind),
-}
-
-impl Default for BatchFormat {
-    fn default() -> Self {
-        Self::Common(Format::Table)
-    }
-}
-
-impl BatchFormat {
-    /// The common form; columns are filled line by line as those of comma-separated values.
-    pub(in crate::cli) const fn common(self) -> Format {
-        match self {
-            Self::Common(format) => format,
+        Some(match ending {
+            "csv" => Self::Csv,
+            "json" | "jsonl" | "ndjson" => Self::Jsonl,
+            "md" => Self::Markdown,
+            "tex" => Self::Latex,
+            "typ" => Self::Typst,
             #[cfg(feature = "arrow")]
-            Self::Columns(_) => Format::Csv,
-        }
-    }
-
-    /// The form of a file with this ending.
-    pub(super) fn of_ending(ending: &str) -> Option<Self> {
-        match ending {
+            "arrow" | "feather" => Self::Feather,
             #[cfg(feature = "arrow")]
-            "arrow" | "feather" => Some(Self::Columns(assur_arrow::Kind::File)),
-            #[cfg(feature = "arrow")]
-            "arrows" => Some(Self::Columns(assur_arrow::Kind::Stream)),
+            "arrows" => Self::Arrow,
             #[cfg(feature = "parquet")]
-            "parquet" => Some(Self::Columns(assur_arrow::Kind::Parquet)),
-            _ => Format::of_ending(ending).map(Self::Common),
-        }
-    }
-}
-
-impl ValueEnum for BatchFormat {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            Self::Common(Format::Table),
-            Self::Common(Format::Json),
-            Self::Common(Format::Jsonl),
-            Self::Common(Format::Csv),
-            Self::Common(Format::Markdown),
-            Self::Common(Format::Latex),
-            #[cfg(feature = "arrow")]
-            Self::Columns(assur_arrow::Kind::Stream),
-            #[cfg(feature = "arrow")]
-            Self::Columns(assur_arrow::Kind::File),
-            #[cfg(feature = "parquet")]
-            Self::Columns(assur_arrow::Kind::Parquet),
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        match self {
-            Self::Common(format) => format.to_possible_value(),
-            #[cfg(feature = "arrow")]
-            Self::Columns(kind) => Some(match kind {
-                assur_arrow::Kind::Stream => PossibleValue::new("arrow").help(STREAM),
-                assur_arrow::Kind::File => PossibleValue::new("feather")
-                    .help("The same as a file of Arrow IPC, with the places of its batches"),
-                #[cfg(feature = "parquet")]
-                assur_arrow::Kind::Parquet => {
-                    PossibleValue::new("parquet").help("The same as a file of Parquet, compressed by Snappy")
-                }
-            }),
-        }
-    }
-}
-
-#[cfg(feature = "arrow")]
-const STREAM: &str = "A stream of Arrow IPC: columns with their units as metadata";
-
-/// A form of answers: a stream of columns too.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SolveFormat {
-    /// As in every command.
-    Common(Format),
-    /// A stream of Arrow.
-    #[cfg(feature = "arrow")]
-    Arrow,
-}
-
-impl SolveFormat {
-    /// The common form; a stream of Arrow goes position by position as lines of JSON do.
-    pub(in crate::cli) const fn common(self) -> Format {
-        match self {
-            Self::Common(format) => format,
-            #[cfg(feature = "arrow")]
-            Self::Arrow => Format::Jsonl,
-        }
-    }
-}
-
-impl ValueEnum for SolveFormat {
-    fn value_variants<'a>() -> &'a [Self] {
-        &[
-            Self::Common(Format::Table),
-            Self::Common(Format::Json),
-            Self::Common(Format::Jsonl),
-            Self::Common(Format::Csv),
-            Self::Common(Format::Markdown),
-            Self::Common(Format::Latex),
-            #[cfg(feature = "arrow")]
-            Self::Arrow,
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        match self {
-            Self::Common(format) => format.to_possible_value(),
-            #[cfg(feature = "arrow")]
-            Self::Arrow => Some(PossibleValue::new("arrow").help(STREAM)),
-        }
+            "parquet" => Self::Parquet,
+            _ => return None,
+        })
     }
 }

@@ -1,6 +1,7 @@
 //! The manual of commands with few options.
 
-use super::{BatchFormat, Problem, accuracy, threads};
+use super::format::{COLUMNS, Format, table_or};
+use super::{Problem, accuracy, threads};
 use clap::ValueEnum;
 use clap::builder::NonEmptyStringValueParser;
 use std::ops::RangeInclusive;
@@ -141,8 +142,8 @@ pub struct Batch {
     #[arg(long, value_name = "TABLE.csv")]
     pub variants: Option<String>,
     /// Output format [default: by the ending of --out, else table]
-    #[arg(long, value_enum)]
-    pub format: Option<BatchFormat>,
+    #[arg(long, value_name = "FORMAT", value_parser = table_or(COLUMNS))]
+    pub format: Option<Format>,
     /// Write the answers to this file (created only when complete)
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
@@ -166,8 +167,8 @@ impl Batch {
 
     /// The format of the option, else of the file name.
     #[must_use]
-    pub fn format(&self) -> BatchFormat {
-        let of_name = self.out.as_deref().and_then(ending).and_then(BatchFormat::of_ending);
+    pub fn format(&self) -> Format {
+        let of_name = self.out.as_deref().and_then(ending).and_then(Format::of_ending);
         self.format.or(of_name).unwrap_or_default()
     }
 }

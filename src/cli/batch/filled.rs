@@ -1,7 +1,7 @@
 //! The answers to rows as columns in memory.
 
 #[cfg(feature = "arrow")]
-use super::super::args::BatchFormat;
+use super::super::args::Format;
 use super::super::{args::Batch, error::CliError, sink::Sink};
 #[cfg(feature = "arrow")]
 use super::columns::Table;
@@ -153,8 +153,15 @@ impl Out {
 
 #[cfg(feature = "arrow")]
 fn table(args: &Batch, jobs: &[Job]) -> Result<Option<Table>, CliError> {
+    use assur_arrow::Kind;
     use std::io::IsTerminal;
-    let BatchFormat::Columns(kind) = args.format() else { return Ok(None) };
+    let kind = match args.format() {
+        Format::Arrow => Kind::Stream,
+        Format::Feather => Kind::File,
+        #[cfg(feature = "parquet")]
+        Format::Parquet => Kind::Parquet,
+        _ => return Ok(None),
+    };
     if args.out.is_none() && std::io::stdout().is_terminal() {
         return Err(CliError::OnScreen { how: "`--out answers.arrow`" });
     }

@@ -75,7 +75,8 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     if let Some(name) = args.key.as_ref().filter(|name| has_columns(name)) {
         return Err(CliError::KeyOfColumns { name: name.clone() });
     }
-    let format = args.format().common();
+    // columns are filled line by line as comma-separated values are
+    let format = if args.format().is_columns() { Format::Csv } else { args.format() };
     let layout = Layout::of(&jobs, format);
     let key = Layout::of_key(&jobs);
     let mut out = Out::of(args, &jobs)?;

@@ -4,7 +4,7 @@
     tests/worked/typst/check.py [--all]
 
 writes the solutions of every ninth example (of all examples with --all) in three languages with the program that ASSUR names
-(target/release/assur), and compiles each with the package typst of PyPI. Exits with 1 where one does not compile.
+(target/release/assur), and its answers as tables, and compiles each with the package typst of PyPI. Exits with 1 where one does not compile.
 """
 
 import os
@@ -23,10 +23,14 @@ def main():
     step = 1 if "--all" in sys.argv[1:] else 9
     faults, count = [], 0
     for example in sorted((ROOT / "examples").rglob("*.mech"))[::step]:
-        for language in ["en", "zh", "ru"]:
+        for language in ["en", "zh", "ru", "tables"]:
             with tempfile.TemporaryDirectory() as folder:
                 path = pathlib.Path(folder) / "page.typ"
-                subprocess.run([ASSUR, "report", example, "--lang", language, "-o", path], capture_output=True, cwd=ROOT)
+                if language == "tables":
+                    made = subprocess.run([ASSUR, "solve", example, "--format", "typst"], capture_output=True, cwd=ROOT)
+                    path.write_bytes(made.stdout)
+                else:
+                    subprocess.run([ASSUR, "report", example, "--lang", language, "-o", path], capture_output=True, cwd=ROOT)
                 # an example that has no solution is written for its diagnostics
                 if not path.exists():
                     continue

@@ -9,4 +9,4 @@ mod typst;
 pub use html::html;
 pub use markdown::markdown;
 pub use plain::text;
-pub use typst::typst;
+pub use typst::{escaped as typst_escaped, typst};

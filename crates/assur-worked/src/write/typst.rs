@@ -77,10 +77,19 @@ fn vectors(document: &Document, terms: &[Term]) -> String {
 }
 
 /// Text with the signs escaped that mean something in Typst.
-fn escaped(text: &str) -> String {
+#[must_use]
+pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        if matches!(c, '\\' | '*' | '_' | '`' | '[' | ']' | '<' | '>' | '#' | '$' | '@' | '~' | '=' | '/') {
+    // at the head of a paragraph or a cell these begin an item
+    let number = text.bytes().take_while(u8::is_ascii_digit).count();
+    let item = if text.starts_with(['-', '+']) { 0 } else { number };
+    for (at, c) in text.char_indices() {
+        let begins_item = at == item
+            && (at == 0 && matches!(c, '-' | '+') || at > 0 && c == '.')
+            && text[at + 1..].starts_with(' ');
+        if begins_item
+            || matches!(c, '\\' | '*' | '_' | '`' | '[' | ']' | '<' | '>' | '#' | '$' | '@' | '~' | '=' | '/')
+        {
             out.push('\\');
         }
         out.push(if c.is_control() { ' ' } else { c });
