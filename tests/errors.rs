@@ -5,9 +5,9 @@
 mod folder;
 
 use assur::internals::check::Overrides;
-use assur::internals::diagnostic::{Problems, Style, render};
+use assur::internals::diagnostic::{Diagnosis, Problems, Style, render};
 use assur::internals::drawing::Scale;
-use assur::internals::exercise::grade::{LeftOut, Rules, Sheet, grade};
+use assur::internals::exercise::grade::{Rules, Sheet, grade};
 use assur::internals::exercise::table::{Fault, Lines, Table};
 use assur::internals::picture::{KINDS, Options, Scaled, Scene};
 use assur::internals::source::Source;
@@ -129,7 +129,9 @@ fn beside(source: &Source) -> Option<String> {
             Ok(answers) => grade(&key, answers, &Rules::default()),
         },
     };
-    let warned = |(source, error): Fault| render(&Problems::of([LeftOut(*error)]), &source, Style::PLAIN);
+    let warned = |(source, error): Fault| {
+        render(&Problems::of([Diagnosis::copied(&*error).as_warning()]), &source, Style::PLAIN)
+    };
     Some(match graded {
         Err(fault) => shown(fault),
         Ok(graded) => graded.left_out.into_iter().map(warned).collect::<Vec<_>>().join("\n"),

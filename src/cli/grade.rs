@@ -8,10 +8,10 @@ use super::error::CliError;
 use super::files;
 use super::reply::{Status, complaint};
 use super::screen::Screen;
-use crate::exercise::grade::{Credit, LeftOut, Points, Rules, Sheet, grade};
+use crate::exercise::grade::{Credit, Points, Rules, Sheet, grade};
 use crate::exercise::table::Fault;
 use crate::report;
-use assur_text::diagnostic::Problems;
+use assur_text::diagnostic::{Diagnosis, Problems};
 
 /// Marks answers by a key: 0 where all are right, 1 where one is not.
 pub fn run(args: &Grade, screen: &Screen) -> Status {
@@ -88,7 +88,9 @@ fn report((source, error): Fault, screen: &Screen) {
 /// Columns and lines that are not marked, as many as are wanted.
 fn warn((left_out, more): (&[Fault], usize), screen: &Screen) {
     for (source, error) in left_out.iter().take(screen.most()) {
-        screen.complain(&screen.diagnostics(&Problems::of([LeftOut((**error).clone())]), source));
+        screen.complain(
+            &screen.diagnostics(&Problems::of([Diagnosis::copied(error.as_ref()).as_warning()]), source),
+        );
         screen.complain("\n");
     }
     let more = left_out.len().saturating_sub(screen.most()) + more;

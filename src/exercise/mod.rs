@@ -9,6 +9,5 @@ mod undefined;
 
 pub use error::ExpectError;
 pub use expect::{Outcome, evaluate};
-pub use mismatch::ForRow;
 pub use mismatch::{in_one, mismatches};
 pub use undefined::why_undefined;

@@ -3,7 +3,7 @@
 use super::compile::{Compiled, compile_document};
 use super::solved::Solved;
 use super::variant_solver::VariantSolver;
-use crate::exercise::{ForRow, mismatches};
+use crate::exercise::mismatches;
 use assur_check as check;
 use assur_check::{FileRow, Overrides, RowColumn};
 use assur_solve::message::failures;
@@ -72,7 +72,7 @@ impl<'a> FileVariants<'a> {
         let (mut first, mut problems) = (None, Problems::new());
         for (i, row) in self.rows.iter().enumerate() {
             let (compiled, found) = looked_at(&mut self.solver, row);
-            problems.append(ForRow::all(found, &file_row_words(row, i + 1), Some(row.span)));
+            problems.append(found.of_row(&file_row_words(row, i + 1), Some(row.span)));
             first = first.or(compiled);
         }
         (first, problems)
@@ -85,7 +85,7 @@ impl<'a> FileVariants<'a> {
             if test {
                 problems.extend(solved.iter().flat_map(|s| mismatches(&s.outcomes)));
             }
-            let problems = ForRow::all(problems, &file_row_words(&row, i + 1), Some(row.span));
+            let problems = problems.of_row(&file_row_words(&row, i + 1), Some(row.span));
             SolvedRow { row, number: i + 1, solved, problems }
         })
     }

@@ -8,7 +8,6 @@ use super::filled::{Cited, Filled};
 use super::job::Job;
 use super::layout::Layout;
 use super::rows::Input;
-use crate::exercise::ForRow;
 use crate::exercise::table::{Fault, TableError};
 use crate::pipeline::Solved;
 use crate::pipeline::{VariantSolver, row_words};
@@ -115,7 +114,7 @@ impl RowWriter<'_, '_> {
             let problems = if words.is_empty() {
                 problems
             } else {
-                ForRow::all(problems, &row_words(input.number, input.label.as_deref(), &words), input.span)
+                problems.of_row(&row_words(input.number, input.label.as_deref(), &words), input.span)
             };
             said.problems = Some((None, problems));
         }
@@ -155,7 +154,7 @@ impl RowWriter<'_, '_> {
         let mut said = sorted(&problems);
         self.unsolved(row, &first_error(&problems), || problems.views(&source));
         if by_row {
-            problems = ForRow::all(problems, &format!("row {}", row.number), None);
+            problems = problems.of_row(&format!("row {}", row.number), None);
         }
         said.problems = Some((Some(source), problems));
         said

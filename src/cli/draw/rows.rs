@@ -3,7 +3,6 @@
 use crate::cli::args::Draw;
 use crate::cli::batch::open_table;
 use crate::cli::error::CliError;
-use crate::exercise::ForRow;
 use crate::exercise::table::{Fault, Lines, TableError};
 use crate::pipeline::row_words;
 use assur_check::{self as check, FileRow, Overrides};
@@ -40,7 +39,7 @@ impl DrawnRow {
 
     /// What was found, with the row for which it holds.
     pub fn reported(&self, problems: Problems) -> Problems {
-        if self.words.is_empty() { problems } else { ForRow::all(problems, &self.words, self.span) }
+        if self.words.is_empty() { problems } else { problems.of_row(&self.words, self.span) }
     }
 }
 

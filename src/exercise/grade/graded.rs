@@ -6,11 +6,8 @@ use super::rows::{Assignment, MissingAnswer};
 use super::rules::{Rules, Submissions};
 use super::sheet::{Quantity, Sheet, SheetRow};
 use crate::exercise::table::{Fault, TableError};
-use assur_text::diagnostic::Problem;
 use indexmap::{IndexMap, IndexSet};
-use miette::{Diagnostic, LabeledSpan, Severity};
 use std::collections::BTreeSet;
-use std::fmt::{self, Display};
 use std::sync::Arc;
 
 #[derive(Clone, Debug)]
@@ -92,7 +89,7 @@ impl Graded {
         let total = self.total();
         total.right == total.total
             && self.more_left_out == 0
-            && self.left_out.iter().all(|fault| LeftOut::is_column(&fault.1))
+            && self.left_out.iter().all(|fault| is_column(&fault.1))
     }
 }
 
@@ -255,53 +252,18 @@ impl<'a> Grading<'a> {
     }
 }
 
-// What is left out of the marking, as a warning.
+// What is left out of the marking.
 
-/// An error of one column or line of answers, the rest of which is marked.
-#[derive(Clone, Debug)]
-pub struct LeftOut(pub TableError);
-
-impl LeftOut {
-    /// Whether it is a column, not a line.
-    #[must_use]
-    pub const fn is_column(error: &TableError) -> bool {
-        matches!(error, TableError::Header { .. } | TableError::UnknownColumn { .. })
-    }
-
-    /// What is wrong, with the line: `line 7: the key has no row 99`.
-    #[must_use]
-    pub fn words(error: &TableError) -> String {
-        match error {
-            TableError::UnknownColumn { .. } => format!("header: {error}"),
-            _ => error.to_string(),
-        }
-    }
+/// Whether it is a column, not a line.
+fn is_column(error: &TableError) -> bool {
+    matches!(error, TableError::Header { .. } | TableError::UnknownColumn { .. })
 }
 
-impl Display for LeftOut {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl std::error::Error for LeftOut {}
-
-impl Problem for LeftOut {}
-
-impl Diagnostic for LeftOut {
-    fn code<'b>(&'b self) -> Option<Box<dyn Display + 'b>> {
-        self.0.code()
-    }
-
-    fn severity(&self) -> Option<Severity> {
-        Some(Severity::Warning)
-    }
-
-    fn help<'b>(&'b self) -> Option<Box<dyn Display + 'b>> {
-        self.0.help()
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        self.0.labels()
+/// What is wrong, with the line: `line 7: the key has no row 99`.
+#[must_use]
+pub fn left_out_words(error: &TableError) -> String {
+    match error {
+        TableError::UnknownColumn { .. } => format!("header: {error}"),
+        _ => error.to_string(),
     }
 }

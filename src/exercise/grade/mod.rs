@@ -9,7 +9,7 @@ mod rules;
 mod sheet;
 mod slip;
 
-pub use graded::LeftOut;
+pub use graded::left_out_words;
 pub use graded::{Graded, grade};
 pub use mark::{GradedRow, Known, Mark, NotCounted, Part, Sum, Verdict};
 pub use rules::{Credit, Points, Rules, Submissions};

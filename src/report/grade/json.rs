@@ -1,8 +1,8 @@
 //! Marks as JSON: one object, SI and radians.
 
 use super::{hint, slip_name, word, written};
-use crate::exercise::grade::{Graded, GradedRow, Known, LeftOut, Mark, NAMES, Part, Sum, Verdict};
-use assur_text::diagnostic::{DiagnosticView, Problems};
+use crate::exercise::grade::{Graded, GradedRow, Known, Mark, NAMES, Part, Sum, Verdict};
+use assur_text::diagnostic::{Diagnosis, DiagnosticView, Problems};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -187,7 +187,10 @@ impl<'a> From<Part<'a>> for PartView<'a> {
 /// What is not marked.
 fn diagnostics(graded: &Graded) -> Vec<DiagnosticView> {
     let all = graded.left_out.iter();
-    all.flat_map(|(source, error)| Problems::of([LeftOut((**error).clone())]).views(source)).collect()
+    all.flat_map(|(source, error)| {
+        Problems::of([Diagnosis::copied(error.as_ref()).as_warning()]).views(source)
+    })
+    .collect()
 }
 
 fn row_view<'a>(graded: &'a Graded, row: &'a GradedRow) -> RowView<'a> {

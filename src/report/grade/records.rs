@@ -2,7 +2,7 @@
 
 use super::super::csv;
 use super::{Figures, hint, slip_name, word};
-use crate::exercise::grade::{Graded, GradedRow, LeftOut, Mark, Part, Sum};
+use crate::exercise::grade::{Graded, GradedRow, Mark, Part, Sum, left_out_words};
 use assur_text::units::significant;
 use std::io::{self, Write};
 
@@ -82,7 +82,7 @@ fn notices(graded: &Graded, records: &mut Records<'_>) {
     }
     for (source, error) in &graded.left_out {
         let line = (source.lines_before + 1).to_string();
-        records.row(Line { line, hint: LeftOut::words(error), ..Line::new("not marked") }.cells());
+        records.row(Line { line, hint: left_out_words(error), ..Line::new("not marked") }.cells());
     }
     if graded.more_left_out > 0 {
         let hint = super::more_lines(graded.more_left_out);

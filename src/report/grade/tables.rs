@@ -2,7 +2,7 @@
 
 use super::super::document::{Block, Column, Report, Section, Table};
 use super::{DIGITS, Figures, hint, is_key_zero, percent, word};
-use crate::exercise::grade::{Graded, GradedRow, LeftOut, Mark, Part, Submissions, Sum, Verdict, cut};
+use crate::exercise::grade::{Graded, GradedRow, Mark, Part, Submissions, Sum, Verdict, cut, left_out_words};
 use assur_text::units::significant;
 
 /// Longer reasons are cut, characters.
@@ -167,7 +167,7 @@ fn not_counted(graded: &Graded) -> Section {
 fn not_marked(graded: &Graded) -> Section {
     let mut section = Section::new("Not marked");
     let words = |error| {
-        let words = LeftOut::words(error);
+        let words = left_out_words(error);
         words.chars().take(LONGEST).collect()
     };
     let more = (graded.more_left_out > 0).then(|| super::more_lines(graded.more_left_out));

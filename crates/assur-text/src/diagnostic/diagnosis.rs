@@ -1,6 +1,6 @@
 //! What is said about a text, built where the fault arises.
 
-use super::{Fix, Help, Problem, Undeclared};
+use super::{CODES, Fix, Help, Problem, Undeclared};
 use crate::source::Span;
 use miette::{Diagnostic, LabeledSpan, Severity};
 use std::fmt::{self, Display};
@@ -45,6 +45,33 @@ impl Diagnosis {
         let (labels, fixes) = (Vec::new(), Vec::new());
         let (help, undeclared, subject) = (None, None, None);
         Self(Box::new(Parts { code, severity, message, labels, help, fixes, undeclared, subject }))
+    }
+
+    /// What another diagnostic says, without its fixes: they are for the text alone.
+    #[must_use]
+    pub fn copied(problem: &dyn Diagnostic) -> Self {
+        let severity = problem.severity().unwrap_or_default();
+        let mut copy = Self::new("", severity, problem.to_string());
+        let code = problem.code().map(|code| code.to_string());
+        copy.0.code =
+            CODES.iter().map(|known| known.code).find(|known| Some(*known) == code.as_deref()).unwrap_or("");
+        copy.0.labels = problem.labels().into_iter().flatten().collect();
+        copy.0.help = problem.help().map(|help| help.to_string().into());
+        copy
+    }
+
+    /// The same, of this row of variants: `row` is it in words, `span` its place in the file's own table.
+    #[must_use]
+    pub fn of_row(mut self, row: &str, span: Option<Span>) -> Self {
+        self.0.message = format!("{row}: {}", self.0.message);
+        self.label(span, "with this row")
+    }
+
+    /// The same as something that does not make the text useless.
+    #[must_use]
+    pub fn as_warning(mut self) -> Self {
+        self.0.severity = Severity::Warning;
+        self
     }
 
     /// The place it is about; of several labels without such a place, the first.

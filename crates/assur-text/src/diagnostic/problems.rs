@@ -1,6 +1,6 @@
 //! The collection.
 
-use super::Fix;
+use super::{Diagnosis, Fix};
 use crate::source::Span;
 use miette::{Diagnostic, Severity};
 use std::sync::Arc;
@@ -94,6 +94,12 @@ impl Problems {
         self.items.extend(later.items.into_iter().filter(|p| !primary(p.as_ref()).is_some_and(overlaps)));
         self.more_errors += later.more_errors;
         self.more_warnings += later.more_warnings;
+    }
+
+    /// All of them, of this row of variants: `row` is it in words, `span` its place in the file's own table.
+    #[must_use]
+    pub fn of_row(self, row: &str, span: Option<Span>) -> Self {
+        Self::of(self.items.iter().map(|p| Diagnosis::copied(p.as_ref()).of_row(row, span)))
     }
 
     /// Whether both have the same texts at the same places.
