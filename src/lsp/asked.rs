@@ -1,8 +1,7 @@
 //! An open text of which something is asked, and what is found in it in the words of the protocol.
 
 use super::client::{Client, EXPLAIN};
-use super::convert::{edits, range, span};
-use super::error::Failure;
+use super::error::{Failure, edits, range, span};
 use crate::editor::{
     Analysis, Change, ChangeKind, Completion, CompletionKind, Declaration, Earlier, Hover, Results,
     Signature, Symbol, SymbolKind,

@@ -4,7 +4,6 @@
 mod answers;
 mod asked;
 mod client;
-mod convert;
 mod error;
 mod preview;
 mod shown;

@@ -2,8 +2,7 @@
 
 use super::Server;
 use super::client::PREVIEW;
-use super::convert::span;
-use super::error::Failure;
+use super::error::{Failure, span};
 use super::texts::params;
 use crate::editor::{GoesOn, PageParts};
 use assur_text::source::Lines;

@@ -1,7 +1,6 @@
 //! The texts that are open in the client.
 
-use super::convert::span;
-use super::error::Failure;
+use super::error::{Failure, span};
 use super::guarded;
 use super::preview::View;
 use crate::editor::{Analysis, Earlier, Results};

@@ -25,10 +25,10 @@ pub use names::uses::Use;
 pub use requests::variants::{FileRow, file_rows, table};
 pub use row_patch::RowPatches;
 pub use template::Template;
-pub use values::overrides::Overrides;
+use values::format_value;
+pub use values::format_value::with_names;
 pub use values::row::{ColumnUse, Row, RowCell, RowColumn};
-use values::texts;
-pub use values::texts::with_names;
+pub use values::store::Overrides;
 
 /// Parts that the tests look at alone.
 #[doc(hidden)]
@@ -41,13 +41,12 @@ pub mod parts {
 use assur_model::model::Mechanism;
 use assur_syntax::document::{Document, Variants};
 use assur_text::diagnostic::Problems;
-use expr::constants::constants;
-use expr::context::Context;
+use expr::context::{Context, constants};
 use expr::curve::curves;
 use loads::load_cycle;
 use machine::machine;
-use names::scope::Scope;
-use names::{declare, head, lookalikes};
+use names::declare;
+use names::lookalikes::{self, Scope};
 use requests::query::RESULTS;
 use requests::{expect, find, variants};
 use trains::at_rest::at_rest;
@@ -82,7 +81,7 @@ pub fn analyze(document: &Document, overrides: &Overrides) -> CheckFindings {
     definitions(&mut cx);
     meaning(&mut cx);
     let uses = std::mem::take(&mut cx.names.uses).into_sorted();
-    let constants = texts::constants(&cx.names, &cx.values.definitions);
+    let constants = format_value::constants(&cx.names, &cx.values.definitions);
     let (mechanism, problems) = cx.finish();
     CheckFindings { mechanism, problems, uses, constants }
 }
@@ -160,7 +159,7 @@ fn definitions(cx: &mut Context<'_>) {
     let mut scope = Scope { doc, names, builder, problems };
     declare::declare(&mut scope);
     lookalikes::look_alikes(&mut scope);
-    head::head(&mut scope);
+    lookalikes::head(&mut scope);
     order(names, &mut values.definitions, problems);
 }
 
@@ -172,7 +171,7 @@ fn fill_texts(cx: &mut Context<'_>) {
     let notes = mech.notes.iter_mut().zip(doc.notes.iter().map(|note| note.span));
     for (text, at) in title.into_iter().chain(notes) {
         if text.contains('{') {
-            *text = texts::filled(text, at, names, &values.definitions);
+            *text = format_value::filled(text, at, names, &values.definitions);
             // of the file as written no row is meant
             let label = values.outside.row.label.as_deref().unwrap_or("…");
             *text = text.replace("{variant}", label);

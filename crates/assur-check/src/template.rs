@@ -7,11 +7,12 @@ use crate::expr::context::Context;
 use crate::names::declared::Names;
 use crate::requests::query::RESULTS;
 use crate::row_patch::RowPatches;
-use crate::values::definition::Definitions;
-use crate::values::overrides::Overrides;
-use crate::values::row::Row;
-use crate::values::store::Values;
-use crate::values::unit_use::{self, UnitUse};
+use crate::values::{
+    definition::Definitions,
+    row::Row,
+    store::{Overrides, Values},
+    unit_use::{self, UnitUse},
+};
 use crate::{definitions, meaning};
 use assur_model::model::{Display, Mechanism};
 use assur_syntax::document::Document;

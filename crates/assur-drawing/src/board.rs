@@ -1,12 +1,11 @@
 //! Which label has which place: the cheapest free one first, then moves to something cheaper, alone or with one neighbour. Every place that
 //! was looked at knows who is in its way, and is told when a neighbour moves.
 
-use crate::blockers::Blockers;
 use crate::geometry::Rect;
 use crate::ground::Grounds;
 use crate::label::Label;
 use crate::placement::{APART, Later};
-use crate::places::{Place, Places};
+use crate::places::{Blockers, Place, Places};
 use assur_math::math::Vec2;
 
 /// The part of the later frames in which two labels may overlap.

@@ -1,18 +1,15 @@
 //! Pictures without mechanics: marks in millimetres of paper, x to the right and y down, labels that never overlap, SVG.
 
-mod blockers;
 mod board;
 mod clearance;
 mod drawing;
 mod geometry;
-mod glyph;
 mod grid;
 mod ground;
 mod label;
 mod mark;
 mod number;
 mod outside;
-mod palette;
 mod placement;
 mod places;
 mod rules;
@@ -26,9 +23,9 @@ pub use drawing::{Caption, Drawing, Group, Placed, Sheet};
 pub use geometry::{Rect, Segment};
 pub use grid::touches;
 pub use label::{Anchor, Label};
+pub use label::{Palette, Role, Theme};
 pub use mark::{Mark, Obstacle, Shape, on_circle};
 pub use number::{Number, number};
-pub use palette::{Palette, Role, Theme};
 pub use placement::Later;
 pub use rules::{FAMILIES, page_rules};
 pub use scale::{SERIES, Scale, plain, round_length};

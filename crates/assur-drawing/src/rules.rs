@@ -1,9 +1,9 @@
 //! Rules of style: concrete colours in plain rules, media rules behind them that only replace colours.
 
 use crate::drawing::Sheet;
+use crate::label::{Palette, Role, Theme};
 use crate::mark::Shape;
 use crate::number::number;
-use crate::palette::{Palette, Role, Theme};
 use crate::style::{STYLES, Style};
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! Kinds of stroke. Colour never stands alone: widths, dashes and hatching tell apart what colours tell apart.
 
-use crate::palette::Role;
+use crate::label::Role;
 
 /// How a mark is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

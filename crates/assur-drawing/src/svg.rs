@@ -1,9 +1,9 @@
 //! Sheets as SVG.
 
 use crate::drawing::{CAPTION, Placed, Sheet};
+use crate::label::{Role, Theme};
 use crate::mark::{Mark, Shape, on_circle};
 use crate::number::number;
-use crate::palette::{Role, Theme};
 use crate::rules::{Used, text_class};
 use crate::style::Style;
 use crate::text::Text;

@@ -1,7 +1,7 @@
 //! Texts of labels: runs of upright and italic letters, raised and lowered, with their measures.
 
 use crate::geometry::Rect;
-use crate::glyph::width;
+use crate::widths::width;
 use assur_math::math::Vec2;
 
 /// Size of an index over that of its letter.

@@ -1,7 +1,7 @@
 //! Lines of tokens, with the blanks before each.
 
-use assur_syntax::{Token, TokenKind};
-use assur_text::source::Span;
+use assur_syntax::{Token, TokenKind, TokenKind as Kind};
+use assur_text::source::{Edit, Span};
 use std::ops::Range;
 use unicode_width::UnicodeWidthStr;
 
@@ -170,5 +170,105 @@ impl Open {
             self.last = Some(piece.token);
         }
         is_one && self.braces == braces && self.brackets == 0
+    }
+}
+
+// The least edits from a text to its layout.
+
+/// What of a text is not as it is laid out.
+pub(crate) fn changes(layout: &Layout<'_>) -> Vec<Edit> {
+    let text = layout.text;
+    let newline = if ends_with_return(text) { "\r\n" } else { "\n" };
+    let mut edits = Vec::new();
+    // a mark of the encoding stays
+    let mut from = if text.starts_with('\u{FEFF}') { '\u{FEFF}'.len_utf8() } else { 0 };
+    for (number, line) in layout.lines.iter().enumerate() {
+        for i in line.pieces.clone() {
+            let piece = &layout.pieces[i];
+            let at = piece.token.span;
+            let newlines = match (i == line.pieces.start, number) {
+                (false, _) | (true, 0) => 0,
+                (true, _) => 1 + usize::from(line.is_after_empty),
+            };
+            put(&mut edits, text, Span::new(from, at.start), newline, (newlines, piece.before));
+            if is_stuck(piece.token, text) {
+                let after = at.start + "//".len();
+                edits.push(Edit::new(Span::new(after, after), " "));
+            }
+            from = at.end;
+        }
+    }
+    if !layout.lines.is_empty() {
+        put(&mut edits, text, Span::new(from, text.len()), newline, (1, 0));
+    }
+    edits
+}
+
+/// Whether the first line of a text ends by carriage return and line feed.
+fn ends_with_return(text: &str) -> bool {
+    text.find('\n').is_some_and(|at| text[..at].ends_with('\r'))
+}
+
+/// An edit where there is something else between two tokens than newlines and blanks in the numbers wanted.
+fn put(edits: &mut Vec<Edit>, text: &str, at: Span, newline: &str, (newlines, blanks): (usize, usize)) {
+    let there = &text.as_bytes()[at.start..at.end];
+    let wanted = newlines * newline.len() + blanks;
+    let is_so = there.len() == wanted
+        && there[..wanted - blanks] == *newline.repeat(newlines).as_bytes()
+        && there[wanted - blanks..].iter().all(|&b| b == b' ');
+    if !is_so {
+        edits.push(Edit::new(at, newline.repeat(newlines) + &" ".repeat(blanks)));
+    }
+}
+
+// Blanks between two tokens of a line.
+
+/// Blanks before a comment behind something.
+const BEFORE_COMMENT: usize = 2;
+
+/// Puts blanks between the tokens of every line.
+pub(crate) fn space(layout: &mut Layout<'_>) {
+    for line in 0..layout.lines.len() {
+        let pieces = layout.lines[line].pieces.clone();
+        for i in pieces.clone().skip(1) {
+            layout.pieces[i].before = blanks(layout, i, pieces.end);
+        }
+    }
+}
+
+/// Whether a piece follows a unit as a part of it would: `s` in `2 m/s`.
+fn is_after_unit(layout: &Layout<'_>, mut i: usize) -> bool {
+    let kind = |i: usize| layout.pieces[i].token.kind;
+    let joined = |i: usize| !layout.pieces[i].is_apart;
+    while i >= 2 && kind(i) == Kind::Word && kind(i - 1) == Kind::Product && joined(i) && joined(i - 1) {
+        if kind(i - 2) == Kind::Unit {
+            return true;
+        }
+        i -= 2;
+    }
+    false
+}
+
+/// The blanks before a piece that is not the first of its line, which ends at `end`.
+fn blanks(layout: &Layout<'_>, i: usize, end: usize) -> usize {
+    let kind = |i: usize| layout.pieces[i].token.kind;
+    let is_apart = |i: usize| i < end && kind(i) != Kind::Comment && layout.pieces[i].is_apart;
+    match (kind(i - 1), kind(i)) {
+        (_, Kind::Comment) => BEFORE_COMMENT,
+        (_, Kind::Product) => usize::from(is_apart(i) || is_apart(i + 1)),
+        (Kind::Product, _) => usize::from(is_apart(i - 1) || is_apart(i)),
+        // `5 m ^ 2` is not `5 m^2`: what follows a unit or a number is not joined to it
+        (Kind::Unit, Kind::Power | Kind::Dot) | (Kind::Number, Kind::Dot) => usize::from(is_apart(i)),
+        (Kind::Power, _) => usize::from(match kind(i - 2) {
+            Kind::Unit => is_apart(i - 1) || is_apart(i),
+            // `m/s ^2` has the unit m, and `m/s^2` another
+            _ => is_apart(i) && is_after_unit(layout, i - 2),
+        }),
+        (_, Kind::Comma | Kind::Semicolon | Kind::Colon | Kind::Close | Kind::SquareEnd | Kind::Call)
+        | (Kind::Open | Kind::Call | Kind::Square | Kind::Prefix | Kind::Dot | Kind::Hyphen, _)
+        | (_, Kind::Power | Kind::Dot | Kind::Hyphen) => 0,
+        (Kind::Number, Kind::Unit) => usize::from(!layout.pieces[i].token.text(layout.text).starts_with('°')),
+        (Kind::Other, _) | (_, Kind::Other) => usize::from(is_apart(i)),
+        _ => 1,
     }
 }

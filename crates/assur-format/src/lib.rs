@@ -1,11 +1,9 @@
 //! The one style of `.mech` files. The formatter moves blanks, never words: it works on the tokens of a text, and the tree says
 //! what stands in columns.
 
-mod changes;
 mod columns;
 mod layout;
 mod rows;
-mod spacing;
 
 use assur_syntax::document::Document;
 use assur_syntax::{Token, parse_with_tokens};
@@ -26,9 +24,9 @@ pub fn edits(source: &Source) -> Result<Vec<Edit>, Problems> {
 #[must_use]
 pub fn edits_of(text: &str, tokens: &[Token], document: &Document) -> Vec<Edit> {
     let mut layout = layout::Layout::of(text, tokens);
-    spacing::space(&mut layout);
+    layout::space(&mut layout);
     columns::align(&mut layout, document);
-    changes::changes(&layout)
+    layout::changes(&layout)
 }
 
 /// The edits that touch lines from `lines.start()` to `lines.end()`, counted from 1.

@@ -1,13 +1,11 @@
 //! An equation: a quantity, what it is in letters, in numbers, and its value.
 
-use crate::digits;
 use crate::expr::Expr;
 use crate::lay::{letters, name_node, numbers};
 use crate::lines::Lines;
-use crate::name::Name;
 use crate::node::Node;
 use crate::number::Figures;
-use crate::quantity::Quantity;
+use crate::quantity::{self, Name, Quantity};
 use crate::unit::Unit;
 use std::sync::Arc;
 
@@ -68,7 +66,7 @@ impl Equation {
 
     #[must_use]
     pub fn set(&self) -> Set {
-        let (result, count, balances) = digits::of(self.left.value, &self.right);
+        let (result, count, balances) = quantity::of(self.left.value, &self.right);
         let mut quantities = 0;
         self.right.visit(&mut |_| quantities += 1);
         // one number is not written twice

@@ -1,10 +1,9 @@
 //! Trees as lines: letters, or numbers, with brackets where they are needed.
 
 use crate::expr::{Expr, Sign};
-use crate::name::Name;
 use crate::node::Node;
 use crate::number::{Figures, shortest, with_digits};
-use crate::quantity::Quantity;
+use crate::quantity::{Name, Quantity};
 use crate::unit::Unit;
 
 /// The letters of a name.

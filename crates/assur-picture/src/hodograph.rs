@@ -2,8 +2,7 @@
 
 use crate::diagram::thinned;
 use crate::figures::{FORCE, VELOCITY, cleared, rounding};
-use crate::frame::Frame;
-use crate::paper::{Paper, Scaled};
+use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
 use crate::{error, no_diagram, words};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};

@@ -3,9 +3,8 @@
 use crate::diagram::{
     Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, over_poses, printed, scaled, with_unit,
 };
-use crate::event_marks::marked_events;
 use crate::figures::{cleared, rounding, unit_text};
-use crate::scene::Scene;
+use crate::scene::{Scene, marked_events};
 use crate::{no_diagram, words};
 use assur_drawing::{CURVES, Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;

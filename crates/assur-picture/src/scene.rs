@@ -1,9 +1,11 @@
 //! What a picture is made from: one position of a solved problem, and the positions before and behind it.
 
+use crate::diagram::{Panel, printed};
 use crate::error;
-use assur_drawing::Text;
+use assur_drawing::{Drawing, Label, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, GenevaPair, LinkId, Load, Mechanism, PairId, PairKind};
+use assur_model::model::{Bearing, Display, GenevaPair, LinkId, Load, Mechanism, PairId, PairKind};
+use assur_model::structure::{BodyId, BodyOrigin};
 use assur_solve::answer::PoseAnswers;
 use assur_solve::solve::{BodyState, DriveValue, Model, MotionScales, Pose, Solution, Solved, State};
 use assur_text::diagnostic::Diagnosis;
@@ -213,4 +215,106 @@ fn owner(kind: &PairKind) -> LinkId {
         PairKind::Prismatic(g) => g.slider,
         _ => LinkId::GROUND,
     }
+}
+
+// Letters of reactions: the same for a force in every picture and in the steps of a solution.
+
+/// The index of the force of one body on another, from their numbers or names: `12`, `ground,crank`.
+#[must_use]
+pub fn reaction_index(from: &str, on: &str) -> String {
+    let apart = if from.chars().count() > 1 || on.chars().count() > 1 { "," } else { "" };
+    format!("{from}{apart}{on}")
+}
+
+impl<'a> Scene<'a> {
+    /// The number of a body as written, or its name; of a body that stands for a pair the pair's.
+    #[must_use]
+    pub fn body_label(&self, body: usize) -> &'a str {
+        match self.model.structure.replaced.bodies[body].origin {
+            BodyOrigin::Link(link) => self.link_label(link),
+            BodyOrigin::Imaginary(pair) => &self.mechanism().pair(pair).name,
+        }
+    }
+
+    /// The letter of the force in a pair on one of its links: of what touches it there, which stands for another link in a cylinder
+    /// and where a contact is replaced.
+    #[must_use]
+    pub fn reaction_name(&self, pair: PairId, from: LinkId, on: LinkId) -> Text {
+        let replaced = &self.model.structure.replaced;
+        let own = BodyId(on.index());
+        let joints = replaced.joints_of(pair).map(|joint| replaced.joint(joint).bodies());
+        let others = joints.filter(|bodies| bodies.contains(&own)).flatten().filter(|body| *body != own);
+        let others: Vec<BodyId> = others.collect();
+        let direct = others.is_empty() || (from != on && others.contains(&BodyId(from.index())));
+        let from = if direct { self.link_label(from) } else { self.body_label(others[0].0) };
+        Text::italic("R").lowered(&reaction_index(from, self.link_label(on)))
+    }
+}
+
+// The events of a motion under loads in its diagrams.
+
+/// Instants of an event that are marked, and those in the description.
+const MOST_MARKED: usize = 40;
+const MOST_DESCRIBED: usize = 8;
+/// So many instants of one event have its name.
+const FIRST: usize = 4;
+/// Size of a name; from name to name, mm.
+const LETTERS: f64 = 3.0;
+const APART: f64 = 1.5;
+/// Marks that are nearer have one name together, mm.
+const TOGETHER: f64 = 0.3;
+
+/// Lines at the instants of events, with their names above the first panel.
+pub fn marked_events(
+    scene: &Scene<'_>,
+    drawing: &mut Drawing,
+    panel: &Panel,
+    (along, events): (&Display, &[Vec<f64>]),
+    named: bool,
+) {
+    let named_events = scene.mechanism().events.iter().map(|event| event.name.as_deref().unwrap_or("until"));
+    let mut marks: Vec<(f64, Vec<String>)> = Vec::new();
+    for (name, times) in named_events.zip(events) {
+        let places = times.iter().take(MOST_MARKED).map(|t| panel.at(printed(along, *t), panel.y.to).x);
+        // the first have their names, and one name stands for the others
+        let rest = times.len().saturating_sub(FIRST);
+        let text = |i: usize| match i {
+            _ if i < FIRST || rest == 1 => vec![name.to_owned()],
+            FIRST => vec![format!("{name} ×{rest}")],
+            _ => Vec::new(),
+        };
+        let names = places.enumerate().map(|(i, x)| (x, text(i)));
+        marks.extend(names);
+        if named && !times.is_empty() {
+            let shown = times.iter().take(MOST_DESCRIBED).map(|t| scene.place_text(along, *t));
+            let more = if times.len() > MOST_DESCRIBED { ", …" } else { "" };
+            drawing.description += &format!("{name} at {}{more}. ", shown.collect::<Vec<_>>().join(", "));
+        }
+    }
+    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    marks.dedup_by(|next, before| {
+        let same = next.0 - before.0 < TOGETHER;
+        if same {
+            before.1.append(&mut next.1);
+        }
+        same
+    });
+    drawing.begin("events", "");
+    for (x, _) in &marks {
+        drawing.line(Style::Dashed, Vec2::new(*x, panel.bottom()), Vec2::new(*x, panel.top));
+    }
+    let (mut right, mut told) = (f64::NEG_INFINITY, Vec::new());
+    for (x, names) in marks.iter().filter(|mark| named && !mark.1.is_empty()) {
+        let text = Text::upright(&names.join(", "));
+        let half = 0.5 * text.bounds(LETTERS).size().x;
+        let is_new = names.iter().any(|name| !told.contains(name));
+        if x - half < right + APART && !is_new {
+            continue;
+        }
+        told.extend(names.iter().cloned());
+        right = x + half;
+        let at = Vec2::new(*x, panel.top);
+        drawing.label(Label::at(text, LETTERS, at, 0.6).towards(Vec2::new(0.0, -1.0)).ranked(1));
+    }
+    drawing.end();
 }

@@ -1,6 +1,6 @@
 //! What a link looks like: the points at which it is joined, the guides on it, and the lines that follow from them.
 
-use crate::frame::Frame;
+use crate::paper::Frame;
 use crate::scene::Scene;
 use assur_drawing::Rect;
 use assur_math::math::Vec2;

@@ -3,7 +3,7 @@
 use crate::course::Derivation;
 use crate::document::Block;
 use crate::forces::quantity_name;
-use crate::unit::unit_of;
+use crate::results::unit_of;
 use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Node, Unit, letters, name_node};
 use assur_model::model::{self, FindKind, Function, PairId, Query, SpringId, Value};

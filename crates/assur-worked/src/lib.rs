@@ -13,7 +13,6 @@ mod document;
 mod expressions;
 mod forces;
 mod formulas;
-mod given;
 mod letters;
 mod localised;
 mod motion;
@@ -28,7 +27,6 @@ mod spline;
 mod structure;
 mod symbols;
 mod system;
-mod unit;
 mod words;
 mod worked;
 mod write;
@@ -39,10 +37,10 @@ pub use document::{Block, Document, Figure, Inline, Table, Term};
 pub use forces::quantity_name;
 pub use formulas::Formula;
 pub use localised::{drawing_in, localised};
+pub use results::unit_of;
 pub use sheet::{
     Exercise, GivenRow, SheetQuestion, Variants, asks_for_positions, given, in_letters, key, sheet,
 };
-pub use unit::unit_of;
 pub use words::{Language, phrase};
 pub use worked::{Part, Size, Worked, worked, worked_from};
 pub use write::{html, markdown, text, typst, typst_escaped};

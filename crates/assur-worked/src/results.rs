@@ -2,7 +2,6 @@
 
 use crate::course::Derivation;
 use crate::document::{Inline, Line, Table, text};
-use crate::unit::unit_of;
 use crate::words::{Message, phrase};
 use assur_formula::{Node, Quantity, Unit, name_node, unit_words};
 use assur_math::math::Vec2;
@@ -93,4 +92,28 @@ impl Derivation<'_> {
             vec![text(unit_words(&display.unit))],
         ]);
     }
+}
+
+// The units of equations.
+
+/// The unit of equations of a dimension.
+#[must_use]
+pub const fn unit_of(dimension: [i8; 4]) -> Option<Unit> {
+    Some(match dimension {
+        [0, 0, 0, 0] => Unit::One,
+        [0, 0, 0, _] => Unit::Angle,
+        [1, 0, 0, _] => Unit::Length,
+        [2, 0, 0, _] => Unit::Area,
+        [1, 0, -1, _] => Unit::Velocity,
+        [1, 0, -2, _] => Unit::Acceleration,
+        [0, 0, -1, 1] => Unit::AngularVelocity,
+        [0, 0, -2, 1] => Unit::AngularAcceleration,
+        [0, 1, 0, _] => Unit::Mass,
+        [2, 1, 0, _] => Unit::Inertia,
+        [1, 1, -2, _] => Unit::Force,
+        [2, 1, -2, _] => Unit::Torque,
+        [2, 1, -3, _] => Unit::Power,
+        [0, 1, -2, _] => Unit::Stiffness,
+        _ => return None,
+    })
 }

@@ -2,7 +2,6 @@
 
 mod names;
 mod place;
-mod words;
 
 use super::{Analysis, Results};
 use assur_syntax::TokenKind;
@@ -75,14 +74,14 @@ impl Analysis {
     fn offered(&self, place: &Place<'_>, results: Option<&Results>) -> Vec<Completion> {
         match place.before {
             Some(TokenKind::Dot) => self.parts(place),
-            Some(TokenKind::Number) => [place::offered(self, place), words::within()].concat(),
+            Some(TokenKind::Number) => [place::offered(self, place), names::within()].concat(),
             Some(TokenKind::Square) => place::offered(self, place),
             _ if place.back(1) == "as" => place::offered(self, place),
-            _ if place.begins() => words::beginnings(place),
+            _ if place.begins() => names::beginnings(place),
             _ => {
                 let mut found = self.names_at(place);
                 found.extend(self.expected_value(place, results));
-                found.extend(words::within());
+                found.extend(names::within());
                 found
             }
         }

@@ -2,10 +2,12 @@
 
 use super::super::{Analysis, Declaration, Results, SymbolKind};
 use super::place::Place;
-use super::{Completion, CompletionKind, words};
+use super::{Completion, CompletionKind};
 use crate::pipeline::assembly_clauses;
 use assur_syntax::TokenKind;
-use assur_text::language::{COLLECTIONS, FUNCTIONS, Function, JointKind, Takes};
+use assur_text::language::{
+    COLLECTIONS, FUNCTIONS, Function, JointKind, PROPERTIES, Place as WordPlace, Takes, WORDS, Word,
+};
 use assur_text::source::{Edit, Source, edited};
 use indexmap::IndexMap;
 
@@ -58,11 +60,11 @@ impl Analysis {
         }
         let (head, before) = (place.head(), place.back(1));
         match (head, before) {
-            ("all", "all") => words::kinds(),
+            ("all", "all") => kinds(),
             ("ignore", _) => {
                 vec![Completion::plain("inertia", CompletionKind::Word, "an effect that is left out")]
             }
-            ("balance", "balance") => words::some(&["force", "torque"]),
+            ("balance", "balance") => some(&["force", "torque"]),
             ("assemble", "assemble") => {
                 [self.assemblies(place), self.points(), self.of_kinds(MOVING)].concat()
             }
@@ -120,7 +122,7 @@ impl Analysis {
         let of_owner = |d: &&Declaration| d.kind == SymbolKind::Point && d.owner.as_deref() == owner;
         let mut found = self.names.declared().filter(of_owner).map(|d| name(&d.name, d)).collect::<Vec<_>>();
         found.extend(self.of_kinds(MOVING));
-        found.extend(words::some(&["pose", "event"]));
+        found.extend(some(&["pose", "event"]));
         found.extend(self.values(place));
         found
     }
@@ -197,4 +199,52 @@ fn distinct(all: impl Iterator<Item = Completion>) -> Vec<Completion> {
         found.entry(one.label.clone()).or_insert(one);
     }
     found.into_values().collect()
+}
+
+// Words of the language, by their places.
+
+/// What may begin a statement or a member.
+pub fn beginnings(place: &Place<'_>) -> Vec<Completion> {
+    let begins = |row: &Word| Completion::snippet(row.word, CompletionKind::Snippet, row.means, row.example);
+    let of = |places: &[WordPlace]| rows(places).map(begins).collect::<Vec<_>>();
+    match place.body() {
+        "" => of(&[WordPlace::Statement, WordPlace::Pair]),
+        "ground" | "link" | "shaft" | "slider" => of(&[WordPlace::Member]),
+        "cam" => [of(&[WordPlace::CamMember]), properties("cam")].concat(),
+        word => properties(word),
+    }
+}
+
+fn rows(places: &[WordPlace]) -> impl Iterator<Item = &'static Word> {
+    WORDS.iter().filter(|(place, _)| places.contains(place)).flat_map(|(_, all)| all.iter())
+}
+
+fn properties(of: &str) -> Vec<Completion> {
+    // a spring in a pair has properties of its own
+    let tables = PROPERTIES.iter().filter(|(word, _)| word.split(' ').next() == Some(of));
+    let mut found: Vec<Completion> = Vec::new();
+    for row in tables.flat_map(|(_, all)| all.iter()) {
+        if found.iter().all(|known| known.label != row.name) {
+            found.push(Completion::snippet(row.name, CompletionKind::Property, row.means, row.example));
+        }
+    }
+    found
+}
+
+pub fn within() -> Vec<Completion> {
+    let places = [WordPlace::Connecting, WordPlace::Contextual, WordPlace::Law];
+    let words = rows(&places).map(|row| Completion::plain(row.word, CompletionKind::Word, row.means));
+    words.collect()
+}
+
+/// Words that begin statements, within others.
+pub fn some(words: &[&str]) -> Vec<Completion> {
+    let rows = rows(&[WordPlace::Statement]).filter(|row| words.contains(&row.word));
+    rows.map(|row| Completion::plain(row.word, CompletionKind::Word, row.means)).collect()
+}
+
+/// The kinds of pairs, as `all` takes them.
+pub fn kinds() -> Vec<Completion> {
+    let words = rows(&[WordPlace::Pair]);
+    words.map(|row| Completion::plain(row.word, CompletionKind::Word, row.means)).collect()
 }

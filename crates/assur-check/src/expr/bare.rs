@@ -5,7 +5,7 @@ use crate::expr::number::with_unit;
 use crate::names::declared::QuantityKind;
 use crate::statements::walk::parts;
 use crate::values::definition::Settled;
-use crate::values::rates::revolutions_or_radians;
+use crate::values::replace::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
 use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Span;

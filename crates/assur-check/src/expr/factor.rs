@@ -1,7 +1,7 @@
 //! Factors after a unit that look like units and are none: `5 rad/sec`, `0.2 kg*m2`.
 
 use crate::expr::context::Context;
-use crate::values::rates::revolutions_or_radians;
+use crate::values::replace::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
 use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Span, Spanned};

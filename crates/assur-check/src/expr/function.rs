@@ -1,11 +1,14 @@
 //! Mathematical functions.
 
-use crate::expr::context::Context;
-use crate::expr::read::no_power;
-use crate::expr::results::Call;
-use crate::expr::sign::Sign;
-use crate::values::fold;
-use crate::values::typed::{Dim, Type, Typed, phrase};
+use crate::expr::{
+    context::Context,
+    read::no_power,
+    results::{Call, Sign},
+};
+use crate::values::{
+    fold,
+    typed::{Dim, Type, Typed, phrase},
+};
 use assur_model::model::{Expr as ModelExpr, Function, Value};
 use assur_syntax::document::{Arg, Expr, Name};
 use assur_text::source::Span;

@@ -1,29 +1,27 @@
 //! Expressions: names resolved, dimensions checked, constants folded.
 
 pub mod bare;
-pub mod constants;
 pub mod context;
 pub mod curve;
 pub mod factor;
 pub mod fit;
 pub mod function;
-pub mod inline;
 pub mod named;
-pub mod no_value;
 pub mod number;
 pub mod other_unit;
 pub mod positive;
 pub mod property;
 pub mod read;
 pub mod results;
-pub mod sign;
-pub mod want;
 
-use crate::expr::constants::not_constant;
-use crate::expr::context::Context;
-use crate::expr::want::Want;
-use crate::values::fold;
-use crate::values::typed::{Type, Typed};
+use crate::expr::{
+    context::{Context, not_constant},
+    positive::Want,
+};
+use crate::values::{
+    fold,
+    typed::{Type, Typed},
+};
 use assur_math::math::Vec2;
 use assur_model::model;
 use assur_syntax::document::Expr;

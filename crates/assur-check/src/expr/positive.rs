@@ -1,7 +1,6 @@
 //! Constants whose sign is given.
 
 use crate::expr::context::Context;
-use crate::expr::want::Want;
 use crate::values::format_value::format_value_like;
 use assur_syntax::document::Expr;
 use assur_text::diagnostic::Diagnosis;
@@ -63,4 +62,16 @@ pub(crate) fn not_negative(
             .help("write it without the minus, or leave it out"),
     );
     None
+}
+
+// What an expression is expected to be.
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Want(pub Dimension);
+
+impl Want {
+    pub const NUMBER: Self = Self(Dimension::NUMBER);
+    pub const ANGLE: Self = Self(Dimension::ANGLE);
+    pub const LENGTH: Self = Self(Dimension::LENGTH);
+    pub const ACCELERATION: Self = Self(Dimension::ACCELERATION);
 }

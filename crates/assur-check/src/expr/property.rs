@@ -1,8 +1,9 @@
 //! Properties in the braces of pairs, springs and machine elements.
 
-use crate::expr::context::Context;
-use crate::expr::positive::{not_negative, positive};
-use crate::expr::want::Want;
+use crate::expr::{
+    context::Context,
+    positive::{Want, not_negative, positive},
+};
 use crate::names::suggestion::suggestion;
 use assur_syntax::document::{Definition, Expr, ExprKind, Property, Statement};
 use assur_text::diagnostic::{Diagnosis, Help};

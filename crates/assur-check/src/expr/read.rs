@@ -1,14 +1,16 @@
 //! From the tree to typed expressions.
 
-use crate::expr::context::Context;
-use crate::expr::fit::unit_mismatch;
-use crate::expr::no_value::undefined;
-use crate::expr::sign::Sign;
+use crate::expr::{
+    context::{Context, undefined},
+    fit::unit_mismatch,
+    results::Sign,
+};
 use crate::statements::written::written;
-use crate::values::fold;
-use crate::values::typed::{Dim, Type, Typed, phrase};
-use assur_model::model;
-use assur_model::model::{Axis, Comparison, Value};
+use crate::values::{
+    fold,
+    typed::{Dim, Type, Typed, phrase},
+};
+use assur_model::model::{self, Axis, Comparison, Value};
 use assur_syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::{Span, Spanned};

@@ -1,7 +1,6 @@
 //! Functions of results, as expressions see them: they stand above, since they ask for links, pairs and loads.
 
 use crate::expr::context::Context;
-use crate::expr::sign::Sign;
 use crate::values::typed::Typed;
 use assur_syntax::document::{Arg, Expr, Name};
 use assur_text::diagnostic::Diagnosis;
@@ -88,4 +87,14 @@ pub fn argument_count(
     Diagnosis::error("mech::request::arguments", format!("`{function}` takes {takes}, found {found}"))
         .primary(span, format!("{found} given"))
         .help(format!("write `{usage}`"))
+}
+
+// Whether the sign of an expression matters.
+
+/// Whether the sign of a value matters where it stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    Matters,
+    /// Only the magnitude is asked: within `mag()` and `abs()`.
+    Free,
 }

@@ -1,9 +1,10 @@
 //! Links: their points, lines and circles, in the frame of the link.
 
-use crate::expr::context::Context;
-use crate::expr::positive::positive;
-use crate::expr::property::given_twice;
-use crate::expr::want::Want;
+use crate::expr::{
+    context::Context,
+    positive::{Want, positive},
+    property::given_twice,
+};
 use crate::links::point::{points, same_place};
 use assur_math::math::Vec2;
 use assur_model::model::{CamProfile, Circle, Line, LinkId};

@@ -1,13 +1,13 @@
 //! From names to ids and places.
 
 use crate::expr::context::Context;
-use crate::links::missing_mesh::missing_mesh;
-use crate::names::declared::Inside;
-use crate::names::declared::ThingKind;
-use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
+use crate::names::{
+    declared::{Inside, ThingKind},
+    suggestion::{not_declared, suggestion, wrong_kind},
+};
 use assur_math::math::Vec2;
 use assur_model::model::{Circle, Guide, Line, LinkId, Pair, PairId, PairKind, Point};
-use assur_syntax::document::{JointKind, Name, Statement};
+use assur_syntax::document::{End, JointKind, Name, Statement};
 use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::source::Span;
 use indexmap::IndexSet;
@@ -335,7 +335,7 @@ impl Context<'_> {
         let thing = self.names.things.get(&name.node).filter(|d| d.what != ThingKind::Link);
         let (is, declared, help) = match thing.map(|d| (d.what, d.span)) {
             // a wheel turns with its shaft
-            Some((what, span)) => (what.phrase(), span, crate::names::functions::ask_of(what, &name.node)),
+            Some((what, span)) => (what.phrase(), span, crate::names::declared::ask_of(what, &name.node)),
             None => ("a link".into(), self.builder.mech.link(link).span, help),
         };
         self.error(wrong_kind(
@@ -358,4 +358,34 @@ pub fn place_of_pair(kind: &PairKind) -> Option<(LinkId, Vec2)> {
         }
         PairKind::Contact { .. } | PairKind::Cylinder { .. } | PairKind::Transmission(_) => None,
     }
+}
+
+// The mesh that may be meant by a pair that is not declared.
+
+/// The mesh that is missing: of the only wheel that no transmission names, with the only planet.
+pub(crate) fn missing_mesh(cx: &Context<'_>, name: &str) -> Option<String> {
+    let named = |wheel: &str| {
+        cx.doc.statements.iter().any(|s| match &s.node {
+            Statement::Joint(joint) => {
+                joint.ends.iter().any(|e| matches!(e, End::At(path) if path.head.node == wheel))
+            }
+            _ => false,
+        })
+    };
+    let mut alone = cx.builder.mech.wheels.iter().filter(|w| !named(&w.name));
+    let odd = alone.next().filter(|_| alone.next().is_none())?;
+    let planet = |link: &str| {
+        let shafts = cx.doc.statements.iter();
+        shafts
+            .into_iter()
+            .any(|s| matches!(&s.node, Statement::Shaft(s) if s.name.node == link && s.on.is_some()))
+    };
+    let mut planets = cx
+        .builder
+        .mech
+        .wheels
+        .iter()
+        .filter(|w| w.link != odd.link && planet(&cx.builder.mech.link(w.link).name));
+    let with = planets.next().filter(|_| planets.next().is_none())?;
+    Some(format!("`{0}` meshes with no wheel: add the line `mesh {name}: {0} - {1}`", odd.name, with.name))
 }

@@ -2,5 +2,4 @@
 
 pub mod link;
 pub mod lookup;
-pub mod missing_mesh;
 pub mod point;

@@ -1,8 +1,9 @@
 //! Points of a link: by coordinates, on a bar, by two distances.
 
-use crate::expr::context::Context;
-use crate::expr::positive::positive;
-use crate::expr::want::Want;
+use crate::expr::{
+    context::Context,
+    positive::{Want, positive},
+};
 use crate::links::link::{Points, known, place};
 use crate::values::format_value::format_value_like;
 use assur_math::math::Vec2;

@@ -1,7 +1,7 @@
 //! Unknown efforts.
 
 use crate::expr::context::Context;
-use crate::expr::want::Want;
+use crate::expr::positive::Want;
 use crate::loads::load::{
     effort, example, form, frame, moving, no_place, of_open_shaft, place, slider, whole_link,
 };

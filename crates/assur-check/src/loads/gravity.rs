@@ -1,9 +1,10 @@
 //! The acceleration of free fall.
 
-use crate::expr::context::Context;
-use crate::expr::positive::positive;
-use crate::expr::property::given_twice;
-use crate::expr::want::Want;
+use crate::expr::{
+    context::Context,
+    positive::{Want, positive},
+    property::given_twice,
+};
 use assur_math::math::Vec2;
 use assur_model::model::Gravity;
 use assur_syntax::document::{Expr, Statement};

@@ -1,18 +1,16 @@
 //! Applied loads.
 
-use crate::expr::context::Context;
-use crate::expr::want::Want;
-use crate::loads::brake::brake;
+use crate::expr::{context::Context, positive::Want, property::read};
 use crate::motion::drive::{Moves, coordinate, negated, on_moving};
 use crate::names::declared::ThingKind;
 use crate::output::behind;
 use crate::statements::written::written;
+use crate::trains::friction_torque::friction_torque;
 use crate::values::format_value::format_value;
-use assur_model::model;
-use assur_model::model::{Bearing, Expr, Level, LinkId, LoadKind, PairId, PairKind, Place, Query};
-use assur_syntax::document;
-use assur_syntax::document::{Load, Name, Site, Statement, Turn};
+use assur_model::model::{self, Bearing, Expr, Level, LinkId, LoadKind, PairId, PairKind, Place, Query};
+use assur_syntax::document::{self, Brake, Load, Name, Site, Statement, Turn};
 use assur_text::diagnostic::Diagnosis;
+use assur_text::language::BRAKE;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use std::f64::consts::PI;
@@ -401,4 +399,15 @@ fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool 
         );
     }
     on.is_none()
+}
+
+// Brakes: torques of friction against the motion.
+
+/// The load that a brake is.
+pub(crate) fn brake(cx: &mut Context<'_>, brake: &Brake, span: Span) -> Option<model::Load> {
+    let on = moving(cx, &brake.on, "a brake");
+    let properties = read(cx, "a brake", &brake.properties, BRAKE)?;
+    let value = Expr::number(friction_torque(cx, &brake.name, &properties)?);
+    let kind = LoadKind::Torque { on: on?, value, against_motion: true };
+    Some(model::Load { name: Some(brake.name.node.clone()), span, kind, when: None })
 }

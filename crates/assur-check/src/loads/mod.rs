@@ -1,7 +1,6 @@
 //! What acts on the machine: weights, forces, springs, brakes, unknown efforts.
 
 pub mod balance;
-pub mod brake;
 pub mod gravity;
 pub mod load;
 pub mod load_cycle;

@@ -1,11 +1,11 @@
 //! Which of the possible poses is meant.
 
 use crate::expr::context::Context;
+use crate::expr::positive::Want;
 use crate::expr::property::given_twice;
-use crate::expr::want::Want;
 use crate::links::lookup::{is_pair, place_of_pair};
 use crate::motion::drive::{coordinate, no_coordinate};
-use crate::statements::lines::text;
+use crate::statements::written::text;
 use assur_model::model;
 use assur_model::model::{Hint, HintKind, LinkPoint, PairId, PairKind, Positions, Query};
 use assur_syntax::document::{AssembleClause, CompareOp, Expr, Order, Path, Side, Statement};

@@ -1,13 +1,13 @@
 //! Drives.
 
 use crate::expr::context::Context;
+use crate::expr::positive::Want;
 use crate::expr::property::given_twice;
-use crate::expr::want::Want;
 use crate::links::lookup::is_linkage_pair;
 use crate::motion::step_size;
 use crate::names::declared::ThingKind;
 use crate::pairs::pair::link_point;
-use crate::statements::lines::text;
+use crate::statements::written::text;
 use crate::values::format_value::{digits, format_value};
 use assur_math::math::Vec2;
 use assur_model::model;

@@ -3,7 +3,7 @@
 use crate::expr::context::Context;
 use crate::motion::drive::{count, moves, stated_twice, value, zero};
 use crate::names::suggestion::suggestion;
-use crate::statements::lines::text;
+use crate::statements::written::text;
 use assur_model::model::{DriveId, Expr, NamedPose, Positions};
 use assur_syntax::document::{Pose, Setting, Statement};
 use assur_text::diagnostic::Diagnosis;

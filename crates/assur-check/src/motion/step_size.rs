@@ -2,7 +2,7 @@
 
 use super::drive::{MOST_STEPS, Moves, difference};
 use crate::expr::context::Context;
-use crate::expr::want::Want;
+use crate::expr::positive::Want;
 use crate::values::fold;
 use crate::values::format_value::{digits, format_value};
 use assur_math::math::Vec2;

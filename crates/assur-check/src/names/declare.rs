@@ -1,7 +1,7 @@
 //! All names a document declares, found before anything is resolved, so that order is free.
 
 use crate::names::declared::{Declared, Inside, QuantityKind, ThingKind};
-use crate::names::scope::Scope;
+use crate::names::lookalikes::Scope;
 use crate::statements::written::written;
 use assur_model::model::{BalanceId, LinkId, LoadId};
 use assur_syntax::document::{Bad, Body, CamMember, End, ExprKind, Joint, Member, Name, Statement};

@@ -2,7 +2,10 @@
 
 use crate::names::uses::Uses;
 use assur_model::model::{BalanceId, Link, LinkId, LoadId, Mechanism, PairId};
-use assur_syntax::document::{Balance, Column, Curve, Expect, Expr, FindItem, JointKind, Load};
+use assur_syntax::document::{
+    Arg, Balance, Column, Curve, Expect, Expr, ExprKind, FindItem, JointKind, Load,
+};
+use assur_text::language::Function;
 use assur_text::source::Span;
 use indexmap::{IndexMap, IndexSet};
 
@@ -154,4 +157,56 @@ impl Names<'_> {
         mech.links.push(Link { name, number, span, ..Link::default() });
         id
     }
+}
+
+// Which calls ask for results.
+
+impl Names<'_> {
+    /// Whether a call asks for something that is known only once the mechanism is solved.
+    pub fn is_result(&self, function: &str, args: &[Arg]) -> bool {
+        match Function::named(function) {
+            Some(Function::Dir) => match args {
+                [Arg { value: Expr { kind: ExprKind::Name(name), .. }, .. }] => {
+                    !self.quantities.contains_key(name)
+                }
+                _ => false,
+            },
+            Some(Function::Max | Function::Min) => args.len() == 1,
+            function => function.is_some_and(|f| f.row().is_result()),
+        }
+    }
+}
+
+// What the table of functions says of a name.
+
+/// Whether a function's arguments are values; those of an unknown one are taken for values.
+pub fn takes_values(function: &str) -> bool {
+    Function::named(function).is_none_or(|f| f.row().takes_values())
+}
+
+/// The function of that name, if what it asks of things is known only once the mechanism is solved.
+pub fn of_things(name: &str) -> Option<Function> {
+    Function::named(name).filter(|f| f.row().is_result() && !f.row().takes_values())
+}
+
+/// How a function is written.
+pub fn usage(function: &str) -> String {
+    Function::named(function).map_or_else(String::new, |f| f.row().usage.to_owned())
+}
+
+/// What may be asked of a thing whose name stands where a value is due.
+pub fn ask_of(kind: ThingKind, name: &str) -> Option<String> {
+    let asked = match kind {
+        ThingKind::Link => [format!("angle({name})"), format!("omega({name})")],
+        ThingKind::Joint(JointKind::Revolute) => {
+            [format!("position({name})"), format!("mag(reaction({name}))")]
+        }
+        ThingKind::Joint(JointKind::Prismatic | JointKind::Slot | JointKind::Cylinder) => {
+            [format!("displacement({name})"), format!("relative_velocity({name})")]
+        }
+        ThingKind::Shaft | ThingKind::Wheel => [format!("omega({name})"), format!("alpha({name})")],
+        ThingKind::Slider => [format!("speed({name})"), format!("velocity({name})")],
+        _ => return None,
+    };
+    Some(format!("ask for one of its quantities: `{}` or `{}`", asked[0], asked[1]))
 }

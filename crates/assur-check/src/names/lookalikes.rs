@@ -1,8 +1,13 @@
 //! Names that cannot be told apart by eye.
 
-use crate::names::scope::Scope;
+use crate::names::{
+    declared::Names,
+    suggestion::{not_declared, suggestion},
+};
+use crate::output::{hinges::Builder, problems::Problems};
+use assur_syntax::document::{Document, Name, Statement};
 use assur_syntax::skeleton;
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::{Diagnosis, Problem};
 use assur_text::source::Span;
 use indexmap::IndexMap;
 
@@ -72,5 +77,49 @@ fn script(c: char) -> &'static str {
         '\u{400}'..='\u{52F}' => "Cyrillic",
         c if c.is_ascii_digit() => "a digit",
         _ => "Latin",
+    }
+}
+
+// What stands at the head of the file, and what it leaves out.
+
+/// Enters the title, the problem's text and `ignore` into the mechanism.
+pub(crate) fn head(cx: &mut Scope<'_, '_>) {
+    let doc = cx.doc;
+    cx.builder.mech.title = doc.title().map_or_else(String::new, |t| t.node.clone());
+    cx.builder.mech.notes = doc.notes.iter().map(|n| n.node.clone()).collect();
+    for statement in &doc.statements {
+        if let Statement::Ignore(name) = &statement.node {
+            ignore(cx, name);
+        }
+    }
+}
+
+fn ignore(cx: &mut Scope<'_, '_>, name: &Name) {
+    if name.node == "inertia" {
+        cx.builder.mech.ignore_inertia = true;
+        return;
+    }
+    let help = suggestion(&name.node, name.span, &["inertia"], "effects that can be ignored");
+    let (name, span) = (name.node.clone(), name.span);
+    cx.error(not_declared("effect", &name, None, span, help));
+}
+
+// What declaring works on.
+
+/// A document, and where its names, its links and what is wrong with them go.
+pub struct Scope<'s, 'a> {
+    pub doc: &'a Document,
+    /// All names declared in the document.
+    pub names: &'s mut Names<'a>,
+    /// The mechanism that is being made.
+    pub builder: &'s mut Builder,
+    /// All that was found wrong.
+    pub problems: &'s mut Problems,
+}
+
+impl Scope<'_, '_> {
+    /// Reports an error or a warning.
+    pub fn error(&mut self, problem: impl Problem) {
+        self.problems.error(problem);
     }
 }

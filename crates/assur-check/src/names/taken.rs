@@ -1,9 +1,7 @@
 //! Names that are taken already: what may be meant in place of the second.
 
-use crate::names::declared::QuantityKind;
-use crate::names::scope::Scope;
-use crate::statements::lines::{end_text, line_of, text};
-use crate::statements::written::written;
+use crate::names::{declared::QuantityKind, lookalikes::Scope};
+use crate::statements::written::{end_text, line_of, text, written};
 use assur_syntax::document::{
     Balance, End, ExpectAt, ExprKind, Joint, LoadKind, Name, Place, Pose, Site, Statement, Turn,
 };

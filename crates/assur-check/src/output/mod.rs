@@ -1,6 +1,5 @@
 //! What the stage makes: a mechanism and a list of problems.
 
 pub mod behind;
-pub mod builder;
 pub mod hinges;
 pub mod problems;

@@ -2,7 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::names::declared::Inside;
-use crate::statements::lines::braces;
+use crate::statements::written::braces;
 use assur_model::model::LinkId;
 use assur_syntax::document::{Body, End, Joint, JointKind, Member, Path, Statement};
 use assur_text::source::Span;

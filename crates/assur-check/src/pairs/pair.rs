@@ -7,7 +7,7 @@ use crate::names::suggestion::{not_declared, wrong_kind};
 use crate::pairs::prismatic::{Held, guide};
 use crate::pairs::property::{Shared, phrase, read_own as read, shared, with_shared};
 use crate::pairs::{contact, friction};
-use crate::statements::lines::{end_text, line_of, write_one};
+use crate::statements::written::{end_text, line_of, write_one};
 use assur_math::math::Vec2;
 use assur_model::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
 use assur_syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};

@@ -5,7 +5,7 @@ use crate::expr::property::{Read, Value, find};
 use crate::names::suggestion::{not_declared, suggestion};
 use crate::pairs::pair::{Joined, nothing_to_join};
 use crate::pairs::property::phrase;
-use crate::statements::lines::{end_text, line_of};
+use crate::statements::written::{end_text, line_of};
 use assur_math::math::Vec2;
 use assur_model::model::{Guide, Line, LinkId, PairKind};
 use assur_syntax::document::{End, Joint, JointKind, Member, Name, Statement};

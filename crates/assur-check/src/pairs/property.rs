@@ -2,7 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find, read};
-use crate::statements::lines::braces;
+use crate::statements::written::braces;
 use assur_syntax::document::{Joint, JointKind, Property, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;

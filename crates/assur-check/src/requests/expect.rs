@@ -1,19 +1,19 @@
 //! `expect`: the answer key.
 
-use crate::expr::context::Context;
-use crate::expr::read::comparison_of;
-use crate::expr::want::Want;
+use crate::expr::{context::Context, positive::Want, read::comparison_of};
 use crate::motion::simulation::{no_simulate, of_given_positions, without_meaning};
 use crate::names::suggestion::suggestion;
 use crate::requests::tolerance;
-use crate::statements::lines::text;
-use crate::statements::walk;
-use crate::statements::written::written;
-use crate::values::format_value::format_value;
-use crate::values::typed::{Dim, Type, Typed, phrase};
+use crate::statements::{
+    walk,
+    written::{text, written},
+};
+use crate::values::{
+    format_value::format_value,
+    typed::{Dim, Type, Typed, phrase},
+};
 use assur_model::model::{At, Display, Expect, Occasion, Relation, Tolerance};
-use assur_syntax::document;
-use assur_syntax::document::{BinaryOp, ExpectAt, Expr, ExprKind, Name, Setting, Statement};
+use assur_syntax::document::{self, BinaryOp, ExpectAt, Expr, ExprKind, Name, Setting, Statement};
 use assur_text::diagnostic::{Diagnosis, Fix, Help};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Kind};

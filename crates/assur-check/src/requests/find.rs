@@ -2,7 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::expr::fit::unit_mismatch;
-use crate::expr::want::Want;
+use crate::expr::positive::Want;
 use crate::requests::{all_motion, all_powers};
 use crate::statements::walk;
 use crate::values::definition::Settled;

@@ -1,14 +1,11 @@
 //! How near an answer must be.
 
-use crate::expr::constants::not_constant;
-use crate::expr::context::Context;
+use crate::expr::context::{Context, not_constant};
 use crate::names::declared::QuantityKind;
-use crate::requests::expect::words;
-use crate::requests::too_wide;
+use crate::requests::{expect::words, too_wide};
 use crate::values::typed::{Dim, Type, Typed};
 use assur_model::model::{Expr as ModelExpr, Tolerance, Value};
-use assur_syntax::document;
-use assur_syntax::document::{Expr, ExprKind, Number, UnaryOp};
+use assur_syntax::document::{self, Expr, ExprKind, Number, UnaryOp};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::units::{Dimension, lookup};
 

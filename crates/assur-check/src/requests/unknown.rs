@@ -2,7 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
-use crate::statements::lines::text;
+use crate::statements::written::text;
 use assur_model::model::{LinkId, PairKind};
 use assur_syntax::document::{Name, Statement};
 use assur_text::diagnostic::{Help, did_you_mean};
@@ -72,7 +72,7 @@ impl Context<'_> {
                 "a quantity",
                 name.span,
                 declared,
-                crate::names::functions::ask_of(what, &name.node),
+                crate::names::declared::ask_of(what, &name.node),
             )
         } else {
             let all = self.names.quantities.keys().map(String::as_str).collect::<Vec<_>>();

@@ -1,5 +1,4 @@
 //! What is read off the statements themselves: their expressions, and how they are written.
 
-pub mod lines;
 pub mod walk;
 pub mod written;

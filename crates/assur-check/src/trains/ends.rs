@@ -2,9 +2,8 @@
 
 use crate::expr::context::Context;
 use crate::names::declared::ThingKind;
-use crate::pairs::property::phrase;
-use crate::pairs::transmission::known;
-use assur_model::model::{Law, LinkId, Meeting, Wheel};
+use crate::pairs::{property::phrase, transmission::known};
+use assur_model::model::{Law, LinkId, Meeting, Rate, Wheel};
 use assur_syntax::document::{End, Joint, Path};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
@@ -68,4 +67,24 @@ pub(crate) fn turning(cx: &mut Context<'_>, path: &Path) -> Option<LinkId> {
         return incomplete(cx, "the ground does not turn", "name a shaft or a wheel of one", path.span());
     }
     Some(link)
+}
+
+// Clutches.
+
+/// Both sides have one speed.
+pub(crate) fn clutch(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
+    let [first, second] = two(cx, joint)?;
+    let (a, b) = (turning(cx, first), turning(cx, second));
+    let (a, b) = (a?, b?);
+    if a == b {
+        let message = "both sides of the clutch are on the same shaft";
+        return incomplete(cx, message, "name two shafts", joint.name.span);
+    }
+    let law = Law {
+        terms: vec![(Rate::Turn(a), 1.0), (Rate::Turn(b), -1.0)],
+        constant: 0.0,
+        force: 1.0,
+        efficiency: None,
+    };
+    Some(Runs { laws: vec![law], links: vec![a, b], meeting: None })
 }

@@ -1,8 +1,8 @@
 //! Meshes whose geometry is asked for: two wheels with teeth and a module.
 
 use crate::expr::context::Context;
+use crate::expr::positive::Want;
 use crate::expr::property::{Read, Value, find, read};
-use crate::expr::want::Want;
 use crate::values::format_value::{digits, format_value};
 use assur_math::element::gear::{GearFault, GearPair, NoMesh, Teeth};
 use assur_syntax::document::{

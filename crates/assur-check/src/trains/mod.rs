@@ -2,13 +2,11 @@
 
 pub mod at_rest;
 pub mod carrier;
-pub mod clutch;
 pub mod ends;
 pub mod friction_torque;
 pub mod gear;
 pub mod grip;
 pub mod losses;
-pub mod meant;
 pub mod planet;
 pub mod rack;
 pub mod rope;

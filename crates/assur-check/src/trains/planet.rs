@@ -1,7 +1,7 @@
 //! Distances of axes: of placed wheels, and of planets that mesh on both sides.
 
 use crate::expr::context::Context;
-use crate::statements::lines::{braces, end_text};
+use crate::statements::written::{braces, end_text};
 use crate::trains::carrier::centre_on;
 use crate::values::format_value::{digits, format_value, format_value_like};
 use assur_model::model::{Bearing, LinkId, Pair, PairKind, TransmissionKind, Wheel};

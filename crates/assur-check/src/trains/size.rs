@@ -1,15 +1,17 @@
 //! Sizes of wheels: radius, diameter, teeth with their module. What the file leaves open is assumed, and noted as a scale
 //! that no answer may depend on.
 
-use crate::expr::constants::not_constant;
-use crate::expr::context::Context;
-use crate::expr::positive::positive_value;
-use crate::expr::want::Want;
+use crate::expr::{
+    context::{Context, not_constant},
+    positive::{Want, positive_value},
+};
 use crate::links::link::place as place_text;
-use crate::values::fold;
-use crate::values::format_value::format_value;
-use crate::values::order::{circular, way_round};
-use crate::values::sizes::DeclaredWheel;
+use crate::values::{
+    fold,
+    format_value::format_value,
+    order::{circular, way_round},
+    store::DeclaredWheel,
+};
 use assur_model::model::{LinkId, OpenSize, Wheel};
 use assur_syntax::document::{
     Body, End, Expr, ExprKind, JointKind, Member, Name, Statement, WheelMember, WheelSize,

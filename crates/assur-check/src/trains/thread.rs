@@ -4,7 +4,7 @@ use crate::expr::context::Context;
 use crate::expr::property::{Read, find};
 use crate::names::declared::ThingKind;
 use crate::pairs::transmission::known;
-use crate::statements::lines::braces;
+use crate::statements::written::braces;
 use crate::trains::ends::{AGREES, Runs, incomplete, turning, two, wheel};
 use crate::trains::rope::merged;
 use assur_model::model::{Law, LinkId, PairId, PairKind, Rate};

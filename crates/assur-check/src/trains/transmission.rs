@@ -1,22 +1,24 @@
 //! Meshes, belts, chains, racks, worms and screws: each a law between rates.
 
-use crate::expr::context::Context;
-use crate::expr::property::{Read, find, read};
+use crate::expr::{
+    context::Context,
+    property::{Read, find, read},
+};
 use crate::links::lookup::is_linkage_pair;
 use crate::pairs::property::{phrase, shared};
-use crate::statements::lines::end_text;
-use crate::trains::carrier::carrier;
-use crate::trains::clutch::clutch;
-use crate::trains::ends::{AGREES, Runs, incomplete, two, wheel};
-use crate::trains::friction_torque::friction_torque;
-use crate::trains::grip::{belt_grip, slip};
-use crate::trains::losses::losses;
-use crate::trains::meant::only_wheels;
-use crate::trains::planet::{Arms, arm, distance, is_planet};
-use crate::trains::rack::rack;
-use crate::trains::rope::{rope, two_sides};
-use crate::trains::size::label;
-use crate::trains::thread::{screw, worm};
+use crate::statements::written::end_text;
+use crate::trains::{
+    carrier::carrier,
+    ends::{AGREES, Runs, clutch, incomplete, two, wheel},
+    friction_torque::friction_torque,
+    grip::{belt_grip, slip},
+    losses::{losses, only_wheels},
+    planet::{Arms, arm, distance, is_planet},
+    rack::rack,
+    rope::{rope, two_sides},
+    size::label,
+    thread::{screw, worm},
+};
 use crate::values::format_value::digits;
 use assur_model::model::{
     FrictionLimit, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,

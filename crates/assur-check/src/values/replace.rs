@@ -1,17 +1,19 @@
 //! Values from outside in place of those of the file.
 
-use crate::names::declared::{Names, QuantityKind};
-use crate::names::suggestion::suggestion;
+use crate::names::{
+    declared::{Names, QuantityKind},
+    suggestion::suggestion,
+};
 use crate::output::problems::Problems;
-use crate::values::overrides::Overrides;
-use crate::values::rates::revolutions_or_radians;
-use crate::values::store::Values;
-use crate::values::typed::{Dim, Type, Typed, phrase};
+use crate::values::{
+    store::{Overrides, Values},
+    typed::{Dim, Type, Typed, phrase},
+};
 use assur_model::model::Expr;
 use assur_syntax::{between_digits, readings};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
-use assur_text::units::{Dimension, lookup};
+use assur_text::units::{Dimension, Unit, lookup, significant};
 
 /// Reports values for what is no `given`.
 pub fn unknown_names(names: &Names<'_>, overrides: &Overrides, problems: &mut Problems) {
@@ -144,3 +146,19 @@ fn split(text: &str) -> (&str, &str) {
     let end = ends.into_iter().find(is_number).unwrap_or(0);
     (&text[..end], text[end..].trim())
 }
+
+// A rate whose angle is not said: revolutions or radians.
+
+/// A number per time in revolutions, and in radians per second.
+pub fn revolutions_or_radians(number: &str, unit: &Unit) -> [String; 2] {
+    let turns = match unit.text.as_str() {
+        "Hz" => "rev/s",
+        _ if unit.factor < PER_MINUTE / 2.0 => "rev/h",
+        _ => "rpm",
+    };
+    let radians = significant(unit.to_si(number.parse().unwrap_or(f64::NAN)), 12);
+    [format!("{number} {turns}"), format!("{radians} rad/s")]
+}
+
+/// One per minute in one per second.
+const PER_MINUTE: f64 = 1.0 / 60.0;

@@ -1,7 +1,6 @@
 //! The results that an expression depends on, through definitions.
 
-use crate::names::declared::{Names, QuantityKind};
-use crate::names::functions::takes_values;
+use crate::names::declared::{Names, QuantityKind, takes_values};
 use crate::statements::walk;
 use crate::values::definition::Definitions;
 use assur_syntax::document::{Expr, ExprKind};

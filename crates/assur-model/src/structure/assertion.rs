@@ -3,7 +3,7 @@
 use super::count::Structure;
 use super::group::{Group, GroupKind};
 use super::joint::{BodyId, BodyOrigin};
-use super::words::{groups, label, whole, with_lines};
+use super::roller::{groups, label, whole, with_lines};
 use crate::model::{GroupAssertion, LinkId, Mechanism, PairId, PairKind};
 use assur_text::diagnostic::Diagnosis;
 

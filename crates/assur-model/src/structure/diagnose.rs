@@ -12,8 +12,8 @@ use super::joint::{BodyId, JointKind, Replaced};
 use super::leave_out::{Repair, links, one_of};
 use super::repeated::repeated;
 use super::ring::locked;
+use super::roller::{MOST_LABELS, counted, label, listed, names, with_lines};
 use super::trial::Trial;
-use super::words::{MOST_LABELS, counted, label, listed, names, with_lines};
 use crate::model::{
     DriveTarget, Expr, FrictionLimit, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value,
 };

@@ -1,7 +1,7 @@
 //! What is known of the motion (drives) and what is unknown of the forces (balances): one place in the mechanism each.
 
 use super::joint::{BodyId, JointId, JointKind, Replaced};
-use super::words::label;
+use super::roller::label;
 use crate::math::Vec2;
 use crate::model::{BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, Mechanism, PairId, PairKind};
 use assur_text::diagnostic::Diagnosis;

@@ -4,8 +4,8 @@ use super::defect::{Defect, Fit, Part};
 use super::effort::{Effort, EffortKind, EffortSource};
 use super::incidence::Incidence;
 use super::joint::{BodyId, BodyOrigin, Replaced};
+use super::roller::listed;
 use super::trial::Trial;
-use super::words::listed;
 use crate::model::{LinkId, Mechanism, PairId, PairKind};
 
 /// Changes tried of each sort.

@@ -25,7 +25,6 @@ mod replace;
 mod ring;
 mod roller;
 mod trial;
-mod words;
 
 pub use count::Count;
 pub use count::Structure;

@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 use super::count::Count;
 use super::defect::{Defect, Part};
 use super::leave_out::statement;
+use super::roller::{label, listed};
 use super::trial::Trial;
-use super::words::{label, listed};
 use crate::model::{LinkId, Mechanism, PairId, PairKind, Rate};
 
 /// Ratios that agree to this part are equal.

@@ -1,10 +1,11 @@
 //! Links that turn freely: what would turn them is balanced by nothing.
 
-use super::words::{label, listed};
 use crate::math::Vec2;
 use crate::model::{Drive, Link, LinkId, LoadKind, Mechanism, Pair, PairKind, Place};
 use crate::source::Span;
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::{Diagnosis, Fix};
+use assur_text::source::Edit;
+use miette::LabeledSpan;
 
 /// A place this close to the hinge, as a part of both distances, is on it.
 const ROUNDING: f64 = 1e-9;
@@ -88,4 +89,61 @@ fn loads(mechanism: &Mechanism, roller: LinkId, beside: &impl Fn(Vec2) -> bool) 
 fn weighs(mechanism: &Mechanism, link: &Link) -> bool {
     let moves = |d: &Drive| d.speed.is_some();
     link.mass.is_some() && (mechanism.gravity.is_some() || mechanism.drives.iter().any(moves))
+}
+
+// Words and labels of what is wrong with a structure.
+
+/// The groups that a help lists, in place of one that is wrong.
+pub(super) fn groups(help: &str, at: Span) -> Vec<Fix> {
+    let lines = help.lines().filter_map(|line| line.strip_prefix("  ")).collect::<Vec<_>>();
+    let (title, all) = (format!("write `{}`", lines.join("` and `")), lines.join("\n"));
+    let fix = || Fix { title, edits: vec![Edit::new(at, all)], certain: false };
+    (!lines.is_empty()).then(fix).into_iter().collect()
+}
+
+pub(super) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {
+    LabeledSpan::new_with_span(Some(text.into()), span)
+}
+
+/// `1 freedom`, `2 freedoms`.
+pub(super) fn counted(n: usize, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub(super) fn listed(items: &[String], and: &str) -> String {
+    match items {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} {and} {last}", first.join(", ")),
+    }
+}
+
+/// Lines to paste below a sentence.
+pub(super) fn with_lines(sentence: &str, lines: &[String]) -> String {
+    let lines: String = lines.iter().map(|l| format!("\n  {l}")).collect();
+    format!("{sentence}{lines}")
+}
+
+/// A whole number with the minus sign of text.
+pub(super) fn whole(x: i64) -> String {
+    if x < 0 { format!("−{}", x.unsigned_abs()) } else { x.to_string() }
+}
+
+// Names of links in a message.
+
+/// More labels than this tell nothing.
+pub(super) const MOST_LABELS: usize = 12;
+/// More names than this are counted.
+const MOST_NAMES: usize = 6;
+
+/// `` `a`, `b` and `c` ``, the last ones counted where there are many.
+pub(super) fn names(mechanism: &Mechanism, links: impl Iterator<Item = LinkId>) -> String {
+    let mut names: Vec<String> = links.map(|l| format!("`{}`", mechanism.link(l).name)).collect();
+    let more = names.len().saturating_sub(MOST_NAMES);
+    if more > 1 {
+        names.truncate(MOST_NAMES);
+        names.push(format!("{more} more"));
+    }
+    listed(&names, "and")
 }

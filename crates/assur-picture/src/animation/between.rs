@@ -1,8 +1,8 @@
 //! Frames between those that are drawn: what keeps its shape is where its link is.
 
 use super::moved::{Body, Moved, SAME, SAME_ANGLE};
-use crate::angles::wrapped;
-use crate::frame::Frame;
+use crate::inset::wrapped;
+use crate::paper::Frame;
 use crate::scene::Scene;
 use assur_math::math::Vec2;
 use assur_model::model::LinkId;

@@ -1,19 +1,17 @@
 //! The mechanism in motion: the scheme of the first frame with how its parts move, as a page or as one picture.
 
 mod between;
-mod faded;
 mod moved;
 mod page;
-mod series;
 mod smil;
 mod values;
 
 pub use page::animation;
 pub use smil::moving;
 
-use crate::angles::wrapped;
-use crate::frame::Frame;
+use crate::inset::wrapped;
 use crate::kind::Options;
+use crate::paper::Frame;
 use crate::scene::Scene;
 use crate::scheme::{Loads, Scheme, captioned, described, frame_of_all, scheme_in};
 use crate::shape::{LinkShape, shapes};
@@ -23,7 +21,7 @@ use assur_drawing::{Drawing, Later, Rect, Sheet};
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::{Cause, DriveValue, Pose};
 use assur_text::diagnostic::Diagnosis;
-use faded::Faded;
+use moved::Faded;
 use moved::{Moved, Mover};
 
 const MOST: usize = 400;
@@ -158,7 +156,7 @@ impl<'a> Animated<'a> {
         let count = sheet.drawing.labels.len().max(sheet.placed.len());
         sheet.moved = moved.movers.each_ref().map(|all| all.iter().map(|by| by.map(Mover::class)).collect());
         sheet.moved[1].resize(count, None);
-        let faded = faded::faded(&sheet.placed, &moved, frames.len());
+        let faded = moved::faded(&sheet.placed, &moved, frames.len());
         for (i, label) in faded.iter().enumerate() {
             let moves = sheet.moved[1][label.label].take().map_or_else(String::new, |class| class + " ");
             sheet.moved[1][label.label] = Some(format!("{moves}v{i}"));

@@ -1,7 +1,6 @@
 //! Designed cams: the profile with its follower, and the motion of the follower over a turn.
 
 mod motion;
-mod placed;
 mod profile;
 
 use crate::paper::Paper;
@@ -10,7 +9,7 @@ use crate::words;
 use assur_drawing::Drawing;
 use assur_model::model::Mechanism;
 use assur_text::diagnostic::Diagnosis;
-use placed::PlacedCam;
+use profile::PlacedCam;
 
 /// Whose cams are drawn.
 struct Subject<'s, 'a> {

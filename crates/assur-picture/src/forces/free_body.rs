@@ -3,10 +3,9 @@
 use super::actions::{Couple, FreeBody};
 use super::polygon::split;
 use super::{Part, names};
-use crate::angles::{flipped, freest};
 use crate::figures::{FORCE, MOMENT};
-use crate::frame::Frame;
-use crate::paper::{Paper, Scaled};
+use crate::inset::{flipped, freest};
+use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
 use crate::scheme::{Freed, length_scale};
 use crate::shape::{LinkShape, Outline};

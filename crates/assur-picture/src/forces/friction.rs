@@ -2,12 +2,10 @@
 //! normal at guides and contacts, and the frictionless line beside each.
 
 use super::partly_determined;
-use crate::angles::{flipped, freest, wrapped};
 use crate::error;
 use crate::figures::{FORCE, MOMENT, plain};
-use crate::frame::Frame;
-use crate::inset::Inset;
-use crate::paper::{Paper, Scaled};
+use crate::inset::{Inset, flipped, freest, wrapped};
+use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
 use crate::scheme::{Freed, efforts, length_scale};
 use crate::shape::{Outline, shapes};

@@ -3,12 +3,11 @@
 
 use super::actions::Force;
 use super::{is_loaded, powers};
-use crate::angles::{flipped, freest};
 use crate::error;
 use crate::figures::{cleared, plain};
-use crate::frame::Frame;
+use crate::inset::{flipped, freest};
 use crate::motion::{Nodes, joined, other_image, velocity_at};
-use crate::paper::{Paper, Scaled};
+use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::{arrow, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Segment, Shape, Style, Text};

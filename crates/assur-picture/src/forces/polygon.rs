@@ -2,8 +2,8 @@
 
 use super::actions::{Force, FreeBody};
 use super::{Part, names};
-use crate::angles::flipped;
 use crate::figures::FORCE;
+use crate::inset::flipped;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::mass;

@@ -9,8 +9,7 @@ pub use nodes::{Nodes, velocity as velocity_at};
 pub use velocity::velocities;
 
 use crate::figures::plain;
-use crate::frame::Frame;
-use crate::paper::{Paper, Scaled};
+use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::mass;
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Style, Text};
@@ -229,7 +228,7 @@ impl PlanOf {
 
     /// The pole's name is where no vector goes.
     fn away_from_vectors(&self, label: Label) -> Label {
-        match crate::angles::freest(&self.absolute) {
+        match crate::inset::freest(&self.absolute) {
             Some(direction) => label.towards(direction),
             None => label,
         }

@@ -1,7 +1,7 @@
 //! Drives, loads, weights and unknown efforts.
 
 use super::{LinkId, Sketch, any_near};
-use crate::angles::{flipped, wrapped};
+use crate::inset::{flipped, wrapped};
 use crate::symbol::{arrow, guide, hinge};
 use assur_drawing::{Drawing, Label, Role, Shape, Style, Text};
 use assur_math::math::Vec2;

@@ -1,8 +1,8 @@
 //! Geneva wheels: the wheel with all its slots, the locking disc of the crank, the pin.
 
 use super::Sketch;
-use crate::angles::flipped;
-use crate::frame::Frame;
+use crate::inset::flipped;
+use crate::paper::Frame;
 use crate::scene::Scene;
 use crate::symbol::hinge;
 use assur_drawing::{Drawing, Rect, Shape, Style, on_circle};
@@ -69,7 +69,7 @@ fn outline(frame: &Frame, wheel: &GenevaPair, (a, r, rim): (f64, f64, f64), firs
         points.extend(arc(at + mouth, hollow - bite));
         let begin = Vec2::direction(hollow - bite) * rim - centre;
         let end = Vec2::direction(hollow + bite) * rim - centre;
-        let sweep = crate::angles::wrapped(end.angle() - begin.angle());
+        let sweep = crate::inset::wrapped(end.angle() - begin.angle());
         let turned = |i: i32| begin.turned(Vec2::direction(sweep * f64::from(i) / 12.0));
         points.extend((1..12).map(|i| centre + turned(i)));
         points.extend(arc(hollow + bite, at + pitch - mouth));

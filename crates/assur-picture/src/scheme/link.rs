@@ -1,7 +1,7 @@
 //! Bars and plates, mass centres, named points, numbers of links.
 
 use super::{Sketch, any_near};
-use crate::angles::freest;
+use crate::inset::freest;
 use crate::symbol::{guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Rect, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;

@@ -16,8 +16,7 @@ mod ways;
 pub use dimension::{Dimension, Measured};
 pub use profile::Freed;
 
-use crate::frame::Frame;
-use crate::paper::{Paper, Scaled, Scales};
+use crate::paper::{Frame, Paper, Scaled, Scales};
 use crate::scene::Scene;
 use crate::shape::{LinkShape, Outline, shapes};
 use crate::words;
@@ -312,7 +311,7 @@ impl<'a, 's> Sketch<'a, 's> {
 
     /// A direction of a link on paper.
     fn direction(&self, link: LinkId, along: Vec2) -> Vec2 {
-        crate::angles::flipped(along.turned(self.scene.body(link).u))
+        crate::inset::flipped(along.turned(self.scene.body(link).u))
     }
 
     fn link_name(&self, link: LinkId) -> &'a str {

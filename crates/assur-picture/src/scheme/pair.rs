@@ -54,7 +54,7 @@ impl<'a> Sketch<'a, '_> {
             }
             drawing.begin("pair", name);
             let at = self.frame.point(g.through);
-            let along = crate::angles::flipped(g.along);
+            let along = crate::inset::flipped(g.along);
             let (least, greatest) = self.scene.way(id);
             let (low, high) = (self.frame.length(least), self.frame.length(greatest));
             let ends = self.along_block(g, along);
@@ -110,7 +110,7 @@ impl<'a> Sketch<'a, '_> {
 
     /// Of a slider that another link pushes at a contact, the direction on paper in which it is pushed along its guide.
     fn follower(&self, g: &Guide) -> Option<Vec2> {
-        let along = crate::angles::flipped(g.along);
+        let along = crate::inset::flipped(g.along);
         self.scene.mechanism().pairs.iter().enumerate().find_map(|(i, pair)| {
             let PairKind::Contact { first, second, .. } = &pair.kind else { return None };
             // a roller of its own is pushed for the link that it runs on
@@ -122,7 +122,7 @@ impl<'a> Sketch<'a, '_> {
                 return None;
             }
             let (_, into_first) = self.scene.view().contact_normal(PairId::at(i))?;
-            let pushed = crate::angles::flipped(if is_first { into_first } else { -into_first }).dot(along);
+            let pushed = crate::inset::flipped(if is_first { into_first } else { -into_first }).dot(along);
             (pushed.abs() > 0.1).then(|| along * pushed.signum())
         })
     }
@@ -136,7 +136,7 @@ impl<'a> Sketch<'a, '_> {
         // the guide is where no position of the follower reaches it
         let here = self.frame.point(g.through);
         let s = (at - here).dot(along);
-        let forwards = along.dot(crate::angles::flipped(g.along)) > 0.0;
+        let forwards = along.dot(crate::inset::flipped(g.along)) > 0.0;
         let highest = if forwards { self.frame.length(greatest) } else { -self.frame.length(least) };
         let clear = highest - s + ROD.0;
         let shape = &self.shapes[g.slider.index()];
@@ -240,7 +240,7 @@ impl<'a> Sketch<'a, '_> {
             if fixed {
                 lines.extend([Vec2::new(-0.5, 0.86), Vec2::new(0.5, 0.86)]);
             }
-            let label = match crate::angles::freest(&lines) {
+            let label = match crate::inset::freest(&lines) {
                 Some(direction) => label.towards(direction),
                 None => label,
             };

@@ -1,7 +1,7 @@
 //! Profiles that touch: circles, lines, points, designed cams; wheels seen from the front.
 
 use super::{Sketch, geneva};
-use crate::frame::Frame;
+use crate::paper::Frame;
 use crate::scene::Scene;
 use crate::shape::LinkShape;
 use crate::symbol::{hinge, mass};

@@ -58,7 +58,7 @@ impl Rack<'_> {
             })
         });
         let along = slides.and_then(|pair| match &mechanism.pair(pair).kind {
-            PairKind::Prismatic(g) if scene.is_placed(g.slider) => Some(crate::angles::flipped(g.along)),
+            PairKind::Prismatic(g) if scene.is_placed(g.slider) => Some(crate::inset::flipped(g.along)),
             _ => None,
         });
         along.unwrap_or(Vec2::new(1.0, 0.0)).perp()

@@ -1,6 +1,6 @@
 //! Links and what stands in their braces.
 
-use super::state::Lower;
+use super::simulation::Lower;
 use super::walk::{P, Parts, span, text};
 use crate::document::{
     About, At, Bar, Body, CircleMember, Expr, ExprKind, Ground, LineDirection, LineMember, Link, Member,

@@ -1,6 +1,6 @@
 //! Expressions.
 
-use super::state::Lower;
+use super::simulation::Lower;
 use super::walk::{P, Parts, name, nfc, span};
 use crate::document::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, Path, Sensed, Turn, UnaryOp};
 use crate::prepare::too_deep;

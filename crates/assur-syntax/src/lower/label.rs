@@ -1,6 +1,6 @@
 //! What a question is called where it has no name: its expression, printed from the tree, so that blanks cannot rename it.
 
-use super::state::Lower;
+use super::simulation::Lower;
 use crate::comma;
 use crate::document::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
 use crate::recover::comma_in_number;

@@ -1,6 +1,6 @@
 //! Lenient forms: mistakes that the grammar reads as what they were meant to be, and that are reported nevertheless.
 
-use super::state::Lower;
+use super::simulation::Lower;
 use super::walk::{P, span};
 use crate::trivia::{Line, corrected};
 use crate::words::{Rule, is_name_char};

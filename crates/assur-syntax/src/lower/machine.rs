@@ -1,7 +1,7 @@
 //! Joints, springs, groups and machine elements.
 
 use super::expr::turn;
-use super::state::Lower;
+use super::simulation::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{
     AllJoints, Brake, Cam, CamLaw, CamMember, End, Flywheel, Follower, Group, Joint, JointKind, Phase,

@@ -11,7 +11,6 @@ mod machine;
 mod motion;
 mod question;
 mod simulation;
-mod state;
 mod walk;
 
 use super::document::{Bad, Definition, Statement};
@@ -23,7 +22,7 @@ use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::{Span, Spanned};
 use pest::Parser;
 use pest::iterators::Pairs;
-use state::Lower;
+use simulation::Lower;
 use walk::{P, Parts, span, text};
 
 /// All statements of a file.

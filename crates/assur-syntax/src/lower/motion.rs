@@ -2,7 +2,7 @@
 
 use super::body::side;
 use super::expr::{compare, pose_name, turn};
-use super::state::Lower;
+use super::simulation::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{
     Assemble, AssembleClause, Balance, Direction, Drive, DrivePosition, DriveRange, Expr, ExprKind, Load,

@@ -2,7 +2,7 @@
 
 use super::expr::pose_name;
 use super::label::label;
-use super::state::Lower;
+use super::simulation::Lower;
 use super::walk::{P, Parts, nfc, span, text};
 use crate::document::{
     Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Expr, Find, FindItem, Row, Variants,

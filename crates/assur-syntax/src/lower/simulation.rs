@@ -1,11 +1,12 @@
 //! Motion under given loads.
 
 use super::expr::compare;
-use super::state::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{Event, Passing, PassingSense, Simulate, Start, Steady, Stop, TimeCourse, Until};
 use crate::words::Rule;
+use assur_text::diagnostic::Problems;
 use assur_text::source::Spanned;
+use std::collections::BTreeSet;
 
 impl Lower<'_> {
     pub(super) fn start(&mut self, pair: P<'_>) -> Option<Start> {
@@ -99,4 +100,25 @@ impl Lower<'_> {
 fn passage(parts: &mut Parts<'_>) -> Option<Spanned<PassingSense>> {
     let rising = parts.take(Rule::w_rising).map(|p| Spanned::new(PassingSense::Rising, span(&p)));
     rising.or_else(|| parts.take(Rule::w_falling).map(|p| Spanned::new(PassingSense::Falling, span(&p))))
+}
+
+// The state of the walk.
+
+/// The state of the walk.
+pub struct Lower<'a> {
+    pub text: &'a str,
+    /// The text that the grammar read, of the same length.
+    pub read: &'a str,
+    pub problems: Problems,
+    /// Words of the language that were meant as names, and reported.
+    pub reserved: BTreeSet<String>,
+    /// Closing braces after a statement that stands within them, which is reported.
+    pub closing: BTreeSet<usize>,
+}
+
+impl<'a> Lower<'a> {
+    /// The state at the start.
+    pub fn new(text: &'a str, read: &'a str) -> Self {
+        Self { text, read, problems: Problems::new(), reserved: BTreeSet::new(), closing: BTreeSet::new() }
+    }
 }

@@ -2,11 +2,9 @@
 
 mod cam;
 mod cam_extreme;
-mod cycle;
 mod flywheel;
 mod gear;
 mod page;
-mod spline;
 
 pub use page::Page;
 

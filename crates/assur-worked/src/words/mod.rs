@@ -1,6 +1,5 @@
 //! All sentences of a worked solution: keys here, texts in `messages/en.txt`, `zh.txt`, `ru.txt`.
 
-mod catalogue;
 mod message;
 mod phrase;
 
@@ -8,7 +7,7 @@ pub use message::{DesignMessage, FrictionMessage, FunctionWords, Message, Questi
 pub use phrase::{known, phrase, title};
 
 use crate::document::{Inline, Labels, Line};
-use catalogue::text;
+use message::text;
 
 /// A language of sentences.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Sentences that are made in English elsewhere, in the language of a solution.
 
 use super::Language;
-use super::catalogue::rows;
+use super::message::rows;
 
 /// A sentence of a table or a picture in a language; as it is where it is of the author.
 #[must_use]

@@ -3,7 +3,6 @@
 mod html;
 mod markdown;
 mod plain;
-mod style;
 mod typst;
 
 pub use html::html;

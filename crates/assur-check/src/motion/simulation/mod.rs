@@ -11,14 +11,12 @@ pub(crate) use of_time::{differentiable, follows_time, own_rates};
 pub(crate) use start::starts;
 pub(crate) use stop::stops;
 
-use crate::expr::context::Context;
-use crate::expr::want::Want;
+use crate::expr::{context::Context, positive::Want};
 use crate::motion::drive::{MOST_STEPS, wrong_steps};
 use crate::values::format_value::{digits, format_value};
 use assur_model::model::Simulation;
 use assur_syntax::document::{Expr, Simulate, Statement, TimeCourse};
-use assur_text::diagnostic::Fix;
-use assur_text::diagnostic::{Diagnosis, Help};
+use assur_text::diagnostic::{Diagnosis, Fix, Help};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 

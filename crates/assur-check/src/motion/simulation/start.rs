@@ -2,10 +2,11 @@
 
 use super::{may_be_missing, statement};
 use crate::expr::context::Context;
-use crate::motion::drive::{Moves, has_wheels, target, value, zero};
-use crate::motion::simulation::no_simulation;
-use crate::statements::lines::text;
-use crate::statements::written::written;
+use crate::motion::{
+    drive::{Moves, has_wheels, target, value, zero},
+    simulation::no_simulation,
+};
+use crate::statements::written::{text, written};
 use assur_model::model::{Drive, DriveTarget, Expr, Positions};
 use assur_syntax::document::{Start, Statement};
 use assur_text::diagnostic::Diagnosis;

@@ -2,7 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::motion::simulation::without_meaning;
-use crate::statements::lines::text;
+use crate::statements::written::text;
 use assur_model::model::{DriveTarget, Expr, Mechanism, Query, Steady};
 use assur_syntax::document;
 use assur_text::source::{Span, Spanned};

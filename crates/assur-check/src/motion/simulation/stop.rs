@@ -2,8 +2,8 @@
 
 use super::{may_be_missing, statement};
 use crate::expr::context::Context;
+use crate::expr::positive::Want;
 use crate::expr::property::{find, read};
-use crate::expr::want::Want;
 use crate::motion::drive::{Moves, coordinate};
 use crate::motion::simulation::no_simulation;
 use crate::values::format_value::digits;

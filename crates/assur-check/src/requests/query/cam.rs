@@ -1,14 +1,14 @@
 //! What is asked of a designed cam: a value at a cam angle, a greatest or least one over the turn, a table.
 
-use crate::expr::context::Context;
-use crate::expr::no_value::undefined;
-use crate::expr::read::no_part;
-use crate::expr::results::Call;
-use crate::expr::want::Want;
+use crate::expr::{
+    context::{Context, undefined},
+    positive::Want,
+    read::no_part,
+    results::Call,
+};
 use crate::motion::drive::wrong_steps;
 use crate::names::declared::ThingKind;
-use crate::requests::query::args::path;
-use crate::requests::query::not_a_quantity;
+use crate::requests::query::{args::path, not_a_quantity};
 use crate::values::typed::{Type, Typed};
 use assur_math::element::cam::Quantity;
 use assur_model::model::{CAM_PARTS, CamPart, CycleFunction, Expr as ModelExpr, FindKind, PlateCam};

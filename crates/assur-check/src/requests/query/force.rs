@@ -1,10 +1,13 @@
 //! Forces: reactions, inertia, efforts, power.
 
-use crate::expr::context::Context;
-use crate::expr::results::{Call, wrong_argument};
-use crate::expr::sign::Sign;
-use crate::names::declared::QuantityKind;
-use crate::names::suggestion::{suggestion, wrong_kind};
+use crate::expr::{
+    context::Context,
+    results::{Call, Sign, wrong_argument},
+};
+use crate::names::{
+    declared::QuantityKind,
+    suggestion::{suggestion, wrong_kind},
+};
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind};

@@ -201,7 +201,7 @@ impl Context<'_> {
         {
             return None;
         }
-        let sign = crate::expr::sign::Sign::Matters;
+        let sign = crate::expr::results::Sign::Matters;
         let call = Call { name: function, args, span: item.value.span, sign };
         let pair = self.arguments(call, 1, 1).and_then(|args| self.mesh_argument(call, args[0]));
         Some(pair.map(|pair| {

@@ -1,9 +1,10 @@
 //! How a function is called in the file at hand: with its own names.
 
-use crate::expr::context::Context;
-use crate::expr::results::{Call, wrong_argument};
-use crate::names::declared::ThingKind;
-use crate::names::functions::{of_things, usage};
+use crate::expr::{
+    context::Context,
+    results::{Call, wrong_argument},
+};
+use crate::names::declared::{ThingKind, of_things, usage};
 use crate::statements::written::written;
 use assur_syntax::document::{Arg, Expr, ExprKind, Number};
 use assur_text::language::Function;
@@ -94,7 +95,7 @@ impl Context<'_> {
     pub(crate) fn function_alone(&mut self, name: &str, span: Span) -> Option<String> {
         let function = of_things(name)?;
         let name = Spanned::new(function.name().to_owned(), span);
-        let call = Call { name: &name, args: &[], span, sign: crate::expr::sign::Sign::Matters };
+        let call = Call { name: &name, args: &[], span, sign: crate::expr::results::Sign::Matters };
         let calls = self.own_usage(call);
         Some(if function == Function::Reaction {
             format!("write `reactions` for all of them, or `{calls}`")

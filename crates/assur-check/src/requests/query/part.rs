@@ -1,8 +1,8 @@
 //! Parts of a motion under loads: `max(x, after = 2 s, before = time(stopped))`.
 
 use crate::expr::context::Context;
+use crate::expr::positive::Want;
 use crate::expr::results::Call;
-use crate::expr::want::Want;
 use crate::motion::simulation::{statement, without_meaning};
 use crate::values::format_value::format_value;
 use assur_model::model::{Bound, Expr as ModelExpr, Part, Query};

@@ -1,10 +1,11 @@
 //! Masses that stand for a link's mass, and parts of results in general.
 
 use super::gear::GearRate;
-use crate::expr::context::Context;
-use crate::expr::read::no_part;
-use crate::expr::results::Call;
-use crate::expr::sign::Sign;
+use crate::expr::{
+    context::Context,
+    read::no_part,
+    results::{Call, Sign},
+};
 use crate::requests::query::not_a_quantity;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr as ModelExpr, Query, SubstitutionPart};
