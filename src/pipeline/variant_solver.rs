@@ -162,8 +162,6 @@ impl<'a> VariantSolver<'a> {
 /// What rows with the same columns have in common.
 pub struct FastRows {
     patches: RowPatches,
-    /// The joints whose numbers depend on the row.
-    differ: Vec<bool>,
     solved: Solved,
     /// Where it has one position, and nothing is to be said of it.
     again: Option<ReusedSolver>,
@@ -178,9 +176,8 @@ impl FastRows {
             return None;
         }
         let again = ReusedSolver::of(&compiled.model(), reads);
-        let differ = compiled.structure.joints_of(patches.pairs());
         let solved = Solved { compiled, solution: Solution::default(), outcomes: Vec::new(), reached: None };
-        Some(Self { patches, differ, solved, again, reads })
+        Some(Self { patches, solved, again, reads })
     }
 
     /// Puts a row into the mechanism, its structure and its plan; `None` where it takes more.
@@ -189,9 +186,9 @@ impl FastRows {
         if !self.patches.put(row, mechanism) {
             return None;
         }
-        structure.renumber(mechanism, &self.differ);
+        structure.renumber(mechanism);
         if plan.is_renumbered() {
-            plan.renumber_steps(mechanism, structure, &self.differ);
+            plan.renumber_steps(mechanism, structure);
             if self.reads.residuals {
                 plan.renumber_balance(mechanism, structure);
             }

@@ -16,7 +16,7 @@ use crate::values::definition::Settled;
 use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
 use crate::values::typed::{Type, Typed};
 use assur_math::math::Vec2;
-use assur_model::model::{Expr, FindKind, LinkId, Mechanism, NumberPlaces, PairId, Value};
+use assur_model::model::{Expr, FindKind, LinkId, Mechanism, Value};
 use assur_syntax::document;
 use assur_syntax::document::ExprKind;
 use assur_text::units::Dimension;
@@ -56,9 +56,6 @@ pub struct RowPatches {
     fixed: Vec<(Register, f64)>,
     /// Pairs of points of links whose points move, and whether they lie on one another.
     moved: Vec<(LinkId, [usize; 2], bool)>,
-    /// Where these numbers are, and those of the last row.
-    places: NumberPlaces,
-    numbers: Vec<f64>,
 }
 
 impl Signed {
@@ -82,8 +79,6 @@ impl RowPatches {
             alike: Vec::new(),
             fixed: Vec::new(),
             moved: Vec::new(),
-            places: NumberPlaces::default(),
-            numbers: Vec::new(),
         };
         let mut probes = vec![patches.probe(row, &mut first)?];
         let shape = shape(&first);
@@ -104,7 +99,6 @@ impl RowPatches {
         (probes.len() > PROBES).then_some(())?;
         patches.slots(&probes)?;
         patches.moved = moved(&first, &patches.slots);
-        patches.places = first.number_places(patches.slots.iter().map(|slot| slot.place));
         Some(patches)
     }
 
@@ -141,11 +135,6 @@ impl RowPatches {
         Some(())
     }
 
-    /// The pairs whose numbers depend on the row.
-    pub fn pairs(&self) -> impl Iterator<Item = PairId> {
-        self.places.pairs()
-    }
-
     /// Puts a row into a mechanism of this document; `false` where the row is to be checked as a whole. The mechanism is then
     /// that of no row.
     pub fn put(&mut self, row: &Row, mechanism: &mut Mechanism) -> bool {
@@ -153,9 +142,13 @@ impl RowPatches {
             return false;
         }
         let values = self.program.values();
-        self.numbers.clear();
-        self.numbers.extend(self.slots.iter().map(|slot| slot.from.of(values)));
-        mechanism.put_numbers(&self.places, &self.numbers);
+        let (mut slots, mut place) = (self.slots.iter().peekable(), 0);
+        mechanism.each_number(&mut |x| {
+            if let Some(slot) = slots.next_if(|slot| slot.place == place) {
+                *x = slot.from.of(values);
+            }
+            place += 1;
+        });
         self.moved.iter().all(|(link, [i, j], together)| {
             let points = &mechanism.link(*link).points;
             (points[*i].at == points[*j].at) == *together

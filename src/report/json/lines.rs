@@ -6,11 +6,9 @@ use std::io;
 
 use super::{Answers, escaped, render_position};
 use crate::report::reactions::{has_moment, meets_at};
-use assur_model::model::{FindKind, LinkId, PairId, PairKind};
+use assur_model::model::{FindKind, LinkId, PairId, PairKind, PointRef, Query};
 use assur_position::plan::Level;
-use assur_solve::solve::{
-    JointReaction, Pose, PoseAnswers, PoseExtras, Solved, Source, State, read_numbers, unplaced_reactions,
-};
+use assur_solve::solve::{Pose, PoseExtras, Solved, Source, read_numbers, unplaced_reactions};
 use assur_text::units::Template;
 
 /// Positions at which the pieces are looked for.
@@ -156,19 +154,20 @@ fn sources(answers: &Answers<'_>) -> Vec<Source> {
 fn links(answers: &Answers<'_>, all: &mut Vec<Source>) {
     let effects = answers.model.plan.effects;
     let from = |level| effects.level >= level;
+    let mut add = |wanted: bool, query| all.extend(wanted.then_some(Source::Query(query)));
     for (id, link) in super::pose::turning_links(answers) {
-        all.push(Source::Angle(id));
-        all.extend(from(Level::Velocities).then_some(Source::Omega(id)));
-        all.extend(from(Level::Accelerations).then_some(Source::Alpha(id)));
-        if let Some(mass) = link.mass.filter(|_| effects.inertia) {
-            all.push(Source::InertiaForce(id, mass.centre, mass.mass));
-            all.push(Source::InertiaTorque(id, mass.inertia));
-        }
+        add(true, Query::Angle(id));
+        add(from(Level::Velocities), Query::Omega(id));
+        add(from(Level::Accelerations), Query::Alpha(id));
+        let has_inertia = link.mass.is_some() && effects.inertia;
+        add(has_inertia, Query::InertiaForce(id));
+        add(has_inertia, Query::InertiaTorque(id));
     }
     for (_, id, at) in super::pose::all_points(answers) {
-        all.push(Source::Position(id, at));
-        all.extend(from(Level::Velocities).then_some(Source::Velocity(id, at)));
-        all.extend(from(Level::Accelerations).then_some(Source::Acceleration(id, at)));
+        let point = PointRef::Fixed(id, at);
+        add(true, Query::Position(point));
+        add(from(Level::Velocities), Query::Velocity(point));
+        add(from(Level::Accelerations), Query::Acceleration(point));
     }
 }
 
@@ -177,16 +176,12 @@ fn reactions(answers: &Answers<'_>, all: &mut Vec<Source>) {
     if model.plan.reactions.is_empty() {
         return;
     }
-    let state = State::closed(model.plan);
-    let view = PoseAnswers::bare(model, &state);
     let unplaced = unplaced_reactions(model);
     for (i, pair) in model.mechanism.pairs.iter().enumerate().filter(|(i, _)| !unplaced[*i]) {
         let id = PairId::at(i);
         for &on in pair.kind.links().iter().skip(1) {
-            // without it the sources are not complete, and the numbers not those written
-            let Some(joints) = JointReaction::of(&view, id, on) else { return };
-            all.push(Source::Force(joints.clone()));
-            all.extend(has_moment(model, id).then_some(Source::Couple(joints)));
+            all.push(Source::Query(Query::Reaction(id, on)));
+            all.extend(has_moment(model, id).then_some(Source::Query(Query::Moment(id, on))));
             all.extend(place(&pair.kind, id, on));
             if let PairKind::Prismatic(guide) = &pair.kind
                 && guide.contacts.is_some()
@@ -200,6 +195,6 @@ fn reactions(answers: &Answers<'_>, all: &mut Vec<Source>) {
 fn place(kind: &PairKind, pair: PairId, on: LinkId) -> Option<Source> {
     match kind {
         PairKind::Prismatic(guide) => Some(Source::Crossing(pair, on, guide.clone())),
-        kind => meets_at(kind).map(|(link, at)| Source::Position(link, at)),
+        kind => meets_at(kind).map(|(link, at)| Source::Query(Query::Position(PointRef::Fixed(link, at)))),
     }
 }

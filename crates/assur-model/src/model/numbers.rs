@@ -2,174 +2,48 @@
 
 use super::{
     BalanceKind, Drive, DriveTarget, Expect, Expr, Friction, Guide, HintKind, Link, LoadKind, Mechanism,
-    PairId, PairKind, Place, PointRef, Positions, Query, Relation, Tolerance, Value,
+    PairKind, Place, PointRef, Positions, Query, Relation, Tolerance, Value,
 };
 use crate::math::Vec2;
 use std::sync::Arc;
-
-/// The statements of a mechanism that have numbers, in the order in which these are visited.
-const STATEMENTS: [Statement; 14] = [
-    Statement::Link,
-    Statement::Pair,
-    Statement::Drive,
-    Statement::Pose,
-    Statement::Hint,
-    Statement::Gravity,
-    Statement::Load,
-    Statement::Spring,
-    Statement::Balance,
-    Statement::Quantity,
-    Statement::Find,
-    Statement::Expect,
-    Statement::Cycle,
-    Statement::Value,
-];
-
-/// A kind of statement.
-#[derive(Clone, Copy, Debug)]
-enum Statement {
-    Link,
-    Pair,
-    Drive,
-    Pose,
-    Hint,
-    Gravity,
-    Load,
-    Spring,
-    Balance,
-    Quantity,
-    Find,
-    Expect,
-    Cycle,
-    Value,
-}
-
-/// Where some numbers of a mechanism are.
-#[derive(Clone, Debug, Default)]
-pub struct NumberPlaces {
-    /// Statements, and where those of each end in `within`.
-    statements: Vec<(Statement, usize, usize)>,
-    /// The places of these among the numbers of their statements.
-    within: Vec<usize>,
-}
-
-impl NumberPlaces {
-    /// The pairs that have some of these numbers.
-    pub fn pairs(&self) -> impl Iterator<Item = PairId> {
-        let pairs = self.statements.iter().filter(|(statement, ..)| matches!(statement, Statement::Pair));
-        pairs.map(|&(_, index, _)| PairId::at(index))
-    }
-}
 
 impl Mechanism {
     /// Calls `visit` on the numbers that statements of a linkage, its drives, loads and questions give, always in the same
     /// order. What cams, wheels, transmissions and flywheels are is left out.
     pub fn each_number(&mut self, visit: &mut impl FnMut(&mut f64)) {
-        for statement in STATEMENTS {
-            (0..self.count(statement)).for_each(|index| self.numbers_of(statement, index, visit));
-        }
-    }
-
-    /// Where numbers are, by their places in the order of [`Mechanism::each_number`], the first ones first.
-    pub fn number_places(&mut self, numbers: impl IntoIterator<Item = usize>) -> NumberPlaces {
-        let (mut found, mut first) = (NumberPlaces::default(), 0);
-        let mut wanted = numbers.into_iter().peekable();
-        for statement in STATEMENTS {
-            for index in 0..self.count(statement) {
-                let mut end = first;
-                self.numbers_of(statement, index, &mut |_| end += 1);
-                let before = found.within.len();
-                found.within.extend(
-                    std::iter::from_fn(|| wanted.next_if(|place| *place < end)).map(|place| place - first),
-                );
-                if found.within.len() > before {
-                    found.statements.push((statement, index, found.within.len()));
-                }
-                first = end;
+        self.links.iter_mut().for_each(|link| link.each_number(visit));
+        for pair in &mut self.pairs {
+            of_pair(&mut pair.kind, visit);
+            match &mut pair.friction {
+                Some(Friction::Circle(x) | Friction::Coefficient(x) | Friction::BothEnds(x)) => visit(x),
+                None => {}
             }
         }
-        found
-    }
-
-    /// Puts numbers in their places.
-    pub fn put_numbers(&mut self, places: &NumberPlaces, numbers: &[f64]) {
-        let mut first = 0;
-        for &(statement, index, end) in &places.statements {
-            let within = &places.within[first..end];
-            let numbers = &numbers[first..end];
-            let (mut done, mut place) = (0, 0);
-            self.numbers_of(statement, index, &mut |x| {
-                if within.get(done) == Some(&place) {
-                    *x = numbers[done];
-                    done += 1;
-                }
-                place += 1;
-            });
-            first = end;
+        self.drives.iter_mut().for_each(|drive| of_drive(drive, visit));
+        let places = self.poses.iter_mut().flat_map(|pose| &mut pose.at);
+        places.for_each(|(_, value)| value.each_number(visit));
+        self.hints.iter_mut().for_each(|hint| of_hint(&mut hint.kind, visit));
+        self.gravity.iter_mut().for_each(|gravity| of_vector(&mut gravity.acceleration, visit));
+        for load in &mut self.loads {
+            of_load(&mut load.kind, visit);
+            load.when.iter_mut().for_each(|e| e.each_number(visit));
         }
-    }
-
-    fn count(&self, statement: Statement) -> usize {
-        match statement {
-            Statement::Link => self.links.len(),
-            Statement::Pair => self.pairs.len(),
-            Statement::Drive => self.drives.len(),
-            Statement::Pose => self.poses.len(),
-            Statement::Hint => self.hints.len(),
-            Statement::Gravity => usize::from(self.gravity.is_some()),
-            Statement::Load => self.loads.len(),
-            Statement::Spring => self.springs.len(),
-            Statement::Balance => self.balances.len(),
-            Statement::Quantity => self.quantities.len(),
-            Statement::Find => self.finds.len(),
-            Statement::Expect => self.expects.len(),
-            Statement::Cycle => self.cycles.len(),
-            Statement::Value => self.values.len(),
+        for spring in &mut self.springs {
+            of_vector(&mut spring.from.1, visit);
+            of_vector(&mut spring.to.1, visit);
+            let numbers = [&mut spring.stiffness, &mut spring.free_length, &mut spring.damping];
+            numbers.into_iter().for_each(&mut *visit);
         }
-    }
-
-    fn numbers_of(&mut self, statement: Statement, index: usize, visit: &mut impl FnMut(&mut f64)) {
-        match statement {
-            Statement::Link => self.links[index].each_number(visit),
-            Statement::Pair => {
-                let pair = &mut self.pairs[index];
-                of_pair(&mut pair.kind, visit);
-                match &mut pair.friction {
-                    Some(Friction::Circle(x) | Friction::Coefficient(x) | Friction::BothEnds(x)) => visit(x),
-                    None => {}
-                }
+        self.balances.iter_mut().for_each(|balance| of_balance(&mut balance.kind, visit));
+        self.quantities.iter_mut().for_each(|quantity| quantity.expr.each_number(visit));
+        for find in &mut self.finds {
+            if let super::FindKind::Value { expr, .. } = &mut find.kind {
+                expr.each_number(visit);
             }
-            Statement::Drive => of_drive(&mut self.drives[index], visit),
-            Statement::Pose => {
-                self.poses[index].at.iter_mut().for_each(|(_, value)| value.each_number(visit))
-            }
-            Statement::Hint => of_hint(&mut self.hints[index].kind, visit),
-            Statement::Gravity => {
-                self.gravity.iter_mut().for_each(|gravity| of_vector(&mut gravity.acceleration, visit));
-            }
-            Statement::Load => {
-                let load = &mut self.loads[index];
-                of_load(&mut load.kind, visit);
-                load.when.iter_mut().for_each(|e| e.each_number(visit));
-            }
-            Statement::Spring => {
-                let spring = &mut self.springs[index];
-                [&mut spring.from.1, &mut spring.to.1].into_iter().for_each(|at| of_vector(at, visit));
-                [&mut spring.stiffness, &mut spring.free_length, &mut spring.damping]
-                    .into_iter()
-                    .for_each(visit);
-            }
-            Statement::Balance => of_balance(&mut self.balances[index].kind, visit),
-            Statement::Quantity => self.quantities[index].expr.each_number(visit),
-            Statement::Find => {
-                if let super::FindKind::Value { expr, .. } = &mut self.finds[index].kind {
-                    expr.each_number(visit);
-                }
-            }
-            Statement::Expect => of_expect(&mut self.expects[index], visit),
-            Statement::Cycle => self.cycles[index].expr.each_number(visit),
-            Statement::Value => of_value(&mut self.values[index].value, visit),
         }
+        self.expects.iter_mut().for_each(|expect| of_expect(expect, visit));
+        self.cycles.iter_mut().for_each(|cycle| cycle.expr.each_number(visit));
+        self.values.iter_mut().for_each(|value| of_value(&mut value.value, visit));
     }
 }
 

@@ -3,7 +3,7 @@
 use super::EffortKind;
 use super::count::Structure;
 use super::joint::{Joint, JointKind};
-use crate::model::{Guide, Mechanism, PairId, PairKind};
+use crate::model::{Guide, Mechanism, PairKind};
 
 impl Structure {
     /// Whether [`Structure::renumber`] knows all of a mechanism's pairs, and the structure holds for all lengths: hinges, guides,
@@ -15,17 +15,10 @@ impl Structure {
         self.force_defect.is_none() && !points && !mechanism.pairs.iter().any(|pair| other(&pair.kind))
     }
 
-    /// Which joints are of these pairs, by their indices.
-    pub fn joints_of(&self, pairs: impl IntoIterator<Item = PairId>) -> Vec<bool> {
-        let pairs: Vec<PairId> = pairs.into_iter().collect();
-        self.replaced.joints.iter().map(|joint| pairs.contains(&joint.pair)).collect()
-    }
-
     /// Takes over the numbers of a mechanism that differs in nothing else from the one whose structure this is, see
-    /// [`Structure::is_renumbered`]: those of the joints that may differ.
-    pub fn renumber(&mut self, mechanism: &Mechanism, differ: &[bool]) {
-        let joints = self.replaced.joints.iter_mut().zip(differ);
-        for (joint, _) in joints.filter(|(_, differs)| **differs) {
+    /// [`Structure::is_renumbered`].
+    pub fn renumber(&mut self, mechanism: &Mechanism) {
+        for joint in &mut self.replaced.joints {
             match &mechanism.pair(joint.pair).kind {
                 PairKind::Revolute(pins) => {
                     if let JointKind::Revolute(members) = &mut joint.kind {

@@ -5,7 +5,7 @@ use super::planned::Plan;
 use super::step::MotionStep;
 use super::{forces, loads, motion};
 use crate::model::Mechanism;
-use crate::structure::{Group, Structure};
+use crate::structure::Structure;
 
 impl Plan {
     /// Whether [`Plan::renumber_steps`] knows all of its steps: closed forms without friction, laws and driven points.
@@ -39,18 +39,16 @@ impl Plan {
             && self.forces.iter().all(force)
     }
 
-    /// Takes over the numbers of a mechanism that calls for the same steps, see [`Plan::is_renumbered`], and of the joints that
-    /// may differ, by their indices. The equations by which the balance of forces is checked are left out.
-    pub fn renumber_steps(&mut self, mechanism: &Mechanism, structure: &Structure, differ: &[bool]) {
+    /// Takes over the numbers of a mechanism that calls for the same steps, see [`Plan::is_renumbered`]. The equations by which the
+    /// balance of forces is checked are left out.
+    pub fn renumber_steps(&mut self, mechanism: &Mechanism, structure: &Structure) {
         for (branch, group) in structure.motion.iter().enumerate() {
-            if has(group, differ)
-                && let Some(step) = motion::closed(structure, group, branch)
-            {
+            if let Some(step) = motion::closed(structure, group, branch) {
                 self.motion[branch] = step;
             }
         }
         if self.effects.forces {
-            self.renumber_forces(mechanism, structure, differ);
+            self.renumber_forces(mechanism, structure);
         }
         self.checks.renumber_joints(structure);
     }
@@ -62,7 +60,7 @@ impl Plan {
         self.checks = checks;
     }
 
-    fn renumber_forces(&mut self, mechanism: &Mechanism, structure: &Structure, differ: &[bool]) {
+    fn renumber_forces(&mut self, mechanism: &Mechanism, structure: &Structure) {
         loads::plan(mechanism, &self.effects, &mut self.loads);
         loads::lines(mechanism, structure, &mut self.lines);
         let mut first = 0;
@@ -71,17 +69,10 @@ impl Plan {
                 ForceStep::Rrr { motion, .. } | ForceStep::Rrp { motion, .. } => *motion,
                 _ => None,
             };
-            if has(group, differ)
-                && let Some(step) = forces::closed(structure, group, first, self, moved_by)
-            {
+            if let Some(step) = forces::closed(structure, group, first, self, moved_by) {
                 self.forces[index] = step;
             }
             first += group.joints.len();
         }
     }
-}
-
-/// Whether one of these joints is in a group: the numbers of its steps are those of its joints.
-fn has(group: &Group, joints: &[bool]) -> bool {
-    group.joints.iter().any(|joint| joints[joint.joint.0])
 }

@@ -1,7 +1,7 @@
 //! The reaction on a link in a pair that one or several joints stand for, found without a search at every position.
 
 use super::pose_answers::PoseAnswers;
-use crate::math::{Scalar, V2};
+use crate::math::Vec2;
 use crate::model::{LinkId, PairId, PairKind};
 use crate::position::State;
 
@@ -22,18 +22,14 @@ impl JointReaction {
     /// The force on the link, N, as [`PoseAnswers::reaction`] has it.
     #[inline]
     #[must_use]
-    pub fn force<S: Scalar>(&self, state: &State<S>) -> V2<S> {
-        self.0
-            .iter()
-            .fold(V2::zero(), |sum, &(slot, sign)| sum + state.forces.reactions[slot].force * S::of(sign))
+    pub fn force(&self, state: &State) -> Vec2 {
+        self.0.iter().fold(Vec2::zero(), |sum, &(slot, sign)| sum + state.forces.reactions[slot].force * sign)
     }
 
     /// The couple on the link, N m, as [`PoseAnswers::moment`] has it where it is determined.
     #[inline]
     #[must_use]
-    pub fn couple<S: Scalar>(&self, state: &State<S>) -> S {
-        self.0
-            .iter()
-            .fold(S::zero(), |sum, &(slot, sign)| sum + state.forces.reactions[slot].couple * S::of(sign))
+    pub fn couple(&self, state: &State) -> f64 {
+        self.0.iter().fold(0.0, |sum, &(slot, sign)| sum + state.forces.reactions[slot].couple * sign)
     }
 }

@@ -1,9 +1,8 @@
 //! Numbers of a position in SI and radians, as its JSON lists them: where each comes from is found once.
 
-use super::joint_reaction::JointReaction;
 use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
-use crate::model::{Guide, LinkId, PairId, Value};
+use crate::model::{Guide, LinkId, PairId, Query, Value};
 use crate::position::{DriveValue, Residuals};
 
 /// Where a number comes from, or the two of a vector.
@@ -11,26 +10,7 @@ use crate::position::{DriveValue, Residuals};
 pub enum Source {
     /// The value of a drive.
     Drive(usize),
-    /// Angle of a link, rad.
-    Angle(LinkId),
-    /// Angular velocity of a link, rad/s.
-    Omega(LinkId),
-    /// Angular acceleration of a link, rad/s².
-    Alpha(LinkId),
-    /// The force of inertia of a link: its centre of mass in its frame, m, and its mass, kg.
-    InertiaForce(LinkId, Vec2, f64),
-    /// The couple of inertia of a link: its moment of inertia, kg m².
-    InertiaTorque(LinkId, f64),
-    /// Position of a point of a link.
-    Position(LinkId, Vec2),
-    /// Velocity of a point of a link.
-    Velocity(LinkId, Vec2),
-    /// Acceleration of a point of a link.
-    Acceleration(LinkId, Vec2),
-    /// The force on a link in a pair.
-    Force(JointReaction),
-    /// The couple on a link in a pair.
-    Couple(JointReaction),
+    Query(Query),
     /// Where the resultant of a guide's reaction on a link crosses it.
     Crossing(PairId, LinkId, Guide),
     /// The forces at the two contact points of a guide, each after its place.
@@ -78,18 +58,7 @@ fn read(source: &Source, view: &PoseAnswers<'_>, beside: &PoseExtras<'_>, out: &
     let vector = |v: Vec2, out: &mut Vec<f64>| out.extend([v.x, v.y]);
     match source {
         Source::Drive(i) => value(beside.drives.get(*i)?.value()?, out)?,
-        Source::Angle(link) => out.push(*view.angles.get(link.index())?),
-        Source::Omega(link) => out.push(view.body(*link).omega),
-        Source::Alpha(link) => out.push(view.body(*link).alpha),
-        Source::InertiaForce(link, centre, mass) => {
-            vector(view.body(*link).acceleration(*centre) * -mass, out);
-        }
-        Source::InertiaTorque(link, inertia) => out.push(-inertia * view.body(*link).alpha),
-        Source::Position(link, at) => vector(view.body(*link).position(*at), out),
-        Source::Velocity(link, at) => vector(view.body(*link).velocity(*at), out),
-        Source::Acceleration(link, at) => vector(view.body(*link).acceleration(*at), out),
-        Source::Force(joints) => vector(joints.force(view.state), out),
-        Source::Couple(joints) => out.push(joints.couple(view.state)),
+        Source::Query(query) => value(view.query(query), out)?,
         Source::Crossing(pair, on, guide) => vector(view.crossing(*pair, *on, guide)?, out),
         Source::Contacts(pair, guide) => {
             for (at, normal) in view.contacts(*pair, guide) {

@@ -4,6 +4,7 @@ use super::block::{Block, FreeSweep};
 use super::track::continued;
 use crate::answer::whole_turns;
 use crate::math::Vec2;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// Positions that are looked at together.
@@ -47,8 +48,13 @@ impl FreeSweep<'_> {
     pub(super) fn turns(&self, each: &dyn Fn(usize, &(dyn Fn(usize) + Sync))) -> Option<Turns> {
         let parts: Vec<Mutex<Option<Vec<Jump>>>> =
             (0..self.count().div_ceil(PART)).map(|_| Mutex::default()).collect();
+        let failed = AtomicBool::new(false);
         each(parts.len(), &|part| {
+            if failed.load(Ordering::Relaxed) {
+                return;
+            }
             let found = self.jumps(part * PART);
+            failed.fetch_or(found.is_none(), Ordering::Relaxed);
             *parts[part].lock().unwrap_or_else(PoisonError::into_inner) = found;
         });
         let mut turns = Turns { bodies: self.turns.bodies.clone(), pairs: self.turns.pairs.clone() };
