@@ -10,7 +10,7 @@ use assur::internals::math::ode::{
 };
 use assur::internals::model::{Friction, Mechanism, PairKind};
 use assur::internals::report::json::JsonLines;
-use assur::internals::report::lines::CsvLines;
+use assur::internals::report::lines::{CsvLines, PoseLines};
 use assur::internals::report::rows::AnswerColumns;
 use assur::internals::report::{Answers, NumberRows, PrintedDigits};
 use assur::internals::solve::{Block, DriveInput, Following, Model, PoseOutputs, Solution, solve};
@@ -124,9 +124,9 @@ fn a_sweep_and_its_lines_allocate_nothing() {
         move |answers: &Answers<'_>, block: &Block| {
             for pose in block.poses() {
                 out.clear();
-                csv.begin(answers);
-                csv.add(answers, pose, &mut out);
-                json.begin(answers, pose);
+                csv.begin(answers, None);
+                csv.add(answers, pose, &mut row, &mut out);
+                json.begin(answers, Some(pose));
                 json.add(answers, pose, &mut row, &mut out);
             }
         }

@@ -9,7 +9,7 @@ use super::threads::Threads;
 use crate::front::in_order::{each, in_order};
 use crate::pipeline::{Compiled, Sink, Solved, is_long};
 use crate::report::json::JsonLines;
-use crate::report::lines::CsvLines;
+use crate::report::lines::{CsvLines, PoseLines};
 use crate::report::{Answers, PrintedDigits};
 use assur_solve::solve::{Block, FreeSweep, IntegrationOptions, Method, Model, Pose, PoseOutputs};
 use assur_text::diagnostic::Problems;
@@ -32,13 +32,13 @@ pub fn positions(
     (printer, threads): (&mut Printer<'_>, &Threads),
     method: Option<Method>,
 ) -> Reply {
-    let lines = match format {
-        Format::Csv => Lines::Csv(CsvLines::of(&compiled.model(), file)),
-        _ => Lines::Json(JsonLines::of(source.name.clone())),
+    let lines: Box<dyn PoseLines> = match format {
+        Format::Csv => Box::new(CsvLines::of(&compiled.model(), file)),
+        _ => Box::new(JsonLines::of(source.name.clone())),
     };
     // of few positions nothing is printed where one makes all of them meaningless
     let held = (format == Format::Csv && !is_long(&compiled.model())).then(Vec::new);
-    let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
+    let text = lines.header().into_bytes();
     let way = MotionProgress::of(&source.name, &compiled.mechanism);
     let watch = |reached: f64, last: f64| way.as_ref().is_none_or(|w| w.goes_on(reached, last));
     let conduct = IntegrationOptions { watch: Some(&watch), method, ..IntegrationOptions::default() };
@@ -55,49 +55,8 @@ pub fn positions(
     Reply::new(String::new(), &problems, source, screen)
 }
 
-/// The lines of one form.
-enum Lines {
-    Csv(CsvLines),
-    Json(JsonLines),
-}
-
-impl Lines {
-    /// What is found once: of a position, where there is one.
-    fn begin(&mut self, answers: &Answers<'_>, pose: Option<&Pose>) {
-        match (self, pose) {
-            (Self::Csv(lines), _) => lines.begin(answers),
-            (Self::Json(lines), Some(pose)) => lines.begin(answers, pose),
-            (Self::Json(_), None) => {}
-        }
-    }
-
-    /// What they show beside answers: CSV has no residuals.
-    fn reads(&self, model: &Model<'_>) -> PoseOutputs {
-        match self {
-            Self::Csv(lines) => PoseOutputs { residuals: false, angles: lines.reads_angles(model) },
-            Self::Json(_) => PoseOutputs::ALL,
-        }
-    }
-
-    /// Adds the line of a position.
-    fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, text: &mut Vec<u8>) {
-        match self {
-            Self::Csv(lines) => lines.add(answers, pose, text),
-            Self::Json(lines) => lines.add(answers, pose, row, text),
-        }
-    }
-
-    /// Adds the line of a file without positions.
-    fn add_without_pose(&self, answers: &Answers<'_>, text: &mut Vec<u8>) {
-        match self {
-            Self::Csv(lines) => lines.add_without_pose(answers, text),
-            Self::Json(lines) => lines.add_without_pose(answers, text),
-        }
-    }
-}
-
 struct Out<'p, 'o, 'w> {
-    lines: Lines,
+    lines: Box<dyn PoseLines>,
     text: Vec<u8>,
     /// What is printed once all is known, where that is wanted.
     held: Option<Vec<u8>>,

@@ -5,7 +5,24 @@ use super::csv::{LINE_END, field};
 use super::rows::{AnswerColumns, FULL, write_text};
 use super::simulation;
 use assur_model::model::Value;
-use assur_solve::solve::{Model, Pose};
+use assur_solve::solve::{Model, Pose, PoseOutputs};
+
+/// A form of output with a line per position.
+pub trait PoseLines: Sync {
+    /// The lines before those of positions.
+    fn header(&self) -> String {
+        String::new()
+    }
+    /// Finds what is the same at all positions, at one of them if there is one.
+    fn begin(&mut self, answers: &Answers<'_>, pose: Option<&Pose>);
+    /// What is read of positions beside their answers.
+    fn reads(&self, model: &Model<'_>) -> PoseOutputs;
+    /// Adds the line of a position, once it has [begun](PoseLines::begin), with memory for its numbers; none where it only says that its
+    /// accuracy was missed.
+    fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>);
+    /// Adds the one line of a file without positions.
+    fn add_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<u8>);
+}
 
 #[derive(Clone, Debug)]
 pub struct CsvLines {
@@ -35,9 +52,10 @@ impl CsvLines {
             events: simulation::names_events(model.mechanism),
         }
     }
+}
 
-    #[must_use]
-    pub fn header(&self) -> String {
+impl PoseLines for CsvLines {
+    fn header(&self) -> String {
         let mut line = if self.file.is_some() { "file," } else { "" }.to_owned();
         write_text(&self.pose, &mut line);
         if self.events {
@@ -50,21 +68,17 @@ impl CsvLines {
         line + LINE_END
     }
 
-    /// Finds the answers that need no pose.
-    pub fn begin(&mut self, answers: &Answers<'_>) {
+    fn begin(&mut self, answers: &Answers<'_>, _: Option<&Pose>) {
         if !std::mem::replace(&mut self.begun, true) {
             self.whole = self.columns.whole(answers);
         }
     }
 
-    /// Whether a column shows the angle of a link or of a hinge.
-    #[must_use]
-    pub fn reads_angles(&self, model: &Model<'_>) -> bool {
-        self.columns.reads_angles(model)
+    fn reads(&self, model: &Model<'_>) -> PoseOutputs {
+        PoseOutputs { residuals: false, angles: self.columns.reads_angles(model) }
     }
 
-    /// Adds the line of a position, once it has [begun](CsvLines::begin); none where it only says that its accuracy was missed.
-    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, out: &mut Vec<u8>) {
+    fn add(&self, answers: &Answers<'_>, pose: &Pose, _: &mut Vec<f64>, out: &mut Vec<u8>) {
         if !pose.is_position() {
             return;
         }
@@ -83,8 +97,7 @@ impl CsvLines {
         out.extend_from_slice(LINE_END.as_bytes());
     }
 
-    /// Adds the one line of a file without positions.
-    pub fn add_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<u8>) {
+    fn add_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<u8>) {
         let mut line = self.file.clone().unwrap_or_default();
         self.columns.write_without_pose(answers, FULL, false, &mut line);
         out.extend_from_slice((line + LINE_END).as_bytes());

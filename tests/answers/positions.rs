@@ -4,7 +4,7 @@
 
 use crate::share::{least, spread};
 use assur::internals::check::Overrides;
-use assur::internals::report::lines::CsvLines;
+use assur::internals::report::lines::{CsvLines, PoseLines};
 use assur::internals::report::{Answers, PrintedDigits, csv, json, table_of_poses};
 use assur::internals::solve::{Block, Following, Model, Pose, PoseOutputs, Solved};
 use assur::internals::source::Source;
@@ -27,14 +27,14 @@ fn every_example_comes_out_the_same() {
         let mut rows = CsvLines::of(&second.model(), None);
         let (mut text, mut objects) = (rows.header().into_bytes(), Vec::new());
         let (solved, _) = assur::internals::solve_each(second, &mut |answers: &Answers<'_>, pose: &Pose| {
-            rows.begin(answers);
-            rows.add(answers, pose, &mut text);
+            rows.begin(answers, None);
+            rows.add(answers, pose, &mut Vec::new(), &mut text);
             objects.push(json::render_position("a", None, answers, Some(pose)));
             true
         });
         let solved = solved.unwrap();
         if objects.is_empty() {
-            rows.begin(&solved.answers(PrintedDigits::READABLE));
+            rows.begin(&solved.answers(PrintedDigits::READABLE), None);
             rows.add_without_pose(&solved.answers(PrintedDigits::READABLE), &mut text);
         }
         let mut table = csv::render(&table_of_poses(&answers));
@@ -151,8 +151,8 @@ fn peak(name: &str, steps: usize) -> u64 {
         let (solved, _) =
             assur::internals::solve_each(compiled, &mut |answers: &Answers<'_>, pose: &Pose| {
                 text.clear();
-                rows.begin(answers);
-                rows.add(answers, pose, &mut text);
+                rows.begin(answers, None);
+                rows.add(answers, pose, &mut Vec::new(), &mut text);
                 lines += 1;
                 true
             });

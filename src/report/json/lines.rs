@@ -5,10 +5,13 @@ use serde::Serialize;
 use std::io;
 
 use super::{Answers, escaped, render_position};
+use crate::report::lines::PoseLines;
 use crate::report::reactions::{has_moment, meets_at};
 use assur_model::model::{FindKind, LinkId, PairId, PairKind, PointRef, Query};
 use assur_position::plan::Level;
-use assur_solve::solve::{Pose, PoseExtras, Solved, Source, read_numbers, unplaced_reactions};
+use assur_solve::solve::{
+    Model, Pose, PoseExtras, PoseOutputs, Solved, Source, read_numbers, unplaced_reactions,
+};
 use assur_text::units::Template;
 
 /// Positions at which the pieces are looked for.
@@ -36,26 +39,29 @@ impl JsonLines {
     pub const fn of(file: String) -> Self {
         Self { file, filled: None, seen: 0 }
     }
+}
 
-    /// Looks for the pieces at a position, until they are found.
-    pub fn begin(&mut self, answers: &Answers<'_>, pose: &Pose) {
+impl PoseLines for JsonLines {
+    fn begin(&mut self, answers: &Answers<'_>, pose: Option<&Pose>) {
         self.seen += 1;
         // one position alone is not worth it
         if self.filled.is_none() && (2..=TRIES).contains(&self.seen) {
-            self.filled = Filled::of(&self.file, answers, pose);
+            self.filled = pose.and_then(|pose| Filled::of(&self.file, answers, pose));
         }
     }
 
-    /// Adds the line of a position, with memory for its numbers.
-    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) {
+    fn reads(&self, _: &Model<'_>) -> PoseOutputs {
+        PoseOutputs::ALL
+    }
+
+    fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) {
         if !self.filled.as_ref().is_some_and(|filled| filled.write(answers, pose, row, out)) {
             out.extend_from_slice(render_position(&self.file, None, answers, Some(pose)).as_bytes());
         }
         out.push(b'\n');
     }
 
-    /// Adds the line of a file without positions.
-    pub fn add_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<u8>) {
+    fn add_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<u8>) {
         out.extend_from_slice(render_position(&self.file, None, answers, None).as_bytes());
         out.push(b'\n');
     }
