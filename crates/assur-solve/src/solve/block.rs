@@ -177,7 +177,7 @@ impl Block {
     /// Puts a drive at its values; the first rows have its rates already.
     fn drive(&mut self, drive: usize, rates: &Rates, kept: usize) {
         let values = || self.values.iter().skip(drive).step_by(self.drives);
-        let Some(last) = values().last() else { return };
+        let Some(last) = values().next_back() else { return };
         let last_and_after = std::iter::repeat(last);
         let mut each = values().chain(last_and_after);
         if values().all(|value| matches!(value, DriveValue::Scalar(_))) {

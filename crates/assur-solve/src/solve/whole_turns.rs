@@ -7,6 +7,9 @@ use crate::math::Vec2;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+/// Calls its argument for all numbers below a count, on any thread.
+type ForEach<'e> = dyn Fn(usize, &(dyn Fn(usize) + Sync)) + 'e;
+
 /// Positions that are looked at together.
 const PART: usize = 4096;
 
@@ -43,9 +46,8 @@ struct Jump {
 }
 
 impl FreeSweep<'_> {
-    /// The whole turns at all positions; `None` where one of the positions depends on others. `each` calls its argument for all numbers
-    /// below a count.
-    pub(super) fn turns(&self, each: &dyn Fn(usize, &(dyn Fn(usize) + Sync))) -> Option<Turns> {
+    /// The whole turns at all positions; `None` where one of the positions depends on others.
+    pub(super) fn turns(&self, each: &ForEach<'_>) -> Option<Turns> {
         let parts: Vec<Mutex<Option<Vec<Jump>>>> =
             (0..self.count().div_ceil(PART)).map(|_| Mutex::default()).collect();
         let failed = AtomicBool::new(false);
