@@ -82,8 +82,8 @@ impl Run {
     }
 }
 
-/// Rows of lanes that are solved at once, as in a sweep.
-const ROWS: usize = 8;
+/// Rows of lanes that are solved at once: what they hold stays in the nearest cache.
+const ROWS: usize = 2;
 
 /// All positions of a text, side by side.
 #[derive(Default)]
