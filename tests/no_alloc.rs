@@ -53,6 +53,41 @@ fn the_loop_over_positions_allocates_nothing() {
 }
 
 #[test]
+fn jerks_allocate_nothing() {
+    let start = || machines::list(&[0.0]);
+    for mechanism in [
+        machines::crank_slider(0.1, 0.35, 0.02, start()),
+        machines::triad(start()),
+        machines::class_iv(start()),
+    ] {
+        let (structure, _) =
+            assur::internals::structure::structure(&mechanism).expect("the machine is sound");
+        let effects = assur::internals::plan::Effects {
+            level: assur::internals::plan::Level::Accelerations,
+            beyond: true,
+            ..assur::internals::plan::Effects::default()
+        };
+        let plan = assur::internals::plan::plan_with(&mechanism, &structure, effects);
+        let model = Model { mechanism: &mechanism, structure: &structure, plan: &plan };
+        let solution = solve(&model).expect("the machine closes");
+        let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");
+        let mut state = first.state.clone().ready(&plan);
+        let mut sum = 0.0;
+        let mut solve_at = |i: u16| {
+            let value = f64::from(i).to_radians();
+            let input = &mut state.motion.inputs[0];
+            (input.value, input.place, input.rate) = (value, Vec2::direction(value), machines::SPEED);
+            state.run_planned_motion(&plan);
+            sum += state.motion.bodies[2].zeta;
+        };
+        solve_at(0);
+        let counted = allocation_counter::measure(|| (0..30).for_each(&mut solve_at));
+        assert!(sum.is_finite() && sum != 0.0);
+        assert_eq!(counted.count_total, 0);
+    }
+}
+
+#[test]
 fn a_balance_far_from_the_drive_allocates_nothing() {
     let mut m = machines::six_bar(machines::list(&[0.0]));
     m.balances.clear();

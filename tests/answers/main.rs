@@ -20,6 +20,7 @@ mod formatted;
 mod geometry;
 mod great_numbers;
 mod honest_runs;
+mod jerks;
 mod jumps;
 mod large;
 mod methods;

@@ -27,6 +27,7 @@ pub(crate) fn answers(text: &str) -> Vec<Option<Answers>> {
         assert!(state.residuals.closure < 1e-13, "{text}\n{:?}", state.residuals);
         assert!(state.residuals.equilibrium.unwrap_or(0.0) < 1e-12 / sigma, "{text}\n{:?}", state.residuals);
         assert!(state.residuals.power.unwrap_or(0.0) < 1e-12 / sigma, "{text}\n{:?}", state.residuals);
+        crate::jerks::hold(&model, &state.state, || text.to_owned());
         let reference = solved.solution.reference(&model, state).expect("a reference");
         assert!(reference.closure < 1e-28 && reference.equilibrium < 1e-26, "{text}\n{reference:?}");
         for (got, exact) in state.state.motion.bodies.iter().zip(&reference.bodies) {

@@ -9,6 +9,7 @@ mod gears;
 mod geneva;
 mod grip;
 mod hard;
+mod jerks;
 mod legs;
 mod motion;
 mod no_silent_errors;

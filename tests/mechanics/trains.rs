@@ -20,6 +20,7 @@ fn answers(text: &str) -> BTreeMap<String, f64> {
     let state = pose.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e:?}"));
     assert!(state.residuals.equilibrium.unwrap_or(0.0) < 1e-12, "{text}\n{:?}", state.residuals);
     assert!(state.residuals.power.unwrap_or(0.0) < 1e-12, "{text}\n{:?}", state.residuals);
+    crate::jerks::hold(&model, &state.state, || text.to_owned());
     let view = solved.solution.view(&model, state);
     let finds = model.mechanism.finds.iter().filter_map(|find| match &find.kind {
         FindKind::Value { expr, .. } => match view.value(expr) {

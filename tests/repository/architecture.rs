@@ -171,14 +171,54 @@ fn every_test_is_named() {
     }
 }
 
+/// The rows of "A change: where does it go?": what is changed, and the paths.
+fn changes(text: &str) -> Vec<(&str, Vec<&str>)> {
+    let (_, rest) = text.split_once("\n## A change: where does it go?\n").expect("a heading");
+    let (rows, _) = rest.split_once("\n## ").expect("a heading after it");
+    rows.lines()
+        .filter_map(|line| line.strip_prefix("| ")?.split_once(" | "))
+        .map(|(what, row)| {
+            let words = row.split('`').skip(1).step_by(2);
+            (what, words.filter(|word| word.contains('/')).collect())
+        })
+        .collect()
+}
+
 #[test]
 fn files_of_a_change_are_there() {
     let text = page("ARCHITECTURE.md");
-    let (_, rest) = text.split_once("\n## A change: where does it go?\n").expect("a heading");
-    let (rows, _) = rest.split_once("\n## ").expect("a heading after it");
-    let paths: Vec<&str> = rows.split('`').skip(1).step_by(2).filter(|word| word.contains('/')).collect();
+    let paths: Vec<&str> = changes(&text).into_iter().flat_map(|(_, paths)| paths).collect();
     assert!(paths.len() > 20, "the table is read: {paths:?}");
     let gone: Vec<_> = paths.into_iter().filter(|path| !root().join(path).exists()).collect();
     assert!(gone.is_empty(), "{gone:?}");
     assert!(text.len() <= 16_000, "{} bytes", text.len());
+}
+
+/// Jerks are in the files that the rows of a question and of a derivative name, and in no others; worked solutions are apart.
+#[test]
+fn a_derivative_is_in_the_files_of_its_rows() {
+    let text = page("ARCHITECTURE.md");
+    let rows = changes(&text);
+    let of = |what: &str| {
+        let row = rows.iter().find(|row| row.0.starts_with(what));
+        row.unwrap_or_else(|| panic!("no row of {what}")).1.clone()
+    };
+    let named = [of("a question"), of("another derivative")].concat();
+    let apart = ["crates/assur-formula/", "crates/assur-worked/"];
+    // the third derivative of the law of a cam, and a letter
+    let others = ["model/cam_part.rs", "latex/signs.rs", "drawing/src/text.rs"];
+    let mut found = Vec::new();
+    for path in ["src", "crates"].iter().flat_map(|folder| crate::folder::files(&root().join(folder), "rs")) {
+        let own = path.strip_prefix(root()).expect("below the root").display().to_string();
+        let text = std::fs::read_to_string(&path).expect("a source file").to_lowercase();
+        let is_apart = own.contains("/tests/")
+            || apart.iter().any(|folder| own.starts_with(folder))
+            || others.iter().any(|end| own.ends_with(end));
+        if !is_apart && (text.contains("jerk") || text.contains("zeta")) {
+            found.push(own);
+        }
+    }
+    let astray: Vec<_> = found.iter().filter(|own| !named.iter().any(|row| own.starts_with(row))).collect();
+    assert!(astray.is_empty(), "{astray:?}");
+    assert!(found.len() <= 14, "{} files: {found:?}", found.len());
 }

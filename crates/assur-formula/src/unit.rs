@@ -19,6 +19,10 @@ pub enum Unit {
     AngularVelocity,
     /// rad/s²
     AngularAcceleration,
+    /// m/s³
+    Jerk,
+    /// rad/s³
+    AngularJerk,
     /// kg
     Mass,
     /// kg·m²
@@ -63,6 +67,8 @@ impl Unit {
             Self::Acceleration => "m/s²",
             Self::AngularVelocity => "rad/s",
             Self::AngularAcceleration => "rad/s²",
+            Self::Jerk => "m/s³",
+            Self::AngularJerk => "rad/s³",
             Self::Mass => "kg",
             Self::Inertia => "kg·m²",
             Self::Force => "N",

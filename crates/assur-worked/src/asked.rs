@@ -14,7 +14,7 @@ const SAME: f64 = 1e-9;
 
 impl Derivation<'_> {
     /// The questions of the file.
-    fn questions(&self) -> Vec<Query> {
+    pub(crate) fn questions(&self) -> Vec<Query> {
         let mechanism = self.scene.mechanism();
         let mut all = Vec::new();
         for find in &mechanism.finds {

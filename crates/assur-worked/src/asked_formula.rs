@@ -184,6 +184,8 @@ impl Writer<'_> {
             "angle" => "φ",
             "velocity" => "v",
             "acceleration" => "a",
+            "jerk" => "j",
+            "angular_jerk" => "ζ",
             "displacement" => "s",
             "reaction" => "R",
             "normal" => "N",

@@ -13,6 +13,7 @@ mod document;
 mod expressions;
 mod forces;
 mod formulas;
+mod jerks;
 mod letters;
 mod localised;
 mod motion;

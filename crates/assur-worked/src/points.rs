@@ -9,13 +9,13 @@ use assur_math::math::Vec2;
 const LETTERS: [&str; 3] = ["", "v", "a"];
 
 /// A point relative to the reference of its body.
-struct Arm {
-    point: String,
-    reference: String,
-    at: (usize, Vec2),
-    length: Expr,
-    angle: Angle,
-    rates: [Expr; 2],
+pub struct Arm {
+    pub point: String,
+    pub reference: String,
+    pub at: (usize, Vec2),
+    pub length: Expr,
+    pub angle: Angle,
+    pub rates: [Expr; 2],
 }
 
 impl Derivation<'_> {
@@ -211,7 +211,7 @@ impl Derivation<'_> {
     }
 
     /// The point relative to the reference of a body that carries it; none where it is that reference, or nothing is known.
-    fn arm(&self, body: usize, at: Vec2, fixed_first: bool) -> Option<Arm> {
+    pub fn arm(&self, body: usize, at: Vec2, fixed_first: bool) -> Option<Arm> {
         let mut hosts: Vec<(usize, Vec2, &Body)> = self
             .at_hinge(body, at)
             .into_iter()

@@ -106,6 +106,8 @@ pub const fn unit_of(dimension: [i8; 4]) -> Option<Unit> {
         [2, 0, 0, _] => Unit::Area,
         [1, 0, -1, _] => Unit::Velocity,
         [1, 0, -2, _] => Unit::Acceleration,
+        [1, 0, -3, _] => Unit::Jerk,
+        [0, 0, -3, 1] => Unit::AngularJerk,
         [0, 0, -1, 1] => Unit::AngularVelocity,
         [0, 0, -2, 1] => Unit::AngularAcceleration,
         [0, 1, 0, _] => Unit::Mass,

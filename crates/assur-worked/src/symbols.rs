@@ -103,6 +103,14 @@ impl Derivation<'_> {
             }
             Query::RelativeVelocity(pair) => return self.on_guide_with(&["v"], *pair, value),
             Query::RelativeAcceleration(pair) => return self.on_guide_with(&["a"], *pair, value),
+            Query::AngularJerk(link) => {
+                let own = Name::new("ζ", &self.label(link.index()));
+                return self.found_with(|name| *name == own, value);
+            }
+            Query::RelativeJerk(pair) => {
+                let own = Name::new("j", &self.scene.mechanism().pair(*pair).name);
+                return self.found_with(|name| *name == own, value);
+            }
             Query::TangentialForce(pair, _) => {
                 let name = self.scene.mechanism().pair(*pair).name.clone();
                 let is = |own: &Name| own.letter == "F" && own.sub.split(',').next() == Some(name.as_str());
@@ -163,6 +171,7 @@ impl Derivation<'_> {
             Query::Acceleration(PointRef::Fixed(link, at)) => {
                 Name::new("a", &self.point_name(link.index(), *at))
             }
+            Query::Jerk(PointRef::Fixed(link, at)) => Name::new("j", &self.point_name(link.index(), *at)),
             Query::InertiaForce(link) => Name::new("F", &format!("{inertia}{}", self.label(link.index()))),
             Query::Coriolis(_) => {
                 let is_own = |(name, x): &(&Name, &Expr)| {

@@ -225,6 +225,7 @@ impl Derivation<'_> {
                 let plan = self.pictures(Kind::Accelerations, Message::AccelerationPlan, "");
                 self.head(Message::Accelerations);
                 self.stage(Stage::Accelerations, &plan);
+                self.asked_of_jerks();
                 self.figures(plan);
             }
             Part::Accelerations => {}

@@ -227,6 +227,7 @@ fn solve(build: &Build, cam: &Cam, phi: f64, alpha: f64) -> Found {
         solved.solution.poses.iter().map(|p| p.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e:?}")));
     let outcomes: Vec<_> = outcomes.collect();
     let model = solved.compiled.model();
+    crate::jerks::hold(&model, &outcomes[SIDE].state, || text.clone());
     let view = solved.solution.view(&model, outcomes[SIDE]);
     let pair = assur::internals::model::PairId::at(
         model.mechanism.pairs.iter().position(|p| p.name == "K").unwrap(),

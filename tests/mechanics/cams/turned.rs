@@ -71,6 +71,7 @@ fn solve(text: &str) -> Option<Found> {
         }
     }
     reactions.sort_by(|a, b| a.0.cmp(&b.0));
+    crate::jerks::hold(&model, &at.state, || text.to_owned());
     let slide = model.structure.replaced.joints.iter().find_map(|j| match &j.kind {
         JointKind::Prismatic { slider, point, guide, through, along, .. }
             if model.mechanism.pair(j.pair).name == "Q" =>

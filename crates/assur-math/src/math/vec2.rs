@@ -156,6 +156,10 @@ pub trait Angular: Scalar<Mask = bool> {
     fn pi() -> Self;
     /// Sine and cosine of an angle, rad.
     fn sine_cosine(self) -> (Self, Self);
+    /// The angle in (−π, π] of a direction, rad.
+    fn angle_of(direction: V2<Self>) -> Self;
+    /// The nearest `f64`.
+    fn nearest(self) -> f64;
 }
 
 impl Angular for f64 {
@@ -164,6 +168,12 @@ impl Angular for f64 {
     }
     fn sine_cosine(self) -> (Self, Self) {
         libm::sincos(self)
+    }
+    fn angle_of(direction: V2<Self>) -> Self {
+        direction.angle()
+    }
+    fn nearest(self) -> f64 {
+        self
     }
 }
 
@@ -174,6 +184,12 @@ impl Angular for Double {
     fn sine_cosine(self) -> (Self, Self) {
         let u = self.as_direction();
         (u.y, u.x)
+    }
+    fn angle_of(direction: V2<Self>) -> Self {
+        Self::angle_of(direction)
+    }
+    fn nearest(self) -> f64 {
+        self.high
     }
 }
 

@@ -149,6 +149,8 @@ pub enum Query {
     Velocity(PointRef),
     /// Acceleration of a point, a vector.
     Acceleration(PointRef),
+    /// Third derivative of a point's position, a vector.
+    Jerk(PointRef),
     /// Angle of a link's x axis, continuous over a sweep.
     Angle(LinkId),
     /// The instant of a motion under loads, s.
@@ -179,6 +181,8 @@ pub enum Query {
     Turning(LinkId, LinkId),
     /// Angular acceleration of a link.
     Alpha(LinkId),
+    /// Third derivative of a link's angle.
+    AngularJerk(LinkId),
     /// Direction (cos, sin) of a link's x axis.
     LinkDirection(LinkId),
     /// Coordinate of a pair.
@@ -189,6 +193,8 @@ pub enum Query {
     Sliding(PairId),
     /// Second derivative of the coordinate.
     RelativeAcceleration(PairId),
+    /// Third derivative of the coordinate.
+    RelativeJerk(PairId),
     /// Coriolis acceleration in a pair, a vector: 2 ω × v_rel with ω of the line's link.
     Coriolis(PairId),
     /// Force on a link in a pair, a vector.
@@ -264,6 +270,16 @@ pub enum Query {
     Cycle(usize),
     /// Something of a flywheel: index into [`super::Mechanism::flywheels`].
     Flywheel(usize, FlywheelPart),
+}
+
+impl Query {
+    /// The point whose motion is asked.
+    pub const fn point_mut(&mut self) -> Option<&mut PointRef> {
+        match self {
+            Self::Position(p) | Self::Velocity(p) | Self::Acceleration(p) | Self::Jerk(p) => Some(p),
+            _ => None,
+        }
+    }
 }
 
 /// Parts of a mass substitution.

@@ -37,6 +37,8 @@ pub enum About {
 pub struct Facts {
     /// How far motion must be followed.
     pub level: Level,
+    /// It needs rates beyond accelerations.
+    pub beyond: bool,
     /// It needs reactions or efforts.
     pub forces: bool,
     /// It has one answer for the whole motion.
@@ -64,6 +66,7 @@ pub struct Facts {
 /// A number that needs positions alone.
 const NUMBER: Facts = Facts {
     level: Level::Positions,
+    beyond: false,
     forces: false,
     poseless: false,
     of_solution: false,
@@ -87,6 +90,8 @@ const POWER: Facts = Facts { from_loads: Some("a power"), ..RATE };
 const EVENT: Facts = of_motion("an event of the motion", Answer::Number);
 /// A number that needs accelerations.
 const SECOND_RATE: Facts = Facts { level: Level::Accelerations, ..NUMBER };
+/// A number that needs jerks.
+const THIRD_RATE: Facts = Facts { beyond: true, ..SECOND_RATE };
 
 /// A number that needs forces.
 const fn force(what: &'static str) -> Facts {
@@ -106,6 +111,9 @@ impl Query {
             Self::Position(p) => of_point(p, Level::Positions, "a position"),
             Self::Velocity(p) => of_point(p, Level::Velocities, "the velocity of a point"),
             Self::Acceleration(p) => of_point(p, Level::Accelerations, "the acceleration of a point"),
+            Self::Jerk(p) => {
+                Facts { beyond: true, ..of_point(p, Level::Accelerations, "the jerk of a point") }
+            }
             Self::Angle(link) => {
                 let about = About::Link(link);
                 Facts {
@@ -127,6 +135,7 @@ impl Query {
             Self::Alpha(link) | Self::InertiaTorque(link) => {
                 Facts { turned: Some(About::Link(link)), ..SECOND_RATE }
             }
+            Self::AngularJerk(link) => Facts { turned: Some(About::Link(link)), ..THIRD_RATE },
             Self::InertiaForce(link) => {
                 let about = About::Link(link);
                 let placed = Some((about, "the acceleration of a point"));
@@ -149,6 +158,7 @@ impl Query {
                 Facts { turned: Some(About::Pair(pair)), ..RATE }
             }
             Self::RelativeAcceleration(pair) => Facts { turned: Some(About::Pair(pair)), ..SECOND_RATE },
+            Self::RelativeJerk(pair) => Facts { turned: Some(About::Pair(pair)), ..THIRD_RATE },
             Self::Coriolis(_) => Facts { answer: Answer::Vector, ..RATE },
             Self::TransmissionAngle(_) => NUMBER,
             Self::PressureAngle(_) => RATE,

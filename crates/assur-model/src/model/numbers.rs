@@ -137,10 +137,10 @@ fn of_value(value: &mut Value, visit: &mut impl FnMut(&mut f64)) {
 }
 
 fn of_query(query: &mut Query, visit: &mut impl FnMut(&mut f64)) {
+    if let Some(PointRef::Fixed(_, at) | PointRef::Under(_, (_, at))) = query.point_mut() {
+        return of_vector(at, visit);
+    }
     match query {
-        Query::Position(p) | Query::Velocity(p) | Query::Acceleration(p) => match p {
-            PointRef::Fixed(_, at) | PointRef::Under(_, (_, at)) => of_vector(at, visit),
-        },
         Query::StaticSubstitution(_, first, second, _) => {
             of_vector(first, visit);
             of_vector(second, visit);

@@ -7,6 +7,8 @@ use crate::model::{Expr, FindKind, Level, LoadId, Mechanism, PairKind, QuantityI
 pub struct Effects {
     /// How far motion is followed.
     pub level: Level,
+    /// Rates beyond accelerations: jerks.
+    pub beyond: bool,
     /// Velocities are there to be asked for: a drive has a speed, or a sense (then they are ratios).
     pub moving: bool,
     /// A drive has a speed: accelerations are there to be asked for.
@@ -80,6 +82,7 @@ impl Effects {
         }
         Self {
             level,
+            beyond: wanted.beyond && timed,
             moving,
             timed,
             simulated,
@@ -127,6 +130,9 @@ impl Effects {
         if self.level >= Level::Accelerations {
             names.push("accelerations");
         }
+        if self.beyond {
+            names.push("jerks");
+        }
         names.extend(self.names());
         if self.forces {
             names.push("reactions");
@@ -158,6 +164,7 @@ fn loses(mechanism: &Mechanism) -> bool {
 #[derive(Default)]
 struct EffectRequest {
     level: Level,
+    beyond: bool,
     forces: bool,
     /// The file's quantities that something asked for names: a definition alone asks for nothing.
     named: Vec<QuantityId>,
@@ -218,6 +225,7 @@ impl EffectRequest {
             Expr::Query(query) => {
                 let facts = query.facts();
                 self.level = self.level.max(facts.level);
+                self.beyond |= facts.beyond;
                 self.forces |= facts.forces;
                 if let Query::Load(id) | Query::LoadPower(id) = query {
                     self.load(mechanism, *id);

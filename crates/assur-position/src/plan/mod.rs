@@ -5,6 +5,7 @@ mod cam;
 mod cam_step;
 mod checks;
 mod effects;
+pub mod equation;
 mod exact_vec;
 mod force_step;
 mod forces;
@@ -102,6 +103,9 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
         let pair_of = |joint: &GroupJoint| structure.replaced.joint(joint.joint).pair;
         plan.reactions_of = ByPair::of(&plan.reactions.iter().map(pair_of).collect::<Vec<_>>());
         plan.friction_of = ByPair::of(&plan.friction.iter().map(|e| e.pair).collect::<Vec<_>>());
+    }
+    if plan.effects.beyond {
+        plan.rate_groups = equation::rate_groups(mechanism, structure, &plan);
     }
     plan.closed = plan.find_closed();
     if plan.effects.loaded() {

@@ -4,6 +4,7 @@ use super::by_pair::ByPair;
 use super::cam_step::CamStep;
 use super::checks::Checks;
 use super::effects::Effects;
+use super::equation::RateGroup;
 use super::force_step::ForceStep;
 use super::friction_step::FrictionElement;
 use super::general_step::{BalanceSystem, GeneralMotion};
@@ -38,6 +39,8 @@ pub struct Plan {
     pub turning: Vec<usize>,
     /// All laws of transmissions.
     pub laws: Vec<PlannedLaw>,
+    /// The equations of all groups, where rates beyond accelerations are asked for.
+    pub rate_groups: Option<Vec<RateGroup>>,
     /// Slots of those that lose power, where that counts.
     pub losing: Vec<usize>,
     /// Loads against the motion that a run may hold.
@@ -93,6 +96,7 @@ impl Plan {
         };
         let followed = |step: &MotionStep| matches!(step, MotionStep::Triad { .. });
         self.general.is_empty()
+            && !self.effects.beyond
             && !self.motion.iter().any(followed)
             && self.cams.is_empty()
             && self.genevas.is_empty()

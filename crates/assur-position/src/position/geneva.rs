@@ -6,10 +6,21 @@
 //!
 //! All slots are alike; which of them the pin is in follows from where the wheel was before.
 
+use super::kinematics::Motion;
 use super::motion::{place, under};
 use super::state::State;
 use crate::math::Vec2;
 use crate::plan::GenevaStep;
+
+impl Motion {
+    /// Whether the pin of a wheel is in a slot.
+    pub(super) fn is_in_slot(&self, step: &GenevaStep) -> bool {
+        let pin = self.bodies[step.pair.crank.index()].position(step.pair.pin);
+        let centre = self.bodies[step.pair.crank.index()].position(step.pair.crank_centre);
+        let block = self.bodies[step.block].p;
+        (block - pin).norm() < (block - centre).norm()
+    }
+}
 
 impl State {
     #[inline(never)]
@@ -56,10 +67,7 @@ impl State {
     /// Whether the pin of a wheel is in a slot.
     #[must_use]
     pub fn is_in_slot(&self, step: &GenevaStep) -> bool {
-        let pin = self.motion.bodies[step.pair.crank.index()].position(step.pair.pin);
-        let centre = self.motion.bodies[step.pair.crank.index()].position(step.pair.crank_centre);
-        let block = self.motion.bodies[step.block].p;
-        (block - pin).norm() < (block - centre).norm()
+        self.motion.is_in_slot(step)
     }
 
     /// How far a pin in a slot is from the line of that slot, m: the slots lie about the wheel's centre.

@@ -17,10 +17,45 @@ pub struct DriveInput<S = f64> {
     /// Speed, rad/s or m/s.
     pub rate: S,
     pub acceleration: S,
+    pub jerk: S,
     /// Velocity of a driven point, m/s.
     pub velocity: V2<S>,
     /// Acceleration of a driven point, m/s².
     pub point_acceleration: V2<S>,
+    /// Jerk of a driven point, m/s³.
+    pub point_jerk: V2<S>,
+}
+
+impl<S: Scalar> DriveInput<S> {
+    /// The coordinate's derivatives.
+    pub(super) const fn rates(&self) -> [S; 3] {
+        [self.rate, self.acceleration, self.jerk]
+    }
+
+    /// A derivative, from the first on, of a driven point's place.
+    #[must_use]
+    pub const fn rate_of_point(&self, order: usize) -> V2<S> {
+        match order {
+            1 => self.velocity,
+            2 => self.point_acceleration,
+            _ => self.point_jerk,
+        }
+    }
+
+    /// The same in other numbers.
+    pub(super) fn map<T>(&self, f: impl Fn(S) -> T) -> DriveInput<T> {
+        let of = |v: V2<S>| V2 { x: f(v.x), y: f(v.y) };
+        DriveInput {
+            place: of(self.place),
+            value: f(self.value),
+            rate: f(self.rate),
+            acceleration: f(self.acceleration),
+            jerk: f(self.jerk),
+            velocity: of(self.velocity),
+            point_acceleration: of(self.point_acceleration),
+            point_jerk: of(self.point_jerk),
+        }
+    }
 }
 
 /// What a dyad RRR or RRP of motion leaves for forces.

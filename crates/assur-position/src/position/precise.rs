@@ -102,15 +102,9 @@ impl DriveInput {
     /// In another scalar; the direction of an angle is formed in it.
     #[must_use]
     pub fn in_scalar<S: Edge>(&self) -> DriveInput<S> {
+        let input = self.map(S::of);
         // a point has no value of its own
         let angle = self.place == Vec2::direction(self.value);
-        DriveInput {
-            place: if angle { S::direction(self.value) } else { V2::of(self.place) },
-            value: S::of(self.value),
-            rate: S::of(self.rate),
-            acceleration: S::of(self.acceleration),
-            velocity: V2::of(self.velocity),
-            point_acceleration: V2::of(self.point_acceleration),
-        }
+        DriveInput { place: if angle { S::direction(self.value) } else { input.place }, ..input }
     }
 }

@@ -23,6 +23,9 @@ impl State {
             Level::Velocities => self.run_motion::<1>(plan),
             Level::Accelerations => self.run_motion::<2>(plan),
         }
+        if plan.effects.beyond {
+            self.run_higher_rates(plan);
+        }
     }
 
     /// Loads and forces of a state whose motion is known, with the values of the loads that are evaluated at every

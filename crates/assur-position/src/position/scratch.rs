@@ -3,6 +3,7 @@
 use super::consistent::Searched;
 use super::friction_work::FrictionWork;
 use super::general_work::Workspace;
+use super::rate_work::RateWork;
 use super::train_work::TrainWork;
 use super::wrench::Wrench;
 use crate::group::general::General;
@@ -21,6 +22,8 @@ pub struct Scratch {
     pub train_work: Vec<Option<Box<TrainWork>>>,
     /// Groups with friction, by step of forces; nothing where nothing rubs.
     pub friction_work: Vec<Option<Box<FrictionWork>>>,
+    /// Systems for rates beyond accelerations.
+    pub(super) rate_work: Option<Box<RateWork>>,
     /// General groups of motion.
     pub motion_work: Vec<Option<Workspace>>,
     /// General groups of forces.
@@ -42,6 +45,7 @@ impl Scratch {
         Self {
             train_work: plan.train_forces.iter().map(|t| Some(Box::new(TrainWork::new(t)))).collect(),
             friction_work: if rubs { rubbing.collect() } else { Vec::new() },
+            rate_work: plan.rate_groups.as_ref().map(|groups| Box::new(RateWork::new(plan, groups))),
             motion_work: motion.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
             force_work: forces.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
             ..Self::default()

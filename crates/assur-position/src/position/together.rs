@@ -3,7 +3,6 @@
 //! All operations are those of one position alone, in the same order and without fused multiplications, so that every lane has the
 //! bits of [`State::run`].
 
-use super::body::BodyState;
 use super::closed::Closed;
 use super::directions::directions;
 use super::kinematics::{DriveInput, Motion, Shared};
@@ -168,23 +167,8 @@ impl DriveInput<F64x8> {
 
 impl Motion<F64x8> {
     fn write_lane(&self, lane: usize, out: &mut Motion) {
-        write(&self.inputs, &mut out.inputs, |input| DriveInput {
-            place: vector(input.place, lane),
-            value: input.value.0[lane],
-            rate: input.rate.0[lane],
-            acceleration: input.acceleration.0[lane],
-            velocity: vector(input.velocity, lane),
-            point_acceleration: vector(input.point_acceleration, lane),
-        });
-        write(&self.bodies, &mut out.bodies, |b| BodyState {
-            p: vector(b.p, lane),
-            u: vector(b.u, lane),
-            v: vector(b.v, lane),
-            omega: b.omega.0[lane],
-            a: vector(b.a, lane),
-            alpha: b.alpha.0[lane],
-            turned: b.turned.0[lane],
-        });
+        write(&self.inputs, &mut out.inputs, |input| input.map(|x| x.0[lane]));
+        write(&self.bodies, &mut out.bodies, |body| body.map(|x| x.0[lane]));
         write(&self.conditions, &mut out.conditions, |c| c.0[lane]);
         out.certificates.clone_from(&self.certificates);
         out.touches.clone_from(&self.touches);

@@ -106,6 +106,20 @@ impl PoseAnswers<'_> {
         (self.acceleration(&point) - self.acceleration(&under)).dot(self.coordinate_line(pair, &g))
     }
 
+    /// Third derivative of the coordinate.
+    #[must_use]
+    pub fn relative_jerk(&self, pair: PairId) -> f64 {
+        if let Some((first, second)) = self.hinge(pair) {
+            return self.body(second).zeta - self.body(first).zeta;
+        }
+        let Some(g) = self.guide(pair) else { return f64::NAN };
+        let point = PointRef::Fixed(g.slider, g.point);
+        let under = PointRef::Under(g.guide, (g.slider, g.point));
+        // of the jerk of sliding along a turning line this much is along it
+        let turning = self.body(g.guide).omega * self.body(g.guide).omega * self.relative_velocity(pair);
+        (self.jerk(&point) - self.jerk(&under)).dot(self.coordinate_line(pair, &g)) + 3.0 * turning
+    }
+
     pub(super) fn coriolis(&self, pair: PairId) -> Vec2 {
         let Some(g) = self.guide(pair) else { return NAN_VECTOR };
         self.coordinate_line(pair, &g).perp()

@@ -103,6 +103,7 @@ impl PoseAnswers<'_> {
             Query::Position(p) => Value::Vector(self.position(p)),
             Query::Velocity(p) => Value::Vector(self.velocity(p)),
             Query::Acceleration(p) => Value::Vector(self.acceleration(p)),
+            Query::Jerk(p) => Value::Vector(self.jerk(p)),
             Query::Angle(link) => Value::Scalar(self.angles.get(link.index()).copied().unwrap_or(f64::NAN)),
             Query::EventTime(event, which) => Value::Scalar(self.statics.event(*event, *which)),
             Query::EventCount(event) => Value::Scalar(self.statics.count(*event)),
@@ -127,11 +128,13 @@ impl PoseAnswers<'_> {
                 Value::Scalar(super::turning::turning(self, *link, *seen_from))
             }
             Query::Alpha(link) => Value::Scalar(self.body(*link).alpha),
+            Query::AngularJerk(link) => Value::Scalar(self.body(*link).zeta),
             Query::LinkDirection(link) => Value::Vector(self.body(*link).u),
             Query::Displacement(pair) => Value::Scalar(self.displacement(*pair)),
             Query::RelativeVelocity(pair) => Value::Scalar(self.relative_velocity(*pair)),
             Query::Sliding(pair) => Value::Scalar(self.sliding(*pair)),
             Query::RelativeAcceleration(pair) => Value::Scalar(self.relative_acceleration(*pair)),
+            Query::RelativeJerk(pair) => Value::Scalar(self.relative_jerk(*pair)),
             Query::Coriolis(pair) => Value::Vector(self.coriolis(*pair)),
             Query::Reaction(pair, link) => Value::Vector(self.reaction(*pair, *link)),
             Query::Moment(pair, link) => Value::Scalar(self.moment(*pair, *link)),
@@ -211,6 +214,11 @@ impl PoseAnswers<'_> {
     pub(super) fn acceleration(&self, point: &PointRef) -> Vec2 {
         let (link, at) = self.local(point);
         self.body(link).acceleration(at)
+    }
+
+    pub(super) fn jerk(&self, point: &PointRef) -> Vec2 {
+        let (link, at) = self.local(point);
+        self.body(link).jerk(at)
     }
 
     /// Of a contact the part of the relative velocity across the common normal.

@@ -85,6 +85,9 @@ impl PoseAnswers<'_> {
             Query::Position(_) => length,
             Query::Velocity(_) | Query::Sliding(_) => sizes.speed(),
             Query::Acceleration(_) | Query::Coriolis(_) => sizes.acceleration(),
+            Query::Jerk(_) => sizes.acceleration() * sizes.turning() + itself(),
+            Query::AngularJerk(_) => sizes.speeding() * sizes.turning() + itself(),
+            Query::RelativeJerk(pair) => of_pair(*pair, sizes.speeding() * sizes.turning()) + itself(),
             // an angle is that of a direction and whole turns
             Query::Angle(_) | Query::TransmissionAngle(_) | Query::PressureAngle(_) => 1.0 + itself(),
             Query::Displacement(pair) | Query::Travel(pair) => of_pair(*pair, 1.0) + itself(),

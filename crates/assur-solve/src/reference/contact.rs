@@ -1,8 +1,7 @@
 //! Lines along which friction acts, in the position found; on which side of a line a profile lies is that of the state.
 
-use super::constraint::Constraint;
-use super::jet::unit;
 use super::motion::Motion;
+use super::unit;
 use crate::math::{Double, Scalar, V2};
 use crate::model::ProfileShape;
 use crate::plan::{FrictionElement, FrictionLaw};
@@ -52,13 +51,11 @@ fn seen(body: &BodyState<D>, shape: ProfileShape) -> Seen {
 fn touch(motion: &Motion<'_>, sides: [(usize, ProfileShape); 2], internal: bool) -> Option<(V2<D>, V2<D>)> {
     let [one, two] = sides.map(|(body, shape)| seen(&motion.bodies[body], shape));
     match (one, two) {
-        (Seen::Cam(index), _) | (_, Seen::Cam(index)) => motion.constraints.iter().find_map(|c| match c {
-            Constraint::Cam(law) if law.index() == index => {
-                let touch = law.touch(&motion.bodies);
-                Some((touch.place, touch.normal))
-            }
-            _ => None,
-        }),
+        (Seen::Cam(index), _) | (_, Seen::Cam(index)) => {
+            let step = motion.model.plan.cams.iter().find(|step| step.index == index)?;
+            let touch = super::cam::touch(step, &motion.bodies);
+            Some((touch.place, touch.normal))
+        }
         (Seen::Round(c_1, r_1), Seen::Round(c_2, r_2)) => {
             let apart = c_1 - c_2;
             let normal = apart / apart.norm();

@@ -44,15 +44,7 @@ impl Exact {
     /// Puts the motion into a state.
     pub(crate) fn round_motion(&self, state: &mut State) {
         for (out, b) in state.motion.bodies.iter_mut().zip(&self.bodies) {
-            *out = BodyState {
-                p: rounded(b.p),
-                u: rounded(b.u),
-                v: rounded(b.v),
-                omega: b.omega.rounded(),
-                a: rounded(b.a),
-                alpha: b.alpha.rounded(),
-                turned: out.turned,
-            };
+            *out = BodyState { turned: out.turned, ..b.map(Double::rounded) };
         }
     }
 

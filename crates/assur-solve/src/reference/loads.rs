@@ -1,6 +1,6 @@
 //! Loads on the bodies, with inertia, in the position found. Values of expressions are those of `f64`.
 
-use super::jet::unit;
+use super::unit;
 use crate::math::{Double, Scalar, V2, Vec2};
 use crate::model::{Expr, LoadId, LoadKind, PairId, PairKind, Place, Value};
 use crate::plan::{Anchor, LoadStep};

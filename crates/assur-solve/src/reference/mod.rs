@@ -1,8 +1,8 @@
 //! One position with twice the digits, from the equations of all bodies at once.
 //!
 //! The closed forms of the groups are not used. From the poses of a state in `f64` Newton's method in double-double solves
-//! the closure of all joints of the replaced mechanism, the laws of transmissions and cams, and the drives; velocities and
-//! accelerations follow from the same equations differentiated; forces are one linear system of the equilibria of all
+//! the closure of all joints of the replaced mechanism, the laws of transmissions and cams, and the drives; velocities,
+//! accelerations and rates beyond follow from the same equations differentiated; forces are one linear system of the equilibria of all
 //! bodies, with friction by Newton's method on the laws of all its elements.
 //!
 //! Taken as exact are the numbers that the model holds in `f64`: points of links, the distances between them formed again;
@@ -13,19 +13,17 @@
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
 mod cam;
-mod constraint;
 mod contact;
 mod exact;
 mod forces;
 mod geneva;
-mod jet;
 mod loads;
 mod motion;
 mod unknowns;
 
 pub use exact::{Exact, exact, knows_couple};
 
-use crate::math::Double;
+use crate::math::{Double, V2, Vec2};
 use crate::model::{LoadId, Value};
 use crate::position::{BodyState, Model, Reaction, State, Wrench};
 
@@ -68,4 +66,9 @@ pub fn reference(model: &Model<'_>, state: &State, evaluated: &[(LoadId, Value)]
         multipliers: forces.multipliers,
         equilibrium: forces.equilibrium,
     })
+}
+
+/// A direction of the model, of unit length to all digits.
+fn unit(direction: Vec2) -> V2<Double> {
+    crate::plan::step::unit(direction)
 }

@@ -1,11 +1,10 @@
-//! Newton's method on all equations at once, then velocities and accelerations from the same matrix.
+//! Newton's method on all equations at once, then all its derivatives from the same matrix.
 
-use super::constraint::{Constraint, constraints};
-use super::geneva;
-use super::jet::Jet;
+use super::{cam, geneva};
 use crate::math::{Double, Factors, Scalar, V2, Vec2};
 use crate::plan::Level;
-use crate::position::{BodyState, Model, State};
+use crate::plan::equation::{Equation, equations};
+use crate::position::{At, BodyState, DriveInput, Jet, Model, PLACES, State};
 use crate::structure::JointKind;
 
 /// Steps of Newton's method: from the digits of `f64` three suffice.
@@ -24,7 +23,10 @@ const CORRECTIONS: usize = 3;
 
 pub(super) struct Motion<'a> {
     pub bodies: Vec<BodyState<Double>>,
-    pub constraints: Vec<Constraint<'a>>,
+    pub model: Model<'a>,
+    state: &'a State,
+    equations: Vec<Equation>,
+    inputs: Vec<DriveInput<Double>>,
     /// Greatest coordinate in play, m.
     pub size: f64,
     /// What the equations of position are off, relative to the magnitudes in them.
@@ -35,10 +37,13 @@ pub(super) struct Motion<'a> {
 }
 
 /// Motion as far as the plan follows it; `None` where Newton's method does not settle on a position near that of the state.
-pub(super) fn motion<'a>(model: &Model<'a>, state: &State) -> Option<Motion<'a>> {
+pub(super) fn motion<'a>(model: &Model<'a>, state: &'a State) -> Option<Motion<'a>> {
     let mut motion = Motion {
         bodies: state.motion.bodies.iter().map(at_rest).collect(),
-        constraints: constraints(model, state)?,
+        model: *model,
+        state,
+        equations: equations(model.mechanism, model.structure, model.plan),
+        inputs: state.motion.inputs.iter().map(DriveInput::in_scalar).collect(),
         size: size(model, state),
         closure: 0.0,
         columns: Vec::new(),
@@ -51,25 +56,20 @@ pub(super) fn motion<'a>(model: &Model<'a>, state: &State) -> Option<Motion<'a>>
         body.p = V2::of(input.place) - V2::of(at);
     }
     for (slot, body) in model.structure.replaced.bodies.iter().enumerate() {
-        let known = body.known
-            || model.plan.cams.iter().any(|step| step.block == slot)
-            || model.plan.genevas.iter().any(|step| step.block == slot);
+        let known = body.known || model.plan.is_block(slot);
         motion.columns.push((!known).then_some(motion.count));
         motion.count += if known { 0 } else { 3 };
     }
-    if motion.constraints.len() != motion.count {
+    if motion.equations.len() != motion.count {
         return None;
     }
     motion.position()?;
-    motion.rates(model, state)?;
-    let Motion { constraints, bodies, .. } = &mut motion;
-    for constraint in constraints.iter() {
-        if let Constraint::Cam(law) = constraint {
-            law.place_block(bodies);
-        }
+    motion.rates()?;
+    for step in &model.plan.cams {
+        cam::place_block(step, &mut motion.bodies);
     }
     for step in &model.plan.genevas {
-        geneva::place_block(step, state, bodies);
+        geneva::place_block(step, state, &mut motion.bodies);
     }
     Some(motion)
 }
@@ -101,27 +101,32 @@ fn size(model: &Model<'_>, state: &State) -> f64 {
 }
 
 impl Motion<'_> {
-    fn jets(&self) -> Vec<Jet> {
-        self.constraints.iter().map(|c| c.jet(&self.bodies)).collect()
+    fn jet(&self, bodies: &[BodyState<Double>], equation: &Equation) -> Jet<Double> {
+        At { plan: self.model.plan, bodies, inputs: &self.inputs, chosen: &self.state.motion }.jet(equation)
+    }
+
+    /// One derivative of all equations, the equations themselves being the first.
+    fn derivatives(&self, order: usize) -> Vec<Double> {
+        self.equations.iter().map(|equation| self.jet(&self.bodies, equation).0[order]).collect()
     }
 
     /// The gradients of all equations, lengths counted in sizes. Bodies are at rest.
     fn matrix(&self) -> Vec<Vec<Double>> {
         let mut bodies = self.bodies.clone();
-        let mut gradient = |constraint: &Constraint<'_>| {
+        let mut gradient = |equation: &Equation| {
             let mut row = vec![Double::zero(); self.count];
-            let driven = constraint.jet(&bodies).rate;
-            for slot in constraint.bodies() {
+            let driven = self.jet(&bodies, equation).0[1];
+            for slot in equation.bodies(self.model.plan) {
                 let Some(column) = self.columns[slot] else { continue };
                 for i in 0..3 {
                     bodies[slot] = unit_rate(&self.bodies[slot], i, self.size);
-                    row[column + i] = constraint.jet(&bodies).rate - driven;
+                    row[column + i] = self.jet(&bodies, equation).0[1] - driven;
                 }
                 bodies[slot] = self.bodies[slot];
             }
             row
         };
-        self.constraints.iter().map(&mut gradient).collect()
+        self.equations.iter().map(&mut gradient).collect()
     }
 
     fn position(&mut self) -> Option<()> {
@@ -129,7 +134,7 @@ impl Motion<'_> {
         for _ in 0..STEPS {
             let matrix = self.matrix();
             let weights: Vec<f64> = matrix.iter().map(|row| row.iter().map(|x| x.high.abs()).sum()).collect();
-            let values: Vec<Double> = self.jets().iter().map(|jet| jet.value).collect();
+            let values = self.derivatives(0);
             self.closure =
                 values.iter().zip(&weights).fold(0.0, |most, (x, w)| f64::max(most, x.high.abs() / w));
             let step = Factors::new(matrix)?.solve(&values);
@@ -159,37 +164,35 @@ impl Motion<'_> {
         }
     }
 
-    /// Velocities, then accelerations, as far as the plan goes, each corrected by what the equations say of it.
-    fn rates(&mut self, model: &Model<'_>, state: &State) -> Option<()> {
-        let level = model.plan.effects.level;
-        if level == Level::Positions {
+    /// Velocities, accelerations and rates beyond, as far as the plan goes, each corrected by what the equations say of it.
+    fn rates(&mut self) -> Option<()> {
+        let (plan, effects) = (self.model.plan, self.model.plan.effects);
+        if effects.level == Level::Positions {
             return Some(());
         }
         let factors = Factors::new(self.matrix())?;
-        for &(body, _, drive) in &model.plan.outer {
-            self.bodies[body].v = V2::of(state.motion.inputs[drive].velocity);
-        }
-        for _ in 0..CORRECTIONS {
-            let rates: Vec<Double> = self.jets().iter().map(|jet| jet.rate).collect();
-            self.add(&factors.solve(&rates), |b| (&mut b.v, &mut b.omega));
-        }
-        if level == Level::Accelerations {
-            for &(body, _, drive) in &model.plan.outer {
-                self.bodies[body].a = V2::of(state.motion.inputs[drive].point_acceleration);
+        let last = match effects.level {
+            _ if effects.beyond => PLACES - 1,
+            Level::Accelerations => 2,
+            Level::Positions | Level::Velocities => 1,
+        };
+        for order in 1..=last {
+            for &(body, _, drive) in &plan.outer {
+                *self.bodies[body].rate_mut(order).0 = self.inputs[drive].rate_of_point(order);
             }
             for _ in 0..CORRECTIONS {
-                let seconds: Vec<Double> = self.jets().iter().map(|jet| jet.second).collect();
-                self.add(&factors.solve(&seconds), |b| (&mut b.a, &mut b.alpha));
+                let less = factors.solve(&self.derivatives(order));
+                self.add(&less, order);
             }
         }
         Some(())
     }
 
-    fn add(&mut self, less: &[Double], of: fn(&mut BodyState<Double>) -> (&mut V2<Double>, &mut Double)) {
+    fn add(&mut self, less: &[Double], order: usize) {
         let size = Double::of(self.size);
         for (body, column) in self.bodies.iter_mut().zip(&self.columns) {
             let Some(column) = *column else { continue };
-            let (v, turn) = of(body);
+            let (v, turn) = body.rate_mut(order);
             *v -= V2::new(less[column], less[column + 1]) * size;
             *turn = *turn - less[column + 2];
         }

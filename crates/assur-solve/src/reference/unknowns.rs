@@ -1,8 +1,8 @@
 //! The unknown forces: what a unit of each does to the bodies.
 
 use super::contact::friction_line;
-use super::jet::unit;
 use super::motion::Motion;
+use super::unit;
 use crate::math::{Double, Scalar, V2, Vec2};
 use crate::plan::{Guide, LawSite, PlannedLaw};
 use crate::position::{BodyState, Model, State};
@@ -82,7 +82,7 @@ pub(super) fn unknowns(model: &Model<'_>, state: &State, motion: &Motion<'_>) ->
                 }
                 EffortKind::Line(body) => {
                     let line = model.plan.lines.iter().find(|line| line.effort == slot)?;
-                    let along = super::jet::unit(line.along);
+                    let along = super::unit(line.along);
                     let along = line.frame.map_or(along, |f| along.turned(bodies[f].u));
                     on.act(body.0, bodies[line.body].position(line.at), along, D::zero());
                 }
@@ -93,7 +93,7 @@ pub(super) fn unknowns(model: &Model<'_>, state: &State, motion: &Motion<'_>) ->
                         return None;
                     };
                     let body = &bodies[slider.0];
-                    let along = super::jet::unit(direction).turned(body.u);
+                    let along = super::unit(direction).turned(body.u);
                     on = on.force(slider.0, guide.0, body.position(point), along);
                 }
                 EffortKind::Point(_) => {}

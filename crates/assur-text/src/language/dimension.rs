@@ -40,6 +40,8 @@ impl Dimension {
     pub const ACCELERATION: Self = free(1, 0, -2);
     pub const ANGULAR_VELOCITY: Self = Self { kind: Kind::Angle, ..free(0, 0, -1) };
     pub const ANGULAR_ACCELERATION: Self = Self { kind: Kind::Angle, ..free(0, 0, -2) };
+    pub const JERK: Self = free(1, 0, -3);
+    pub const ANGULAR_JERK: Self = Self { kind: Kind::Angle, ..free(0, 0, -3) };
     /// Turns per time of which nobody said whether they are revolutions or radians.
     pub const FREQUENCY: Self = Self { kind: Kind::Plain, ..free(0, 0, -1) };
     pub const FORCE: Self = free(1, 1, -2);
@@ -164,6 +166,8 @@ impl Dimension {
             ((3, 0, 0), _) => "a volume",
             ((1, 0, -1), _) => "a velocity",
             ((1, 0, -2), _) => "an acceleration",
+            ((1, 0, -3), _) => "a jerk",
+            ((0, 0, -3), _) => "an angular jerk",
             ((0, 0, -1), Kind::Plain) => "a frequency",
             ((0, 0, -1), _) => "an angular velocity",
             ((0, 0, -2), _) => "an angular acceleration",
@@ -192,6 +196,7 @@ impl Dimension {
             ((0, 0, 0), _) => "",
             ((0, 0, -1), Kind::Angle) => "rad/s",
             ((0, 0, -2), Kind::Angle) => "rad/s^2",
+            ((0, 0, -3), Kind::Angle) => "rad/s^3",
             ((0, 0, -1), Kind::Plain) => "Hz",
             ((1, 1, -2), _) => "N",
             ((2, 1, -2), _) => "N*m",

@@ -129,6 +129,11 @@ functions! {
         form(&[P], Vector(Dimension::ACCELERATION), "acceleration of a point; of a slider a signed number"),
         form(&[L, KP], Vector(Dimension::ACCELERATION), "of the point of L that coincides with K.P now"),
     ],
+    Jerk "jerk" Motion "jerk(rod.C)" [
+        form(&[P], Vector(Dimension::JERK), "rate of the acceleration of a point"),
+        form(&[L, KP], Vector(Dimension::JERK), "of the point of L that coincides with K.P now"),
+        form(&[J], Varies("length per time³"), "third rate of the coordinate along a line"),
+    ],
     Distance "distance" Motion "distance(A, rod.C)" [form(
         &[arg("A", Takes::Point), arg("B", Takes::Point)],
         Number(Dimension::LENGTH),
@@ -147,6 +152,8 @@ functions! {
         [form(&[L], Number(Dimension::ANGULAR_VELOCITY), "angular velocity")],
     Alpha "alpha" Motion "alpha(rod)"
         [form(&[L], Number(Dimension::ANGULAR_ACCELERATION), "angular acceleration")],
+    AngularJerk "angular_jerk" Motion "angular_jerk(rod)"
+        [form(&[L], Number(Dimension::ANGULAR_JERK), "rate of the angular acceleration")],
     Displacement "displacement" Motion "displacement(D)" [form(&[J], COORDINATE, "coordinate of the pair")],
     RelativeVelocity "relative_velocity" Motion "relative_velocity(D)"
         [form(&[J], Varies("that of the coordinate per time"), "rate of the coordinate")],

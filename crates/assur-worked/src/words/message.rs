@@ -45,6 +45,7 @@ messages! {
         WillisSpeeds Sizes SizesOf CamTurned CamTurnedBy LiftBegins PlanetsEven SplineSlopes RootOfLaw
         CamDwells HeldByArc TurnsWith Rests Powers CommonNormal StaticMasses DynamicMasses StiffLink
         CylinderLength LoadRests PlaceOpen CoupleAtSlider ByFormulas AskedBesides
+        Jerks AskedForJerks
     }
     equations after {
         SumAlongGuide SumAcrossGuide SumOfLink MomentsOfLink MemberGives MembersGive AcrossGuide AlongGuide
@@ -91,7 +92,7 @@ messages! {
         Travel Stroke TimeRatio TangentialForce ToothForce Tension TightSide SlackSide DeadPosition Period
         EventTime MotionScales Least Mean Integral WhereGreatest Work FlywheelInertia Fluctuation RimWidth
         RimHeight RimMass ReducedTorque ReducedInertia ExcessWork StaticMass DynamicMass SecondMass
-        SecondDistance InertiaLeft
+        SecondDistance InertiaLeft Jerk AngularJerk RelativeJerk
     }
 }
 

@@ -4,10 +4,11 @@ use crate::expr::context::Context;
 use crate::expr::results::{Call, argument_count};
 use crate::names::declared::ThingKind;
 use crate::requests::query::args::{Mover, path};
+use crate::requests::query::pair_kinds::ALONG_LINE;
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr as ModelExpr, Function, LinkId, PairId, PairKind, PointRef, Query};
-use assur_syntax::document::{Drive, Expr, ExprKind, JointKind, Statement};
+use assur_syntax::document::{Arg, Drive, Expr, ExprKind, JointKind, Statement};
 use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
@@ -121,6 +122,13 @@ impl Context<'_> {
         let pair = self.pair_argument(call, args[0])?;
         let coordinate = self.coordinate(call, pair)?;
         Some(number(query(pair), per_time(coordinate, rates)))
+    }
+
+    /// Whether the one argument is a pair in which a point slides along a line, and no point has its name.
+    pub(super) fn asks_guide(&self, args: &[Arg]) -> bool {
+        let [Arg { value: Expr { kind: ExprKind::Name(name), .. }, .. }] = args else { return false };
+        let slides = |pair| (ALONG_LINE.0)(&self.builder.mech.pair(pair).kind);
+        self.bearers_as_declared(name).next().is_none() && self.find_pair(name).is_some_and(slides)
     }
 
     /// `time_ratio(G)`

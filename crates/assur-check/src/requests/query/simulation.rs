@@ -40,6 +40,17 @@ impl Context<'_> {
         Some(())
     }
 
+    /// Reports what is beyond accelerations where these are found from the loads.
+    pub(super) fn follows_from_loads(&mut self, call: Call<'_>) -> bool {
+        let found = self.builder.mech.drives.iter().any(|drive| drive.free);
+        if found {
+            let help = "ask for `acceleration` and `alpha`, which follow from the loads, or give the drive a motion of its own \
+                        in a file without `simulate`, as in `drive crank = 0 deg .. 360 deg at 60 rpm`";
+            self.error(without_meaning(&format!("`{}`", call.name.node), help, call.span));
+        }
+        found
+    }
+
     /// The functions of a motion under loads.
     pub(crate) fn of_motion(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
         match function {

@@ -2,7 +2,7 @@
 
 use super::flank::Flank;
 use super::law::{Jet, Law};
-use crate::math::{Double, Scalar};
+use crate::math::{Angular, Scalar};
 use std::f64::consts::TAU;
 
 /// Angles nearer than this are one, rad.
@@ -102,16 +102,16 @@ impl Program {
         phase.scaled(phase.law.at(((phi - phase.start) / phase.angle).clamp(0.0, 1.0)))
     }
 
-    /// [`Program::at`] with twice the digits, by the formula that holds at the nearest `f64`.
+    /// [`Program::at`] for any number, by the formula that holds at the nearest `f64`.
     #[must_use]
-    pub fn precise_at(&self, phi: Double) -> [Double; 4] {
-        let near = wrapped(phi.high);
-        let turns = Double::of(((phi.high - near) / TAU).round());
+    pub fn at_any<S: Angular>(&self, phi: S) -> [S; 4] {
+        let near = wrapped(phi.nearest());
+        let turns = S::of(((phi.nearest() - near) / TAU).round());
         let index = self.phases.partition_point(|p| p.start <= near + NEAR);
-        let Some(phase) = self.phases.get(index.saturating_sub(1)) else { return [Double::zero(); 4] };
+        let Some(phase) = self.phases.get(index.saturating_sub(1)) else { return [S::zero(); 4] };
         let part = phase.law.part_at(((near - phase.start) / phase.angle).clamp(0.0, 1.0));
-        let way = phi - turns * Double::of(2.0) * Double::PI - Double::of(phase.start);
-        let x = (way / Double::of(phase.angle)).max(Double::zero()).min(Double::one());
+        let way = phi - turns * S::of(2.0) * S::pi() - S::of(phase.start);
+        let x = (way / S::of(phase.angle)).max(S::zero()).min(S::one());
         phase.scaled(phase.law.on_part(part, x))
     }
 

@@ -27,15 +27,7 @@ fn wide<S: Edge>(v: V2<S>) -> V2<Double> {
 }
 
 pub(super) fn wide_body<S: Edge>(b: &BodyState<S>) -> BodyState<Double> {
-    BodyState {
-        p: wide(b.p),
-        u: wide(b.u),
-        v: wide(b.v),
-        omega: b.omega.widened(),
-        a: wide(b.a),
-        alpha: b.alpha.widened(),
-        turned: b.turned.widened(),
-    }
+    b.map(S::widened)
 }
 
 pub(super) fn wide_reaction<S: Edge>(r: &Reaction<S>) -> Reaction<Double> {

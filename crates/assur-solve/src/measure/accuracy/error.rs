@@ -9,14 +9,17 @@
 //! | position | \|Δp\| of a body's origin, L \|Δu\| of its direction | L |
 //! | velocity | \|Δv\|, L \|Δω\| | the greatest \|v\|, L \|ω\| |
 //! | acceleration | \|Δa\|, L \|Δα\| | the greatest \|a\|, L \|α\|, L ω² |
+//! | beyond | \|Δ\| of a derivative after it, L times that of the angle | the greatest of them, L ω³; counted with accelerations |
 //! | force | \|ΔF\| of a reaction, of an unknown force | the greatest reaction, unknown force, load on a body |
 //! | moment | \|ΔM\| of a couple in a pair, of an unknown torque | the greatest of them, and L times the greatest force |
 
 use super::answer::Answer;
 use crate::math::{Double, V2};
 use crate::plan::Level;
+use crate::position::PLACES;
 use crate::solve::{Model, extent, knows_couple};
 use crate::structure::EffortKind;
+use std::ops::Range;
 
 /// The greatest magnitudes in play.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,6 +30,8 @@ pub struct Scales {
     pub velocity: f64,
     /// m/s².
     pub acceleration: f64,
+    /// Of rates beyond it.
+    pub beyond: f64,
     /// N.
     pub force: f64,
     pub moment: f64,
@@ -91,6 +96,11 @@ pub(super) fn scales(model: &Model<'_>, answers: &[Answer]) -> Scales {
                 // what is nothing is not judged by itself
                 most.acceleration = most.acceleration.max(extent * b.omega.rounded() * b.omega.rounded());
             }
+            for order in beyond(model) {
+                let (origin, turn) = b.rate(order);
+                let least = b.omega.rounded().abs().powi(3);
+                most.beyond = most.beyond.max(size(origin)).max(extent * turn.rounded().abs().max(least));
+            }
         }
         most.force = most.force.max(answer.load);
         for r in &answer.reactions {
@@ -104,6 +114,11 @@ pub(super) fn scales(model: &Model<'_>, answers: &[Answer]) -> Scales {
     }
     most.moment = most.moment.max(extent * most.force);
     most
+}
+
+/// The derivatives after accelerations that a plan follows.
+fn beyond(model: &Model<'_>) -> Range<usize> {
+    if model.plan.effects.beyond { 3..PLACES } else { 3..3 }
 }
 
 /// A difference over its scale; none where nothing is in play.
@@ -127,6 +142,11 @@ pub(super) fn error(model: &Model<'_>, scales: &Scales, got: &Answer, exact: &An
             acceleration: over(size(a.a - b.a).max(turn(a.alpha, b.alpha)), scales.acceleration),
             ..Error::default()
         });
+        for order in beyond(model) {
+            let ((p, turned), (q, wanted)) = (a.rate(order), b.rate(order));
+            let rate = over(size(p - q).max(turn(turned, wanted)), scales.beyond);
+            error.acceleration = error.acceleration.max(rate);
+        }
     }
     // a reaction that the reference does not know either is not compared
     let known = |x: Double| x.rounded().is_finite();

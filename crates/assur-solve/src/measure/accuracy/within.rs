@@ -83,7 +83,7 @@ pub fn reached(model: &Model<'_>, solution: &Solution, within: f64) -> AchievedA
             let power = match model.plan.effects.level {
                 Level::Positions => 1,
                 Level::Velocities => 2,
-                Level::Accelerations => 3,
+                Level::Accelerations => 3 + i32::from(model.plan.effects.beyond),
             };
             let power = if model.plan.effects.forces { power.max(2) } else { power };
             let loose = settings.newton.powi(2).max(settings.friction).max(settings.triad);

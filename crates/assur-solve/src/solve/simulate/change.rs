@@ -39,6 +39,7 @@ pub(super) fn put_numbers(body: &mut BodyState, n: &[f64]) {
         a: Vec2::new(n[7], n[8]),
         alpha: n[9],
         turned: body.turned,
+        ..BodyState::rest()
     };
 }
 

@@ -50,22 +50,23 @@ pub(super) fn prescribed(
     };
     if let (DriveTarget::Point(..), Some(expr)) = (drive.target, timed) {
         let [x, y] = [Axis::X, Axis::Y].map(|axis| Derivatives::component(expr, axis, t, switches).0);
-        let [place, velocity, point_acceleration] = [0, 1, 2].map(|order| Vec2::new(x[order], y[order]));
-        return DriveInput { place, velocity, point_acceleration, ..*first };
+        let [place, velocity, point_acceleration, point_jerk] =
+            [0, 1, 2, 3].map(|order| Vec2::new(x[order], y[order]));
+        return DriveInput { place, velocity, point_acceleration, point_jerk, ..*first };
     }
     if let DriveTarget::Point(..) = drive.target {
         let (v, a) = (first.velocity, first.point_acceleration);
         let place = first.place + (v + a * (0.5 * elapsed)) * elapsed;
         return DriveInput { place, velocity: v + a * elapsed, ..*first };
     }
-    let [value, rate, acceleration] = timed.map_or_else(
+    let [value, rate, acceleration, jerk] = timed.map_or_else(
         || {
             let value = first.value + (first.rate + 0.5 * first.acceleration * elapsed) * elapsed;
-            [value, first.rate + first.acceleration * elapsed, first.acceleration]
+            [value, first.rate + first.acceleration * elapsed, first.acceleration, 0.0]
         },
         |expr| Derivatives::of(expr, t, switches).0,
     );
-    DriveInput { place: Vec2::direction(value), value, rate, acceleration, ..*first }
+    DriveInput { place: Vec2::direction(value), value, rate, acceleration, jerk, ..*first }
 }
 
 /// Whether a drive moves that says this at the first instant.
