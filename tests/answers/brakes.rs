@@ -17,7 +17,7 @@ type Law<'w> = &'w dyn Fn(usize, f64, &[f64], &[f64]) -> (Vec<Vec<f64>>, Vec<f64
 /// A mechanism whose coordinates are those that brakes act on.
 struct World<'w> {
     law: Law<'w>,
-    /// What the brakes hold at most.
+    /// What the brakes hold at most, at places and rates.
     limits: &'w dyn Fn(f64, &[f64]) -> Vec<f64>,
     /// Where the loads switch, s.
     switches: Vec<f64>,
@@ -58,7 +58,7 @@ impl World<'_> {
     fn accelerate(&self, now: &Now, t: f64, y: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = now.senses.len();
         let (mass, force) = (self.law)(now.phase, t, &y[..n], &y[n..2 * n]);
-        let limits = (self.limits)(t, &y[..n]);
+        let limits = (self.limits)(t, &y[..2 * n]);
         let mut matrix = mass;
         let mut right = force;
         for (i, sense) in now.senses.iter().enumerate() {
@@ -97,7 +97,7 @@ impl World<'_> {
     fn passed(&self, now: &Now) -> Vec<usize> {
         let n = now.senses.len();
         let (_, efforts) = self.accelerate(now, now.t, &now.y);
-        let limits = (self.limits)(now.t, &now.y[..n]);
+        let limits = (self.limits)(now.t, &now.y[..2 * n]);
         let passed = |i: &usize| match now.senses[*i] {
             0.0 => efforts[*i].abs() > limits[*i],
             sense => sense * now.y[n + i] < -1e-13,
@@ -108,7 +108,7 @@ impl World<'_> {
     /// Goes on from where these coordinates have come to rest, or are let go.
     fn choose(&self, now: &mut Now, open: &[usize], let_go: &[usize]) {
         let n = now.senses.len();
-        let limits = (self.limits)(now.t, &now.y[..n]);
+        let limits = (self.limits)(now.t, &now.y[..2 * n]);
         for way in 0..3_usize.pow(u32::try_from(open.len()).unwrap()) {
             for (place, &i) in open.iter().enumerate() {
                 now.senses[i] = [0.0, 1.0, -1.0][way / 3_usize.pow(u32::try_from(place).unwrap()) % 3];
@@ -258,23 +258,25 @@ fn instants(end: f64, steps: u32) -> Vec<f64> {
     (1..=steps).map(|i| end * f64::from(i) / f64::from(steps)).collect()
 }
 
-/// Discs on one pin with springs between them and loads that come and go.
+/// Discs on one pin with springs between them and loads that come and go; brakes also by place, time, or their own speed.
 #[test]
 fn discs_with_brakes_and_springs() {
     let mut random = random(5);
     for case in 0..part(24) {
-        let n: usize = 2 + case % 2;
+        let by_speed = case % 5 == 3;
+        let n: usize = if by_speed { 1 + case % 3 } else { 2 + case % 2 };
         let inertias: Vec<f64> = (0..n).map(|_| random(0.5, 3.0)).collect();
         let springs: Vec<f64> =
             (0..n).map(|_| random(0.0, 20.0) * f64::from(u8::from(case % 3 > 0))).collect();
-        let braked: Vec<bool> = (0..n).map(|i| case % 4 != 3 || i == 1).collect();
+        let braked: Vec<bool> = (0..n).map(|i| by_speed || case % 4 != 3 || i == 1).collect();
         let holds: Vec<f64> =
             braked.iter().map(|braked| if *braked { random(1.0, 6.0) } else { 0.0 }).collect();
         let (pull, turn) = (random(2.0, 9.0), random(0.5, 4.0));
         let (on, extra, which) = (random(1.0, 3.0), random(-15.0, 15.0), case % n);
         let (by_place, by_time) = (case % 5 == 1, case % 5 == 2);
-        let start: Vec<(f64, f64)> =
-            (0..n).map(|i| (0.0, if i == 2 { 0.0 } else { random(-6.0, 6.0) })).collect();
+        let start: Vec<(f64, f64)> = (0..n)
+            .map(|i| (0.0, if i == 2 || by_speed && i == 0 { 0.0 } else { random(-6.0, 6.0) }))
+            .collect();
         let law = |phase: usize, t: f64, q: &[f64], _: &[f64]| {
             let mass =
                 (0..n).map(|i| (0..n).map(|j| if i == j { inertias[i] } else { 0.0 }).collect()).collect();
@@ -296,16 +298,18 @@ fn discs_with_brakes_and_springs() {
             (_, true) => 1.0 + 0.5 * libm::cos(2.0 * t),
             _ => 1.0,
         };
-        let limits = |t: f64, q: &[f64]| holds.iter().map(|holds| holds * grows(t, q)).collect();
+        let own = |i: usize, y: &[f64]| if by_speed { 1.0 + 0.4 * y[n + i].abs() } else { 1.0 };
+        let limits = |t: f64, y: &[f64]| (0..n).map(|i| holds[i] * grows(t, y) * own(i, y)).collect();
         let world = World { law: &law, limits: &limits, switches: vec![on] };
         let mut text = "ground { O (0, 0) }\n".to_owned();
         for i in 0..n {
             let below = if i == 0 { "ground".into() } else { format!("d{}", i - 1) };
             let (inertia, spring, hold) = (inertias[i], springs[i], holds[i]);
             let factor = match (by_place, by_time) {
-                (true, _) => "*(1 + 0.5*sin(angle(d1)))",
-                (_, true) => "*(1 + 0.5*cos(2 rad/s*time))",
-                _ => "",
+                (true, _) => "*(1 + 0.5*sin(angle(d1)))".to_owned(),
+                (_, true) => "*(1 + 0.5*cos(2 rad/s*time))".to_owned(),
+                _ if by_speed => format!("*(1 + 0.4*abs(omega(d{i})/(1 rad/s)))"),
+                _ => String::new(),
             };
             writeln!(
                 text,
@@ -331,7 +335,7 @@ fn discs_with_brakes_and_springs() {
             efforts.clear();
         }
         let asked = Asked { rates: &rates, efforts: &efforts, alone: true };
-        compare(&text, &asked, &world.run(&start, &instants(6.0, 7), 5e-3));
+        compare(&text, &asked, &world.run(&start, &instants(6.0, 7), 2e-3));
     }
 }
 
@@ -488,6 +492,14 @@ fn two_discs_by_hand() {
     let solution = assur::solve(text).unwrap_or_else(|error| panic!("{error}"));
     assert!(solution.expectations().iter().all(|expectation| expectation.met), "{}", solution.diagnostics());
     assert!(evaluations(text) < 10_000);
+}
+
+#[test]
+fn brakes_that_grow_with_their_speed_by_hand() {
+    let text = include_str!("../cases/use3/numbers/brake-by-its-own-speed.mech");
+    let solution = assur::solve(text).unwrap_or_else(|error| panic!("{error}"));
+    assert!(solution.expectations().iter().all(|expectation| expectation.met), "{}", solution.diagnostics());
+    assert!(solution.poses().len() == 9 && evaluations(text) < 20_000);
 }
 
 /// A point that may move in the plane is not held: the run says so, and soon.

@@ -2,7 +2,10 @@
 
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
+use assur::internals::drawing::{Drawing, Theme};
 use assur::internals::exercise::grade::{Credit, Points, Rules, Sheet, Submissions, grade};
+use assur::internals::picture::{KINDS, Options, Scene, draw};
+use assur::internals::pipeline::solve_drawn;
 use assur::internals::report::text::{self, Look};
 use assur::internals::report::{self, AccuracyShown, PrintedDigits};
 use assur::internals::source::Source;
@@ -101,12 +104,13 @@ proptest! {
 
     /// Wherever a number is huge or tiny, nothing printed is `inf` or `NaN`.
     #[test]
-    fn nothing_printed_is_no_number(place in 0usize..64, power in -110i32..110, digit in 1u8..10, file in 0usize..4) {
+    fn nothing_printed_is_no_number(place in 0usize..64, power in -110i32..110, digit in 1u8..10, file in 0usize..5) {
         let text = [
             include_str!("../../examples/crank-slider.mech"),
             include_str!("../../examples/loads/spring.mech"),
             include_str!("../../examples/drives/slider-drive.mech"),
             include_str!("../../examples/friction/crank-slider.mech"),
+            include_str!("../../examples/contacts/knife-lever.mech"),
         ][file];
         let text = text.split("\nexpect").next().unwrap_or_default();
         let numbers = numbers(text);
@@ -120,10 +124,37 @@ proptest! {
             out += &text::render(&report::of_answers("great", &answers, AccuracyShown::EveryPose), Look::PLAIN);
             out += &report::json::render("great", Some(&answers.model), Some(&answers), &problems.views(&source));
         }
+        out += &pictures(&source);
         let words = out.split(|c: char| !c.is_alphanumeric()).map(str::to_lowercase);
         let bad = words.filter(|w| w == "inf" || w == "nan" || w == "infinity").count();
         prop_assert!(bad == 0, "{}\n{}", text, out);
     }
+}
+
+/// A plan of velocities that are nothing beside those of a point that no joint has.
+#[test]
+fn a_lever_of_one_point_is_drawn() {
+    let text = include_str!("../../examples/contacts/knife-lever.mech").replace("A-O 18 mm", "A-O 1e-308 mm");
+    let tags = pictures(&Source::new("small.mech", &*text));
+    assert!(!tags.is_empty() && !tags.contains(" NaN ") && !tags.contains(" inf "));
+}
+
+/// The tags of all pictures of a text, without what they say.
+fn pictures(source: &Source) -> String {
+    let mut out = String::new();
+    let Some(solved) = solve_drawn(source, &Overrides::none(), &KINDS).0 else { return out };
+    let file = (source.name.as_str(), source.text.as_str());
+    let Ok(scene) = Scene::of(solved.compiled.model(), &solved.solution, file, None) else { return out };
+    for kind in KINDS {
+        for drawing in draw(kind, &scene, &Options::default()).unwrap_or_default() {
+            let svg = Drawing::placed(drawing).svg(Theme::Mono);
+            for tag in svg.split('<').filter_map(|tag| tag.split('>').next()) {
+                // the letters of commands are at their numbers
+                out += &tag.replace("NaN", " NaN ").replace("inf", " inf ");
+            }
+        }
+    }
+    out
 }
 
 /// Where numbers are in statements.

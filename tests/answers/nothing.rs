@@ -59,6 +59,21 @@ fn residuals_of_nothing_are_nothing() {
     }
 }
 
+/// In its dwell a cam has no power, however its follower and the force are directed: not the product of two roundings.
+#[test]
+fn the_power_of_a_dwell_is_zero() {
+    for direction in (0..360).step_by(17) {
+        let text = case("power-of-nothing")
+            .replace("through O along 90 deg", &format!("through O along {direction} deg"))
+            .replace("@ -90 deg", &format!("@ {} deg", direction - 180))
+            .replace("disk = 50 deg", &format!("disk = {} deg", direction + 320));
+        let (solved, words) = solve("case.mech", &text);
+        let pose = solved.solution.poses[0].outcome.as_ref().expect(&words);
+        let power = pose.residuals.power.expect("forces are found");
+        assert!(power == 0.0 || power > 1e-25, "{power:e}\n{text}");
+    }
+}
+
 /// A function that cannot be given has its reason.
 #[test]
 fn what_cannot_be_given_has_its_reason() {

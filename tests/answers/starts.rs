@@ -298,3 +298,44 @@ fn what_rubs_needs_something_free() {
         assert!(values.is_empty() && words.contains("in a motion that drives give alone"), "{words}");
     }
 }
+
+/// A slider that a drive by time moves to its dead centre and back: the run ends there, wherever its steps and its end are.
+#[test]
+fn a_drive_by_time_that_touches_a_dead_centre_is_told() {
+    let mut random = random(17);
+    for case in 0..24 {
+        let (crank, rod) = (0.1, 0.2 + 0.3 * random());
+        let (least, greatest) = (rod - crank, rod + crank);
+        let (amplitude, rate, phase) = (0.01 + 0.08 * random(), 0.5 + 15.0 * random(), random());
+        let (dead, sign) = if case % 2 == 0 { (greatest, 1.0) } else { (least, -1.0) };
+        let touch = (phase + sign * std::f64::consts::FRAC_PI_2).rem_euclid(std::f64::consts::TAU) / rate;
+        // it may end just after it
+        let last = touch + [1e-3, 0.1, 2.0][case % 3] / rate;
+        let within = ["1e-3", "1e-6", "1e-9"][case / 3 % 3];
+        let text = format!(
+            "ground {{ A (0, 0); line guide through A along 0 deg }}
+link crank A-B {crank} m
+link rod B-C {rod} m
+link piston {{ C (0, 0) }}
+revolute A: ground - crank
+revolute B: crank - rod
+revolute C: rod - piston
+prismatic D: piston.C - ground.guide
+assemble B left of A-C
+drive D = {dead} m - {} m + {} m*sin({rate} rad/s*time - {phase} rad)
+simulate {last} s in 3 steps within {within}
+find angle(crank)
+",
+            sign * amplitude,
+            amplitude
+        );
+        let (_, words) = solved(&text);
+        let told = words.contains("mech::simulate::dead_position") && words.contains("moves it there");
+        assert!(told, "{words}\n{text}");
+        let instant = words.split("cannot go on at ").nth(1).and_then(|rest| rest.split(' ').next());
+        let instant: f64 = instant.unwrap().parse().unwrap();
+        // |σ| is below 1e-3 there, and the drive has yet to come to its end
+        let ahead = (touch - instant) * rate;
+        assert!((-1e-3..0.05).contains(&ahead), "{instant}, not {touch}\n{words}\n{text}");
+    }
+}

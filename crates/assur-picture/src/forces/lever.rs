@@ -28,6 +28,8 @@ const USUAL: usize = 10;
 const BETWEEN: f64 = 12.0;
 /// How many times as large as usual the plan is, at most.
 const MOST: f64 = 3.0;
+/// No sheet is so large, mm: what is farther off has no place on it, beside images that are together in one point but for rounding.
+const FARTHEST: f64 = 1e4;
 /// What is nearer to a bar lies on it, mm.
 const ON_BAR: f64 = 0.3;
 /// Terms less than this part of the largest are rounding.
@@ -94,7 +96,9 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     plan(scene, &nodes, &frame, &mut drawing);
     for (link, arm) in terms.iter().flat_map(|term| &term.arms) {
         let [a, b] = arm.map(|at| frame.point(image(scene, *link, at)));
-        drawing.line(Style::Thin, a, b);
+        if a.norm().max(b.norm()) < FARTHEST {
+            drawing.line(Style::Thin, a, b);
+        }
     }
     arrows(scene, &frame, &forces, &mut drawing);
     captions(&mut drawing, &frame, nodes.pole(scene), &powers);
@@ -187,7 +191,7 @@ fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) 
     }
     for (link, name, at) in nodes.others(scene) {
         let at = frame.point(image(scene, link, at));
-        if names.iter().all(|(p, _)| (*p - at).norm() > SAME) {
+        if at.norm() < FARTHEST && names.iter().all(|(p, _)| (*p - at).norm() > SAME) {
             names.push((at, vec![other_image(scene, link, name)]));
             // its velocity, where no bar shows it
             if bars.iter().all(|bar| bar.distance(at * 0.5) > ON_BAR) {

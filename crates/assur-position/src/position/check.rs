@@ -87,9 +87,16 @@ impl<S: Scalar> State<S> {
         sum
     }
 
+    /// A sum of powers, W, over the greatest there may be: nothing, where its terms are products of two roundings.
+    #[cfg_attr(in_one, inline(always))]
+    pub(super) fn over_most_power(&self, sum: S, checks: &Checks) -> S {
+        let part = sum.abs() / self.most_power(checks);
+        S::select(part.lt(S::of(f64::EPSILON * f64::EPSILON)), S::zero(), part)
+    }
+
     /// The greatest force times the greatest velocity of a joint, W; where that is nothing but rounding, times what would be one.
     #[cfg_attr(in_one, inline(always))]
-    pub(super) fn most_power(&self, checks: &Checks) -> S {
+    fn most_power(&self, checks: &Checks) -> S {
         let (mut force, mut moment) = (S::zero(), S::zero());
         let (mut speed, mut turn, mut reach) = (S::zero(), S::zero(), S::zero());
         for w in &self.forces.applied {
@@ -130,7 +137,7 @@ impl<S: Scalar> State<S> {
         self.efforts_act(checks, |act| sums.add(self, act));
         let equilibrium = sums.worst(checks);
         *totals = sums.into_memory();
-        [closure, equilibrium, self.power(checks).abs() / self.most_power(checks)]
+        [closure, equilibrium, self.over_most_power(self.power(checks), checks)]
     }
 }
 

@@ -107,5 +107,5 @@ fn power(model: &Model<'_>, state: &State) -> f64 {
     for (slot, law) in model.plan.laws.iter().enumerate() {
         sum += state.law_power(law, slot);
     }
-    sum.abs() / state.most_power(checks)
+    state.over_most_power(sum, checks)
 }

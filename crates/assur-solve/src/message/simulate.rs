@@ -137,6 +137,8 @@ fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: f64) -> D
     let group = &model.structure.motion[group];
     let mut all = labels(model, group, "in a dead position");
     all.extend(starts(model).map(|d| label("started here", d.span)));
+    let timed = model.mechanism.drives.iter().filter(|drive| drive.of_time);
+    all.extend(timed.map(|drive| label("moves it there", drive.span)));
     let rubs = model.plan.effects.loses();
     let passed = if rubs {
         "no other coordinates move it past this place, and a change point, with links in line, is only passed where nothing rubs"

@@ -186,16 +186,28 @@ impl<'a> Equations<'a, '_> {
         self.look_at_sizes();
         self.take_senses();
         self.take_seams();
+        let rubs = self.mode.is_some() || self.slipping.is_some();
         let mut switches = std::mem::take(&mut self.switches);
         for switch in &mut switches {
             if rests && switch.of_speeds {
                 switch.release();
             } else if !(kept && switch.is_held()) {
                 *switch = self.seen().side_here(switch);
+                if rubs && switch.of_speeds && self.is_at_corner(switch) {
+                    // on which side the speed goes on is not known yet
+                    switch.release();
+                }
             }
         }
         self.switches = switches;
         self.held = true;
+    }
+
+    /// Whether a number of a switch is zero but for rounding in the state that is observed.
+    fn is_at_corner(&self, switch: &Switch<'_>) -> bool {
+        let seen = self.seen();
+        let most = self.rounding_of(seen.room_size(switch), OF_MOTION);
+        (0..ENDS).any(|end| seen.room(switch, end).abs() <= most)
     }
 
     /// Something turns: what depends on speeds is taken as it is.

@@ -46,8 +46,10 @@ impl Integration<'_, '_> {
         let Some((before, zero)) = self.first_zero(equations, method, (begin, end)) else { return Ok(()) };
         if begin.1 <= LOOKED {
             // it was looked for from there
-            let group = equations.least_group();
-            return group.map_or(Ok(()), |group| Err(Halt::Dead { group, condition: before.1 }));
+            let Some(group) = equations.least_group() else { return Ok(()) };
+            // it has come that far
+            let shortened = method.shorten(equations, before.0).is_ok();
+            return Err(if shortened { Halt::Dead { group, condition: before.1 } } else { equations.halt() });
         }
         let part = BEFORE / begin.1;
         let t = zero - part * (zero - from);
