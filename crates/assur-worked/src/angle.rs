@@ -2,7 +2,7 @@
 
 use crate::course::{Derivation, joined};
 use assur_formula::{Expr, Name, Quantity, Unit};
-use assur_math::math::Vec2;
+use assur_math::math::{SAME, Vec2};
 use std::sync::Arc;
 
 /// A direction: an angle and a number of quarter turns more.
@@ -12,9 +12,6 @@ pub struct Angle {
     pub part: Option<Expr>,
     pub quarters: i64,
 }
-
-/// Angles nearer to a whole number of degrees than this are whole.
-const WHOLE: f64 = 1e-9;
 
 impl Angle {
     /// Along the x axis.
@@ -28,7 +25,7 @@ impl Angle {
     pub fn whole_degrees(direction: Vec2) -> Result<Self, f64> {
         let degrees = libm::atan2(direction.y, direction.x).to_degrees();
         let whole = degrees.round();
-        if (degrees - whole).abs() > WHOLE {
+        if (degrees - whole).abs() > SAME {
             return Err(degrees);
         }
         let whole = whole as i64;

@@ -6,11 +6,9 @@ use crate::document::Block;
 use crate::motion::Stage;
 use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Unit};
+use assur_math::math::SAME;
 use assur_model::model::{self, FindKind, Guide, PairId, PairKind, Query, Value};
 use assur_model::structure::EffortSource;
-
-/// What differs by less than this part of its terms is the same.
-const SAME: f64 = 1e-9;
 
 impl Derivation<'_> {
     /// The questions of the file.

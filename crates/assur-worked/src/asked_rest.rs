@@ -6,11 +6,9 @@ use crate::forces::quantity_name;
 use crate::results::unit_of;
 use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Node, Unit, letters, name_node};
+use assur_math::math::SAME;
 use assur_model::model::{self, FindKind, Function, PairId, Query, SpringId, Value};
 use assur_position::position::Origin;
-
-/// What differs by less than this part of it is the same.
-const SAME: f64 = 1e-9;
 
 impl Derivation<'_> {
     /// Questions without an answer in the steps.

@@ -4,6 +4,7 @@ use crate::angle::Angle;
 use crate::course::{Derivation, joined};
 use crate::expressions::length;
 use assur_formula::{Expr, Function, Name, Unit};
+use assur_math::math::SAME;
 use assur_model::model::{
     FlywheelPart, FrictionLimit, LinkId, PairId, PairKind, ProfileShape, Query, SpringId, Transmission, Value,
 };
@@ -11,9 +12,6 @@ use assur_model::structure::BodyOrigin;
 use assur_position::plan::{FrictionElement, FrictionLaw};
 use assur_position::position::Origin;
 use assur_solve::answer::FollowerWay;
-
-/// What differs by less than this part of it is the same.
-const SAME: f64 = 1e-9;
 
 impl Derivation<'_> {
     /// What a question comes to, from what the steps have found; none where it is of another kind.

@@ -5,14 +5,11 @@ use crate::angle::Angle;
 use crate::course::Derivation;
 use crate::forces::quantity_name;
 use assur_formula::{Expr, Function as Of, Name, Unit};
-use assur_math::math::{Between, Vec2};
+use assur_math::math::{Between, SAME, Vec2};
 use assur_model::model::{
     Axis, BinaryOp, Curve, CurvePart, Expr as E, Function, LinkId, PairId, PairKind, PointRef, Query, Value,
 };
 use assur_model::structure::BodyOrigin;
-
-/// What differs by less than this part of it is the same.
-const SAME: f64 = 1e-9;
 
 impl Derivation<'_> {
     /// A number, in the units of equations but an angle in rad.

@@ -4,14 +4,11 @@ use crate::document::{Inline, Line, text};
 use crate::forces::quantity_name;
 use crate::words::{FunctionWords, Language, QuestionMessage, say};
 use assur_formula::name_node;
-use assur_math::math::Vec2;
+use assur_math::math::{SAME, Vec2};
 use assur_model::model::{
     Axis, BalanceKind, CycleFunction, Expr, Find, FindKind, FlywheelPart, Function, LinkId, Mechanism,
     PairId, PointRef, Query, SubstitutionPart,
 };
-
-/// Points nearer than this are one, m.
-const SAME: f64 = 1e-9;
 
 /// The questions of a file, one after another.
 pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Line {

@@ -4,13 +4,11 @@ use crate::course::Derivation;
 use crate::document::{Inline, Line, Table, text};
 use crate::words::{Message, phrase};
 use assur_formula::{Node, Quantity, Unit, name_node, unit_words};
-use assur_math::math::Vec2;
+use assur_math::math::{SAME, Vec2};
 use assur_model::model::{Display, FindKind, PairId, PairKind, Value};
 use assur_text::units::{Dimension, significant};
 
 const DIGITS: usize = 5;
-/// What differs by less than this part of it is the same.
-const SAME: f64 = 1e-9;
 
 impl Derivation<'_> {
     /// The table of results.

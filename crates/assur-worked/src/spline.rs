@@ -6,10 +6,8 @@
 
 use assur_formula::{Expr, Name, Quantity, Unit};
 use assur_math::element::cam::{Law, Phase};
+use assur_math::math::SAME;
 use std::sync::Arc;
-
-/// Angles and second derivatives nearer than this part are one.
-const SAME: f64 = 1e-9;
 
 /// A quantity of a spline; without a formula it is part of the same system of equations.
 #[derive(Clone, Debug)]

@@ -3,11 +3,8 @@
 use crate::course::Derivation;
 use crate::forces::quantity_name;
 use assur_formula::{Expr, Name, Node, letters, name_node};
-use assur_math::math::Vec2;
+use assur_math::math::{SAME, Vec2};
 use assur_model::model::{self, Function, PairId, PairKind, PointRef, Query, SubstitutionPart, Value};
-
-/// What differs by less than this part of it is the same.
-const SAME: f64 = 1e-9;
 
 impl Derivation<'_> {
     /// The letters of a question's answer; none where no step has them.

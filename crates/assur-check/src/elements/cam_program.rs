@@ -2,10 +2,9 @@
 
 use crate::elements::cam::{Given, Part};
 use crate::expr::context::Context;
-use crate::values::format_value::format_value;
-use crate::values::typed::phrase;
+use crate::values::{format_value::format_value, typed::phrase};
 use assur_math::element::cam::{Law, Program};
-use assur_math::math::Between;
+use assur_math::math::{Between, SAME};
 use assur_model::model::Curve;
 use assur_syntax::document::{Name, PhaseKind};
 use assur_text::diagnostic::Diagnosis;
@@ -14,8 +13,6 @@ use assur_text::units::Dimension;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Angles and lifts nearer than this, relative to a turn or to the greatest lift, are one.
-const NEAR: f64 = 1e-9;
 /// A spline that swings below the base circle by less than this, of the greatest lift, does so within the digits of a table.
 const SWING: f64 = 1e-3;
 
@@ -77,7 +74,7 @@ pub(crate) fn program(
 ) -> Option<Program> {
     let last = given.last()?;
     let total: f64 = given.iter().map(Part::angle).sum();
-    if total > TAU * (1.0 + NEAR) {
+    if total > TAU * (1.0 + SAME) {
         let angle = |x: f64| format_value(x, Dimension::ANGLE);
         let (name, total, over) = (name.to_owned(), angle(total), angle(total - TAU));
         cx.error(
@@ -103,7 +100,7 @@ pub(crate) fn program(
             Part::Table(curve, span) => motion.table(cx, curve, *span)?,
         }
     }
-    if (motion.lift - first).abs() > NEAR * scale {
+    if (motion.lift - first).abs() > SAME * scale {
         not_back(cx, &motion, given, first);
         return None;
     }
@@ -160,7 +157,7 @@ impl Motion<'_> {
             (PhaseKind::Rise, way) => way.unwrap_or(0.0),
             (PhaseKind::Fall, way) => -way.unwrap_or(self.lift),
         };
-        let low = NEAR * self.scale;
+        let low = SAME * self.scale;
         if self.lift + change < -low || phase.kind == PhaseKind::Fall && self.lift <= low {
             self.below(cx, -change, phase.span);
             return None;
@@ -177,7 +174,7 @@ impl Motion<'_> {
         let values = curve.function.values();
         let (first, least) = (*values.first()?, values.iter().copied().fold(f64::INFINITY, f64::min));
         let shown = |x: f64| format_value(x, self.way);
-        if (first - self.lift).abs() > NEAR * self.scale {
+        if (first - self.lift).abs() > SAME * self.scale {
             let message = format!(
                 "curve `{}` begins with a lift of {}, but the follower of cam `{}` is at {} there",
                 curve.name,
@@ -192,13 +189,13 @@ impl Motion<'_> {
             cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "here").help(help));
             return None;
         }
-        if least < -NEAR * self.scale {
+        if least < -SAME * self.scale {
             let message = format!("the lift of curve `{}` goes down to {}", curve.name, shown(least));
             let help = format!("add {} to every lift: the base circle is the least radius", shown(-least));
             cx.error(Diagnosis::error("mech::cam::table", message).primary(span, "here").help(help));
             return None;
         }
-        let low = NEAR * self.scale;
+        let low = SAME * self.scale;
         for (angle, change, terms) in curve.function.cubics() {
             self.moves.push((angle, change, Law::Spline(terms)));
         }

@@ -1,10 +1,9 @@
 //! Geneva wheels: a pin in one of several slots.
 
-use crate::expr::context::Context;
-use crate::expr::positive::positive;
+use crate::expr::{context::Context, positive::positive};
 use crate::values::format_value::format_value;
 use assur_math::element::geneva::Geneva;
-use assur_math::math::Vec2;
+use assur_math::math::{SAME, Vec2};
 use assur_model::model::{GenevaPair, LinkId, PairId, PairKind, Pin};
 use assur_syntax::document::{JointKind, Property, Statement};
 use assur_text::diagnostic::Diagnosis;
@@ -12,8 +11,6 @@ use assur_text::source::Span;
 use assur_text::units::Dimension;
 use std::f64::consts::PI;
 
-/// Lengths that agree to this part of the distance of the centres are equal.
-const EQUAL: f64 = 1e-9;
 const MOST: f64 = 1000.0;
 
 /// Enters all pins in several slots.
@@ -77,7 +74,7 @@ fn geneva(cx: &mut Context<'_>, property: &Property, pair: PairId) -> Option<Gen
     let (between, radius) = (wheel_at - crank_at, guide.point - crank_centre);
     let (distance, r) = (between.norm(), radius.norm());
     let from_hub = guide.through - hub;
-    if from_hub.norm() > EQUAL * distance {
+    if from_hub.norm() > SAME * distance {
         let message = format!("line `{}` does not begin in the centre of the wheel", guide.line_name);
         let help = "write the line of a slot through the wheel's hinge: `line slot through C along 0 deg`";
         return refused(cx, message, help.into(), span);

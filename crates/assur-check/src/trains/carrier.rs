@@ -1,13 +1,11 @@
 //! The link that holds the axes of two wheels at a distance: rates of the wheels are counted from it.
 
 use crate::expr::context::Context;
+use assur_math::math::SAME;
 use assur_model::model::{Bearing, LinkId, Pair, PairKind, Pin, Wheel};
 use assur_syntax::document::Statement;
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
-
-/// Points nearer than this, relative to their distance from the origin, are one.
-const SAME: f64 = 1e-9;
 
 /// The carrier of two wheels. Reports two wheels that none holds.
 pub(crate) fn carrier(cx: &mut Context<'_>, first: &Wheel, second: &Wheel, span: Span) -> Option<LinkId> {

@@ -9,15 +9,14 @@
 use crate::expr::context::Context;
 use crate::names::declared::ThingKind;
 use crate::pairs::transmission::known;
-use crate::trains::carrier::mates;
-use crate::trains::ends::{Runs, incomplete, two, wheel};
-use assur_math::math::Vec2;
+use crate::trains::{
+    carrier::mates,
+    ends::{Runs, incomplete, two, wheel},
+};
+use assur_math::math::{SAME, Vec2};
 use assur_model::model::{Bearing, Law, LinkId, PairId, PairKind, Rate, Wheel};
 use assur_syntax::document::{Joint, Path};
 use assur_text::source::Span;
-
-/// Directions may differ by this angle.
-const PARALLEL: f64 = 1e-9;
 
 /// A link that slides along a line of another.
 #[derive(Clone, Copy)]
@@ -118,7 +117,7 @@ fn along(a: Vec2, b: Vec2, open: bool) -> Option<f64> {
     if open {
         return Some(1.0);
     }
-    (a.cross(b).abs() <= PARALLEL).then_some(a.dot(b).signum())
+    (a.cross(b).abs() <= SAME).then_some(a.dot(b).signum())
 }
 
 /// The base from which wheel and rack slide along each other. Reports a wheel whose distance from the rack nothing keeps.

@@ -15,6 +15,7 @@ mod root;
 mod scalar;
 mod sparse;
 mod table_function;
+mod tolerance;
 mod vec2;
 
 pub use dense::{Dense, Lu};
@@ -28,6 +29,7 @@ pub use scalar::Real;
 pub use scalar::{LaneMask, Scalar};
 pub use sparse::Sparse;
 pub use table_function::{Between, Beyond, Piece, TableFault, TableFunction};
+pub use tolerance::{ROUNDING, SAME};
 pub use vec2::Angular;
 pub use vec2::{V2, Vec2};
 pub use vec2::{acceleration_at, velocity_at};

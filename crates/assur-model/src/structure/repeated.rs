@@ -11,10 +11,8 @@ use super::roller::{label, listed};
 use super::trial::Trial;
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId};
+use assur_math::math::SAME;
 use assur_text::diagnostic::{Diagnosis, Help};
-
-/// Measures that agree to this part of the length are equal.
-const EQUAL: f64 = 1e-9;
 
 /// A link with two hinges, between two others.
 struct Bar {
@@ -45,7 +43,7 @@ fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Di
         })
         .collect();
     for (i, (pair, ends, along)) in guides.iter().enumerate().rev() {
-        let parallel = |g: &&(PairId, [BodyId; 2], Vec2)| g.1 == *ends && g.2.cross(*along).abs() <= EQUAL;
+        let parallel = |g: &&(PairId, [BodyId; 2], Vec2)| g.1 == *ends && g.2.cross(*along).abs() <= SAME;
         let Some((other, ..)) = guides[..i].iter().find(parallel) else { continue };
         let now = trial.without(&[*pair], &[]).fit();
         if now.surplus < defect.fit.surplus && now.missing == defect.fit.missing {
@@ -144,9 +142,7 @@ fn bars(replaced: &Replaced, bodies: &[BodyId]) -> Vec<Bar> {
 
 /// Both join the same two links and have one length.
 fn keeps_parallel(a: &Bar, b: &Bar) -> bool {
-    a.ends[0].0 == b.ends[0].0
-        && a.ends[1].0 == b.ends[1].0
-        && (a.length - b.length).abs() <= EQUAL * a.length
+    a.ends[0].0 == b.ends[0].0 && a.ends[1].0 == b.ends[1].0 && (a.length - b.length).abs() <= SAME * a.length
 }
 
 /// Their ends form the same triangle (or line) on both links.
@@ -154,7 +150,7 @@ fn one_figure(a: &Bar, b: &Bar, c: &Bar) -> bool {
     let side = |k: usize, x: &Bar, y: &Bar| y.ends[k].1 - x.ends[k].1;
     let [(b_0, c_0), (b_1, c_1)] = [0, 1].map(|k| (side(k, a, b), side(k, a, c)));
     let size = b_0.norm().max(c_0.norm());
-    let equal = |x: f64, y: f64| (x - y).abs() <= EQUAL * size * size;
+    let equal = |x: f64, y: f64| (x - y).abs() <= SAME * size * size;
     equal(b_0.dot(b_0), b_1.dot(b_1))
         && equal(c_0.dot(c_0), c_1.dot(c_1))
         && equal(b_0.dot(c_0), b_1.dot(c_1))

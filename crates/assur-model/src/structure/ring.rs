@@ -2,6 +2,7 @@
 //! where they do not. By the count both hold once too often.
 
 use crate::structure::repeated::repeats;
+use assur_math::math::SAME;
 use assur_text::diagnostic::Diagnosis;
 use std::collections::BTreeMap;
 
@@ -11,9 +12,6 @@ use super::leave_out::statement;
 use super::roller::{label, listed};
 use super::trial::Trial;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, Rate};
-
-/// Ratios that agree to this part are equal.
-const EQUAL: f64 = 1e-9;
 
 /// A transmission that closes a ring of others.
 struct Ring {
@@ -60,7 +58,7 @@ pub(super) fn repeated_mesh(trial: Trial<'_>, count: &Count, defect: &Defect) ->
 
 /// Why the wheels of a part cannot turn.
 pub(super) fn locked(mechanism: &Mechanism, part: &Part) -> Option<String> {
-    let ring = rings(mechanism, part).into_iter().find(|r| (r.ratio - 1.0).abs() > EQUAL)?;
+    let ring = rings(mechanism, part).into_iter().find(|r| (r.ratio - 1.0).abs() > SAME)?;
     let ratio = format!("{:.6}", ring.ratio);
     let ratio = ratio.trim_end_matches('0').trim_end_matches('.').replacen('-', "−", 1);
     Some(format!(
@@ -71,7 +69,7 @@ pub(super) fn locked(mechanism: &Mechanism, part: &Part) -> Option<String> {
 
 fn agree(mechanism: &Mechanism, part: &Part) -> bool {
     let rings = rings(mechanism, part);
-    !rings.is_empty() && rings.iter().all(|r| (r.ratio - 1.0).abs() <= EQUAL)
+    !rings.is_empty() && rings.iter().all(|r| (r.ratio - 1.0).abs() <= SAME)
 }
 
 /// The rings that transmissions close, each with the last of its transmissions; none where the part has other pairs, or wheels

@@ -1,13 +1,12 @@
 //! Axes with round steps: 1, 2, 2.5 or 5 × 10ᵏ, angles in parts of a turn.
 
 use assur_drawing::plain;
+use assur_math::math::SAME;
 
 /// The series, of which the last is the first of the next power.
 const SERIES: [f64; 5] = [1.0, 2.0, 2.5, 5.0, 10.0];
 /// Steps of an angle in degrees.
 const DEGREES: [f64; 13] = [0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 180.0, 360.0, 720.0];
-/// Less than this part of the greatest is no difference.
-const SAME: f64 = 1e-9;
 /// The most digits behind the point; more are taken into a power of ten.
 const DECIMALS: i32 = 4;
 /// The least number that is written with a power of ten.

@@ -11,7 +11,7 @@ use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::{arrow, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Segment, Shape, Style, Text};
-use assur_math::math::Vec2;
+use assur_math::math::{ROUNDING, Vec2};
 use assur_model::model::{DriveTarget, LinkId, PairKind};
 use assur_text::diagnostic::Diagnosis;
 
@@ -32,8 +32,6 @@ const MOST: f64 = 3.0;
 const FARTHEST: f64 = 1e4;
 /// What is nearer to a bar lies on it, mm.
 const ON_BAR: f64 = 0.3;
-/// Terms less than this part of the largest are rounding.
-const NOTHING: f64 = 1e-12;
 /// Powers less than this part of the greatest there could be are none.
 const DEAD: f64 = 1e-12;
 
@@ -65,7 +63,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     let terms = powers::terms(scene);
     let mut forces: Vec<&Force> = terms.iter().flat_map(|term| &term.forces).collect();
     let most = forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
-    forces.retain(|f| f.force.norm() > NOTHING * most);
+    forces.retain(|f| f.force.norm() > ROUNDING * most);
     let mut bounds = Rect::NOTHING;
     bounds.add(Vec2::zero());
     nodes.nodes.iter().for_each(|n| bounds.add(turned(scene, n.velocity(scene))));
@@ -78,7 +76,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     let share = if scale > 0.0 { sum.abs() / scale } else { 0.0 };
     let powers: Vec<(Text, f64)> = terms
         .iter()
-        .filter(|t| t.power.abs() > NOTHING * largest)
+        .filter(|t| t.power.abs() > ROUNDING * largest)
         .map(|t| (t.name.clone(), cleared(t.power, scale)))
         .collect();
     let said: Vec<String> =
@@ -102,7 +100,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     }
     arrows(scene, &frame, &forces, &mut drawing);
     captions(&mut drawing, &frame, nodes.pole(scene), &powers);
-    let open = terms.iter().filter(|t| t.open && t.power.abs() > NOTHING * largest);
+    let open = terms.iter().filter(|t| t.open && t.power.abs() > ROUNDING * largest);
     without_arrows(&mut drawing, open.map(|t| &t.name));
     Ok(drawing)
 }

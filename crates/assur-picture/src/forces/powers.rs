@@ -5,13 +5,11 @@ use super::actions::{Force, letters};
 use crate::motion::{Nodes, velocity_at};
 use crate::scene::Scene;
 use assur_drawing::{Level, Text};
-use assur_math::math::Vec2;
+use assur_math::math::{ROUNDING, Vec2};
 use assur_model::model::{LinkId, PairId, PairKind};
 use assur_position::position::{Action, Origin};
 use assur_solve::solve::BodyState;
 
-/// Terms less than this part of the largest are rounding.
-const NOTHING: f64 = 1e-12;
 /// The arm of a pair of forces on a link with one joint alone, over the size of the mechanism.
 const ARM: f64 = 0.2;
 
@@ -43,7 +41,7 @@ pub fn terms(scene: &Scene<'_>) -> Vec<Term> {
         }
     }
     let largest = terms.iter().map(|t| t.power.abs()).fold(0.0, f64::max);
-    terms.retain(|t| t.power.is_finite() && (t.power.abs() > NOTHING * largest || !t.forces.is_empty()));
+    terms.retain(|t| t.power.is_finite() && (t.power.abs() > ROUNDING * largest || !t.forces.is_empty()));
     terms
 }
 

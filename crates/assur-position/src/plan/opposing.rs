@@ -3,9 +3,7 @@
 use crate::math::Vec2;
 use crate::model::{LoadId, LoadKind, Mechanism, Place};
 use crate::structure::{JointKind, Structure};
-
-/// What guides are parallel to but for rounding.
-const PARALLEL: f64 = 1e-12;
+use assur_math::math::ROUNDING;
 
 /// A load against the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +81,7 @@ fn steps(structure: &Structure, body: usize) -> Vec<Step> {
 
 /// Whether a chain of at most `most` parallel guides leads on to the ground.
 fn leads_down(structure: &Structure, step: Step, most: usize) -> bool {
-    let on = |next: &Step| next.joint != step.joint && next.direction.cross(step.there).abs() <= PARALLEL;
+    let on = |next: &Step| next.joint != step.joint && next.direction.cross(step.there).abs() <= ROUNDING;
     step.other == 0
         || (most > 0
             && steps(structure, step.other)

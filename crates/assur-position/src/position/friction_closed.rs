@@ -27,9 +27,7 @@ use super::wrench::Reaction;
 use crate::group::{rrp, rrr};
 use crate::math::Vec2;
 use crate::plan::{EffortLine, ForceStep, Guide, Hinge, Inner, Plan};
-
-/// A force below this part of the forces is none.
-const NOTHING: f64 = 1e-12;
+use assur_math::math::ROUNDING;
 
 /// The two equations of a dyad: the first has p_1·f, the second q·f.
 struct Dyad {
@@ -175,7 +173,7 @@ impl Dyad {
             if left_1 * left_1 <= least * row_1.dot(row_1) && left_2 * left_2 <= least * row_2.dot(row_2) {
                 let pressed = |w: f64, e: Vec2, v: Vec2| {
                     let along = w.abs() * e.dot(v);
-                    if along * along <= NOTHING * NOTHING * (w * w) * square { 0.0 } else { along }
+                    if along * along <= ROUNDING * ROUNDING * (w * w) * square { 0.0 } else { along }
                 };
                 let forces = [
                     pressed(w_A, e_A, f - self.force_1),

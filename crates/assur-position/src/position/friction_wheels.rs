@@ -8,6 +8,7 @@ use super::state::State;
 use super::train_losses::sides;
 use super::wrench::Wrench;
 use crate::plan::{ForceStep, FrictionGroup, Plan, PlannedLaw};
+use assur_math::math::SAME;
 
 /// Rounds in which senses are turned before all are searched.
 const ROUNDS: usize = 8;
@@ -15,8 +16,6 @@ const ROUNDS: usize = 8;
 const NOTHING: f64 = 1e-11;
 /// All senses of at most this number of laws are searched.
 const MOST: usize = 6;
-/// Solutions nearer than this, relative to the greatest effort, are one.
-const NEAR: f64 = 1e-9;
 
 impl State {
     /// As [`State::rub`], for a group whose step finds multipliers.
@@ -96,7 +95,7 @@ impl State {
             for efforts in found.found {
                 self.rub_all(plan, moving, &efforts, loads);
                 let size = efforts.iter().fold(f64::MIN_POSITIVE, |most: f64, x| most.max(x.abs()));
-                let near = |x: &[f64]| x.iter().zip(&efforts).all(|(a, b)| (a - b).abs() <= NEAR * size);
+                let near = |x: &[f64]| x.iter().zip(&efforts).all(|(a, b)| (a - b).abs() <= SAME * size);
                 if self.has_senses(sensed) && !all.iter().any(|other| near(&other.1)) {
                     all.push((senses, efforts));
                 }

@@ -5,11 +5,10 @@ use super::general_work::Workspace;
 use super::state::State;
 use super::train_losses::{NOTHING, sides};
 use crate::plan::{BalanceSystem, Plan};
+use assur_math::math::SAME;
 
 /// With more transmissions with losses in one group the forces are not searched for.
 const MOST: usize = 8;
-/// Multipliers nearer than this, relative to the greatest, are one.
-const NEAR: f64 = 1e-9;
 
 impl State {
     /// Puts the coefficients of the laws as the sides have them; without losses as they are.
@@ -57,7 +56,7 @@ impl State {
             let own = &work.lambda[first..];
             let size = own.iter().map(|x| x.abs()).sum::<f64>();
             // where no power flows both directions say the same
-            let again = found > 0 && own.iter().zip(&work.kept).all(|(a, b)| (a - b).abs() <= NEAR * size);
+            let again = found > 0 && own.iter().zip(&work.kept).all(|(a, b)| (a - b).abs() <= SAME * size);
             if !again {
                 found += 1;
             }

@@ -4,9 +4,7 @@ use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId, PairKind, ProfileShape};
 use crate::structure::BodyId;
-
-/// A point slower than this part of the speed of what it touches stands still: its velocity is rounding.
-const STILL: f64 = 1e-12;
+use assur_math::math::ROUNDING;
 
 /// How the point of a follower that receives the force of a contact may move, in the frame of the follower.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,6 +113,6 @@ impl PoseAnswers<'_> {
         let links = self.mechanism.pair(pair).kind.links();
         let greatest = links.iter().map(|l| speed(*l).norm()).fold(0.0, f64::max);
         let v = speed(follower);
-        (v.norm() > STILL * greatest).then_some(v)
+        (v.norm() > ROUNDING * greatest).then_some(v)
     }
 }

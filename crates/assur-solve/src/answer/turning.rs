@@ -2,9 +2,7 @@
 
 use super::PoseAnswers;
 use crate::model::LinkId;
-
-/// What rounding leaves of an angular velocity that is zero, as a part of the greatest of the mechanism.
-const ROUNDING: f64 = 1e-12;
+use assur_math::math::ROUNDING;
 
 /// ω of L against K; not a number where that is no more than rounding: then every point moves alike.
 pub(super) fn turning(answers: &PoseAnswers<'_>, link: LinkId, seen_from: LinkId) -> f64 {

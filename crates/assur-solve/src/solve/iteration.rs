@@ -8,9 +8,8 @@ use super::track::Tracker;
 use crate::group::NewtonStep;
 use crate::plan::MotionStep;
 use crate::position::{DriveValue, Model, STARTS, State, extent};
+use assur_math::math::SAME;
 
-/// Bodies nearer than this, over the extent of the mechanism, stand at one place.
-const SAME: f64 = 1e-9;
 /// So many roundings, over the condition of a group, two ways to its position may differ by; and no more than this.
 const ROUNDINGS: f64 = 64.0;
 const MOST: f64 = 1e-6;

@@ -6,12 +6,9 @@ use crate::document::text;
 use crate::words::DesignMessage as Message;
 use assur_formula::{Expr, Function, Unit};
 use assur_math::element::cam::{Cam, Follower, Law, Part, Quantity, Shape};
+use assur_math::math::SAME;
 
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;
-/// Angles nearer than this are one, rad.
-const NEAR: f64 = 1e-9;
-/// Values that differ by less than this part of them are one.
-const SAME: f64 = 1e-9;
 
 /// Where something is extreme: the cam angle, the part of the motion whose formulas hold there, the index of its letters.
 struct Place<'a> {
@@ -24,7 +21,7 @@ impl<'a> Place<'a> {
     /// At a corner of the law a quantity has two values: the part is that of the value found.
     fn of(cam: &Cam, quantity: Quantity, (phi, value): (f64, f64), mark: &'a str) -> Option<Self> {
         let holds = |part: &Part| {
-            let within = part.from - NEAR <= phi && phi <= part.to + NEAR;
+            let within = part.from - SAME <= phi && phi <= part.to + SAME;
             within && (cam.on_part(part, phi).value(quantity) - value).abs() <= SAME * value.abs()
         };
         let part = cam.program.parts().find(holds)?;

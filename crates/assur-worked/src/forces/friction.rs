@@ -5,6 +5,7 @@ use crate::document::{Inline, Line, text};
 use crate::motion::of;
 use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Unit};
+use assur_math::math::SAME;
 use assur_model::model::LinkId;
 use assur_position::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw};
 use assur_position::position::Origin;
@@ -52,7 +53,7 @@ impl Derivation<'_> {
     pub(super) fn friction_in(&self, slot: usize) -> f64 {
         let forces = &self.state().forces;
         let turns = matches!(self.scene.model.plan.friction[slot].kind, FrictionLaw::Circle { .. });
-        let size = if turns { self.tiny / super::TINY } else { 1.0 } * self.greatest_force();
+        let size = if turns { self.tiny / SAME } else { 1.0 } * self.greatest_force();
         let held = forces.senses[slot] == 0.0 && forces.frictions[slot].abs() <= super::NOTHING * size;
         if held { 0.0 } else { forces.frictions[slot] }
     }

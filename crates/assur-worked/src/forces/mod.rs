@@ -42,8 +42,6 @@ use assur_position::plan::ForceStep;
 
 /// A reaction below this part of the greatest is rounding.
 const NOTHING: f64 = 1e-10;
-/// What places are one to, over the extent of the mechanism.
-const TINY: f64 = 1e-9;
 
 /// Free body and polygon of a group, or of its links.
 fn of_group(labels: &[String], figures: &[Figure]) -> Vec<Figure> {

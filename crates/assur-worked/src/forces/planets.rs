@@ -5,10 +5,9 @@ use crate::course::Derivation;
 use crate::document::text;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
+use assur_math::math::SAME;
 use assur_model::model::{Bearing, LinkId, PairKind, TransmissionKind, Wheel};
 
-/// Lengths nearer than this part are one.
-const SAME: f64 = 1e-9;
 /// The digits of a value that the file gives.
 const DIGITS: i32 = 12;
 

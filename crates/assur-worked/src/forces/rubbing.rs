@@ -5,13 +5,10 @@ use crate::course::Derivation;
 use crate::document::text;
 use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Unit};
-use assur_math::math::Vec2;
+use assur_math::math::{SAME, Vec2};
 use assur_model::model::ProfileShape;
 use assur_model::structure::BodyOrigin;
 use assur_position::plan::{FrictionElement, FrictionLaw, Guide};
-
-/// Velocities nearer than this, over their size, are one.
-const SAME: f64 = 1e-9;
 
 impl Derivation<'_> {
     /// The velocity of the element's body against its base, in the sense in which its friction counts.

@@ -3,12 +3,10 @@
 use crate::course::Derivation;
 use crate::words::RunMessage;
 use assur_formula::{Expr, Name, Unit};
+use assur_math::math::ROUNDING;
 use assur_model::model::{DriveTarget, LinkId, MassProperties};
 use assur_position::position::{Reduced, turns};
 use assur_solve::solve::SimulationReport;
-
-/// Less than this part of the greatest is nothing.
-const NOTHING: f64 = 1e-12;
 
 /// A free coordinate: its letters, and whether it is an angle.
 struct Coordinate {
@@ -115,7 +113,7 @@ impl Derivation<'_> {
         let point = self.point_name(link, mass.centre);
         let label = self.label(LinkId::at(link).index());
         let mut stated = |index: String, value: f64, large: f64, unit| {
-            if value.abs() <= NOTHING * large {
+            if value.abs() <= ROUNDING * large {
                 return Expr::ZERO;
             }
             self.stated(Name::new("k", &format!("{index},{}", coordinate.label)), value, unit)
