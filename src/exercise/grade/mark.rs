@@ -1,7 +1,7 @@
 //! Marks, and what they add up to.
 
+use super::common_mistake::CommonMistake;
 use super::sheet::{RowNames, Unread};
-use super::slip::CommonMistake;
 use std::sync::Arc;
 
 /// What became of one answer.

@@ -1,9 +1,9 @@
 //! One answer held against the key.
 
+use super::common_mistake::{self, CommonMistake};
 use super::mark::{Known, Mark, Verdict};
 use super::rules::Rules;
 use super::sheet::{Entry, Sheet, Unread};
-use super::slip::{self, CommonMistake};
 use crate::exercise::expect::is_within;
 use assur_text::units::Dimension;
 use std::f64::consts::{PI, TAU};
@@ -178,7 +178,7 @@ impl Marker<'_> {
         };
         let other_sign =
             || (!zero && near(-given)).then(|| self.other_link(place).unwrap_or(CommonMistake::Sign));
-        let by_factor = || if zero { None } else { slip::factor(given, &off) };
+        let by_factor = || if zero { None } else { common_mistake::factor(given, &off) };
         let elsewhere = || if given == 0.0 { None } else { self.other_quantity(place, given, &is) };
         let far = self.difference(place, given, key).abs() / self.scale(place, key);
         let close = || (far <= NEAR * self.rules.within).then_some(CommonMistake::Close);

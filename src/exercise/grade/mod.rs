@@ -1,18 +1,18 @@
 //! Given answers held against an answer key.
 
 mod columns;
+mod common_mistake;
 mod graded;
 mod mark;
 mod marker;
 mod rows;
 mod rules;
 mod sheet;
-mod slip;
 
+pub use common_mistake::{CommonMistake, SLIPS};
 pub use graded::left_out_words;
 pub use graded::{Graded, grade};
 pub use mark::{GradedRow, Known, Mark, NotCounted, Part, Sum, Verdict};
 pub use rules::{Credit, Points, Rules, Submissions};
 pub use sheet::cut;
 pub use sheet::{NAMES, Quantity, Sheet};
-pub use slip::{CommonMistake, SLIPS};

@@ -1,7 +1,7 @@
 //! The rules of marking: tolerance, what is missing, submissions, points, credit.
 
+use super::common_mistake::{CommonMistake, SLIPS};
 use super::sheet::{Sheet, SheetRow};
-use super::slip::{CommonMistake, SLIPS};
 use assur_text::diagnostic::did_you_mean;
 
 const WITHIN: f64 = 0.03;

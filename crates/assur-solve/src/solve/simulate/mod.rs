@@ -25,7 +25,6 @@ mod event_detector;
 mod functions;
 mod held_efforts;
 mod impact;
-mod impulse;
 mod integration;
 mod loads;
 mod meeting;
