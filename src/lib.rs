@@ -22,6 +22,8 @@ pub mod editor;
 #[doc(hidden)]
 pub mod exercise;
 mod front;
+#[doc(hidden)]
+pub mod handout;
 #[cfg(feature = "lsp")]
 #[doc(hidden)]
 pub mod lsp;
@@ -48,7 +50,7 @@ pub mod internals {
         Compiled, Origin, Solved, check_source, compile, diagnose, solve_each, solve_source, solve_within,
         test_source,
     };
-    pub use crate::{editor, exercise, pipeline, report};
+    pub use crate::{editor, exercise, handout, pipeline, report};
     pub use assur_check as check;
     pub use assur_drawing as drawing;
     pub use assur_format as format;

@@ -3,7 +3,7 @@
 use crate::examples::{Example, examples};
 use crate::made::solved;
 use crate::reader::{Read, mathml};
-use assur::internals::cli::report::document;
+use assur::internals::handout::document;
 use assur::internals::model::FindKind;
 use assur::internals::picture::Scene;
 use assur::internals::syntax::parse;

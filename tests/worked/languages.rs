@@ -2,7 +2,7 @@
 
 use crate::drawn::faults;
 use crate::examples::{Example, examples};
-use assur::internals::cli::report::document;
+use assur::internals::handout::document;
 use assur::internals::picture::{Kind, Options, Scene, draw};
 use assur::internals::syntax::parse;
 use assur::internals::worked::{Language, drawing_in, html};

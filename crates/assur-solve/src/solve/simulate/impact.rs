@@ -1,6 +1,6 @@
 //! What stops do to the rates and the accelerations.
 //!
-//! An impact is one linear equation (`impulse`). A closed stop bears the effort λ for which its coordinate
+//! An impact is one linear equation (below). A closed stop bears the effort λ for which its coordinate
 //! does not accelerate, (J M⁻¹ Jᵀ) λ = −(J q̈₀ + J̇ q̇), and opens where λ would have to pull. Rebounds from v under the
 //! acceleration −a follow each other in a geometric series: where they are lower than what is asked for, the run goes on from
 //! its limit, 2 v / (a (1 − e)) later.

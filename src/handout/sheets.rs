@@ -1,13 +1,7 @@
 //! Exercise sheets and their keys.
 
 use super::texts::{for_all, names_a_column, numbers, used};
-use super::{KINDS, written};
-use crate::cli::args::{Report, ReportFormat};
-use crate::cli::draw::file_name;
-use crate::cli::error::CliError;
-use crate::cli::reply::{Reply, Status, complaint};
-use crate::cli::screen::Screen;
-use crate::cli::threads::Threads;
+use super::{Handout, KINDS};
 use crate::pipeline::{self, Compiled, Solved, VariantSolver};
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, PrintedDigits};
@@ -16,26 +10,22 @@ use assur_model::model::{Level, Value};
 use assur_picture::Scene;
 use assur_position::plan::Effects;
 use assur_solve::solve::Pose;
-use assur_syntax::document::{self, Document};
+use assur_syntax::document;
 use assur_text::diagnostic::Problems;
-use assur_text::source::Source;
-use assur_worked::{Exercise, GivenRow, Variants, asks_for_positions, given, key, sheet};
+use assur_worked::{Document, Exercise, GivenRow, Variants, asks_for_positions, given, key, sheet};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// Rows that one thread takes at once: what they have in common is found once for all of them.
-const PIECE: usize = 16;
 /// Rows that are compared with the first: what is the same in all is given.
 const COMPARED: usize = 3;
-/// Characters of the name of a row in the name of a file.
-const LONGEST: usize = 60;
 
 /// Sheets of a file.
 pub struct Sheets<'a> {
-    pub args: &'a Report,
-    pub format: ReportFormat,
-    pub source: &'a Source,
-    pub document: Arc<Document>,
+    pub handout: &'a Handout<'a>,
+    /// The rows of the file's own table; the file as written where it has none.
+    pub rows: Vec<Row>,
+    /// What is wrong in the file and in the header of its table. With errors there is no sheet.
+    pub problems: Problems,
     /// Names that are used outside of the table and of expectations.
     used: BTreeSet<String>,
     /// Numbers that the file gives outside of expectations and remarks, where it expects something.
@@ -46,10 +36,11 @@ pub struct Sheets<'a> {
 type Column = (String, String);
 
 /// A row of variants: its number, its name and its values.
-struct Row {
-    number: usize,
+pub struct Row {
+    /// Counted from 1.
+    pub number: usize,
     /// Its name where it has one.
-    label: Option<String>,
+    pub label: Option<String>,
     overrides: Overrides,
 }
 
@@ -74,78 +65,72 @@ impl Row {
             None => number,
         }
     }
-
-    /// The same in the name of a file: `2-A2`.
-    fn in_file(&self) -> String {
-        let number = self.number.to_string();
-        match self.label.as_deref().filter(|label| **label != number) {
-            Some(label) => {
-                let label: String = file_name(label).chars().take(LONGEST).collect();
-                format!("{number}-{label}")
-            }
-            None => number,
-        }
-    }
 }
 
 impl<'a> Sheets<'a> {
-    pub fn new(args: &'a Report, format: ReportFormat, source: &'a Source, document: Arc<Document>) -> Self {
-        let text = &source.text;
-        Self { args, format, source, document, used: used(text), written: numbers(text) }
-    }
-}
-
-impl Sheets<'_> {
-    pub fn reply(&self, found: Problems, screen: &Screen) -> Reply {
-        let mut problems = found;
-        let rows = self.rows(&mut problems);
-        if problems.has_errors() {
-            return Reply::new(String::new(), &problems, self.source, screen);
-        }
-        let result = if self.args.key {
-            self.key(&rows, &mut problems)
-        } else if self.args.per_row {
-            self.each(&rows, &mut problems)
-        } else {
-            self.one(&rows, &mut problems, self.args.out.as_deref())
-        };
-        match result {
-            Ok(results) => Reply::new(results, &problems, self.source, screen),
-            Err(error) => {
-                let diagnostics = screen.diagnostics(&problems, self.source) + &complaint(error, screen);
-                Reply { results: String::new(), diagnostics, status: Status::Unusable }
-            }
-        }
-    }
-
-    /// The rows of the file's own table; the file as written where it has none.
-    fn rows(&self, problems: &mut Problems) -> Vec<Row> {
-        let overrides = self.args.overrides();
-        let written = |overrides: Overrides| vec![Row { number: 1, label: None, overrides }];
-        let Some(rows) = self.file_rows(&overrides, problems) else { return written(overrides) };
+    /// Of a file; `found` is what was wrong in its text.
+    #[must_use]
+    pub fn of(handout: &'a Handout<'a>, found: Problems) -> Self {
+        let text = &handout.source.text;
+        let (used, written) = (used(text), numbers(text));
+        let mut sheets = Self { handout, rows: Vec::new(), problems: found, used, written };
+        let overrides = &handout.overrides;
         let row = |(i, row): (usize, FileRow)| Row {
             number: i + 1,
             label: row.label,
             overrides: Overrides { values: overrides.values.clone(), row: row.row },
         };
-        rows.into_iter().enumerate().map(row).collect()
+        sheets.rows = match sheets.file_rows() {
+            Some(rows) => rows.into_iter().enumerate().map(row).collect(),
+            None => vec![Row { number: 1, label: None, overrides: overrides.clone() }],
+        };
+        sheets
     }
 
-    fn file_rows(&self, overrides: &Overrides, problems: &mut Problems) -> Option<Vec<FileRow>> {
-        let table = check::table(&self.document)?;
-        let (columns, found) = check::columns(&self.document, overrides, table);
-        problems.append(found);
+    fn file_rows(&mut self) -> Option<Vec<FileRow>> {
+        let table = check::table(&self.handout.document)?;
+        let (columns, found) = check::columns(&self.handout.document, &self.handout.overrides, table);
+        self.problems.append(found);
         let rows = check::file_rows(table, &columns?.into());
         (!rows.is_empty()).then_some(rows)
     }
 
     /// One sheet, with the table of all variants.
-    fn one(&self, rows: &[Row], problems: &mut Problems, out: Option<&str>) -> Result<String, CliError> {
-        let Some(first) = rows.first() else { return Ok(String::new()) };
-        let for_all = Arc::new(for_all(&self.document, &names(rows)));
-        let (compiled, found) =
-            pipeline::compile_document(self.source, &for_all, Problems::new(), &first.overrides);
-        self.sheet(compiled, found, problems, (out, Of::All(rows)))
+    #[must_use]
+    pub fn for_all(self) -> (Option<Document>, Problems) {
+        let mut problems = self.problems.clone();
+        let Some(first) = self.rows.first().filter(|_| !problems.has_errors()) else {
+            return (None, problems);
+        };
+        let (compiled, found) = self.compiled_for_all(first);
+        let document = self.sheet(compiled, found, &mut problems, Of::All(&self.rows));
+        (document, problems)
+    }
+
+    /// The file as its title and text are for all rows, with the values of the first.
+    fn compiled_for_all(&self, first: &Row) -> (Option<Compiled>, Problems) {
+        let names: Vec<String> = self.rows.iter().map(Row::name).collect();
+        let for_all = Arc::new(for_all(&self.handout.document, &names));
+        pipeline::compile_document(self.handout.source, &for_all, Problems::new(), &first.overrides)
+    }
+
+    /// The sheets of rows, one after another, each with what is wrong in it, until `goes_on` says no.
+    pub fn each(&self, rows: &[Row], mut goes_on: impl FnMut(&Row, Option<Document>, Problems) -> bool) {
+        let has_table = check::table(&self.handout.document).is_some();
+        let values = Overrides { values: self.handout.overrides.values.clone(), ..Overrides::none() };
+        let mut solver = VariantSolver::new(&self.handout.document, &values);
+        for row in rows {
+            let (compiled, found) = match solver.compile(&row.overrides.row) {
+                (Some(compiled), found) if !found.has_errors() => (Some(compiled), found),
+                // its messages are those of the file as a whole
+                _ => self.compiled(&row.overrides),
+            };
+            let mut problems = Problems::new();
+            let document = self.sheet(compiled, found, &mut problems, Of::Row(has_table.then_some(row)));
+            if !goes_on(row, document, problems) {
+                break;
+            }
+        }
     }
 
     /// What other rows have under "Given": what differs there is not given by the text.
@@ -154,13 +139,13 @@ impl Sheets<'_> {
             let compiled = self.compiled(&row.overrides).0?;
             let solved = pipeline::solve(pipeline::planned_to_draw(compiled, &KINDS)).0.ok()?;
             let scene = self.scene(&solved, &mut Problems::new()).ok()??;
-            Some(given(scene, self.args.language.into()))
+            Some(given(scene, self.handout.language))
         };
         rows.iter().take(COMPARED).filter_map(of).collect()
     }
 
     fn compiled(&self, overrides: &Overrides) -> (Option<Compiled>, Problems) {
-        pipeline::compile_document(self.source, &self.document, Problems::new(), overrides)
+        pipeline::compile_document(self.handout.source, &self.handout.document, Problems::new(), overrides)
     }
 
     /// The sheet of a compiled row, with the table of all variants or without it.
@@ -169,22 +154,21 @@ impl Sheets<'_> {
         compiled: Option<Compiled>,
         found: Problems,
         problems: &mut Problems,
-        (out, of): (Option<&str>, Of<'_>),
-    ) -> Result<String, CliError> {
+        of: Of<'_>,
+    ) -> Option<Document> {
         problems.append(found);
-        let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return Ok(String::new()) };
+        let compiled = compiled.filter(|_| !problems.has_errors())?;
         let drawn = pipeline::planned_to_draw(compiled.clone(), &KINDS);
         let (solved, found) = pipeline::solve(drawn);
         problems.append(found);
-        let Some(solved) = solved.ok().filter(|_| !problems.has_errors()) else { return Ok(String::new()) };
-        let Ok(scene) = self.scene(&solved, problems) else { return Ok(String::new()) };
+        let solved = solved.ok().filter(|_| !problems.has_errors())?;
+        let scene = self.scene(&solved, problems).ok()?;
         // pictures may show more than the file asks for
         let asked = Effects::at_least(&solved.compiled.mechanism, Level::Positions, false);
         let own = if asked == solved.compiled.plan.effects {
             None
         } else {
-            let Ok(own) = pipeline::solve(compiled).0 else { return Ok(String::new()) };
-            Some(own)
+            Some(pipeline::solve(compiled).0.ok()?)
         };
         let asking = own.as_ref().unwrap_or(&solved);
         let answers = asking.answers(PrintedDigits::READABLE);
@@ -199,7 +183,7 @@ impl Sheets<'_> {
                 Some((pose, solved)) => Scene { pose, solved, ..scene },
                 None => scene,
             });
-        let table = check::table(&self.document);
+        let table = check::table(&self.handout.document);
         let rows = if let (Of::All(rows), Some(_)) = (of, table) { rows } else { &[] };
         let with_table = !rows.is_empty();
         let varied = |name: &str| {
@@ -208,8 +192,8 @@ impl Sheets<'_> {
         };
         let exercise = Exercise {
             mechanism,
-            file: &self.source.name,
-            text: &self.source.text,
+            file: &self.handout.source.name,
+            text: &self.handout.source.text,
             scene,
             shown,
             asked: AnswerColumns::of(&answers.model).asked(&answers, wanted),
@@ -221,20 +205,19 @@ impl Sheets<'_> {
         };
         let variants = rows.first().and_then(|first| {
             let (columns, rows) = self.variants()?;
-            let in_text = self.document.notes.iter().any(|note| names_a_column(&note.node, table));
+            let in_text = self.handout.document.notes.iter().any(|note| names_a_column(&note.node, table));
             Some(Variants { columns, rows, drawn_for: first.words(), in_text })
         });
-        let document = sheet(&exercise, self.args.language.into(), variants);
-        written(self.args, self.format, document, out)
+        Some(sheet(&exercise, self.handout.language, variants))
     }
 
     /// The position that is named, or the first; none where the file has none.
-    fn scene<'a>(&'a self, solved: &'a Solved, problems: &mut Problems) -> Result<Option<Scene<'a>>, ()> {
-        if solved.solution.poses.is_empty() && self.args.pose.is_none() {
+    fn scene<'s>(&'s self, solved: &'s Solved, problems: &mut Problems) -> Result<Option<Scene<'s>>, ()> {
+        if solved.solution.poses.is_empty() && self.handout.pose.is_none() {
             return Ok(None);
         }
-        let file = (self.source.name.as_str(), self.source.text.as_str());
-        let scene = Scene::of(solved.compiled.model(), &solved.solution, file, self.args.pose.as_deref());
+        let file = (self.handout.source.name.as_str(), self.handout.source.text.as_str());
+        let scene = Scene::of(solved.compiled.model(), &solved.solution, file, self.handout.pose);
         scene.map(Some).map_err(|missing| problems.push(missing))
     }
 
@@ -263,53 +246,22 @@ impl Sheets<'_> {
     }
 
     fn is_wanted(&self, pose: &Pose) -> bool {
-        self.args.pose.as_ref().is_none_or(|name| *name == pose.name)
-    }
-
-    /// One sheet per row: `sheet-2.html` of `sheet.html`.
-    fn each(&self, rows: &[Row], problems: &mut Problems) -> Result<String, CliError> {
-        let has_table = check::table(&self.document).is_some();
-        let name = self.args.out.as_deref().unwrap_or_default();
-        let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
-        let values = Overrides { values: self.args.overrides().values, ..Overrides::none() };
-        let pieces = rows.chunks(PIECE).map(|rows| (rows, Problems::new(), None));
-        let mut written: Vec<(&[Row], Problems, Option<CliError>)> = pieces.collect();
-        Threads::new(None).each(&mut written, |(_, (rows, problems, error))| {
-            let mut solver = VariantSolver::new(&self.document, &values);
-            for row in *rows {
-                let out = format!("{stem}-{}.{ending}", row.in_file());
-                let (compiled, found) = match solver.compile(&row.overrides.row) {
-                    (Some(compiled), found) if !found.has_errors() => (Some(compiled), found),
-                    // its messages are those of the file as a whole
-                    _ => self.compiled(&row.overrides),
-                };
-                let mut own = Problems::new();
-                *error = self
-                    .sheet(compiled, found, &mut own, (Some(&out), Of::Row(has_table.then_some(row))))
-                    .err();
-                problems.append(own);
-                if error.is_some() {
-                    break;
-                }
-            }
-        });
-        for (_, found, error) in written {
-            problems.append(found);
-            if let Some(error) = error {
-                return Err(error);
-            }
-        }
-        Ok(String::new())
+        self.handout.pose.is_none_or(|name| name == pose.name)
     }
 
     /// The answers of all rows, as `assur batch --key` has them.
-    fn key(&self, rows: &[Row], problems: &mut Problems) -> Result<String, CliError> {
+    #[must_use]
+    pub fn key(self) -> (Option<Document>, Problems) {
+        let mut problems = self.problems.clone();
+        let document = if problems.has_errors() { None } else { self.answers(&mut problems) };
+        (document, problems)
+    }
+
+    fn answers(&self, problems: &mut Problems) -> Option<Document> {
         let (mut lines, mut last) = (Vec::new(), None);
-        for row in rows {
+        for row in &self.rows {
             let Some(solved) = self.answered(&row.overrides, problems) else { continue };
-            if self.scene(&solved, problems).is_err() {
-                return Ok(String::new());
-            }
+            self.scene(&solved, problems).ok()?;
             let answers = solved.answers(PrintedDigits::READABLE);
             let columns = AnswerColumns::of(&solved.compiled.model());
             let poses: Vec<&Pose> = answers.poses().filter(|pose| self.is_wanted(pose)).collect();
@@ -321,13 +273,12 @@ impl Sheets<'_> {
             }
             last = Some(solved);
         }
-        let (Some(solved), Some(first)) = (last, rows.first()) else { return Ok(String::new()) };
-        let for_all = Arc::new(for_all(&self.document, &names(rows)));
-        let named = pipeline::compile_document(self.source, &for_all, Problems::new(), &first.overrides).0;
+        let solved = last?;
+        let named = self.compiled_for_all(self.rows.first()?).0;
         let exercise = Exercise {
             mechanism: named.as_ref().map_or(&solved.compiled.mechanism, |named| &named.mechanism),
-            file: &self.source.name,
-            text: &self.source.text,
+            file: &self.handout.source.name,
+            text: &self.handout.source.text,
             scene: None,
             shown: None,
             asked: Vec::new(),
@@ -337,8 +288,7 @@ impl Sheets<'_> {
             others: &[],
             row: None,
         };
-        let document = key(&exercise, self.args.language.into(), &lines);
-        written(self.args, self.format, document, self.args.out.as_deref())
+        Some(key(&exercise, self.handout.language, &lines))
     }
 
     /// What the file asks for, and no more.
@@ -352,7 +302,7 @@ impl Sheets<'_> {
 
     /// The table of variants without the columns that expectations alone use.
     fn variants(&self) -> Option<(Vec<Column>, Vec<Vec<String>>)> {
-        let table = check::table(&self.document)?;
+        let table = check::table(&self.handout.document)?;
         let used = |name: &str| self.is_used(name);
         let kept: Vec<usize> =
             (0..table.columns.len()).filter(|i| used(&table.columns[*i].name.node)).collect();
@@ -374,8 +324,4 @@ impl Sheets<'_> {
     fn is_used(&self, name: &str) -> bool {
         name == "variant" || self.used.contains(name)
     }
-}
-
-fn names(rows: &[Row]) -> Vec<String> {
-    rows.iter().map(Row::name).collect()
 }

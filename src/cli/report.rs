@@ -1,11 +1,5 @@
 //! `assur report`
 
-mod published;
-mod sheets;
-mod sizes;
-mod tables;
-mod texts;
-
 use crate::cli::args::{Report, ReportFormat};
 use crate::cli::draw::file_name;
 use crate::cli::error::CliError;
@@ -13,22 +7,20 @@ use crate::cli::files::{self, Input};
 use crate::cli::reply::{Printer, Reply, Status, complaint, for_each_input};
 use crate::cli::screen::Screen;
 use crate::cli::sink::Sink;
-use crate::pipeline::{self, Solved};
-use assur_picture::{Kind, Scene};
-use assur_solve::solve::Pose;
+use crate::cli::threads::Threads;
+use crate::handout::{Handout, Row, Sheets};
 use assur_syntax as syntax;
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
-use assur_worked::{
-    Block, Document, Inline, Language, Part, design, html, markdown, text, typst, worked_from,
-};
-use sheets::Sheets;
+use assur_worked::{Document, html, markdown, text, typst};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What is solved for a solution: all that its pictures show.
-const KINDS: [Kind; 4] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces];
+/// Rows that one thread takes at once: what they have in common is found once for all of them.
+const PIECE: usize = 16;
+/// Characters of the name of a row in the name of a file.
+const LONGEST: usize = 60;
 
 pub fn run(args: &Report, screen: &Screen) -> Status {
     let inputs = files::expand(&args.files);
@@ -92,106 +84,68 @@ fn folder_names(inputs: &[Result<Input, CliError>]) -> BTreeMap<String, String> 
 
 fn of_file(args: &Report, format: ReportFormat, source: &Source, screen: &Screen) -> Reply {
     let (read, found) = syntax::parse(source);
-    let read = Arc::new(read);
-    if args.sheet || args.key {
-        return Sheets::new(args, format, source, read).reply(found, screen);
-    }
-    let overrides = args.overrides();
-    let (solved, mut problems) = pipeline::solve_document_drawn(source, &read, found, &overrides, &KINDS);
-    let Some(solved) = solved else { return Reply::new(String::new(), &problems, source, screen) };
-    let made = document(source, &read, &solved, args.language.into(), (args.pose.as_deref(), &args.steps));
-    let document = match made {
-        Ok(document) => document,
-        Err(missing) => {
-            problems.push(missing);
-            return Reply::new(String::new(), &problems, source, screen);
-        }
+    let handout =
+        Handout::new(source, Arc::new(read), args.overrides(), args.language.into(), args.pose.as_deref());
+    let out = args.out.as_deref();
+    let (made, problems) = if args.key || args.sheet && !args.per_row {
+        let sheets = Sheets::of(&handout, found);
+        if args.key { sheets.key() } else { sheets.for_all() }
+    } else if args.sheet {
+        return each(args, format, Sheets::of(&handout, found), screen);
+    } else {
+        handout.worked(found, &args.steps)
     };
-    match written(args, format, document, args.out.as_deref()) {
-        Ok(results) => Reply::new(results, &problems, source, screen),
+    let written = made.map_or(Ok(String::new()), |document| written(args, format, document, out));
+    reply(written, &problems, source, screen)
+}
+
+fn reply(written: Result<String, CliError>, problems: &Problems, source: &Source, screen: &Screen) -> Reply {
+    match written {
+        Ok(results) => Reply::new(results, problems, source, screen),
         Err(error) => {
-            let diagnostics = screen.diagnostics(&problems, source) + &complaint(error, screen);
+            let diagnostics = screen.diagnostics(problems, source) + &complaint(error, screen);
             Reply { results: String::new(), diagnostics, status: Status::Unusable }
         }
     }
 }
 
-/// The solution of a file in a language: of a position, with some of its parts or all of them.
-///
-/// # Errors
-/// There is no such position.
-#[doc(hidden)]
-pub fn document(
-    source: &Source,
-    read: &syntax::document::Document,
-    solved: &Solved,
-    language: Language,
-    (pose, parts): (Option<&str>, &[Part]),
-) -> Result<Document, Diagnosis> {
-    if solved.solution.poses.is_empty() && pose.is_none() {
-        return Ok(without_position(language, source, solved));
+/// One sheet per row: `sheet-2.html` of `sheet.html`.
+fn each(args: &Report, format: ReportFormat, sheets: Sheets<'_>, screen: &Screen) -> Reply {
+    let name = args.out.as_deref().unwrap_or_default();
+    let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
+    let mut pieces: Vec<(&[Row], Problems, Option<CliError>)> =
+        sheets.rows.chunks(PIECE).map(|rows| (rows, Problems::new(), None)).collect();
+    if !sheets.problems.has_errors() {
+        Threads::new(None).each(&mut pieces, |(_, (rows, problems, error))| {
+            sheets.each(rows, |row, document, found| {
+                problems.append(found);
+                let out = format!("{stem}-{}.{ending}", in_file(row));
+                let written = document.map(|document| written(args, format, document, Some(&out)));
+                *error = written.and_then(Result::err);
+                error.is_none()
+            });
+        });
     }
-    let file = (source.name.as_str(), source.text.as_str());
-    let pose = pose.or_else(|| moving(solved));
-    let scene = Scene::of(solved.compiled.model(), &solved.solution, file, pose)?;
-    let sizes = sizes::sizes(read, &solved.compiled.mechanism);
-    let formulas = sizes::formulas(read, &solved.compiled.mechanism);
-    let mut document = worked_from(scene, language, parts, (&sizes, &formulas)).document;
-    if parts.is_empty() || parts.contains(&Part::Results) {
-        let more = tables::blocks(source, solved, Some(&scene), language);
-        document.blocks.extend(without_repeated(&document.blocks, more));
-    }
-    Ok(document)
-}
-
-/// Blocks without the figures that are there already: the scheme of a train is its section.
-fn without_repeated(there: &[Block], more: Vec<Block>) -> Vec<Block> {
-    let shown =
-        |svg: &str| there.iter().any(|b| matches!(b, Block::Figures(f) if f.iter().any(|f| f.svg == svg)));
-    let left = |block| match block {
-        Block::Figures(mut figures) => {
-            figures.retain(|figure| !shown(&figure.svg));
-            (!figures.is_empty()).then_some(Block::Figures(figures))
+    let (source, mut problems) = (sheets.handout.source, sheets.problems.clone());
+    for (_, found, error) in pieces {
+        problems.append(found);
+        if let Some(error) = error {
+            return reply(Err(error), &problems, source, screen);
         }
-        block => Some(block),
-    };
-    more.into_iter().filter_map(left).collect()
+    }
+    reply(Ok(String::new()), &problems, source, screen)
 }
 
-/// The name of the first position at which nothing is at rest, of several; the first where there is none.
-fn moving(solved: &Solved) -> Option<&str> {
-    let poses = &solved.solution.poses;
-    if poses.len() < 2 {
-        return None;
+/// The number and the name of a row in the name of a file: `2-A2`.
+fn in_file(row: &Row) -> String {
+    let number = row.number.to_string();
+    match row.label.as_deref().filter(|label| **label != number) {
+        Some(label) => {
+            let label: String = file_name(label).chars().take(LONGEST).collect();
+            format!("{number}-{label}")
+        }
+        None => number,
     }
-    let is_moving = |pose: &&Pose| {
-        pose.outcome.as_ref().is_ok_and(|at| {
-            let rates = at.state.motion.bodies.iter().skip(1).map(|b| b.omega.abs() + b.v.norm());
-            let largest = rates.clone().fold(0.0, f64::max);
-            largest > 0.0 && rates.fold(f64::INFINITY, f64::min) > 1e-6 * largest
-        })
-    };
-    poses.iter().find(is_moving).map(|pose| pose.name.as_str())
-}
-
-/// Of a file without positions: its text, and the tables of its cams, gears and flywheels.
-fn without_position(language: Language, source: &Source, solved: &Solved) -> Document {
-    let mechanism = &solved.compiled.mechanism;
-    let mut document = Document { language: language.code(), ..Document::default() };
-    document.title = if mechanism.title.is_empty() { source.name.clone() } else { mechanism.title.clone() };
-    let notes = mechanism.notes.join(" ");
-    if !notes.is_empty() {
-        document.blocks.push(Block::Paragraph(vec![Inline::Text(notes)]));
-    }
-    let page = design(solved.compiled.model(), &solved.solution, language);
-    document.blocks.extend(page.blocks);
-    document.blocks.extend(tables::blocks(source, solved, None, language).into_iter().map(
-        |block| match block {
-            Block::Heading(_, words) => Block::Heading(2, words),
-            block => block,
-        },
-    ));
-    document
 }
 
 /// Writes a document to its file, and its pictures next to it; what goes to standard output is given back.

@@ -1,0 +1,45 @@
+//! What is handed to people: worked solutions, exercise sheets, keys, as documents. Files and formats are the program's.
+
+mod published;
+mod sheets;
+mod sizes;
+mod tables;
+mod texts;
+mod worked;
+
+pub use sheets::{Row, Sheets};
+pub use worked::document;
+
+use assur_check::Overrides;
+use assur_picture::Kind;
+use assur_syntax::document::Document;
+use assur_text::source::Source;
+use assur_worked::Language;
+use std::sync::Arc;
+
+/// What is solved for a document: all that its pictures show.
+const KINDS: [Kind; 4] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces];
+
+/// What a document is made of.
+pub struct Handout<'a> {
+    pub source: &'a Source,
+    pub document: Arc<Document>,
+    /// Values from outside.
+    pub overrides: Overrides,
+    pub language: Language,
+    /// The position that is worked out or drawn; the first one without a name.
+    pub pose: Option<&'a str>,
+}
+
+impl<'a> Handout<'a> {
+    #[must_use]
+    pub const fn new(
+        source: &'a Source,
+        document: Arc<Document>,
+        overrides: Overrides,
+        language: Language,
+        pose: Option<&'a str>,
+    ) -> Self {
+        Self { source, document, overrides, language, pose }
+    }
+}
