@@ -46,12 +46,12 @@ pub const TABLES: &[Format] = &[
     Format::Latex,
     Format::Typst,
 ];
-/// What `solve` writes beside tables.
+/// What `solve` writes as well as tables.
 pub const STREAMS: &[Format] = &[
     #[cfg(feature = "arrow")]
     Format::Arrow,
 ];
-/// What `batch` writes beside tables.
+/// What `batch` writes as well as tables.
 pub const COLUMNS: &[Format] = &[
     #[cfg(feature = "arrow")]
     Format::Arrow,
@@ -60,7 +60,7 @@ pub const COLUMNS: &[Format] = &[
     #[cfg(feature = "parquet")]
     Format::Parquet,
 ];
-/// What `profile` writes beside tables.
+/// What `profile` writes as well as tables.
 pub const DRAWINGS: &[Format] = &[Format::Dxf];
 
 /// Reads one of the tables, or one of these.
