@@ -1,17 +1,18 @@
 //! What an expression should be against what it is.
 
-use crate::expr::bare::unit_missing;
-use crate::expr::context::Context;
-use crate::expr::number::with_unit;
-use crate::statements::walk::parts;
-use crate::statements::written::written;
-use crate::values::typed::{Dim, Type, Typed, correction, phrase};
-use assur_syntax::document::{Expr, ExprKind};
-use assur_text::diagnostic::Diagnosis;
-use assur_text::diagnostic::Fix;
+use crate::expr::{context::Context, number::with_unit};
+use crate::names::declared::QuantityKind;
+use crate::statements::{walk::parts, written::written};
+use crate::values::{
+    definition::Settled,
+    replace::revolutions_or_radians,
+    typed::{Dim, Type, Typed, correction, phrase},
+};
+use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
+use assur_text::diagnostic::{Diagnosis, Fix, Help};
 use assur_text::language::Function;
 use assur_text::source::Span;
-use assur_text::units::Dimension;
+use assur_text::units::{Dimension, lookup};
 
 impl Context<'_> {
     /// The expression, if it is a number of this dimension.
@@ -174,4 +175,172 @@ pub fn unit_mismatch(what: &str, want: &str, found: &str, span: Span, help: Opti
 pub fn written_here(help: Option<&str>, at: Span) -> Vec<Fix> {
     let is_here = |help: &&str| help.starts_with("write `") && !help.contains(['[', '(']);
     help.filter(is_here).map(|help| Fix::quoted(help, at)).unwrap_or_default()
+}
+
+// Numbers whose unit is missing, or does not say enough, where they stand or where they are defined.
+
+/// A definition that is a number: `given` or `let`, and what comes after the equals sign.
+struct Definition<'a> {
+    word: &'static str,
+    value: &'a Expr,
+}
+
+impl Context<'_> {
+    /// An expression of bare numbers with the unit that is most likely: ``write `40 mm` ``.
+    pub(crate) fn example(&self, expr: &Expr, want: Dimension) -> Option<Help> {
+        let units = self.likely_units(want, expr);
+        let texts = units.iter().map(|unit| with_unit(expr, unit)).collect::<Option<Vec<_>>>()?;
+        Some(Help::write(expr.span, &texts))
+    }
+
+    /// The units that a number without one may have: that of the file or the usual one, metres for less than a millimetre, and
+    /// revolutions for radians.
+    pub(super) fn likely_units(&self, want: Dimension, expr: &Expr) -> Vec<String> {
+        let usual = self.values.usual_unit(want);
+        if want == Dimension::LENGTH && usual == "mm" && is_less_than_one(expr) {
+            return vec!["m".to_owned()];
+        }
+        if want == Dimension::ANGULAR_VELOCITY && usual == want.si_text() {
+            return vec!["rpm".to_owned(), usual];
+        }
+        vec![usual]
+    }
+
+    /// Reports a name in the expression that was given a number without its unit, once, where it is defined. Says
+    /// whether there is one.
+    pub(crate) fn bare_definition(&mut self, want: Dimension, expr: &Expr) -> bool {
+        let mut names = Vec::new();
+        factors(expr, &mut names);
+        for name in names {
+            let Some(definition) = self.number_behind(name) else { continue };
+            let units = self.likely_units(want, definition.value);
+            let value = |unit: &String| with_unit(definition.value, unit);
+            let Some(values) = units.iter().map(value).collect::<Option<Vec<_>>>() else { continue };
+            let line = |value: &String| format!("`{} {name} = {value}`", definition.word);
+            let words = format!("write {}", values.iter().map(line).collect::<Vec<_>>().join(" or "));
+            let (span, used) = (definition.value.span, Some(expr.span));
+            let help = Help::write(span, &values).in_words(words);
+            self.error(unit_missing(&format!("`{name}`"), want, span, used, help));
+            // What does not fit because of it is no second mistake.
+            self.values.definitions.settled.insert(name.to_owned(), Settled::Failed);
+            return true;
+        }
+        false
+    }
+
+    fn number_behind(&self, name: &str) -> Option<Definition<'_>> {
+        Some(match self.names.quantities.get(name)?.what {
+            QuantityKind::Given(value) => Definition { word: "given", value },
+            QuantityKind::Let(value) => Definition { word: "let", value },
+            _ => return None,
+        })
+    }
+
+    /// Reports revolutions or radians per time where an angular velocity is due.
+    pub(crate) fn hertz(&mut self, what: String, expr: &Expr) {
+        let (mut span, mut used) = (expr.span, None);
+        let mut found = literal(expr).map(|number| (number.clone(), String::new()));
+        let mut defined = None;
+        if let (None, ExprKind::Name(name)) = (&found, &expr.kind)
+            && let Some(definition) = self.number_behind(name)
+            && let Some(number) = literal(definition.value)
+        {
+            found = Some((number.clone(), format!("{} {name} = ", definition.word)));
+            (span, used) = (definition.value.span, Some(expr.span));
+            defined = Some(name.clone());
+        }
+        let lines = found.as_ref().and_then(|(number, before)| per_time(number, before, span));
+        let unit =
+            found.and_then(|(number, _)| number.unit).map_or_else(|| "Hz".to_owned(), |unit| unit.node);
+        let help = lines.unwrap_or_else(|| "multiply it by `1 rev`, or by `1 rad`".into());
+        self.error(
+            Diagnosis::error(
+                "mech::unit::hertz",
+                format!("{what} is an angular velocity, and `{unit}` may mean revolutions or radians"),
+            )
+            .primary(span, "revolutions or radians?")
+            .label(used, "used here")
+            .help(help),
+        );
+        if let Some(name) = defined {
+            self.values.definitions.settled.insert(name, Settled::Failed);
+        }
+    }
+
+    /// `0.5 l` where `l` is a name of the file: reported, with the product that is meant.
+    pub(crate) fn implied_product(&mut self, number: &Number, at: Span) -> bool {
+        let Some(word) = &number.unit else { return false };
+        let is_name = self.names.quantities.contains_key(&word.node) || word.node == "pi";
+        if !is_name || lookup(&word.node).is_ok() {
+            return false;
+        }
+        let text = format!("{}*{}", number.text, word.node);
+        if self.problems.reported.insert(("product", text.clone())) {
+            let why = format!("`{}` is a name, not a unit: `*` is missing", word.node);
+            self.error(
+                Diagnosis::error("mech::unit::unknown", why)
+                    .primary(at, "not a unit")
+                    .help(Help::write(at, &[text]).certain()),
+            );
+        }
+        true
+    }
+}
+
+/// Whether the greatest of its numbers is below one, and not all are zero.
+fn is_less_than_one(expr: &Expr) -> bool {
+    let mut greatest = 0.0_f64;
+    parts(expr, &mut |part| {
+        if let ExprKind::Number(number) = &part.kind {
+            greatest = greatest.max(number.value.abs());
+        }
+    });
+    greatest > 0.0 && greatest < 1.0
+}
+
+/// The names that an expression is proportional to.
+fn factors<'e>(expr: &'e Expr, names: &mut Vec<&'e str>) {
+    match &expr.kind {
+        ExprKind::Name(name) => names.push(name),
+        ExprKind::Unary(_, inner) => factors(inner, names),
+        ExprKind::Polar(length, _) => factors(length, names),
+        ExprKind::Vector(x, y) => {
+            factors(x, names);
+            factors(y, names);
+        }
+        ExprKind::Chain(first, rest) => {
+            factors(first, names);
+            for (op, operand) in rest {
+                if op.node != BinaryOp::Divide {
+                    factors(operand, names);
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+/// A number, after its sign.
+fn literal(expr: &Expr) -> Option<&Number> {
+    match &expr.kind {
+        ExprKind::Number(number) => Some(number),
+        ExprKind::Unary(_, inner) => literal(inner),
+        _ => None,
+    }
+}
+
+/// The two values that a number per time may mean, with their definition.
+fn per_time(number: &Number, before: &str, at: Span) -> Option<Help> {
+    let unit = lookup(&number.unit.as_ref()?.node).ok()?;
+    let [turns, radians] = revolutions_or_radians(&number.text, &unit);
+    let words = format!("write `{before}{turns}` or `{before}{radians}`");
+    Some(Help::write(at, &[turns, radians]).in_words(words))
+}
+
+/// A number without a unit where a quantity is expected.
+pub fn unit_missing(what: &str, want: Dimension, span: Span, used: Option<Span>, help: Help) -> Diagnosis {
+    Diagnosis::error("mech::unit::missing", format!("{what} needs a unit: it is {want}"))
+        .primary(span, "a number without a unit")
+        .label(used, "used here")
+        .help(help)
 }

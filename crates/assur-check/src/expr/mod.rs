@@ -1,6 +1,5 @@
 //! Expressions: names resolved, dimensions checked, constants folded.
 
-pub mod bare;
 pub mod context;
 pub mod curve;
 pub mod factor;

@@ -1,22 +1,26 @@
 //! `variants`: names and units of the columns, and rows as numbers.
 
-use crate::expr::bare::unit_missing;
-use crate::expr::context::Context;
-use crate::expr::fit::unit_mismatch;
-use crate::names::declared::QuantityKind;
-use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
+use crate::expr::{
+    context::Context,
+    fit::{unit_mismatch, unit_missing},
+};
+use crate::names::{
+    declared::QuantityKind,
+    suggestion::{not_declared, suggestion, wrong_kind},
+};
 use crate::requests::tolerance;
-use crate::values::definition::Settled;
-use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
-use crate::values::typed::{Dim, Type, correction, phrase};
+use crate::values::{
+    definition::Settled,
+    row::{ColumnUse, Row, RowCell, RowColumn},
+    typed::{Dim, Type, correction, phrase},
+};
 use assur_model::model::{Expr, Value};
 use assur_syntax::document::{Cell, Column, Document, ExprKind, Statement, Variants};
 use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Unit};
 use indexmap::IndexSet;
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
+use std::collections::{HashMap, hash_map::Entry};
 use std::sync::Arc;
 
 /// The name of a column that names its rows.
