@@ -98,6 +98,11 @@ const fn force(what: &'static str) -> Facts {
     Facts { forces: true, from_loads: Some(what), ..NUMBER }
 }
 
+/// A place that is followed through whole turns.
+const fn followed(about: About, what: &'static str) -> Facts {
+    Facts { placed: Some((about, what)), turned: Some(about), continuous: Some(about), ..NUMBER }
+}
+
 /// Something of a pair's extremes.
 const fn extreme(pair: PairId, function: Function, which: Option<u8>) -> Facts {
     Facts { turned: Some(About::Pair(pair)), extreme: Some((pair, function, which)), ..NUMBER }
@@ -114,15 +119,7 @@ impl Query {
             Self::Jerk(p) => {
                 Facts { beyond: true, ..of_point(p, Level::Accelerations, "the jerk of a point") }
             }
-            Self::Angle(link) => {
-                let about = About::Link(link);
-                Facts {
-                    placed: Some((about, "an angle")),
-                    turned: Some(about),
-                    continuous: Some(about),
-                    ..NUMBER
-                }
-            }
+            Self::Angle(link) => followed(About::Link(link), "an angle"),
             Self::LinkDirection(link) => {
                 let about = About::Link(link);
                 Facts { placed: Some((about, "an angle")), turned: Some(about), ..VECTOR }
@@ -146,13 +143,7 @@ impl Query {
                 of_substitution(part)
             }
             Self::Displacement(pair) | Self::TorsionEnergy(_, pair) => {
-                let about = About::Pair(pair);
-                Facts {
-                    placed: Some((about, "a position")),
-                    turned: Some(about),
-                    continuous: Some(about),
-                    ..NUMBER
-                }
+                followed(About::Pair(pair), "a position")
             }
             Self::RelativeVelocity(pair) | Self::Sliding(pair) => {
                 Facts { turned: Some(About::Pair(pair)), ..RATE }

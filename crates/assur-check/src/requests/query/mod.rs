@@ -99,17 +99,12 @@ impl Context<'_> {
                 let of_slider = Query::RelativeAcceleration;
                 self.point_motion(call, Dimension::ACCELERATION, Query::Acceleration, of_slider)
             }
-            F::Jerk | F::AngularJerk if self.follows_from_loads(call) => None,
-            F::Jerk if self.asks_guide(call.args) => self.of_coordinate(call, Query::RelativeJerk, 3),
-            F::Jerk => self.point_motion(call, Dimension::JERK, Query::Jerk, Query::RelativeJerk),
+            F::Jerk | F::AngularJerk => self.jerk(call, function),
             F::Distance => self.distance(call),
             F::InstantCentre => self.instant_centre(call),
             F::Angle => self.link_motion(call, Query::Angle, Type::number(Dimension::ANGLE)),
             F::Omega => self.link_motion(call, Query::Omega, Type::number(Dimension::ANGULAR_VELOCITY)),
             F::Alpha => self.link_motion(call, Query::Alpha, Type::number(Dimension::ANGULAR_ACCELERATION)),
-            F::AngularJerk => {
-                self.link_motion(call, Query::AngularJerk, Type::number(Dimension::ANGULAR_JERK))
-            }
             F::Displacement => self.of_coordinate(call, Query::Displacement, 0),
             F::RelativeVelocity => self.of_coordinate(call, Query::RelativeVelocity, 1),
             F::RelativeAcceleration => self.of_coordinate(call, Query::RelativeAcceleration, 2),
@@ -175,6 +170,17 @@ impl Context<'_> {
             F::ReducedTorque => self.of_flywheel(call, FlywheelPart::Torque, Dimension::TORQUE),
             F::ReducedInertia => self.of_flywheel(call, FlywheelPart::LinksInertia, Dimension::INERTIA),
             F::Rim => self.rim_alone(call),
+        }
+    }
+
+    fn jerk(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        match function {
+            _ if self.follows_from_loads(call) => None,
+            Function::AngularJerk => {
+                self.link_motion(call, Query::AngularJerk, Type::number(Dimension::ANGULAR_JERK))
+            }
+            _ if self.asks_guide(call.args) => self.of_coordinate(call, Query::RelativeJerk, 3),
+            _ => self.point_motion(call, Dimension::JERK, Query::Jerk, Query::RelativeJerk),
         }
     }
 
