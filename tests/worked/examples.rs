@@ -140,12 +140,14 @@ fn every_group_and_every_load_has_its_steps() {
     assert_eq!(alone, Vec::<String>::new());
 }
 
-/// Values on the page that no equation gives, but those that are of a whole run, or of a unit rate of one free coordinate.
+/// Values on the page that no equation gives, but those that are of a whole run, or of a unit rate of one free coordinate, and jerks,
+/// which the page states as solved.
 fn without_step(made: &Worked) -> impl Iterator<Item = String> {
     made.stated.iter().map(|name| (name, format!("{}{}", name.letter, name.sub))).filter_map(
         move |(name, plain)| {
             let of_run = ["T1", "T2", "W", "αr", "ar"].contains(&&*plain) || name.letter == "k";
-            let kept = !of_run;
+            let is_jerk = matches!(name.letter.as_str(), "ζ" | "j");
+            let kept = !of_run && !is_jerk;
             kept.then(|| format!("{}_{}", name.letter, name.sub))
         },
     )

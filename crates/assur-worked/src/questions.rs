@@ -150,7 +150,7 @@ impl Asking<'_> {
             Query::Cycle(id) => {
                 let cycle = m.cycles.get(*id)?;
                 let message = match cycle.how {
-                    CycleFunction::Max => M::MotionScales,
+                    CycleFunction::Max => M::Greatest,
                     CycleFunction::Min => M::Least,
                     CycleFunction::Mean => M::Mean,
                     CycleFunction::Integral => M::Integral,

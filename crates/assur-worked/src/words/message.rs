@@ -90,7 +90,7 @@ messages! {
         Coriolis Reaction Moment Normal Friction FrictionPower Efficiency Locked InertiaForce InertiaTorque
         PressureAngle BalancingTorque BalancingEffort DriveEffort Load Power KineticEnergy PotentialEnergy
         Travel Stroke TimeRatio TangentialForce ToothForce Tension TightSide SlackSide DeadPosition Period
-        EventTime MotionScales Least Mean Integral WhereGreatest Work FlywheelInertia Fluctuation RimWidth
+        EventTime Greatest Least Mean Integral WhereGreatest Work FlywheelInertia Fluctuation RimWidth
         RimHeight RimMass ReducedTorque ReducedInertia ExcessWork StaticMass DynamicMass SecondMass
         SecondDistance InertiaLeft Jerk AngularJerk RelativeJerk
     }
