@@ -2,31 +2,28 @@
 
 use super::symbols::{Symbol, SymbolKind};
 use super::{Analysis, Results, symbols};
-use crate::pipeline::{Solved, turn};
+use crate::pipeline::{Solved, turn_with_effects};
 use crate::report::{
     AccuracyShown, PrintedDigits, of_answers,
     text::{self, Look},
 };
 use assur_drawing::Theme;
-use assur_picture::{Kind, Options, Scene, animation, draw};
+use assur_picture::{ArrowKind, Kind, Moving, Options, Scene, draw, motion};
 use assur_text::diagnostic::{Diagnosis, Problems, Style, place, render_most};
 use assur_text::source::{Span, shown_in_line};
-use assur_worked::Language;
+use assur_worked::{Language, drawing_in};
 use serde::Serialize;
 
 /// How diagnostics are drawn: as in a terminal of 100 columns, without colours.
 const STYLE: Style = Style::Graphical { colour: false, width: 100 };
-/// What is around a picture that does not move.
-const STILL: &str = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>scheme</title>\n\
-    <style>:root{color-scheme:light dark}body{margin:1rem auto;max-width:200mm}svg{max-width:100%;height:auto}</style>\n";
 /// The most diagnostics, as in a terminal.
 const MOST: usize = 50;
 
 /// What a page shows of a text.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct PageParts {
-    /// The mechanism as a page of its own, in motion where it can move; none where nothing is solved.
-    pub picture: Option<String>,
+    /// The mechanism, in motion where it can move; none where nothing is solved.
+    pub picture: Option<Moving>,
     /// The answers as in a terminal.
     pub answers: String,
     /// What is wrong, as in a terminal.
@@ -60,7 +57,7 @@ impl Analysis {
         let Some(solved) = results.and_then(|results| results.solved.as_ref()) else {
             return PageParts { diagnostics, ..PageParts::default() };
         };
-        let picture = match self.moving(solved) {
+        let picture = match self.moving(solved, Language::English, None) {
             Ok(picture) => Some(picture),
             Err(missing) => {
                 diagnostics += &render_most(&Problems::of([missing]), &self.source, STYLE, MOST);
@@ -70,17 +67,28 @@ impl Analysis {
         PageParts { picture, answers: self.answers(solved), diagnostics, declared: self.declared() }
     }
 
-    /// The animation; of what does not move the scheme.
-    fn moving(&self, solved: &Solved) -> Result<String, Diagnosis> {
+    /// The mechanism in motion; of what does not move the scheme.
+    fn moving(
+        &self,
+        solved: &Solved,
+        language: Language,
+        shown: Option<ArrowKind>,
+    ) -> Result<Moving, Diagnosis> {
         let file = (self.source.name.as_str(), self.source.text.as_str());
         let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None)?;
-        let turn = turn(&solved.compiled, &solved.solution);
+        let (turn, arrows) = turn_with_effects(&solved.compiled, &solved.solution, None);
         let scene = Scene { turn: &turn, ..scene };
-        let options = Options::default();
-        animation(&scene, &options, Theme::Auto, &Language::English).or_else(|_| {
+        let options = Options { arrows, shown, ..Options::default() };
+        motion(&scene, &options, Theme::Auto, &language).or_else(|_| {
             let drawings = draw(Kind::Scheme, &scene, &options)?;
-            let drawn = drawings.into_iter().map(|drawing| drawing.placed().svg(Theme::Auto));
-            Ok(drawn.fold(STILL.to_owned(), |page, svg| page + &svg))
+            let title = solved.compiled.mechanism.title.clone();
+            let drawings =
+                drawings.into_iter().map(|one| drawing_in(language, &solved.compiled.mechanism, one));
+            Ok(Moving {
+                title,
+                markup: drawings.map(|one| one.placed().svg(Theme::Auto)).collect(),
+                motion: None,
+            })
         })
     }
 

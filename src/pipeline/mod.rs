@@ -23,5 +23,5 @@ pub use solved::{
 pub use solved::{planned_to_draw, solve_document_drawn, solve_drawn, solve_drawn_conducted};
 pub use test::{diagnose, test_document, test_source, test_text};
 pub use turn::elsewhere;
-pub use turn::{turn, turn_in};
+pub use turn::{turn, turn_in, turn_with_effects};
 pub use variant_solver::VariantSolver;

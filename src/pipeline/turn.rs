@@ -14,23 +14,48 @@ const STEPS: usize = 180;
 /// there are several drives, or the only one does not turn and has no way.
 #[must_use]
 pub fn turn(compiled: &Compiled, solution: &Solution) -> Vec<Pose> {
-    if compiled.mechanism.simulation.is_some() {
-        return in_time(compiled, STEPS + 1);
-    }
-    let Some(way) = Way::of(&compiled.mechanism, solution) else { return Vec::new() };
-    way.solved(compiled, way.steps * STEPS.div_ceil(way.steps))
+    along(compiled, solution, None, None)
 }
 
 /// As [`turn`], in a number of positions that is wanted, two or more.
 #[must_use]
 pub fn turn_in(compiled: &Compiled, solution: &Solution, count: usize) -> Vec<Pose> {
+    along(compiled, solution, Some(count), None)
+}
+
+/// The frames of an animation with arrows, and whether they have all effects of the plan: positions alone where more of these are
+/// found.
+#[must_use]
+pub fn turn_with_effects(
+    compiled: &Compiled,
+    solution: &Solution,
+    count: Option<usize>,
+) -> (Vec<Pose>, bool) {
+    let found = |poses: &[Pose]| poses.iter().filter(|pose| pose.outcome.is_ok()).count();
+    let whole = along(compiled, solution, count, Some(compiled.plan.effects));
+    if found(&whole) == whole.len() && !whole.is_empty() {
+        return (whole, true);
+    }
+    let alone = along(compiled, solution, count, None);
+    if found(&alone) > found(&whole) { (alone, false) } else { (whole, true) }
+}
+
+/// Positions along the way, with these effects or as few as the way needs.
+fn along(
+    compiled: &Compiled,
+    solution: &Solution,
+    count: Option<usize>,
+    effects: Option<Effects>,
+) -> Vec<Pose> {
     if compiled.mechanism.simulation.is_some() {
-        return in_time(compiled, count.max(2));
+        return in_time(compiled, count.map_or(STEPS + 1, |count| count.max(2)), effects);
     }
     let Some(way) = Way::of(&compiled.mechanism, solution) else { return Vec::new() };
+    let solved = |steps| way.solved(compiled, steps, effects);
+    let Some(count) = count else { return solved(way.steps * STEPS.div_ceil(way.steps)) };
     let each = |parts: usize| {
         let every = STEPS.div_ceil(parts);
-        let poses = way.solved(compiled, parts * every);
+        let poses = solved(parts * every);
         let is_closed = poses.len() == parts * every;
         (poses.into_iter().step_by(every).collect::<Vec<_>>(), is_closed)
     };
@@ -40,17 +65,16 @@ pub fn turn_in(compiled: &Compiled, solution: &Solution, count: usize) -> Vec<Po
 }
 
 /// A motion under loads at instants that are equally far apart.
-fn in_time(compiled: &Compiled, count: usize) -> Vec<Pose> {
+fn in_time(compiled: &Compiled, count: usize, effects: Option<Effects>) -> Vec<Pose> {
     let mut mechanism = compiled.mechanism.clone();
     if let Some(simulation) = &mut mechanism.simulation {
         simulation.steps = Some(count - 1);
     }
-    mechanism.finds.clear();
-    mechanism.expects.clear();
-    mechanism.cycles.clear();
-    mechanism.criticals.clear();
-    mechanism.powers = None;
-    let plan = plan(&mechanism, &compiled.structure);
+    without_questions(&mut mechanism);
+    let plan = match effects {
+        Some(effects) => plan_with(&mechanism, &compiled.structure, effects),
+        None => plan(&mechanism, &compiled.structure),
+    };
     let model = Model { mechanism: &mechanism, structure: &compiled.structure, plan: &plan };
     solve(&model).map(|solution| solution.poses).unwrap_or_default()
 }
@@ -79,31 +103,39 @@ impl Way {
         Some(Self { from: end(*first), to: end(first + TAU), steps: STEPS })
     }
 
-    fn solved(&self, compiled: &Compiled, steps: usize) -> Vec<Pose> {
+    fn solved(&self, compiled: &Compiled, steps: usize, effects: Option<Effects>) -> Vec<Pose> {
         let mut mechanism = compiled.mechanism.clone();
         if let [drive] = mechanism.drives.as_mut_slice() {
             drive.positions = Positions::Range { from: self.from.clone(), to: self.to.clone(), steps };
         }
-        only_positions(&mut mechanism);
         let Effects { moving, timed, .. } = compiled.plan.effects;
-        let effects = Effects { moving, timed, ..Effects::default() };
+        match effects {
+            Some(_) => without_questions(&mut mechanism),
+            None => only_positions(&mut mechanism),
+        }
+        let effects = effects.unwrap_or(Effects { moving, timed, ..Effects::default() });
         let plan = plan_with(&mechanism, &compiled.structure, effects);
         let model = Model { mechanism: &mechanism, structure: &compiled.structure, plan: &plan };
         solve(&model).map(|solution| solution.poses).unwrap_or_default()
     }
 }
 
-/// Nothing but positions is asked.
-pub(super) fn only_positions(mechanism: &mut Mechanism) {
+/// Nothing is asked.
+fn without_questions(mechanism: &mut Mechanism) {
     mechanism.finds.clear();
     mechanism.expects.clear();
+    mechanism.cycles.clear();
+    mechanism.criticals.clear();
+    mechanism.powers = None;
+}
+
+/// Nothing but positions is asked.
+pub(super) fn only_positions(mechanism: &mut Mechanism) {
+    without_questions(mechanism);
     mechanism.quantities.clear();
     mechanism.poses.clear();
     mechanism.loads.clear();
-    mechanism.cycles.clear();
     mechanism.flywheels.clear();
-    mechanism.criticals.clear();
-    mechanism.powers = None;
 }
 
 // A position away from those of a file, for the scheme of an exercise that asks for positions.

@@ -2,7 +2,7 @@
 
 use crate::drawn::solved;
 use crate::every_example::examples;
-use crate::frames::{between, page, series, values};
+use crate::frames::{all_series, between, lists, motion, page, values};
 use assur::internals::math::Vec2;
 use assur::internals::pipeline::turn_in;
 
@@ -48,10 +48,6 @@ pub struct Moving {
     values: Vec<f64>,
 }
 
-fn numbers(text: &str) -> Vec<f64> {
-    text.trim_matches(['[', ']']).split(',').filter_map(|x| x.parse().ok()).collect()
-}
-
 fn attribute(element: &str, name: &str) -> f64 {
     between(element, &format!(" {name}=\""), "\"").parse().unwrap_or(0.0)
 }
@@ -72,10 +68,9 @@ fn corners(path: &str) -> Vec<Vec2> {
 
 impl Moving {
     pub fn of(page: &str) -> Self {
-        let columns = between(page, "S=[", "],B=").split(",\n").map(series).collect();
-        let list = |from: &str, to: &str| between(page, from, to).split(",\n").map(numbers).collect();
-        let (bodies, followers) = (list("B=[", "],F="), list(",F=[", "],R="));
-        let hidden = between(page, ",H=[", "],V=").split(",\n").map(series).collect();
+        let motion = motion(page);
+        let (columns, hidden) = (all_series(&motion["series"]), all_series(&motion["faded"]));
+        let (bodies, followers) = (lists(&motion["bodies"]), lists(&motion["followers"]));
         let values = values(page);
         let svg = between(page, "<svg", "</svg>");
         let (mut marks, mut labels) = (Vec::new(), Vec::new());

@@ -45,18 +45,30 @@ pub fn between<'t>(text: &'t str, before: &str, after: &str) -> &'t str {
     rest.split_once(after).map_or("", |(inner, _)| inner)
 }
 
+/// The data of the player.
+pub fn motion(page: &str) -> serde_json::Value {
+    serde_json::from_str(between(page, "\nconst motion = ", ";\n")).expect("data")
+}
+
+/// The series of a list.
+pub fn all_series(list: &serde_json::Value) -> Vec<Vec<f64>> {
+    list.as_array().expect("a list").iter().map(|text| series(text.as_str().expect("a series"))).collect()
+}
+
+/// The numbers of a list of lists.
+pub fn lists(list: &serde_json::Value) -> Vec<Vec<f64>> {
+    serde_json::from_value(list.clone()).expect("numbers")
+}
+
 /// The first number below the picture, of every frame: where the drive is.
 pub fn values(page: &str) -> Vec<f64> {
-    series(between(page, "],V=[[", "]").rsplit(',').next().unwrap_or_default())
+    series(motion(page)["values"][0][3].as_str().unwrap_or_default())
 }
 
 /// The places of the hinges in all frames, mm.
 fn hinges(page: &str) -> BTreeMap<&str, Vec<Vec2>> {
-    let all: Vec<Vec<f64>> = between(page, "S=[", "],B=").split(",\n").map(series).collect();
-    let bodies = between(page, "B=[", "],F=").split(",\n");
-    let bodies: Vec<Vec<f64>> = bodies
-        .map(|body| body.trim_matches(['[', ']']).split(',').filter_map(|x| x.parse().ok()).collect())
-        .collect();
+    let motion = motion(page);
+    let (all, bodies) = (all_series(&motion["series"]), lists(&motion["bodies"]));
     let mut found = BTreeMap::new();
     for group in page.split("<g class=\"pair\" data-name=\"").skip(1) {
         let (name, group) = group.split_once('"').expect("a name");

@@ -6,6 +6,7 @@ mod folder;
 #[path = "../mechanics/support/mod.rs"]
 mod support;
 
+mod arrows;
 mod bars;
 mod corners;
 mod dimensioned;

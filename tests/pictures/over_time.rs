@@ -1,6 +1,7 @@
 //! Plots of motions under loads: curves over time, events, extremes between the printed instants.
 
 use crate::drawn::{animated, sheets, solved};
+use crate::frames::motion;
 use assur::internals::drawing::Theme;
 use assur::internals::picture::Kind;
 
@@ -35,7 +36,10 @@ fn a_motion_with_two_instants_has_smooth_curves() {
     assert!(said.contains("least −4.429 rad/s at 0.592 s, greatest 0 rad/s at 0 s"), "{said}");
     let page = animated(&source, &solved).unwrap_or_default();
     // the cursor of the page goes along the plot
-    assert!(page.contains("id=\"c\"") && !page.contains("X=null"), "the page has a plot");
+    assert!(
+        page.contains("class=\"motion-cursor\"") && motion(&page)["along"].is_string(),
+        "the page has a plot"
+    );
 }
 
 /// A ball hits the ground 36 times: four times with the name, once with the number of the other hits.

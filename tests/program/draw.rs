@@ -183,9 +183,9 @@ fn dimensions_and_numbers_are_drawn() {
     assert!(out.stderr.contains("`--scale force=20`"), "{}", out.stderr);
 }
 
-/// The numbers in the first list of a script that begins with a name.
+/// How many frames the player of a page has.
 fn frames(page: &str) -> Option<usize> {
-    page.split_once("const N=")?.1.split(',').next()?.parse().ok()
+    page.split_once("\"frames\":")?.1.split(',').next()?.parse().ok()
 }
 
 #[test]
@@ -242,9 +242,25 @@ fn an_animation_is_a_page_or_a_picture() {
     let out = assur(&folder, &["draw", "a.mech", "animation", "-o", "a.html"]);
     assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
     let page = folder.read("a.html");
-    assert!(page.contains("<script>") && page.contains("<output id=\"o\" for=\"s\">crank = 0.0°</output>"));
+    assert!(
+        page.contains("<script ") && page.contains("<output class=\"motion-values\">crank = 0.0°</output>")
+    );
     let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", "10000"]);
     assert!(out.status == 0 && out.stdout.len() < 1_200_000, "{} bytes", out.stdout.len());
+}
+
+#[test]
+fn an_animation_has_the_arrows_that_are_wanted_or_says_why_not() {
+    let folder = Folder::new("draw-arrows").with("a.mech", &one());
+    let drawn = |words: &[&str]| assur(&folder, &[&["draw", "a.mech", "animation"], words].concat());
+    let out = drawn(&["--arrows", "velocities"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(out.stdout.contains("\"shown\":\"velocities\""));
+    let out = drawn(&["--arrows", "loads"]);
+    assert_eq!((out.status, out.stdout.as_str()), (1, ""));
+    assert!(out.stderr.contains("there are no forces to draw"), "{}", out.stderr);
+    let out = assur(&folder, &["draw", "a.mech", "--arrows", "velocities"]);
+    assert!(out.status == 2 && out.stderr.contains("it is for `animation`"), "{}", out.stderr);
 }
 
 #[test]

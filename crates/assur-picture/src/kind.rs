@@ -1,6 +1,6 @@
 //! The kinds of picture, by name.
 
-use crate::animation::still;
+use crate::animation::{ArrowKind, still};
 use crate::cam::cams;
 use crate::forces::{forces, friction, lever};
 use crate::hodograph::{hodographs, polars};
@@ -69,6 +69,10 @@ pub struct Options {
     pub of: String,
     /// How many frames an animation has, where that is wanted; then all positions of the scene's way are frames.
     pub frames: Option<usize>,
+    /// The frames have all effects of the plan: an animation gets arrows.
+    pub arrows: bool,
+    /// The arrows that it shows first.
+    pub shown: Option<ArrowKind>,
 }
 
 impl Kind {

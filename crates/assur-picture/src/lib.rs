@@ -23,7 +23,7 @@ mod wording;
 mod words;
 mod work;
 
-pub use animation::{animation, moving};
+pub use animation::{ArrowKind, Moving, PLAYER, PLAYER_STYLE, animation, motion, moving};
 pub use cam::cams_alone;
 pub use kind::{KINDS, Kind, Options, draw};
 pub use paper::Frame;

@@ -2,11 +2,16 @@
 
 import { Position, Selection, UIKind, Uri, ViewColumn, commands, env, window, type Disposable, type WebviewPanel } from "vscode";
 import type { BaseLanguageClient, State } from "vscode-languageclient/node";
-import page from "../../../src/cli/preview/page.html";
+import style from "../../../crates/assur-picture/src/animation/player.css" with { type: "text" };
+import player from "../../../crates/assur-picture/src/animation/player.js" with { type: "text" };
+import shell from "../../../src/cli/preview/page.html";
+
+/** The page around a picture, with the player. */
+const page = shell.replace("/* PLAYER STYLE */", () => style).replace("/* PLAYER */", () => player);
 
 /** What a text comes to, as the server tells it. */
 interface Shown {
-  picture: string | null;
+  picture: object | null;
 }
 
 export class Preview implements Disposable {

@@ -5,7 +5,7 @@ use super::setting;
 use crate::cli::error::CliError;
 use assur_check::Overrides;
 use assur_drawing::{Scale, Theme};
-use assur_picture::{KINDS, Kind, Loads, SCALED, Scaled};
+use assur_picture::{ArrowKind, KINDS, Kind, Loads, SCALED, Scaled};
 use clap::ValueEnum;
 
 /// Arguments of `draw`.
@@ -41,6 +41,9 @@ pub struct Draw {
     /// Number of frames of an animation [default: up to 400]
     #[arg(long, value_name = "N", value_parser = frames)]
     pub frames: Option<usize>,
+    /// Arrows that the page of an animation shows first, in one scale over all frames
+    #[arg(long, value_enum, value_name = "KIND")]
+    pub arrows: Option<ArrowsArg>,
     /// Space for the mechanism or the plan, mm
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     pub size: Option<(f64, f64)>,
@@ -121,6 +124,7 @@ impl Draw {
         let given = scheme_options.into_iter().filter(|(is_given, _)| *is_given);
         let of_scheme = || given.clone().find_map(|(_, option)| of(option, &|kind| kind == Kind::Scheme));
         let of_frames = || self.frames.and_then(|_| of("--frames", &|kind| kind == Kind::Animation));
+        let of_arrows = || self.arrows.and_then(|_| of("--arrows", &|kind| kind == Kind::Animation));
         let shows = |kind: Kind, what| {
             kind.has_scale(what) || what == Scaled::Force && kind == Kind::Scheme && self.numbers
         };
@@ -138,6 +142,7 @@ impl Draw {
             .or_else(of_pose)
             .or_else(of_size)
             .or_else(of_frames)
+            .or_else(of_arrows)
             .or_else(&mut of_scales)
             .or_else(of_numbers)
     }
@@ -209,6 +214,30 @@ impl From<LoadsArg> for Loads {
             LoadsArg::All => Self::All,
             LoadsArg::Given => Self::Given,
             LoadsArg::None => Self::None,
+        }
+    }
+}
+
+/// Which arrows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ArrowsArg {
+    /// Of points
+    Velocities,
+    /// Of points
+    Accelerations,
+    /// Forces in pairs
+    Reactions,
+    /// Loads, weights, springs, unknown efforts
+    Loads,
+}
+
+impl From<ArrowsArg> for ArrowKind {
+    fn from(which: ArrowsArg) -> Self {
+        match which {
+            ArrowsArg::Velocities => Self::Velocities,
+            ArrowsArg::Accelerations => Self::Accelerations,
+            ArrowsArg::Reactions => Self::Reactions,
+            ArrowsArg::Loads => Self::Loads,
         }
     }
 }

@@ -15,7 +15,7 @@ use super::reply::{Printer, Reply, Status, complaint, for_each_input};
 use super::screen::Screen;
 use crate::pipeline;
 use assur_check::Overrides;
-use assur_picture::Kind;
+use assur_picture::{ArrowKind, Kind};
 use assur_solve::solve::IntegrationOptions;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
@@ -108,6 +108,7 @@ impl Drawing<'_> {
     /// The pictures of a file with a row of variants, and what was found.
     fn of_row(&self, source: &Source, document: &Arc<Document>, mut row: DrawnRow) -> (Vec<Page>, Problems) {
         let mut kinds: Vec<Kind> = self.pictures.iter().map(|picture| picture.kind).collect();
+        kinds.extend(self.args.arrows.map(|arrows| ArrowKind::from(arrows).kind()));
         if self.args.numbers {
             // with the numbers of unknown efforts
             kinds.push(Kind::Forces);

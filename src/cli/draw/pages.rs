@@ -39,6 +39,8 @@ pub struct Pages<'d, 'a> {
 struct Ways {
     turn: Vec<Pose>,
     frames: Vec<Pose>,
+    /// The frames have all effects.
+    arrows: bool,
 }
 
 impl Pages<'_, '_> {
@@ -53,7 +55,7 @@ impl Pages<'_, '_> {
         let (mut pages, mut lacking) = (Vec::new(), Vec::new());
         for picture in pictures {
             let plotted = items(self.source, &self.solved.compiled.mechanism, &picture.of);
-            let options = Options { plotted, of: picture.of.clone(), ..self.options() };
+            let options = Options { plotted, of: picture.of.clone(), arrows: ways.arrows, ..self.options() };
             let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
             for scene in &scenes[..shown.min(scenes.len())] {
                 let turn = if picture.kind == Kind::Animation { &ways.frames } else { &ways.turn };
@@ -82,12 +84,13 @@ impl Pages<'_, '_> {
         let animated = self.drawing.pictures.iter().any(|picture| picture.kind == Kind::Animation);
         let traced = args.ghosts > 0 || !args.path.is_empty();
         let turn = if traced { pipeline::turn(compiled, solution) } else { Vec::new() };
-        let frames = match args.frames {
-            _ if !animated => Vec::new(),
-            Some(count) => pipeline::turn_in(compiled, solution, count),
-            None => pipeline::turn(compiled, solution),
+        let (frames, arrows) = match args.frames {
+            _ if !animated => (Vec::new(), false),
+            count if args.arrows.is_some() => pipeline::turn_with_effects(compiled, solution, count),
+            Some(count) => (pipeline::turn_in(compiled, solution, count), false),
+            None => (pipeline::turn(compiled, solution), false),
         };
-        Ways { turn, frames }
+        Ways { turn, frames, arrows }
     }
 
     fn options(&self) -> Options {
@@ -107,7 +110,7 @@ impl Pages<'_, '_> {
         if let Some((width, height)) = args.size {
             scheme.size = Vec2::new(width, height);
         }
-        Options { scheme, frames: args.frames, ..Options::default() }
+        Options { scheme, frames: args.frames, shown: args.arrows.map(Into::into), ..Options::default() }
     }
 
     /// The name of the file of a picture.

@@ -10,7 +10,7 @@ use std::time::Duration;
 struct Now {
     /// Counts what was shown, from 1.
     version: u64,
-    /// The last good picture, and the version that brought it.
+    /// The last good picture as the page reads it, and the version that brought it.
     picture: Option<(u64, String)>,
     /// The rest, as the page reads it.
     state: Value,
@@ -90,7 +90,7 @@ impl Board {
             state["follows"] = self.moved.is_some().into();
         }
         if let Some(picture) = shown.picture {
-            now.picture = Some((version, picture));
+            now.picture = Some((version, serde_json::to_string(&picture).unwrap_or_default()));
         }
         state["diagnostics"] = shown.diagnostics.into();
         state["picture"] = now.picture.as_ref().map(|(version, _)| *version).into();
@@ -111,6 +111,6 @@ impl Board {
     /// The last good picture.
     pub fn picture(&self) -> Option<String> {
         let now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
-        now.picture.as_ref().map(|(_, page)| page.clone())
+        now.picture.as_ref().map(|(_, moving)| moving.clone())
     }
 }

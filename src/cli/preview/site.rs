@@ -1,19 +1,23 @@
 //! Pages on a port of this machine alone, each behind a random key. One thread per request: a browser has few.
 
 use super::board::Board;
+use assur_picture::{PLAYER, PLAYER_STYLE};
 use std::collections::{BTreeMap, VecDeque};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::process::{Command, Stdio};
 use std::sync::{
-    Arc, Mutex, MutexGuard, PoisonError,
+    Arc, LazyLock, Mutex, MutexGuard, PoisonError,
     atomic::{AtomicUsize, Ordering},
 };
 use std::thread;
 use std::time::Duration;
 
-/// The page around a picture.
-const PAGE: &str = include_str!("page.html");
+/// The page around a picture, with the player.
+static PAGE: LazyLock<String> = LazyLock::new(|| {
+    let page = include_str!("page.html").replace("/* PLAYER STYLE */", PLAYER_STYLE);
+    page.replace("/* PLAYER */", PLAYER)
+});
 const MOST: usize = 64;
 /// What a browser may take to send a request, or to read an answer.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -115,9 +119,9 @@ impl Site {
             Ok((board.ok_or(Refusal::Missing)?, part))
         });
         match found {
-            Ok((_, "")) => whole(stream, "200 OK", "text/html", PAGE),
+            Ok((_, "")) => whole(stream, "200 OK", "text/html", &PAGE),
             Ok((board, "picture")) => match board.picture() {
-                Some(picture) => whole(stream, "200 OK", "text/html", &picture),
+                Some(picture) => whole(stream, "200 OK", "application/json", &picture),
                 None => refuse(stream, Refusal::Missing),
             },
             Ok((board, "events")) => events(stream, &board),
@@ -153,7 +157,7 @@ fn events(mut stream: &TcpStream, board: &Board) -> io::Result<()> {
 /// Nothing is kept, nothing is loaded from elsewhere, the address goes to no other site.
 const HEADERS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n\
     Content-Security-Policy: default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; connect-src 'self'; \
-    frame-src 'self'; base-uri 'none'; form-action 'none'\r\nConnection: close\r\n";
+    base-uri 'none'; form-action 'none'\r\nConnection: close\r\n";
 
 /// What is still on its way is read, a little of it: a connection that is closed before loses the answer.
 fn refuse(stream: &TcpStream, refusal: Refusal) -> io::Result<()> {

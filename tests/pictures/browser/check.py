@@ -101,8 +101,8 @@ class Check:
         """Slider, play and keys; how often labels lie on each other while it moves."""
         b = self.browser
         self.open(path)
-        value = lambda: int(b.run("document.getElementById('s').value"))
-        last = int(b.run("document.getElementById('s').max"))
+        value = lambda: int(b.run("document.querySelector('.motion-slider').value"))
+        last = int(b.run("document.querySelector('.motion-slider').max"))
         b.key("ArrowRight")
         steps = [value()]
         b.key("ArrowLeft")
@@ -111,13 +111,13 @@ class Check:
         if steps != [1, last]:
             self.fault(name, [f"the arrow keys go to {steps} of {last}"])
         centre = "(e => { e.scrollIntoView(); const r = e.getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2] })"
-        b.click(*b.run(f"{centre}(document.getElementById('s'))"))
+        b.click(*b.run(f"{centre}(document.querySelector('.motion-slider'))"))
         if abs(value() - last / 2) > 0.1 * last + 1:
             self.fault(name, [f"the slider goes to {value()} of {last}"])
         for press in ["click", "blank"]:
             before = value()
             if press == "click":
-                b.click(*b.run(f"{centre}(document.getElementById('p'))"))
+                b.click(*b.run(f"{centre}(document.querySelector('.motion-play'))"))
             else:
                 b.run("document.activeElement.blur()")
                 b.key(" ", "Space")
@@ -133,7 +133,7 @@ class Check:
             time.sleep(0.1)
             if value() != stopped:
                 self.fault(name, [f"it does not stop after a {press}"])
-        on = b.run("(() => { let n = 0; for (let i = 0; i < N; i++) { show(i); n += overlaps(document.querySelector('svg.fig'), 0.05).length > 0 } show(0); return n / N })()")
+        on = b.run("(() => { let n = 0; for (let i = 0; i < played.frames; i++) { played.show(i); n += overlaps(document.querySelector('svg.fig'), 0.05).length > 0 } played.show(0); return n / played.frames })()")
         self.covered.append((on, name))
         if on > COVERED:
             self.fault(name, [f"labels lie on each other in {100 * on:.1f} % of the frames"])
@@ -173,7 +173,7 @@ class Check:
         for out in [page, picture]:
             draw(source, "animation", "--frames", FRAMES, "-o", out)
         places = {}
-        for path, go in [(page, "show({0})"), (picture, "(e => (e.pauseAnimations(), e.setCurrentTime(6 * {0} / {1})))(document.documentElement)")]:
+        for path, go in [(page, "played.show({0})"), (picture, "(e => (e.pauseAnimations(), e.setCurrentTime(6 * {0} / {1})))(document.documentElement)")]:
             self.open(path)
             selector = "svg.fig" if path == page else "svg"
             for frame in [0, FRAMES // 3, FRAMES - 2]:

@@ -82,9 +82,9 @@ function colours() {
 function shows(words) {
   const first = said => /^(.*?) = ([−-]?[0-9.]+)/.exec(said), value = m => parseFloat(m[2].replace('−', '-'));
   const wanted = first(words);
-  for (let i = 0; i < N; i++) {
-    show(i);
-    const found = first(document.getElementById('o').textContent);
+  for (let i = 0; i < played.frames; i++) {
+    played.show(i);
+    const found = first(document.querySelector('.motion-values').textContent);
     if (found[1] === wanted[1] && Math.abs(value(found) - value(wanted)) < 0.06) return true;
   }
   return false;

@@ -1,12 +1,16 @@
 //! The mechanism in motion: the scheme of the first frame with how its parts move, as a page or as one picture.
 
+mod arrows;
 mod between;
+mod motion;
 mod moved;
 mod page;
 mod smil;
 mod values;
 
-pub use page::animation;
+pub use arrows::ArrowKind;
+pub use motion::{Moving, motion};
+pub use page::{PLAYER, PLAYER_STYLE, animation};
 pub use smil::moving;
 
 use crate::inset::wrapped;
@@ -130,6 +134,8 @@ struct Animated<'a> {
     title: String,
     frames: Vec<Scene<'a>>,
     sheet: Sheet,
+    /// Where the ground's axes lie on it.
+    paper: Frame,
     moved: Moved,
     /// Labels that give way to others.
     faded: Vec<Faded>,
@@ -139,7 +145,7 @@ impl<'a> Animated<'a> {
     fn of(scene: &Scene<'a>, options: &Options, wording: &dyn Wording) -> Result<Self, Diagnosis> {
         let frames = frames(scene, options)?;
         let drawn = Drawn::of(scene, &frames, options)?;
-        let (schemes, moved) = motion(&frames, &drawn);
+        let (schemes, moved) = moving_marks(&frames, &drawn);
         let mut room = Rect::NOTHING;
         schemes.iter().for_each(|scheme| room.join(&scheme.extent()));
         let others = schemes.iter().step_by(schemes.len().div_ceil(LOOKED_AT));
@@ -161,13 +167,13 @@ impl<'a> Animated<'a> {
             let moves = sheet.moved[1][label.label].take().map_or_else(String::new, |class| class + " ");
             sheet.moved[1][label.label] = Some(format!("{moves}v{i}"));
         }
-        Ok(Self { title, frames, sheet, moved, faded })
+        Ok(Self { title, frames, sheet, paper: drawn.frame, moved, faded })
     }
 }
 
 /// The frames that are drawn, and how what is in them moves through all: of many frames some are drawn where all that moves goes
 /// with links.
-fn motion(frames: &[Scene<'_>], drawn: &Drawn) -> (Vec<Drawing>, Moved) {
+fn moving_marks(frames: &[Scene<'_>], drawn: &Drawn) -> (Vec<Drawing>, Moved) {
     let step = frames.len().div_ceil(MOST);
     if step > 1 {
         let some: Vec<usize> = (0..frames.len()).step_by(step).collect();

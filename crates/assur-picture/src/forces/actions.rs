@@ -230,7 +230,7 @@ fn found_before(scene: &Scene<'_>, link: LinkId, than: LinkId) -> bool {
 }
 
 /// The point at which a pair acts on a link.
-fn place(scene: &Scene<'_>, id: PairId, on: LinkId) -> Option<Vec2> {
+pub fn place(scene: &Scene<'_>, id: PairId, on: LinkId) -> Option<Vec2> {
     match &scene.mechanism().pair(id).kind {
         PairKind::Revolute(pins) => pins.iter().find(|p| p.link == on).map(|p| scene.at(on, p.at)),
         PairKind::Prismatic(g) | PairKind::Slot(g) => Some(scene.at(g.slider, g.point)),

@@ -16,6 +16,7 @@ use crate::paper::Paper;
 use crate::scene::Scene;
 use crate::shape::shapes;
 use actions::FreeBody;
+pub use actions::{letters, place};
 use assur_drawing::Drawing;
 use assur_model::model::{LinkId, PairId};
 use assur_solve::solve::Model;

@@ -5,7 +5,7 @@ mod nodes;
 mod velocity;
 
 pub use acceleration::accelerations;
-pub use nodes::{Nodes, velocity as velocity_at};
+pub use nodes::{Nodes, acceleration as acceleration_at, velocity as velocity_at};
 pub use velocity::velocities;
 
 use crate::figures::plain;
