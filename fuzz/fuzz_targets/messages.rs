@@ -32,6 +32,11 @@ const METHODS: [&str; 20] = [
     "textDocument/documentSymbol",
     "textDocument/foldingRange",
     "assur/picture",
+    "assur/motion",
+    "assur/report",
+    "assur/kinds",
+    "assur/draw",
+    "assur/write",
 ];
 /// Positions after which a text takes too long.
 const POSITIONS: usize = 40;

@@ -11,17 +11,16 @@ use super::reply::{Printer, Reply, Status, for_each_input};
 use super::screen::Screen;
 use super::stream;
 use super::threads::Threads;
-use crate::pipeline::{Compiled, Solved};
-use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words};
+use crate::handout::{csv_row, json, json_of_row};
+use crate::pipeline::{FileVariants, compile_document, file_row_words};
 use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::json::Variant;
 use crate::report::{self, AccuracyShown, Answers, PrintedDigits};
-use assur_check::{ColumnUse, Overrides, RowColumn};
+use assur_check::Overrides;
 use assur_solve::solve::{IntegrationOptions, Method};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
-use assur_text::units::significant;
 use std::sync::Arc;
 
 pub fn run(args: &Solve, screen: &Screen) -> Status {
@@ -173,19 +172,7 @@ impl Printing<'_> {
             let solved = row.solved.as_ref().map(|s| s.answers(PrintedDigits::READABLE));
             match (self.format, &solved) {
                 (Format::Csv, solved) => csv_row(&mut table, &columns, &row, solved.as_ref()),
-                (Format::Json, solved) => {
-                    let variant = Some(Variant::of(row.number, row.row.label.clone(), &row.row.row));
-                    let views = row.problems.views(source);
-                    let model = solved.as_ref().map(|s| s.model);
-                    let line = report::json::render_row(
-                        &source.name,
-                        variant,
-                        model.as_ref(),
-                        solved.as_ref(),
-                        &views,
-                    );
-                    results.push(line + "\n");
-                }
+                (Format::Json, _) => results.push(json_of_row(source, &row)),
                 (Format::Jsonl, solved) => {
                     let variant = Variant::of(row.number, row.row.label.clone(), &row.row.row);
                     results.extend(solved.as_ref().map(|s| positions(source, Some(&variant), s)));
@@ -213,59 +200,10 @@ impl Printing<'_> {
     }
 }
 
-/// The poses of a row after its number and its givens; a row without solution has no answers.
-fn csv_row(table: &mut Table, columns: &[RowColumn], row: &SolvedRow, solved: Option<&Answers<'_>>) {
-    let cells = row.row.row.entries().map(|(c, cell)| match c.what {
-        ColumnUse::Label => row.row.label.clone().unwrap_or_default(),
-        _ => significant(c.unit.from_si(cell.value), report::rows::FULL),
-    });
-    let head: Vec<String> = std::iter::once(row.number.to_string()).chain(cells).collect();
-    let poses = solved.map(report::table_of_poses).unwrap_or_default();
-    if table.columns.len() <= head.len() {
-        table.columns = std::iter::once(Column::words("row"))
-            .chain(columns.iter().map(row_column))
-            .chain(poses.columns)
-            .collect();
-        // rows without solution came before
-        let width = table.columns.len();
-        table.rows.iter_mut().for_each(|row| row.resize(width, String::new()));
-    }
-    if poses.rows.is_empty() {
-        table.row(head.clone());
-    }
-    for pose in poses.rows {
-        table.row(head.iter().cloned().chain(pose).collect());
-    }
-}
-
-/// The column of a table of variants.
-fn row_column(column: &RowColumn) -> Column {
-    match column.what {
-        ColumnUse::Label => Column::words(column.header()),
-        _ => Column::numbers(column.header()),
-    }
-}
-
 /// One line per position.
 fn positions(source: &Source, variant: Option<&Variant>, answers: &Answers<'_>) -> String {
     let poses: Vec<_> = answers.poses().map(Some).collect();
     let poses = if poses.is_empty() { vec![None] } else { poses };
     let line = |pose| report::json::render_position(&source.name, variant, answers, pose) + "\n";
     poses.into_iter().map(line).collect()
-}
-
-/// One line, whatever was reached.
-fn json(source: &Source, solved: Result<&Solved, Option<&Compiled>>, problems: &Problems) -> String {
-    let diagnostics = problems.views(source);
-    let line = match solved {
-        Ok(solved) => {
-            let answers = solved.answers(PrintedDigits::READABLE);
-            report::json::render(&source.name, Some(&answers.model), Some(&answers), &diagnostics)
-        }
-        Err(compiled) => {
-            let model = compiled.map(Compiled::model);
-            report::json::render(&source.name, model.as_ref(), None, &diagnostics)
-        }
-    };
-    line + "\n"
 }

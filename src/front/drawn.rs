@@ -2,10 +2,11 @@
 
 use super::problem::Problem;
 use super::solution::Diagnostics;
-use crate::pipeline::{self, Solved};
+use crate::handout::Pictured;
 use assur_drawing::Theme;
-use assur_picture::{KINDS, Kind, Options, Scene};
-use assur_text::diagnostic::{Diagnosis, Problems, did_you_mean};
+use assur_picture::KINDS;
+use assur_text::diagnostic::{Problems, did_you_mean};
+use assur_worked::Language;
 
 impl Problem {
     /// The names of the kinds of pictures: `scheme`, `velocities`, `forces`, …
@@ -24,36 +25,22 @@ impl Problem {
             return Err(DrawError::Kind(near));
         };
         let (found, overrides) = (self.found.clone(), self.overrides());
-        let (solved, mut problems) =
-            pipeline::solve_document_drawn(&self.source, &self.document, found, &overrides, &[kind]);
+        let (source, document) = (&self.source, &self.document);
+        let pictured = Pictured {
+            source,
+            document,
+            overrides: &overrides,
+            language: Language::English,
+            theme: Theme::Auto,
+        };
+        let (solved, mut problems) = pictured.solved(found, &[kind]);
         let wrong = |problems: &Problems| DrawError::Diagnostics(self.diagnostics(problems));
         let Some(solved) = solved else { return Err(wrong(&problems)) };
-        self.drawn(&solved, kind, pose).map_err(|missing| {
+        pictured.drawn(&solved, kind, pose).map_err(|missing| {
             problems.push(missing);
             wrong(&problems)
         })
     }
-
-    fn drawn(&self, solved: &Solved, kind: Kind, pose: Option<&str>) -> Result<Vec<String>, Diagnosis> {
-        let file = (self.source.name.as_str(), self.source.text.as_str());
-        let (compiled, options) = (&solved.compiled, Options::default());
-        if solved.solution.poses.is_empty() && kind == Kind::Cam {
-            let cams = assur_picture::cams_alone(&compiled.mechanism, file.0, &options.scheme.paper())?;
-            return Ok(svg(cams));
-        }
-        let scene = Scene::of(compiled.model(), &solved.solution, file, pose)?;
-        if kind != Kind::Animation {
-            return assur_picture::draw(kind, &scene, &options).map(svg);
-        }
-        let turn = &pipeline::turn(compiled, &solved.solution);
-        let words = assur_worked::Language::English;
-        assur_picture::animation(&Scene { turn, ..scene }, &options, Theme::Auto, &words)
-            .map(|page| vec![page])
-    }
-}
-
-fn svg(drawings: Vec<assur_drawing::Drawing>) -> Vec<String> {
-    drawings.into_iter().map(|drawing| drawing.placed().svg(Theme::Auto)).collect()
 }
 
 /// Why there is no picture.

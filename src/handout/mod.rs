@@ -1,5 +1,8 @@
-//! What is handed to people: worked solutions, exercise sheets, keys, as documents. Files and formats are the program's.
+//! What is handed to people: worked solutions, exercise sheets, keys as documents, pictures, answers as files. Where they go is the
+//! program's.
 
+mod answers;
+mod pictures;
 mod published;
 mod sheets;
 mod sizes;
@@ -7,6 +10,8 @@ mod tables;
 mod texts;
 mod worked;
 
+pub use answers::{csv_row, json, json_of_row, poses, solution};
+pub use pictures::Pictured;
 pub use sheets::{Row, Sheets};
 pub use worked::document;
 

@@ -2,6 +2,7 @@
 
 use super::asked::TextRequest;
 use super::client::{Client, EXPLAIN, SOLVE, TEST};
+use super::documents;
 use super::error::Failure;
 use super::shown::Sent;
 use super::texts::{Texts, params};
@@ -10,8 +11,7 @@ use assur_text::diagnostic::explain;
 use gen_lsp_types::{
     CodeActionParams, DocumentOnTypeFormattingParams, DocumentRangeFormattingParams, ExecuteCommandParams,
     InlayHintParams, LspRequestMethod as Method, ReferenceParams, RenameParams, SelectionRangeParams,
-    SemanticTokensDeltaParams, TextDocumentIdentifier, TextDocumentPositionParams, Uri,
-    WorkspaceSymbolParams,
+    SemanticTokensDeltaParams, TextDocumentIdentifier, TextDocumentPositionParams, WorkspaceSymbolParams,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -21,15 +21,6 @@ use serde_json::{Value, json};
 #[serde(rename_all = "camelCase")]
 struct Whole {
     text_document: TextDocumentIdentifier,
-}
-
-/// Our own request: the mechanism at a position.
-const PICTURE: &str = "assur/picture";
-
-#[derive(Deserialize)]
-struct PictureParams {
-    uri: Uri,
-    pose: Option<String>,
 }
 
 /// The answer to a request.
@@ -106,23 +97,20 @@ pub fn answer(
         Method::TextDocumentDefinition => session.at(message, |text, byte| Ok(text.definition(byte))),
         Method::TextDocumentDocumentHighlight => session.at(message, |text, byte| Ok(text.highlights(byte))),
         Method::TextDocumentPrepareRename => session.at(message, |text, byte| text.prepare_rename(byte)),
-        other if other.as_str() == PICTURE => {
-            let asked = params::<PictureParams>(message)?;
-            session.of(&TextDocumentIdentifier { uri: asked.uri }, |text| text.picture(asked.pose.as_deref()))
-        }
-        other => Err(Failure::unknown_method(other.as_str())),
+        other => documents::answer(other.as_str(), message, &session)
+            .unwrap_or_else(|| Err(Failure::unknown_method(other.as_str()))),
     }
 }
 
 /// The open texts, and who asks.
-struct Session<'t> {
-    texts: &'t Texts,
+pub(super) struct Session<'t> {
+    pub(super) texts: &'t Texts,
     client: Client,
 }
 
 impl Session<'_> {
     /// What is asked of an open text.
-    fn of<T: Serialize>(
+    pub(super) fn of<T: Serialize>(
         &self,
         document: &TextDocumentIdentifier,
         ask: impl FnOnce(&TextRequest<'_>) -> Result<T, Failure>,

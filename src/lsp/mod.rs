@@ -4,6 +4,7 @@
 mod answers;
 mod asked;
 mod client;
+mod documents;
 mod error;
 mod preview;
 mod shown;

@@ -3,7 +3,7 @@
 use super::asked::TextRequest;
 use super::client::{PREVIEW, SOLVE, TEST};
 use super::error::Failure;
-use crate::editor::{Action, Declared, Picture};
+use crate::editor::Action;
 use assur_text::source::Span;
 use gen_lsp_types::{Position, Range, SemanticTokensDeltaParams};
 use serde_json::{Value, json};
@@ -19,14 +19,6 @@ impl TextRequest<'_> {
             json!({ "position": position, "label": text, "paddingLeft": true })
         };
         Ok(found.map(|one| hint(one.at, &one.text)).collect())
-    }
-
-    /// The mechanism at the position of a name, with the names of all, and where what is drawn is declared.
-    pub fn picture(&self, pose: Option<&str>) -> Result<Value, Failure> {
-        let solved = self.results.ok_or_else(|| Failure::request("the text is not solved".to_owned()))?;
-        let Picture { svg, poses, places } = self.analysis.picture(solved, pose).map_err(Failure::request)?;
-        let place = |place: &Declared| json!({ "name": place.name, "class": place.class, "range": self.range(place.whole) });
-        Ok(json!({ "svg": svg, "poses": poses, "places": places.iter().map(place).collect::<Vec<_>>() }))
     }
 
     pub fn lenses(&self) -> Vec<Value> {

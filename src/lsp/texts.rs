@@ -105,6 +105,11 @@ impl Texts {
         self.get(uri).map(|text| text.analysis().as_ref())
     }
 
+    /// Its version, as the client counts.
+    pub fn version(&self, uri: &str) -> Option<i32> {
+        self.open.get(uri).map(|text| text.version)
+    }
+
     /// Its answers, where it is solved.
     pub fn results(&self, uri: &str) -> Option<&Results> {
         self.open.get(uri)?.results.as_ref()?.as_deref()

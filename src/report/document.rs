@@ -1,7 +1,9 @@
 //! The parts of a report, for all renderers.
 
+use serde::Serialize;
+
 /// A report: one per file.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Report {
     /// The mechanism's title; the file's name where it has none.
     pub title: String,
@@ -9,7 +11,7 @@ pub struct Report {
     pub sections: Vec<Section>,
 }
 
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Section {
     pub heading: String,
     /// Its contents, in this order.
@@ -17,7 +19,8 @@ pub struct Section {
 }
 
 /// A part of a section.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Block {
     /// A line of text.
     Text(String),
@@ -29,7 +32,7 @@ pub enum Block {
 }
 
 /// A table of texts.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Table {
     pub columns: Vec<Column>,
     /// Its rows, each as long as `columns`.
@@ -39,7 +42,7 @@ pub struct Table {
 }
 
 /// A column of a table.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Column {
     pub header: String,
     /// The alignment of its cells.
@@ -47,7 +50,8 @@ pub struct Column {
 }
 
 /// The alignment of cells.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Align {
     /// At their left ends.
     Left,

@@ -19,6 +19,7 @@ mod lsp;
 mod lsp_answers;
 mod lsp_changes;
 mod lsp_clients;
+mod lsp_documents;
 mod lsp_edits;
 mod lsp_typing;
 mod motions;

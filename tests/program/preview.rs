@@ -48,6 +48,13 @@ impl Page {
         self.ask(&format!("GET /{}/{part}", self.key), &[&format!("Host: 127.0.0.1:{}", self.port)])
     }
 
+    /// The picture with its bar and its plot.
+    fn markup(&self) -> String {
+        let answer = self.get("picture");
+        let body = answer.split_once("\r\n\r\n").expect("a body").1;
+        serde_json::from_str::<Value>(body).expect("JSON")["markup"].as_str().expect("markup").to_owned()
+    }
+
     /// What is shown, one after another.
     fn events(&self) -> impl FnMut() -> Value {
         let mut stream = self.connect();
@@ -110,7 +117,10 @@ fn a_page_shows_the_picture_and_the_answers() {
     let preview = Preview::of(&folder, &["crank.mech"]);
     assert_eq!(preview.key.len(), 32, "{}", preview.key);
     let page = preview.get("");
-    assert!(page.starts_with("HTTP/1.1 200 OK\r\n") && page.contains("new EventSource('events')"), "{page}");
+    assert!(
+        page.starts_with("HTTP/1.1 200 OK\r\n") && page.contains("new EventSource(\"events\")"),
+        "{page}"
+    );
     assert!(page.contains("default-src 'none'") && page.contains("Cache-Control: no-store"), "{page}");
     let shown = preview.events()();
     assert_eq!(
@@ -124,7 +134,7 @@ fn a_page_shows_the_picture_and_the_answers() {
     };
     assert_eq!((&of("crank", "link")["line"], &of("A", "pair")["line"]), (&3.into(), &4.into()));
     assert_eq!(of("crank", "link")["text"], "link crank A-B 100 mm");
-    let picture = preview.get("picture");
+    let picture = preview.markup();
     assert!(picture.contains("data-name=\"crank\"") && picture.contains("type=\"range\""), "{picture}");
     let said = preview.interrupt();
     assert_eq!((said.status, said.stderr.as_str()), (130, ""));
@@ -175,12 +185,12 @@ fn a_change_of_the_file_arrives_and_errors_keep_the_picture() {
     assert_eq!((&wrong["old"], &wrong["picture"]), (&true.into(), &first["picture"]));
     assert!(wrong["diagnostics"].as_str().unwrap().contains("lnk <b>&crank"), "{wrong}");
     assert!(wrong["answers"].as_str().unwrap().contains("vx"), "{wrong}");
-    assert!(preview.get("picture").contains("data-name=\"crank\""));
+    assert!(preview.markup().contains("data-name=\"crank\""));
     folder.write_bytes("crank.mech", CRANK.replace("crank", "arm").as_bytes());
     let right = next();
     assert_eq!((&right["old"], &right["diagnostics"]), (&false.into(), &"".into()));
     assert!(right["picture"].as_u64() > first["picture"].as_u64());
-    assert!(preview.get("picture").contains("data-name=\"arm\""));
+    assert!(preview.markup().contains("data-name=\"arm\""));
     std::fs::remove_file(folder.path("crank.mech")).unwrap();
     let gone = next();
     assert!(
@@ -235,7 +245,7 @@ fn names_in_a_picture_are_escaped() {
     let folder = Folder::new("preview-escaped").with("crank.mech", &text);
     let preview = Preview::of(&folder, &["crank.mech"]);
     assert_eq!(preview.events()()["old"], false);
-    assert!(!preview.get("picture").contains("<script>alert"));
+    assert!(!preview.markup().contains("<script>alert"));
 }
 
 #[test]
@@ -333,7 +343,7 @@ fn an_editor_shows_a_text_that_has_no_file() {
 
     let page = Page::at(&address);
     let mut next = page.events();
-    assert_eq!((&next()["old"], page.get("picture").contains("data-name=\"crank\"")), (&json!(false), true));
+    assert_eq!((&next()["old"], page.markup().contains("data-name=\"crank\"")), (&json!(false), true));
     for (version, text, is_old) in
         [(2, CRANK.replace("link", "lnk"), true), (3, CRANK.replace("crank", "arm"), false)]
     {
@@ -341,7 +351,7 @@ fn an_editor_shows_a_text_that_has_no_file() {
         session.notify("textDocument/didChange", &change);
         assert_eq!(next()["old"], json!(is_old));
     }
-    assert!(page.get("picture").contains("data-name=\"arm\""));
+    assert!(page.markup().contains("data-name=\"arm\""));
     let said = session.ask("assur/picture", &json!({ "uri": uri, "pose": "4" }));
     let picture = &said["result"];
     assert!(picture["svg"].as_str().unwrap().contains("data-name=\"arm\""), "{said}");

@@ -1,19 +1,30 @@
 //! Texts that the host shows beside themselves: what is shown goes out as messages.
 
+use assur::internals::editor::{GoesOn, PageParts};
 use assur::internals::lsp::{Pages, View};
 use serde_json::{Value, json};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
+/// What is shown of a text that takes too long.
+const LONG: &str = "  ! this takes too long to be solved here\n  help: `assur solve FILE` has no limit\n";
+
 /// The texts with a panel, and what goes to them.
 #[derive(Clone, Debug, Default)]
 pub struct Panels(Rc<RefCell<Inside>>);
 
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct Inside {
     open: BTreeSet<String>,
     messages: Vec<Value>,
+    views: Vec<(String, View)>,
+}
+
+impl std::fmt::Debug for Inside {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Inside").field("open", &self.open).finish_non_exhaustive()
+    }
 }
 
 impl Panels {
@@ -25,6 +36,16 @@ impl Panels {
     fn send(&self, method: &str, params: Value) {
         let message = json!({ "jsonrpc": "2.0", "method": method, "params": params });
         self.0.borrow_mut().messages.push(message);
+    }
+
+    /// Draws what waits, as long as it does not take too long.
+    pub fn draw(&self, goes_on: &GoesOn<'_>) {
+        let views = std::mem::take(&mut self.0.borrow_mut().views);
+        for (uri, view) in views {
+            let shown = view(goes_on)
+                .unwrap_or_else(|| PageParts { diagnostics: LONG.to_owned(), ..PageParts::default() });
+            self.send("assur/shown", json!({ "uri": uri, "shown": shown }));
+        }
     }
 
     /// Nobody sees a text any more.
@@ -49,8 +70,6 @@ impl Pages for Panels {
     }
 
     fn show(&mut self, uri: &str, view: View) {
-        if let Some(shown) = view(&|| true) {
-            self.send("assur/shown", json!({ "uri": uri, "shown": shown }));
-        }
+        self.0.borrow_mut().views.push((uri.to_owned(), view));
     }
 }

@@ -34,6 +34,7 @@ impl Session {
             Ok(message) => self.answers(&message, stop),
             Err(error) => vec![Server::unreadable(&error.to_string())],
         };
+        self.panels.draw(&|| stop() != Some(Stop::Never));
         answers.extend(self.panels.take());
         Value::Array(answers).to_string().into_bytes()
     }
