@@ -37,6 +37,7 @@ const METHODS: [&str; 20] = [
     "assur/kinds",
     "assur/draw",
     "assur/write",
+    "assur/tutorial",
 ];
 /// Positions after which a text takes too long.
 const POSITIONS: usize = 40;

@@ -63,7 +63,7 @@ pub const FILES: [(&str, &str); 7] = [
 ];
 
 impl Wish {
-    fn language(&self) -> Result<Language, String> {
+    pub(super) fn language(&self) -> Result<Language, String> {
         let all = [Language::English, Language::Russian, Language::Chinese];
         one_of("language", self.language.as_deref().unwrap_or("en"), &all.map(|one| (one.code(), one)))
     }

@@ -14,6 +14,7 @@ mod shown;
 mod signature;
 mod symbols;
 mod tokens;
+mod tutorial;
 mod unused;
 
 pub use changes::{Change, ChangeKind};
@@ -30,6 +31,7 @@ pub use shown::{Declared, PageParts};
 pub use signature::Signature;
 pub use symbols::{Symbol, SymbolKind, symbols};
 pub use tokens::{Coloured, TOKEN_COLOURS};
+pub use tutorial::{Step, Tutorial};
 
 use crate::pipeline::{CompileFindings, Compiled, analyze, certain_edits};
 use assur_syntax::document::Document;

@@ -27,6 +27,9 @@ pub fn answer(method: &str, message: &Value, session: &Session<'_>) -> Option<Re
         "assur/kinds" => |text, _| text.kinds(),
         "assur/draw" => |text, wish| text.drawn(wish),
         "assur/write" => |text, wish| text.file(wish),
+        "assur/tutorial" => {
+            |text, wish| as_value(text.analysis.tutorial(text.results, wish).map_err(Failure::request)?)
+        }
         _ => return None,
     };
     Some(params::<Asked>(message).and_then(|asked| {

@@ -135,3 +135,32 @@ fn a_text_that_is_not_solved_has_a_sentence() {
         assert_eq!(answer["error"]["message"], "the text is not solved", "{method}");
     }
 }
+
+/// The lines of each step lead to the next one, in every language and in any order of writing; the last is solved.
+#[test]
+fn the_lines_of_the_tutorial_lead_through_it() {
+    let titles = |language: &str, text: &str| {
+        let answer = ask(&mut solved(text), "assur/tutorial", &json!({ "language": language }));
+        let steps = answer["result"]["steps"].as_array().expect("steps").clone();
+        (steps, answer["result"]["at"].clone())
+    };
+    for language in ["en", "ru", "zh"] {
+        let mut text = String::new();
+        for at in 0..6 {
+            let (steps, now) = titles(language, &text);
+            assert_eq!((steps.len(), &now), (6, &at.into()), "{language}: {text}");
+            let done = steps.iter().filter(|step| step["done"] == true).count();
+            assert_eq!(done, at, "{text}");
+            text += steps[at]["example"].as_str().expect("lines");
+            text.push('\n');
+        }
+        assert_eq!(titles(language, &text).1, 6, "{text}");
+        let mut server = solved(&text);
+        let report = ask(&mut server, "assur/report", &json!({}))["result"].to_string();
+        assert!(report.contains("\"M [N*m]\"") || report.contains("M ["), "{report}");
+    }
+    let (steps, at) = titles("en", "drive crank = 1 deg at 1 rpm\n");
+    assert_eq!((&at, &steps[3]["done"]), (&0.into(), &true.into()), "written before its turn");
+    let wrong = ask(&mut solved(""), "assur/tutorial", &json!({ "language": "la" }));
+    assert!(wrong["error"]["message"].as_str().is_some_and(|said| said.contains("`la`")));
+}

@@ -42,6 +42,6 @@ pub use results::unit_of;
 pub use sheet::{
     Exercise, GivenRow, SheetQuestion, Variants, asks_for_positions, given, in_letters, key, sheet,
 };
-pub use words::{Language, phrase};
+pub use words::{Language, Sentence, TutorialMessage, phrase};
 pub use worked::{Part, Size, Worked, worked, worked_from};
 pub use write::{html, markdown, text, typst, typst_escaped};

@@ -96,6 +96,14 @@ messages! {
     }
 }
 
+messages! {
+    /// The first file, step by step.
+    TutorialMessage of "tutorial" {
+        Title GroundTitle GroundText LinksTitle LinksText PairsTitle PairsText DriveTitle DriveText AssemblyTitle
+        AssemblyText QuestionTitle QuestionText
+    }
+}
+
 /// The words of a function of the language, for questions on sheets.
 #[derive(Clone, Copy, Debug)]
 pub struct FunctionWords(&'static str);

@@ -3,6 +3,7 @@
 mod message;
 mod phrase;
 
+pub use message::TutorialMessage;
 pub use message::{DesignMessage, FrictionMessage, FunctionWords, Message, QuestionMessage, RunMessage};
 pub use phrase::{known, phrase, title};
 
