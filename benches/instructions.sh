@@ -1,6 +1,6 @@
 #!/bin/sh
 # Instructions per position of the loop over positions, counted by valgrind: Andrews' mechanism asking for one thing, once as
-# bare as it can be and once with effects declared that this does not call for. Prints a table for docs/effects.md.
+# bare as it can be and once with effects declared that this does not call for. Prints a table for docs/measured/effects.md.
 #
 #     benches/instructions.sh
 set -eu

@@ -1,5 +1,5 @@
 //! What every effect costs that is asked for: Andrews' mechanism, three dyads on a crank, from its text, over a revolution
-//! of 360 positions. Items are positions. `cargo bench --bench ladder`; the figures stand in `docs/effects.md`.
+//! of 360 positions. Items are positions. `cargo bench --bench ladder`; the figures are in `docs/measured/effects.md`.
 
 #[path = "by_hand/andrews.rs"]
 mod by_hand;

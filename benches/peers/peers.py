@@ -1,5 +1,5 @@
 """assur and its peers side by side, each on one thread: microseconds per position and worst relative errors, as the table of
-docs/effects.md.
+docs/measured/effects.md.
 
     python3 benches/peers/peers.py [TURNS]
 

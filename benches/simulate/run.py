@@ -1,11 +1,11 @@
-"""Motions under loads in assur and in its peers, side by side, each on one thread: the table of docs/simulation.md.
+"""Motions under loads in assur and in its peers, side by side, each on one thread: the table of docs/measured/simulation.md.
 
     python3 benches/simulate/run.py [--write] [REPEATS]
 
 Makes a virtual environment under target/simulate-peers, installs the versions of requirements.txt from PyPI, builds assur (or
 takes the program that ASSUR names), takes R with deSolve (Debian: r-cran-desolve) where the system has it, and runs Andrews' mechanism and chains of 1, 2, 10 and 40 four-bars in all of them. Of
 REPEATS (5) runs the least time on the processor counts. For every peer several tolerances or steps are tried; the fastest that keeps an error
-is shown. Errors are against the references of scenes.py, never a tool's own. `--write` puts the table into docs/simulation.md.
+is shown. Errors are against the references of scenes.py, never a tool's own. `--write` puts the table into docs/measured/simulation.md.
 """
 import json
 import os
@@ -23,7 +23,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 PLACE = ROOT / "target" / "simulate-peers"
 PYTHON = PLACE / "bin" / "python"
-PAGE = ROOT / "docs" / "simulation.md"
+PAGE = ROOT / "docs" / "measured" / "simulation.md"
 BEGIN, END = "<!-- peers: written by benches/simulate/run.py -->\n", "<!-- end of peers -->\n"
 TARGETS = (1e-6, 1e-9, 1e-12)
 ACCURACIES = ["1e-3", *(f"1e-{k}" for k in range(4, 14))]

@@ -1,5 +1,5 @@
 //! Every position of every example against the reference of 30 digits, which is solved from the equations of all bodies at
-//! once: what `f64` and its closed forms lose stays below the bound of docs/stability.md.
+//! once: what `f64` and its closed forms lose stays below the bound of docs/measured/stability.md.
 
 use crate::support::digits::{closed_form_errors, force_error, motion_errors};
 use assur::internals::check::Overrides;
@@ -10,7 +10,7 @@ use assur::internals::source::Source;
 use assur::internals::structure::{EffortKind, JointKind};
 use std::path::{Path, PathBuf};
 
-/// The constant of docs/stability.md.
+/// The constant of docs/measured/stability.md.
 const BOUND: f64 = 64.0;
 
 fn files(folder: &Path, out: &mut Vec<PathBuf>) {

@@ -37,3 +37,4 @@ mod share;
 mod sheets;
 mod solve;
 mod start;
+mod tour;

@@ -1,4 +1,4 @@
-//! docs/stability.md shows the measurements of the catalogue.
+//! docs/measured/stability.md shows the measurements of the catalogue.
 //!
 //! ```sh
 //! ASSUR_WRITE=1 cargo test --test mechanics hard::page
@@ -119,11 +119,11 @@ fn the_page_is_what_is_measured() {
         writeln!(page, "{}", line(&ran)).expect("a text");
     }
     page += TAIL;
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/stability.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/measured/stability.md");
     if std::env::var_os("ASSUR_WRITE").is_some() {
-        std::fs::write(&path, &page).expect("docs/stability.md");
+        std::fs::write(&path, &page).expect("docs/measured/stability.md");
     }
     let there = std::fs::read_to_string(&path).unwrap_or_default();
     let differs = page.lines().zip(there.lines()).find(|(a, b)| a != b);
-    assert!(page == there, "write docs/stability.md again: {differs:?}");
+    assert!(page == there, "write docs/measured/stability.md again: {differs:?}");
 }

@@ -248,10 +248,10 @@ fn the_edge_of_the_tolerance_is_within_it() {
     assert_eq!(said.status, 0, "{}", said.stdout);
 }
 
-/// The tables of the reference, as a teacher copies them.
+/// The tables of the page, as a teacher copies them.
 #[test]
 fn the_example_of_the_reference_is_marked() {
-    let page = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/language.md");
+    let page = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/teaching.md");
     let page = std::fs::read_to_string(page).unwrap();
     let section = page.split("\n### grade\n").nth(1).unwrap().split("\n## ").next().unwrap();
     let tables: Vec<&str> =

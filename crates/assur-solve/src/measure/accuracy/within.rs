@@ -22,7 +22,7 @@ const LARGEST_GAP: f64 = 1e-8;
 const FEW: usize = 8;
 /// Coordinates and angles greater than this, for the shortest link or for a radian, cost digits that show.
 const ROUNDED: f64 = 1e6;
-/// What rounding alone may do, in units of ε/σ^k: see docs/stability.md.
+/// What rounding alone may do, in units of ε/σ^k: see docs/measured/stability.md.
 const ROUNDING: f64 = 64.0;
 
 /// What was wanted, and what was reached.

@@ -1,28 +1,28 @@
 #!/usr/bin/env bash
-# Writes docs/accuracy.md and its diagrams. The times are those of this machine.
+# Writes docs/measured/accuracy.md and its diagrams. The times are those of this machine.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 # ASSUR names a program that is built already
 if [ -z "${ASSUR:-}" ]; then
   cargo build --release --quiet
 fi
 assur=${ASSUR:-target/release/assur}
-mkdir -p docs/accuracy
+mkdir -p docs/measured/accuracy
 
 # problem FILE NAME: the comment comes on standard input.
 problem() {
-  "$assur" accuracy "$1" --plot "docs/accuracy/$2.svg" > "docs/accuracy/$2.part"
+  "$assur" accuracy "$1" --plot "docs/measured/accuracy/$2.svg" > "docs/measured/accuracy/$2.part"
   echo
-  sed -n '1s/^\(.*\) (.*)\(: what accuracy costs\)$/## \1/p' "docs/accuracy/$2.part"
+  sed -n '1s/^\(.*\) (.*)\(: what accuracy costs\)$/## \1/p' "docs/measured/accuracy/$2.part"
   echo
   cat
   echo
   echo "![price of effects and digits](accuracy/$2.svg)"
   echo
   echo '```text'
-  cat "docs/accuracy/$2.part"
+  cat "docs/measured/accuracy/$2.part"
   echo '```'
-  rm "docs/accuracy/$2.part"
+  rm "docs/measured/accuracy/$2.part"
 }
 
 {
@@ -37,10 +37,10 @@ take some hundred times as long.
 Written by
 
 ```sh
-docs/accuracy.sh
+docs/measured/accuracy.sh
 ```
 
-from what `assur accuracy FILE` prints; `--details` has the tables of every setting, and [language.md](language.md#accuracy) explains the errors and their
+from what `assur accuracy FILE` prints; `--details` has the tables of every setting, and [language.md](../commands.md#accuracy) explains the errors and their
 reference. The times are those of one machine; on another machine their ratios change little.
 
 A time per position includes motion, loads and forces, as far as the file asks for them, from the sine and the cosine of the drive,
@@ -81,4 +81,4 @@ TEXT
 Every dyad passes its error on to the next: of the sixteen digits of `f64` less than thirteen are left at the end of the chain.
 Here `assur solve --within 1e-15` takes double-double, and all digits of the answer are right.
 TEXT
-} > docs/accuracy.md
+} > docs/measured/accuracy.md

@@ -1,33 +1,33 @@
 #!/usr/bin/env bash
-# Writes docs/simulation.md and its diagrams. The times are those of this machine. The comparison with other programs stays as
+# Writes docs/measured/simulation.md and its diagrams. The times are those of this machine. The comparison with other programs stays as
 # it was, unless PEERS=1 has benches/simulate/run.py write it anew.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 # ASSUR names a program that is built already
 if [ -z "${ASSUR:-}" ]; then
   cargo build --release --quiet
 fi
 assur=${ASSUR:-target/release/assur}
-mkdir -p docs/simulation
-page=docs/simulation.md
+mkdir -p docs/measured/simulation
+page=docs/measured/simulation.md
 kept=$(mktemp)
 sed -n '/^<!-- peers: /,/^<!-- end of peers -->$/p' "$page" > "$kept" 2>/dev/null || true
 
 # motion NAME: the comment comes on standard input.
 motion() {
   local file=examples/simulation/$1.mech
-  "$assur" accuracy "$file" --plot "docs/simulation/$1.svg" > "docs/simulation/$1.part"
+  "$assur" accuracy "$file" --plot "docs/measured/simulation/$1.svg" > "docs/measured/simulation/$1.part"
   echo
-  sed -n '1s/^\(.*\) (.*)\(: what accuracy costs\)$/## \1/p' "docs/simulation/$1.part"
+  sed -n '1s/^\(.*\) (.*)\(: what accuracy costs\)$/## \1/p' "docs/measured/simulation/$1.part"
   echo
   cat
   echo
   echo "![error against time](simulation/$1.svg)"
   echo
   echo '```text'
-  cat "docs/simulation/$1.part"
+  cat "docs/measured/simulation/$1.part"
   echo '```'
-  rm "docs/simulation/$1.part"
+  rm "docs/measured/simulation/$1.part"
 }
 
 {
@@ -42,10 +42,10 @@ and Radau IIA, which is for stiff motions, stops near ten.
 Written by
 
 ```sh
-docs/simulation.sh
+docs/measured/simulation.sh
 ```
 
-from what `assur accuracy FILE` prints; `--details` has the tables of every accuracy and method, and [language.md](language.md#accuracy) explains the errors and their
+from what `assur accuracy FILE` prints; `--details` has the tables of every accuracy and method, and [language.md](../commands.md#accuracy) explains the errors and their
 reference. The times are those of one machine; on another machine their ratios change little. A time is that of all runs from the first position on: the run that is
 printed and those from which its error is estimated; evaluations times their price. It does not include reading the text, the answers at the printed instants, and writing them.
 
@@ -58,7 +58,7 @@ Common results:
 - Ten times the accuracy takes DOP853, a method of order 8, about a third more steps. From 1e-6 to 1e-12 the time grows about fivefold; a third of it or
   more is for runs that only serve the estimate of the error, or are found to be too coarse on the way.
 - Radau IIA is of order 5: it takes more steps from the first digits on, and stops near 1e-10, where the differences that its matrix is made of have no
-  more digits. It is there for stiff motions, as of the flap in oil, which DOP853 would follow in millions of steps.
+  more digits. It is there for stiff motions, as the flap in oil, which DOP853 would follow in millions of steps.
 - Below some 1e-13 rounding is all that is left: a finer tolerance takes steps and gives nothing, and the run says so.
 TEXT
   motion andrews <<'TEXT'
@@ -93,14 +93,15 @@ TEXT
 
 Written by `python3 benches/simulate/run.py --write`, which installs the other programs under target/simulate-peers, and tries several tolerances or steps in
 each: the fastest that keeps an error is shown. Errors are against references with 30 digits, at the last instant: of Andrews' mechanism
-the greatest |Δq|/(1 + |q|) of its angles. A run is the motion alone, without reading the text; that of assur has the runs from which its error is estimated, and its evaluations are those of the run that is printed. By DOP853 it goes where a load of time, here of 1e-30 N m/s, leaves
-no energy to go by. A process begins with
+the greatest |Δq|/(1 + |q|) of its angles. A run is the motion alone, without reading the text; that of assur has the runs from which its error is estimated, and its evaluations are those of the run that is printed. `assur` uses the energy method here. For the rows "DOP853" the file has a
+load that depends on time, of 1e-30 N m/s. It switches the energy method off. A process begins with
 starting the interpreter, and with compiling by numba or the C compiler. The times of the others are those on the processor, the least of several; of RADAU5, whose clock
 has milliseconds, the mean. The equations for RADAU5, scipy and IDA are those of the angles of all links: compiled by the C compiler for RADAU5, which is called
 without a line of R between, and by numba for scipy and IDA; what calls them there is Python.
 
-In the table of four-bars a run of assur is its process less that of `assur check`, for an accuracy of 1e-8. General equations lose their way at the first dead
-position, whatever their tolerance: RADAU5 and scipy are shown for one four-bar; IDA does not end within a minute there.
+In the table of four-bars a run of assur is its process less that of `assur check`, for an accuracy of 1e-8. With general
+equations the other programs leave the solution at the first dead position, at any tolerance. RADAU5 and scipy are shown for one four-bar; IDA does
+not end within a minute there.
 TEXT
   echo
   if [ -s "$kept" ]; then cat "$kept"; else printf '%s\n%s\n' '<!-- peers: written by benches/simulate/run.py -->' '<!-- end of peers -->'; fi
