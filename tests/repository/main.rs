@@ -7,6 +7,7 @@ mod floors;
 #[path = "../folder/mod.rs"]
 mod folder;
 mod language_tables;
+mod pages;
 mod plain_words;
 mod reference_scripts;
 #[path = "../share/mod.rs"]
