@@ -30,8 +30,11 @@ fn page(name: &str, text: &str, kind: ArrowKind) -> Option<String> {
     animation(&Scene { turn: &turn, ..scene }, &options, Theme::Auto, &Language::English).ok()
 }
 
+/// Tails and arrows, mm.
+type Places = Vec<(Vec2, Vec2)>;
+
 /// Tails and arrows of all frames by name, mm, and the scale.
-fn arrows(page: &str, kind: ArrowKind) -> (Vec<(String, Vec<(Vec2, Vec2)>)>, f64) {
+fn arrows(page: &str, kind: ArrowKind) -> (Vec<(String, Places)>, f64) {
     let motion = motion(page);
     let all = motion["arrows"].as_array().expect("arrows");
     let found = all.iter().find(|one| one["kind"] == kind.name()).expect("its kind");

@@ -125,8 +125,11 @@ pub fn arrows(frames: &[Scene<'_>], paper: &Frame, decimal: char) -> Vec<Arrows>
     ArrowKind::ALL.into_iter().filter_map(|kind| of_kind(kind, frames, paper, decimal)).collect()
 }
 
+/// Place, m, and vector of an arrow in every frame; none where it has none.
+type Places = Vec<Option<(Vec2, Vec2)>>;
+
 fn of_kind(kind: ArrowKind, frames: &[Scene<'_>], paper: &Frame, decimal: char) -> Option<Arrows> {
-    let mut found: Vec<(String, Vec<Option<(Vec2, Vec2)>>)> = Vec::new();
+    let mut found: Vec<(String, Places)> = Vec::new();
     for (i, scene) in frames.iter().enumerate() {
         for (name, at, vector) in kind.of(scene) {
             let index = found.iter().position(|one| one.0 == name).unwrap_or_else(|| {
@@ -140,7 +143,7 @@ fn of_kind(kind: ArrowKind, frames: &[Scene<'_>], paper: &Frame, decimal: char) 
     let rounding = ROUNDING * frames.first()?.greatest.in_si(kind.dimension());
     let scale = Scale::fitting(greatest, LONGEST).filter(|_| greatest > rounding)?;
     let factor = scale.factor();
-    let of = |(name, all): (String, Vec<Option<(Vec2, Vec2)>>)| {
+    let of = |(name, all): (String, Places)| {
         let column = |part: &dyn Fn(Vec2, Vec2) -> f64| {
             series(
                 all.iter()

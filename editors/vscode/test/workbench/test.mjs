@@ -48,18 +48,21 @@ balance torque Mb on crank
 find Mb, v = velocity(C).x as m/s
 `;
 
+/** Whether a frame shows a page that the program serves. */
+const isServed = (frame) => /^http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\//.test(frame.url());
+
 const servers = {
   program: {
     name: "program",
     folder: join(home, "homework"),
     status: /^assur \d+\.\d+\.\d+$/,
-    isPicture: (frame) => /^http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\/picture/.test(frame.url()),
+    isPicture: isServed,
   },
   builtIn: {
     name: "built-in",
     folder: join(home, "exercises"),
     status: /^assur \d+\.\d+\.\d+ \(built in\)$/,
-    isPicture: (frame) => frame.url() === "about:srcdoc",
+    isPicture: (frame) => !isServed(frame),
   },
 };
 
@@ -156,7 +159,7 @@ async function colourMarkdown(page) {
 async function previewed(page, isPicture) {
   for (let tries = 0; ; tries += 1) {
     for (const frame of page.frames().filter(isPicture)) {
-      if ((await frame.locator("#s").count().catch(() => 0)) === 1) return frame;
+      if ((await frame.locator(".motion-slider").count().catch(() => 0)) === 1) return frame;
     }
     assert.ok(tries < 60, `a picture in the preview: ${page.frames().map((one) => one.url()).join(" ")}`);
     await page.waitForTimeout(250);
@@ -176,10 +179,10 @@ async function movePreview(page, { name, isPicture }) {
   const frame = await previewed(page, isPicture);
   const crank = () => frame.locator('g.link[data-name="crank"] line').first().evaluate((line) => line.getBoundingClientRect().x);
   const before = await crank();
-  await frame.locator("#s").evaluate((slider) => { slider.value = slider.max / 4; slider.oninput({ target: slider }); });
+  await frame.locator(".motion-slider").evaluate((slider) => { slider.value = slider.max / 4; slider.dispatchEvent(new Event("input")); });
   assert.notEqual(await crank(), before, "the slider moves the crank");
   // the cursor is at the rod
-  await frame.locator('g.link.marked[data-name="rod"]').first().waitFor({ state: "attached" });
+  await frame.locator('g.link.motion-marked[data-name="rod"]').first().waitFor({ state: "attached" });
   if (process.env.PICTURES) await page.screenshot({ path: join(process.env.PICTURES, `vscode-preview-${name}.png`) });
   await page.keyboard.press("Escape");
   await page.locator(".tab", { hasText: "engine.mech" }).first().click();
