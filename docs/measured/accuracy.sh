@@ -31,8 +31,8 @@ problem() {
 
 ![price of effects and digits in a crank-slider with friction](accuracy/friction.svg)
 
-An effect that is not asked for takes no time, friction takes more than all others together, and fewer digits save a fifth at most; twice the digits
-take some hundred times as long.
+An effect that is not asked for takes no time. Friction takes more time than all others together. Fewer digits save a fifth at most; twice the digits
+take some hundred times as long. This page is for developers; [../accuracy.md](../accuracy.md) is for users.
 
 Written by
 
@@ -40,12 +40,12 @@ Written by
 docs/measured/accuracy.sh
 ```
 
-from what `assur accuracy FILE` prints; `--details` has the tables of every setting, and [language.md](../commands.md#accuracy) explains the errors and their
+from what `assur accuracy FILE` prints; `--details` has the tables of every setting, and [commands.md](../commands.md#accuracy) explains the errors and their
 reference. The times are those of one machine; on another machine their ratios change little.
 
-A time per position includes motion, loads and forces, as far as the file asks for them, from the sine and the cosine of the drive,
-which are given. It does not include following the motion from position to position, residuals, and writing answers. The time of functions over the sweep
-includes the following of their samples. "All together" are all positions and functions of the file, with the comparison that `--within` takes.
+A time per position includes the motion, loads and forces that the file asks for. The sine and the cosine of the drive are given. Following the motion from position to
+position, residuals, and writing answers are not included. The time of functions over the sweep includes following their samples. "All together" are all positions and
+functions of the file, with the comparison that `--within` needs.
 
 Common results of the eight problems:
 

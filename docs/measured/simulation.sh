@@ -36,8 +36,8 @@ motion() {
 
 ![error against time of Andrews' mechanism by three methods](simulation/andrews.svg)
 
-Twelve digits take little longer than eight: by the method that `solve` chooses a further digit takes some tenth more, by DOP853 a fifth to a half,
-and Radau IIA, which is for stiff motions, stops near ten.
+Twelve digits take little longer than eight. By the method that `solve` chooses, a further digit takes some tenth more time, by DOP853 a fifth to a half.
+Radau IIA, which is for stiff motions, stops near ten digits. This page is for developers; [../simulation.md](../simulation.md) is for users.
 
 Written by
 
@@ -45,24 +45,24 @@ Written by
 docs/measured/simulation.sh
 ```
 
-from what `assur accuracy FILE` prints; `--details` has the tables of every accuracy and method, and [language.md](../commands.md#accuracy) explains the errors and their
-reference. The times are those of one machine; on another machine their ratios change little. A time is that of all runs from the first position on: the run that is
-printed and those from which its error is estimated; evaluations times their price. It does not include reading the text, the answers at the printed instants, and writing them.
+from what `assur accuracy FILE` prints; `--details` has the tables of every accuracy and method, and [commands.md](../commands.md#accuracy) explains the errors and their
+reference. The times are those of one machine; on another machine their ratios change little. A time is that of the printed run and of those that estimate its error,
+as evaluations times their price. It does not include reading the text, the answers at the printed instants, and writing them.
 
 Common results:
 
-- As `solve` does it, the reported error lies above the true one by a factor of 1 to 30 in 95 of 100 runs over all examples, and never below a third of it. By DOP853 and
-  Radau IIA the run that is printed goes in halves of the steps of the run before, or in two thirds where little is wanted, so that it is often far better than is wanted.
-- Where the one coordinate decides on all forces, as in Andrews' mechanism, the motion follows from the energy: evaluations are spent where mass and force
-  along the coordinate are new, not where time passes. For the same error it takes a sixth to a twentieth of the evaluations of DOP853, which is shown below it.
-- Ten times the accuracy takes DOP853, a method of order 8, about a third more steps. From 1e-6 to 1e-12 the time grows about fivefold; a third of it or
-  more is for runs that only serve the estimate of the error, or are found to be too coarse on the way.
-- Radau IIA is of order 5: it takes more steps from the first digits on, and stops near 1e-10, where the differences that its matrix is made of have no
-  more digits. It is there for stiff motions, as the flap in oil, which DOP853 would follow in millions of steps.
-- Below some 1e-13 rounding is all that is left: a finer tolerance takes steps and gives nothing, and the run says so.
+- The reported error is 1 to 30 times the true error in 95 of 100 runs over all examples, and never below a third of it. By DOP853 and
+  Radau IIA the printed run has half the steps of the run before, or two thirds for few digits. So it is often far better than wanted.
+- If one coordinate decides all forces, as in Andrews' mechanism, the motion follows from the energy. Mass and force along the coordinate are evaluated only for
+  new values of the coordinate. For the same error this takes a sixth to a twentieth of the evaluations of DOP853, which is the curve below.
+- Ten times the accuracy takes DOP853, a method of order 8, about a third more steps. From 1e-6 to 1e-12 the time grows about fivefold. A third of it or
+  more is for runs that only estimate the error, or are too coarse.
+- Radau IIA is of order 5: it takes more steps from the first digits on, and stops near 1e-10, because the differences in its matrix have no
+  more digits. It is for stiff motions, such as the flap in oil, which DOP853 would follow in millions of steps.
+- Below about 1e-13 only rounding remains: a finer tolerance takes more steps, gives no digit, and the run reports this.
 TEXT
   motion andrews <<'TEXT'
-One free coordinate, three dyads, a spring; the test of the books. All kinds of results are compared, the angular accelerations are the worst.
+One free coordinate, three dyads, a spring; the standard test problem. All kinds of results are compared; the angular accelerations have the largest errors.
 TEXT
   motion engine-run-up <<'TEXT'
 A motor line of two straight pieces: a step ends at its corner.
@@ -71,21 +71,21 @@ TEXT
 Two free coordinates.
 TEXT
   motion double-pendulum <<'TEXT'
-Two free coordinates in a chaotic motion: what is lost early grows until the end.
+Two free coordinates in a chaotic motion: an early error grows until the end.
 TEXT
   motion pulled-block <<'TEXT'
-Stick and slip: where the block may leave its rest at any time, its steps are bounded, whatever the accuracy. Within them the motion is a sine, which
-DOP853 follows to rounding at every accuracy.
+Stick and slip: while the block may start at any time, the steps have a greatest length at any accuracy. Within them the motion is a sine, which
+DOP853 follows to rounding.
 TEXT
   motion rough-double-pendulum <<'TEXT'
-Two free coordinates with friction in both hinges, which come to rest and slide again each by itself. The reference is a run at the finest tolerance.
+Two free coordinates with friction in both hinges, which come to rest and slide again independently. The reference is a run at the finest tolerance.
 TEXT
   motion engine-with-friction <<'TEXT'
 Friction in all four pairs of an engine: accelerations are found with the forces, and steps end where a pair slides the other way. The reference is a run
 at the finest tolerance.
 TEXT
   motion flap-in-oil <<'TEXT'
-Rates of 0.4 and 5,000,000 in a second. DOP853 notices that stability holds it up, and leaves the rest to Radau IIA.
+Rates of 0.4 and 5,000,000 in a second. DOP853 finds that stability limits its steps, and changes to Radau IIA.
 TEXT
   cat <<'TEXT'
 

@@ -43,6 +43,35 @@ const PHRASES: &[(&str, &str)] = &[
     ("as it stands", "as written"),
     ("the usual slips", "common mistakes"),
     ("once it is whole", "only when complete"),
+    ("handed out", "packages; distributed"),
+    ("what rubs", "pairs with friction"),
+    ("let go", "released"),
+    ("lets go", "releases"),
+    ("hold each other", "balance"),
+    ("lose their way", "leave the solution"),
+    ("loses its way", "leaves the solution"),
+    ("gone again", "passed a second time"),
+    ("goes by", "follows, uses"),
+    ("says of itself", "prints, reports"),
+    ("knows no", "does not use, has no"),
+    ("what a run has", "the time, the error reached"),
+    ("nothing else can be meant", "there is only one possible correction"),
+    ("comes to no end", "does not converge"),
+    ("called alike", "has the same name"),
+    ("is said to", "is reported as"),
+    ("are said to", "are reported as"),
+    ("notices that", "finds that"),
+    ("tidies", "cleans, releases"),
+    ("beyond all bounds", "without bound"),
+    ("spoils", "damages, affects"),
+];
+
+/// The same for pages alone: messages still have them.
+const PHRASES_OF_PAGES: &[(&str, &str)] = &[
+    ("rubs", "has friction, slides"),
+    ("turns round", "reverses"),
+    ("the way of the drive", "the range of the drive"),
+    ("come again", "repeat; are periodic"),
 ];
 
 /// A text without the names in its braces, as `{stands}`.
@@ -57,6 +86,13 @@ fn without_names(text: &str) -> String {
 
 /// The phrases of a text, as whole words; a line end counts as a blank.
 fn phrases(text: &str) -> Vec<&'static (&'static str, &'static str)> {
+    listed(PHRASES, text)
+}
+
+fn listed(
+    list: &'static [(&'static str, &'static str)],
+    text: &str,
+) -> Vec<&'static (&'static str, &'static str)> {
     let text = text.to_lowercase().split_whitespace().collect::<Vec<_>>().join(" ");
     let is_word = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
     let whole = |phrase: &str| {
@@ -68,7 +104,7 @@ fn phrases(text: &str) -> Vec<&'static (&'static str, &'static str)> {
             !goes_on && !is_word(before.chars().next_back()) && !before.ends_with("there ")
         })
     };
-    PHRASES.iter().filter(|(phrase, _)| whole(phrase)).collect()
+    list.iter().filter(|(phrase, _)| whole(phrase)).collect()
 }
 
 /// String literals of a Rust text, and with `docs` also the lines of its documentation, which clap shows as help. Each with
@@ -133,7 +169,9 @@ fn texts_for_users_are_plain() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut wrong = Vec::new();
     let mut look = |path: &Path, line: usize, text: &str| {
-        for (phrase, instead) in phrases(text) {
+        let is_page = path.extension().is_some_and(|ending| ending == "md");
+        let of_pages = if is_page { listed(PHRASES_OF_PAGES, text) } else { Vec::new() };
+        for (phrase, instead) in phrases(text).into_iter().chain(of_pages) {
             wrong.push(format!("{}:{line}: \"{phrase}\": write: {instead}", path.display()));
         }
     };
