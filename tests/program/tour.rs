@@ -15,6 +15,16 @@ fn sections(page: &str) -> Vec<(String, Vec<(&str, &str)>)> {
         .collect()
 }
 
+/// A line of an excerpt that is not printed after the line before it.
+fn not_printed<'a>(excerpt: &'a str, printed: &str) -> Option<&'a str> {
+    let mut lines = printed.lines().map(str::trim);
+    excerpt
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty())
+        .find(|line| !lines.any(|there| there == *line))
+}
+
 #[test]
 fn the_tour_shows_its_files_and_what_the_program_prints() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -37,14 +47,7 @@ fn the_tour_shows_its_files_and_what_the_program_prints() {
             printed += &out.stdout;
         }
         for (_, text) in blocks.iter().skip(1).filter(|block| block.0 == "text") {
-            // each block by itself, in its order
-            let mut lines = printed.lines();
-            for line in text.lines().map(str::trim_end).filter(|line| !line.is_empty()) {
-                if !lines.any(|there| there.trim_end() == line) {
-                    wrong.push(format!("section {number}: `{line}` is not printed after the line before it"));
-                    break;
-                }
-            }
+            wrong.extend(not_printed(text, &printed).map(|line| format!("section {number}: {line}")));
         }
     }
     assert_eq!(files, 10, "the sections are found");
@@ -71,4 +74,61 @@ fn pages_list_every_command() {
         let missing: Vec<_> = commands.iter().filter(|command| !words.contains(command)).collect();
         assert!(missing.is_empty(), "{page} does not list {missing:?}");
     }
+}
+
+#[test]
+fn steps_that_pages_show_are_those_of_the_worked_solution() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let printed = assur_in(root, &["report", "examples/kinetostatics/six-bar.mech"]).stdout;
+    let mut count = 0;
+    for page in ["docs/tour.md", "docs/reading.md"] {
+        let text = std::fs::read_to_string(root.join(page)).expect("a page");
+        let blocks = text.split("```text\n").skip(1).filter_map(|part| part.split("```").next());
+        for block in blocks.filter(|block| block.contains("v_C =") || block.contains("v_F =")) {
+            count += 1;
+            assert_eq!(not_printed(block, &printed), None, "{page}");
+        }
+    }
+    assert_eq!(count, 2);
+}
+
+/// The commands of a page, without those that need files of the reader, a browser, or much time.
+fn commands(page: &str) -> Vec<Vec<String>> {
+    let blocks = page.split("```sh\n").skip(1).filter_map(|part| part.split("```").next());
+    let lines = blocks.flat_map(str::lines).filter_map(|line| line.strip_prefix("assur "));
+    let is_own =
+        |line: &&str| ["homework", "accuracy ", " answers.csv"].iter().all(|word| !line.contains(word));
+    // parts in quotes are one word
+    let words = |line: &str| {
+        let parts = line.split(['"', '\'']).enumerate();
+        parts
+            .flat_map(|(i, part)| {
+                let whole = i % 2 == 1;
+                let words: Vec<&str> = if whole { vec![part] } else { part.split_whitespace().collect() };
+                words.into_iter().map(str::to_owned).collect::<Vec<_>>()
+            })
+            .collect()
+    };
+    lines.filter(is_own).map(words).collect()
+}
+
+#[cfg(unix)]
+#[test]
+fn commands_of_pages_run() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = crate::run::Folder::new("pages");
+    std::os::unix::fs::symlink(root.join("examples"), folder.path("examples")).expect("a link");
+    let mut count = 0;
+    for page in ["tour", "pictures", "report", "teaching", "simulation", "commands"] {
+        let text = std::fs::read_to_string(root.join(format!("docs/{page}.md"))).expect("a page");
+        for command in commands(&text) {
+            let out = crate::run::assur(&folder, &command.iter().map(String::as_str).collect::<Vec<_>>());
+            // the file with mistakes, and answers of which some are wrong
+            let wanted =
+                i32::from(command.contains(&"examples/tour/2.txt".to_owned()) || command[0] == "grade");
+            assert_eq!(out.status, wanted, "{page}: {command:?}: {}", out.stderr);
+            count += 1;
+        }
+    }
+    assert!(count > 25, "commands are found: {count}");
 }

@@ -160,3 +160,20 @@ fn links_lead_somewhere() {
     assert!(count > 100, "links are found: {count}");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// What these pages show was measured: each line of a block is in the page of its name below `measured`, in this order.
+#[test]
+fn figures_are_those_that_were_measured() {
+    let read = |path: &str| std::fs::read_to_string(root().join("docs").join(path)).expect("a page");
+    let measured = ["accuracy", "simulation", "effects"].map(|name| read(&format!("measured/{name}.md")));
+    for page in ["accuracy.md", "effects.md"] {
+        let text = read(page);
+        for block in text.split("```text\n").skip(1).filter_map(|part| part.split("```").next()) {
+            let is_in = |page: &String| {
+                let mut lines = page.lines();
+                block.lines().all(|line| lines.any(|there| there == line))
+            };
+            assert!(measured.iter().any(is_in), "{page}:\n{block}");
+        }
+    }
+}
