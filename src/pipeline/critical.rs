@@ -11,7 +11,7 @@ use assur_check::Overrides;
 use assur_model::model::{Display, Expr, Find, FindKind, Mechanism, Positions, Query, Value};
 use assur_model::structure;
 use assur_position::plan;
-use assur_solve::solve::{self, Model};
+use assur_solve::solve::{self, Model, Progress};
 use assur_syntax::document::Document;
 use assur_text::source::Span;
 
@@ -28,12 +28,14 @@ const HALVINGS: usize = 100;
 /// Halvings towards the end of a side.
 const TO_THE_END: usize = 40;
 
-/// The values of all givens whose critical value is asked for, SI; NaN where locking neither begins nor ends.
+/// The values of all givens whose critical value is asked for, SI; NaN where locking neither begins nor ends, or where `watch` ends
+/// the search.
 #[must_use]
-pub fn criticals(model: &Model<'_>, origin: &Origin) -> Vec<f64> {
+pub fn criticals(model: &Model<'_>, origin: &Origin, watch: Option<&Progress<'_>>) -> Vec<f64> {
     let (document, overrides) = (&*origin.document, &origin.overrides);
     let names = &model.mechanism.criticals;
-    names.iter().map(|name| Search { document, overrides, name }.critical(model.mechanism)).collect()
+    let search = |name| Search { document, overrides, name, watch }.critical(model.mechanism);
+    names.iter().map(|name| search(name)).collect()
 }
 
 /// What a value of the given makes of the first pose.
@@ -47,6 +49,7 @@ struct Search<'a> {
     document: &'a Document,
     overrides: &'a Overrides,
     name: &'a str,
+    watch: Option<&'a Progress<'a>>,
 }
 
 impl Search<'_> {
@@ -123,6 +126,9 @@ impl Search<'_> {
 
     /// The first pose with this value of the given.
     fn verdict(&self, value: f64) -> Option<Verdict> {
+        if self.watch.is_some_and(|goes_on| !goes_on(0.0, 0.0)) {
+            return None;
+        }
         let (mechanism, _) = check::check_at(self.document, self.overrides, self.name, value);
         let mechanism = first_pose_alone(mechanism?);
         let (structure, _) = structure::structure(&mechanism).ok()?;

@@ -96,10 +96,10 @@ pub fn followed(
     sink: Option<&mut dyn Sink>,
     conduct: &IntegrationOptions<'_>,
 ) -> Followed {
-    let critical = origin.map(|o| criticals(model, o)).unwrap_or_default();
-    let Some(mut following) =
-        Following::conducted(model, critical, &sink.as_ref().map_or(*conduct, |sink| sink.conduct()))
-            .map_err(|all| Problems::of(message::failures(model, &all)))?
+    let conduct = sink.as_ref().map_or(*conduct, |sink| sink.conduct());
+    let critical = origin.map(|o| criticals(model, o, conduct.watch)).unwrap_or_default();
+    let Some(mut following) = Following::conducted(model, critical, &conduct)
+        .map_err(|all| Problems::of(message::failures(model, &all)))?
     else {
         return Ok(Some((Solution::default(), Problems::new())));
     };
