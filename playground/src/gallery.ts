@@ -1,0 +1,69 @@
+// The gallery: 24 examples with pictures by chapter, and a search over all.
+
+import { find, make } from "./dom";
+import type { Store } from "./state";
+import { word } from "./words";
+
+export interface Example {
+  name: string;
+  title: string;
+  chapter: string | null;
+  picture: string | null;
+  text: string;
+}
+
+let loaded: Promise<Example[]> | undefined;
+
+/** All examples, once they are asked for. */
+export function examples(): Promise<Example[]> {
+  loaded ??= (async () => {
+    const inside = document.getElementById("assur-examples")?.textContent;
+    return (inside ? JSON.parse(inside) : await (await fetch("examples.json")).json()) as Example[];
+  })();
+  loaded.catch(() => (loaded = undefined));
+  return loaded;
+}
+
+export class Gallery {
+  private readonly dialog = find<HTMLDialogElement>("gallery");
+
+  constructor(
+    private readonly store: Store,
+    private readonly chosen: (example: Example) => void,
+  ) {}
+
+  async open(): Promise<void> {
+    const { language } = this.store.now;
+    const search = make("input", { type: "search", placeholder: word(language, "search"), "aria-label": word(language, "search") });
+    const said = make("p", { class: "soft", role: "status" }), list = make("div", {});
+    const close = make("button", { class: "plain", onclick: () => this.dialog.close() }, word(language, "close"));
+    this.dialog.replaceChildren(make("div", { class: "bar" }, search, close), said, list);
+    this.dialog.showModal();
+    try {
+      const all = await examples();
+      const show = () => {
+        const wanted = search.value.trim().toLowerCase();
+        const found = wanted === "" ? [] : all.filter((one) => `${one.name} ${one.title} ${one.text}`.toLowerCase().includes(wanted));
+        said.textContent = wanted === "" ? "" : word(language, "found", found.length);
+        list.replaceChildren(...(wanted === "" ? this.chapters(all) : [make("ul", { class: "found" }, ...found.map((one) => make("li", {}, this.button(one))))]));
+      };
+      search.addEventListener("input", show);
+      show();
+    } catch (error) {
+      said.textContent = word(language, "failed", String(error));
+    }
+  }
+
+  private chapters(all: Example[]): Node[] {
+    const names = [...new Set(all.flatMap((one) => one.chapter ?? []))];
+    return names.map((chapter) =>
+      make("section", {}, make("h3", {}, chapter), make("div", { class: "cards" }, ...all.filter((one) => one.chapter === chapter).map((one) => this.button(one)))),
+    );
+  }
+
+  private button(example: Example): HTMLElement {
+    const words = [make("b", {}, example.title), make("small", { class: "soft" }, example.name)];
+    const picture = example.picture ? [make("img", { src: example.picture, alt: "", loading: "lazy" })] : [];
+    return make("button", { class: "card", onclick: () => (this.dialog.close(), this.chosen(example)) }, ...picture, ...words);
+  }
+}

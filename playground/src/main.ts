@@ -1,0 +1,368 @@
+// The page: wires the editor, the engine, the picture and what stands beside them.
+
+import { LSPClient, type LSPClientExtension } from "@codemirror/lsp-client";
+import type { Diagnostic } from "vscode-languageserver-protocol";
+import first from "../../examples/crank-slider.mech";
+import { Asked, reason } from "./asked";
+import * as dialogs from "./dialogs";
+import { find, make } from "./dom";
+import { URI, editor } from "./editor";
+import { Engine } from "./engine";
+import { Gallery, examples } from "./gallery";
+import { decode } from "./link";
+import * as lsp from "./lsp";
+import { addressOfWorker, module } from "./parts";
+import { Panes } from "./panes";
+import { Picture } from "./picture";
+import { Store, kept } from "./state";
+import { Lesson } from "./tutorial";
+import { LANGUAGES, preferred, word, type Language, type Word } from "./words";
+
+/** From the last key to the whole motion; until the last good picture is grey; from a rest of the slider to what shows one position; ms. */
+const WHOLE = 150, GREY = 300, REST = 250;
+/** The longest text that is kept between visits, and that is opened. */
+const KEPT = 200_000, LONGEST = 1 << 20;
+
+const query = new URLSearchParams(location.search);
+const embedded = query.has("embed");
+const stored = kept.get("language");
+const language = LANGUAGES.find((one) => one === stored) ?? preferred();
+const store = new Store({ language, tab: "answers", version: 1, shown: 0, old: false, busy: true, late: false, failed: "", part: Number(query.get("part") ?? 0) || 0, problems: [] });
+const say = (key: Word, ...parts: (string | number)[]): string => word(store.now.language, key, ...parts);
+
+let client: LSPClient | undefined;
+let engine: Engine | undefined;
+let typed = 0;
+const timers: Record<string, ReturnType<typeof setTimeout>> = {};
+const after = (name: string, pause: number, does: () => void): void => {
+  clearTimeout(timers[name]);
+  timers[name] = setTimeout(does, pause);
+};
+
+const own = editor(find("editor"), "", say("editor"), embedded && !query.has("edit"), () => {
+  typed = performance.now();
+  store.set({ version: store.now.version + 1, late: false });
+  engine?.changed();
+  after("keep", 500, keep);
+});
+
+const asked = new Asked(new Proxy({} as LSPClient, { get: (_, name) => Reflect.get(client ?? {}, name, client) }), () => store.now.language);
+
+const picture = new Picture({
+  moved(part, playing) {
+    store.set({ part });
+    if (playing) return;
+    after("rest", REST, () => {
+      if (client) asked.pose(part);
+      void hints();
+      panes.rested();
+    });
+  },
+  line: (line) => own.go(line),
+  show: (kind) => void motion(kind),
+});
+
+const panes = new Panes(store, asked, {
+  of: async (problem) => (client ? lsp.fixes(client, URI, problem) : []),
+  apply: (fix) => lsp.apply(own.view, fix.edits),
+  go: (line, column) => own.go(line, column),
+});
+
+const lesson = new Lesson(store, asked, {
+  append: (lines) => own.append(lines),
+  leave() {
+    kept.set("tutorial", own.text());
+    restore();
+  },
+});
+
+/** What was the author's before an example, a link or the tutorial took its place. */
+let mine: string | null = null;
+/** The text is the author's: it is kept. */
+let isMine = true;
+
+function keep(): void {
+  const text = own.text();
+  if (document.body.dataset.lesson !== undefined) kept.set("tutorial", text);
+  else if (isMine && !embedded && text.length < KEPT) kept.set("text", text);
+}
+
+/** Another text; that of the author can be had back. */
+function take(text: string): void {
+  if (isMine) mine = own.text();
+  isMine = false;
+  own.replace(text);
+  isMine = true;
+  find("mine").hidden = mine === null || mine === text;
+}
+
+function restore(): void {
+  delete document.body.dataset.lesson;
+  const text = mine ?? kept.get("text") ?? first;
+  mine = null;
+  find("mine").hidden = true;
+  own.replace(text);
+  store.set({ tab: "answers" });
+}
+
+function startLesson(): void {
+  if (document.body.dataset.lesson === undefined) {
+    mine = own.text();
+    own.replace(kept.get("tutorial") ?? "");
+    document.body.dataset.lesson = "";
+  }
+  store.set({ tab: "tutorial" });
+  own.view.focus();
+}
+
+// What the server says.
+
+function published({ version, diagnostics }: { version?: number; diagnostics: Diagnostic[] }): void {
+  if (!client) return;
+  store.set({ problems: diagnostics });
+  void lsp.show(own.view, client, URI, diagnostics);
+  void lsp.colour(own.view, client, URI).catch(() => undefined);
+  lesson.changed();
+  const wrong = diagnostics.some((one) => (one.severity ?? 1) === 1);
+  if (wrong) after("grey", GREY, () => store.set({ old: true }));
+  if (!wrong && version !== undefined) void hints();
+}
+
+function solved({ version }: { version: number }): void {
+  clearTimeout(timers.grey);
+  store.set({ old: false, late: false });
+  void hints();
+  lesson.changed();
+  const rest = WHOLE - (performance.now() - typed);
+  if (rest > 0 && store.now.shown > 0) {
+    void asked.picture(store.now.part).then((one) => picture.still(one.svg), () => undefined);
+  }
+  after("whole", Math.max(rest, 0), () => void whole(version));
+}
+
+async function whole(version: number): Promise<void> {
+  await Promise.all([motion(picture.shown), report()]);
+  store.set({ shown: version });
+  document.body.dataset.ready = String(version);
+  fit();
+}
+
+async function motion(show: string): Promise<void> {
+  try {
+    const moving = await asked.motion(show);
+    picture.take(moving, store.now.part);
+  } catch (error) {
+    if (show !== "") {
+      picture.says(reason(error));
+      return;
+    }
+    const kinds = await asked.kinds().catch(() => []);
+    const drawn = kinds.length > 0 ? await asked.draw(kinds[0], 0, "auto").catch(() => []) : [];
+    picture.others(drawn, reason(error));
+  }
+}
+
+async function report(): Promise<void> {
+  await asked.report().then((one) => panes.answers(one), () => undefined);
+}
+
+async function hints(): Promise<void> {
+  if (client) await lsp.hint(own.view, client, URI).catch(() => undefined);
+}
+
+/** Above the picture: what is wrong, or that it takes too long. */
+function bar(): void {
+  const { old, late, problems, shown, failed } = store.now, strip = find("strip");
+  document.body.classList.toggle("old", (old || late) && shown > 0);
+  strip.replaceChildren();
+  if (failed !== "") return strip.append(say("failed", failed));
+  if (late) return strip.append(say("late"), " ", make("button", { class: "fix", onclick: () => engine?.again(60_000) }, say("again")));
+  const error = problems.find((one) => (one.severity ?? 1) === 1);
+  if (!old || !error) return;
+  const { line, character } = error.range.start;
+  const text = String(error.message).split("\n")[0];
+  strip.append(make("button", { class: "sentence", onclick: () => own.go(line + 1, character) }, `${text} (${say("line", line + 1)})`));
+  if (shown > 0) strip.append(make("span", { class: "soft" }, say("old")));
+}
+
+function status(): void {
+  const { problems, busy, shown, failed } = store.now;
+  const errors = problems.filter((one) => (one.severity ?? 1) === 1).length;
+  const text = failed !== "" ? "" : errors > 0 ? say(errors === 1 ? "oneError" : "errors", errors) : busy ? say(shown === 0 && !client ? "loading" : "works") : say("ok");
+  const at = find("state");
+  at.textContent = text;
+  at.classList.toggle("wrong", errors > 0);
+  after("spoken", 700, () => {
+    const first = problems.find((one) => (one.severity ?? 1) === 1);
+    find("spoken").textContent = first ? `${text}: ${String(first.message).split("\n")[0]}, ${say("line", first.range.start.line + 1)}` : text;
+  });
+}
+
+/** Words of the page in the language that is chosen. */
+function named(): void {
+  document.documentElement.lang = store.now.language;
+  for (const element of document.querySelectorAll<HTMLElement>("[data-word]")) element.textContent = say(element.dataset.word as Word);
+  find("picture").setAttribute("aria-label", say("picture"));
+}
+
+/** An embedded page tells its height. */
+function fit(): void {
+  if (embedded) parent.postMessage({ assur: document.documentElement.scrollHeight }, "*");
+}
+
+// How the page begins.
+
+function connect(compiled: WebAssembly.Module): void {
+  const handlers: LSPClientExtension = {
+    notificationHandlers: {
+      "textDocument/publishDiagnostics": (_, params) => (published(params as Parameters<typeof published>[0]), true),
+      "assur/solved": (_, params) => (solved(params as { version: number }), true),
+      "window/logMessage": () => true,
+    },
+  };
+  const made = new LSPClient({
+    timeout: 120_000,
+    initializationOptions: { solved: true },
+    sanitizeHTML: lsp.sanitized,
+    extensions: [lsp.capabilities, handlers],
+  });
+  engine = new Engine(compiled, addressOfWorker(), {
+    restarted: () => {
+      made.disconnect();
+      made.connect(engine!.transport);
+    },
+    late: () => store.set({ late: true }),
+    busy: (busy) => {
+      if (busy) after("busy", 200, () => store.set({ busy: true }));
+      else {
+        clearTimeout(timers.busy);
+        if (store.now.busy) store.set({ busy: false });
+      }
+    },
+    failed: (failed) => store.set({ failed }),
+  });
+  client = made;
+  made.connect(engine.transport);
+  own.connect(made);
+}
+
+/** The text of the address, else that of the last visit, else the first example. */
+async function begin(): Promise<string> {
+  const link = await decode(location.hash), notice = find("notice");
+  const last = kept.get("text");
+  if (link.kind === "text") {
+    mine = last;
+    if (link.version !== VERSION) notice.textContent = say("version", link.version, VERSION);
+    return link.text;
+  }
+  if (link.kind === "example") {
+    mine = last;
+    const found = (await examples().catch(() => [])).find((one) => one.name === link.name);
+    if (!found) notice.textContent = say("missing");
+    return found?.text ?? "";
+  }
+  if (link.kind === "none") return last ?? first;
+  notice.textContent = say(link.kind);
+  return "";
+}
+
+function controls(): void {
+  const gallery = new Gallery(store, (example) => {
+    delete document.body.dataset.lesson;
+    take(example.text);
+    history.replaceState(null, "", `#x/${example.name}`);
+  });
+  const actions: Record<string, () => void> = {
+    examples: () => void gallery.open(),
+    tutorial: startLesson,
+    share: () => void dialogs.share(store, own.text()),
+    save: () => dialogs.save(store, asked, own.text),
+    open: () => find<HTMLInputElement>("file").click(),
+    keys: () => dialogs.keys(store),
+    mine: restore,
+  };
+  for (const [id, does] of Object.entries(actions)) find(id).addEventListener("click", does);
+  const languages = find<HTMLSelectElement>("language");
+  languages.append(...LANGUAGES.map((one) => make("option", { value: one }, word(one, "name"))));
+  languages.value = store.now.language;
+  languages.addEventListener("change", () => {
+    store.set({ language: languages.value as Language });
+    kept.set("language", languages.value);
+    if (store.now.shown > 0) void whole(store.now.shown);
+  });
+  const opened = async (file: File | undefined) => {
+    if (!file) return;
+    if (file.size > LONGEST) find("notice").textContent = say("dropped");
+    else take(await file.text());
+  };
+  find<HTMLInputElement>("file").addEventListener("change", (event) => void opened((event.target as HTMLInputElement).files?.[0]));
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    void opened(event.dataTransfer?.files[0]);
+  });
+  addEventListener("keydown", (event) => {
+    const control = event.ctrlKey || event.metaKey;
+    const tabs = ["answers", "worked", "pictures", "problems", "tutorial"] as const;
+    const at = event.target as HTMLElement;
+    const writes = at.isContentEditable || ["INPUT", "TEXTAREA", "SELECT"].includes(at.tagName);
+    if (control && event.key === "k") actions.examples();
+    else if (control && event.key === "s") actions.save();
+    else if (control && event.key === ".") {
+      store.set({ tab: "problems" });
+      find("pane-problems").querySelector<HTMLElement>(".fix, button")?.focus();
+    } else if (event.altKey && !control && /^[1-5]$/.test(event.key)) {
+      const tab = tabs[Number(event.key) - 1];
+      if (tab === "tutorial") startLesson();
+      else store.set({ tab });
+    } else if (event.key === "?" && !writes) actions.keys();
+    else return;
+    event.preventDefault();
+  });
+  divider();
+}
+
+/** The border between the halves is dragged, and remembered. */
+function divider(): void {
+  const line = find("divider"), half = (share: number) => document.body.style.setProperty("--half", `${Math.min(Math.max(share, 20), 75)}%`);
+  const last = Number(kept.get("half"));
+  if (last > 0) half(last);
+  let share = last || 46;
+  const move = (event: PointerEvent) => half((share = (100 * event.clientX) / innerWidth));
+  line.addEventListener("pointerdown", (event) => {
+    line.setPointerCapture(event.pointerId);
+    line.addEventListener("pointermove", move);
+  });
+  line.addEventListener("pointerup", () => {
+    line.removeEventListener("pointermove", move);
+    kept.set("half", String(share));
+  });
+  line.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: -2, ArrowRight: 2 }[event.key];
+    if (step) half((share += step));
+  });
+}
+
+async function start(): Promise<void> {
+  document.body.classList.toggle("embed", embedded);
+  controls();
+  if (embedded) {
+    const text = find<HTMLDetailsElement>("text");
+    text.open = query.has("text");
+    text.addEventListener("toggle", fit);
+    new ResizeObserver(fit).observe(document.body);
+    find("playground").setAttribute("href", dialogs.home() + location.hash);
+  }
+  store.look((now, before) => {
+    bar();
+    status();
+    if (now.language !== before.language || now === before) named();
+  });
+  const [text, compiled] = await Promise.allSettled([begin(), module()]);
+  if (text.status === "fulfilled") own.replace(text.value);
+  find("mine").hidden = mine === null;
+  if (compiled.status === "rejected") return store.set({ failed: reason(compiled.reason) });
+  connect(compiled.value);
+}
+
+void start();
