@@ -68,11 +68,11 @@ function inOneFile(wasm, all) {
   const own = script.replaceAll("</script", "<\\/script");
   const hash = `'sha256-${createHash("sha256").update(own).digest("base64")}'`;
   const data = (id, content) => `<script type="text/plain" id="${id}">${content.replaceAll("</script", "<\\/script")}</script>\n`;
-  const plain = JSON.stringify(all.map((one) => ({ ...one, picture: null })));
+  const packed = (content) => gzipSync(content, { level: 9 }).toString("base64");
   const inner = [
-    data("assur-module", gzipSync(wasm, { level: 9 }).toString("base64")),
+    data("assur-module", packed(wasm)),
     data("assur-worker", worker),
-    data("assur-examples", plain.replaceAll("<", "\\u003c")),
+    data("assur-examples", packed(JSON.stringify(all.map((one) => ({ ...one, picture: null }))))),
     `<script type="module">${own}</script>`,
   ];
   return page

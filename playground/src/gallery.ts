@@ -1,6 +1,7 @@
 // The gallery: 24 examples with pictures by chapter, and a search over all.
 
 import { find, make } from "./dom";
+import { listed } from "./parts";
 import type { Store } from "./state";
 import { word } from "./words";
 
@@ -16,10 +17,7 @@ let loaded: Promise<Example[]> | undefined;
 
 /** All examples, once they are asked for. */
 export function examples(): Promise<Example[]> {
-  loaded ??= (async () => {
-    const inside = document.getElementById("assur-examples")?.textContent;
-    return (inside ? JSON.parse(inside) : await (await fetch("examples.json")).json()) as Example[];
-  })();
+  loaded ??= listed() as Promise<Example[]>;
   loaded.catch(() => (loaded = undefined));
   return loaded;
 }

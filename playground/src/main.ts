@@ -2,7 +2,7 @@
 
 import { LSPClient, type LSPClientExtension } from "@codemirror/lsp-client";
 import type { Diagnostic } from "vscode-languageserver-protocol";
-import first from "../../examples/crank-slider.mech";
+import first from "../../examples/press.mech";
 import { Asked, reason } from "./asked";
 import * as dialogs from "./dialogs";
 import { find, make } from "./dom";
@@ -27,7 +27,7 @@ const query = new URLSearchParams(location.search);
 const embedded = query.has("embed");
 const stored = kept.get("language");
 const language = LANGUAGES.find((one) => one === stored) ?? preferred();
-const store = new Store({ language, tab: "answers", version: 1, shown: 0, old: false, busy: true, late: false, failed: "", part: Number(query.get("part") ?? 0) || 0, problems: [] });
+const store = new Store({ language, tab: "answers", shown: 0, old: false, busy: true, late: false, failed: "", part: Number(query.get("part") ?? 0) || 0, problems: [] });
 const say = (key: Word, ...parts: (string | number)[]): string => word(store.now.language, key, ...parts);
 
 let client: LSPClient | undefined;
@@ -41,7 +41,7 @@ const after = (name: string, pause: number, does: () => void): void => {
 
 const own = editor(find("editor"), "", say("editor"), embedded && !query.has("edit"), () => {
   typed = performance.now();
-  store.set({ version: store.now.version + 1, late: false });
+  if (store.now.late) store.set({ late: false });
   engine?.changed();
   after("keep", 500, keep);
 });
@@ -128,7 +128,7 @@ function published({ version, diagnostics }: { version?: number; diagnostics: Di
   if (!wrong && version !== undefined) void hints();
 }
 
-function solved({ version }: { version: number }): void {
+function solved(): void {
   clearTimeout(timers.grey);
   store.set({ old: false, late: false });
   void hints();
@@ -137,13 +137,13 @@ function solved({ version }: { version: number }): void {
   if (rest > 0 && store.now.shown > 0) {
     void asked.picture(store.now.part).then((one) => picture.still(one.svg), () => undefined);
   }
-  after("whole", Math.max(rest, 0), () => void whole(version));
+  after("whole", Math.max(rest, 0), () => void whole());
 }
 
-async function whole(version: number): Promise<void> {
+async function whole(): Promise<void> {
   await Promise.all([motion(picture.shown), report()]);
-  store.set({ shown: version });
-  document.body.dataset.ready = String(version);
+  store.set({ shown: store.now.shown + 1 });
+  document.body.dataset.ready = String(store.now.shown);
   fit();
 }
 
@@ -216,7 +216,7 @@ function connect(compiled: WebAssembly.Module): void {
   const handlers: LSPClientExtension = {
     notificationHandlers: {
       "textDocument/publishDiagnostics": (_, params) => (published(params as Parameters<typeof published>[0]), true),
-      "assur/solved": (_, params) => (solved(params as { version: number }), true),
+      "assur/solved": () => (solved(), true),
       "window/logMessage": () => true,
     },
   };
@@ -231,7 +231,8 @@ function connect(compiled: WebAssembly.Module): void {
       made.disconnect();
       made.connect(engine!.transport);
     },
-    late: () => store.set({ late: true }),
+    // a text with errors has no answers, and says why
+    late: () => store.set({ late: !store.now.problems.some((one) => (one.severity ?? 1) === 1) }),
     busy: (busy) => {
       if (busy) after("busy", 200, () => store.set({ busy: true }));
       else {
@@ -288,7 +289,7 @@ function controls(): void {
   languages.addEventListener("change", () => {
     store.set({ language: languages.value as Language });
     kept.set("language", languages.value);
-    if (store.now.shown > 0) void whole(store.now.shown);
+    if (store.now.shown > 0) void whole();
   });
   const opened = async (file: File | undefined) => {
     if (!file) return;

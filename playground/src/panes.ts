@@ -16,7 +16,7 @@ const TABS: Tab[] = ["text", "answers", "worked", "pictures", "problems", "tutor
 
 export class Panes {
   private readonly panes = Object.fromEntries(TABS.map((tab) => [tab, find(`pane-${tab}`)])) as Record<Tab, HTMLElement>;
-  /** The version and the language that a pane shows. */
+  /** Which answers a pane shows, and in which language. */
   private readonly drawn = new Map<Tab, string>();
   private report: Report | undefined;
 
@@ -40,11 +40,9 @@ export class Panes {
     store.look((now, before) => this.update(now, before));
   }
 
-  /** The answers of a version. */
+  /** New answers. */
   answers(report: Report): void {
     this.report = report;
-    this.drawn.delete("answers");
-    this.see();
   }
 
   /** The part of the way has rested: what shows one position is drawn anew. */

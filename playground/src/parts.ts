@@ -20,6 +20,13 @@ async function fetched(address: string): Promise<ReadableStream<Uint8Array<Array
   return answer.body;
 }
 
+/** The examples, packed in the page or beside it. */
+export async function listed(): Promise<unknown> {
+  const own = inside("assur-examples");
+  if (!own) return (await fetch("examples.json")).json();
+  return new Response(new Blob([own]).stream().pipeThrough(new DecompressionStream("gzip"))).json();
+}
+
 export function addressOfWorker(): string {
   const own = document.getElementById("assur-worker")?.textContent;
   return own ? URL.createObjectURL(new Blob([own], { type: "text/javascript" })) : "worker.js";

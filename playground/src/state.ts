@@ -8,9 +8,7 @@ export type Tab = "text" | "answers" | "worked" | "pictures" | "problems" | "tut
 export interface State {
   language: Language;
   tab: Tab;
-  /** The version of the text, as it was sent. */
-  version: number;
-  /** The version of which the picture and the answers are; 0 where there are none. */
+  /** Counts the answers that were shown; 0 where there are none yet. */
   shown: number;
   /** The newest text has no answers: what is shown is the last good one. */
   old: boolean;

@@ -16,7 +16,7 @@ export interface Reply {
   answered: boolean;
   /** More comes by itself: a text is to be solved. */
   more: boolean;
-  /** The text was given up. */
+  /** The text was given up, or has more positions than are solved here. */
   late: boolean;
   failed?: string;
 }
@@ -28,6 +28,8 @@ interface Exports {
   handle(at: number, length: number): number;
 }
 
+/** What a text that is solved is told by. */
+const SOLVED = "assur/solved";
 const PUBLISH = '{"jsonrpc":"2.0","method":"assur/publish"}';
 const SOLVE = '{"jsonrpc":"2.0","method":"assur/solve"}';
 /** From the last key to solving; while keys come a text is solved no longer than this; a rest of the author; ms. */
@@ -58,11 +60,12 @@ function answers({ memory, reserve, free, handle }: Exports, message: string): o
   return JSON.parse(text) as object[];
 }
 
-function answer(message: string, answered: boolean, more: () => boolean): void {
+function answer(message: string, answered: boolean, more: () => boolean, unsolved: (messages: object[]) => boolean = () => false): void {
   if (exports === undefined) return;
   try {
     const messages = answers(exports, message);
-    postMessage({ messages, answered, more: more(), late } satisfies Reply);
+    const again = more();
+    postMessage({ messages, answered, more: again, late: late || (!again && unsolved(messages)) } satisfies Reply);
   } catch (error) {
     // an error of the module ends it: its memory is not to be trusted any more
     exports = undefined;
@@ -72,7 +75,7 @@ function answer(message: string, answered: boolean, more: () => boolean): void {
 
 function solve(): void {
   timer = undefined;
-  answer(SOLVE, false, () => later);
+  answer(SOLVE, false, () => later, (messages) => !messages.some((one) => "method" in one && one.method === SOLVED));
   if (later) timer = setTimeout(solve, Math.max(REST - (performance.now() - changed), 1));
 }
 
