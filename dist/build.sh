@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes everything that is handed out, and publishes nothing: archive, wheels, source of the Python package, Debian package, extension of
-# VS Code, checksums. PROFILE is `dist`; FEATURES are those of the program. What lacks on this machine is left out, and said.
+# Makes all packages, and publishes nothing: archive, wheels, source of the Python package, Debian package, extension of VS Code,
+# playground, checksums. PROFILE is `dist`; FEATURES are those of the program. What lacks on this machine is left out, and said.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 profile=${PROFILE:-dist}
@@ -70,6 +70,16 @@ if [ -f editors/vscode/mech.vsix ]; then
   cp editors/vscode/mech.vsix "$out/"
 elif command -v npm >/dev/null && [ -d editors/vscode/node_modules ]; then
   (cd editors/vscode && npm run --silent package >/dev/null) && cp editors/vscode/mech.vsix "$out/"
+else
+  echo "  left out: no node, or its packages are not installed (editors/install.sh)"
+fi
+
+echo "playground"
+if command -v npm >/dev/null && [ -d playground/node_modules ]; then
+  editors/vscode/wasm.sh
+  (cd playground && ASSUR=$PWD/../$program npm run --silent build)
+  cp playground/dist/playground.html "$out/assur-playground-$version.html"
+  tar -C playground --sort=name --owner=0 --group=0 --mtime=@0 -cf - --transform "s|^dist|assur-playground-$version|" dist | gzip -n9 >"$out/assur-playground-$version.tar.gz"
 else
   echo "  left out: no node, or its packages are not installed (editors/install.sh)"
 fi

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what editors/test.sh needs and is not there yet. An editor that cannot be installed is an error.
+# Installs what editors/test.sh and the tests of the playground need and is not there yet. An editor that cannot be installed is an error.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -23,7 +23,9 @@ tools=target/editors
 export npm_config_audit=false npm_config_fund=false npm_config_ignore_scripts=true npm_config_loglevel=error
 # only where the list has changed
 packages() { [ node_modules/.package-lock.json -nt package-lock.json ] || npm ci; }
-cd editors/vscode
+cd playground
+packages
+cd ../editors/vscode
 packages
 # VS Code's server; its inner packages come by its own list, which `npm ci` finds incomplete
 cd test/workbench

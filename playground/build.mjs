@@ -5,7 +5,7 @@ import { build } from "esbuild";
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { brotliDecompressSync, gzipSync } from "node:zlib";
 import { session } from "./module.mjs";
@@ -75,14 +75,30 @@ function inOneFile(wasm, all) {
     data("assur-examples", packed(JSON.stringify(all.map((one) => ({ ...one, picture: null }))))),
     `<script type="module">${own}</script>`,
   ];
-  return page
+  return withoutDocs(page)
     .replace("script-src 'self'", () => `script-src ${hash}`)
     .replace("worker-src 'self'", "worker-src blob:")
     .replace("connect-src 'self'; ", "")
+    .replace('<link rel="preload" as="fetch" crossorigin href="assur.wasm.gz">\n', "")
     .replace('<link rel="stylesheet" href="style.css">', () => `<style>${style}</style>`)
-    .replace('<a id="docs" href="docs/tour.html" data-word="docs"></a>\n', "")
     .replace('<script src="playground.js" type="module"></script>', () => inner.join(""));
 }
+
+/** The pages of docs beside the page, where there are Python and the program; else nothing leads to them. */
+function pages() {
+  const named = [process.env.ASSUR, join(ROOT, "target/release/assur"), join(ROOT, "target/debug/assur")];
+  const program = named.find((one) => one && existsSync(one));
+  try {
+    if (program === undefined) throw new Error("there is no program: cargo build --release makes it");
+    const env = { ...process.env, ASSUR: resolve(program) };
+    execFileSync(join(ROOT, "docs/site/build.sh"), [join(DIST, "docs")], { env, stdio: ["ignore", "ignore", "pipe"] });
+  } catch (error) {
+    write("index.html", withoutDocs(readFileSync(join(DIST, "index.html"), "utf8")));
+    console.log(`without the pages of docs: ${String(error.stderr ?? "") || error.message}`);
+  }
+}
+
+const withoutDocs = (page) => page.replace('<a id="docs" href="docs/tour.html" data-word="docs"></a>\n', "");
 
 rmSync(DIST, { recursive: true, force: true });
 const wasm = compiled();
@@ -93,5 +109,6 @@ write("assur.wasm.gz", gzipSync(wasm, { level: 9 }));
 const all = await gallery(examples(), wasm);
 write("examples.json", JSON.stringify(all));
 write("playground.html", inOneFile(wasm, all));
+pages();
 const size = (name) => `${name} ${(statSync(join(DIST, name)).size / 1000).toFixed(0)} kB`;
 console.log(`dist: ${["playground.js", "worker.js", "assur.wasm.gz", "examples.json", "playground.html"].map(size).join(", ")}`);

@@ -1,12 +1,22 @@
 // Serves the folder `dist` on loopback.
 
 import { createServer } from "node:http";
-import { createReadStream, statSync } from "node:fs";
+import { createReadStream, readFileSync, statSync } from "node:fs";
 import { extname, join, normalize } from "node:path";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json", ".svg": "image/svg+xml", ".gz": "application/gzip", ".mech": "text/plain" };
 const DIST = fileURLToPath(new URL("dist/", import.meta.url));
+
+/** Texts, which servers of files send packed. */
+const PACKED = new Set([".html", ".js", ".css", ".json", ".svg"]);
+const known = new Map();
+function packed(file) {
+  const { mtimeMs } = statSync(file);
+  if (known.get(file)?.mtimeMs !== mtimeMs) known.set(file, { mtimeMs, body: gzipSync(readFileSync(file)) });
+  return known.get(file).body;
+}
 
 /** Serves a folder; gives the address and the server. */
 export function serve(folder = DIST, port = 0) {
@@ -15,6 +25,12 @@ export function serve(folder = DIST, port = 0) {
     let file = join(folder, normalize(path));
     try {
       if (statSync(file).isDirectory()) file = join(file, "index.html");
+      if (PACKED.has(extname(file)) && /\bgzip\b/.test(request.headers["accept-encoding"] ?? "")) {
+        const body = packed(file);
+        response.writeHead(200, { "Content-Type": TYPES[extname(file)], "Content-Encoding": "gzip", "Content-Length": body.length });
+        response.end(body);
+        return;
+      }
       const { size } = statSync(file);
       response.writeHead(200, { "Content-Type": TYPES[extname(file)] ?? "application/octet-stream", "Content-Length": size });
       createReadStream(file).pipe(response);

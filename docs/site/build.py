@@ -143,6 +143,7 @@ TEMPLATE = """<!doctype html>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{title} · assur</title>
+<link rel="icon" href="data:,">
 <link rel="stylesheet" href="{top}style.css">
 {script}
 </head>
@@ -168,7 +169,7 @@ def check(out: Path) -> None:
         for address in re.findall(r'(?:href|src)="([^"]+)"', page.read_text(encoding="utf-8")):
             file, _, place = html.unescape(address).partition("#")
             target = (page.parent / file).resolve() if file else page
-            if address.startswith("http") or not target.is_relative_to(out) or target == out:
+            if address.startswith(("http", "data:")) or not target.is_relative_to(out) or target == out:
                 continue
             if not target.exists() or (place and place not in anchors.get(target, {place})):
                 wrong.append(f"{page.relative_to(out)}: {address}")
