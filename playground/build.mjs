@@ -45,7 +45,9 @@ async function gallery(all, wasm) {
   const chapters = Object.entries(JSON.parse(readFileSync(join(HERE, "gallery.json"), "utf8")));
   const place = new Map(chapters.flatMap(([chapter, names]) => names.map((name) => [name, chapter])));
   for (const name of place.keys()) if (!all.some((one) => one.name === name)) throw new Error(`gallery.json: there is no example ${name}`);
-  return all.map((one) => {
+  // those of the gallery first, in its order
+  const order = [...place.keys()], at = (one) => (order.includes(one.name) ? order.indexOf(one.name) : order.length);
+  return [...all].sort((a, b) => at(a) - at(b)).map((one) => {
     const chapter = place.get(one.name) ?? null;
     if (chapter === null) return { ...one, chapter, picture: null };
     const uri = `untitled:${one.name}`;

@@ -108,8 +108,10 @@ function restore(): void {
 function startLesson(): void {
   if (document.body.dataset.lesson === undefined) {
     mine = own.text();
-    own.replace(kept.get("tutorial") ?? "");
     document.body.dataset.lesson = "";
+    own.replace(kept.get("tutorial") ?? "");
+    picture.others([], "");
+    store.set({ shown: 0, old: false });
   }
   store.set({ tab: "tutorial" });
   own.view.focus();
@@ -124,7 +126,7 @@ function published({ version, diagnostics }: { version?: number; diagnostics: Di
   void lsp.colour(own.view, client, URI).catch(() => undefined);
   lesson.changed();
   const wrong = diagnostics.some((one) => (one.severity ?? 1) === 1);
-  if (wrong) after("grey", GREY, () => store.set({ old: true }));
+  if (wrong) after("grey", GREY, () => store.set({ old: own.text() !== "" }));
   if (!wrong && version !== undefined) void hints();
 }
 
@@ -182,7 +184,7 @@ function bar(): void {
   const { line, character } = error.range.start;
   const text = String(error.message).split("\n")[0];
   strip.append(make("button", { class: "sentence", onclick: () => own.go(line + 1, character) }, `${text} (${say("line", line + 1)})`));
-  if (shown > 0) strip.append(make("span", { class: "soft" }, say("old")));
+  if (shown > 0 && find("picture").querySelector("svg")) strip.append(make("span", { class: "soft" }, say("old")));
 }
 
 function status(): void {

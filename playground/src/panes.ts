@@ -72,6 +72,10 @@ export class Panes {
     const count = problems.filter((one) => (one.severity ?? 1) <= 3).length;
     find("tab-problems").dataset.count = count > 0 ? String(count) : "";
     const key = `${shown} ${language}`;
+    if (shown === 0) {
+      for (const empty of ["answers", "worked", "pictures"] as const) this.panes[empty].replaceChildren(make("p", { class: "soft" }, word(language, "nothing")));
+      this.drawn.clear();
+    }
     if (shown === 0 || this.drawn.get(tab) === key) return;
     this.drawn.set(tab, key);
     if (tab === "answers" && this.report) this.panes.answers.replaceChildren(...sections(this.report));
