@@ -4,11 +4,11 @@ import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching, indentUnit } from "@codemirror/language";
 import { lintGutter, lintKeymap } from "@codemirror/lint";
-import { findReferencesKeymap, formatKeymap, hoverTooltips, jumpToDefinitionKeymap, renameKeymap, serverCompletion, signatureHelp, type LSPClient } from "@codemirror/lsp-client";
+import { findReferencesKeymap, formatKeymap, jumpToDefinitionKeymap, renameKeymap, serverCompletion, signatureHelp, type LSPClient } from "@codemirror/lsp-client";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { EditorState, type Extension } from "@codemirror/state";
 import { EditorView, drawSelection, highlightActiveLine, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
-import { shades, synced } from "./lsp";
+import { hovers, shades, synced } from "./lsp";
 
 export const URI = "untitled:mechanism.mech";
 
@@ -70,7 +70,7 @@ export function editor(parent: HTMLElement, text: string, label: string, readOnl
     connect(own) {
       client = own;
       const plugin = own.plugin(URI, "mech");
-      view.setState(EditorState.create({ doc: view.state.doc, selection: view.state.selection, extensions: [common, plugin, serverCompletion(), hoverTooltips(), signatureHelp()] }));
+      view.setState(EditorState.create({ doc: view.state.doc, selection: view.state.selection, extensions: [common, plugin, serverCompletion(), hovers, signatureHelp()] }));
     },
     text: () => view.state.doc.toString(),
     replace(next) {

@@ -4,7 +4,7 @@
 import { LSPClient, LSPPlugin, type LSPClientExtension } from "@codemirror/lsp-client";
 import { setDiagnostics, type Action, type Diagnostic } from "@codemirror/lint";
 import { RangeSet, StateEffect, StateField, type Extension, type Range } from "@codemirror/state";
-import { Decoration, EditorView, WidgetType, type DecorationSet } from "@codemirror/view";
+import { Decoration, EditorView, WidgetType, hoverTooltip, type DecorationSet } from "@codemirror/view";
 import type * as protocol from "vscode-languageserver-protocol";
 
 /** The pause before a change is sent, ms. */
@@ -81,6 +81,27 @@ export async function show(view: EditorView, client: LSPClient, uri: string, fou
   if (view.state.doc.eq(text)) view.dispatch(setDiagnostics(view.state, all));
 }
 
+/** What the server says of a name under the pointer; nothing where the text has changed meanwhile. */
+export const hovers: Extension = hoverTooltip(
+  async (view, pos) => {
+    const plugin = LSPPlugin.get(view), text = view.state.doc;
+    if (!plugin) return null;
+    plugin.client.sync();
+    const params = { textDocument: { uri: plugin.uri }, position: plugin.toPosition(pos) };
+    const said = await plugin.client.request<typeof params, protocol.Hover | null>("textDocument/hover", params).catch(() => null);
+    if (said === null || !view.state.doc.eq(text)) return null;
+    const create = () => {
+      const dom = document.createElement("div");
+      dom.className = "hover";
+      dom.innerHTML = plugin.docToHTML(said.contents as protocol.MarkupContent);
+      return { dom };
+    };
+    const range = said.range;
+    return { pos: range ? plugin.fromPosition(range.start) : pos, end: range ? plugin.fromPosition(range.end) : pos, above: true, create };
+  },
+  { hideOnChange: true },
+);
+
 // Colours and hints: decorations that move with the text until the server says new ones.
 
 const coloured = StateEffect.define<DecorationSet>();
@@ -115,6 +136,8 @@ export const shades: Extension = [field(coloured), field(hinted)];
 
 /** Asks for the colours of the text. */
 export async function colour(view: EditorView, client: LSPClient, uri: string): Promise<void> {
+  // the server answers of this text and no older one
+  client.sync();
   const text = view.state.doc;
   const legend = client.serverCapabilities?.semanticTokensProvider?.legend.tokenTypes ?? [];
   const params = { textDocument: { uri } };
@@ -125,7 +148,7 @@ export async function colour(view: EditorView, client: LSPClient, uri: string): 
     if (data[at] > 0) [line, column] = [line + data[at], 0];
     column += data[at + 1];
     if (line >= text.lines) break;
-    const from = text.line(line + 1).from + column, to = Math.min(from + data[at + 2], text.length);
+    const from = Math.min(text.line(line + 1).from + column, text.length), to = Math.min(from + data[at + 2], text.length);
     if (to > from) marks.push(Decoration.mark({ class: `t-${legend[data[at + 3]] ?? "other"}` }).range(from, to));
   }
   view.dispatch({ effects: coloured.of(RangeSet.of(marks, true)) });
@@ -133,13 +156,14 @@ export async function colour(view: EditorView, client: LSPClient, uri: string): 
 
 /** Asks for the hints of the text. */
 export async function hint(view: EditorView, client: LSPClient, uri: string): Promise<void> {
+  client.sync();
   const text = view.state.doc, plugin = LSPPlugin.get(view);
   const range = { start: { line: 0, character: 0 }, end: plugin?.toPosition(text.length) };
   const params = { textDocument: { uri }, range };
   const hints = await client.request<typeof params, protocol.InlayHint[]>("textDocument/inlayHint", params);
   if (!plugin || !view.state.doc.eq(text)) return;
   const marks = hints.map(({ position, label }) =>
-    Decoration.widget({ widget: new Hint(typeof label === "string" ? label : ""), side: 1 }).range(plugin.fromPosition(position)),
+    Decoration.widget({ widget: new Hint(typeof label === "string" ? label : ""), side: 1 }).range(Math.min(plugin.fromPosition(position), text.length)),
   );
   view.dispatch({ effects: hinted.of(RangeSet.of(marks, true)) });
 }

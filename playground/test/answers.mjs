@@ -38,7 +38,8 @@ async function different(all) {
 
 export const answers = {
   async "answers: the JSON of all examples is the program's"() {
-    const all = files("examples");
+    // a module without optimisation takes long for all
+    const few = process.env.PROFILE === "dev", all = files("examples").filter((_, i) => !few || i % 5 === 0);
     assert.deepEqual(await different(all), []);
     return `${all.length} examples`;
   },

@@ -23,7 +23,7 @@ async function open(hash = "", { size = [1280, 800], text, worker, ...more } = {
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
   page.faults = [];
-  page.on("pageerror", (error) => page.faults.push(error.message));
+  page.on("pageerror", (error) => page.faults.push(error.stack));
   page.on("console", (message) => message.type() === "error" && page.faults.push(message.text()));
   page.on("request", (request) => /^(https?|wss?):/.test(request.url()) && !request.url().startsWith(site.address) && foreign.push(request.url()));
   if (worker !== undefined) {
