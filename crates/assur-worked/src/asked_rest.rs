@@ -50,6 +50,9 @@ impl Derivation<'_> {
             model::Expr::Query(Query::PressureAngle(pair)) => {
                 (value.to_degrees(), self.pressure_angle(*pair)?)
             }
+            model::Expr::Query(Query::TransmissionAngle(group)) => {
+                (value.to_degrees(), self.transmission_angle(*group)?)
+            }
             _ if unit == Some(Unit::Angle) => (value.to_degrees(), self.degrees_in_letters(of)?),
             _ => (value, self.power_by_words(words).or_else(|| self.in_letters(of))?),
         };
@@ -132,6 +135,9 @@ impl Derivation<'_> {
                 Query::PotentialEnergy | Query::TorsionEnergy(..) => Name::new("V", ""),
                 Query::Sliding(own) => of_pair("v", "s,", own),
                 Query::PressureAngle(own) => of_pair("α", "", own),
+                Query::TransmissionAngle(group) => {
+                    Name::new("μ", &self.scene.mechanism().groups.get(*group)?.name)
+                }
                 Query::TangentialForce(own, on) => with_link("F", "t,", own, on),
                 Query::ToothForce(own, on) => with_link("F", "n,", own, on),
                 Query::Tension(own, _) => of_pair("F", "", own),

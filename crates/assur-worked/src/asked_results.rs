@@ -3,13 +3,14 @@
 use crate::angle::Angle;
 use crate::course::{Derivation, joined};
 use crate::expressions::length;
+use crate::motion::{end, pin};
 use assur_formula::{Expr, Function, Name, Unit};
 use assur_math::math::SAME;
 use assur_model::model::{
     FlywheelPart, FrictionLimit, LinkId, PairId, PairKind, ProfileShape, Query, SpringId, Transmission, Value,
 };
 use assur_model::structure::BodyOrigin;
-use assur_position::plan::{FrictionElement, FrictionLaw};
+use assur_position::plan::{FrictionElement, FrictionLaw, MotionStep};
 use assur_position::position::Origin;
 use assur_solve::answer::FollowerWay;
 
@@ -136,6 +137,20 @@ impl Derivation<'_> {
         self.sliding_in_contact(&element)
     }
 
+    /// The angle between the two links of a dyad with three hinges, degrees.
+    pub(crate) fn transmission_angle(&mut self, group: usize) -> Option<Expr> {
+        let view = self.scene.view();
+        let Value::Scalar(x) = view.query(&Query::TransmissionAngle(group)) else { return None };
+        let name = self.scene.mechanism().groups.get(group)?.name.clone();
+        let motion = &self.structure().motion;
+        let index = motion.iter().position(|group| group.name.as_ref() == Some(&name))?;
+        let MotionStep::Rrr { legs, .. } = self.scene.model.plan.motion.get(index)? else { return None };
+        let [one, two] = motion[index].bodies.as_slice() else { return None };
+        let [one, two] = [(one, &legs[0]), (two, &legs[1])]
+            .map(|(body, leg)| self.line_of(body.0, pin(&leg.pin), end(leg)).1);
+        folded(&one.minus(&two), x)
+    }
+
     /// The angle between the common normal of a contact and the way of the follower's point, degrees.
     pub(crate) fn pressure_angle(&mut self, pair: PairId) -> Option<Expr> {
         let view = self.scene.view();
@@ -159,15 +174,7 @@ impl Derivation<'_> {
         let way = self.bodies[follower].as_ref()?.angle.plus(&own);
         // the direction of the block is the tangent
         let between = normal.minus(&way);
-        // of the directions that differ by quarter turns the one that is asked for, without whole turns where it can be
-        let folded = [0, 360, -360].into_iter().flat_map(|more| {
-            let between = &between;
-            (0..4).flat_map(move |quarters| {
-                let sum = between.plus(&Angle { part: None, quarters }).whole() + Expr::Degrees(more);
-                [sum.clone(), -sum]
-            })
-        });
-        folded.into_iter().find(|right| (right.value() - x.to_degrees()).abs() <= SAME * 360.0)
+        folded(&between, x)
     }
 
     fn transmission(&self, pair: PairId) -> Option<&Transmission> {
@@ -246,4 +253,15 @@ impl Derivation<'_> {
     pub(crate) fn power_from(&mut self, from: Origin) -> Expr {
         Expr::sum(self.powers_on(&self.moving(), |own| own == Some(from)))
     }
+}
+
+/// Of the directions that differ by quarter turns, with both signs, the one that is asked for, rad; without whole turns where it can be.
+fn folded(between: &Angle, asked: f64) -> Option<Expr> {
+    let all = [0, 360, -360].into_iter().flat_map(|more| {
+        (0..4).flat_map(move |quarters| {
+            let sum = between.plus(&Angle { part: None, quarters }).whole() + Expr::Degrees(more);
+            [sum.clone(), -sum]
+        })
+    });
+    all.into_iter().find(|right| (right.value() - asked.to_degrees()).abs() <= SAME * 360.0)
 }

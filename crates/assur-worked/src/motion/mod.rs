@@ -46,7 +46,7 @@ pub fn pin(arm: &Arm) -> Vec2 {
 }
 
 /// The inner pin of a leg.
-fn end(leg: &Leg) -> Vec2 {
+pub fn end(leg: &Leg) -> Vec2 {
     pin(&leg.pin) + leg.direction * leg.length
 }
 
