@@ -51,8 +51,10 @@ module.exports = grammar({
       seq('line', field('name', $.identifier), 'through', $.identifier, choice(seq('along', $.expression), seq('to', $.identifier))),
     circle: ($) => seq('circle', field('name', $.identifier), 'centre', $.identifier, 'radius', $.expression),
     profile: ($) => seq('profile', field('name', $.identifier), 'of', $.identifier, 'centre', $.identifier),
-    mass: ($) => seq('mass', $.expression, optional(seq('at', $.identifier))),
-    weight: ($) => seq('weight', $.expression, optional(seq('at', $.identifier))),
+    mass: ($) =>
+      seq('mass', $.expression, optional(seq('at', $.identifier)), optional(seq('inertia', $.expression))),
+    weight: ($) =>
+      seq('weight', $.expression, optional(seq('at', $.identifier)), optional(seq('inertia', $.expression))),
     inertia: ($) => seq('inertia', $.expression, optional(seq('about', $.identifier))),
     wheel: ($) =>
       seq(

@@ -1,10 +1,11 @@
 //! Mobility and structural groups.
 
-use super::document::{Block, Column, Report, Section, Table};
+use super::document::{Align, Block, Column, Report, Section, Table};
 use super::train::kind_name;
-use assur_model::model::BalanceKind;
+use assur_model::model::{BalanceKind, Value};
 use assur_model::structure::{BodyId, BodyOrigin, Effort, EffortSource, Group, GroupKind, Structure};
 use assur_solve::solve::Model;
+use assur_text::units::Dimension;
 
 /// The numbers of a group: links, lower pairs, higher pairs of the mechanism as declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,6 +104,7 @@ pub(super) fn sections(model: &Model<'_>, report: &mut Report) {
     section.blocks.push(Block::Facts(facts));
     section.list(notes(model));
     report.section(section);
+    masses(model, report);
     let mut motion = Section::new("Groups in the order in which motion is solved");
     motion.table(groups(model, &model.structure.motion, &model.structure.drives));
     report.section(motion);
@@ -114,6 +116,30 @@ pub(super) fn sections(model: &Model<'_>, report: &mut Report) {
         }
         report.section(forces);
     }
+}
+
+/// Mass, mass centre in its own axes and moment of inertia about it of each link, where one has several masses.
+fn masses(model: &Model<'_>, report: &mut Report) {
+    let mechanism = model.mechanism;
+    if mechanism.links.iter().all(|link| link.mass_parts.is_empty()) {
+        return;
+    }
+    let units = [Dimension::MASS, Dimension::LENGTH, Dimension::LENGTH, Dimension::INERTIA];
+    let displays = units.map(|dimension| mechanism.display_of(dimension));
+    let mut columns = vec![Column::words("link")];
+    for letter in &["m", "x_S", "y_S", "J_S"] {
+        columns.push(Column { header: (*letter).to_owned(), align: Align::Right });
+    }
+    let mut table = Table::new(columns, 1);
+    for link in mechanism.links.iter().skip(1) {
+        let Some(m) = link.mass else { continue };
+        let numbers = [m.mass, m.centre.x, m.centre.y, m.inertia];
+        let texts = numbers.iter().zip(&displays).map(|(x, display)| display.text(Value::Scalar(*x), 6));
+        table.row(std::iter::once(link.name.clone()).chain(texts).collect());
+    }
+    let mut section = Section::new("Masses");
+    section.table(table);
+    report.section(section);
 }
 
 fn groups(model: &Model<'_>, groups: &[Group], efforts: &[Effort]) -> Table {

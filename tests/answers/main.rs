@@ -23,6 +23,7 @@ mod honest_runs;
 mod jerks;
 mod jumps;
 mod large;
+mod masses;
 mod methods;
 mod names;
 mod nothing;

@@ -156,7 +156,7 @@ const LINES: &[(&str, &str, &str)] = &[
     (
         "link coupler B-C 110 mm { S (60 mm, 15 mm); mass 1.2 kg at S; inertia 0.002 kg*m^2 }",
         "link coupler B-C 110 mm { S (60 mm, 15 mm) mass 1.2 kg at S inertia 0.002 kg*m^2 }",
-        "{ S (60 mm, 15 mm); mass 1.2 kg at S; inertia 0.002 kg*m^2 }",
+        "{ S (60 mm, 15 mm); mass 1.2 kg at S inertia 0.002 kg*m^2 }",
     ),
     (
         "link coupler B-C 110 mm { S (60 mm, 15 mm); mass 1.2 kg at S; inertia 0.002 kg*m^2 }",

@@ -54,7 +54,6 @@ const CASES: &[(&str, usize, &str, &[&str])] = &[
         "syntax::unknown_statement",
         &["two links that do not move against each other are one"],
     ),
-    ("use3/messages/several-masses-on-a-link", 1, "geometry::stated_twice", &["a link has one mass"]),
     (
         "use3/messages/revolute-with-point-of-wrong-name",
         1,

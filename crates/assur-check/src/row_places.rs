@@ -168,7 +168,12 @@ impl<'d> Places<'d> {
             Member::Mass(at) | Member::Weight(at) => self.depends(&at.value),
             _ => false,
         });
-        let has_mass = body.iter().any(|m| matches!(m.node, Member::Mass(_) | Member::Weight(_)));
+        let masses = body.iter().filter(|m| matches!(m.node, Member::Mass(_) | Member::Weight(_))).count();
+        // the sums follow from all of them
+        if masses > 1 && (moved || heavier) {
+            return None;
+        }
+        let has_mass = masses > 0;
         self.all(bar.map(|bar| &bar.length), Asked::Positive)?;
         for member in body {
             match &member.node {
@@ -181,8 +186,14 @@ impl<'d> Places<'d> {
                     LineDirection::To(_) => (!moved).then_some(())?,
                 },
                 Member::Circle(circle) => self.add(&circle.radius, Asked::Positive)?,
-                Member::Mass(at) => self.add(&at.value, Asked::Positive)?,
-                Member::Weight(at) => self.add(&at.value, Asked::Weight)?,
+                Member::Mass(at) | Member::Weight(at) => {
+                    let is_mass = matches!(member.node, Member::Mass(_));
+                    self.add(&at.value, if is_mass { Asked::Positive } else { Asked::Weight })?;
+                    match &at.inertia {
+                        Some(inertia) if masses > 1 => self.none([inertia])?,
+                        inertia => self.all(inertia, Asked::NotNegative)?,
+                    }
+                }
                 // less the part of the mass, by its distance
                 Member::Inertia(inertia) if inertia.about.is_some() && has_mass => {
                     (!moved && !heavier).then_some(())?;

@@ -87,6 +87,10 @@ impl Analysis {
             (word, ":" | "-") if JointKind::named(word).is_some() => self.of_kinds(BODIES),
             (_, "through" | "to" | "centre" | "from" | "about") => self.own_points(place),
             (_, "at") => self.at(place),
+            ("mass" | "weight", word) if word != "inertia" && place.words().any(|w| w == "at") => {
+                let means = "of this mass, about its point";
+                vec![Completion::plain("inertia", CompletionKind::Word, means)]
+            }
             ("link", "-") => Vec::new(),
             _ if place.link().is_some() => [self.own_points(place), self.values(place)].concat(),
             _ => self.values(place),

@@ -38,7 +38,18 @@ const fn curve_of(what: QuantityKind<'_>) -> Option<&document::Curve> {
 
 fn checked(cx: &mut Context<'_>, curve: &document::Curve) -> Option<CheckedCurve> {
     let name = &curve.name;
-    if Function::named(&name.node).is_some() {
+    let function = Function::named(&name.node);
+    if function.is_some_and(Function::yields_to_curve) {
+        let (name, span) = (&name.node, name.span);
+        cx.error(
+            Diagnosis::warning(
+                "mech::curve::name",
+                format!("`{name}` is a function of the language; in this file it is the curve"),
+            )
+            .label(span, "goes before the function")
+            .help(format!("give the curve another name, as in `curve {name}_1 {{`, to use the function")),
+        );
+    } else if function.is_some() {
         let (name, span) = (&name.node, name.span);
         cx.error(
             Diagnosis::error(

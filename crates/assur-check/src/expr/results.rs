@@ -50,6 +50,7 @@ impl Context<'_> {
         }
         let takes = match (least, most) {
             (0, 0) => "no argument",
+            (0, 1) => "at most one argument",
             (1, 1) => "one argument",
             (1, 2) => "one or two arguments",
             (2, 2) => "two arguments",

@@ -1,13 +1,14 @@
 //! Masses of links.
 
+use super::mass_sum;
 use crate::expr::context::Context;
-use crate::expr::positive::{not_negative, positive};
+use crate::expr::positive::{Want, not_negative, positive};
 use crate::expr::property::given_twice;
 use crate::trains::planet::{Carried, carried};
 use crate::values::format_value::{format_value, format_value_like};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, MassProperties, PairKind};
-use assur_syntax::document::{About, At, Body, Member, Statement};
+use assur_syntax::document::{At, Body, Expr, Member, Name, Statement};
 use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
@@ -32,8 +33,10 @@ pub(crate) fn masses(cx: &mut Context<'_>) {
         if let Some(link) = link {
             let element = !matches!(statement.node, Statement::Link(_) | Statement::Ground(_));
             let turning = if element { Turning::No } else { turning[link.index()] };
-            let mass = mass(cx, link, body, turning);
-            cx.builder.mech.links[link.index()].mass = mass;
+            if let Some((whole, parts)) = mass(cx, link, body, turning, !element) {
+                let link = &mut cx.builder.mech.links[link.index()];
+                (link.mass, link.mass_parts) = (Some(whole), parts);
+            }
         }
     }
     for statement in &doc.statements {
@@ -103,33 +106,40 @@ fn turning(cx: &Context<'_>) -> Vec<Turning> {
 }
 
 /// A mass as stated, or as weight over gravity.
-struct Stated<'a> {
-    at: &'a At,
-    span: Span,
-    weight: bool,
+pub(super) struct Stated<'a> {
+    pub(super) at: &'a At,
+    pub(super) span: Span,
+    pub(super) weight: bool,
 }
 
-fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Option<MassProperties> {
+/// A moment of inertia as stated, and the point that it is about.
+#[derive(Clone, Copy)]
+pub(super) struct StatedInertia<'a> {
+    pub(super) value: &'a Expr,
+    pub(super) about: Option<&'a Name>,
+    pub(super) span: Span,
+}
+
+/// The mass of a link from its members; where there are several, also each of them.
+fn mass(
+    cx: &mut Context<'_>,
+    link: LinkId,
+    body: &Body,
+    turning: Turning,
+    placed: bool,
+) -> Option<(MassProperties, Vec<MassProperties>)> {
     let (stated, inertia) = members(cx, link, body);
-    if stated.is_none() && inertia.is_none() {
+    if stated.is_empty() && inertia.is_none() {
         return None;
     }
     if link == LinkId::GROUND {
-        for (what, span) in [("mass", stated.as_ref().map(|s| s.span)), ("inertia", inertia.map(|i| i.1))] {
-            if let Some(span) = span {
-                cx.error(
-                    Diagnosis::warning(
-                        "mech::geometry::mass_on_ground",
-                        format!("the ground is fixed, so its {what} has no effect"),
-                    )
-                    .label(span, "on the ground")
-                    .help("leave it out, or give it to the moving link")
-                    .left_out(&format!("this {what}"), span),
-                );
-            }
-        }
+        on_ground(cx, stated.first().map(|s| s.span), inertia.map(|i| i.span));
     }
-    let (mass, centre) = match &stated {
+    if stated.len() > 1 {
+        return mass_sum::several(cx, link, &stated, inertia, placed);
+    }
+    let stated = stated.first();
+    let (mass, centre) = match stated {
         Some(stated) => {
             let mass = amount_of_mass(cx, link, stated);
             let centre = centre(cx, link, stated, mass, turning);
@@ -137,8 +147,17 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
         }
         None => (0.0, Vec2::zero()),
     };
-    let about_centre = match (inertia, &stated) {
-        (Some((inertia, _)), stated) => steiner(cx, link, inertia, stated.as_ref(), mass, centre)?,
+    let of_part = stated.and_then(own_inertia);
+    if let (Some(own), Some(whole)) = (of_part, inertia) {
+        let name = cx.builder.mech.link(link).name.clone();
+        cx.error(given_twice(&format!("the inertia of `{name}`"), whole.span, own.span));
+    }
+    let inertia = inertia.or(of_part);
+    let about_centre = match (inertia, stated) {
+        (Some(inertia), stated) => {
+            let parts: Vec<_> = stated.map(|stated| (stated.span, mass, centre)).into_iter().collect();
+            steiner(cx, link, inertia, &parts, (mass, centre))?
+        }
         (None, Some(stated)) => {
             // what cannot be read may be the inertia
             let whole = !body.iter().any(|member| matches!(member.node, Member::Bad(_)));
@@ -160,12 +179,32 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
         }
         (None, None) => 0.0,
     };
-    if stated.is_none()
-        && let Some((_, span)) = inertia
-    {
-        without_mass(cx, link, body, turning, span);
+    if let (None, Some(inertia)) = (stated, inertia) {
+        without_mass(cx, link, body, turning, inertia.span);
     }
-    Some(MassProperties { mass, centre, inertia: about_centre })
+    Some((MassProperties { mass, centre, inertia: about_centre }, Vec::new()))
+}
+
+/// The inertia that stands with a mass: about its point.
+pub(super) fn own_inertia<'a>(stated: &Stated<'a>) -> Option<StatedInertia<'a>> {
+    stated.at.inertia.as_ref().map(|value| StatedInertia { value, about: None, span: value.span })
+}
+
+/// Masses of the ground have no effect.
+fn on_ground(cx: &mut Context<'_>, mass: Option<Span>, inertia: Option<Span>) {
+    for (what, span) in [("mass", mass), ("inertia", inertia)] {
+        if let Some(span) = span {
+            cx.error(
+                Diagnosis::warning(
+                    "mech::geometry::mass_on_ground",
+                    format!("the ground is fixed, so its {what} has no effect"),
+                )
+                .label(span, "on the ground")
+                .help("leave it out, or give it to the moving link")
+                .left_out(&format!("this {what}"), span),
+            );
+        }
+    }
 }
 
 /// Notes an inertia without a mass. Of a link that turns about a hinge of the ground an inertia may be all that is given, but for its weight.
@@ -204,55 +243,38 @@ fn inertia_counts(cx: &Context<'_>) -> bool {
     statements().any(moves) && !statements().any(|s| matches!(s, Statement::Ignore(_)))
 }
 
-/// The mass and the inertia stated in a body; reports a second one of either.
+/// The masses and the inertia stated in a body; reports a second inertia.
 fn members<'a>(
     cx: &mut Context<'_>,
     link: LinkId,
     body: &'a Body,
-) -> (Option<Stated<'a>>, Option<(&'a About, Span)>) {
-    let mut mass: Option<Stated<'a>> = None;
-    let mut inertia: Option<(&About, Span)> = None;
+) -> (Vec<Stated<'a>>, Option<StatedInertia<'a>>) {
+    let mut masses = Vec::new();
+    let mut inertia: Option<StatedInertia<'a>> = None;
     for member in body {
         let span = member.span;
-        let (what, first) = match &member.node {
+        match &member.node {
             Member::Mass(at) | Member::Weight(at) => {
-                let weight = matches!(member.node, Member::Weight(_));
-                let first = mass.as_ref().map(|m| m.span);
-                mass = mass.or(Some(Stated { at, span, weight }));
-                ("mass", first)
+                masses.push(Stated { at, span, weight: matches!(member.node, Member::Weight(_)) });
             }
             Member::Inertia(about) => {
-                let first = inertia.map(|i| i.1);
-                inertia = inertia.or(Some((about, span)));
-                ("inertia", first)
+                let Some(first) = inertia else {
+                    inertia = Some(StatedInertia { value: &about.value, about: about.about.as_ref(), span });
+                    continue;
+                };
+                let name = cx.builder.mech.link(link).name.clone();
+                // one habit, not a mistake each
+                if cx.problems.reported.insert(("inertia", name.clone())) {
+                    cx.error(given_twice(&format!("the inertia of `{name}`"), span, first.span));
+                }
             }
-            _ => continue,
-        };
-        if let Some(first) = first {
-            let name = cx.builder.mech.link(link).name.clone();
-            if !cx.problems.reported.insert((what, name.clone())) {
-                continue; // one habit, not a mistake each
-            }
-            let again = span;
-            cx.error(match what {
-                "mass" => Diagnosis::error(
-                    "mech::geometry::stated_twice",
-                    format!("the mass of `{name}` is given twice"),
-                )
-                .primary(again, "given again here")
-                .label(first, "first given here")
-                .help(
-                    "a link has one mass: write the sum of the masses at their common centre, and `inertia` \
-                     about it; or give each its own link",
-                ),
-                _ => given_twice(&format!("the {what} of `{name}`"), again, first),
-            });
+            _ => {}
         }
     }
-    (mass, inertia)
+    (masses, inertia)
 }
 
-fn amount_of_mass(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>) -> Option<f64> {
+pub(super) fn amount_of_mass(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>) -> Option<f64> {
     let name = cx.builder.mech.link(link).name.clone();
     if !stated.weight {
         return positive(cx, &stated.at.value, Dimension::MASS, &format!("the mass of `{name}`"));
@@ -298,14 +320,7 @@ fn centre(
         Turning::Unknown => return None,
         Turning::Yes(pair) => pair,
     };
-    let value = &stated.at.value;
-    let member = match cx.builder.mech.gravity {
-        Some(gravity) if stated.weight => {
-            let g = gravity.acceleration.norm();
-            format!("weight {}", format_value_like(&cx.names, mass? * g, Dimension::FORCE, value))
-        }
-        _ => format!("mass {}", format_value_like(&cx.names, mass?, Dimension::MASS, value)),
-    };
+    let (member, own) = (written(cx, stated, mass?), written_inertia(cx, stated));
     let point = cx.point_meant(link).map(str::to_owned);
     let link = cx.builder.mech.link(link).name.clone();
     let point = point.unwrap_or_else(|| "S".into());
@@ -315,57 +330,89 @@ fn centre(
     )
     .primary(stated.span, "the point is missing")
     .label(pair, format!("`{link}` turns on this pair"))
-    .help(format!("give the mass centre: `{member} at {point}`"))
-    .fixes(Fix::quoted(&format!("write `{member} at {point}`"), stated.span));
+    .help(format!("give the mass centre: `{member} at {point}{own}`"))
+    .fixes(Fix::quoted(&format!("write `{member} at {point}{own}`"), stated.span));
     cx.error(error);
     None
 }
 
-/// The moment of inertia about the mass centre: J_S = J_P − m d² (Huygens and Steiner).
-fn steiner(
+/// A mass or weight as its member begins.
+pub(super) fn written(cx: &Context<'_>, stated: &Stated<'_>, mass: f64) -> String {
+    let value = &stated.at.value;
+    match cx.builder.mech.gravity {
+        Some(gravity) if stated.weight => {
+            let g = gravity.acceleration.norm();
+            format!("weight {}", format_value_like(&cx.names, mass * g, Dimension::FORCE, value))
+        }
+        _ => format!("mass {}", format_value_like(&cx.names, mass, Dimension::MASS, value)),
+    }
+}
+
+/// The inertia of a part as its member ends.
+pub(super) fn written_inertia(cx: &mut Context<'_>, stated: &Stated<'_>) -> String {
+    let Some(value) = &stated.at.inertia else { return String::new() };
+    match cx.scalar_constant(value, &Want(Dimension::INERTIA), "the inertia") {
+        Some(x) => format!(" inertia {}", format_value_like(&cx.names, x, Dimension::INERTIA, value)),
+        None => String::new(),
+    }
+}
+
+/// The moment of inertia about the mass centre: J_S = J_P − m d² (Huygens and Steiner). The masses alone have Σ m_i d_i².
+pub(super) fn steiner(
     cx: &mut Context<'_>,
     link: LinkId,
-    stated: &About,
-    mass_stated: Option<&Stated<'_>>,
-    mass: f64,
-    centre: Vec2,
+    stated: StatedInertia<'_>,
+    parts: &[(Span, f64, Vec2)],
+    (mass, centre): (f64, Vec2),
 ) -> Option<f64> {
     let what = format!("the inertia of `{}`", cx.builder.mech.link(link).name);
-    let inertia = not_negative(cx, &stated.value, Dimension::INERTIA, &what);
-    let about = match &stated.about {
+    let inertia = not_negative(cx, stated.value, Dimension::INERTIA, &what);
+    let about = match stated.about {
         Some(point) => cx.point(link, point).map(Some),
         None => Some(None),
     };
     let (inertia, about) = (inertia?, about?);
-    let (Some(point), Some(name), Some(mass_stated)) = (about, &stated.about, mass_stated) else {
+    let (Some(point), Some(name), false) = (about, stated.about, parts.is_empty()) else {
         return Some(inertia);
     };
     let arm = point - centre;
-    let least = mass * arm.dot(arm);
+    let least: f64 = parts.iter().map(|(_, mass, at)| mass * (point - *at).dot(point - *at)).sum();
     let left = inertia - least;
     if left >= 0.0 || -left <= ROUNDING * least {
-        return Some(left.max(0.0));
+        return Some((inertia - mass * arm.dot(arm)).max(0.0));
     }
-    let inertia_text = |x| format_value_like(&cx.names, x, Dimension::INERTIA, &stated.value);
-    let point = name.node.clone();
+    let inertia_text = |x| format_value_like(&cx.names, x, Dimension::INERTIA, stated.value);
+    let point_name = name.node.clone();
     let inertia = inertia_text(inertia);
-    let mass = format_value(mass, Dimension::MASS);
-    let distance = format_value(arm.norm(), Dimension::LENGTH);
+    let (is, but, help) = if let [(_, mass, at)] = parts {
+        let mass = format_value(*mass, Dimension::MASS);
+        let distance = format_value((point - *at).norm(), Dimension::LENGTH);
+        (
+            format!(
+                "less than the {} of the mass of {mass} at a distance of {distance}",
+                inertia_text(least)
+            ),
+            format!("{mass}, {distance} from `{point_name}`"),
+            format!(
+                "leave out `about {point_name}` if the value is about the mass centre; as written, about the \
+                 mass centre it would be negative ({})",
+                inertia_text(left)
+            ),
+        )
+    } else {
+        (
+            format!("less than the {} of the masses at their distances from it", inertia_text(least)),
+            "one of the masses".to_owned(),
+            "give the inertia of each mass with its mass: `mass 3 kg at S inertia 0.16 kg*m^2`".to_owned(),
+        )
+    };
     let error = Diagnosis::error(
         "mech::geometry::inertia_too_small",
-        format!(
-            "the inertia about `{point}` is {inertia}, less than the {} of the mass of {mass} at a \
-                 distance of {distance}",
-            inertia_text(least)
-        ),
+        format!("the inertia about `{point_name}` is {inertia}, {is}"),
     )
     .primary(stated.value.span, &inertia)
-    .label(mass_stated.span, format!("{mass}, {distance} from `{point}`"))
-    .help(format!(
-        "leave out `about {point}` if the value is about the mass centre; as written, about the \
-             mass centre it would be negative ({})",
-        inertia_text(left)
-    ));
+    .label(parts.first().map(|p| p.0), but)
+    .help(help);
     cx.error(error);
     None
 }

@@ -5,4 +5,5 @@ pub mod gravity;
 pub mod load;
 pub mod load_cycle;
 pub mod mass;
+mod mass_sum;
 pub mod spring;

@@ -172,6 +172,10 @@ impl Names<'_> {
                 _ => false,
             },
             Some(Function::Max | Function::Min) => args.len() == 1,
+            // the file's own curve of that name
+            Some(f) if f.yields_to_curve() && self.quantities.contains_key(function) && !args.is_empty() => {
+                !self.quantities.get(function).is_some_and(|d| matches!(d.what, QuantityKind::Curve(_)))
+            }
             function => function.is_some_and(|f| f.row().is_result()),
         }
     }

@@ -21,9 +21,9 @@ impl Context<'_> {
         })
     }
 
-    /// The point of a link where its mass sits.
-    fn mass_centre(&self, link: LinkId) -> Option<&str> {
-        self.body(link)?.iter().find_map(|m| match &m.node {
+    /// The points of a link where its masses sit.
+    fn mass_points(&self, link: LinkId) -> impl Iterator<Item = &str> {
+        self.body(link).into_iter().flatten().filter_map(|m| match &m.node {
             Member::Mass(at) | Member::Weight(at) => at.at.as_ref().map(|n| n.node.as_str()),
             _ => None,
         })
@@ -48,8 +48,7 @@ impl Context<'_> {
     /// The points of a link that no pair but that at `but` names and where no mass sits.
     pub(crate) fn free_points(&self, link: LinkId, but: Option<Span>) -> Vec<&str> {
         let Some(inside) = self.names.inside.get(link.index()) else { return Vec::new() };
-        let centre = self.mass_centre(link);
-        let free = |p: &&str| centre != Some(*p) && !self.in_pair(link, p, but);
+        let free = |p: &&str| !self.mass_points(link).any(|at| at == *p) && !self.in_pair(link, p, but);
         inside.points.keys().map(String::as_str).filter(free).collect()
     }
 
@@ -57,7 +56,7 @@ impl Context<'_> {
     /// mass centre, else the first.
     pub(crate) fn point_meant(&self, link: LinkId) -> Option<&str> {
         let first = || self.names.inside.get(link.index())?.points.keys().next().map(String::as_str);
-        self.free_points(link, None).first().copied().or_else(|| self.mass_centre(link)).or_else(first)
+        self.free_points(link, None).first().copied().or_else(|| self.mass_points(link).next()).or_else(first)
     }
 
     /// The lines that a pair of this kind between the links of `joint` may be: each end with a part that fits. Empty

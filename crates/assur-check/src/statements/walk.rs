@@ -152,7 +152,9 @@ fn body<'a>(members: &'a assur_syntax::document::Body, visit: &mut dyn FnMut(&'a
                 }
             }
             Member::Circle(c) => visit(&c.radius),
-            Member::Mass(m) | Member::Weight(m) => visit(&m.value),
+            Member::Mass(m) | Member::Weight(m) => {
+                std::iter::once(&m.value).chain(&m.inertia).for_each(&mut *visit);
+            }
             Member::Inertia(i) => visit(&i.value),
             Member::Wheel(w) => {
                 if let Some(WheelSize::Radius(e) | WheelSize::Diameter(e) | WheelSize::Teeth(e)) = &w.size {

@@ -115,10 +115,14 @@ fn push(cx: &mut Context<'_>, name: &Name, kind: PairKind, bearing: Bearing) {
 fn members(cx: &mut Context<'_>, body: &Body, what: &str, turns: bool) {
     for member in body {
         let (is, help) = match &member.node {
-            Member::Mass(_) | Member::Weight(_) | Member::Bad(_) => continue,
+            Member::Mass(at) | Member::Weight(at) if at.inertia.is_none() || turns => continue,
+            Member::Bad(_) => continue,
             Member::Wheel(_) if turns => continue,
             Member::Inertia(_) if turns => continue,
             Member::Wheel(_) => ("a wheel", "give wheels to shafts and links: `shaft I { wheel w1 … }`"),
+            Member::Mass(_) | Member::Weight(_) => {
+                ("a moment of inertia", "leave it out: a slider does not turn")
+            }
             Member::Inertia(_) => ("a moment of inertia", "give it a `mass`: a slider does not turn"),
             _ => ("a point, line or circle", "give them to a `link` with a pair of its own"),
         };

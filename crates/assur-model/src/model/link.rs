@@ -17,8 +17,10 @@ pub struct Link {
     pub circles: Vec<Circle>,
     /// Profiles of designed cams.
     pub cam_profiles: Vec<CamProfile>,
-    /// Mass properties, where declared.
+    /// Mass properties of the whole link, where declared.
     pub mass: Option<MassProperties>,
+    /// Its masses, where there are several: each at its own centre.
+    pub mass_parts: Vec<MassProperties>,
 }
 
 /// Mass of a link.

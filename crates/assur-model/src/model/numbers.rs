@@ -88,7 +88,7 @@ impl Link {
             of_vector(&mut circle.centre, visit);
             visit(&mut circle.radius);
         }
-        if let Some(mass) = &mut self.mass {
+        for mass in self.mass.iter_mut().chain(&mut self.mass_parts) {
             visit(&mut mass.mass);
             of_vector(&mut mass.centre, visit);
             visit(&mut mass.inertia);

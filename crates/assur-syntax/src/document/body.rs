@@ -18,7 +18,7 @@ pub enum Member {
     Circle(CircleMember),
     /// `profile rim of plate centre O`
     Profile(ProfileMember),
-    /// `mass 2.5 kg at S2`
+    /// `mass 2.5 kg at S2`, `mass 3 kg at S inertia 0.16 kg*m^2`
     Mass(At),
     /// `weight 21 N at C`
     Weight(At),
@@ -89,6 +89,8 @@ pub struct ProfileMember {
 pub struct At {
     pub value: Expr,
     pub at: Option<Name>,
+    /// Its moment of inertia about that point.
+    pub inertia: Option<Expr>,
 }
 
 /// A moment of inertia.

@@ -92,11 +92,12 @@ impl Lower<'_> {
             Rule::m_mass | Rule::m_weight => {
                 let value = self.expr(parts.any()?)?;
                 let at = parts.name_behind(Rule::w_at);
+                let inertia = if parts.word(Rule::w_inertia) { Some(self.expr(parts.any()?)?) } else { None };
                 let name = Spanned::new(word.as_str().to_owned(), span(&word));
-                match (&value.kind, &at) {
-                    (ExprKind::Vector(..), None) => Member::Point(PointMember { name, at: value }),
-                    _ if rule == Rule::m_mass => Member::Mass(At { value, at }),
-                    _ => Member::Weight(At { value, at }),
+                match (&value.kind, &at, &inertia) {
+                    (ExprKind::Vector(..), None, None) => Member::Point(PointMember { name, at: value }),
+                    _ if rule == Rule::m_mass => Member::Mass(At { value, at, inertia }),
+                    _ => Member::Weight(At { value, at, inertia }),
                 }
             }
             Rule::m_inertia => {

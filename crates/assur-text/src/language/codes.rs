@@ -72,6 +72,8 @@ pub const CODES: &[Code] = codes! {
     "geometry" / "mass_without_place",
     "geometry" / "weight_without_gravity",
     "geometry" / "inertia_too_small",
+    "geometry" / "inertia_of_which",
+    "geometry" / "counts_twice",
     "geometry" / "point_mass",
     "geometry" / "mass_on_ground",
     "geometry" / "nothing_to_join",

@@ -132,6 +132,12 @@ impl Function {
         self.row().name
     }
 
+    /// Whether a curve may have its name, as curves had before there was the function.
+    #[must_use]
+    pub const fn yields_to_curve(self) -> bool {
+        matches!(self, Self::Mass | Self::MassCentre | Self::Inertia)
+    }
+
     /// The function of that name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {

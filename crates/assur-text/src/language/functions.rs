@@ -52,6 +52,7 @@ const NUMBER: Argument = value_of("x", Dimension::NUMBER);
 const ANGLE: Argument = value_of("a", Dimension::ANGLE);
 const P: Argument = arg("P", Takes::Point);
 const L: Argument = arg("L", Takes::Link);
+const OWN: Argument = arg("P", Takes::OwnPoint);
 const KP: Argument = arg("K.P", Takes::Point);
 const J: Argument = arg("J", Takes::Pair);
 const ON: Argument = optional(L);
@@ -215,6 +216,18 @@ functions! {
         [form(&[L], Number(Dimension::TORQUE), "−J α")],
     InertiaArm "inertia_arm" Inertia "inertia_arm(rod)"
         [form(&[L], Number(Dimension::LENGTH), "magnitude of the torque divided by that of the force")],
+    Mass "mass" Inertia "mass(rod)" [
+        form(&[L], Number(Dimension::MASS), "of a link"),
+        form(&[], Number(Dimension::MASS), "of all moving links"),
+    ],
+    MassCentre "mass_centre" Inertia "mass_centre(rod)" [
+        form(&[L], Vector(Dimension::LENGTH), "of a link, in the axes of the ground; also in `velocity` and `acceleration`"),
+        form(&[], Vector(Dimension::LENGTH), "the common one of all moving links"),
+    ],
+    Inertia "inertia" Inertia "inertia(rod)" [
+        form(&[L], Number(Dimension::INERTIA), "moment of inertia about the mass centre"),
+        form(&[L, OWN], Number(Dimension::INERTIA), "about a point of the link"),
+    ],
     StaticSubstitution "static_substitution" Inertia "static_substitution(rod, B, C).m1" [form(
         &[L, arg("B", Takes::OwnPoint), arg("C", Takes::OwnPoint)],
         Parts("see below"),

@@ -15,6 +15,7 @@ impl Derivation<'_> {
         let mechanism = self.scene.mechanism();
         for (i, link) in mechanism.links.iter().enumerate().skip(1) {
             if let Some(mass) = link.mass {
+                self.sum_of_masses(LinkId::at(i).index(), mass, &link.mass_parts);
                 self.mass(LinkId::at(i).index(), mass);
             }
         }
@@ -129,12 +130,20 @@ impl Derivation<'_> {
         );
     }
 
+    /// Whether the mass is a sum of several.
+    fn has_several_masses(&self, body: usize) -> bool {
+        self.scene.mechanism().links.get(body).is_some_and(|link| !link.mass_parts.is_empty())
+    }
+
     /// The mass: as the file gives it, or from the weight that it gives.
     fn own_mass(&mut self, body: usize, mass: f64, gravity: Option<f64>) -> Expr {
         if mass <= 0.0 {
             return Expr::ZERO;
         }
         let label = self.label(body);
+        if self.has_several_masses(body) {
+            return self.given(Name::new("m", &label), mass, Unit::Mass);
+        }
         let given = self.given(Name::new("m", &label), mass, Unit::Mass);
         let Some(g) = gravity else { return given };
         if figures(mass) <= figures(mass * g) || !self.scene.model.plan.effects.inertia {
@@ -149,7 +158,7 @@ impl Derivation<'_> {
         let label = self.label(body);
         let name = Name::new("G", &label);
         let size = g.norm();
-        let from_mass = figures(mass.mass) <= figures(mass.mass * size);
+        let from_mass = self.has_several_masses(body) || figures(mass.mass) <= figures(mass.mass * size);
         let weight = if from_mass {
             let g = self.given(Name::new("g", ""), size, Unit::Acceleration);
             self.equate(name.clone(), mass.mass * size, Unit::Force, own.clone() * g)

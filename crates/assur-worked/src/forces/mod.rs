@@ -19,6 +19,7 @@ mod rrr;
 mod rubbing;
 mod run;
 mod several;
+mod several_masses;
 mod stated;
 mod substitution;
 mod sums;

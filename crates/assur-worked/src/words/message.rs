@@ -45,7 +45,7 @@ messages! {
         WillisSpeeds Sizes SizesOf CamTurned CamTurnedBy LiftBegins PlanetsEven SplineSlopes RootOfLaw
         CamDwells HeldByArc TurnsWith Rests Powers CommonNormal StaticMasses DynamicMasses StiffLink
         CylinderLength LoadRests PlaceOpen CoupleAtSlider ByFormulas AskedBesides
-        Jerks AskedForJerks
+        Jerks AskedForJerks SeveralMasses
     }
     equations after {
         SumAlongGuide SumAcrossGuide SumOfLink MomentsOfLink MemberGives MembersGive AcrossGuide AlongGuide

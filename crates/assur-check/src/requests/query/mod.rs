@@ -11,6 +11,7 @@ mod formula;
 mod friction;
 mod gear;
 mod grip;
+mod mass;
 mod motion;
 mod named;
 mod own_usage;
@@ -52,6 +53,9 @@ impl Context<'_> {
             self.no_function(call);
             return None;
         };
+        if function.yields_to_curve() && self.is_curve(&call.name.node) {
+            return self.curve(call, CurvePart::Value);
+        }
         self.answer(call, function)
     }
 
@@ -143,6 +147,9 @@ impl Context<'_> {
             F::InertiaForce => self.inertia(call, Query::InertiaForce, Type::vector(Dimension::FORCE)),
             F::InertiaTorque => self.inertia(call, Query::InertiaTorque, Type::number(Dimension::TORQUE)),
             F::InertiaArm => self.inertia(call, Query::InertiaArm, Type::number(Dimension::LENGTH)),
+            F::Mass => self.mass_of(call),
+            F::MassCentre => self.mass_centre_of(call),
+            F::Inertia => self.moment_of_inertia(call),
             F::StaticSubstitution | F::DynamicSubstitution => self.substitution_alone(call),
             F::Effort => self.effort(call),
             F::Power => self.power(call),

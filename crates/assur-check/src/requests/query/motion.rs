@@ -30,6 +30,9 @@ impl Context<'_> {
         of_point: fn(PointRef) -> Query,
         of_slider: fn(PairId) -> Query,
     ) -> Option<Typed> {
+        if let Some(found) = self.moved_mass_centre(call.args, of_point, dimension) {
+            return found;
+        }
         let args = self.arguments(call, 1, 2)?;
         let point = match args[..] {
             [one] => {

@@ -1,0 +1,118 @@
+//! Masses of links: they are numbers, and their centres are points of the links.
+
+use crate::expr::context::Context;
+use crate::expr::results::{Call, Sign};
+use crate::values::fold;
+use crate::values::typed::{Type, Typed};
+use assur_math::math::Vec2;
+use assur_model::model::{BinaryOp, Expr as ModelExpr, LinkId, MassProperties, PointRef, Query};
+use assur_syntax::document::{Arg, Expr, ExprKind};
+use assur_text::diagnostic::Diagnosis;
+use assur_text::language::Function;
+use assur_text::source::Spanned;
+use assur_text::units::Dimension;
+
+impl Context<'_> {
+    /// `mass(L)`, `mass()`
+    pub(super) fn mass_of(&mut self, call: Call<'_>) -> Option<Typed> {
+        let mass = self.heavy(call)?.iter().map(|(_, m)| m.mass).sum();
+        Some(Typed::constant(mass, Dimension::MASS))
+    }
+
+    /// `mass_centre(L)`, `mass_centre()`
+    pub(super) fn mass_centre_of(&mut self, call: Call<'_>) -> Option<Typed> {
+        self.of_mass_centre(call, Query::Position, Dimension::LENGTH)
+    }
+
+    /// A quantity of the mass centre of a link or of all: Σ m_i x_i / m.
+    fn of_mass_centre(
+        &mut self,
+        call: Call<'_>,
+        query: fn(PointRef) -> Query,
+        dimension: Dimension,
+    ) -> Option<Typed> {
+        let mut heavy = self.heavy(call)?;
+        heavy.retain(|(_, m)| m.mass > 0.0);
+        let of =
+            |(link, m): &(LinkId, MassProperties)| ModelExpr::Query(query(PointRef::Fixed(*link, m.centre)));
+        let expr = match &heavy[..] {
+            [] => {
+                self.without_any_mass(call);
+                return None;
+            }
+            [one] => of(one),
+            [first, others @ ..] => {
+                let part = |one: &(LinkId, MassProperties)| {
+                    fold::binary(BinaryOp::Mul, ModelExpr::number(one.1.mass), of(one))
+                };
+                let add = |sum, one| fold::binary(BinaryOp::Add, sum, part(one));
+                let sum = others.iter().fold(part(first), add);
+                let mass = heavy.iter().map(|(_, m)| m.mass).sum();
+                fold::binary(BinaryOp::Div, sum, ModelExpr::number(mass))
+            }
+        };
+        Some(Typed::new(expr, Type::vector(dimension)))
+    }
+
+    /// `velocity(mass_centre(L))`: `None` where the argument is something else.
+    pub(super) fn moved_mass_centre(
+        &mut self,
+        of: &[Arg],
+        query: fn(PointRef) -> Query,
+        dimension: Dimension,
+    ) -> Option<Option<Typed>> {
+        let [Arg { value: Expr { kind: ExprKind::Call { function, args }, span }, name: None }] = of else {
+            return None;
+        };
+        let own =
+            Function::named(&function.node) == Some(Function::MassCentre) && !self.is_curve(&function.node);
+        let call = Call { name: function, args, span: *span, sign: Sign::Matters };
+        own.then(|| self.of_mass_centre(call, query, dimension))
+    }
+
+    /// `inertia(L)` about the mass centre, `inertia(L, P)` about a point of the link
+    pub(super) fn moment_of_inertia(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 2)?;
+        let link = self.link_argument(call, args[0])?;
+        let arm = match args.get(1).map(|point| (&point.kind, point.span)) {
+            None => None,
+            Some((ExprKind::Name(name), span)) => Some(self.point(link, &Spanned::new(name.clone(), span))?),
+            Some((ExprKind::Member(..), span)) => match self.point_argument(call, args[1])? {
+                (owner, at) if owner == link => Some(at),
+                _ => {
+                    self.wrong_argument(call, "a point of that link", span);
+                    return None;
+                }
+            },
+            Some((_, span)) => {
+                self.wrong_argument(call, "a point of that link", span);
+                return None;
+            }
+        };
+        self.with_mass(call, link)?;
+        let m = self.builder.mech.link(link).mass?;
+        let arm = arm.map_or(Vec2::zero(), |at| at - m.centre);
+        Some(Typed::constant(m.inertia + m.mass * arm.dot(arm), Dimension::INERTIA))
+    }
+
+    /// The link that is named with its mass, or all moving links that have one.
+    fn heavy(&mut self, call: Call<'_>) -> Option<Vec<(LinkId, MassProperties)>> {
+        let args = self.arguments(call, 0, 1)?;
+        if let [link] = args[..] {
+            let link = self.link_argument(call, link)?;
+            self.with_mass(call, link)?;
+            return Some(vec![(link, self.builder.mech.link(link).mass?)]);
+        }
+        let links = self.builder.mech.links.iter().enumerate().skip(1);
+        Some(links.filter_map(|(i, link)| Some((LinkId::at(i), link.mass?))).collect())
+    }
+
+    /// Reports a mass centre where nothing has a mass.
+    fn without_any_mass(&mut self, call: Call<'_>) {
+        self.error(
+            Diagnosis::error("mech::request::no_mass", "nothing that moves has a mass".to_owned())
+                .primary(call.span, "asked here")
+                .help("add a mass in the braces of a link: `mass 2 kg at S; inertia 0.1 kg*m^2`"),
+        );
+    }
+}

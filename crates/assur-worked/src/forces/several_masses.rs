@@ -1,0 +1,92 @@
+//! Several masses of a link: their sum, their common centre, and the moment of inertia by Steiner's theorem.
+
+use crate::course::Derivation;
+use crate::document::{Inline, Line, Table, text};
+use crate::words::Message;
+use assur_formula::{Expr, Name, Unit, name_node, with_digits};
+use assur_model::model::MassProperties;
+
+impl Derivation<'_> {
+    /// The table m, x, y, m x, m y with its sums, and what follows from them.
+    pub(super) fn sum_of_masses(&mut self, body: usize, whole: MassProperties, parts: &[MassProperties]) {
+        if parts.is_empty() {
+            return;
+        }
+        let label = self.label(body);
+        let names: Vec<String> = parts.iter().map(|p| self.point_name(body, p.centre)).collect();
+        self.say(Message::SeveralMasses, &[vec![text(label.clone())]]);
+        self.table(table_of(&names, parts));
+        let masses: Vec<Expr> = (names.iter().zip(parts))
+            .map(|(name, p)| self.given(Name::new("m", &format!("{label},{name}")), p.mass, Unit::Mass))
+            .collect();
+        let sum = masses.iter().fold(Expr::ZERO, |sum, m| sum + m.clone());
+        let mass = self.equate(Name::new("m", &label), whole.mass, Unit::Mass, sum);
+        let centre = self.point_name(body, whole.centre);
+        let along: [(&str, fn(&MassProperties) -> f64); 2] = [("ξ", |p| p.centre.x), ("η", |p| p.centre.y)];
+        for (letter, of) in along {
+            let mut moments = Expr::ZERO;
+            for ((name, p), m) in names.iter().zip(parts).zip(&masses) {
+                let at = self.given(Name::new(letter, name), of(p), Unit::Length);
+                moments = moments + m.clone() * at;
+            }
+            self.equate(Name::new(letter, &centre), of(&whole), Unit::Length, moments / mass.clone());
+        }
+        self.steiner(&label, (&names, &masses), &centre, whole, parts);
+    }
+
+    /// J_S = Σ (J_i + m_i d_i²); not where the file gives the moment of inertia of the whole link.
+    fn steiner(
+        &mut self,
+        label: &str,
+        (names, masses): (&[String], &[Expr]),
+        centre: &str,
+        whole: MassProperties,
+        parts: &[MassProperties],
+    ) {
+        let distance = |p: &MassProperties| (p.centre - whole.centre).norm();
+        let of_part = |p: &MassProperties| p.inertia + p.mass * distance(p) * distance(p);
+        let sum: f64 = parts.iter().map(of_part).sum();
+        if (sum - whole.inertia).abs() > 1e-9 * whole.inertia {
+            return;
+        }
+        let mut right = Expr::ZERO;
+        for ((name, p), m) in names.iter().zip(parts).zip(masses) {
+            let own = self.given(Name::new("J", &format!("{label},{name}")), p.inertia, Unit::Inertia);
+            let d = if distance(p) > self.tiny {
+                self.stated(Name::new("d", name), distance(p), Unit::Length)
+            } else {
+                Expr::ZERO
+            };
+            right = right + own + m.clone() * d.squared();
+        }
+        self.equate(Name::new("J", centre), whole.inertia, Unit::Inertia, right);
+    }
+}
+
+fn table_of(names: &[String], parts: &[MassProperties]) -> Table {
+    let letter = |letter: &str, unit: &str| -> Line {
+        vec![Inline::Math(name_node(&Name::new(letter, ""))), text(format!(", {unit}"))]
+    };
+    let headers = vec![
+        vec![text("")],
+        letter("m", "kg"),
+        letter("ξ", "m"),
+        letter("η", "m"),
+        letter("mξ", "kg·m"),
+        letter("mη", "kg·m"),
+    ];
+    let figure = |x: f64| vec![text(with_digits(x, 6).text())];
+    let row = |name: String, [m, x, y, mx, my]: [f64; 5]| {
+        vec![vec![text(name)], figure(m), figure(x), figure(y), figure(mx), figure(my)]
+    };
+    let mut sums = [0.0; 3];
+    let mut rows = Vec::new();
+    for (name, p) in names.iter().zip(parts) {
+        let (m, at) = (p.mass, p.centre);
+        sums = [sums[0] + m, sums[1] + m * at.x, sums[2] + m * at.y];
+        rows.push(row(name.clone(), [m, at.x, at.y, m * at.x, m * at.y]));
+    }
+    let [m, x, y] = sums;
+    rows.push(vec![vec![text("Σ")], figure(m), Line::new(), Line::new(), figure(x), figure(y)]);
+    Table { headers, rows, numbers: (1..6).collect() }
+}
