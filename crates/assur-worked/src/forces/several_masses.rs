@@ -23,22 +23,28 @@ impl Derivation<'_> {
         let mass = self.equate(Name::new("m", &label), whole.mass, Unit::Mass, sum);
         let centre = self.point_name(body, whole.centre);
         let along: [(&str, fn(&MassProperties) -> f64); 2] = [("ξ", |p| p.centre.x), ("η", |p| p.centre.y)];
+        // of each mass its coordinates against the common centre
+        let mut apart = vec![Vec::new(); parts.len()];
         for (letter, of) in along {
-            let mut moments = Expr::ZERO;
-            for ((name, p), m) in names.iter().zip(parts).zip(&masses) {
-                let at = self.given(Name::new(letter, name), of(p), Unit::Length);
-                moments = moments + m.clone() * at;
+            let places: Vec<Expr> = (names.iter().zip(parts))
+                .map(|(name, p)| self.given(Name::new(letter, name), of(p), Unit::Length))
+                .collect();
+            let moments =
+                masses.iter().zip(&places).fold(Expr::ZERO, |sum, (m, at)| sum + m.clone() * at.clone());
+            let middle =
+                self.equate(Name::new(letter, &centre), of(&whole), Unit::Length, moments / mass.clone());
+            for (apart, at) in apart.iter_mut().zip(places) {
+                apart.push(at - middle.clone());
             }
-            self.equate(Name::new(letter, &centre), of(&whole), Unit::Length, moments / mass.clone());
         }
-        self.steiner(&label, (&names, &masses), &centre, whole, parts);
+        self.steiner(&label, (&names, &masses, &apart), &centre, whole, parts);
     }
 
     /// J_S = Σ (J_i + m_i d_i²); not where the file gives the moment of inertia of the whole link.
     fn steiner(
         &mut self,
         label: &str,
-        (names, masses): (&[String], &[Expr]),
+        (names, masses, apart): (&[String], &[Expr], &[Vec<Expr>]),
         centre: &str,
         whole: MassProperties,
         parts: &[MassProperties],
@@ -50,14 +56,21 @@ impl Derivation<'_> {
             return;
         }
         let mut right = Expr::ZERO;
-        for ((name, p), m) in names.iter().zip(parts).zip(masses) {
+        for (((name, p), m), apart) in names.iter().zip(parts).zip(masses).zip(apart) {
             let own = self.given(Name::new("J", &format!("{label},{name}")), p.inertia, Unit::Inertia);
-            let d = if distance(p) > self.tiny {
-                self.stated(Name::new("d", name), distance(p), Unit::Length)
-            } else {
-                Expr::ZERO
+            right = right + own;
+            if distance(p) <= self.tiny {
+                continue;
+            }
+            let apart: Vec<Expr> = apart.iter().filter(|part| !part.is_zero()).cloned().collect();
+            let length = match apart.as_slice() {
+                [only] => only.clone().abs(),
+                all => Expr::Root(Box::new(
+                    all.iter().fold(Expr::ZERO, |sum, part| sum + part.clone().squared()),
+                )),
             };
-            right = right + own + m.clone() * d.squared();
+            let d = self.equate(Name::new("d", name), distance(p), Unit::Length, length);
+            right = right + m.clone() * d.squared();
         }
         self.equate(Name::new("J", centre), whole.inertia, Unit::Inertia, right);
     }
