@@ -6,6 +6,8 @@ use crate::words::Message;
 use assur_formula::{Expr, Name, Unit, name_node, with_digits};
 use assur_model::model::MassProperties;
 
+type Coordinate = fn(&MassProperties) -> f64;
+
 impl Derivation<'_> {
     /// The table m, x, y, m x, m y with its sums, and what follows from them.
     pub(super) fn sum_of_masses(&mut self, body: usize, whole: MassProperties, parts: &[MassProperties]) {
@@ -22,7 +24,7 @@ impl Derivation<'_> {
         let sum = masses.iter().fold(Expr::ZERO, |sum, m| sum + m.clone());
         let mass = self.equate(Name::new("m", &label), whole.mass, Unit::Mass, sum);
         let centre = self.point_name(body, whole.centre);
-        let along: [(&str, fn(&MassProperties) -> f64); 2] = [("ξ", |p| p.centre.x), ("η", |p| p.centre.y)];
+        let along = [("ξ", (|p| p.centre.x) as Coordinate), ("η", |p| p.centre.y)];
         // of each mass its coordinates against the common centre
         let mut apart = vec![Vec::new(); parts.len()];
         for (letter, of) in along {
