@@ -79,6 +79,8 @@ class MechLexer(RegexLexer):
             (rf"(?<!\.)({'|'.join(w.FUNCTIONS)}){END}(?=[ \t]*\()", Name.Builtin),
             (rf"(?<!\.)({'|'.join(w.COLLECTIONS)}){END}(?!\s*[(=.:])", Name.Builtin),
             (rf"pi{END}", Name.Constant),
+            # of a part: behind a mass
+            (rf"(?<!\.)(inertia){END}(?=[ \t]+(?!(?:{'|'.join(w.CONNECTING)}){END})[^\W_(])", Keyword.Reserved),
             (rf"(?<!\.)(?<![-:] )({'|'.join(w.CONTEXTUAL)}){END}(?!\s*(?:[:=.,()+*/^]|-\s))", Keyword.Reserved),
             (NAME, Name),
         ],
