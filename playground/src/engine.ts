@@ -6,7 +6,7 @@ import type { Reply, Start } from "./worker";
 /** What a text may take, ms; what a newer text waits for a busy worker; beyond its limit a worker is ended. */
 const LIMIT = 5000, WAIT = 250, GRACE = 500;
 
-export interface Told {
+export interface Hooks {
   /** A new worker: the client connects again, which opens the newest text in it. */
   restarted(): void;
   /** The text takes too long. */
@@ -29,7 +29,7 @@ export class Engine {
   constructor(
     private readonly module: WebAssembly.Module,
     private readonly address: string,
-    private readonly told: Told,
+    private readonly hooks: Hooks,
   ) {
     this.start(false);
   }
@@ -74,10 +74,10 @@ export class Engine {
   private works(): void {
     clearTimeout(this.patience);
     this.patience = setTimeout(() => {
-      this.told.late();
+      this.hooks.late();
       this.restart(true);
     }, this.limit + GRACE);
-    this.told.busy(true);
+    this.hooks.busy(true);
   }
 
   private take({ messages, answered, more, late, failed }: Reply): void {
@@ -89,9 +89,9 @@ export class Engine {
     else {
       clearTimeout(this.patience);
       this.patience = undefined;
-      this.told.busy(false);
+      this.hooks.busy(false);
     }
-    if (late) this.told.late();
+    if (late) this.hooks.late();
     for (const message of messages) {
       const text = JSON.stringify(message);
       for (const handler of this.handlers) handler(text);
@@ -101,8 +101,8 @@ export class Engine {
   /** The module ended by an error of its own: its text is not solved again until it changes. */
   private broken(why: string): void {
     this.ends += 1;
-    if (this.ends > 3) return this.told.failed(why);
-    this.told.late();
+    if (this.ends > 3) return this.hooks.failed(why);
+    this.hooks.late();
     this.restart(true);
   }
 
@@ -113,6 +113,6 @@ export class Engine {
     this.open = 0;
     this.worker?.terminate();
     this.start(rests);
-    this.told.restarted();
+    this.hooks.restarted();
   }
 }

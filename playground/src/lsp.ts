@@ -168,7 +168,7 @@ export async function hint(view: EditorView, client: LSPClient, uri: string): Pr
   view.dispatch({ effects: hinted.of(RangeSet.of(marks, true)) });
 }
 
-/** What the server is told of this client. */
+/** What this client can do. */
 export const capabilities: LSPClientExtension = {
   clientCapabilities: { textDocument: { publishDiagnostics: { tagSupport: { valueSet: [1] } } } },
 };

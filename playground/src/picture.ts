@@ -4,7 +4,7 @@ import { player } from "../../crates/assur-picture/src/animation/player.js";
 import type { Declared, Moving } from "./asked";
 import { find, make } from "./dom";
 
-export interface Told {
+export interface Hooks {
   moved(part: number, playing: boolean): void;
   /** A part of the picture was clicked: the line of its statement. */
   line(line: number): void;
@@ -18,7 +18,7 @@ export class Picture {
   private declared: Declared[] = [];
   private arrows = "";
 
-  constructor(private readonly told: Told) {}
+  constructor(private readonly hooks: Hooks) {}
 
   get shown(): string {
     return this.played?.shown ?? this.arrows;
@@ -33,7 +33,7 @@ export class Picture {
     this.root.innerHTML = moving.markup;
     if (moving.motion === null) return;
     const motion = { ...moving.motion, shown: moving.motion.arrows.some((one) => one.kind === arrows) ? arrows : null };
-    const { moved, show } = this.told;
+    const { moved, show } = this.hooks;
     this.played = player(this.root, motion, { moved, show, clicked: (name, kind) => this.clicked(name, kind) }, this.root);
     this.played.at(part);
     if (playing) this.played.play(true);
@@ -68,7 +68,7 @@ export class Picture {
   private clicked(name: string, kind: string): void {
     const all = this.declared.filter((one) => one.name === name);
     const one = all.find((found) => found.class === kind) ?? all[0];
-    if (one) this.told.line(one.line);
+    if (one) this.hooks.line(one.line);
   }
 
   private end(): void {

@@ -28,7 +28,7 @@ interface Exports {
   handle(at: number, length: number): number;
 }
 
-/** What a text that is solved is told by. */
+/** The notification of a text that is solved. */
 const SOLVED = "assur/solved";
 const PUBLISH = '{"jsonrpc":"2.0","method":"assur/publish"}';
 const SOLVE = '{"jsonrpc":"2.0","method":"assur/solve"}';

@@ -44,7 +44,7 @@ struct Text {
     earlier: Option<Earlier>,
     /// What the last test of its rows came to.
     tested: OnceCell<String>,
-    /// An error of the program ended its solution, and nobody was told.
+    /// An error of the program ended its solution, and nobody heard of it.
     is_broken: bool,
 }
 

@@ -24,7 +24,7 @@ pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<D
     if model.mechanism.open_sizes.is_empty() {
         return Ok(open);
     }
-    let (mut errors, mut told) = (Vec::new(), Vec::new());
+    let (mut errors, mut reported) = (Vec::new(), Vec::new());
     for size in &model.mechanism.open_sizes {
         let (mechanism, _) = check::check_with_other_size(&origin.document, &origin.overrides, &size.wheel);
         let Some(mechanism) = mechanism else { continue };
@@ -33,8 +33,8 @@ pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<D
         let other = Model { mechanism: &mechanism, structure: &structure, plan: &plan };
         let Some(compared) = Compared::of(model, &other) else { continue };
         for (name, span) in compared.questions() {
-            if !told.contains(&span) {
-                told.push(span);
+            if !reported.contains(&span) {
+                reported.push(span);
                 errors.push(error(size, &name, span));
             }
         }

@@ -192,3 +192,32 @@ fn names_of_the_functions_stay_names() {
         assert!((value("y").expect("a value") - 8.0).abs() < 1e-9, "{word}");
     }
 }
+
+/// Masses, places and loads that go with a row: mass 1 at the end of an arm, mass 2 in its middle.
+#[test]
+fn rows_of_variants_have_their_own_masses() {
+    let rows = (0..60).map(|i| {
+        let x = f64::from(i);
+        (0.2 + 0.1 * x, 3.0 - 0.04 * x, 0.5 + 0.02 * x)
+    });
+    let rows = rows.collect::<Vec<_>>();
+    let table = rows.iter().fold(String::new(), |text, (a, b, l)| text + &format!("  {a}, {b}, {l}\n"));
+    let text = format!(
+        "given a = 1 kg\ngiven b = 1 kg\ngiven l = 1 m\nvariants {{\n  a [kg], b [kg], l [m]\n{table}}}\nground {{ A (0, 0) }}\n\
+         link arm A-B l {{ S (l/2, 0); mass a at B; mass b at S inertia 0.1 kg*m^2 }}\nrevolute A: ground - arm\n\
+         drive arm = 90 deg at 2 rad/s\nlet q = mass(arm)*3\nforce F on arm at B = mass(arm)*(2 m/s^2) @ 0 deg\n\
+         balance torque M on arm\nfind q, inertia(arm, A), mass_centre(arm).y, M\n"
+    );
+    let problem = assur::Problem::new("rows.mech", text.as_str());
+    let solved = problem.solve_variants().expect("rows");
+    assert_eq!(solved.len(), rows.len());
+    for (row, (a, b, l)) in solved.iter().zip(rows) {
+        let pose = &row.as_ref().expect("a row").poses()[0];
+        let value = |name: &str| pose[name].number().expect("a number");
+        let mass = a + b;
+        near(value("q"), 3.0 * mass, 1.0, &text);
+        near(value("inertia(arm, A)"), a * l * l + b * l * l / 4.0 + 0.1, 1.0, &text);
+        near(value("mass_centre(arm).y"), (a * l + b * l / 2.0) / mass, 1.0, &text);
+        near(value("M"), 2.0 * mass * l, 1.0, &text);
+    }
+}

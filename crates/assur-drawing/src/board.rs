@@ -1,5 +1,5 @@
 //! Which label has which place: the cheapest free one first, then moves to something cheaper, alone or with one neighbour. Every place that
-//! was looked at knows who is in its way, and is told when a neighbour moves.
+//! was looked at knows who is in its way, and hears when a neighbour moves.
 
 use crate::geometry::Rect;
 use crate::ground::Grounds;

@@ -303,15 +303,15 @@ pub fn marked_events(
     for (x, _) in &marks {
         drawing.line(Style::Dashed, Vec2::new(*x, panel.bottom()), Vec2::new(*x, panel.top));
     }
-    let (mut right, mut told) = (f64::NEG_INFINITY, Vec::new());
+    let (mut right, mut listed) = (f64::NEG_INFINITY, Vec::new());
     for (x, names) in marks.iter().filter(|mark| named && !mark.1.is_empty()) {
         let text = Text::upright(&names.join(", "));
         let half = 0.5 * text.bounds(LETTERS).size().x;
-        let is_new = names.iter().any(|name| !told.contains(name));
+        let is_new = names.iter().any(|name| !listed.contains(name));
         if x - half < right + APART && !is_new {
             continue;
         }
-        told.extend(names.iter().cloned());
+        listed.extend(names.iter().cloned());
         right = x + half;
         let at = Vec2::new(*x, panel.top);
         drawing.label(Label::at(text, LETTERS, at, 0.6).towards(Vec2::new(0.0, -1.0)).ranked(1));

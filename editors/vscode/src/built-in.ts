@@ -59,7 +59,7 @@ export async function load(folder: string): Promise<WebAssembly.Module> {
   return WebAssembly.compile((await promisify(brotliDecompress)(packed)) as BufferSource);
 }
 
-/** Runs it in a thread; `ended` is told why it ended before its time. */
+/** Runs it in a thread; `ended` gets the reason if it ends before its time. */
 export function run(folder: string, module: WebAssembly.Module, ended: (why: string) => void): { reader: Reader; writer: Writer } {
   const thread = new Worker(join(folder, "worker.js"));
   const sent = new Int32Array(new SharedArrayBuffer(4));

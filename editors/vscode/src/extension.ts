@@ -69,7 +69,7 @@ class Extension {
     }
   }
 
-  /** What the server is told, and what is done here instead of there. */
+  /** What the server gets, and what is done here instead of there. */
   private options(): LanguageClientOptions {
     return {
       documentSelector: [{ language: "mech" }],

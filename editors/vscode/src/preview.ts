@@ -1,4 +1,4 @@
-// The mechanism in motion, next to its text: the page of the server's command `assur.preview`, or a panel that is told what to show.
+// The mechanism in motion, next to its text: the page of the server's command `assur.preview`, or a panel that gets what it shows.
 
 import { Position, Selection, UIKind, Uri, ViewColumn, commands, env, window, type Disposable, type WebviewPanel } from "vscode";
 import type { BaseLanguageClient, State } from "vscode-languageclient/node";
@@ -70,7 +70,7 @@ export class Preview implements Disposable {
       void this.client?.sendNotification("assur/hide", { uri }).catch(() => undefined);
     });
     panel.webview.onDidReceiveMessage(({ ready, part, line }: { ready?: true; part?: number; line?: number }) => {
-      // what was told before the panel could listen is told again
+      // what was sent before the panel could listen is sent again
       if (ready && this.client) ask(this.client, uri);
       if (part !== undefined) void this.client?.sendNotification("assur/pose", { uri, part });
       if (line !== undefined) void reveal(uri, line);

@@ -7,7 +7,7 @@ use crate::output::behind;
 use crate::statements::written::written;
 use crate::trains::friction_torque::friction_torque;
 use crate::values::format_value::format_value;
-use assur_model::model::{self, Bearing, Expr, Level, LinkId, LoadKind, PairId, PairKind, Place, Query};
+use assur_model::model::{self, Expr, Level, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use assur_syntax::document::{self, Brake, Load, Name, Site, Statement, Turn};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::BRAKE;
@@ -79,14 +79,7 @@ pub(crate) fn slider(cx: &Context<'_>, name: &Name) -> Option<PairId> {
 
 /// Reports a force on a shaft whose place is left open: it has no arm.
 pub(crate) fn of_open_shaft(cx: &mut Context<'_>, name: &Name, what: &str) -> Option<()> {
-    let Some(link) = cx.find_link(&name.node) else { return Some(()) };
-    let open = cx.builder.mech.pairs.iter().any(|p| match &p.kind {
-        PairKind::Revolute(pins) => {
-            p.bearing == Some(Bearing::Open) && pins.last().is_some_and(|pin| pin.link == link)
-        }
-        _ => false,
-    });
-    if !open {
+    if cx.find_link(&name.node).is_none_or(|link| cx.builder.mech.is_placed(link)) {
         return Some(());
     }
     let message = format!("the position of `{}` is not given, so {what} on it has no lever arm", name.node);

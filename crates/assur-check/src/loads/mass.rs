@@ -403,7 +403,7 @@ pub(super) fn steiner(
         (
             format!("less than the {} of the masses at their distances from it", inertia_text(least)),
             "one of the masses".to_owned(),
-            "give the inertia of each mass with its mass: `mass 3 kg at S inertia 0.16 kg*m^2`".to_owned(),
+            "give each mass the inertia about its own point: `mass … at … inertia …`".to_owned(),
         )
     };
     let error = Diagnosis::error(

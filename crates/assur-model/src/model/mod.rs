@@ -147,6 +147,19 @@ impl Mechanism {
         self.cam_contacts.iter().any(|c| c.pair == pair) || self.genevas.iter().any(|g| g.pair == pair)
     }
 
+    /// Whether the file gives a place in the plane: none to a shaft without `at`, and to a slider on a rope.
+    #[must_use]
+    pub fn is_placed(&self, link: LinkId) -> bool {
+        !self.pairs.iter().any(|p| {
+            let moved = match &p.kind {
+                PairKind::Revolute(pins) => pins.last().map(|pin| pin.link),
+                PairKind::Prismatic(guide) => Some(guide.slider),
+                _ => None,
+            };
+            p.bearing == Some(Bearing::Open) && moved == Some(link)
+        })
+    }
+
     /// The pair with this id.
     #[must_use]
     pub fn pair(&self, id: PairId) -> &Pair {

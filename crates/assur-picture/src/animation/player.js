@@ -26,8 +26,8 @@
  */
 
 /**
- * What a page is told.
- * @typedef {object} Told
+ * What a page has called.
+ * @typedef {object} Hooks
  * @property {(part: number, playing: boolean) => void} [moved] another frame is shown: its part of the way
  * @property {(name: string, kind: string, event: MouseEvent) => void} [clicked] a part of the picture; the empty name where there is none
  * @property {(kind: string) => void} [show] a kind of arrows that the motion does not have
@@ -68,10 +68,10 @@ function read(text) {
  * Plays a motion.
  * @param {HTMLElement} root holds the picture, the bar, the values and the plot, as the program wrote them
  * @param {Motion} motion
- * @param {Told} told
+ * @param {Hooks} hooks
  * @param {HTMLElement | Document} keys where keys are listened to
  */
-export function player(root, motion, told = {}, keys = root) {
+export function player(root, motion, hooks = {}, keys = root) {
   const { frames, decimal } = motion;
   const find = (/** @type {string} */ name) => root.querySelector(`.motion-${name}`);
   const [slider, output, cursor] = [/** @type {HTMLInputElement} */ (find("slider")), find("values"), find("cursor")];
@@ -117,7 +117,7 @@ export function player(root, motion, told = {}, keys = root) {
       cursor.setAttribute("visibility", at !== null && at >= -1 && at <= 15001 ? "visible" : "hidden");
       cursor.setAttribute("transform", `translate(${(at ?? 0) / 100} 0)`);
     }
-    told.moved?.(part(), sense !== 0);
+    hooks.moved?.(part(), sense !== 0);
   }
 
   const part = () => (frames > 1 ? frame / (frames - 1) : 0);
@@ -142,7 +142,7 @@ export function player(root, motion, told = {}, keys = root) {
     if (forth) forth.textContent = sense > 0 ? "❚❚" : "▶";
     if (back) back.textContent = sense < 0 ? "❚❚" : "◀";
     if (starts) requestAnimationFrame(step);
-    else if (!on) told.moved?.(part(), false);
+    else if (!on) hooks.moved?.(part(), false);
   }
 
   /** @param {number} by */
@@ -204,11 +204,11 @@ export function player(root, motion, told = {}, keys = root) {
   on(choice, "change", () => {
     const kind = choice?.value ?? "";
     if (kind === "" || motion.arrows.some((one) => one.kind === kind)) point(kind);
-    else told.show?.(kind);
+    else hooks.show?.(kind);
   });
   on(picture, "click", (event) => {
     const group = event.target.closest("[data-name]");
-    told.clicked?.(group?.dataset.name ?? "", group?.classList[0] ?? "", event);
+    hooks.clicked?.(group?.dataset.name ?? "", group?.classList[0] ?? "", event);
   });
   keys.addEventListener("keydown", /** @type {EventListener} */ (key), listens);
   point(motion.shown ?? "");

@@ -140,7 +140,7 @@ impl Loads {
     }
 }
 
-/// The step of motion that places a body, as far as it is told here, else the last; and whether the body's origin is a revolute on
+/// The step of motion that places a body, as far as it stands here, else the last; and whether the body's origin is a revolute on
 /// the ground.
 fn placing(plan: &Plan, body: usize) -> (usize, bool) {
     let on_ground = |base: &Anchor, pin: &Arm| base.body == 0 && pin.is_none();

@@ -187,7 +187,7 @@ pub enum Halt {
     NotANumber,
     /// The most steps are done.
     TooManySteps,
-    /// It was told to end.
+    /// It was asked to end.
     Interrupted,
     /// The accuracy is not reached with the digits there are.
     Accuracy { wanted: f64, reached: f64 },

@@ -78,18 +78,18 @@ impl Problems {
     /// Adds the diagnostics of a later stage, except at spans where this collection has an error: one mistake is reported
     /// once.
     pub fn append_later(&mut self, later: Self) {
-        let told = self.items.iter().filter(|p| is_error(p.as_ref())).filter_map(|p| primary(p.as_ref()));
-        let mut told = told.collect::<Vec<_>>();
-        told.sort_unstable();
+        let reported = self.items.iter().filter(|p| is_error(p.as_ref())).filter_map(|p| primary(p.as_ref()));
+        let mut reported = reported.collect::<Vec<_>>();
+        reported.sort_unstable();
         // the furthest end of all that begin no later
         let mut furthest = 0;
-        for (_, end) in &mut told {
+        for (_, end) in &mut reported {
             furthest = furthest.max(*end);
             *end = furthest;
         }
         let overlaps = |(start, end): (usize, usize)| {
-            let before = told.partition_point(|&(s, _)| s < end);
-            before > 0 && start < told[before - 1].1
+            let before = reported.partition_point(|&(s, _)| s < end);
+            before > 0 && start < reported[before - 1].1
         };
         self.items.extend(later.items.into_iter().filter(|p| !primary(p.as_ref()).is_some_and(overlaps)));
         self.more_errors += later.more_errors;

@@ -144,6 +144,7 @@ pub const CODES: &[Code] = codes! {
     "request" / "which_two",
     "request" / "no_contacts",
     "request" / "no_mass",
+    "request" / "no_place",
     "request" / "not_driven",
     "request" / "no_own_effort",
     "request" / "too_long",

@@ -154,7 +154,7 @@ impl Context<'_> {
         if declared.mass.is_some() {
             return Some(());
         }
-        // A mass that is declared with an error is missing here as well, and that has been told.
+        // A mass that is declared with an error is missing here as well, and that is reported.
         let written = self.doc.statements.iter().any(|s| match &s.node {
             Statement::Link(l) => {
                 l.name.span == declared.span && l.body.iter().any(|m| may_have_mass(&m.node))

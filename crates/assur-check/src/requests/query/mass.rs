@@ -2,6 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::expr::results::{Call, Sign};
+use crate::names::declared::ThingKind;
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_math::math::Vec2;
@@ -33,6 +34,7 @@ impl Context<'_> {
     ) -> Option<Typed> {
         let mut heavy = self.heavy(call)?;
         heavy.retain(|(_, m)| m.mass > 0.0);
+        self.in_the_plane(call, &heavy)?;
         let of =
             |(link, m): &(LinkId, MassProperties)| ModelExpr::Query(query(PointRef::Fixed(*link, m.centre)));
         let expr = match &heavy[..] {
@@ -105,6 +107,31 @@ impl Context<'_> {
         }
         let links = self.builder.mech.links.iter().enumerate().skip(1);
         Some(links.filter_map(|(i, link)| Some((LinkId::at(i), link.mass?))).collect())
+    }
+
+    /// Reports a mass centre of what has a mass, but no place.
+    fn in_the_plane(&mut self, call: Call<'_>, heavy: &[(LinkId, MassProperties)]) -> Option<()> {
+        let Some((open, _)) = heavy.iter().find(|(link, _)| !self.builder.mech.is_placed(*link)) else {
+            return Some(());
+        };
+        let link = self.builder.mech.link(*open);
+        let (name, declared) = (link.name.clone(), link.span);
+        let slides = self.names.things.get(&name).is_some_and(|d| d.what == ThingKind::Slider);
+        let help = if slides {
+            "a slider on a rope has no place: ask for the centres of the other links, as in `mass_centre(crank)`"
+                .to_owned()
+        } else {
+            format!(
+                "place one of its wheels, as in `wheel w … at O`, or write a link with `revolute O: ground - {name}`"
+            )
+        };
+        self.error(
+            Diagnosis::error("mech::request::no_place", format!("the position of `{name}` is not given"))
+                .primary(call.span, "its mass centre is asked for")
+                .label(declared, "declared here")
+                .help(help),
+        );
+        None
     }
 
     /// Reports a mass centre where nothing has a mass.

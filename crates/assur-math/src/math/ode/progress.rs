@@ -26,8 +26,8 @@ pub struct Progress<S> {
     pub(super) end: S,
     /// Length of the next trial, with its sign.
     pub(super) next: S,
-    /// The system was told of (t1, y1).
-    told: bool,
+    /// The system knows of (t1, y1).
+    known: bool,
     /// A trial from here was rejected: the next step does not grow.
     pub(super) again: bool,
     /// The last rejected trial had a stage without a value.
@@ -63,7 +63,7 @@ impl<S: Real> Progress<S> {
             f1: zeros(),
             end: S::zero(),
             next: S::zero(),
-            told: true,
+            known: true,
             again: false,
             undefined: false,
             counts: Counts::default(),
@@ -90,7 +90,7 @@ impl<S: Real> Progress<S> {
         self.end = end;
         self.counts.evaluations += 1;
         system.rates(self.t1, &self.y1, &mut self.f1)?;
-        (self.told, self.again) = (false, false);
+        (self.known, self.again) = (false, false);
         self.leave();
         Ok(())
     }
@@ -135,9 +135,9 @@ impl<S: Real> Progress<S> {
         if !nonzero(self.end - self.t1) {
             return false;
         }
-        if !self.told {
+        if !self.known {
             system.accepted(self.t1, &self.y1);
-            self.told = true;
+            self.known = true;
         }
         self.leave();
         (self.again, self.undefined) = (false, false);
@@ -185,7 +185,7 @@ impl<S: Real> Progress<S> {
     /// The trial is accepted; y1 and f1 are its end.
     pub(super) fn accept(&mut self, trial: Trial<S>, next: S) -> Step {
         self.t1 = trial.t;
-        self.told = false;
+        self.known = false;
         self.counts.steps += 1;
         let next = if self.again { signed(next.abs().min(trial.h.abs()), next) } else { next };
         // a last step that was cut says little of the next
@@ -203,7 +203,7 @@ impl<S: Real> Progress<S> {
     /// The last step ends at t.
     pub(super) fn shortened(&mut self, t: S) {
         self.t1 = t;
-        self.told = false;
+        self.known = false;
         self.counts.shortened += 1;
     }
 

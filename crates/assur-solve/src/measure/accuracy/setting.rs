@@ -91,7 +91,7 @@ impl Kind {
         matches!(self, Self::Samples | Self::Root)
     }
 
-    /// Its tolerances, from coarse to fine; the last is what the solver takes unless told otherwise.
+    /// Its tolerances, from coarse to fine; the last is what the solver takes unless a file asks otherwise.
     pub(super) const fn tolerances(self) -> &'static [f64] {
         match self {
             Self::Scalar => &[],
