@@ -26,12 +26,12 @@ mod mobility;
 mod modes;
 mod page;
 mod plan;
-mod powers;
 mod reactions;
 mod results;
 mod row_numbers;
 pub mod rows;
 mod run_tradeoff;
+mod signs;
 mod simulation;
 #[doc(hidden)]
 pub mod symbols;
@@ -90,7 +90,8 @@ pub fn of_answers(file: &str, answers: &Answers<'_>, accuracy: AccuracyShown) ->
     reactions::sections(answers, &mut report);
     train::section(answers, &mut report);
     friction::section(answers, &mut report);
-    powers::section(answers, &mut report);
+    signs::powers(answers, &mut report);
+    signs::bars(answers, &mut report);
     cycle::flywheels(answers, &mut report);
     expectations::section(answers, &mut report);
     accuracy::section(answers, accuracy, &mut report);

@@ -10,7 +10,7 @@ use std::process::Command;
 use std::sync::Mutex;
 
 /// Modules that other scripts import, and those that need the program (`answers.py`) or a folder.
-const NO_SCRIPTS: [&str; 13] = [
+const NO_SCRIPTS: [&str; 14] = [
     "answers.py",
     "dynamics.py",
     "exercise_set.py",
@@ -24,6 +24,7 @@ const NO_SCRIPTS: [&str; 13] = [
     "sliding.py",
     "solution.py",
     "taylor.py",
+    "trusses.py",
 ];
 
 /// The hash of the catalogue of hard cases and of its script, as it passed.

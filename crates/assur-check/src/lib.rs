@@ -48,7 +48,7 @@ use machine::machine;
 use names::declare;
 use names::lookalikes::{self, Scope};
 use requests::query::RESULTS;
-use requests::{expect, find, variants};
+use requests::{bars, expect, find, variants};
 use trains::at_rest::at_rest;
 use values::order::order;
 use values::store::Values;
@@ -186,6 +186,8 @@ fn meaning(cx: &mut Context<'_>) {
     machine(cx);
     find::finds(cx);
     expect::expects(cx);
+    bars::bars(cx);
+    bars::load_at_pin(cx);
     at_rest(cx);
     variants::variants(cx);
     load_cycle::load_cycles(cx);

@@ -251,7 +251,7 @@ impl<'d> Places<'d> {
     fn site(&mut self, site: &'d Site) -> Option<()> {
         match site {
             Site::Link { at: Some(Place::Ground(place)), .. } => self.add(place, Asked::Nothing),
-            Site::Link { .. } | Site::Pair(_) => Some(()),
+            Site::Link { .. } | Site::Pair(_) | Site::Pin(_) => Some(()),
         }
     }
 }

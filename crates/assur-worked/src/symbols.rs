@@ -63,6 +63,7 @@ impl Derivation<'_> {
         let names = match query {
             Query::InertiaTorque(link) => indexed("M", format!("{inertia}{}", self.label(link.index()))),
             Query::InertiaArm(link) => indexed("h", format!("{inertia}{}", self.label(link.index()))),
+            Query::Axial(link) => indexed("N", self.label(link.index())),
             Query::Normal(pair, _) => self.reactions_of(*pair),
             Query::Moment(pair, _) => {
                 let friction = Name::new("M", &format!("f{}", self.scene.mechanism().pair(*pair).name));

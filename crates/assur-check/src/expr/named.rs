@@ -20,7 +20,7 @@ impl Context<'_> {
         match declared.what {
             QuantityKind::Load(id, load) => {
                 let dimension = dimension_of(load.kind.node);
-                let vector = load.kind.node == LoadKind::Force && matches!(load.site, Site::Link { .. });
+                let vector = load.kind.node == LoadKind::Force && !matches!(load.site, Site::Pair(_));
                 let ty = if vector { Type::vector(dimension) } else { Type::number(dimension) };
                 Some(Typed::new(model::Expr::Query(model::Query::Load(id)), ty))
             }

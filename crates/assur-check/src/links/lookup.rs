@@ -349,6 +349,18 @@ impl Context<'_> {
     }
 }
 
+/// What kind of pair it is, with its article.
+pub const fn kind_phrase(kind: &PairKind) -> &'static str {
+    match kind {
+        PairKind::Revolute(_) => "a revolute pair",
+        PairKind::Prismatic(_) => "a prismatic pair",
+        PairKind::Slot(_) => "a slot",
+        PairKind::Contact { .. } => "a contact",
+        PairKind::Cylinder { .. } => "a cylinder",
+        PairKind::Transmission(t) => t.kind.phrase(),
+    }
+}
+
 /// The point a pair stands for: its pin, or the point on the line.
 pub fn place_of_pair(kind: &PairKind) -> Option<(LinkId, Vec2)> {
     match kind {

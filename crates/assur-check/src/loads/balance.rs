@@ -1,5 +1,6 @@
 //! Unknown efforts.
 
+use super::pin::LoadedPin;
 use crate::expr::context::Context;
 use crate::expr::positive::Want;
 use crate::loads::load::{
@@ -20,7 +21,11 @@ pub(crate) fn balances(cx: &mut Context<'_>) {
             && let Some(kind) = all_places(cx, balance)
         {
             let (name, span) = (balance.name.node.clone(), balance.name.span);
-            cx.builder.mech.balances.push(model::Balance { name, span, kind });
+            let pin = match &balance.site {
+                Site::Pin(pin) => cx.find_pair(&pin.node),
+                Site::Link { .. } | Site::Pair(_) => None,
+            };
+            cx.builder.mech.balances.push(model::Balance { name, span, kind, pin });
         }
     }
 }
@@ -41,7 +46,7 @@ fn all_places(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
     let mut places = vec![first];
     let mut names = vec![match &balance.site {
         Site::Link { link, .. } => link,
-        Site::Pair(pair) => pair,
+        Site::Pair(name) | Site::Pin(name) => name,
     }];
     for name in &balance.also {
         if names.iter().any(|n| n.node == name.node) {
@@ -53,6 +58,7 @@ fn all_places(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
         let site = match &balance.site {
             Site::Link { .. } => Site::Link { link: name.clone(), at: None },
             Site::Pair(_) => Site::Pair(name.clone()),
+            Site::Pin(_) => Site::Pin(name.clone()),
         };
         places.push(kind(cx, &Balance { site, also: Vec::new(), ..balance.clone() }));
         names.push(name);
@@ -63,6 +69,12 @@ fn all_places(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
 fn kind(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
     let (link, at) = match &balance.site {
         Site::Link { link, at } => (link, at.as_ref()),
+        Site::Pin(name) => {
+            let pin = LoadedPin::of(cx, name, balance.kind.node)?;
+            let pin = pin.moves(cx, name, "no force is to be found there")?;
+            let example = format!("balance force {} at {} along 90 deg", balance.name.node, name.node);
+            return along(cx, balance, &example, (pin.on, model::Place::Local(pin.at)));
+        }
         Site::Pair(pair) => {
             let word = if balance.kind.node == LoadKind::Torque { "torque" } else { "force" };
             let line = format!("balance {word} {} in {}", balance.name.node, pair.node);
@@ -107,6 +119,17 @@ fn force(
             return None;
         }
     };
+    along(cx, balance, &example, (on?, place?))
+}
+
+/// A force along the direction of the file at its place.
+fn along(
+    cx: &mut Context<'_>,
+    balance: &Balance,
+    example: &str,
+    (on, at): (model::LinkId, model::Place),
+) -> Option<BalanceKind> {
+    let name = &balance.name.node;
     let Some(along) = &balance.along else {
         cx.error(
             Diagnosis::error(
@@ -120,7 +143,7 @@ fn force(
     };
     let along = cx.scalar_constant(along, &Want::ANGLE, &format!("the direction of the force `{name}`"));
     let frame = frame(cx, balance.frame.as_ref());
-    Some(BalanceKind::Force { on: on?, at: place?, along: Vec2::direction(along?), frame: frame? })
+    Some(BalanceKind::Force { on, at, along: Vec2::direction(along?), frame: frame? })
 }
 
 /// Reports a direction where there can be none.

@@ -1,5 +1,6 @@
 //! Applied loads.
 
+use super::pin::LoadedPin;
 use crate::expr::{context::Context, positive::Want, property::read};
 use crate::motion::drive::{Moves, coordinate, negated, on_moving};
 use crate::names::declared::ThingKind;
@@ -29,8 +30,16 @@ pub(crate) fn loads(cx: &mut Context<'_>) {
 }
 
 fn load(cx: &mut Context<'_>, load: &Load, span: Span) -> Option<model::Load> {
+    let mut pin = None;
     let kind = match &load.site {
         Site::Pair(pair) => in_pair(cx, load, pair),
+        Site::Pin(name) => {
+            pin = LoadedPin::of(cx, name, load.kind.node);
+            if load.against_motion.is_some() {
+                pin = pin.and_then(|pin| pin.moves(cx, name, "nothing acts against its motion"));
+            }
+            pin.and_then(|pin| force_at(cx, load, Some(pin.on), Some(Place::Local(pin.at))))
+        }
         Site::Link { link, at } => match load.kind.node {
             document::LoadKind::Force => force(cx, load, link, at.as_ref()),
             document::LoadKind::Torque => torque(cx, load, link, at.as_ref()),
@@ -44,7 +53,7 @@ fn load(cx: &mut Context<'_>, load: &Load, span: Span) -> Option<model::Load> {
         None => Some(None),
     };
     let name = load.name.as_ref().map(|n| n.node.clone());
-    Some(model::Load { name, span, kind: kind?, when: when? })
+    Some(model::Load { name, span, kind: kind?, pin: pin.map(|pin| pin.pair), when: when? })
 }
 
 /// A value that depends on no force.
@@ -149,6 +158,11 @@ fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::P
             return None;
         }
     };
+    force_at(cx, load, on, place)
+}
+
+/// A force where its link and its place on it are read; `None` of what has an error.
+fn force_at(cx: &mut Context<'_>, load: &Load, on: Option<LinkId>, place: Option<Place>) -> Option<LoadKind> {
     if let Some(sense) = &load.value.sense {
         let message = "a force has no sense of rotation".into();
         form(cx, message, "give its direction: `1000 N @ 180 deg`", sense.span);
@@ -402,5 +416,5 @@ pub(crate) fn brake(cx: &mut Context<'_>, brake: &Brake, span: Span) -> Option<m
     let properties = read(cx, "a brake", &brake.properties, BRAKE)?;
     let value = Expr::number(friction_torque(cx, &brake.name, &properties)?);
     let kind = LoadKind::Torque { on: on?, value, against_motion: true };
-    Some(model::Load { name: Some(brake.name.node.clone()), span, kind, when: None })
+    Some(model::Load { name: Some(brake.name.node.clone()), span, kind, pin: None, when: None })
 }

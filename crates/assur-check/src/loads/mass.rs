@@ -233,7 +233,7 @@ fn without_mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turnin
 }
 
 /// Whether the machine moves with a speed, so that inertia forces act.
-fn inertia_counts(cx: &Context<'_>) -> bool {
+pub(crate) fn inertia_counts(cx: &Context<'_>) -> bool {
     let statements = || cx.doc.statements.iter().map(|s| &s.node);
     let moves = |s: &Statement| match s {
         Statement::Drive(drive) => drive.rate.is_some(),

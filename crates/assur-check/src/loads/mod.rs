@@ -6,4 +6,5 @@ pub mod load;
 pub mod load_cycle;
 pub mod mass;
 mod mass_sum;
+mod pin;
 pub mod spring;

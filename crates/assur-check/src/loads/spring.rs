@@ -108,7 +108,13 @@ fn in_pair(cx: &mut Context<'_>, spring: &Spring, pair: &Name) -> Option<model::
         (a, b) => a.or(b).unwrap_or_else(|| Expr::number(0.0)),
     };
     let kind = LoadKind::InPair { pair: pair_id, value };
-    Some(model::Load { name: Some(spring.name.node.clone()), span: spring.name.span, kind, when: None })
+    Some(model::Load {
+        name: Some(spring.name.node.clone()),
+        span: spring.name.span,
+        kind,
+        pin: None,
+        when: None,
+    })
 }
 
 /// Reports a spring of which a property is missing.

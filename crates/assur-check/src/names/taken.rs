@@ -152,6 +152,7 @@ fn balance_line(name: &str, balance: &Balance) -> Option<String> {
     let word = if balance.kind.node == LoadKind::Torque { "torque" } else { "force" };
     let site = match &balance.site {
         Site::Pair(pair) => format!("in {}", pair.node),
+        Site::Pin(pin) => format!("at {}", pin.node),
         Site::Link { link, at: None } => format!("on {}", link.node),
         Site::Link { link, at: Some(Place::Point(point)) } => format!("on {} at {}", link.node, point.node),
         Site::Link { link, at: Some(Place::Ground(place)) } => {

@@ -77,6 +77,8 @@ pub struct Builder {
     pub mech: Mechanism,
     /// The hinges at each point.
     pub hinges: Hinges,
+    /// Links whose axial force is asked for, and where.
+    pub axial: Vec<(LinkId, Span)>,
 }
 
 impl Builder {

@@ -3,7 +3,7 @@
 use crate::expr::context::Context;
 use crate::expr::fit::unit_mismatch;
 use crate::expr::positive::Want;
-use crate::requests::{all_motion, all_powers};
+use crate::requests::{all_motion, all_powers, bars};
 use crate::statements::walk;
 use crate::values::definition::Settled;
 use crate::values::typed::{Type, Typed, phrase};
@@ -39,6 +39,15 @@ pub(crate) fn finds(cx: &mut Context<'_>) {
             }
             asked.insert(name.clone(), item.span);
             if let Some(all) = all_motion::asked(cx, item) {
+                for found in all {
+                    if !asked.contains_key(&found.name) {
+                        asked.insert(found.name.clone(), found.span);
+                        cx.builder.mech.finds.push(found);
+                    }
+                }
+                continue;
+            }
+            if let Some(all) = bars::asked(cx, item) {
                 for found in all {
                     if !asked.contains_key(&found.name) {
                         asked.insert(found.name.clone(), found.span);
@@ -124,7 +133,7 @@ impl Context<'_> {
         Some((t, display))
     }
 
-    fn unit_fits(&mut self, unit: &Unit, t: &Typed, item: &FindItem) -> Option<()> {
+    pub(crate) fn unit_fits(&mut self, unit: &Unit, t: &Typed, item: &FindItem) -> Option<()> {
         let fits = match t.ty {
             Type::Number(dim) | Type::Vector(dim) => {
                 dim.unify(crate::values::typed::Dim::Of(unit.dimension)).is_some()

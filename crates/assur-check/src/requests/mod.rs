@@ -2,6 +2,7 @@
 
 mod all_motion;
 mod all_powers;
+pub mod bars;
 pub mod definitions;
 pub mod expect;
 pub mod expected_list;

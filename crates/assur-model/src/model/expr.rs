@@ -199,6 +199,8 @@ pub enum Query {
     Coriolis(PairId),
     /// Force on a link in a pair, a vector.
     Reaction(PairId, LinkId),
+    /// Force along a link of two hinges, N; tension is positive.
+    Axial(LinkId),
     /// Couple on a link in a pair about the pair's reference point.
     Moment(PairId, LinkId),
     /// Part of the force on the link along the line's left normal (contacts: along the common normal into the link).

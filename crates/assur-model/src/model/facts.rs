@@ -167,6 +167,9 @@ impl Query {
             Self::Moment(pair, _) => {
                 Facts { reaction: Some(pair), couple: Some(pair), ..force("a moment in a pair") }
             }
+            Self::Axial(link) => {
+                Facts { placed: Some((About::Link(link), "an axial force")), ..force("an axial force") }
+            }
             Self::Normal(pair, _) => Facts { reaction: Some(pair), ..force("a normal force") },
             Self::ContactForce(pair, _) => {
                 Facts { reaction: Some(pair), couple: Some(pair), ..force("a normal force") }

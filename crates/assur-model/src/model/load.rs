@@ -29,6 +29,8 @@ pub struct Load {
     /// Place of the statement.
     pub span: Span,
     pub kind: LoadKind,
+    /// It acts on this pin, which is fixed to its first link: to the link of `kind`.
+    pub pin: Option<PairId>,
     /// Acts only while this condition is true.
     pub when: Option<Expr>,
 }
@@ -165,6 +167,8 @@ pub struct Balance {
     /// Place of the name.
     pub span: Span,
     pub kind: BalanceKind,
+    /// It acts on this pin, as a load does.
+    pub pin: Option<PairId>,
 }
 
 /// Kinds of unknown effort.

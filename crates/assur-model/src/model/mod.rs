@@ -1,6 +1,7 @@
 //! The mechanism as plain data: SI units, radians, typed ids. The result of `check`, before any
 //! structure is found.
 
+mod bar;
 mod cam_part;
 mod display;
 mod element;
@@ -16,6 +17,7 @@ mod request;
 mod simulation;
 mod train;
 
+pub use bar::Bar;
 pub use cam_part::{CAM_PARTS, CamPart};
 pub use display::Display;
 pub use display::Spacing;
@@ -36,6 +38,7 @@ pub use simulation::{Bound, Cycle, CycleFunction, Part};
 pub use simulation::{Event, Occasion, Simulation, Situation, Steady, Stop};
 pub use train::{FrictionLimit, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 
+use crate::math::Vec2;
 use crate::source::Span;
 
 /// A checked mechanism: every name resolved, every number in SI, every expression typed.
@@ -92,6 +95,8 @@ pub struct Mechanism {
     pub expects: Vec<Expect>,
     /// Whether any value comes from a curve: then every position is looked at for one that is left.
     pub has_curves: bool,
+    /// Links of two hinges whose axial force is asked for.
+    pub bars: Vec<Bar>,
     /// Functions over the sweep, each after those it depends on.
     pub cycles: Vec<Cycle>,
     /// Flywheels that are to be found.
@@ -158,6 +163,16 @@ impl Mechanism {
             };
             p.bearing == Some(Bearing::Open) && moved == Some(link)
         })
+    }
+
+    /// The point of a link at which a pin or a slot holds it, m.
+    #[must_use]
+    pub fn point_in(&self, pair: PairId, link: LinkId) -> Option<Vec2> {
+        match &self.pair(pair).kind {
+            PairKind::Revolute(pins) => pins.iter().find(|pin| pin.link == link).map(|pin| pin.at),
+            PairKind::Slot(slot) if slot.slider == link => Some(slot.point),
+            _ => None,
+        }
     }
 
     /// The pair with this id.

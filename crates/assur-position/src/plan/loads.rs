@@ -6,7 +6,7 @@ use super::load_step::{ForceLine, LoadStep};
 use super::step::Anchor;
 use crate::math::Vec2;
 use crate::model::{
-    BalanceKind, Bearing, Expr, LoadId, LoadKind, Mechanism, PairKind, Place, SpringId, Value,
+    BalanceKind, Bearing, Expr, LinkId, LoadId, LoadKind, Mechanism, PairKind, Place, SpringId, Value,
 };
 use crate::structure::{Effort, EffortKind, EffortSource, Structure};
 use std::collections::HashSet;
@@ -56,6 +56,10 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects, steps: &mut Vec<Loa
     }
     for (i, load) in mechanism.loads.iter().enumerate() {
         let id = LoadId::at(i);
+        // a load on a pin that is fixed to the ground
+        if load.link() == Some(LinkId::GROUND) {
+            continue;
+        }
         let step = match (&load.kind, &load.when) {
             (
                 LoadKind::Force {

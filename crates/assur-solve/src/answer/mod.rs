@@ -3,6 +3,7 @@
 #![allow(non_snake_case, reason = "names carry the notation of the field: dJ")]
 
 mod angles;
+mod axial;
 mod constant;
 mod contact_normal;
 mod coordinate;

@@ -5,7 +5,8 @@ use super::switch::Switch;
 use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
 use crate::model::{
-    CamContact, FindKind, LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value,
+    BalanceKind, CamContact, FindKind, LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query,
+    Value,
 };
 use crate::plan::Plan;
 use crate::position::{Model, State};
@@ -137,6 +138,7 @@ impl PoseAnswers<'_> {
             Query::RelativeJerk(pair) => Value::Scalar(self.relative_jerk(*pair)),
             Query::Coriolis(pair) => Value::Vector(self.coriolis(*pair)),
             Query::Reaction(pair, link) => Value::Vector(self.reaction(*pair, *link)),
+            Query::Axial(link) => Value::Scalar(self.axial(*link)),
             Query::Moment(pair, link) => Value::Scalar(self.moment(*pair, *link)),
             Query::Normal(pair, link) => Value::Scalar(self.normal(*pair, *link)),
             Query::Friction(pair, link) => Value::Scalar(self.friction(*pair, *link)),
@@ -276,7 +278,9 @@ impl PoseAnswers<'_> {
         if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
             return self.mesh_force(pair, link);
         }
-        let Some((contact, hinge)) = self.roller_of(pair) else { return self.joint_force(pair, link) };
+        let Some((contact, hinge)) = self.roller_of(pair) else {
+            return self.on_pin(pair, link).fold(self.joint_force(pair, link), |sum, force| sum + force);
+        };
         let (roller, follower) = (contact.roller.map(|r| r.0), contact.follower);
         // the cam presses on the roller, and the roller on its pin
         let pressed = self.joint_force(contact.pair, follower);
@@ -286,6 +290,25 @@ impl PoseAnswers<'_> {
             (true, true) => self.joint_force(pair, link) - pressed,
             (true, false) => self.joint_force(pair, link) + pressed,
         }
+    }
+
+    /// The forces from outside on a pin, as far as it passes them on to this link: to its first one all of them.
+    pub(super) fn on_pin(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = Vec2> + '_ {
+        let loads = self.mechanism.loads.iter().enumerate();
+        let loads = loads.filter(move |(_, load)| load.pin == Some(pair) && load.link() == Some(link));
+        let efforts = self.structure.efforts.iter().enumerate();
+        let efforts = efforts.filter(move |(_, effort)| match effort.source {
+            EffortSource::Balance(id) => {
+                let balance = &self.mechanism.balances[id.index()];
+                let on = matches!(&balance.kind, BalanceKind::Force { on, .. } if *on == link);
+                on && balance.pin == Some(pair)
+            }
+            _ => false,
+        });
+        let lines = &self.state.forces;
+        loads
+            .filter_map(|(i, _)| if let Value::Vector(force) = self.load(i) { Some(force) } else { None })
+            .chain(efforts.map(|(slot, _)| lines.lines[slot].1 * lines.efforts[slot]))
     }
 
     /// The contact of a designed cam with a roller that is a link of its own, if the pair is that contact or the roller's

@@ -104,6 +104,7 @@ impl PoseAnswers<'_> {
                 self.mechanism.link(*link).mass.map_or(0.0, |m| m.inertia * sizes.speeding())
             }
             Query::Reaction(..)
+            | Query::Axial(_)
             | Query::Normal(..)
             | Query::Friction(..)
             | Query::ContactForce(..)

@@ -172,6 +172,8 @@ pub enum Site {
     Pair(Name),
     /// `on crank at B`: on one link.
     Link { link: Name, at: Option<Place> },
+    /// `at B`: on the pin of a revolute pair.
+    Pin(Name),
 }
 
 /// The point of a force.

@@ -168,6 +168,9 @@ impl Lower<'_> {
         if parts.word(Rule::w_in) {
             return Some(Site::Pair(parts.name()?));
         }
+        if parts.word(Rule::w_at) {
+            return Some(Site::Pin(parts.name()?));
+        }
         let link = parts.name_behind(Rule::w_on)?;
         if !parts.word(Rule::w_at) {
             return Some(Site::Link { link, at: None });

@@ -145,6 +145,8 @@ pub const CODES: &[Code] = codes! {
     "request" / "no_contacts",
     "request" / "no_mass",
     "request" / "no_place",
+    "request" / "bends",
+    "request" / "load_at_pin",
     "request" / "not_driven",
     "request" / "no_own_effort",
     "request" / "too_long",

@@ -190,6 +190,8 @@ functions! {
         [form(&[J, ON], Vector(Dimension::FORCE), "force on L")],
     Moment "moment" Force "moment(D, piston)"
         [form(&[J, ON], Number(Dimension::TORQUE), "couple on L about the pair's reference point")],
+    Axial "axial" Force "axial(bar)"
+        [form(&[L], Number(Dimension::FORCE), "force along a link of two hinges; tension is positive")],
     Normal "normal" Force "normal(D, piston)" [form(
         &[J, ON],
         Number(Dimension::FORCE),

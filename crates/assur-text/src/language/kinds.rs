@@ -84,6 +84,7 @@ pub struct Collection {
 pub const COLLECTIONS: &[Collection] = &[
     Collection::REACTIONS,
     Collection::POWERS,
+    Collection::AXIAL,
     Collection { word: "positions", of: Some((Function::Position, Function::Angle)) },
     Collection { word: "velocities", of: Some((Function::Velocity, Function::Omega)) },
     Collection { word: "accelerations", of: Some((Function::Acceleration, Function::Alpha)) },
@@ -95,6 +96,9 @@ impl Collection {
 
     /// The powers of all that acts.
     pub const POWERS: Self = Self { word: "powers", of: None };
+
+    /// The forces along all links of two hinges.
+    pub const AXIAL: Self = Self { word: "axial", of: None };
 
     /// The row of a word.
     #[must_use]

@@ -7,6 +7,7 @@ mod friction;
 mod holding;
 mod inertia;
 mod inside;
+mod joints;
 mod loads;
 mod lost;
 mod planets;
@@ -54,6 +55,10 @@ impl Derivation<'_> {
     /// All groups of forces, in the order of solution.
     pub fn forces(&mut self, figures: &[Figure]) {
         let plan = self.scene.model.plan;
+        if self.truss() {
+            self.counts.forces[0] += plan.forces.len();
+            return;
+        }
         for (index, step) in plan.forces.iter().enumerate() {
             let group = &self.structure().forces[index];
             let labels: Vec<String> = group.bodies.iter().map(|b| self.label(b.0)).collect();

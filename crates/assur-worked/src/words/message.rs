@@ -45,11 +45,11 @@ messages! {
         WillisSpeeds Sizes SizesOf CamTurned CamTurnedBy LiftBegins PlanetsEven SplineSlopes RootOfLaw
         CamDwells HeldByArc TurnsWith Rests Powers CommonNormal StaticMasses DynamicMasses StiffLink
         CylinderLength LoadRests PlaceOpen CoupleAtSlider ByFormulas AskedBesides
-        Jerks AskedForJerks SeveralMasses
+        Jerks AskedForJerks SeveralMasses MethodOfJoints JointOf WholeTruss
     }
     equations after {
         SumAlongGuide SumAcrossGuide SumOfLink MomentsOfLink MemberGives MembersGive AcrossGuide AlongGuide
-        Projected
+        Projected JointOf WholeTruss
     }
 }
 

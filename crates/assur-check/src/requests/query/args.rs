@@ -2,9 +2,10 @@
 
 use crate::expr::context::Context;
 use crate::expr::results::Call;
+use crate::links::lookup::kind_phrase;
 use crate::names::declared::ThingKind;
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, PairId, PairKind};
+use assur_model::model::{LinkId, PairId};
 use assur_syntax::document::{Expr, ExprKind, Name, Path};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::{Span, Spanned};
@@ -140,17 +141,5 @@ impl Context<'_> {
     /// Where a pair is declared.
     pub(crate) fn pair_span(&self, pair: PairId) -> Span {
         self.builder.mech.pair(pair).span
-    }
-}
-
-/// What kind of pair it is, with its article.
-pub const fn kind_phrase(kind: &PairKind) -> &'static str {
-    match kind {
-        PairKind::Revolute(_) => "a revolute pair",
-        PairKind::Prismatic(_) => "a prismatic pair",
-        PairKind::Slot(_) => "a slot",
-        PairKind::Contact { .. } => "a contact",
-        PairKind::Cylinder { .. } => "a cylinder",
-        PairKind::Transmission(t) => t.kind.phrase(),
     }
 }
