@@ -41,6 +41,7 @@ mod simulation;
 mod starts;
 mod terminal;
 mod torsion_springs;
+mod trusses;
 mod unit;
 mod unsmooth;
 mod unused;

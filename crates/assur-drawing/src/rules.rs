@@ -126,10 +126,13 @@ fn shape_of_strokes(out: &mut String, style: Style) {
     if paint.opacity < 1.0 {
         let _ = write!(out, "opacity:{};", number(paint.opacity));
     }
-    if matches!(style, Style::Link | Style::Plate | Style::Block | Style::Medium) {
+    if matches!(
+        style,
+        Style::Link | Style::Pulled | Style::Pushed | Style::Plate | Style::Block | Style::Medium
+    ) {
         out.push_str("stroke-linejoin:round;");
     }
-    if style == Style::Link {
+    if matches!(style, Style::Link | Style::Pulled | Style::Pushed) {
         out.push_str("stroke-linecap:round;");
     }
 }

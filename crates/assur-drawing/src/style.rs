@@ -6,6 +6,10 @@ use crate::label::Role;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Style {
     Link,
+    /// A bar in tension.
+    Pulled,
+    /// A bar in compression: wider.
+    Pushed,
     Medium,
     /// Hatching, arcs of angles, dimensions, leader lines.
     Thin,
@@ -70,8 +74,10 @@ pub const CURVES: [Style; 6] =
     [Style::Curve1, Style::Curve2, Style::Curve3, Style::Curve4, Style::Curve5, Style::Curve6];
 
 /// All of them, in the order of their rules.
-pub const STYLES: [Style; 37] = [
+pub const STYLES: [Style; 39] = [
     Style::Link,
+    Style::Pulled,
+    Style::Pushed,
     Style::Medium,
     Style::Thin,
     Style::Ghost,
@@ -146,6 +152,8 @@ impl Style {
     pub const fn paint(self) -> Paint {
         match self {
             Self::Link => stroke("l", Role::Ink, 0.7),
+            Self::Pulled => stroke("lp", Role::Blue, 0.7),
+            Self::Pushed => stroke("lc", Role::Vermilion, 1.3),
             Self::Medium => stroke("m", Role::Ink, 0.45),
             Self::Thin => stroke("t", Role::Ink, 0.22),
             Self::Ghost => Paint { opacity: 0.8, ..stroke("g", Role::Grey, 0.3) },

@@ -8,7 +8,7 @@ use crate::motion::{accelerations, velocities};
 use crate::paper::Scaled;
 use crate::plot::plot;
 use crate::scene::Scene;
-use crate::scheme::{Scheme, scheme};
+use crate::scheme::{Scheme, axial, scheme};
 use crate::train::train;
 use crate::work::work;
 use assur_drawing::Drawing;
@@ -26,6 +26,8 @@ pub enum Kind {
     /// A free body and a polygon of forces per structural group.
     Forces,
     Lever,
+    /// Bars with the forces along them.
+    Axial,
     /// Friction circles, angles and action lines.
     Friction,
     Train,
@@ -43,12 +45,13 @@ pub enum Kind {
     Animation,
 }
 
-pub const KINDS: [Kind; 13] = [
+pub const KINDS: [Kind; 14] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
     Kind::Forces,
     Kind::Lever,
+    Kind::Axial,
     Kind::Friction,
     Kind::Train,
     Kind::Plot,
@@ -85,6 +88,7 @@ impl Kind {
             Self::Accelerations => "accelerations",
             Self::Forces => "forces",
             Self::Lever => "lever",
+            Self::Axial => "axial",
             Self::Friction => "friction",
             Self::Train => "train",
             Self::Plot => "plot",
@@ -102,6 +106,7 @@ impl Kind {
         match self {
             Self::Scheme
             | Self::Forces
+            | Self::Axial
             | Self::Train
             | Self::Plot
             | Self::Work
@@ -118,7 +123,10 @@ impl Kind {
     pub const fn has_scale(self, of: Scaled) -> bool {
         match of {
             Scaled::Length => {
-                matches!(self, Self::Scheme | Self::Forces | Self::Friction | Self::Cam | Self::Animation)
+                matches!(
+                    self,
+                    Self::Scheme | Self::Forces | Self::Axial | Self::Friction | Self::Cam | Self::Animation
+                )
             }
             Scaled::Velocity => matches!(self, Self::Velocities | Self::Lever | Self::Hodograph),
             Scaled::Acceleration => matches!(self, Self::Accelerations),
@@ -135,7 +143,7 @@ impl Kind {
     /// Whether it shows forces.
     #[must_use]
     pub const fn forces(self) -> bool {
-        matches!(self, Self::Forces | Self::Lever | Self::Friction | Self::Polar)
+        matches!(self, Self::Forces | Self::Lever | Self::Axial | Self::Friction | Self::Polar)
     }
 
     /// Whether it shows the whole sweep and not one position.
@@ -177,6 +185,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Forces => forces(scene, paper),
         Kind::Friction => friction(scene, paper).map(|picture| vec![picture]),
         Kind::Lever => lever(scene, paper).map(|lever| vec![lever]),
+        Kind::Axial => axial(scene, &options.scheme).map(|bars| vec![bars]),
     }
 }
 

@@ -103,6 +103,12 @@ pub(crate) fn no_reaction(why: String, (at, label): Place, pairs: &[String]) -> 
     unknown("polar diagram", &why, at, label, help)
 }
 
+/// No bar to draw the force of.
+pub(crate) fn no_axial(scene: &Scene<'_>) -> Diagnosis {
+    let (at, label) = first_item(scene);
+    unknown("picture of axial forces", "the file asks for none", at, label, "ask in the file: `find axial`")
+}
+
 /// There are no positions to go over.
 fn nothing_to_go_over(
     what: &'static str,

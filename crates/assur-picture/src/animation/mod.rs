@@ -124,7 +124,8 @@ impl Drawn {
 pub fn still(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Diagnosis> {
     let ways = scene.all_ways();
     let frames = frames(&Scene { ways: &ways, ..*scene }, options)?;
-    let mut first = described(&frames[0], Drawn::of(scene, &frames, options)?.first(&frames[0]));
+    let mut first =
+        described(&frames[0], &options.scheme, Drawn::of(scene, &frames, options)?.first(&frames[0]));
     first.id = words::id(scene, "animation");
     Ok(first)
 }
@@ -151,7 +152,7 @@ impl<'a> Animated<'a> {
         let others = schemes.iter().step_by(schemes.len().div_ceil(LOOKED_AT));
         let others: Vec<Later> = others.map(|frame| moved::later(&schemes[0], frame)).collect();
         let first = schemes.into_iter().next().unwrap_or_default();
-        let mut first = described(&frames[0], first);
+        let mut first = described(&frames[0], &options.scheme, first);
         first.id = words::id(scene, "animation");
         // labels are beside what moves
         first.room = Some(room.grown(LABELS));

@@ -35,7 +35,7 @@ impl Sketch<'_, '_> {
                 drawing.line(Style::Medium, *a, *b);
             }
             for (a, b) in &outline.bars {
-                drawing.line(Style::Link, *a, *b);
+                drawing.line(self.style_of(LinkId::at(i)), *a, *b);
             }
             drawing.end();
         }
@@ -137,25 +137,29 @@ impl Sketch<'_, '_> {
                 continue;
             }
             drawing.begin("link", &link.name);
-            if let Some(label) = self.number(id) {
+            if let Some(label) = self.axial_number(id).or_else(|| self.number(id)) {
                 drawing.label(label);
             }
             drawing.end();
         }
     }
 
-    /// The number of a link at its longest line, or at its block.
-    fn number(&self, link: LinkId) -> Option<Label> {
+    /// The longest line of a link on paper.
+    pub(super) fn longest(&self, link: LinkId) -> Option<(Vec2, Vec2)> {
         let outline = &self.outlines()[link.index()];
-        let longest = outline
+        outline
             .bars
             .iter()
             .copied()
             .chain(self.rods.iter().filter(|r| r.0 == link).map(|r| (r.1, r.2)))
             .chain(outline.sides())
             .filter(|(a, b)| (*b - *a).norm() > 4.0)
-            .max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
-        if let Some((a, b)) = longest {
+            .max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()))
+    }
+
+    /// The number of a link at its longest line, or at its block.
+    fn number(&self, link: LinkId) -> Option<Label> {
+        if let Some((a, b)) = self.longest(link) {
             return Some(self.numbered(link, |text, size| Label::along(text, size, a, b)));
         }
         let block = self.blocks.iter().find(|b| b.0 == link);

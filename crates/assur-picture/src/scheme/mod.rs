@@ -1,5 +1,6 @@
 //! The kinematic scheme: the mechanism at one position, to scale.
 
+mod axial;
 mod dimension;
 mod effort;
 mod geneva;
@@ -13,6 +14,7 @@ mod profile;
 mod room;
 mod ways;
 
+pub use axial::axial;
 pub use dimension::{Dimension, Measured};
 pub use profile::Freed;
 
@@ -53,6 +55,8 @@ pub struct Scheme {
     pub paths: Vec<String>,
     /// Whether loads and efforts have their numbers, and arrows of forces lengths in proportion.
     pub numbers: bool,
+    /// Bars have the forces along them in place of their names.
+    pub axial: bool,
     /// Lengths that are shown with their names.
     pub dimensions: Vec<Dimension>,
 }
@@ -61,7 +65,8 @@ impl Default for Scheme {
     fn default() -> Self {
         let (ghosts, paths, numbers, dimensions) = (0, Vec::new(), false, Vec::new());
         let (size, scales) = (Vec2::new(180.0, 120.0), Scales::default());
-        Self { loads: Loads::All, size, grows: true, scales, ghosts, paths, numbers, dimensions }
+        let axial = false;
+        Self { loads: Loads::All, size, grows: true, scales, ghosts, paths, numbers, axial, dimensions }
     }
 }
 
@@ -96,7 +101,7 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Diagnosis> 
     let mut drawing = drawn(scene, wanted, &shapes, &frame, &traced, forces);
     captioned(&mut drawing, &frame, forces);
     Sketch::new(scene, &shapes, &frame).hidden(&mut drawing);
-    Ok(described(scene, drawing))
+    Ok(described(scene, wanted, drawing))
 }
 
 /// The size and place on paper that hold a mechanism of these shapes at several positions.
@@ -116,8 +121,9 @@ pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, shapes: &[LinkShape], frame
 }
 
 /// With its title and what it shows.
-pub fn described(scene: &Scene<'_>, mut drawing: Drawing) -> Drawing {
-    drawing.title = format!("{}: kinematic scheme{}", words::title(scene), words::at_position(scene));
+pub fn described(scene: &Scene<'_>, wanted: &Scheme, mut drawing: Drawing) -> Drawing {
+    let what = if wanted.axial { "axial forces" } else { "kinematic scheme" };
+    drawing.title = format!("{}: {what}{}", words::title(scene), words::at_position(scene));
     drawing.description = words::mechanism(scene) + &drawing.description;
     drawing
 }
@@ -140,9 +146,16 @@ fn drawn(
     traced: &[ways::Traced],
     forces: Option<Scale>,
 ) -> Drawing {
-    let mut drawing = Drawing::new(&words::id(scene, "scheme"), String::new(), String::new());
+    let mut drawing = Drawing::new(
+        &words::id(scene, if wanted.axial { "axial" } else { "scheme" }),
+        String::new(),
+        String::new(),
+    );
     let mut sketch = Sketch::new(scene, shapes, frame);
     (sketch.numbers, sketch.forces) = (wanted.numbers, forces);
+    if wanted.axial {
+        sketch.shows_axial();
+    }
     sketch.ghosts(&mut drawing, wanted.ghosts);
     sketch.paths(&mut drawing, traced);
     sketch.draw(&mut drawing, wanted);
@@ -238,6 +251,8 @@ struct Sketch<'a, 's> {
     numbers: bool,
     /// The scale of their arrows, where they have.
     forces: Option<Scale>,
+    /// The forces along bars, where they are shown.
+    axial: Option<axial::Axial>,
 }
 
 impl<'a, 's> Sketch<'a, 's> {
@@ -259,6 +274,7 @@ impl<'a, 's> Sketch<'a, 's> {
             rods,
             numbers,
             forces,
+            axial: None,
         }
     }
 

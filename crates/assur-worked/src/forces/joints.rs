@@ -7,6 +7,7 @@ use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, LoadId, LoadKind, PairId, PairKind, Place};
+use assur_picture::Kind;
 use assur_position::position::Origin;
 
 /// Two directions whose sine is below this are one line.
@@ -57,6 +58,9 @@ impl Derivation<'_> {
                 Step::Joint(joint, sought) => self.joint_balance(&joints[joint], &sought),
             }
         }
+        let picture = self.pictures(Kind::Axial, Message::AxialForces, "");
+        self.cite(Message::SeeAxial, &picture);
+        self.figures(picture);
         true
     }
 

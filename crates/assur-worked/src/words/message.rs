@@ -46,6 +46,7 @@ messages! {
         CamDwells HeldByArc TurnsWith Rests Powers CommonNormal StaticMasses DynamicMasses StiffLink
         CylinderLength LoadRests PlaceOpen CoupleAtSlider ByFormulas AskedBesides
         Jerks AskedForJerks SeveralMasses MethodOfJoints JointOf WholeTruss
+        AxialForces SeeAxial
     }
     equations after {
         SumAlongGuide SumAcrossGuide SumOfLink MomentsOfLink MemberGives MembersGive AcrossGuide AlongGuide
