@@ -260,7 +260,10 @@ impl Derivation<'_> {
             Query::InertiaForce(_) => self.known_parts(query)?,
             Query::Reaction(pair, link) => match self.known_parts(query) {
                 Some(parts) => parts,
-                None => self.reaction_from_others(*pair, *link)?,
+                None => match self.reaction_in_truss(*pair, *link) {
+                    Some(parts) => parts,
+                    None => self.reaction_from_others(*pair, *link)?,
+                },
             },
             Query::LinkDirection(link) => {
                 let angle = self.bodies[link.index()].as_ref()?.angle.clone();

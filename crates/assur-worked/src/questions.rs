@@ -112,6 +112,7 @@ impl Asking<'_> {
             Query::RelativeJerk(id) => (M::RelativeJerk, vec![pair(id)]),
             Query::Coriolis(id) => (M::Coriolis, vec![pair(id)]),
             Query::Reaction(id, on) => (M::Reaction, vec![pair(id), link(on)]),
+            Query::Axial(id) => (M::Axial, vec![link(id)]),
             Query::Moment(id, on) => (M::Moment, vec![pair(id), link(on)]),
             Query::Normal(id, on) => (M::Normal, vec![pair(id), link(on)]),
             Query::Friction(id, on) => (M::Friction, vec![pair(id), link(on)]),

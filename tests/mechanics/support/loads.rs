@@ -101,7 +101,7 @@ impl Draft {
                 let turns = Expr::Query(Query::Omega(on));
                 Expr::Compare(Comparison::Greater, Box::new(turns), Box::new(Expr::number(0.0)))
             });
-            self.mechanism.loads.push(Load { name: None, span: Span::default(), kind, when });
+            self.mechanism.loads.push(Load { name: None, span: Span::default(), kind, pin: None, when });
         }
         for _ in 0..self.random.below(3) {
             let (a, b) = (LinkId::at(self.random.below(self.frames.len())), self.moving());
@@ -161,7 +161,12 @@ impl Draft {
                     }
                 }
             };
-            self.mechanism.balances.push(Balance { name: format!("M{i}"), span: Span::default(), kind });
+            self.mechanism.balances.push(Balance {
+                name: format!("M{i}"),
+                span: Span::default(),
+                kind,
+                pin: None,
+            });
         }
     }
 }

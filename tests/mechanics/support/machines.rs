@@ -90,7 +90,12 @@ pub fn turn(from: f64, steps: usize) -> Positions {
 }
 
 pub fn balance(m: &mut Mechanism, link: LinkId) {
-    m.balances.push(Balance { name: "Mb".into(), span: Span::default(), kind: BalanceKind::Torque(link) });
+    m.balances.push(Balance {
+        name: "Mb".into(),
+        span: Span::default(),
+        kind: BalanceKind::Torque(link),
+        pin: None,
+    });
 }
 
 pub fn hint(m: &mut Mechanism, kind: HintKind) {

@@ -298,4 +298,33 @@ impl Derivation<'_> {
         let [x, y] = self.position(to.0.index(), to.1);
         [x - x0, y - y0]
     }
+
+    /// The force of a pin of a truss on a bar or on the ground, from the forces of its joint.
+    pub(crate) fn reaction_in_truss(&self, pair: PairId, link: LinkId) -> Option<[Expr; 2]> {
+        let mut forces = Vec::new();
+        let of = |sought: Sought| {
+            let (angle, name, _) = self.sought_letters(&sought);
+            let force = self.found.get(&name)?.clone();
+            Some([force.clone() * angle.cos(), force * angle.sin()])
+        };
+        match &self.scene.mechanism().pair(pair).kind {
+            PairKind::Slot(slot) if slot.guide == LinkId::GROUND => forces.push(of(Sought::Roller(pair))?),
+            PairKind::Revolute(_) if link == LinkId::GROUND => {
+                forces.push(of(Sought::Support(pair, 0))?);
+                forces.push(of(Sought::Support(pair, 1))?);
+            }
+            PairKind::Revolute(_) => {
+                let bar = self.scene.mechanism().bars.iter().find(|bar| bar.link == link)?;
+                let ends =
+                    [[bar.from, bar.to], [bar.to, bar.from]].into_iter().find(|ends| ends[0] == pair)?;
+                forces.push(of(Sought::Bar(link, ends))?);
+            }
+            _ => return None,
+        }
+        let sum = |i: usize| Expr::sum(forces.iter().map(|force| force[i].clone()));
+        let on_pin = [sum(0), sum(1)];
+        let on_slider =
+            matches!(self.scene.mechanism().pair(pair).kind, PairKind::Slot(_)) && link != LinkId::GROUND;
+        Some(if on_slider { on_pin } else { on_pin.map(|part| -part) })
+    }
 }
