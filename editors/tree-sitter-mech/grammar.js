@@ -25,7 +25,7 @@ module.exports = grammar({
     statement: ($) =>
       choice(
         $.edition, $.title, $.given, $.let, $.gravity, $.ground, $.link, $.shaft, $.slider, $.pair, $.spring, $.all, $.group,
-        $.drive, $.pose, $.assemble, $.load, $.balance, $.cam, $.brake, $.flywheel, $.start, $.simulate, $.event, $.until,
+        $.drive, $.pose, $.assemble, $.load, $.balance, $.cam, $.brake, $.flywheel, $.start, $.equilibrium, $.simulate, $.event, $.until,
         $.stop, $.ignore, $.find, $.expect, $.curve, $.variants,
       ),
 
@@ -164,6 +164,13 @@ module.exports = grammar({
     // ------------------------------------------------------------------------------------------ motion under loads
 
     start: ($) => seq('start', $.path, choice(seq('=', nl($), $._sensed, optional($.rate)), $.rate)),
+    equilibrium: ($) => seq('equilibrium', $._balanced, repeat(seq(',', nl($), $._balanced))),
+    _balanced: ($) =>
+      seq(
+        $.path,
+        optional(choice(seq('near', $.expression), seq('in', $.expression, '..', nl($), $.expression))),
+        optional($.rate),
+      ),
     simulate: ($) =>
       seq(
         'simulate',

@@ -1,5 +1,6 @@
 //! Text → mechanism, structure and plan. A text is read once, however often it is checked.
 
+use super::equilibrium::settle;
 use assur_check as check;
 use assur_check::Overrides;
 use assur_model::model::Mechanism;
@@ -166,7 +167,7 @@ fn proposed_names(defect: &DiagnosticView) -> Vec<String> {
 
 /// Structure and plan of a mechanism; the structure is known where another row of the same text has the same.
 pub(super) fn plan_mechanism(
-    mechanism: Mechanism,
+    mut mechanism: Mechanism,
     known: Option<Structure>,
     mut problems: Problems,
     origin: Option<Origin>,
@@ -175,6 +176,10 @@ pub(super) fn plan_mechanism(
     match found {
         Ok((structure, warnings)) => {
             problems.extend(warnings);
+            if let Err(unsettled) = settle(&mut mechanism) {
+                problems.extend([unsettled]);
+                return (None, problems);
+            }
             let plan = plan::plan(&mechanism, &structure);
             problems.extend(structure.force_defect.clone().filter(|_| plan.effects.forces));
             (Some(Compiled { mechanism, structure, plan, origin }), problems)

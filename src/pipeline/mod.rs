@@ -3,6 +3,7 @@
 mod compile;
 mod critical;
 mod dimensions;
+mod equilibrium;
 mod file_variants;
 mod followed;
 mod open_sizes;

@@ -128,7 +128,7 @@ impl<'a> Answers<'a> {
         };
         let all = self.model.structure.efforts.iter().enumerate();
         let of_start = |effort: &assur_model::structure::Effort| match effort.source {
-            EffortSource::Drive(id) => mechanism.drives[id.index()].free,
+            EffortSource::Drive(id) => mechanism.drives[id.index()].is_unaided(),
             EffortSource::Balance(_) => false,
         };
         // an effort that depends on sizes left open has no value

@@ -96,6 +96,7 @@ pub(super) fn sections(model: &Model<'_>, report: &mut Report) {
         ("lower pairs".to_owned(), count.lower.to_string()),
         ("higher pairs".to_owned(), count.higher.to_string()),
         ("drives".to_owned(), drive_names(model)),
+        ("equilibrium of".to_owned(), sought_names(model)),
         ("free coordinates".to_owned(), free_names(model)),
         ("unknown efforts".to_owned(), effort_names(model)),
         ("effects".to_owned(), effects(model)),
@@ -191,15 +192,26 @@ pub(super) fn source_name(model: &Model<'_>, effort: &Effort) -> String {
     match effort.source {
         EffortSource::Drive(id) => {
             let drive = &model.mechanism.drives[id.index()];
-            format!("{} {}", if drive.free { "start" } else { "drive" }, drive.name)
+            let word = match (drive.sought.is_some(), drive.free) {
+                (true, _) => "equilibrium",
+                (false, true) => "start",
+                (false, false) => "drive",
+            };
+            format!("{word} {}", drive.name)
         }
         EffortSource::Balance(id) => format!("balance {}", model.mechanism.balances[id.index()].name),
     }
 }
 
 fn drive_names(model: &Model<'_>) -> String {
-    let drives = model.mechanism.drives.iter().filter(|d| !d.free).map(|d| d.name.as_str());
+    let drives = model.mechanism.drives.iter().filter(|d| !d.is_unaided()).map(|d| d.name.as_str());
     drives.collect::<Vec<_>>().join(", ")
+}
+
+/// The coordinates whose positions need no effort.
+fn sought_names(model: &Model<'_>) -> String {
+    let sought = model.mechanism.drives.iter().filter(|d| d.sought.is_some()).map(|d| d.name.as_str());
+    sought.collect::<Vec<_>>().join(", ")
 }
 
 /// The coordinates whose motion follows from the loads.
@@ -216,7 +228,7 @@ fn effort_names(model: &Model<'_>) -> String {
         let own = model.structure.efforts.iter().filter_map(|e| match e.source {
             EffortSource::Drive(id) => {
                 let drive = &model.mechanism.drives[id.index()];
-                (!drive.free).then(|| format!("effort({})", drive.name))
+                (!drive.is_unaided()).then(|| format!("effort({})", drive.name))
             }
             EffortSource::Balance(_) => None,
         });

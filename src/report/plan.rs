@@ -163,6 +163,10 @@ fn load_on(model: &Model<'_>, index: usize, how: &str) -> (String, String) {
     let load = &model.mechanism.loads[index];
     let name = load.name.as_ref().map(|n| format!(" {n}")).unwrap_or_default();
     let what = match &load.kind {
+        _ if load.pin.is_some() => {
+            let pin = load.pin.map_or("", |pin| model.mechanism.pair(pin).name.as_str());
+            format!("force{name} at {pin}")
+        }
         LoadKind::Force { on, .. } | LoadKind::ForceAgainstMotion { on, .. } => {
             format!("force{name} on {}", model.mechanism.link(*on).name)
         }

@@ -12,6 +12,7 @@ mod cycle;
 mod effects;
 mod energy;
 mod equal_positions;
+mod equilibria;
 mod expectations;
 mod expressions;
 #[path = "../folder/mod.rs"]

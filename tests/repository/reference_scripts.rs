@@ -10,7 +10,7 @@ use std::process::Command;
 use std::sync::Mutex;
 
 /// Modules that other scripts import, and those that need the program (`answers.py`) or a folder.
-const NO_SCRIPTS: [&str; 14] = [
+const NO_SCRIPTS: [&str; 15] = [
     "answers.py",
     "dynamics.py",
     "exercise_set.py",
@@ -25,6 +25,7 @@ const NO_SCRIPTS: [&str; 14] = [
     "solution.py",
     "taylor.py",
     "trusses.py",
+    "two_bars.py",
 ];
 
 /// The hash of the catalogue of hard cases and of its script, as it passed.

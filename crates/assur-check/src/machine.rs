@@ -4,7 +4,7 @@ use crate::elements::{cam, cam_contact, flywheel, geneva};
 use crate::expr::context::Context;
 use crate::links::link;
 use crate::loads::{balance, gravity, load, mass, spring};
-use crate::motion::{assemble, drive, no_motion, pose, simulation, spacing};
+use crate::motion::{assemble, drive, equilibrium, no_motion, pose, simulation, spacing};
 use crate::pairs::pair;
 use crate::requests::definitions;
 use crate::trains::{shaft, size, transmission};
@@ -25,6 +25,7 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     definitions::results(cx);
     drive::drives(cx);
     simulation::starts(cx);
+    equilibrium::equilibria(cx);
     pose::poses(cx);
     balance::balances(cx);
     load::loads(cx);
@@ -35,4 +36,5 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     simulation::simulation(cx);
     no_motion::no_motion(cx);
     spacing::spacing(cx);
+    equilibrium::allowed(cx);
 }

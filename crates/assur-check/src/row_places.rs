@@ -150,6 +150,7 @@ impl<'d> Places<'d> {
             | Statement::Flywheel(_)
             | Statement::Curve(_)
             | Statement::Start(_)
+            | Statement::Equilibrium(_)
             | Statement::Simulate(_)
             | Statement::Event(_)
             | Statement::Until(_)

@@ -106,7 +106,9 @@ pub(crate) fn no_reaction(why: String, (at, label): Place, pairs: &[String]) -> 
 /// No bar to draw the force of.
 pub(crate) fn no_axial(scene: &Scene<'_>) -> Diagnosis {
     let (at, label) = first_item(scene);
-    unknown("picture of axial forces", "the file asks for none", at, label, "ask in the file: `find axial`")
+    Diagnosis::error("mech::picture::no_axial", "there are no axial forces to draw: the file asks for none")
+        .label(at, label)
+        .help("ask in the file: `find axial`")
 }
 
 /// There are no positions to go over.

@@ -1,7 +1,7 @@
 """The words of the language, written by `UPDATE=1 cargo test --test repository editors`."""
 
 # words: statements
-STATEMENTS = "mech mechanism given let gravity ground link shaft slider spring all group drive pose assemble balance force torque brake cam curve flywheel find expect variants start simulate event until stop ignore".split()
+STATEMENTS = "mech mechanism given let gravity ground link shaft slider spring all group drive pose assemble balance force torque brake cam curve flywheel find expect variants start equilibrium simulate event until stop ignore".split()
 # words: pairs
 PAIRS = "revolute prismatic slot contact cylinder mesh rope belt chain rack worm screw clutch".split()
 # words: members
@@ -15,7 +15,7 @@ CONNECTING = "accelerating against along and as at between ccw cw for from in mo
 # words: contextual
 CONTEXTUAL = "about ahead behind centre diameter forward back cycle falling held left linear right up down step motion over periodic phase radius rising smooth steady teeth turn turns under".split()
 # words: functions
-FUNCTIONS = "sqrt abs sin cos tan asin acos atan atan2 exp log mag dot cross unit dir max min slope position velocity acceleration jerk distance instant_centre angle omega alpha angular_jerk displacement relative_velocity relative_acceleration coriolis slip_speed travel stroke time_ratio dead transmission_angle pressure_angle reaction moment axial normal friction contact_force line_offset inertia_force inertia_torque inertia_arm mass mass_centre inertia static_substitution dynamic_substitution effort power speed efficiency locked critical profile curvature_radius start smallest_base_radius table tooth_force sliding_velocity contact_ratio time count kinetic_energy potential_energy energy period sticks rests fluctuation rim work friction_work reduced_torque reduced_inertia radius tangential_force normal_force tension tight_side slack_side wrap capacity slips frictionless mean integral argmax journal_torque thrust_torque belt_ratio raising_torque lowering_torque".split()
+FUNCTIONS = "sqrt abs sin cos tan asin acos atan atan2 exp log mag dot cross unit dir max min slope position velocity acceleration jerk distance instant_centre angle omega alpha angular_jerk displacement relative_velocity relative_acceleration coriolis slip_speed travel stroke time_ratio dead transmission_angle pressure_angle reaction moment axial normal friction contact_force line_offset inertia_force inertia_torque inertia_arm mass mass_centre inertia static_substitution dynamic_substitution effort power speed efficiency stable locked critical profile curvature_radius start smallest_base_radius table tooth_force sliding_velocity contact_ratio time count kinetic_energy potential_energy energy period sticks rests fluctuation rim work friction_work reduced_torque reduced_inertia radius tangential_force normal_force tension tight_side slack_side wrap capacity slips frictionless mean integral argmax journal_torque thrust_torque belt_ratio raising_torque lowering_torque".split()
 # words: collections
 COLLECTIONS = "reactions powers axial positions velocities accelerations".split()
 # words: properties

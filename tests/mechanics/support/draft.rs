@@ -225,6 +225,7 @@ impl Draft {
             acceleration,
             sense: None,
             free: false,
+            sought: None,
             of_time: false,
         });
     }

@@ -75,6 +75,7 @@ pub fn drive(m: &mut Mechanism, link: LinkId, angles: Positions) {
         acceleration: None,
         sense: None,
         free: false,
+        sought: None,
         of_time: false,
     });
 }

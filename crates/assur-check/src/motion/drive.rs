@@ -125,6 +125,7 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
         acceleration,
         sense,
         free: false,
+        sought: None,
         of_time,
     })
 }
@@ -237,7 +238,7 @@ pub(crate) fn moves(cx: &Context<'_>, target: DriveTarget) -> Moves {
     }
 }
 
-fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bool {
+pub(super) fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bool {
     let Some(first) = cx.builder.mech.drives.iter().find(|d| d.target == target).map(|d| d.span) else {
         return true;
     };

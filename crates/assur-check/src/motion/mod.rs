@@ -3,6 +3,7 @@
 pub mod assemble;
 pub mod drive;
 pub mod drive_kind;
+pub mod equilibrium;
 pub mod no_motion;
 pub mod pose;
 pub mod simulation;

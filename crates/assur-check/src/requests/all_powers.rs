@@ -59,6 +59,9 @@ fn loads(cx: &Context<'_>) -> Vec<(String, Expr)> {
 /// `force on ram`
 fn unnamed(cx: &Context<'_>, load: &Load) -> String {
     let mech = &cx.builder.mech;
+    if let Some(pin) = load.pin {
+        return format!("force at {}", mech.pair(pin).name);
+    }
     match &load.kind {
         LoadKind::Torque { on, .. } => format!("torque on {}", mech.link(*on).name),
         LoadKind::Force { on, .. } | LoadKind::ForceAgainstMotion { on, .. } => {

@@ -121,6 +121,10 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
                 settings(all, visit);
             }
         }
+        Statement::Equilibrium(all) => all.iter().for_each(|one| {
+            one.sought.values().for_each(&mut *visit);
+            sensed(one.rate.iter(), visit);
+        }),
         Statement::Start(s) => sensed(s.value.iter().chain(&s.rate), visit),
         Statement::Simulate(s) => {
             if let TimeCourse::Between { from, to } = &s.course {

@@ -211,6 +211,8 @@ pub enum Query {
     FrictionPower(PairId),
     /// Ideal over actual effort where the balance drives, actual over ideal where it resists.
     Efficiency,
+    /// Whether an equilibrium is stable.
+    Stable,
     /// Whether the efficiency is not positive, as a condition.
     Locked,
     /// Value of a given at which locking begins: index into [`super::Mechanism::criticals`].

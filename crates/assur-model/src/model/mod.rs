@@ -31,7 +31,7 @@ pub use facts::{About, Answer, Facts, Level};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring, TorsionSpring};
-pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
+pub use motion::{Drive, DriveTarget, Equilibrium, Hint, HintKind, LinkPoint, NamedPose, Positions, Sought};
 pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape, UnilateralCondition};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 pub use simulation::{Bound, Cycle, CycleFunction, Part};
@@ -71,6 +71,8 @@ pub struct Mechanism {
     pub stops: Vec<Stop>,
     /// Poses in addition to those of the sweep.
     pub poses: Vec<NamedPose>,
+    /// The positions of equilibrium, where they are sought and found: one per position of the sweep.
+    pub equilibria: Vec<Equilibrium>,
     /// The clauses of `assemble`.
     pub hints: Vec<Hint>,
     /// The acceleration of free fall, where declared.
@@ -143,7 +145,13 @@ impl Mechanism {
     /// wheels that are left open.
     #[must_use]
     pub fn asks_again(&self) -> bool {
-        !self.criticals.is_empty() || !self.open_sizes.is_empty()
+        !self.criticals.is_empty() || !self.open_sizes.is_empty() || self.seeks_equilibrium()
+    }
+
+    /// Whether the position of a drive is to be found from the loads.
+    #[must_use]
+    pub fn seeks_equilibrium(&self) -> bool {
+        self.drives.iter().any(|drive| drive.sought.is_some())
     }
 
     /// Whether a law moves the links of a pair, and not the joints that stand for it: a designed cam, or a Geneva wheel.

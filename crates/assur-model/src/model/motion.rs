@@ -26,8 +26,37 @@ pub struct Drive {
     pub sense: Option<f64>,
     /// It is a start: its motion follows from the loads, and its effort is nothing.
     pub free: bool,
+    /// Its position is that in which it needs no effort, and is found before anything else is solved.
+    pub sought: Option<Sought>,
     /// Its one position is an expression of the instant, and its rates are the derivatives.
     pub of_time: bool,
+}
+
+impl Drive {
+    /// Whether its effort is nothing: it is free, or in equilibrium.
+    #[must_use]
+    pub const fn is_unaided(&self) -> bool {
+        self.free || self.sought.is_some()
+    }
+}
+
+/// Where the position of a drive is sought in which it needs no effort: rad or m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sought {
+    /// The nearest one.
+    Near(f64),
+    /// The only one between two values.
+    Between(f64, f64),
+    Anywhere,
+}
+
+/// A position of equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// The values of all drives: rad or m.
+    pub at: Vec<f64>,
+    /// Whether the mechanism comes back to it when it is moved a little.
+    pub stable: bool,
 }
 
 /// The target of a drive.

@@ -145,6 +145,7 @@ impl PoseAnswers<'_> {
             Query::FrictionPower(pair) => Value::Scalar(self.friction_power(*pair)),
             Query::Efficiency => Value::Scalar(self.efficiency()),
             Query::Locked => Value::Bool(self.efficiency() <= 0.0),
+            Query::Stable => Value::Bool(self.is_stable()),
             Query::Critical(which) => Value::Scalar(self.statics.critical(*which)),
             Query::ContactForce(pair, which) => {
                 Value::Scalar(self.contact_forces(*pair).map_or(f64::NAN, |r| r[usize::from(*which == 2)]))
@@ -184,6 +185,13 @@ impl PoseAnswers<'_> {
             Query::Cycle(which) => Value::Scalar(self.statics.cycle(*which)),
             Query::Flywheel(which, part) => Value::Scalar(self.flywheel(*which, *part)),
         }
+    }
+
+    /// Whether the position is a stable equilibrium of those that were sought.
+    fn is_stable(&self) -> bool {
+        let inputs = &self.state.motion.inputs;
+        let here = |at: &[f64]| at.iter().zip(inputs).all(|(x, input)| *x == input.value);
+        self.mechanism.equilibria.iter().any(|equilibrium| here(&equilibrium.at) && equilibrium.stable)
     }
 
     /// State of a link.

@@ -147,7 +147,7 @@ impl PoseAnswers<'_> {
             | Query::Dead(..)
             | Query::StaticSubstitution(..)
             | Query::DynamicSubstitution(..) => itself(),
-            Query::In(_) | Query::Locked | Query::Slips(_) => 0.0,
+            Query::In(_) | Query::Locked | Query::Stable | Query::Slips(_) => 0.0,
         }
     }
 

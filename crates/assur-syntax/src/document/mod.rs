@@ -26,6 +26,7 @@ pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Turn, Way};
 pub use question::{
     Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Find, FindItem, Row, Variants,
 };
+pub use simulation::{Balanced, Sought};
 pub use simulation::{Event, Passing, PassingSense, Simulate, Start, Steady, Stop, TimeCourse, Until};
 
 use assur_text::source::{Span, Spanned};
@@ -124,6 +125,7 @@ pub enum Statement {
     Curve(Curve),
     /// `start OF = -0.0617 rad at 0 rad/s`
     Start(Start),
+    Equilibrium(Vec<Balanced>),
     /// `simulate 0 s .. 0.03 s within 1e-9`
     Simulate(Simulate),
     /// `event top: omega(bar) = 0 rad/s falling`

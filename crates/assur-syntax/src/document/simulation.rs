@@ -13,6 +13,38 @@ pub struct Start {
     pub rate: Option<Sensed>,
 }
 
+/// `bar near 60 deg at 0.2 rad/s`, as part of `equilibrium`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Balanced {
+    /// A link or a pair's coordinate.
+    pub target: Path,
+    pub sought: Sought,
+    /// Its rate at the first instant of a motion.
+    pub rate: Option<Sensed>,
+}
+
+/// Where an equilibrium is sought.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Sought {
+    /// The nearest one.
+    Near(Expr),
+    /// The only one between two values.
+    Between(Expr, Expr),
+    Anywhere,
+}
+
+impl Sought {
+    /// The values that are written.
+    pub fn values(&self) -> impl Iterator<Item = &Expr> {
+        let values = match self {
+            Self::Near(value) => [Some(value), None],
+            Self::Between(from, to) => [Some(from), Some(to)],
+            Self::Anywhere => [None, None],
+        };
+        values.into_iter().flatten()
+    }
+}
+
 /// `simulate 0 s .. 0.03 s in 30 steps within 1e-9`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Simulate {

@@ -76,6 +76,7 @@ impl Lower<'_> {
             Rule::balance => Statement::Balance(self.balance(pair)?),
             Rule::load => Statement::Load(Box::new(self.load(pair)?)),
             Rule::start => Statement::Start(self.start(pair)?),
+            Rule::equilibrium => Statement::Equilibrium(self.equilibrium(pair)?),
             Rule::find => Statement::Find(self.find(pair)?),
             Rule::expect => Statement::Expect(Box::new(self.expect(pair)?)),
             Rule::variants => Statement::Variants(self.rows(pair.into_inner())),

@@ -2,7 +2,9 @@
 
 use super::expr::compare;
 use super::walk::{P, Parts, span};
-use crate::document::{Event, Passing, PassingSense, Simulate, Start, Steady, Stop, TimeCourse, Until};
+use crate::document::{
+    Balanced, Event, Passing, PassingSense, Simulate, Sought, Start, Steady, Stop, TimeCourse, Until,
+};
 use crate::words::Rule;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Spanned;
@@ -18,6 +20,27 @@ impl Lower<'_> {
             None => None,
         };
         Some(Start { target, value, rate: self.sensed_behind(&mut parts, Rule::rate)? })
+    }
+
+    pub(super) fn equilibrium(&mut self, pair: P<'_>) -> Option<Vec<Balanced>> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let mut all = Vec::new();
+        while let Some(one) = parts.any() {
+            let mut parts = Parts::of(one);
+            let target = self.path(parts.any()?)?;
+            let sought = if parts.word(Rule::w_near) {
+                Sought::Near(self.expr(parts.any()?)?)
+            } else if parts.word(Rule::w_in) {
+                let from = self.expr(parts.any()?)?;
+                let mut last = Parts::of(parts.any()?);
+                Sought::Between(from, self.expr(last.any()?)?)
+            } else {
+                Sought::Anywhere
+            };
+            all.push(Balanced { target, sought, rate: self.sensed_behind(&mut parts, Rule::rate)? });
+        }
+        Some(all)
     }
 
     pub(super) fn simulate(&mut self, pair: P<'_>) -> Option<Simulate> {

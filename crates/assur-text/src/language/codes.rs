@@ -203,6 +203,10 @@ pub const CODES: &[Code] = codes! {
     "train" / "rope_end",
     "train" / "efficiency",
 
+    "equilibrium" / "not_here",
+    "equilibrium" / "none",
+    "equilibrium" / "several",
+
     "simulate" / "twice",
     "simulate" / "missing",
     "simulate" / "no_start",
@@ -304,6 +308,7 @@ pub const CODES: &[Code] = codes! {
     "picture" / "no_sweep",
     "picture" / "no_quantity",
     "picture" / "no_flywheel",
+    "picture" / "no_axial",
     "picture" / "no_cam",
     "picture" / "unknown",
     "picture" / "no_point",

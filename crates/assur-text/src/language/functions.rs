@@ -251,6 +251,8 @@ functions! {
         [form(&[SLIDER], Number(Dimension::VELOCITY), "magnitude of a slider's velocity")],
     Efficiency "efficiency" Friction "efficiency()"
         [form(&[], Number(Dimension::NUMBER), "ideal over actual effort, see Friction")],
+    Stable "stable" Force "stable()"
+        [form(&[], Condition, "whether the equilibrium is stable; needs `equilibrium`")],
     Locked "locked" Friction "locked()" [form(&[], Condition, "self-locking, see Friction")],
     Critical "critical" Friction "critical(al)" [form(
         &[arg("al", Takes::Given)],

@@ -101,6 +101,7 @@ pub const STATEMENTS: &[Word] = &[
         "variants { then a header and rows, each on a line of its own }",
     ),
     row("start", "the state that motion under loads starts from", "start OF = 5 deg at 0 rad/s"),
+    row("equilibrium", "a position in which no effort is needed", "equilibrium bar near 60 deg"),
     row("simulate", "the time of motion under loads", "simulate 0 s .. 2 s in 200 steps within 1e-9"),
     row("event", "an instant at which something happens", "event top: omega(bar) = 0 rad/s"),
     row("until", "where motion under loads ends", "until angle(crank) = 360 deg"),

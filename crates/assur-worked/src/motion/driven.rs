@@ -44,8 +44,12 @@ impl Derivation<'_> {
                 };
                 self.bodies[body] =
                     Some(Body { reference: pin(&arm), angle, rates: [Expr::ZERO, Expr::ZERO] });
-                let free = self.is_free(drive);
-                let message = if free { Message::FreeCoordinate } else { Message::DrivenAngle };
+                let sought = self.scene.mechanism().drives[drive].sought.is_some();
+                let message = match (sought, self.is_free(drive)) {
+                    (true, _) => Message::EquilibriumAngle,
+                    (false, true) => Message::FreeCoordinate,
+                    (false, false) => Message::DrivenAngle,
+                };
                 self.say(message, &[super::of(&Name::new("φ", &label))]);
             }
             Stage::Velocities => {

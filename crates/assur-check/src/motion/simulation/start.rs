@@ -82,6 +82,7 @@ fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
         acceleration,
         sense,
         free,
+        sought: None,
         of_time,
     })
 }

@@ -140,6 +140,7 @@ impl Context<'_> {
             F::SlidingVelocity => self.gear_rate_alone(call, GearRate::SlidingVelocity),
             F::Reaction => self.reaction(call, |_| true, Query::Reaction, Type::vector(Dimension::FORCE)),
             F::Axial => self.axial(call),
+            F::Stable => self.stable(call),
             F::Moment => self.reaction(call, has_moment, Query::Moment, Type::number(Dimension::TORQUE)),
             F::Normal => self.reaction(call, has_normal, Query::Normal, Type::number(Dimension::FORCE)),
             F::Friction => self.reaction(call, has_normal, Query::Friction, Type::number(Dimension::FORCE)),

@@ -1,0 +1,162 @@
+//! Equilibrium: coordinates at which no effort is needed. For the structure each is a drive: one freedom whose position is known.
+
+use crate::expr::context::Context;
+use crate::expr::positive::Want;
+use crate::expr::results::Call;
+use crate::motion::drive::{Moves, once, target, value};
+use crate::statements::written::text;
+use crate::values::typed::{Type, Typed};
+use assur_model::model::{Drive, Expr, Positions, Query, Sought};
+use assur_syntax::document::{self, Balanced, Statement};
+use assur_text::diagnostic::Diagnosis;
+use assur_text::source::Span;
+
+const CODE: &str = "mech::equilibrium::not_here";
+
+/// Enters all equilibria into the mechanism.
+pub(crate) fn equilibria(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        let Statement::Equilibrium(all) = &statement.node else { continue };
+        for one in all {
+            if let Some(drive) = equilibrium(cx, one, all.len() > 1) {
+                cx.builder.mech.drives.push(drive);
+            }
+        }
+    }
+}
+
+fn equilibrium(cx: &mut Context<'_>, one: &Balanced, several: bool) -> Option<Drive> {
+    let (name, span) = (text(&one.target), one.target.span());
+    let (target, moves) = target(cx, &one.target, "an equilibrium")?;
+    if moves == Moves::Freely {
+        let link = &one.target.head.node;
+        let message =
+            format!("an equilibrium is the value of an angle or a coordinate, and `{name}` is a point");
+        refuse(cx, message, span, format!("name its link, `equilibrium {link}`, or a pair"));
+        return None;
+    }
+    let is_once = target.is_none_or(|target| once(cx, target, &name, span));
+    let want = Want(moves.dimension(0));
+    let what = format!("the place of the equilibrium of `{name}`");
+    let sought = match &one.sought {
+        document::Sought::Near(near) => Some(Sought::Near(cx.scalar_constant(near, &want, &what)?)),
+        document::Sought::Between(from, to) => {
+            let (from, to) = (cx.scalar_constant(from, &want, &what), cx.scalar_constant(to, &want, &what));
+            Some(Sought::Between(from?, to?))
+        }
+        document::Sought::Anywhere => Some(Sought::Anywhere),
+    };
+    let example = if moves == Moves::Sliding { "100 mm" } else { "60 deg" };
+    if several && !matches!(sought, Some(Sought::Near(_))) {
+        let message = format!("of several equilibria each needs a value near it, and `{name}` has none");
+        refuse(cx, message, span, format!("write `{name} near {example}`, with your own value"));
+        return None;
+    }
+    let simulates = cx.names.simulates;
+    let speed = match &one.rate {
+        Some(rate) if !simulates => {
+            let message = format!("`{name}` is at rest: a speed is for the begin of a motion");
+            refuse(
+                cx,
+                message,
+                rate.value.span,
+                "leave the speed out, or add `simulate 0 s .. 2 s`".to_owned(),
+            );
+            return None;
+        }
+        Some(rate) => Some(value(cx, rate, moves, 1, &name)?),
+        None => simulates.then(|| Expr::number(0.0)),
+    };
+    let start = match sought {
+        Some(Sought::Near(x) | Sought::Between(x, _)) => x,
+        _ => 0.0,
+    };
+    let target = target?;
+    is_once.then(|| Drive {
+        name,
+        span,
+        target,
+        positions: Positions::List(vec![Expr::number(start)]),
+        written: None,
+        speed,
+        acceleration: None,
+        sense: None,
+        free: simulates,
+        sought,
+        of_time: false,
+    })
+}
+
+/// Reports what has no meaning beside an equilibrium. Only once everything else is in the mechanism.
+pub(crate) fn allowed(cx: &mut Context<'_>) {
+    let mech = &cx.builder.mech;
+    let Some(sought) = mech.drives.iter().find(|drive| drive.sought.is_some()).map(|d| d.name.clone()) else {
+        return;
+    };
+    let mut wrong: Vec<(String, Span, String)> = Vec::new();
+    if let Some(balance) = mech.balances.first() {
+        let message =
+            format!("at the equilibrium of `{sought}` no effort is needed, and `{}` is one", balance.name);
+        wrong.push((
+            message,
+            balance.span,
+            "leave the balance out, or write a `drive` for a position that it holds".to_owned(),
+        ));
+    }
+    for load in &mech.loads {
+        let of_time = load.expressions().any(of_time);
+        let against = load.is_against_motion();
+        if against || of_time {
+            let depends = if against { "on the motion" } else { "on time" };
+            let message = format!("a load that depends {depends} has no equilibrium");
+            wrong.push((message, load.span, "leave the load out".to_owned()));
+        }
+    }
+    for pair in mech.pairs.iter().filter(|pair| pair.friction.is_some()) {
+        let message =
+            format!("friction in `{}` holds the mechanism anywhere between two positions", pair.name);
+        let help = format!(
+            "leave the friction out, or find the two positions with `drive {sought} = … moving forward` and `moving back`"
+        );
+        wrong.push((message, pair.span, help));
+    }
+    for drive in mech.drives.iter().filter(|drive| drive.sought.is_none() && !drive.free) {
+        if drive.speed.is_some() || drive.of_time {
+            let message = format!("at an equilibrium `{}` rests, and has no speed", drive.name);
+            wrong.push((message, drive.span, "leave its speed out".to_owned()));
+        }
+    }
+    for (message, span, help) in wrong {
+        refuse(cx, message, span, help);
+    }
+}
+
+fn of_time(expr: &Expr) -> bool {
+    let mut found = false;
+    expr.queries(&mut |query| found |= matches!(query, Query::Time));
+    found
+}
+
+fn refuse(cx: &mut Context<'_>, message: String, span: Span, help: String) {
+    cx.error(Diagnosis::error(CODE, message).label(span, "does not fit here").help(help));
+}
+
+impl Context<'_> {
+    /// `stable()`
+    pub(crate) fn stable(&mut self, call: Call<'_>) -> Option<Typed> {
+        self.arguments(call, 0, 0)?;
+        let sought = self.doc.statements.iter().any(|s| matches!(s.node, Statement::Equilibrium(_)));
+        if !sought {
+            let drive = self.doc.statements.iter().find_map(|s| match &s.node {
+                Statement::Drive(drive) => Some(text(&drive.target)),
+                _ => None,
+            });
+            let drive = drive.unwrap_or_else(|| "bar".to_owned());
+            let help = format!("write `equilibrium {drive} near …` in place of its `drive`");
+            refuse(self, "no equilibrium is sought".to_owned(), call.span, help);
+            return None;
+        }
+        Some(Typed::new(Expr::Query(Query::Stable), Type::Bool))
+    }
+}
