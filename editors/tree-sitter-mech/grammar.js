@@ -136,7 +136,7 @@ module.exports = grammar({
         optional(seq('against', 'motion')),
         optional(seq('when', $.expression)),
       ),
-    _site: ($) => choice(seq('in', $.identifier), seq('on', $.identifier, optional(seq('at', choice($.parenthesized, $.identifier))))),
+    _site: ($) => choice(seq('in', $.identifier), seq('at', $.identifier), seq('on', $.identifier, optional(seq('at', choice($.parenthesized, $.identifier))))),
     heading: () => choice('left', 'right', 'up', 'down'),
     frame: ($) => seq('in', $.identifier),
     balance: ($) =>
