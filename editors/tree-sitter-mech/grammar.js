@@ -78,7 +78,7 @@ module.exports = grammar({
       seq($.kind, field('name', $.identifier), ':', nl($), $._part, repeat1(seq(minus, nl($), $._part)), optional($.properties)),
     kind: () =>
       choice(
-        'revolute', 'prismatic', 'slot', 'contact', 'cylinder', 'mesh', 'rope', 'belt', 'chain', 'rack', 'worm', 'screw', 'clutch',
+        'revolute', 'prismatic', 'slot', 'contact', 'cylinder', 'mesh', 'rope', 'belt', 'chain', 'rack', 'worm', 'screw', 'clutch', 'weld',
       ),
     _part: ($) => choice($.path, $.pulley),
     pulley: ($) => seq(choice('over', 'under'), '(', $.identifier, ')'),

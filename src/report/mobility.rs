@@ -2,7 +2,7 @@
 
 use super::document::{Align, Block, Column, Report, Section, Table};
 use super::train::kind_name;
-use assur_model::model::{BalanceKind, Value};
+use assur_model::model::{BalanceKind, PairId, PairKind, Value};
 use assur_model::structure::{BodyId, BodyOrigin, Effort, EffortSource, Group, GroupKind, Structure};
 use assur_solve::solve::Model;
 use assur_text::units::Dimension;
@@ -52,7 +52,7 @@ pub(super) fn link_names(model: &Model<'_>, group: &Group) -> Vec<String> {
     let (mut links, mut pairs) = (Vec::new(), Vec::new());
     for body in &group.bodies {
         match model.structure.replaced.bodies[body.0].origin {
-            BodyOrigin::Link(id) => links.push(model.mechanism.link(id).name.clone()),
+            BodyOrigin::Link(_) => links.push(model.structure.replaced.body_name(model.mechanism, *body)),
             BodyOrigin::Imaginary(pair) => pairs.push(model.mechanism.pair(pair).name.clone()),
         }
     }
@@ -246,6 +246,16 @@ fn effort_names(model: &Model<'_>) -> String {
     balances.collect::<Vec<_>>().join(", ")
 }
 
+/// The bodies of welded links, with their welds.
+pub(super) fn welded<'a>(model: &Model<'a>) -> impl Iterator<Item = (BodyId, Vec<PairId>)> + use<'a> {
+    let (mechanism, replaced) = (model.mechanism, &model.structure.replaced);
+    let bodies = (0..mechanism.links.len()).map(BodyId);
+    bodies.filter(|body| replaced.links_of(*body).len() > 1).map(|body| {
+        let is_weld = |pair: &PairId| matches!(&mechanism.pair(*pair).kind, PairKind::Weld { pins, .. } if replaced.body_of(pins[0].link) == body);
+        (body, (0..mechanism.pairs.len()).map(PairId::at).filter(is_weld).collect())
+    })
+}
+
 /// Unusual properties of the structure.
 fn notes(model: &Model<'_>) -> Vec<String> {
     let (mechanism, structure) = (model.mechanism, model.structure);
@@ -256,6 +266,11 @@ fn notes(model: &Model<'_>) -> Vec<String> {
             mechanism.link(*link).name
         ));
     }
+    notes.extend(welded(model).map(|(body, welds)| {
+        let name = structure.replaced.body_name(mechanism, body);
+        let names: Vec<&str> = welds.iter().map(|weld| mechanism.pair(*weld).name.as_str()).collect();
+        format!("{name}: one body ({} {})", if names.len() == 1 { "weld" } else { "welds" }, names.join(", "))
+    }));
     let chained: Vec<String> =
         structure.undetermined_couples.iter().map(|p| format!("`{}`", mechanism.pair(*p).name)).collect();
     if !chained.is_empty() {

@@ -65,9 +65,10 @@ pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
 /// The couple of a pair on a link, N m; `None` where it is not determined, or has no meaning.
 pub(super) fn moment(view: &PoseAnswers<'_>, pair: PairId, on: LinkId) -> Option<f64> {
     match &view.mechanism.pair(pair).kind {
-        PairKind::Revolute(_) | PairKind::Transmission(_) | PairKind::Prismatic(_) => {
-            number(view, &Query::Moment(pair, on))
-        }
+        PairKind::Revolute(_)
+        | PairKind::Transmission(_)
+        | PairKind::Prismatic(_)
+        | PairKind::Weld { .. } => number(view, &Query::Moment(pair, on)),
         PairKind::Cylinder { .. } | PairKind::Slot(_) | PairKind::Contact { .. } => None,
     }
 }
@@ -101,7 +102,10 @@ fn entry(view: &PoseAnswers<'_>, pair: PairId, from: LinkId, on: LinkId) -> Reac
 pub(super) fn has_moment(model: &Model<'_>, pair: PairId) -> bool {
     let undetermined = model.structure.undetermined_couples.binary_search(&pair).is_ok();
     match &model.mechanism.pair(pair).kind {
-        PairKind::Revolute(_) | PairKind::Transmission(_) | PairKind::Prismatic(_) => !undetermined,
+        PairKind::Revolute(_)
+        | PairKind::Transmission(_)
+        | PairKind::Prismatic(_)
+        | PairKind::Weld { .. } => !undetermined,
         PairKind::Cylinder { .. } | PairKind::Slot(_) | PairKind::Contact { .. } => false,
     }
 }
@@ -109,7 +113,7 @@ pub(super) fn has_moment(model: &Model<'_>, pair: PairId) -> bool {
 /// The point of a link at which the links of a pair meet at all positions.
 pub(super) fn meets_at(kind: &PairKind) -> Option<(LinkId, Vec2)> {
     match kind {
-        PairKind::Revolute(pins) => pins.first().map(|p| (p.link, p.at)),
+        PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => pins.first().map(|p| (p.link, p.at)),
         PairKind::Cylinder { to, .. } => Some((to.link, to.at)),
         PairKind::Slot(g) => Some((g.slider, g.point)),
         PairKind::Contact { .. } | PairKind::Transmission(_) | PairKind::Prismatic(_) => None,
@@ -330,7 +334,7 @@ fn locked(answers: &Answers<'_>) -> Vec<String> {
 pub(super) fn pair_text(mechanism: &Mechanism, kind: &PairKind) -> String {
     let name = |link: LinkId| mechanism.link(link).name.as_str();
     match kind {
-        PairKind::Revolute(pins) => {
+        PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
             let alike = pins.windows(2).all(|two| two[0].name == two[1].name);
             let pins = pins.iter().map(|p| {
                 if alike { name(p.link).to_owned() } else { format!("{}.{}", name(p.link), p.name) }
@@ -373,6 +377,7 @@ pub(super) fn section(model: &Model<'_>, report: &mut Report) {
             PairKind::Revolute(_)
             | PairKind::Prismatic(_)
             | PairKind::Cylinder { .. }
+            | PairKind::Weld { .. }
             | PairKind::Transmission(_) => continue,
         };
         table.row(vec![pair.name.clone(), pair_text(model.mechanism, &pair.kind), by]);

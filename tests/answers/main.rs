@@ -48,4 +48,5 @@ mod unsmooth;
 mod unused;
 mod variants;
 mod verdicts;
+mod welds;
 mod zero;

@@ -48,12 +48,7 @@ const CASES: &[(&str, usize, &str, &[&str])] = &[
     ),
     ("use3/messages/steps-as-dt", 1, "syntax::other_word", &["write: simulate 2 s in 40 steps"]),
     ("use3/messages/title-with-quotes", 1, "syntax::other_word", &["the 'quick' return"]),
-    (
-        "use3/messages/weld",
-        1,
-        "syntax::unknown_statement",
-        &["two links that do not move against each other are one"],
-    ),
+    ("use3/messages/weld", 1, "syntax::misspelt_word", &["write: weld B: crank - rod"]),
     (
         "use3/messages/revolute-with-point-of-wrong-name",
         1,

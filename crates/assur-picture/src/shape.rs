@@ -74,7 +74,7 @@ pub fn shapes(scene: &Scene<'_>) -> Vec<LinkShape> {
     let mut shapes: Vec<LinkShape> = vec![LinkShape::default(); mechanism.links.len()];
     for pair in mechanism.pairs.iter().filter(|p| p.bearing != Some(Bearing::Open)) {
         match &pair.kind {
-            PairKind::Revolute(pins) => {
+            PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
                 pins.iter().for_each(|pin| shapes[pin.link.index()].joints.push(pin.at));
             }
             PairKind::Prismatic(g) | PairKind::Slot(g) => shapes[g.slider.index()].joints.push(g.point),

@@ -111,6 +111,7 @@ const fn kind(kind: &PairKind) -> &'static str {
         PairKind::Slot(_) => "pin in slot",
         PairKind::Contact { .. } => "contact",
         PairKind::Cylinder { .. } => "cylinder",
+        PairKind::Weld { .. } => "weld",
         PairKind::Transmission(t) => t.kind.word(),
     }
 }

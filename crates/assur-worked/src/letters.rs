@@ -4,13 +4,18 @@ use crate::course::Derivation;
 use assur_formula::{Name, Quantity, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, LoadId, LoadKind, PairId, PairKind, Place};
-use assur_model::structure::{BodyOrigin, Joint, JointKind};
+use assur_model::structure::{BodyId, BodyOrigin, Joint, JointKind};
 use assur_picture::reaction_index;
 
 impl Derivation<'_> {
     /// The number of a body as written, or its name; of a body that stands for a pair the pair's.
     pub fn label(&self, body: usize) -> String {
         self.scene.body_label(body).to_owned()
+    }
+
+    /// The body that moves what a slot stands for: of a welded link that of all of them.
+    pub fn body_of(&self, slot: usize) -> usize {
+        self.structure().replaced.body_of(LinkId::at(slot)).0
     }
 
     /// The link of a body.
@@ -46,7 +51,18 @@ impl Derivation<'_> {
         };
         let own = mechanism.link(link);
         self.author_name(body, at)
+            .or_else(|| self.name_on_part(body, at))
             .or_else(|| own.mass.is_some_and(|m| near(m.centre)).then(|| format!("S{}", self.label(body))))
+    }
+
+    /// The name that a point of a body has on one of its parts.
+    fn name_on_part(&self, body: usize, at: Vec2) -> Option<String> {
+        let place = self.moved(body).position(at);
+        let parts = self.structure().replaced.links_of(BodyId(body)).into_iter().skip(1);
+        parts.map(LinkId::index).find_map(|part| {
+            let moved = self.moved(part);
+            self.author_name(part, (place - moved.p).turned_back(moved.u))
+        })
     }
 
     /// The name that the file gives a point of a link, with the number of the link where others have it too.
@@ -162,9 +178,14 @@ impl Derivation<'_> {
     }
 
     fn hinge(&self, body: usize, at: Vec2) -> Option<&Joint> {
-        self.structure().replaced.joints.iter().find(|joint| match &joint.kind {
+        let replaced = &self.structure().replaced;
+        let (own, place) = replaced.place(LinkId::at(body), at);
+        replaced.joints.iter().find(|joint| match &joint.kind {
             JointKind::Revolute(members) => {
-                members.iter().any(|(b, p)| b.0 == body && (*p - at).norm() <= self.tiny)
+                members.iter().any(|(b, p)| *b == own && (*p - place).norm() <= self.tiny)
+            }
+            JointKind::Weld { part, at: own, base, on } => {
+                [(part, own), (base, on)].iter().any(|(b, p)| b.0 == body && (**p - at).norm() <= self.tiny)
             }
             _ => false,
         })
@@ -197,9 +218,7 @@ impl Derivation<'_> {
             }
         });
         let here = |members: &&Vec<_>| {
-            members.iter().any(|(b, p): &(assur_model::structure::BodyId, Vec2)| {
-                b.0 == body && (*p - at).norm() <= self.tiny
-            })
+            members.iter().any(|(b, p): &(BodyId, Vec2)| b.0 == body && (*p - at).norm() <= self.tiny)
         };
         let all: Vec<_> = hinges.collect();
         let index = all.iter().position(here).unwrap_or(0);
@@ -211,9 +230,16 @@ impl Derivation<'_> {
         let joints = &self.structure().replaced.joints;
         let mut found = vec![(body, at)];
         for joint in joints {
-            let on_rim = |members: &[(assur_model::structure::BodyId, Vec2)]| {
+            let on_rim = |members: &[(BodyId, Vec2)]| {
                 members.iter().any(|(b, _)| self.structure().replaced.bodies[b.0].on_rim)
             };
+            if let JointKind::Weld { part, at: own, base, on } = joint.kind {
+                let ends = [(part, own), (base, on)];
+                let here = |end: &(BodyId, Vec2)| end.0.0 == body && (end.1 - at).norm() <= self.tiny;
+                if ends.iter().any(here) {
+                    found.extend(ends.iter().map(|(b, p)| (b.0, *p)).filter(|(b, _)| *b != body));
+                }
+            }
             if let JointKind::Revolute(members) = &joint.kind
                 && !on_rim(members)
                 && members.iter().any(|(b, p)| b.0 == body && (*p - at).norm() <= self.tiny)

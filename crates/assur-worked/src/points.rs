@@ -207,7 +207,8 @@ impl Derivation<'_> {
     /// Whether the file gives how a point moves: no step has found it, and a drive moves a body at it.
     fn is_driven_point(&self, body: usize, at: Vec2) -> bool {
         let bodies = &self.structure().replaced.bodies;
-        self.at_hinge(body, at).into_iter().any(|(b, _)| b != 0 && bodies[b].known)
+        let is_part = |b: usize| self.body_of(b) != b;
+        self.at_hinge(body, at).into_iter().any(|(b, _)| b != 0 && bodies[b].known && !is_part(b))
     }
 
     /// The point relative to the reference of a body that carries it; none where it is that reference, or nothing is known.

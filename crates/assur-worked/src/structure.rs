@@ -32,6 +32,7 @@ impl Derivation<'_> {
                 PairKind::Slot(_) => (Message::Slot, Message::Higher),
                 PairKind::Contact { .. } => (Message::Contact, Message::Higher),
                 PairKind::Cylinder { .. } => (Message::Cylinder, Message::Lower),
+                PairKind::Weld { .. } => (Message::Weld, Message::NoPair),
                 PairKind::Transmission(_) => (Message::Transmission, Message::Higher),
             };
             let links: Vec<&str> = pair.kind.links().iter().map(|l| self.scene.link_label(*l)).collect();

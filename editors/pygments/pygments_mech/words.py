@@ -3,7 +3,7 @@
 # words: statements
 STATEMENTS = "mech mechanism given let gravity ground link shaft slider spring all group drive pose assemble balance force torque brake cam curve flywheel find expect variants start equilibrium simulate event until stop ignore".split()
 # words: pairs
-PAIRS = "revolute prismatic slot contact cylinder mesh rope belt chain rack worm screw clutch".split()
+PAIRS = "revolute prismatic slot contact cylinder mesh rope belt chain rack worm screw clutch weld".split()
 # words: members
 MEMBERS = "line circle profile mass weight inertia wheel".split()
 # words: members of cams

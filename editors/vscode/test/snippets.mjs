@@ -53,6 +53,10 @@ const around = {
   stop: [moving + start, "simulate 1 s in 10 steps\nfind omega(crank)\n"],
   ignore: [balanced, ""],
   revolute: [links + hinges.replace(/revolute B.*\n/, "") + guide + drive + assemble, ""],
+  weld: [
+    `${links.replace(/link piston.*\n/, "")}revolute A: ground - crank\n${drive}`,
+    "find angle(rod)\n",
+  ],
   prismatic: [links + hinges + drive + assemble, ""],
   slot: [links.replace(/link piston.*\n/, "") + "revolute A: ground - crank\nrevolute B: crank - rod\n" + drive + "assemble K > 0\n", ""],
   contact: [

@@ -1,7 +1,7 @@
 //! Values and maps of JSON.
 
 use super::super::{
-    mobility::{GroupCount, link_names},
+    mobility::{GroupCount, link_names, welded},
     train::kind_name,
 };
 use crate::report::{
@@ -9,8 +9,8 @@ use crate::report::{
     cycle::{all_flywheels, named},
 };
 use assur_math::math::Vec2;
-use assur_model::model::{FlywheelPart, Value};
-use assur_model::structure::{Group, GroupKind};
+use assur_model::model::{FlywheelPart, PairId, Value};
+use assur_model::structure::{BodyId, Group, GroupKind};
 use assur_position::plan::Precision;
 use assur_solve::measure::accuracy::{AchievedAccuracy, Source};
 use assur_solve::solve::{CycleAnswer, Model, PoseAnswers, State};
@@ -127,7 +127,16 @@ pub(super) struct StructureView<'a> {
     links: usize,
     lower_pairs: usize,
     higher_pairs: usize,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    welded: Vec<WeldedView<'a>>,
     groups: Vec<GroupView<'a>>,
+}
+
+/// Links that are one body.
+#[derive(Serialize)]
+struct WeldedView<'a> {
+    links: Vec<&'a str>,
+    welds: Vec<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -152,7 +161,18 @@ impl<'a> StructureView<'a> {
             links: count.n,
             lower_pairs: count.lower,
             higher_pairs: count.higher,
+            welded: welded(model).map(|(body, welds)| WeldedView::of(model, body, &welds)).collect(),
             groups: groups.map(|g| GroupView::of(model, g)).collect(),
+        }
+    }
+}
+
+impl<'a> WeldedView<'a> {
+    fn of(model: &Model<'a>, body: BodyId, welds: &[PairId]) -> Self {
+        let links = model.structure.replaced.links_of(body).into_iter();
+        Self {
+            links: links.map(|link| model.mechanism.link(link).name.as_str()).collect(),
+            welds: welds.iter().map(|weld| model.mechanism.pair(*weld).name.as_str()).collect(),
         }
     }
 }

@@ -69,7 +69,7 @@ pub fn rubbing(draft: &Draft, factor: impl Fn(usize) -> f64) -> Mechanism {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
                 Some(Friction::Coefficient(factor(i)))
             }
-            PairKind::Cylinder { .. } | PairKind::Transmission(_) => None,
+            PairKind::Cylinder { .. } | PairKind::Weld { .. } | PairKind::Transmission(_) => None,
         };
     }
     mechanism

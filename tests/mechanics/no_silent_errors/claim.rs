@@ -77,7 +77,9 @@ fn size(m: &Mechanism, poses: &[(Vec2, Vec2)]) -> f64 {
     let mut size = poses.iter().map(|x| x.0.norm()).fold(0.0, f64::max);
     for pair in &m.pairs {
         let at = match &pair.kind {
-            PairKind::Revolute(pins) => pins.iter().map(|p| p.at.norm()).fold(0.0, f64::max),
+            PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
+                pins.iter().map(|p| p.at.norm()).fold(0.0, f64::max)
+            }
             PairKind::Prismatic(g) | PairKind::Slot(g) => g.point.norm().max(g.through.norm()),
             PairKind::Contact { .. } | PairKind::Transmission(_) => 0.0,
             PairKind::Cylinder { from, to, .. } => from.at.norm().max(to.at.norm()),

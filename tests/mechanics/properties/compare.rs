@@ -152,6 +152,7 @@ impl Comparison<'_> {
                 PairKind::Cylinder { .. }
                 | PairKind::Contact { .. }
                 | PairKind::Revolute(_)
+                | PairKind::Weld { .. }
                 | PairKind::Transmission(_) => None,
             };
             let Some((rate, second, coriolis)) = want else { continue };

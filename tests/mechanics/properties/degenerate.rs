@@ -106,7 +106,9 @@ fn numbers(m: &mut Mechanism) -> Vec<&mut f64> {
     }
     for pair in &mut m.pairs {
         match &mut pair.kind {
-            PairKind::Revolute(pins) => pins.iter_mut().for_each(|p| vector(&mut p.at, &mut out)),
+            PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
+                pins.iter_mut().for_each(|p| vector(&mut p.at, &mut out))
+            }
             PairKind::Prismatic(g) | PairKind::Slot(g) => {
                 vector(&mut g.point, &mut out);
                 vector(&mut g.through, &mut out);

@@ -77,7 +77,7 @@ fn conditions(replaced: &Replaced, efforts: &[Effort], some: &[BodyId], known: &
         count += match joint.kind {
             JointKind::Revolute(_) => 2 * (inside - 1) - 2 * in_known.saturating_sub(1),
             JointKind::Prismatic { angle_redundant, .. } if inside == 2 => 2 - usize::from(angle_redundant),
-            JointKind::Prismatic { .. } => 0,
+            JointKind::Prismatic { .. } | JointKind::Weld { .. } => 0,
             JointKind::Law(_) => usize::from(inside == members.len()),
         };
     }

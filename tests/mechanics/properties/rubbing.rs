@@ -27,7 +27,7 @@ pub fn roughen(draft: &mut Draft) {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
                 Some(Friction::Coefficient(coefficient))
             }
-            PairKind::Cylinder { .. } | PairKind::Transmission(_) => None,
+            PairKind::Cylinder { .. } | PairKind::Weld { .. } | PairKind::Transmission(_) => None,
         };
     }
 }
@@ -97,7 +97,7 @@ impl Check<'_> {
         let mut owner: Vec<usize> = (0..sums.len()).collect();
         for (i, pair) in m.pairs.iter().enumerate() {
             let points: Vec<(LinkId, Vec2)> = match &pair.kind {
-                PairKind::Revolute(pins) => {
+                PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
                     pins.iter().map(|p| (p.link, self.body(p.link).point(p.at).value())).collect()
                 }
                 PairKind::Prismatic(g) | PairKind::Slot(g) => {
@@ -123,7 +123,9 @@ impl Check<'_> {
             for (link, p) in points {
                 sums[link.index()].add(Wrench::at(p, self.reaction(i, link)));
                 let couple = match pair.kind {
-                    PairKind::Revolute(_) | PairKind::Prismatic(_) => self.moment(i, link),
+                    PairKind::Revolute(_) | PairKind::Prismatic(_) | PairKind::Weld { .. } => {
+                        self.moment(i, link)
+                    }
                     _ => 0.0,
                 };
                 sums[link.index()].add(Wrench::couple(couple));
@@ -197,7 +199,7 @@ impl Check<'_> {
                     let force = self.reaction(i, first.link);
                     self.law(i, force.dot(n.perp()), speed, f * force.dot(n).abs());
                 }
-                (PairKind::Cylinder { .. } | PairKind::Transmission(_), _) => {}
+                (PairKind::Cylinder { .. } | PairKind::Weld { .. } | PairKind::Transmission(_), _) => {}
             }
         }
     }

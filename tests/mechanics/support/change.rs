@@ -130,7 +130,7 @@ impl Change {
         let mut pair = pair.clone();
         pair.name = self.name(&pair.name);
         match &mut pair.kind {
-            PairKind::Revolute(pins) => {
+            PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
                 for pin in pins {
                     pin.at = self.point(pin.link, pin.at);
                     pin.link = self.link(pin.link);

@@ -186,6 +186,12 @@ impl System<'_> {
                 self.force(id, *rod, *barrel, p, n);
                 self.couple(id, *rod, *barrel);
             }
+            PairKind::Weld { pins, .. } => {
+                for pin in &pins[1..] {
+                    self.hinge(id, pin.link, pins[0].link, self.at(pin.link, pin.at));
+                    self.couple(id, pin.link, pins[0].link);
+                }
+            }
             PairKind::Transmission(_) => {}
         }
     }
@@ -266,7 +272,7 @@ impl System<'_> {
                 let unit = Wrench::at(self.body(*rod).p.value(), self.body(*rod).u.value());
                 vec![(*rod, unit), (*barrel, unit.times(-1.0))]
             }
-            PairKind::Contact { .. } | PairKind::Transmission(_) => Vec::new(),
+            PairKind::Contact { .. } | PairKind::Weld { .. } | PairKind::Transmission(_) => Vec::new(),
         }
     }
 

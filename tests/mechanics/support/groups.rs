@@ -111,7 +111,7 @@ impl Draft {
             PairKind::Cylinder { from, to, .. } => {
                 (self.frame(to.link).place(to.at) - self.frame(from.link).place(from.at)).norm()
             }
-            PairKind::Contact { .. } | PairKind::Transmission(_) => f64::NAN,
+            PairKind::Contact { .. } | PairKind::Weld { .. } | PairKind::Transmission(_) => f64::NAN,
         }
     }
 

@@ -54,7 +54,7 @@ impl Draft {
             PairKind::Revolute(pins) => {
                 pins.len() == 2 && !pins.iter().any(|p| self.rollers.contains(&p.link))
             }
-            PairKind::Contact { .. } | PairKind::Transmission(_) => false,
+            PairKind::Contact { .. } | PairKind::Weld { .. } | PairKind::Transmission(_) => false,
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => true,
         };
         (0..self.mechanism.pairs.len())

@@ -141,6 +141,15 @@ pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driv
                     out.extend([apart.x, apart.y]);
                 }
             }
+            PairKind::Weld { pins, angle } => {
+                let first = body(pins[0].link);
+                for pin in &pins[1..] {
+                    let own = body(pin.link);
+                    let apart = own.point(pin.at).minus(first.point(pins[0].at));
+                    let along = first.axis(Vec2::direction(*angle));
+                    out.extend([apart.x, apart.y, own.u.cross(along)]);
+                }
+            }
             PairKind::Prismatic(g) => {
                 out.push(height(g, bodies));
                 if turning.joins(g.slider, g.guide) {
@@ -195,7 +204,9 @@ pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driv
                     let r = body(to.link).point(to.at).minus(body(from.link).point(from.at));
                     r.dot(r) - Jet::of(law) * Jet::of(law)
                 }
-                PairKind::Contact { .. } | PairKind::Transmission(_) => Jet::constant(S::of(f64::NAN)),
+                PairKind::Contact { .. } | PairKind::Weld { .. } | PairKind::Transmission(_) => {
+                    Jet::constant(S::of(f64::NAN))
+                }
             },
             DriveTarget::Point(..) => Jet::constant(S::of(f64::NAN)),
         });

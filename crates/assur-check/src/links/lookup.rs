@@ -14,8 +14,8 @@ use indexmap::IndexSet;
 
 /// The pairs that join links of a linkage; all others are transmissions.
 pub fn is_linkage_pair(kind: JointKind) -> bool {
-    use JointKind::{Contact, Cylinder, Prismatic, Revolute, Slot};
-    matches!(kind, Revolute | Prismatic | Slot | Contact | Cylinder)
+    use JointKind::{Contact, Cylinder, Prismatic, Revolute, Slot, Weld};
+    matches!(kind, Revolute | Prismatic | Slot | Contact | Cylinder | Weld)
 }
 
 /// Whether a thing is a pair of a linkage.
@@ -357,6 +357,7 @@ pub const fn kind_phrase(kind: &PairKind) -> &'static str {
         PairKind::Slot(_) => "a slot",
         PairKind::Contact { .. } => "a contact",
         PairKind::Cylinder { .. } => "a cylinder",
+        PairKind::Weld { .. } => "a weld",
         PairKind::Transmission(t) => t.kind.phrase(),
     }
 }
@@ -364,7 +365,7 @@ pub const fn kind_phrase(kind: &PairKind) -> &'static str {
 /// The point a pair stands for: its pin, or the point on the line.
 pub fn place_of_pair(kind: &PairKind) -> Option<(LinkId, Vec2)> {
     match kind {
-        PairKind::Revolute(pins) => pins.first().map(|p| (p.link, p.at)),
+        PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => pins.first().map(|p| (p.link, p.at)),
         PairKind::Prismatic(Guide { slider, point, .. }) | PairKind::Slot(Guide { slider, point, .. }) => {
             Some((*slider, *point))
         }

@@ -220,6 +220,7 @@ pub(crate) fn coordinate(cx: &mut Context<'_>, name: &Name) -> Option<(PairId, M
             (format!("one pin in {} links", pins.len()), format!("name one of the links {links}"))
         }
         PairKind::Contact { .. } => ("a contact".into(), "name one of the two links".into()),
+        PairKind::Weld { .. } => ("a weld".into(), "name one of its links: nothing moves in a weld".into()),
         PairKind::Transmission(t) => (t.kind.phrase().into(), "name one of the shafts or sliders".into()),
     };
     cx.error(no_coordinate(&name.node, &is, help, name.span));

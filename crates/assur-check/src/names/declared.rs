@@ -202,7 +202,7 @@ pub fn usage(function: &str) -> String {
 pub fn ask_of(kind: ThingKind, name: &str) -> Option<String> {
     let asked = match kind {
         ThingKind::Link => [format!("angle({name})"), format!("omega({name})")],
-        ThingKind::Joint(JointKind::Revolute) => {
+        ThingKind::Joint(JointKind::Revolute | JointKind::Weld) => {
             [format!("position({name})"), format!("mag(reaction({name}))")]
         }
         ThingKind::Joint(JointKind::Prismatic | JointKind::Slot | JointKind::Cylinder) => {

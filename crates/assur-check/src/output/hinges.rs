@@ -18,7 +18,7 @@ pub(crate) struct Hinges {
 impl Hinges {
     /// Enters the pins of a pair.
     pub(crate) fn enter(&mut self, kind: &PairKind, pair: PairId) {
-        let PairKind::Revolute(pins) = kind else { return };
+        let (PairKind::Revolute(pins) | PairKind::Weld { pins, .. }) = kind else { return };
         for pin in pins {
             self.at.entry(place_key((pin.link, pin.at))).or_default().push(pair);
         }
@@ -52,7 +52,9 @@ impl Hinges {
         while let Some(&at) = joined.get(next) {
             next += 1;
             for pair in self.at.get(&place_key(at)).into_iter().flatten() {
-                let PairKind::Revolute(pins) = &mech.pair(*pair).kind else { continue };
+                let (PairKind::Revolute(pins) | PairKind::Weld { pins, .. }) = &mech.pair(*pair).kind else {
+                    continue;
+                };
                 let new = pins.iter().map(|p| (p.link, p.at)).filter(|p| seen.insert(place_key(*p)));
                 joined.extend(new);
             }

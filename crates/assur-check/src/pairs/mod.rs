@@ -7,3 +7,4 @@ pub mod pair;
 pub mod prismatic;
 pub mod property;
 pub mod transmission;
+pub mod weld;

@@ -6,7 +6,7 @@ use crate::names::declared::Inside;
 use crate::names::suggestion::{not_declared, wrong_kind};
 use crate::pairs::prismatic::{Held, guide};
 use crate::pairs::property::{Shared, phrase, read_own as read, shared, with_shared};
-use crate::pairs::{contact, friction};
+use crate::pairs::{contact, friction, weld};
 use crate::statements::written::{end_text, line_of, write_one};
 use assur_math::math::Vec2;
 use assur_model::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
@@ -54,6 +54,7 @@ fn pair(
         JointKind::Revolute => hinge,
         JointKind::Prismatic | JointKind::Slot => guide(cx, joint, &ends, properties.as_deref(), held),
         JointKind::Contact => contact::contact(cx, joint, &ends, properties.as_deref()),
+        JointKind::Weld => weld::weld(cx, joint, &ends, properties.as_deref()),
         _ => cylinder(cx, joint, &ends),
     };
     let friction = properties.map(|p| {
@@ -75,7 +76,10 @@ pub(crate) struct Joined {
 
 /// The ends of a pair; `None` where a link is unknown, joined with itself, or where there are too many.
 fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
-    let most = if joint.kind.node == JointKind::Revolute { usize::MAX } else { 2 };
+    let most = if matches!(joint.kind.node, JointKind::Revolute | JointKind::Weld) { usize::MAX } else { 2 };
+    if joint.kind.node == JointKind::Weld {
+        weld::no_shafts(cx, joint)?;
+    }
     if let Some(third) = joint.ends.get(most) {
         let got = format!("{} of them", joint.ends.len());
         cx.error(
@@ -318,9 +322,14 @@ fn ends_named(joint: &Joint) -> Option<Vec<&str>> {
     ends.collect()
 }
 
-fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<PairKind> {
+/// The points of all ends.
+pub(crate) fn pins(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<Vec<Pin>> {
     let pins = ends.iter().map(|end| point(cx, joint, end)).collect::<Vec<_>>();
-    let pins = pins.into_iter().collect::<Option<Vec<_>>>()?;
+    pins.into_iter().collect()
+}
+
+fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<PairKind> {
+    let pins = pins(cx, joint, ends)?;
     joined_before(cx, joint, &pins)?;
     Some(PairKind::Revolute(pins))
 }

@@ -161,7 +161,7 @@ fn of_pair(kind: &mut PairKind, visit: &mut impl FnMut(&mut f64)) {
         PairKind::Cylinder { from, to, .. } => {
             [from, to].into_iter().for_each(|pin| of_vector(&mut pin.at, visit));
         }
-        PairKind::Contact { .. } | PairKind::Transmission(_) => {}
+        PairKind::Contact { .. } | PairKind::Transmission(_) | PairKind::Weld { .. } => {}
     }
 }
 

@@ -96,6 +96,9 @@ pub enum PairKind {
         /// Where the rod is hinged.
         to: Pin,
     },
+    /// Rigid joint: the pins' points coincide, and each further link is turned by the angle against the first, rad. The links
+    /// are one body, and it counts as no pair.
+    Weld { pins: Vec<Pin>, angle: f64 },
     /// A transmission between wheels and sliders. It counts as one higher pair per law.
     Transmission(Transmission),
 }
@@ -197,6 +200,7 @@ impl PairKind {
             Self::Slot(_) => JointKind::Slot,
             Self::Contact { .. } => JointKind::Contact,
             Self::Cylinder { .. } => JointKind::Cylinder,
+            Self::Weld { .. } => JointKind::Weld,
             Self::Transmission(t) => t.kind.statement(),
         }
     }
@@ -210,7 +214,7 @@ impl PairKind {
     #[must_use]
     pub fn links(&self) -> Vec<LinkId> {
         match self {
-            Self::Revolute(pins) => pins.iter().map(|p| p.link).collect(),
+            Self::Revolute(pins) | Self::Weld { pins, .. } => pins.iter().map(|p| p.link).collect(),
             Self::Prismatic(g) | Self::Slot(g) if g.guide_first => vec![g.guide, g.slider],
             Self::Prismatic(g) | Self::Slot(g) => vec![g.slider, g.guide],
             Self::Contact { first, second, .. } => vec![first.link, second.link],
@@ -226,7 +230,7 @@ impl PairKind {
             Self::Revolute(pins) => pins.len().saturating_sub(1),
             Self::Prismatic(_) => 1,
             Self::Cylinder { .. } => 3,
-            Self::Slot(_) | Self::Contact { .. } | Self::Transmission(_) => 0,
+            Self::Slot(_) | Self::Contact { .. } | Self::Weld { .. } | Self::Transmission(_) => 0,
         }
     }
 
@@ -236,7 +240,7 @@ impl PairKind {
         match self {
             Self::Slot(_) | Self::Contact { .. } => 1,
             Self::Transmission(t) => t.laws.len(),
-            Self::Revolute(_) | Self::Prismatic(_) | Self::Cylinder { .. } => 0,
+            Self::Revolute(_) | Self::Prismatic(_) | Self::Cylinder { .. } | Self::Weld { .. } => 0,
         }
     }
 }

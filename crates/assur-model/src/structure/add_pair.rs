@@ -275,7 +275,7 @@ impl<'a> Uses<'a> {
                 PairKind::Cylinder { from, to, .. } => {
                     [from, to].iter().for_each(|p| this.add(p.link, &p.name));
                 }
-                PairKind::Transmission(_) => {}
+                PairKind::Transmission(_) | PairKind::Weld { .. } => {}
             }
         }
         this

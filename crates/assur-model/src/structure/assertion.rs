@@ -11,6 +11,7 @@ use assur_text::diagnostic::Diagnosis;
 pub(super) fn check(mechanism: &Mechanism, structure: &mut Structure) -> (Vec<Diagnosis>, Vec<Diagnosis>) {
     let (mut errors, mut warnings) = (Vec::new(), Vec::new());
     for assertion in &mechanism.groups {
+        let assertion = &of_bodies(structure, assertion);
         let pairs = Pairs::of(mechanism, structure, assertion);
         let (name, span) = (assertion.name.clone(), assertion.span);
         if pairs.rest(assertion.links.len()) != 0 {
@@ -58,6 +59,22 @@ pub(super) fn check(mechanism: &Mechanism, structure: &mut Structure) -> (Vec<Di
         }
     }
     (errors, warnings)
+}
+
+/// An assertion that names a body of welded links by any of them.
+fn of_bodies(structure: &Structure, assertion: &GroupAssertion) -> GroupAssertion {
+    let mut links: Vec<LinkId> = Vec::new();
+    for link in assertion.links.iter().map(|link| own(structure, *link)) {
+        if !links.contains(&link) {
+            links.push(link);
+        }
+    }
+    GroupAssertion { links, ..assertion.clone() }
+}
+
+/// The link whose frame the body of a link has.
+fn own(structure: &Structure, link: LinkId) -> LinkId {
+    LinkId::at(structure.replaced.body_of(link).0)
 }
 
 /// The links of a group that have a name of their own: barrel and rod of a cylinder have none.
@@ -168,7 +185,7 @@ impl Pairs {
         let passive = assertion.links.iter().filter(|l| structure.passive.contains(l)).count();
         let mut this = Self { lower: Vec::new(), higher: Vec::new(), passive, prismatic: true };
         for (i, pair) in mechanism.pairs.iter().enumerate() {
-            let mut links = pair.kind.links();
+            let mut links: Vec<LinkId> = pair.kind.links().iter().map(|link| own(structure, *link)).collect();
             if !links.iter().any(|l| assertion.links.contains(l)) {
                 continue;
             }
@@ -186,12 +203,12 @@ impl Pairs {
                     this.lower.extend(std::iter::repeat_n(id, count));
                 }
                 // two links with three lower pairs: they count for nothing
-                PairKind::Cylinder { .. } => {}
+                PairKind::Cylinder { .. } | PairKind::Weld { .. } => {}
                 PairKind::Prismatic(_) => this.lower.push(id),
                 PairKind::Slot(_) | PairKind::Contact { .. } => this.higher.push(id),
                 PairKind::Transmission(t) => this.higher.extend(std::iter::repeat_n(id, t.laws.len())),
             }
-            this.prismatic &= matches!(pair.kind, PairKind::Prismatic(_));
+            this.prismatic &= matches!(pair.kind, PairKind::Prismatic(_) | PairKind::Weld { .. });
         }
         this
     }

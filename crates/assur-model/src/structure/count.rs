@@ -27,7 +27,8 @@ pub struct Count {
 
 pub(super) fn count(mechanism: &Mechanism, replaced: &Replaced, drives: &[Effort]) -> Count {
     let outer = mechanism.drives.iter().filter(|d| matches!(d.target, DriveTarget::Point(..))).count();
-    let n = mechanism.links.len().saturating_sub(1 + outer);
+    let parts = replaced.parts.iter().flatten().count();
+    let n = mechanism.links.len().saturating_sub(1 + outer + parts);
     let lower = mechanism.pairs.iter().map(|p| p.kind.lower()).sum();
     let higher = mechanism.pairs.iter().map(|p| p.kind.higher()).sum();
     let passive = replaced.passive.len();

@@ -163,7 +163,7 @@ impl<'a> Members<'a> {
     fn joints(&self, replaced: &Replaced) -> Vec<Vec<GroupJoint>> {
         let mut out = vec![Vec::new(); self.order.len()];
         for (i, joint) in replaced.joints.iter().enumerate() {
-            if matches!(joint.kind, JointKind::Law(_)) {
+            if matches!(joint.kind, JointKind::Law(_) | JointKind::Weld { .. }) {
                 continue;
             }
             let bodies = joint.bodies();

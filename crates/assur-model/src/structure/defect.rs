@@ -222,6 +222,7 @@ fn taken(replaced: &Replaced, pair: PairId, bodies: &[BodyId]) -> usize {
         }
         JointKind::Revolute(members) => 2 * members.len().saturating_sub(1),
         JointKind::Prismatic { angle_redundant, .. } => 2 - usize::from(*angle_redundant),
+        JointKind::Weld { .. } => 0,
         JointKind::Law(_) => 1,
     });
     let conditions: usize = conditions.sum();

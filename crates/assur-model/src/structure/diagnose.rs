@@ -349,7 +349,7 @@ fn guide_of_slot(trial: Trial<'_>, defect: &Defect) -> Option<(String, String)> 
     let mechanism = trial.mechanism;
     mechanism.pairs.iter().enumerate().find_map(|(i, pair)| {
         let PairKind::Slot(g) = &pair.kind else { return None };
-        let loose = defect.loose.contains(&BodyId(g.slider.index())) && !g.point_name.is_empty();
+        let loose = defect.loose.contains(&trial.replaced.body_of(g.slider)) && !g.point_name.is_empty();
         let fit = trial.as_prismatic(PairId::at(i)).filter(|_| loose)?.fit();
         let (slider, base) = (&mechanism.link(g.slider).name, &mechanism.link(g.guide).name);
         let line = format!("prismatic {}: {slider}.{} - {base}.{}", pair.name, g.point_name, g.line_name);

@@ -13,7 +13,12 @@ pub struct Effort {
     pub kind: EffortKind,
     /// Other places where the same effort acts.
     pub also: Vec<EffortKind>,
+    /// Of an angle: the axes of the first and the second body between which it is.
+    pub axes: [Vec2; 2],
 }
+
+/// The axes of bodies that are one link each.
+pub(super) const X_AXES: [Vec2; 2] = [Vec2::new(1.0, 0.0); 2];
 
 /// Where an effort is declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +43,24 @@ pub enum EffortKind {
 }
 
 impl Effort {
+    /// Whether its angle is between others than the x axes of bodies.
+    #[must_use]
+    pub fn is_aside(&self) -> bool {
+        self.axes[0] != self.axes[1]
+    }
+
+    /// The link whose angle is driven.
+    #[must_use]
+    pub fn link(&self, mechanism: &Mechanism) -> Option<LinkId> {
+        match self.source {
+            EffortSource::Drive(id) => match mechanism.drives[id.index()].target {
+                DriveTarget::Link(link) => Some(link),
+                DriveTarget::Pair(_) | DriveTarget::Point(..) => None,
+            },
+            EffortSource::Balance(_) => None,
+        }
+    }
+
     /// All places where it acts.
     pub fn places(&self) -> impl Iterator<Item = EffortKind> + '_ {
         std::iter::once(self.kind).chain(self.also.iter().copied())
@@ -61,10 +84,6 @@ impl Effort {
     }
 }
 
-fn body(link: LinkId) -> BodyId {
-    BodyId(link.index())
-}
-
 /// The effort inside a pair, positive along its coordinate. `None` where the pair has none (a contact, a pin of many links).
 pub(super) fn in_pair(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) -> Option<EffortKind> {
     let mut joints = replaced.joints_of(pair);
@@ -72,12 +91,12 @@ pub(super) fn in_pair(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) 
         PairKind::Revolute(pins) => match pins.as_slice() {
             [a, b] => Some(EffortKind::RelativeAngle {
                 joint: joints.next()?,
-                first: body(a.link),
-                second: body(b.link),
+                first: replaced.body_of(a.link),
+                second: replaced.body_of(b.link),
             }),
             _ => None,
         },
-        PairKind::Contact { .. } | PairKind::Transmission(_) => None,
+        PairKind::Contact { .. } | PairKind::Transmission(_) | PairKind::Weld { .. } => None,
         _ => joints
             .find(|&j| matches!(replaced.joint(j).kind, JointKind::Prismatic { .. }))
             .map(EffortKind::Coordinate),
@@ -86,9 +105,9 @@ pub(super) fn in_pair(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) 
 
 pub(super) fn of_drives(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Effort> {
     let kind = |target| match target {
-        DriveTarget::Link(link) => Some(EffortKind::Angle(body(link))),
+        DriveTarget::Link(link) => Some(EffortKind::Angle(replaced.body_of(link))),
         DriveTarget::Pair(pair) => in_pair(mechanism, replaced, pair),
-        DriveTarget::Point(link, _) => Some(EffortKind::Point(body(link))),
+        DriveTarget::Point(link, _) => Some(EffortKind::Point(replaced.body_of(link))),
     };
     mechanism
         .drives
@@ -96,9 +115,22 @@ pub(super) fn of_drives(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Effor
         .enumerate()
         .filter_map(|(i, d)| {
             let (source, also) = (EffortSource::Drive(DriveId::at(i)), Vec::new());
-            Some(Effort { source, kind: kind(d.target)?, also })
+            Some(Effort { source, kind: kind(d.target)?, also, axes: axes(mechanism, replaced, d.target) })
         })
         .collect()
+}
+
+/// The axes between which a driven angle is.
+fn axes(mechanism: &Mechanism, replaced: &Replaced, target: DriveTarget) -> [Vec2; 2] {
+    let links = match target {
+        DriveTarget::Link(link) => vec![LinkId::GROUND, link],
+        DriveTarget::Pair(pair) => mechanism.pair(pair).kind.links(),
+        DriveTarget::Point(..) => Vec::new(),
+    };
+    match links[..] {
+        [first, second] => [first, second].map(|link| replaced.direction(link, X_AXES[0])),
+        _ => X_AXES,
+    }
 }
 
 /// The balances or, where there is none, the drives' own efforts; and those of starts, which come to nothing.
@@ -110,15 +142,15 @@ pub(super) fn of_balances(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Eff
             .collect();
     }
     let kind = |kind: &BalanceKind| match kind {
-        BalanceKind::Torque(link) => Some(EffortKind::Angle(body(*link))),
-        BalanceKind::Force { on, .. } => Some(EffortKind::Line(body(*on))),
+        BalanceKind::Torque(link) => Some(EffortKind::Angle(replaced.body_of(*link))),
+        BalanceKind::Force { on, .. } => Some(EffortKind::Line(replaced.body_of(*on))),
         BalanceKind::InPair(pair) => in_pair(mechanism, replaced, *pair),
         BalanceKind::Several(_) => None,
     };
     let balances = mechanism.balances.iter().enumerate().filter_map(|(i, b)| {
         let mut places = b.kind.places().iter().filter_map(kind);
         let source = EffortSource::Balance(BalanceId::at(i));
-        Some(Effort { source, kind: places.next()?, also: places.collect() })
+        Some(Effort { source, kind: places.next()?, also: places.collect(), axes: X_AXES })
     });
     let starts = of_drives(mechanism, replaced).into_iter().filter(|e| match e.source {
         EffortSource::Drive(id) => mechanism.drives[id.index()].free,
@@ -144,6 +176,7 @@ pub(super) fn outer_link_defects(
             let at_point = match &joint.kind {
                 JointKind::Revolute(members) => members.iter().all(|m| m.0 != outer || same(m.1, point)),
                 JointKind::Prismatic { slider, guide, .. } => *slider != outer && *guide != outer,
+                JointKind::Weld { .. } => true,
                 JointKind::Law(_) => !joint.bodies().contains(&outer),
             };
             if !at_point {

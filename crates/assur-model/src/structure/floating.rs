@@ -97,7 +97,7 @@ fn describe(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> Diag
 /// Pairs that would join the island, and what they leave to be driven.
 fn help(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> String {
     let it = if links.len() == 1 { "it" } else { "them" };
-    let bodies: Vec<BodyId> = links.iter().map(|l| BodyId(l.index())).collect();
+    let bodies: Vec<BodyId> = links.iter().map(|l| trial.replaced.body_of(*l)).collect();
     if let Some(missing) = defect.and_then(|defect| missing_pairs(trial, defect, &bodies)) {
         return format!("{}\nor remove {it}", pairs_to_add(trial, missing, &bodies));
     }
@@ -117,7 +117,9 @@ fn help(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> String {
 pub(super) fn immobile(trial: Trial<'_>, driven: &Incidence) -> Option<Diagnosis> {
     let replaced = trial.replaced;
     // an outer link is known, and moves
-    let is_outer = |(i, b): (usize, &Body)| b.known && BodyId(i) != BodyId::GROUND;
+    let is_outer = |(i, b): (usize, &Body)| {
+        b.known && BodyId(i) != BodyId::GROUND && replaced.part(LinkId::at(i)).is_none()
+    };
     if trial.efforts.is_empty() || replaced.bodies.iter().enumerate().any(is_outer) {
         return None;
     }

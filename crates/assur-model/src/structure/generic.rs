@@ -40,7 +40,7 @@ impl Generic {
                         directions.join(i, (*guide, bits(*through, *along)));
                     }
                 }
-                JointKind::Law(_) => {}
+                JointKind::Weld { .. } | JointKind::Law(_) => {}
             }
         }
         Self { points: points.vectors(0), directions: directions.vectors(1 << 40) }

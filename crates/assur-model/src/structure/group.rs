@@ -193,7 +193,7 @@ impl Group {
         let ([first, second], [middle]) = (outer.as_slice(), inner.as_slice()) else { return None };
         let simple = |j: &GroupJoint| match replaced.joint(j.joint).kind {
             JointKind::Prismatic { angle_redundant, offset, .. } => !angle_redundant && offset == 0.0,
-            JointKind::Revolute(_) | JointKind::Law(_) => true,
+            JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => true,
         };
         if middle.prismatic || first.prismatic && second.prismatic || !self.joints.iter().all(simple) {
             return None;
@@ -253,7 +253,7 @@ impl Group {
             JointKind::Prismatic { offset, angle_redundant, guide, .. } => {
                 offset == 0.0 && !angle_redundant && (guide == j.base || guide == j.body)
             }
-            JointKind::Revolute(_) | JointKind::Law(_) => true,
+            JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => true,
         };
         let constant = |e: &usize| {
             !matches!(efforts[*e].only(), None | Some(EffortKind::Line(_) | EffortKind::Point(_)))
@@ -298,7 +298,7 @@ impl Group {
         let simple = |j: &GroupJoint| match replaced.joint(j.joint).kind {
             JointKind::Prismatic { angle_redundant, offset, .. } => !angle_redundant && offset == 0.0,
             JointKind::Revolute(_) => true,
-            JointKind::Law(_) => false,
+            JointKind::Weld { .. } | JointKind::Law(_) => false,
         };
         if shape != (4, 3, 3, 0) || inner.iter().any(|j| j.prismatic) || !outer.iter().all(simple) {
             return false;

@@ -153,6 +153,7 @@ impl Incidence {
                 let [x, y] = self.generic.direction(id);
                 self.add(Owner::Joint(id), &less(*slider, *guide, at, [-y, x]), None);
             }
+            JointKind::Weld { .. } => {}
             JointKind::Law(terms) => {
                 let terms = self.law(replaced, id, terms);
                 self.add(Owner::Joint(id), &terms, None);
@@ -191,7 +192,7 @@ impl Incidence {
             JointKind::Prismatic { slider, guide, .. } => {
                 less(slider, guide, self.generic.point(joint), self.generic.direction(joint)).to_vec()
             }
-            JointKind::Revolute(_) | JointKind::Law(_) => Vec::new(),
+            JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => Vec::new(),
         }
     }
 

@@ -20,7 +20,7 @@ pub struct JointId(pub usize);
 pub struct Body {
     /// Where it comes from.
     pub origin: BodyOrigin,
-    /// Its motion is known from outside: the ground, and outer links driven at a point.
+    /// Its motion is known from outside: the ground, outer links driven at a point, and what is welded to another link.
     pub known: bool,
     /// It stands for the contact with a designed cam: its joints move on along the cam's profile.
     pub on_rim: bool,
@@ -68,6 +68,9 @@ pub enum JointKind {
         /// The joint closes a chain of prismatic pairs: its couple is not determined.
         in_chain: bool,
     },
+    /// What holds a part of a body of welded links on another part, or on the link whose frame the body has, by a point of each.
+    /// No condition: they move as one.
+    Weld { part: BodyId, at: Vec2, base: BodyId, on: Vec2 },
     /// A law between rates with constant coefficients: Σ coefficient × rate = 0. One condition.
     Law(Vec<(BodyRate, f64)>),
 }
@@ -81,6 +84,28 @@ pub enum BodyRate {
     Slide(JointId),
 }
 
+/// A link that is welded to the one whose frame its body has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    pub body: BodyId,
+    /// Its origin in the frame of the body, m.
+    pub at: Vec2,
+    /// Its x axis in that frame.
+    pub along: Vec2,
+    /// The angle of that axis, rad.
+    pub angle: f64,
+}
+
+impl Part {
+    pub(super) const fn own(link: usize) -> Self {
+        Self { body: BodyId(link), at: Vec2::new(0.0, 0.0), along: Vec2::new(1.0, 0.0), angle: 0.0 }
+    }
+
+    pub(super) fn place(&self, at: Vec2) -> Vec2 {
+        self.at + at.turned(self.along)
+    }
+}
+
 /// The mechanism with every higher pair replaced.
 #[derive(Clone, Debug)]
 pub struct Replaced {
@@ -89,17 +114,20 @@ pub struct Replaced {
     pub joints: Vec<Joint>,
     /// Links whose rotation changes nothing: it is held at zero.
     pub passive: Vec<LinkId>,
+    /// Per link, where it is a part of another body; none without welds.
+    pub(super) parts: Vec<Option<Part>>,
     /// The first joint that stands for each pair; the others of the pair follow it.
     pub(super) first_joint: Vec<Option<JointId>>,
 }
 
 impl Joint {
-    /// The bodies it joins; of a law those that turn.
+    /// The bodies it joins; of a law those that turn, of a weld none.
     #[must_use]
     pub fn bodies(&self) -> Vec<BodyId> {
         match &self.kind {
             JointKind::Revolute(members) => members.iter().map(|m| m.0).collect(),
             JointKind::Prismatic { slider, guide, .. } => vec![*slider, *guide],
+            JointKind::Weld { .. } => Vec::new(),
             JointKind::Law(terms) => {
                 let turning = |rate: &BodyRate| match rate {
                     BodyRate::Turn(body) => Some(*body),
@@ -117,7 +145,7 @@ impl JointKind {
     pub fn law(&self) -> Option<&[(BodyRate, f64)]> {
         match self {
             Self::Law(terms) => Some(terms),
-            Self::Revolute(_) | Self::Prismatic { .. } => None,
+            Self::Revolute(_) | Self::Prismatic { .. } | Self::Weld { .. } => None,
         }
     }
 
@@ -188,11 +216,14 @@ impl Replaced {
         pairs
     }
 
-    /// The name of a body: its link's, or that of the pair it replaces.
+    /// The name of a body: its links', or that of the pair it replaces.
     #[must_use]
     pub fn body_name(&self, mechanism: &Mechanism, body: BodyId) -> String {
         match self.bodies[body.0].origin {
-            BodyOrigin::Link(id) => mechanism.link(id).name.clone(),
+            BodyOrigin::Link(_) => {
+                let links = self.links_of(body).into_iter().map(|link| mechanism.link(link).name.as_str());
+                links.collect::<Vec<_>>().join(" + ")
+            }
             BodyOrigin::Imaginary(pair) => format!("({})", mechanism.pair(pair).name),
         }
     }

@@ -92,7 +92,9 @@ impl Repair<'_> {
             if let PairKind::Revolute(pins) = &self.trial.mechanism.pair(pair).kind
                 && pins.len() > 2
             {
-                for pin in pins.iter().filter(|p| self.part.bodies.contains(&BodyId(p.link.index()))) {
+                for pin in
+                    pins.iter().filter(|p| self.part.bodies.contains(&self.trial.replaced.body_of(p.link)))
+                {
                     let name = &self.trial.mechanism.link(pin.link).name;
                     offer(self.trial.without_member(pair, pin.link), format!("`{name}` in {text}"));
                 }
@@ -120,7 +122,7 @@ impl Repair<'_> {
     fn links(&self) -> Vec<String> {
         let mechanism = self.trial.mechanism;
         let tried = links(self.trial.replaced, &self.part.bodies)
-            .filter(|l| *l != LinkId::GROUND)
+            .filter(|l| *l != LinkId::GROUND && !self.trial.replaced.has_parts())
             .take(self.trial.most_tried(MOST_TRIED))
             .filter(|&l| !drives_link(self.trial, l))
             .filter(|&l| self.is_sound(self.trial.without_links(&[l]).fit()));
@@ -208,7 +210,7 @@ fn is_driven(trial: Trial<'_>, pair: PairId) -> bool {
 }
 
 fn drives_link(trial: Trial<'_>, link: LinkId) -> bool {
-    let body = BodyId(link.index());
+    let body = trial.replaced.body_of(link);
     trial.efforts.iter().any(|e| e.bodies(trial.replaced).contains(&body))
 }
 

@@ -25,13 +25,15 @@ mod replace;
 mod ring;
 mod roller;
 mod trial;
+mod weld;
+mod weld_defects;
 
 pub use count::Count;
 pub use count::Structure;
 pub use effort::{Effort, EffortKind, EffortSource};
 pub use group::{Dyad, Group, GroupKind};
 pub use joint::GroupJoint;
-pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
+pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Part, Replaced};
 
 use crate::model::Mechanism;
 use assur_text::diagnostic::Diagnosis;
@@ -46,7 +48,11 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
     let replaced = replace::replace(mechanism);
     let drives = effort::of_drives(mechanism, &replaced);
     let trial = Trial { mechanism, replaced: &replaced, efforts: &drives };
-    let mut errors = floating::floating(trial);
+    let mut errors = weld_defects::defects(mechanism, &replaced);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    errors.extend(floating::floating(trial));
     errors.extend(effort::outer_link_defects(mechanism, &replaced, &drives));
     errors.extend(roller::turned(mechanism, &replaced.passive));
     if !errors.is_empty() {
@@ -94,7 +100,11 @@ impl Structure {
     #[must_use]
     pub fn with_numbers_of(&self, mechanism: &Mechanism) -> Option<Self> {
         let points = self.drives.iter().any(|d| matches!(d.kind, EffortKind::Point(_)));
-        if self.force_defect.is_some() || points || !floating::floating_islands(mechanism).is_empty() {
+        if self.force_defect.is_some()
+            || points
+            || self.replaced.has_parts()
+            || !floating::floating_islands(mechanism).is_empty()
+        {
             return None;
         }
         let replaced = replace::replace(mechanism);

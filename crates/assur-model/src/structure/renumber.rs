@@ -12,7 +12,10 @@ impl Structure {
     pub fn is_renumbered(&self, mechanism: &Mechanism) -> bool {
         let points = self.drives.iter().any(|d| matches!(d.kind, EffortKind::Point(_)));
         let other = |kind: &PairKind| matches!(kind, PairKind::Contact { .. } | PairKind::Transmission(_));
-        self.force_defect.is_none() && !points && !mechanism.pairs.iter().any(|pair| other(&pair.kind))
+        !self.replaced.has_parts()
+            && self.force_defect.is_none()
+            && !points
+            && !mechanism.pairs.iter().any(|pair| other(&pair.kind))
     }
 
     /// Takes over the numbers of a mechanism that differs in nothing else from the one whose structure this is, see
@@ -48,7 +51,7 @@ impl Structure {
                         if second.0.0 == barrel.index() { first.1 = from.at } else { second.1 = to.at }
                     }
                 }
-                PairKind::Contact { .. } | PairKind::Transmission(_) => {}
+                PairKind::Contact { .. } | PairKind::Transmission(_) | PairKind::Weld { .. } => {}
             }
         }
     }

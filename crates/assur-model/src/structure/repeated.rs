@@ -39,7 +39,7 @@ fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Di
                 Some((j.pair, [slider, guide], direction))
             }
             JointKind::Prismatic { slider, guide, along, .. } => Some((j.pair, [guide, slider], along)),
-            JointKind::Revolute(_) | JointKind::Law(_) => None,
+            JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => None,
         })
         .collect();
     for (i, (pair, ends, along)) in guides.iter().enumerate().rev() {

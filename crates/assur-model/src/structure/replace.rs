@@ -6,6 +6,7 @@
 //! instant only, because the curvature is constant.
 
 use super::joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
+use super::weld::Welds;
 use crate::math::Vec2;
 use crate::model::{
     DriveTarget, Guide, Law, LinkId, Mechanism, PairId, PairKind, Pin, Profile, ProfileShape, Rate,
@@ -15,14 +16,22 @@ const X_AXIS: Vec2 = Vec2::new(1.0, 0.0);
 const ORIGIN: Vec2 = Vec2::new(0.0, 0.0);
 
 pub(super) fn replace(mechanism: &Mechanism) -> Replaced {
+    let welds = Welds::of(mechanism);
+    let is_part = |link: usize| matches!(welds.parts.get(link), Some(Some(_)));
     let mut replaced = Replaced {
         bodies: (0..mechanism.links.len())
-            .map(|i| Body { origin: BodyOrigin::Link(LinkId::at(i)), known: i == 0, on_rim: false })
+            .map(|i| Body {
+                origin: BodyOrigin::Link(LinkId::at(i)),
+                known: i == 0 || is_part(i),
+                on_rim: false,
+            })
             .collect(),
         joints: Vec::new(),
         passive: passive_links(mechanism),
+        parts: welds.parts,
         first_joint: vec![None; mechanism.pairs.len()],
     };
+    welds.joints.into_iter().for_each(|joint| replaced.push(joint));
     for drive in &mechanism.drives {
         if let DriveTarget::Point(link, _) = drive.target {
             replaced.bodies[link.index()].known = true;
@@ -39,9 +48,9 @@ pub(super) fn replace(mechanism: &Mechanism) -> Replaced {
         let of_contact = replaced.joints.iter_mut().filter(|j| j.pair == contact.pair);
         for joint in of_contact {
             if let JointKind::Revolute(members) = &mut joint.kind
-                && let Some(member) = members.iter_mut().find(|m| m.0 == body(roller))
+                && let Some(member) = members.iter_mut().find(|m| m.0.0 == roller.index())
             {
-                *member = (body(contact.follower), contact.tip);
+                *member = (BodyId(contact.follower.index()), contact.tip);
             }
         }
     }
@@ -52,30 +61,29 @@ pub(super) fn replace(mechanism: &Mechanism) -> Replaced {
     replaced
 }
 
-fn body(link: LinkId) -> BodyId {
-    BodyId(link.index())
-}
-
 impl Replaced {
     pub(super) fn add_pair(&mut self, pair: PairId, kind: &PairKind) {
         match kind {
             PairKind::Revolute(pins) => {
-                self.revolute(pair, pins.iter().map(|p| (body(p.link), p.at)).collect());
+                self.revolute(pair, pins.iter().map(|p| self.place(p.link, p.at)).collect());
             }
             PairKind::Prismatic(g) => {
-                self.slide(pair, body(g.slider), g.point, g.direction, g, 0.0);
+                let direction = self.direction(g.slider, g.direction);
+                self.slide(pair, self.place(g.slider, g.point), direction, g, 0.0);
             }
-            PairKind::Slot(g) => self.block(pair, (body(g.slider), g.point), g, 0.0),
+            PairKind::Slot(g) => self.block(pair, self.place(g.slider, g.point), g, 0.0),
             PairKind::Contact { first, second, internal } => self.contact(pair, first, second, *internal),
             PairKind::Cylinder { barrel, rod, from, to } => self.cylinder(pair, *barrel, *rod, from, to),
             PairKind::Transmission(t) => t.laws.iter().for_each(|law| self.law(pair, law)),
+            // its joints are there from the start
+            PairKind::Weld { .. } => {}
         }
     }
 
     fn law(&mut self, pair: PairId, law: &Law) {
         let terms = law.terms.iter().filter_map(|(rate, coefficient)| {
             let rate = match rate {
-                Rate::Turn(link) => BodyRate::Turn(body(*link)),
+                Rate::Turn(link) => BodyRate::Turn(self.body_of(*link)),
                 Rate::Slide(pair) => BodyRate::Slide(self.slide_of(*pair)?),
             };
             Some((rate, *coefficient))
@@ -96,21 +104,21 @@ impl Replaced {
     fn slide(
         &mut self,
         pair: PairId,
-        slider: BodyId,
-        point: Vec2,
+        (slider, point): (BodyId, Vec2),
         direction: Vec2,
         line: &Guide,
         offset: f64,
     ) {
+        let (guide, through) = self.place(line.guide, line.through);
         self.push(Joint {
             pair,
             kind: JointKind::Prismatic {
                 slider,
                 point,
                 direction,
-                guide: body(line.guide),
-                through: line.through,
-                along: line.along,
+                guide,
+                through,
+                along: self.direction(line.guide, line.along),
                 offset,
                 angle_redundant: false,
                 in_chain: false,
@@ -127,7 +135,7 @@ impl Replaced {
     fn block(&mut self, pair: PairId, pin: (BodyId, Vec2), line: &Guide, offset: f64) {
         let block = self.imaginary(pair);
         self.revolute(pair, vec![pin, (block, ORIGIN)]);
-        self.slide(pair, block, ORIGIN, X_AXIS, line, offset);
+        self.slide(pair, (block, ORIGIN), X_AXIS, line, offset);
     }
 
     /// An imaginary rod of the given length between two points.
@@ -149,10 +157,10 @@ impl Replaced {
             _ if cam(second) => self.follower(pair, second, first),
             (Some((p_1, r_1)), Some((p_2, r_2))) => {
                 let length = if internal { (r_1 - r_2).abs() } else { r_1 + r_2 };
-                self.rod(pair, (body(first.link), p_1), (body(second.link), p_2), length);
+                self.rod(pair, self.place(first.link, p_1), self.place(second.link, p_2), length);
             }
-            (Some((p, r)), None) => self.block(pair, (body(first.link), p), &line_of(second), r),
-            (None, Some((p, r))) => self.block(pair, (body(second.link), p), &line_of(first), r),
+            (Some((p, r)), None) => self.block(pair, self.place(first.link, p), &line_of(second), r),
+            (None, Some((p, r))) => self.block(pair, self.place(second.link, p), &line_of(first), r),
             // check refuses a contact of two lines
             (None, None) => {}
         }
@@ -164,9 +172,9 @@ impl Replaced {
     fn follower(&mut self, pair: PairId, cam: &Profile, follower: &Profile) {
         match follower.shape {
             ProfileShape::Point(tip) | ProfileShape::Circle(tip, _) => {
-                self.block(pair, (body(follower.link), tip), &line_of(cam), 0.0);
+                self.block(pair, self.place(follower.link, tip), &line_of(cam), 0.0);
             }
-            ProfileShape::Line(..) => self.block(pair, (body(cam.link), X_AXIS), &line_of(follower), 0.0),
+            ProfileShape::Line(..) => self.block(pair, self.place(cam.link, X_AXIS), &line_of(follower), 0.0),
             // check refuses a contact of two cams
             ProfileShape::Rim(_) => {}
         }
@@ -176,7 +184,8 @@ impl Replaced {
     }
 
     fn cylinder(&mut self, pair: PairId, barrel: LinkId, rod: LinkId, from: &Pin, to: &Pin) {
-        self.revolute(pair, vec![(body(from.link), from.at), (body(barrel), ORIGIN)]);
+        let (barrel_body, rod_body) = (BodyId(barrel.index()), BodyId(rod.index()));
+        self.revolute(pair, vec![self.place(from.link, from.at), (barrel_body, ORIGIN)]);
         let line = Guide {
             slider: rod,
             point_name: String::new(),
@@ -189,8 +198,8 @@ impl Replaced {
             contacts: None,
             guide_first: false,
         };
-        self.slide(pair, body(rod), ORIGIN, X_AXIS, &line, 0.0);
-        self.revolute(pair, vec![(body(rod), ORIGIN), (body(to.link), to.at)]);
+        self.slide(pair, (rod_body, ORIGIN), X_AXIS, &line, 0.0);
+        self.revolute(pair, vec![(rod_body, ORIGIN), self.place(to.link, to.at)]);
     }
 }
 

@@ -1,8 +1,8 @@
 //! Changes of a mechanism, tried before a help speaks of them.
 
-use super::effort::{self, Effort, EffortKind, EffortSource};
+use super::effort::{self, Effort, EffortKind, EffortSource, X_AXES};
 use super::incidence::Incidence;
-use super::joint::{BodyId, BodyOrigin, Joint, JointKind, Replaced};
+use super::joint::{BodyOrigin, Joint, JointKind, Replaced};
 use super::replace;
 use super::replace::mark_chains;
 use crate::model::{DriveId, LinkId, Mechanism, PairId, PairKind};
@@ -95,7 +95,7 @@ impl Trial<'_> {
         let mut efforts = self.efforts.to_vec();
         // where it would be declared makes no difference
         let source = EffortSource::Drive(DriveId::at(0));
-        efforts.extend(kinds.iter().map(|&kind| Effort { source, kind, also: Vec::new() }));
+        efforts.extend(kinds.iter().map(|&kind| Effort { source, kind, also: Vec::new(), axes: X_AXES }));
         Incidence::new(&replaced, &efforts)
     }
 }
@@ -111,10 +111,11 @@ fn remove_pairs(replaced: &mut Replaced, pairs: &[PairId]) {
 }
 
 fn remove_member(replaced: &mut Replaced, pair: PairId, link: LinkId) {
+    let body = replaced.body_of(link);
     let of_pair = |j: &&mut Joint| j.pair == pair;
     for joint in replaced.joints.iter_mut().filter(of_pair) {
         if let JointKind::Revolute(members) = &mut joint.kind {
-            members.retain(|m| m.0 != BodyId(link.index()));
+            members.retain(|m| m.0 != body);
         }
     }
 }

@@ -225,14 +225,17 @@ fn greatest(scene: &Scene<'_>) -> f64 {
 /// Whether the forces of a link are found before those of another.
 fn found_before(scene: &Scene<'_>, link: LinkId, than: LinkId) -> bool {
     let groups = &scene.model.structure.forces;
-    let place = |l: LinkId| groups.iter().position(|g| g.bodies.iter().any(|b| b.0 == l.index()));
+    let place =
+        |l: LinkId| groups.iter().position(|g| g.bodies.contains(&scene.model.structure.replaced.body_of(l)));
     link != LinkId::GROUND && matches!((place(link), place(than)), (Some(a), Some(b)) if a < b)
 }
 
 /// The point at which a pair acts on a link.
 pub fn place(scene: &Scene<'_>, id: PairId, on: LinkId) -> Option<Vec2> {
     match &scene.mechanism().pair(id).kind {
-        PairKind::Revolute(pins) => pins.iter().find(|p| p.link == on).map(|p| scene.at(on, p.at)),
+        PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
+            pins.iter().find(|p| p.link == on).map(|p| scene.at(on, p.at))
+        }
         PairKind::Prismatic(g) | PairKind::Slot(g) => Some(scene.at(g.slider, g.point)),
         PairKind::Contact { .. } => scene.view().contact_normal(id).map(|(at, _)| at),
         PairKind::Cylinder { from, to, .. } => {
@@ -255,7 +258,9 @@ fn couple_name(pair: &Pair, reaction: &Text) -> Text {
 /// Where a couple of a link is drawn: its mass centre, else a joint.
 fn centre(scene: &Scene<'_>, link: LinkId) -> Vec2 {
     let pin = scene.mechanism().pairs.iter().find_map(|p| match &p.kind {
-        PairKind::Revolute(pins) => pins.iter().find(|pin| pin.link == link).map(|pin| pin.at),
+        PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
+            pins.iter().find(|pin| pin.link == link).map(|pin| pin.at)
+        }
         PairKind::Prismatic(g) if g.slider == link => Some(g.point),
         _ => None,
     });

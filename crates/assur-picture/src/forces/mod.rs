@@ -19,6 +19,7 @@ use actions::FreeBody;
 pub use actions::{letters, place};
 use assur_drawing::Drawing;
 use assur_model::model::{LinkId, PairId};
+use assur_model::structure::BodyId;
 use assur_solve::solve::Model;
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
@@ -107,22 +108,23 @@ fn is_held(scene: &Scene<'_>, link: LinkId) -> bool {
     scene.view().shares_friction_on(link.index())
 }
 
-/// The groups in the order in which forces are found; of those that are not dyads every link alone.
+/// The groups in the order in which forces are found; of those that are not dyads of links every link alone. What is welded to
+/// the ground comes last.
 fn parts(scene: &Scene<'_>) -> Vec<Part> {
-    use assur_model::structure::{BodyOrigin, GroupKind};
+    use assur_model::structure::GroupKind;
     let structure = scene.model.structure;
     let mut parts = Vec::new();
-    for group in &structure.forces {
-        let links = group.bodies.iter().filter_map(|b| match structure.replaced.bodies[b.0].origin {
-            BodyOrigin::Link(link) => Some(link),
-            BodyOrigin::Imaginary(_) => None,
-        });
-        let links: Vec<LinkId> = links
+    let groups = structure.forces.iter().map(|group| (group.bodies.as_slice(), Some(group)));
+    for (bodies, group) in groups.chain([(&[BodyId::GROUND][..], None)]) {
+        let links: Vec<LinkId> = bodies
+            .iter()
+            .flat_map(|body| links_of(&scene.model, *body))
             .filter(|l| scene.is_placed(*l) && *l != LinkId::GROUND && !scene.is_in_cylinder(*l))
             .filter(|l| !is_held(scene, *l))
             .collect();
-        match group.kind {
-            GroupKind::Dyad(_) if links.len() == 2 => {
+        let alone = bodies.iter().all(|body| structure.replaced.links_of(*body).len() < 2);
+        match group {
+            Some(group) if matches!(group.kind, GroupKind::Dyad(_)) && links.len() == 2 && alone => {
                 let inner =
                     group.joints.iter().find(|j| j.inner).map(|j| structure.replaced.joint(j.joint).pair);
                 parts.push(Part { links, inner });
@@ -131,6 +133,14 @@ fn parts(scene: &Scene<'_>) -> Vec<Part> {
         }
     }
     parts
+}
+
+/// The links of a body, those first that hang on others.
+fn links_of(model: &Model<'_>, body: BodyId) -> Vec<LinkId> {
+    let mut own = model.structure.replaced.links_of(body);
+    let depth = |link: &LinkId| model.plan.welds.iter().position(|weld| weld.part.body == link.index());
+    own.sort_by_key(|link| std::cmp::Reverse(depth(link)));
+    own
 }
 
 /// `2, 3`

@@ -45,7 +45,10 @@ pub struct Nodes {
 /// When the motion of a link is known: 0 for the ground.
 pub fn rank(scene: &Scene<'_>, link: LinkId) -> usize {
     let groups = &scene.model.structure.motion;
-    groups.iter().position(|g| g.bodies.iter().any(|b| b.0 == link.index())).map_or(0, |r| r + 1)
+    groups
+        .iter()
+        .position(|g| g.bodies.contains(&scene.model.structure.replaced.body_of(link)))
+        .map_or(0, |r| r + 1)
 }
 
 impl Nodes {
@@ -75,7 +78,9 @@ impl Nodes {
         let pairs = &scene.mechanism().pairs;
         for pair in pairs {
             match &pair.kind {
-                PairKind::Revolute(pins) if pins.iter().all(|p| scene.is_placed(p.link)) => {
+                PairKind::Revolute(pins) | PairKind::Weld { pins, .. }
+                    if pins.iter().all(|p| scene.is_placed(p.link)) =>
+                {
                     let links: Vec<LinkId> = pins.iter().map(|p| p.link).collect();
                     if let Some(pin) = pins.iter().find(|p| p.link != LinkId::GROUND) {
                         nodes.add(scene, &pair.name, links, scene.at(pin.link, pin.at));

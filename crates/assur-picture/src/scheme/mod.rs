@@ -13,6 +13,7 @@ mod pair;
 mod profile;
 mod room;
 mod ways;
+mod weld;
 
 pub use axial::axial;
 pub use dimension::{Dimension, Measured};
@@ -288,6 +289,7 @@ impl<'a, 's> Sketch<'a, 's> {
         self.plates(drawing);
         self.draw_blocks(drawing);
         self.bars(drawing);
+        self.welds(drawing);
         self.slots(drawing);
         self.cylinders(drawing);
         self.springs(drawing);

@@ -3,8 +3,8 @@
 
 use super::planned::Plan;
 use crate::math::Vec2;
-use crate::model::Mechanism;
-use crate::structure::{BodyId, BodyOrigin, EffortKind, JointKind, Structure};
+use crate::model::{BalanceKind, DriveTarget, LinkId, Mechanism, PairId};
+use crate::structure::{BodyId, BodyOrigin, EffortKind, EffortSource, JointKind, Structure};
 
 /// What joints join, what acts on bodies, and what moves.
 #[derive(Clone, Debug, Default)]
@@ -17,8 +17,10 @@ pub struct Checks {
     pub reactions: Vec<Option<ReactionCheck>>,
     /// Slots of unknown efforts, with the places where each acts.
     pub efforts: Vec<(usize, EffortCheck)>,
-    /// Bodies whose motion is not given.
+    /// Bodies whose motion is not given, and parts of bodies.
     pub free: Vec<usize>,
+    /// What the elements of friction rub against each other.
+    pub rubbing: Vec<[usize; 2]>,
 }
 
 /// What a joint joins: slots of bodies, places in their frames, m.
@@ -63,6 +65,8 @@ pub enum EffortCheck {
     Line(usize),
     /// A force on a sliding body along its direction, in its point, from its guide.
     Along {
+        /// What slides on what: bodies, or parts of them.
+        held: [usize; 2],
         /// The sliding body and its point.
         slider: (usize, Vec2),
         /// Its unit direction along the line.
@@ -92,20 +96,25 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &Plan) ->
                 let (direction, along, offset) = (*direction, *along, *offset);
                 JointCheck::Guide { slider, direction, guide, along, offset }
             }
-            JointKind::Law(_) => continue,
+            JointKind::Weld { .. } | JointKind::Law(_) => continue,
         };
         if !mechanism.is_by_law(joint.pair) {
             joints.push(check);
         }
     }
-    let places = structure.efforts.iter().enumerate();
-    let places = places.flat_map(|(slot, effort)| effort.places().map(move |kind| (slot, kind)));
     Checks {
         joints,
         moving,
         reactions: (0..plan.reactions.len()).map(|slot| reaction(mechanism, structure, plan, slot)).collect(),
-        efforts: places.filter_map(|(slot, kind)| Some((slot, effort(structure, kind)?))).collect(),
-        free: (0..replaced.bodies.len()).filter(|&slot| !replaced.bodies[slot].known).collect(),
+        efforts: efforts(mechanism, structure),
+        free: (0..replaced.bodies.len())
+            .filter(|&slot| !replaced.bodies[slot].known || replaced.part(LinkId::at(slot)).is_some())
+            .collect(),
+        rubbing: plan
+            .friction
+            .iter()
+            .map(|e| held(mechanism, structure, e.pair, [e.through, e.base]))
+            .collect(),
     }
 }
 
@@ -136,10 +145,8 @@ impl Checks {
         for (slot, check) in self.reactions.iter_mut().enumerate() {
             *check = reaction(mechanism, structure, plan, slot);
         }
-        let places = structure.efforts.iter().enumerate();
-        let places = places.flat_map(|(slot, effort)| effort.places().map(move |kind| (slot, kind)));
         self.efforts.clear();
-        self.efforts.extend(places.filter_map(|(slot, kind)| Some((slot, effort(structure, kind)?))));
+        self.efforts.extend(efforts(mechanism, structure));
     }
 }
 
@@ -160,21 +167,68 @@ fn reaction(mechanism: &Mechanism, structure: &Structure, plan: &Plan, slot: usi
             (place.map_or((reaction.body.0, Vec2::zero()), |m| (m.0.0, m.1)), driven)
         }
         JointKind::Prismatic { slider, point, .. } => ((slider.0, *point), None),
+        JointKind::Weld { part, at, .. } => ((part.0, *at), None),
         JointKind::Law(_) => return None,
     };
-    Some(ReactionCheck { at, body: reaction.body.0, base: reaction.base.0, driven })
+    let [body, base] = held(mechanism, structure, joint.pair, [reaction.body.0, reaction.base.0]);
+    Some(ReactionCheck { at, body, base, driven })
 }
 
-fn effort(structure: &Structure, kind: EffortKind) -> Option<EffortCheck> {
+/// The links, bodies or parts of bodies, by which a pair holds bodies.
+fn held(mechanism: &Mechanism, structure: &Structure, pair: PairId, bodies: [usize; 2]) -> [usize; 2] {
+    bodies.map(|body| structure.replaced.held_by(mechanism, pair, BodyId(body)).0)
+}
+
+/// The places where unknown efforts act.
+fn efforts(mechanism: &Mechanism, structure: &Structure) -> Vec<(usize, EffortCheck)> {
+    let places = structure.efforts.iter().enumerate().flat_map(|(slot, effort)| {
+        let links = links_of(mechanism, effort.source).into_iter().chain(std::iter::repeat(None));
+        effort.places().zip(links).map(move |(kind, link)| (slot, kind, link))
+    });
+    places.filter_map(|(slot, kind, link)| Some((slot, effort(mechanism, structure, kind, link)?))).collect()
+}
+
+/// The link on which each place of an effort acts, where it names one.
+fn links_of(mechanism: &Mechanism, source: EffortSource) -> Vec<Option<LinkId>> {
+    let of_balance = |kind: &BalanceKind| match kind {
+        BalanceKind::Torque(link) | BalanceKind::Force { on: link, .. } => Some(*link),
+        BalanceKind::InPair(_) | BalanceKind::Several(_) => None,
+    };
+    match source {
+        EffortSource::Drive(id) => match mechanism.drives[id.index()].target {
+            DriveTarget::Link(link) => vec![Some(link)],
+            DriveTarget::Pair(_) | DriveTarget::Point(..) => Vec::new(),
+        },
+        EffortSource::Balance(id) => {
+            mechanism.balances[id.index()].kind.places().iter().map(of_balance).collect()
+        }
+    }
+}
+
+fn effort(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    kind: EffortKind,
+    link: Option<LinkId>,
+) -> Option<EffortCheck> {
+    let replaced = &structure.replaced;
+    let named =
+        |body: BodyId| link.filter(|link| replaced.body_of(*link) == body).map_or(body.0, LinkId::index);
     match kind {
-        EffortKind::Angle(body) => Some(EffortCheck::Torque(body.0)),
-        EffortKind::RelativeAngle { first, second, .. } => Some(EffortCheck::Between(first.0, second.0)),
-        EffortKind::Line(body) => Some(EffortCheck::Line(body.0)),
-        EffortKind::Coordinate(joint) => match structure.replaced.joint(joint).kind {
+        EffortKind::Angle(body) => Some(EffortCheck::Torque(named(body))),
+        EffortKind::RelativeAngle { first, second, joint } => {
+            let pair = replaced.joint(joint).pair;
+            let [first, second] = held(mechanism, structure, pair, [first.0, second.0]);
+            Some(EffortCheck::Between(first, second))
+        }
+        EffortKind::Line(body) => Some(EffortCheck::Line(named(body))),
+        EffortKind::Coordinate(joint) => match replaced.joint(joint).kind {
             JointKind::Prismatic { slider, point, direction, guide, along, .. } => {
-                Some(EffortCheck::Along { slider: (slider.0, point), direction, guide: guide.0, along })
+                let pair = replaced.joint(joint).pair;
+                let held = held(mechanism, structure, pair, [slider.0, guide.0]);
+                Some(EffortCheck::Along { held, slider: (slider.0, point), direction, guide: guide.0, along })
             }
-            JointKind::Revolute(_) | JointKind::Law(_) => None,
+            JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => None,
         },
         EffortKind::Point(_) => None,
     }

@@ -81,20 +81,26 @@ pub fn equations(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> V
                 }
                 all.extend(row(&joint.kind, true).map(|row| Equation::Beside(row, *offset)));
             }
+            JointKind::Weld { .. } => {}
             JointKind::Law(terms) => {
                 let terms = terms.iter().filter_map(|(rate, c)| Some((coordinate(structure, *rate)?, *c)));
                 all.push(Equation::Law(terms.collect(), laws.next().map_or(0.0, |law| law.constant)));
             }
         }
     }
-    let turned = |a: usize, b: usize, drive| Equation::Turned { a: (a, X_AXIS), b: (b, X_AXIS), drive };
-    all.extend(structure.replaced.passive.iter().map(|link| turned(0, link.index(), None)));
+    let turned = |a: usize, b: usize| Equation::Turned { a: (a, X_AXIS), b: (b, X_AXIS), drive: None };
+    all.extend(structure.replaced.passive.iter().map(|link| turned(0, link.index())));
+    let driven = |[a, b]: [usize; 2], [first, second]: [Vec2; 2], drive| Equation::Turned {
+        a: (a, first),
+        b: (b, second),
+        drive: Some(drive),
+    };
     for drive in &structure.drives {
         let EffortSource::Drive(id) = drive.source else { continue };
         match drive.kind {
-            EffortKind::Angle(body) => all.push(turned(0, body.0, Some(id.index()))),
+            EffortKind::Angle(body) => all.push(driven([0, body.0], drive.axes, id.index())),
             EffortKind::RelativeAngle { first, second, .. } => {
-                all.push(turned(first.0, second.0, Some(id.index())));
+                all.push(driven([first.0, second.0], drive.axes, id.index()));
             }
             EffortKind::Coordinate(joint) => {
                 let row = row_of(structure, joint);
@@ -181,7 +187,7 @@ fn row(kind: &JointKind, across: bool) -> Option<GuideRow> {
             along,
             across,
         }),
-        JointKind::Revolute(_) | JointKind::Law(_) => None,
+        JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => None,
     }
 }
 

@@ -91,7 +91,11 @@ fn foreign_pins(mechanism: &Mechanism, structure: &Structure) -> Vec<PairId> {
         let pair = mechanism.pair(id);
         let PairKind::Revolute(pins) = &pair.kind else { continue };
         let rubs = pair.friction.is_some_and(|f| f.is_some());
-        if rubs && pins.len() > 2 && joint.base.0 != pins[0].link.index() && !found.contains(&id) {
+        if rubs
+            && pins.len() > 2
+            && joint.base != structure.replaced.body_of(pins[0].link)
+            && !found.contains(&id)
+        {
             found.push(id);
         }
     }
@@ -106,7 +110,7 @@ fn pin(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan, id: PairId
     };
     let joints = structure.forces.iter().flat_map(|g| &g.joints).enumerate();
     let joints: Vec<_> = joints.filter(|(_, j)| structure.replaced.joint(j.joint).pair == id).collect();
-    for link in pins[1..].iter().map(|p| p.link.index()) {
+    for link in pins[1..].iter().map(|p| structure.replaced.body_of(p.link).0) {
         let from = plan.pin_slots.len();
         for (slot, joint) in &joints {
             if joint.body.0 == link {
@@ -119,7 +123,7 @@ fn pin(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan, id: PairId
         plan.friction.push(FrictionElement {
             pair: id,
             body: link,
-            base: pins[0].link.index(),
+            base: structure.replaced.body_of(pins[0].link).0,
             through: link,
             slot: *slot,
             kind: FrictionLaw::Circle { radius },
@@ -181,6 +185,8 @@ fn element(
         kind,
         pin: None,
     };
+    let body = |link| structure.replaced.body_of(link);
+    let profile = |link, shape| structure.replaced.profile(link, shape);
     match (&pair.kind, pair.friction?) {
         (PairKind::Revolute(_), Friction::Circle(radius)) => {
             (radius > 0.0).then(|| at(joint.body, joint.base, FrictionLaw::Circle { radius }))
@@ -200,11 +206,10 @@ fn element(
             let prismatic = matches!(structure.replaced.joint(joint.joint).kind, JointKind::Prismatic { .. });
             let kind = FrictionLaw::Contact {
                 coefficient: friction.coefficient(),
-                first: ProfileShape::Point(guide.point),
-                second: ProfileShape::Line(guide.through, guide.along),
+                first: profile(guide.slider, ProfileShape::Point(guide.point)),
+                second: profile(guide.guide, ProfileShape::Line(guide.through, guide.along)),
                 internal: false,
             };
-            let body = |l: crate::model::LinkId| BodyId(l.index());
             let block = if joint.base == body(guide.guide) { joint.body } else { joint.base };
             (prismatic && friction.coefficient() > 0.0).then(|| FrictionElement {
                 through: block.0,
@@ -214,11 +219,10 @@ fn element(
         (PairKind::Contact { first, second, internal }, friction) => {
             let kind = FrictionLaw::Contact {
                 coefficient: friction.coefficient(),
-                first: first.shape,
-                second: second.shape,
+                first: profile(first.link, first.shape),
+                second: profile(second.link, second.shape),
                 internal: *internal,
             };
-            let body = |l: crate::model::LinkId| BodyId(l.index());
             (friction.coefficient() > 0.0).then(|| at(body(first.link), body(second.link), kind))
         }
         _ => None,

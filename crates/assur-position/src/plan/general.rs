@@ -78,7 +78,7 @@ fn coordinate(structure: &Structure, rate: BodyRate, places: &mut Places) -> Opt
                 point: Point { body: places.of(slider), r: point },
                 line: Line { body: places.of(guide), r: through, d: along },
             }),
-            JointKind::Revolute(_) | JointKind::Law(_) => None,
+            JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => None,
         },
     }
 }
@@ -203,7 +203,8 @@ pub(super) fn problem(structure: &Structure, group: &Group, plan: &Plan) -> Gene
             }
             EffortKind::Line(_) | EffortKind::Point(_) => continue,
         };
-        driven.push((constraints.len(), drive.index()));
+        let ahead = effort.is_aside().then(|| effort.axes[0].turned_back(effort.axes[1]));
+        driven.push((constraints.len(), drive.index(), ahead));
         constraints.push(constraint);
     }
     let laws = laws(structure, group, plan, &mut places);

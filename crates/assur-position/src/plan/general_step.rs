@@ -2,6 +2,7 @@
 
 use super::joint::{Guide, Hinge};
 use crate::group::general::General;
+use crate::math::Vec2;
 
 /// A group of motion. Bodies are slots: those of the group first, then those of known motion that it depends on.
 #[derive(Clone, Debug)]
@@ -12,8 +13,9 @@ pub struct GeneralMotion {
     pub moving: usize,
     /// The equations with their memory; `None` where there are not as many as unknowns.
     pub equations: Option<General>,
-    /// Constraints that a drive sets: index, slot of the drive.
-    pub driven: Vec<(usize, usize)>,
+    /// Constraints that a drive sets: index, slot of the drive, and the axis of the first body from that of the second where its
+    /// angle is between others than x axes.
+    pub driven: Vec<(usize, usize, Option<Vec2>)>,
     /// Constraints of round profiles: index and radius, m.
     pub round: Vec<(usize, f64)>,
     /// Bodies whose angles laws of wheels speak of: slot, whether it is of the group, whether its angle is followed by its

@@ -17,7 +17,7 @@ pub(super) fn pin(replaced: &Replaced, joint: GroupJoint, body: BodyId) -> Vec2 
                 *through
             }
         }
-        JointKind::Law(_) => Vec2::zero(),
+        JointKind::Weld { .. } | JointKind::Law(_) => Vec2::zero(),
     }
 }
 
@@ -109,7 +109,9 @@ pub(super) fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hi
 pub(super) fn guide(structure: &Structure, joint: GroupJoint, slot: usize) -> Guide {
     let (slider, point, direction) = match structure.replaced.joint(joint.joint).kind {
         JointKind::Prismatic { slider, point, direction, .. } => (slider, point, direction),
-        JointKind::Revolute(_) | JointKind::Law(_) => (joint.body, Vec2::zero(), Vec2::new(1.0, 0.0)),
+        JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => {
+            (joint.body, Vec2::zero(), Vec2::new(1.0, 0.0))
+        }
     };
     Guide { body: joint.body.0, base: joint.base.0, slider: slider.0, point, direction, slot }
 }

@@ -30,6 +30,7 @@ mod train_losses;
 mod train_step;
 mod triad;
 mod triad_step;
+mod weld;
 
 pub use crate::model::Level;
 pub use by_pair::ByPair;
@@ -51,6 +52,8 @@ pub use settings::{Precision, Settings};
 pub use step::{Anchor, Arm, DrivenJoint, DrivenLeg, Leg, MotionStep, Slide};
 pub use train_losses::loss_system;
 pub use triad_step::{TriadForceLeg, TriadForces, TriadHold, TriadLeg, TriadMotion};
+
+pub use weld::{PlannedPart, PlannedWeld};
 
 pub use train_step::{
     LawSite, PlannedLaw, TrainEffort, TrainForces, TrainMember, TrainMotion, TrainSource, TrainSupport,
@@ -82,6 +85,7 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
             plan.outer.push((body.0, at, id.index()));
         }
     }
+    plan.parts = weld::parts(structure);
     plan.laws = train::laws(mechanism, structure);
     motion::plan(mechanism, structure, &mut plan);
     let determinate = structure.force_defect.is_none();
@@ -97,6 +101,7 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
         if plan.effects.friction {
             friction::plan(mechanism, structure, &mut plan);
         }
+        weld::welds(structure, &mut plan);
         if plan.effects.losses {
             train::number_losses(&mut plan);
         }

@@ -18,7 +18,10 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
             plan.motion.push(step);
             continue;
         }
+        let aside = |effort: &usize| structure.drives[*effort].is_aside();
         let step = match group.kind {
+            // the angles of other axes than those of bodies
+            GroupKind::Train | GroupKind::DrivenLegs(_) if group.efforts.iter().any(aside) => None,
             GroupKind::Triad => super::triad::motion(structure, group, branch),
             GroupKind::Train => {
                 let train = super::train::motion(structure, group, plan);
@@ -62,7 +65,12 @@ fn driven(structure: &Structure, group: &Group, branch: usize) -> Option<MotionS
     let effort = &structure.drives[group.efforts[0]];
     let EffortSource::Drive(drive) = effort.source else { return None };
     let replaced = &structure.replaced;
+    let ahead = |sign: f64| {
+        let [base, own] = if sign > 0.0 { effort.axes } else { [effort.axes[1], effort.axes[0]] };
+        (base != own).then(|| base.turned_back(own))
+    };
     let turn = |relative, sign| MotionStep::Turn {
+        ahead: ahead(sign),
         branch,
         body: body.0,
         base: anchor(replaced, joint),

@@ -21,9 +21,10 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure) -> Vec<Opposing
     let loads = mechanism.loads.iter().enumerate().filter(|(_, load)| load.is_against_motion());
     let opposing = loads.filter_map(|(index, load)| {
         let (body, line) = match &load.kind {
-            LoadKind::Torque { on, .. } => (on.index(), None),
+            LoadKind::Torque { on, .. } => (structure.replaced.body_of(*on).0, None),
             LoadKind::ForceAgainstMotion { on, at: Place::Local(at), .. } => {
-                (on.index(), Some((*at, direction(structure, on.index(), *at)?)))
+                let (body, at) = structure.replaced.place(*on, *at);
+                (body.0, Some((at, direction(structure, body.0, at)?)))
             }
             _ => return None,
         };

@@ -14,6 +14,7 @@ use super::opposing::Opposing;
 use super::settings::Settings;
 use super::step::MotionStep;
 use super::train_step::{PlannedLaw, TrainForces, TrainMotion};
+use super::weld::{PlannedPart, PlannedWeld};
 use crate::math::Vec2;
 use crate::structure::GroupJoint;
 
@@ -26,6 +27,8 @@ pub struct Plan {
     /// Bodies driven at a point: slot, the point in the body's frame (m), slot of the drive.
     pub outer: Vec<(usize, Vec2, usize)>,
     pub motion: Vec<MotionStep>,
+    /// Links that move with others to which they are welded.
+    pub parts: Vec<PlannedPart>,
     /// Designed cams with their followers.
     pub cams: Vec<CamStep>,
     pub genevas: Vec<GenevaStep>,
@@ -56,6 +59,8 @@ pub struct Plan {
     pub forces: Vec<ForceStep>,
     /// Systems of the general steps of forces.
     pub balance_systems: Vec<BalanceSystem>,
+    /// What holds welded links, from those whose frames bodies have outwards.
+    pub welds: Vec<PlannedWeld>,
     /// The joint of every reaction slot.
     pub reactions: Vec<GroupJoint>,
     /// The reaction slots of every pair.
@@ -98,6 +103,7 @@ impl Plan {
         self.general.is_empty()
             && !self.effects.beyond
             && !self.motion.iter().any(followed)
+            && self.parts.is_empty()
             && self.cams.is_empty()
             && self.genevas.is_empty()
             && self.laws.is_empty()
@@ -108,7 +114,7 @@ impl Plan {
     /// Whether forces are wanted and there is something to solve for them.
     #[must_use]
     pub const fn has_forces(&self) -> bool {
-        self.effects.forces && !self.forces.is_empty()
+        self.effects.forces && !(self.forces.is_empty() && self.welds.is_empty())
     }
 
     /// What [`Plan::massless`] is for the loads and forces planned. The closed forms do not ask what the ground carries: where

@@ -33,6 +33,7 @@ impl Plan {
             )
         };
         self.outer.is_empty()
+            && self.parts.is_empty()
             && !self.effects.beyond
             && self.laws.is_empty()
             && self.friction.is_empty()

@@ -147,6 +147,8 @@ pub enum MotionStep {
         relative: bool,
         /// With this sign, ±1.
         sign: f64,
+        /// The axis of the base from that of the body: where the angle is between others than their x axes.
+        ahead: Option<Vec2>,
     },
     /// A body on a guide at a driven coordinate.
     Shift {
@@ -262,6 +264,29 @@ pub enum MotionStep {
 }
 
 impl MotionStep {
+    /// Its place in the order of motion.
+    #[must_use]
+    pub const fn branch(&self) -> usize {
+        match self {
+            Self::Turn { branch, .. }
+            | Self::Shift { branch, .. }
+            | Self::Rrr { branch, .. }
+            | Self::Rrp { branch, .. }
+            | Self::DrivenRrr { branch, .. }
+            | Self::DrivenRrp { branch, .. }
+            | Self::Rpr { branch, .. }
+            | Self::Prp { branch, .. }
+            | Self::Rpp { branch, .. }
+            | Self::Translation { branch, .. }
+            | Self::Train { branch, .. }
+            | Self::Triad { branch, .. }
+            | Self::Cam { branch, .. }
+            | Self::CamTurned { branch, .. }
+            | Self::Geneva { branch, .. }
+            | Self::General { branch, .. } => *branch,
+        }
+    }
+
     /// Whether it has a second assembly of the other root.
     #[must_use]
     pub const fn has_two_roots(&self) -> bool {

@@ -2,7 +2,8 @@
 
 use super::jet::Moving;
 use crate::math::{Scalar, V2, Vec2};
-use crate::plan::Arm;
+use crate::plan::step::unit;
+use crate::plan::{Arm, PlannedPart};
 
 /// Motion of a body: its origin and direction with their derivatives, in ground axes.
 #[derive(Clone, Copy, Debug)]
@@ -93,6 +94,20 @@ impl<S: Scalar> BodyState<S> {
     #[must_use]
     pub fn jerk(&self, at: Vec2) -> V2<S> {
         Moving::point(self, at).0[3]
+    }
+
+    /// How a part of the body moves.
+    #[must_use]
+    pub fn carried(&self, part: &PlannedPart) -> Self {
+        Self {
+            p: self.position(part.at),
+            u: unit(part.along).turned(self.u),
+            v: self.velocity(part.at),
+            a: self.acceleration(part.at),
+            j: self.jerk(part.at),
+            turned: self.turned + S::of(part.angle),
+            ..*self
+        }
     }
 
     /// A derivative, from the first on, of the place of the origin and of the angle.

@@ -75,7 +75,7 @@ impl<S: Scalar> State<S> {
             None => {}
             Some(DrivenJoint::Shift { slide, drive }) => self.shift::<LEVEL>(slide, *drive),
             Some(DrivenJoint::Turn { base, body, pin, drive, sign, .. }) => {
-                self.turn::<LEVEL>(*body, base, pin, *drive, (true, *sign));
+                self.turn::<LEVEL>(*body, base, pin, *drive, (true, *sign, None));
             }
         }
     }

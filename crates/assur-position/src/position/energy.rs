@@ -126,7 +126,7 @@ impl State {
                 let [first, second] = members.as_slice() else { return None };
                 Some(self.motion.bodies[second.0.0].omega - self.motion.bodies[first.0.0].omega)
             }
-            JointKind::Revolute(_) | JointKind::Law(_) => None,
+            JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => None,
         });
         rates.next().unwrap_or(0.0)
     }

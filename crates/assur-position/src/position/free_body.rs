@@ -7,7 +7,7 @@ use crate::force::spring::spring;
 use crate::math::{Scalar, V2, Vec2};
 use crate::model::{LoadId, LoadKind, PairId, PairKind, Place, SpringId, Value};
 use crate::plan::{Checks, EffortCheck, LoadStep, Plan};
-use crate::structure::JointKind;
+use crate::structure::{BodyId, JointKind};
 
 /// What something that acts comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,10 +93,10 @@ impl<S: Scalar> State<S> {
                     let (place, n) = self.forces.lines[*slot];
                     Action { by: None, ..Action::pushing(from, [*on, 0], place, n * value) }
                 }
-                EffortCheck::Along { slider, direction, guide, .. } => {
+                EffortCheck::Along { held, slider, direction, .. } => {
                     let s = &self.motion.bodies[slider.0];
                     let force = V2::of(*direction).turned(s.u) * value;
-                    Action::pushing(from, [slider.0, *guide], s.position(slider.1), force)
+                    Action::pushing(from, *held, s.position(slider.1), force)
                 }
             });
         }
@@ -114,8 +114,9 @@ impl State {
             self.forces_of_law(law, slot, &mut on_one);
             self.grip_of_law(law, &mut on_one);
         }
-        for (i, (element, &value)) in plan.friction.iter().zip(&self.forces.frictions).enumerate() {
-            let (from, bodies) = (Origin::Friction(i), [element.through, element.base]);
+        let rubbing = plan.friction.iter().zip(&plan.checks.rubbing).zip(&self.forces.frictions);
+        for (i, ((element, &bodies), &value)) in rubbing.enumerate() {
+            let from = Origin::Friction(i);
             act(match self.friction_line(element) {
                 None => Action::turning(from, bodies, self.motion.bodies[element.through].p, value),
                 Some((place, along)) => Action::pushing(from, bodies, place, along * value),
@@ -186,16 +187,17 @@ impl State {
     /// An effort between the two links of a pair, positive along its coordinate.
     fn act_in_pair(&self, model: &Model<'_>, pair: PairId, from: Origin, effort: f64) -> Option<Action> {
         let replaced = &model.structure.replaced;
+        let held = |bodies: [BodyId; 2]| bodies.map(|body| replaced.held_by(model.mechanism, pair, body).0);
         let is_revolute = matches!(model.mechanism.pair(pair).kind, PairKind::Revolute(_));
         replaced.joints_of(pair).find_map(|joint| match &replaced.joint(joint).kind {
             JointKind::Prismatic { slider, point, direction, guide, .. } => {
                 let body = &self.motion.bodies[slider.0];
                 let force = direction.turned(body.u) * effort;
-                Some(Action::pushing(from, [slider.0, guide.0], body.position(*point), force))
+                Some(Action::pushing(from, held([*slider, *guide]), body.position(*point), force))
             }
             JointKind::Revolute(members) if is_revolute => match members.as_slice() {
                 [first, second] => {
-                    let bodies = [second.0.0, first.0.0];
+                    let bodies = held([second.0, first.0]);
                     Some(Action::turning(
                         from,
                         bodies,
@@ -205,7 +207,7 @@ impl State {
                 }
                 _ => None,
             },
-            JointKind::Revolute(_) | JointKind::Law(_) => None,
+            JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => None,
         })
     }
 }

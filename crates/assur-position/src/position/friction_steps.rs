@@ -42,6 +42,7 @@ impl State {
         // kept states have no memory of this
         state.scratch = Scratch::of(plan);
         state.forces.wrenches.clone_from(&self.forces.applied);
+        state.bear_loads(plan);
         state.forces.locked = false;
         for (i, step) in plan.forces[..index].iter().enumerate() {
             match step {

@@ -70,11 +70,11 @@ impl State {
     }
 
     fn set_drives(&self, equations: &mut General, group: &GeneralMotion) {
-        for &(index, drive) in &group.driven {
+        for &(index, drive, ahead) in &group.driven {
             let input = self.motion.inputs[drive];
             equations.change(index, |constraint| match constraint {
                 Constraint::Angle { angle, rate, second, .. } => {
-                    *angle = input.place;
+                    *angle = ahead.map_or(input.place, |ahead| input.place.turned(ahead));
                     *rate = input.rate;
                     *second = input.acceleration;
                 }

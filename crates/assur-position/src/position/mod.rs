@@ -53,6 +53,7 @@ mod train_losses;
 mod train_work;
 mod triad;
 mod virtual_power;
+mod weld;
 mod wrench;
 
 pub use against::Against;

@@ -29,6 +29,7 @@ pub fn extent(model: &Model<'_>) -> f64 {
     let of = |kind: &JointKind| match kind {
         JointKind::Revolute(members) => members.iter().map(|m| m.1.norm()).fold(0.0, f64::max),
         JointKind::Prismatic { point, through, offset, .. } => point.norm().max(through.norm()).max(*offset),
+        JointKind::Weld { at, .. } => at.norm(),
         JointKind::Law(_) => 0.0,
     };
     let extent = model.structure.replaced.joints.iter().map(|j| of(&j.kind)).fold(0.0, f64::max);

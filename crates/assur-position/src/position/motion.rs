@@ -132,14 +132,15 @@ impl<S: Scalar> State<S> {
             let along = V2::new(S::one(), S::zero());
             place::<S, 2>(&mut self.motion.bodies[body], &Some(at), point, along, S::zero(), S::zero());
         }
+        self.carry_parts(plan, None);
     }
 
     /// Runs a step of motion that has a closed form; one that has none leaves its group open.
     #[cfg_attr(in_one, inline(always))]
     pub(super) fn closed_form<const LEVEL: u8>(&mut self, step: &MotionStep) {
         match step {
-            MotionStep::Turn { body, base, pin, drive, relative, sign, .. } => {
-                self.turn::<LEVEL>(*body, base, pin, *drive, (*relative, *sign));
+            MotionStep::Turn { body, base, pin, drive, relative, sign, ahead, .. } => {
+                self.turn::<LEVEL>(*body, base, pin, *drive, (*relative, *sign, *ahead));
             }
             MotionStep::Shift { slide, drive, .. } => self.shift::<LEVEL>(slide, *drive),
             MotionStep::Rrr { branch, legs, sides } => self.rrr::<LEVEL>(*branch, legs, sides),
@@ -184,13 +185,14 @@ impl<S: Scalar> State<S> {
         base: &Anchor,
         pin: &Arm,
         drive: usize,
-        (relative, sign): (bool, f64),
+        (relative, sign, ahead): (bool, f64, Option<Vec2>),
     ) {
         let input = &self.motion.inputs[drive];
         let hinge = point::<S, LEVEL>(&self.motion.bodies, base);
         let sign = S::of(sign);
         // cosine and sine are read one by one, as they were written: to read them as a pair waits until both are in memory
         let direction = V2::new(input.place.x, sign * input.place.y);
+        let direction = ahead.map_or(direction, |ahead| direction.turned(unit(ahead)));
         let (u, omega, alpha, turned) = if relative {
             let carrier = &self.motion.bodies[base.body];
             (
@@ -284,6 +286,9 @@ impl State {
                 self.general::<LEVEL>(*branch, *problem, group, small, &mut ());
             }
             closed => self.closed_form::<LEVEL>(closed),
+        }
+        if !plan.parts.is_empty() {
+            self.carry_parts(plan, Some(step.branch()));
         }
     }
 }

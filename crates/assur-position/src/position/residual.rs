@@ -28,7 +28,7 @@ pub fn residuals(model: &Model<'_>, state: &State) -> Residuals {
 /// As [`residuals`], with memory for the sums of forces on the bodies.
 pub fn residuals_in(model: &Model<'_>, state: &State, totals: &mut Vec<Wrench>) -> Residuals {
     // a locked mechanism has none
-    let forces = model.plan.effects.forces && !model.plan.forces.is_empty() && !state.forces.locked;
+    let forces = model.plan.has_forces() && !state.forces.locked;
     let velocities = model.plan.effects.level >= crate::plan::Level::Velocities;
     Residuals {
         closure: closure(model, state),
@@ -82,7 +82,7 @@ fn slider_place(model: &Model<'_>, state: &State, joint: JointId) -> f64 {
             let (s, g) = (&state.motion.bodies[slider.0], &state.motion.bodies[guide.0]);
             (s.position(point) - g.position(through)).dot(along.turned(g.u))
         }
-        JointKind::Revolute(_) | JointKind::Law(_) => 0.0,
+        JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => 0.0,
     }
 }
 

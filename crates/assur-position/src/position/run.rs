@@ -25,6 +25,9 @@ impl State {
         }
         if plan.effects.beyond {
             self.run_higher_rates(plan);
+            for part in &plan.parts {
+                self.motion.bodies[part.part] = self.motion.bodies[part.body].carried(part);
+            }
         }
     }
 
@@ -38,6 +41,7 @@ impl State {
     /// Forces from the loads in `wrenches`, which are kept for the residuals.
     fn run_balance(&mut self, plan: &Plan) {
         self.forces.applied.clone_from(&self.forces.wrenches);
+        self.bear_loads(plan);
         self.set_lines(plan);
         if plan.effects.friction {
             self.set_senses(plan);
@@ -45,13 +49,16 @@ impl State {
         self.apply_grips(plan);
         self.run_forces(plan);
         self.keep_grips();
+        self.find_weld_reactions(plan);
     }
 
     /// The forces again from the same loads, without friction and losses.
     pub fn run_again_without_friction(&mut self, plan: &Plan) {
         self.forces.wrenches.clone_from(&self.forces.applied);
+        self.bear_loads(plan);
         self.forces.frictions.fill(0.0);
         self.forces.locked = false;
         self.run_forces_without_friction(plan);
+        self.find_weld_reactions(plan);
     }
 }

@@ -18,6 +18,8 @@ pub struct Scratch {
     pub(super) in_senses: bool,
     /// Loads before the first reaction was added, where there is friction.
     pub(super) loads_before: Vec<Wrench>,
+    /// Sums of what acts on links, where some are welded.
+    pub(super) totals: Vec<Wrench>,
     /// Train groups of forces. A step takes its memory out while it runs: in a box it does not move.
     pub train_work: Vec<Option<Box<TrainWork>>>,
     /// Groups with friction, by step of forces; nothing where nothing rubs.
@@ -47,6 +49,7 @@ impl Scratch {
             friction_work: if rubs { rubbing.collect() } else { Vec::new() },
             rate_work: plan.rate_groups.as_ref().map(|groups| Box::new(RateWork::new(plan, groups))),
             motion_work: motion.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
+            totals: Vec::with_capacity(if plan.welds.is_empty() { 0 } else { plan.bodies }),
             force_work: forces.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
             ..Self::default()
         }

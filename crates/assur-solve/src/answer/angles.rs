@@ -20,20 +20,25 @@ pub(crate) fn first_angles_in(model: &Model<'_>, state: &State, angles: &mut Vec
     angles.extend(state.motion.bodies.iter().map(|b| b.u.angle()));
     let drives = || {
         model.structure.drives.iter().filter_map(|effort| match effort.source {
-            EffortSource::Drive(id) => Some((effort.kind, state.motion.inputs[id.index()].value)),
+            EffortSource::Drive(id) => Some((effort, state.motion.inputs[id.index()].value)),
             EffortSource::Balance(_) => None,
         })
     };
-    for (kind, value) in drives() {
-        if let EffortKind::Angle(body) = kind {
-            angles[body.0] = value;
+    for (effort, value) in drives() {
+        if let EffortKind::Angle(body) = effort.kind {
+            // of a welded link: the angle is that of the link, and the body has its own
+            let link = effort.link(model.mechanism).map_or(body.0, LinkId::index);
+            angles[link] = value;
+            if link != body.0 {
+                angles[body.0] += whole_turns(value - angles[body.0]);
+            }
         }
     }
     for &body in &model.plan.turning {
         angles[body] = state.motion.bodies[body].turned;
     }
     let is_driven =
-        |body: BodyId| drives().any(|(kind, _)| matches!(kind, EffortKind::Angle(b) if b == body));
+        |body: BodyId| drives().any(|(effort, _)| matches!(effort.kind, EffortKind::Angle(b) if b == body));
     let is_counted = |body: BodyId| {
         body.0 == LinkId::GROUND.index() || model.plan.turning.contains(&body.0) || is_driven(body)
     };
@@ -43,8 +48,9 @@ pub(crate) fn first_angles_in(model: &Model<'_>, state: &State, angles: &mut Vec
                 [first, second] => {
                     let ends = [first.link, second.link].map(|link| BodyId(link.index()));
                     let apart = angles[ends[1].0] - angles[ends[0].0];
-                    let driven = drives().find_map(|(kind, value)| match kind {
-                        EffortKind::RelativeAngle { first, second, .. } if [first, second] == ends => {
+                    let bodies = [first.link, second.link].map(|link| model.structure.replaced.body_of(link));
+                    let driven = drives().find_map(|(effort, value)| match effort.kind {
+                        EffortKind::RelativeAngle { first, second, .. } if [first, second] == bodies => {
                             Some(value)
                         }
                         _ => None,

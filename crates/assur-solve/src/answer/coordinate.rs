@@ -24,7 +24,10 @@ impl PoseAnswers<'_> {
                 contacts: None,
                 guide_first: true,
             })),
-            PairKind::Revolute(_) | PairKind::Contact { .. } | PairKind::Transmission(_) => None,
+            PairKind::Revolute(_)
+            | PairKind::Contact { .. }
+            | PairKind::Weld { .. }
+            | PairKind::Transmission(_) => None,
         }
     }
 

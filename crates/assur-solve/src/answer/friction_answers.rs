@@ -79,18 +79,22 @@ impl PoseAnswers<'_> {
                 let n = if first.link == link { into_first } else { -into_first };
                 -force.dot(n.perp())
             }
-            PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => f64::NAN,
+            PairKind::Revolute(_)
+            | PairKind::Cylinder { .. }
+            | PairKind::Weld { .. }
+            | PairKind::Transmission(_) => f64::NAN,
         }
     }
 
     /// Friction force on a link in a pair, N, in ground axes; null in a revolute, whose friction is a couple.
     pub(super) fn friction_force(&self, pair: PairId, link: LinkId) -> crate::math::Vec2 {
         let mut sum = crate::math::Vec2::zero();
+        let body = self.structure.replaced.body_of(link).0;
         for (element, value) in self.determined(pair) {
             let Some(line) = self.state.friction_line(element) else { continue };
-            if element.body == link.index() {
+            if element.body == body {
                 sum += line.1 * value;
-            } else if element.base == link.index() {
+            } else if element.base == body {
                 sum -= line.1 * value;
             }
         }
@@ -99,12 +103,13 @@ impl PoseAnswers<'_> {
 
     /// Friction couple on a link in a revolute, N m.
     pub(super) fn friction_couple(&self, pair: PairId, link: LinkId) -> f64 {
+        let body = self.structure.replaced.body_of(link).0;
         let couples = self.determined(pair).filter(|(e, _)| matches!(e.kind, FrictionLaw::Circle { .. }));
         couples
             .map(|(e, x)| {
-                if e.body == link.index() {
+                if e.body == body {
                     x
-                } else if e.base == link.index() {
+                } else if e.base == body {
                     -x
                 } else {
                     0.0

@@ -65,6 +65,7 @@ impl Locked<'_> {
             element.kind = full.kind.scaled(by);
         }
         state.forces.wrenches.clone_from(&state.forces.applied);
+        state.bear_loads(plan);
         state.forces.frictions.fill(0.0);
         state.forces.locked = false;
         state.run_forces(plan);

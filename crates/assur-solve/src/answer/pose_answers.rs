@@ -361,7 +361,9 @@ impl PoseAnswers<'_> {
         };
         let body = match in_slot {
             Some((pin, block)) if pin == link => block,
-            _ => BodyId(link.index()),
+            // the part itself hangs on a weld
+            _ if matches!(self.mechanism.pair(pair).kind, PairKind::Weld { .. }) => BodyId(link.index()),
+            _ => self.structure.replaced.body_of(link),
         };
         self.plan.reactions_of.places(pair).iter().filter_map(move |&slot| {
             let joint = &self.plan.reactions[slot];
@@ -383,7 +385,7 @@ impl PoseAnswers<'_> {
         let replaced = &self.structure.replaced;
         replaced.joints_of(pair).find_map(|j| match replaced.joint(j).kind {
             JointKind::Prismatic { slider, .. } => Some(slider),
-            JointKind::Revolute(_) | JointKind::Law(_) => None,
+            JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => None,
         })
     }
 
@@ -395,7 +397,10 @@ impl PoseAnswers<'_> {
                 let Some((_, into_first)) = self.contact_normal(pair) else { return f64::NAN };
                 force.dot(if first.link == link { into_first } else { -into_first })
             }
-            PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => f64::NAN,
+            PairKind::Revolute(_)
+            | PairKind::Cylinder { .. }
+            | PairKind::Weld { .. }
+            | PairKind::Transmission(_) => f64::NAN,
         }
     }
 

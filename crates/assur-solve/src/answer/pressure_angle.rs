@@ -3,7 +3,6 @@
 use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId, PairKind, ProfileShape};
-use crate::structure::BodyId;
 use assur_math::math::ROUNDING;
 
 /// How the point of a follower that receives the force of a contact may move, in the frame of the follower.
@@ -68,7 +67,7 @@ impl PoseAnswers<'_> {
 
     fn follower(&self, pair: PairId) -> Option<LinkId> {
         let rank = |link: LinkId| {
-            let body = BodyId(link.index());
+            let body = self.structure.replaced.body_of(link);
             self.structure.motion.iter().position(|g| g.bodies.contains(&body)).map_or(0, |r| r + 1)
         };
         let disk = self.mechanism.cam_contacts.iter().find(|c| c.pair == pair).map(|c| c.disk);

@@ -154,7 +154,7 @@ impl PoseAnswers<'_> {
     /// `turn` where the coordinate of a pair is an angle, and as much times the lengths where it is a length.
     fn of_pair(&self, pair: PairId, turn: f64, sizes: &Sizes) -> f64 {
         match self.mechanism.pair(pair).kind {
-            PairKind::Revolute(_) | PairKind::Transmission(_) => turn,
+            PairKind::Revolute(_) | PairKind::Weld { .. } | PairKind::Transmission(_) => turn,
             PairKind::Prismatic(_)
             | PairKind::Slot(_)
             | PairKind::Cylinder { .. }

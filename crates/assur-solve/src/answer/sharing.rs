@@ -75,6 +75,7 @@ fn bodies_of(structure: &Structure, kind: &JointKind) -> Vec<usize> {
     match kind {
         JointKind::Revolute(members) => members.iter().map(|(body, _)| body.0).collect(),
         JointKind::Prismatic { slider, guide, .. } => vec![slider.0, guide.0],
+        JointKind::Weld { part, base, .. } => vec![part.0, base.0],
         JointKind::Law(terms) => terms
             .iter()
             .flat_map(|(rate, _)| match rate {

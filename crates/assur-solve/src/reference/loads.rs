@@ -26,6 +26,14 @@ pub(super) fn applied(
     for (load, value) in evaluated {
         loads.evaluated(model, *load, *value);
     }
+    // bodies bear the loads of their parts
+    for part in &model.plan.parts {
+        let Wrench { force, moment } = loads.sums[part.part];
+        let r = bodies[part.part].p - bodies[part.body].p;
+        let body = &mut loads.sums[part.body];
+        body.force += force;
+        body.moment = body.moment + moment + r.cross(force);
+    }
     loads.sums
 }
 

@@ -65,6 +65,9 @@ pub(super) fn motion<'a>(model: &Model<'a>, state: &'a State) -> Option<Motion<'
     }
     motion.position()?;
     motion.rates()?;
+    for part in &model.plan.parts {
+        motion.bodies[part.part] = motion.bodies[part.body].carried(part);
+    }
     for step in &model.plan.cams {
         cam::place_block(step, &mut motion.bodies);
     }
@@ -93,6 +96,7 @@ fn size(model: &Model<'_>, state: &State) -> f64 {
                 reach(slider.0, *point);
                 reach(guide.0, *through);
             }
+            JointKind::Weld { part, at, .. } => reach(part.0, *at),
             JointKind::Law(_) => {}
         }
     }

@@ -149,7 +149,7 @@ fn reactions(model: &Model<'_>, bodies: &[BodyState<D>]) -> Vec<Unknown> {
                     all.push(Unit::new(bodies).couple(body, base, D::one()).of(Kind::Couple(slot)));
                 }
             }
-            JointKind::Law(_) => {}
+            JointKind::Weld { .. } | JointKind::Law(_) => {}
         }
     }
     all

@@ -62,6 +62,7 @@ impl Assembly {
         for (body, stands) in model.structure.motion[index].bodies.iter().zip(&self.bodies) {
             state.motion.bodies[body.0] = *stands;
         }
+        state.carry_parts(model.plan, Some(index));
         if let Some((problem, work)) = &self.work {
             state.scratch.motion_work[*problem] = Some(work.clone());
         }
@@ -242,7 +243,10 @@ pub(super) fn hints_by_group(model: &Model<'_>) -> Vec<Vec<usize>> {
     }
     let mut hints = vec![Vec::new(); model.structure.motion.len()];
     for (i, hint) in model.mechanism.hints.iter().enumerate() {
-        let last = links_of(model, hint).into_iter().filter_map(|l| settled[l.index()]).max();
+        let last = links_of(model, hint)
+            .into_iter()
+            .filter_map(|l| settled[model.structure.replaced.body_of(l).0])
+            .max();
         if let Some(last) = last {
             hints[last].push(i);
         }

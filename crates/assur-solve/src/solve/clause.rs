@@ -133,7 +133,7 @@ fn by_kind(model: &Model<'_>, state: &State, group: &Group) -> Option<Clause> {
                 .iter()
                 .find(|m| m.0 == joint.body)
                 .map(|m| state.motion.bodies[joint.body.0].position(m.1)),
-            JointKind::Prismatic { .. } | JointKind::Law(_) => None,
+            JointKind::Prismatic { .. } | JointKind::Weld { .. } | JointKind::Law(_) => None,
         }
     };
     match dyad {

@@ -22,9 +22,9 @@ pub(super) fn initial_guess(
     let mut placed: Vec<Vec<Placed>> = vec![Vec::new(); own.len()];
     let mut is_named = false;
     for hint in &model.mechanism.hints {
-        if let HintKind::Near { point: (link, at), place } = hint.kind
-            && let Some(body) = own.iter().position(|slot| *slot == link.index())
-        {
+        let HintKind::Near { point: (link, at), place } = hint.kind else { continue };
+        let (body, at) = model.structure.replaced.place(link, at);
+        if let Some(body) = own.iter().position(|slot| *slot == body.0) {
             placed[body].push((at, place));
             is_named = true;
         }
@@ -54,7 +54,7 @@ fn hinges(model: &Model<'_>, index: usize, own: &[usize]) -> Vec<Hinge> {
     joints
         .filter_map(|kind| match kind {
             JointKind::Revolute(members) => Some(hinge(members)),
-            JointKind::Prismatic { .. } | JointKind::Law(_) => None,
+            JointKind::Prismatic { .. } | JointKind::Weld { .. } | JointKind::Law(_) => None,
         })
         .collect()
 }

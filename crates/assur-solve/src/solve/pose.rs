@@ -141,6 +141,7 @@ impl Run<'_, '_> {
             state.forces.applied.clone_from(&state.forces.wrenches);
             state.set_lines(model.plan);
             exact.round_forces(model, state);
+            state.find_weld_reactions(model.plan);
         }
     }
 

@@ -178,6 +178,7 @@ const SYNONYMS: &[(&[&str], &[&str])] = &[
         &["slider", "sliding", "slide", "guide", "translational", "translation", "linear"],
         &["prismatic", "slot"],
     ),
+    (&["welded", "rigid", "fixed_joint", "glue", "bolt", "clamp", "fix", "rivet"], &["weld"]),
     (&["gear", "gears", "gearing", "teeth"], &["mesh"]),
     (&["piston", "hydraulic", "actuator"], &["cylinder"]),
     (&["body", "bar", "rod", "member", "element", "part", "beam", "crank", "lever"], &["link"]),
@@ -218,21 +219,6 @@ fn question(case: &Case<'_>, word: &str) -> Option<Diagnosis> {
     })
 }
 
-/// Words for a joint in which nothing moves.
-const RIGID: &[&str] = &["weld", "welded", "rigid", "glue", "bolt", "clamp", "fix", "rivet"];
-
-/// `weld B: crank - rod`
-fn rigid(case: &Case<'_>, word: &str) -> Option<Help> {
-    let (_, links) = case.slice.split_once(':').filter(|_| RIGID.contains(&word.to_lowercase().as_str()))?;
-    let (first, second) = links.split_once(" - ")?;
-    let (first, second) = (first.trim(), second.trim());
-    let help = format!(
-        "two links that do not move against each other are one: give `{first}` the points of `{second}`, and name \
-         `{first}` in the pairs of `{second}`"
-    );
-    Some(help.into())
-}
-
 /// Words that other programs have for the instants of a motion.
 const OF_A_RUN: &[&str] =
     &["output", "step", "timestep", "dt", "t_end", "tend", "tstop", "tspan", "sampling"];
@@ -241,9 +227,7 @@ const OF_A_RUN: &[&str] =
 const DRAWINGS: &[&str] = &["plot", "draw", "graph", "chart", "animate", "figure"];
 
 fn unknown(case: &Case<'_>, word: &str) -> Diagnosis {
-    let help = if let Some(help) = rigid(case, word) {
-        help
-    } else if DRAWINGS.contains(&word) {
+    let help = if DRAWINGS.contains(&word) {
         let asked = case.slice.get(word.len()..).unwrap_or_default().trim();
         let find = format!("find {asked}");
         let find = if case.reads(&find) { format!("`{find}`") } else { "`find …`".to_owned() };

@@ -50,6 +50,7 @@ kinds! {
     Worm "worm" "a worm and its wheel" "worm s: screw - w5 { starts 2 }",
     Screw "screw" "a spindle and its nut" "screw n: spindle - nut { lead 5 mm }",
     Clutch "clutch" "a clutch between two shafts" "clutch k: I - II { capacity 40 N*m }",
+    Weld "weld" "a rigid joint: the links are one body" "weld B: beam - post { angle 60 deg }",
 }
 
 kinds! {

@@ -150,6 +150,9 @@ const CONE: Property = row("cone", Positive(Dimension::ANGLE), "cone 12 deg", "h
 
 const CLUTCH: &[Property] = &[CAPACITY, PRESSED, FACE_FRICTION, FACE_RADIUS, OUTER, INNER, WORN, FACES, CONE];
 
+const WELD: &[Property] =
+    &[row("angle", Any(Dimension::ANGLE), "angle 60 deg", "of the second link, less that of the first")];
+
 /// The properties of a brake.
 pub const BRAKE: &[Property] = &[
     CAPACITY,
@@ -281,6 +284,7 @@ pub const fn properties_of_pair(kind: JointKind) -> &'static [Property] {
         JointKind::Worm => WORM,
         JointKind::Screw => SCREW,
         JointKind::Clutch => CLUTCH,
+        JointKind::Weld => WELD,
     }
 }
 
@@ -290,6 +294,7 @@ pub const PROPERTIES: &[(&str, &[Property])] = &[
     ("prismatic", PRISMATIC),
     ("slot", SLOT),
     ("contact", CONTACT),
+    ("weld", WELD),
     ("mesh", MESH),
     ("rope", LOSSES),
     ("belt", BELT),

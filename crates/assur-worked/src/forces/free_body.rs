@@ -103,9 +103,13 @@ impl Derivation<'_> {
         let Some(action) = self.scene.view().actions_from(Origin::Reaction(slot)).pop() else { return };
         let Some(back) = action.opposite().map(|back| Action { by: None, at, ..back }) else { return };
         let (from, on) = (back.on, action.on);
+        // hinges are named by bodies, welds by their parts
+        let weld = self.scene.model.plan.welds.iter().any(|weld| weld.slot == slot);
+        let own = |slot: usize| if weld { slot } else { self.body_of(slot) };
+        let (from, on) = (own(from), own(on));
         let name = self.reaction_name(from, on);
         self.free.reactions[slot] = Some(name.clone());
-        if from == 0 {
+        if back.on == 0 {
             return;
         }
         let [x, y] = parts.clone().map(|part| -part);

@@ -10,6 +10,7 @@ use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
 use assur_model::model::{self, Load, LoadId, LoadKind, Query, SpringId, Value};
+use assur_model::structure::BodyId;
 use assur_position::position::Action;
 use assur_solve::solve::Wrench;
 
@@ -176,9 +177,24 @@ impl Derivation<'_> {
         ((force, moment), size, couples)
     }
 
+    /// The loads that the solver has on a body with its parts.
+    fn applied_on(&self, body: usize) -> Wrench {
+        let applied = &self.state().forces.applied;
+        let mut sum = applied[body];
+        for part in self.structure().replaced.links_of(BodyId(body)).into_iter().skip(1) {
+            let Wrench { force, moment } = applied[part.index()];
+            sum.force += force;
+            sum.moment += moment + (self.moved(part.index()).p - self.moved(body).p).cross(force);
+        }
+        sum
+    }
+
     /// The loads that the solver has on a body beyond those that are listed.
     pub(super) fn complete(&mut self, body: usize) {
-        let Some(sum) = self.state().forces.applied.get(body).copied().filter(|_| body != 0) else { return };
+        if body == 0 || body >= self.state().forces.applied.len() {
+            return;
+        }
+        let sum = self.applied_on(body);
         let ((mut force, mut moment), size, couples) = self.left_of(body, sum);
         let label = self.label(body);
         if force.norm() <= LEFT * size {

@@ -30,6 +30,7 @@ mod train_held;
 mod train_losses;
 mod train_supports;
 mod translation;
+mod weld;
 
 pub use free_body::FreeBodies;
 use free_body::{Couple, Force, is_load};
@@ -71,17 +72,20 @@ impl Derivation<'_> {
                 self.counts.held += 1;
                 continue;
             }
-            let shown = of_group(&labels, figures);
+            let links = group.bodies.iter().flat_map(|b| self.structure().replaced.links_of(*b));
+            let parts: Vec<String> = links.map(|link| self.label(link.index())).collect();
+            let shown = of_group(if parts.len() > labels.len() { &parts } else { &labels }, figures);
             let (freed, polygons): (Vec<Figure>, Vec<Figure>) = shown
                 .iter()
                 .cloned()
                 .partition(|f| f.caption == self.caption(Message::Freed, &f.name.replace(' ', ", ")));
             self.cite(Message::SeeFreed, &freed);
             self.polygon = polygons.first().map(|f| f.caption.clone());
-            let derived = self.force_step(index, step);
+            let derived = self.with_parts(group, |course| course.force_step(index, step));
             self.counts.forces[usize::from(!derived)] += 1;
             self.figures(shown);
         }
+        self.welds();
         self.count_reactions();
     }
 

@@ -7,7 +7,7 @@ use crate::document::{Table, text};
 use crate::words::RunMessage;
 use assur_formula::{Expr, Name, Unit, with_digits};
 use assur_model::model::{DriveTarget, PairId};
-use assur_model::structure::{BodyId, EffortKind, JointKind};
+use assur_model::structure::{EffortKind, JointKind};
 use assur_position::position::Origin;
 use assur_solve::solve::{Method, SimulationReport};
 
@@ -120,7 +120,7 @@ impl Derivation<'_> {
     pub(super) fn rate_of_drive(&mut self, target: DriveTarget) -> Option<(Expr, bool)> {
         match target {
             DriveTarget::Link(link) => {
-                let kind = EffortKind::Angle(BodyId(link.index()));
+                let kind = EffortKind::Angle(self.structure().replaced.body_of(link));
                 Some((self.rate_of_effort(0, kind)?, true))
             }
             DriveTarget::Pair(pair) => self.rate_of_pair(pair),
@@ -140,7 +140,7 @@ impl Derivation<'_> {
                     let kind = EffortKind::RelativeAngle { joint, first: first.0, second: second.0 };
                     return Some((self.rate_of_effort(0, kind)?, true));
                 }
-                JointKind::Revolute(_) | JointKind::Law(_) => {}
+                JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => {}
             }
         }
         None

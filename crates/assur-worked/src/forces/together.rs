@@ -7,6 +7,7 @@ use crate::system::System;
 use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
+use assur_model::model::LinkId;
 use assur_model::structure::{EffortKind, JointKind};
 use assur_position::position::{Action, Origin};
 
@@ -194,7 +195,8 @@ impl Derivation<'_> {
 
     fn reactions_inside(&mut self, index: usize) -> Option<Vec<Lettered>> {
         let group = &self.structure().forces[index];
-        let own = |body: usize| group.bodies.iter().any(|b| b.0 == body);
+        let replaced = &self.structure().replaced;
+        let own = |slot: usize| group.bodies.contains(&replaced.body_of(LinkId::at(slot)));
         let mut all = Vec::new();
         for joint in &group.joints {
             let same = |r: &assur_model::structure::GroupJoint| {
@@ -205,7 +207,7 @@ impl Derivation<'_> {
             let action = self.scene.view().actions_from(Origin::Reaction(slot)).pop()?;
             let body = match self.structure().replaced.joint(joint.joint).kind {
                 JointKind::Prismatic { slider, .. } => slider.0,
-                JointKind::Revolute(_) | JointKind::Law(_) => action.on,
+                JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => action.on,
             };
             self.place_of(body, action.at);
             all.extend(

@@ -24,11 +24,12 @@ mod triangle;
 mod whole;
 mod willis;
 
-use crate::course::Derivation;
+use crate::course::{Body, Derivation};
 use crate::document::{Line, Term, letter, text};
 use crate::words::Message;
 use assur_formula::{Expr, Name};
 use assur_math::math::Vec2;
+use assur_model::structure::JointKind;
 use assur_position::plan::{Anchor, Arm, Leg, MotionStep};
 
 /// Which part of motion is written.
@@ -54,14 +55,41 @@ impl Derivation<'_> {
     /// A stage of motion for all groups, in order.
     pub fn motion(&mut self, stage: Stage) {
         let plan = self.scene.model.plan;
+        self.parts(stage, None);
         for (index, step) in plan.motion.iter().enumerate() {
             if self.is_alone(index) {
                 continue;
             }
             self.group_heading(index);
             let derived = self.step(stage, index, step);
+            self.parts(stage, Some(index));
             if stage == Stage::Positions {
                 self.counts.motion[usize::from(!derived)] += 1;
+            }
+        }
+    }
+
+    /// The links that move with others to which they are welded, from those whose frames bodies have outwards.
+    fn parts(&mut self, stage: Stage, after: Option<usize>) {
+        let plan = self.scene.model.plan;
+        for joint in &self.structure().replaced.joints {
+            let JointKind::Weld { part, at, base, .. } = joint.kind else { continue };
+            if !plan.parts.iter().any(|planned| planned.part == part.0 && planned.after == after) {
+                continue;
+            }
+            let Some(holder) = self.bodies[base.0].clone() else { continue };
+            if stage == Stage::Positions {
+                let (own, other) = (self.label(part.0), self.label(base.0));
+                let pair = self.scene.mechanism().pair(joint.pair).name.clone();
+                self.say(Message::WeldedTo, &[vec![text(&*own)], vec![text(&*other)], vec![text(pair)]]);
+                let turn = self.moved(part.0).u.turned_back(self.moved(base.0).u);
+                let turn = self.direction_given(turn, || Name::new("φ", &format!("{own},{other}")));
+                let angle = holder.angle.plus(&turn);
+                self.bodies[part.0] = Some(Body { reference: at, angle, rates: holder.rates });
+            } else {
+                let [omega, alpha] = holder.rates;
+                self.set_rate(part.0, 0, omega);
+                self.set_rate(part.0, 1, alpha);
             }
         }
     }
@@ -85,6 +113,11 @@ impl Derivation<'_> {
 
     fn step(&mut self, stage: Stage, index: usize, step: &MotionStep) -> bool {
         match step {
+            // of another axis than that of the body: as the solver has it
+            MotionStep::Turn { ahead: Some(_), .. } => {
+                self.stated_motion(stage, index);
+                return false;
+            }
             MotionStep::Turn { body, base, pin, drive, relative, sign, .. } => {
                 self.turn(stage, *body, base, *pin, *drive, relative.then_some(*sign));
             }

@@ -46,7 +46,7 @@ messages! {
         CamDwells HeldByArc TurnsWith Rests Powers CommonNormal StaticMasses DynamicMasses StiffLink
         CylinderLength LoadRests PlaceOpen CoupleAtSlider ByFormulas AskedBesides
         Jerks AskedForJerks SeveralMasses MethodOfJoints JointOf WholeTruss
-        AxialForces SeeAxial EquilibriumAngle
+        AxialForces SeeAxial EquilibriumAngle Weld NoPair WeldedTo WeldHolds
     }
     equations after {
         SumAlongGuide SumAcrossGuide SumOfLink MomentsOfLink MemberGives MembersGive AcrossGuide AlongGuide

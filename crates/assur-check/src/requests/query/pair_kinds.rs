@@ -12,7 +12,10 @@ pub(super) const GUIDE: Kinds = (is_guide, Some("it is defined for prismatic pai
 const fn slides(kind: &PairKind) -> bool {
     match kind {
         PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => true,
-        PairKind::Revolute(_) | PairKind::Contact { .. } | PairKind::Transmission(_) => false,
+        PairKind::Revolute(_)
+        | PairKind::Contact { .. }
+        | PairKind::Weld { .. }
+        | PairKind::Transmission(_) => false,
     }
 }
 
@@ -23,7 +26,10 @@ const fn is_guide(kind: &PairKind) -> bool {
 /// Whether a pair exchanges a couple.
 pub(super) const fn has_moment(kind: &PairKind) -> bool {
     match kind {
-        PairKind::Prismatic(_) | PairKind::Revolute(_) | PairKind::Transmission(_) => true,
+        PairKind::Prismatic(_)
+        | PairKind::Revolute(_)
+        | PairKind::Weld { .. }
+        | PairKind::Transmission(_) => true,
         PairKind::Slot(_) | PairKind::Contact { .. } | PairKind::Cylinder { .. } => false,
     }
 }
@@ -32,6 +38,9 @@ pub(super) const fn has_moment(kind: &PairKind) -> bool {
 pub(super) const fn has_normal(kind: &PairKind) -> bool {
     match kind {
         PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => true,
-        PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => false,
+        PairKind::Revolute(_)
+        | PairKind::Cylinder { .. }
+        | PairKind::Weld { .. }
+        | PairKind::Transmission(_) => false,
     }
 }

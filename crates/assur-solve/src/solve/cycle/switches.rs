@@ -187,7 +187,7 @@ impl<'a> Switches<'a> {
                 }
             }
             PairKind::Slot(_) | PairKind::Cylinder { .. } => self.add(number(Query::RelativeVelocity(id))),
-            PairKind::Contact { .. } | PairKind::Transmission(_) => {}
+            PairKind::Contact { .. } | PairKind::Weld { .. } | PairKind::Transmission(_) => {}
         }
     }
 }

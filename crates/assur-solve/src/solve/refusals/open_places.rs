@@ -31,6 +31,7 @@ fn unplaced(model: &Model<'_>) -> Vec<Option<usize>> {
         }
         group.bodies.iter().for_each(|b| open[b.0] = found);
     }
+    model.plan.parts.iter().for_each(|part| open[part.part] = open[part.body]);
     open
 }
 

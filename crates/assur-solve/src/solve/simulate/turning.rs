@@ -278,7 +278,8 @@ impl Equations<'_, '_> {
             DissipativeElement::Load(load) => Some(LinkId::at(load.body)),
             _ => None,
         }));
-        let is_held = |link: LinkId| link.index() == 0 || kept.links.contains(&link);
+        let body = |link: LinkId| LinkId::at(self.model.structure.replaced.body_of(link).0);
+        let is_held = |link: LinkId| body(link) == LinkId::GROUND || kept.links.contains(&body(link));
         for (index, pair) in self.model.mechanism.pairs.iter().enumerate() {
             let hinge = matches!(pair.kind, PairKind::Revolute(_));
             if !kept.links.is_empty() && hinge && pair.kind.links().into_iter().all(is_held) {

@@ -1,0 +1,126 @@
+//! What welds cannot be.
+
+use super::joint::{BodyId, Replaced};
+use super::leave_out::statement;
+use super::roller::{MOST_LABELS, label, names};
+use super::weld::{Welds, is_law, spoken_of, weld};
+use crate::model::{Drive, DriveTarget, LinkId, Mechanism, PairId, PairKind};
+use assur_text::diagnostic::Diagnosis;
+
+/// What welds cannot be: rings, pairs within one body, links that laws speak of, points that are driven.
+pub(super) fn defects(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Diagnosis> {
+    if !replaced.has_parts() {
+        return Vec::new();
+    }
+    let mut found: Vec<Diagnosis> =
+        Welds::of(mechanism).closing.iter().map(|&pair| ring(mechanism, replaced, pair)).collect();
+    for (i, pair) in mechanism.pairs.iter().enumerate() {
+        let (id, links) = (PairId::at(i), pair.kind.links());
+        let moves = !matches!(pair.kind, PairKind::Weld { .. } | PairKind::Cylinder { .. });
+        let same = |(a, b): (usize, &LinkId)| {
+            links[..a].iter().any(|c| replaced.body_of(*c) == replaced.body_of(*b))
+        };
+        if moves && links.iter().enumerate().any(same) {
+            found.push(inside(mechanism, replaced, id));
+        } else if is_law(mechanism, id) {
+            let part = spoken_of(mechanism, id).into_iter().find(|link| replaced.part(*link).is_some());
+            found.extend(part.map(|link| of_law(mechanism, id, link)));
+        }
+    }
+    let fixed = |drive: &&Drive| match drive.target {
+        DriveTarget::Link(link) => link != LinkId::GROUND && replaced.body_of(link) == BodyId::GROUND,
+        DriveTarget::Pair(_) | DriveTarget::Point(..) => false,
+    };
+    found.extend(mechanism.drives.iter().filter(fixed).map(|drive| of_fixed(mechanism, replaced, drive)));
+    let points = mechanism.drives.iter().filter_map(|drive| match drive.target {
+        DriveTarget::Point(link, _) => Some((drive, welds_of(mechanism, replaced, link))),
+        _ => None,
+    });
+    found.extend(
+        points
+            .filter(|(_, welds)| !welds.is_empty())
+            .map(|(drive, welds)| of_point(mechanism, drive, &welds)),
+    );
+    found
+}
+
+/// The welds of the body of a link.
+fn welds_of(mechanism: &Mechanism, replaced: &Replaced, link: LinkId) -> Vec<PairId> {
+    let body = replaced.body_of(link);
+    let welds = mechanism.pairs.iter().enumerate().filter_map(weld);
+    welds.filter(|(_, pins, _)| pins.iter().any(|p| replaced.body_of(p.link) == body)).map(|w| w.0).collect()
+}
+
+fn ring(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) -> Diagnosis {
+    let what = statement(mechanism, pair);
+    let links = mechanism.pair(pair).kind.links();
+    let others = welds_of(mechanism, replaced, links[0]).into_iter().filter(|other| *other != pair);
+    let already = others.map(|other| label("joins them already", mechanism.pair(other).span));
+    Diagnosis::error(
+        "mech::determinacy::overconstrained",
+        format!(
+            "{what} joins {}, which are one body without it: the forces in the welds are statically indeterminate",
+            names(mechanism, links.iter().copied())
+        ),
+    )
+    .primary(mechanism.pair(pair).span, "one weld too many")
+    .labels(already.take(MOST_LABELS))
+    .help(format!("leave out {what}"))
+}
+
+fn inside(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) -> Diagnosis {
+    let what = statement(mechanism, pair);
+    let links = mechanism.pair(pair).kind.links();
+    let twice = links.iter().enumerate().find_map(|(i, link)| {
+        let first = links[..i].iter().find(|other| replaced.body_of(**other) == replaced.body_of(*link))?;
+        Some([*first, *link])
+    });
+    let twice = twice.unwrap_or([links[0]; 2]);
+    let welds = welds_of(mechanism, replaced, twice[0]);
+    let rigid = welds.iter().map(|weld| label("makes them one body", mechanism.pair(*weld).span));
+    Diagnosis::error(
+        "mech::determinacy::overconstrained",
+        format!("{what} joins {}, which are one body", names(mechanism, twice.into_iter())),
+    )
+    .primary(mechanism.pair(pair).span, "nothing can move here")
+    .labels(rigid.take(MOST_LABELS))
+    .help(format!("leave out {what}: welds hold these links together already"))
+}
+
+fn of_law(mechanism: &Mechanism, pair: PairId, link: LinkId) -> Diagnosis {
+    let name = &mechanism.link(link).name;
+    Diagnosis::error(
+        "mech::determinacy::weld_in_law",
+        format!(
+            "`{name}` is welded and belongs to {}: this is not supported here",
+            statement(mechanism, pair)
+        ),
+    )
+    .label(mechanism.pair(pair).span, format!("speaks of `{name}`"))
+    .help(format!(
+        "leave out the weld, and give `{name}` the points, masses and loads of the link that is welded to it"
+    ))
+}
+
+fn of_fixed(mechanism: &Mechanism, replaced: &Replaced, drive: &Drive) -> Diagnosis {
+    let welds = welds_of(mechanism, replaced, LinkId::GROUND);
+    let (word, name) = (if drive.free { "start" } else { "drive" }, &drive.name);
+    Diagnosis::error(
+        "mech::determinacy::overconstrained",
+        format!("`{word} {name}` moves a link that is welded to the ground"),
+    )
+    .primary(drive.span, "nothing can move here")
+    .labels(welds.iter().map(|weld| label("holds it", mechanism.pair(*weld).span)).take(MOST_LABELS))
+    .help(format!("leave out `{word} {name}`: reactions of what does not move need no drive"))
+}
+
+fn of_point(mechanism: &Mechanism, drive: &Drive, welds: &[PairId]) -> Diagnosis {
+    let labels = welds.iter().map(|weld| label("welds its link", mechanism.pair(*weld).span));
+    Diagnosis::error(
+        "mech::determinacy::outer_link",
+        format!("`drive {}` moves a point of a link that is welded: its rotation is not known", drive.name),
+    )
+    .primary(drive.span, "moves one point only")
+    .labels(labels.take(MOST_LABELS))
+    .help("leave out the weld: a link driven at a point is joined at this point only")
+}
