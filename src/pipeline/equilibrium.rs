@@ -4,6 +4,7 @@
 //! position. One coordinate is looked through for changes of the sign of Q, and each is narrowed down to the last digit. Several
 //! coordinates follow by Newton's method from the values near them, as does one coordinate from position to position of a sweep.
 
+use super::vibration::Small;
 use assur_model::model::{
     Drive, DriveId, DriveTarget, Equilibrium, Expr, Find, FindKind, Mechanism, PairKind, Positions,
     QuantityId, Query, Sought, Value,
@@ -70,14 +71,18 @@ pub fn settle(mechanism: &mut Mechanism) -> Result<(), Diagnosis> {
 }
 
 /// The mechanism at rest, of which nothing but the efforts of the drives sought is asked.
-struct Search {
-    mechanism: Mechanism,
-    structure: Structure,
-    plan: Plan,
+pub(super) struct Search {
+    pub(super) mechanism: Mechanism,
+    pub(super) structure: Structure,
+    pub(super) plan: Plan,
     /// The drives whose positions are sought.
-    sought: Vec<usize>,
+    pub(super) sought: Vec<usize>,
     /// Size of a step of each: 1 rad, or the size of the mechanism.
-    sizes: Vec<f64>,
+    pub(super) sizes: Vec<f64>,
+    /// What is asked at a position.
+    pub(super) asked: Vec<Query>,
+    /// Small vibrations are asked for.
+    pub(super) vibrates: bool,
 }
 
 /// An equilibrium of one coordinate.
@@ -97,14 +102,30 @@ impl Search {
         if sought.is_empty() {
             return None;
         }
-        let mechanism = at_rest(mechanism, &sought);
+        let vibrates = mechanism.vibrates;
+        let mechanism = at_rest(mechanism);
         // what is wrong with the structure has been reported
         let (structure, _) = structure::structure(&mechanism).ok()?;
         let plan = plan::plan(&mechanism, &structure);
         let size = extent(&Model { mechanism: &mechanism, structure: &structure, plan: &plan });
         let sizes = sought.iter().map(|i| if turns(&mechanism, &mechanism.drives[*i]) { 1.0 } else { size });
         let sizes = sizes.collect();
-        Some(Self { mechanism, structure, plan, sought, sizes })
+        let efforts: Vec<Query> = sought.iter().map(|i| Query::Effort(DriveId::at(*i))).collect();
+        let mut search = Self { mechanism, structure, plan, sought, sizes, asked: Vec::new(), vibrates };
+        search.ask(&efforts);
+        Some(search)
+    }
+
+    /// Asks these questions alone.
+    pub(super) fn ask(&mut self, asked: &[Query]) {
+        let find = |query: &Query| {
+            let display = assur_model::model::Display::default();
+            let kind = FindKind::Value { expr: Expr::Query(*query), display, poseless: false };
+            Find { name: String::new(), span: Span::default(), kind }
+        };
+        self.mechanism.finds = asked.iter().map(find).collect();
+        self.plan = plan::plan(&self.mechanism, &self.structure);
+        self.asked = asked.to_vec();
     }
 
     /// The values of all drives at the positions of the sweep; those of drives sought have no meaning.
@@ -122,8 +143,8 @@ impl Search {
         self.sought.iter().map(|i| all[*i]).collect()
     }
 
-    /// The efforts of the drives sought at some of their values, where these positions exist.
-    fn efforts(&mut self, others: &[DriveValue], at: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
+    /// What is asked at some values of the drives sought, where these positions exist: their efforts.
+    pub(super) fn efforts(&mut self, others: &[DriveValue], at: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
         for (i, (drive, value)) in self.mechanism.drives.iter_mut().zip(others).enumerate() {
             drive.positions = match (self.sought.iter().position(|s| *s == i), value) {
                 (Some(k), _) => Positions::Numbers(Arc::new(at.iter().map(|values| values[k]).collect())),
@@ -137,8 +158,7 @@ impl Search {
         let effort = |pose: &solve::Pose| {
             let solved = pose.outcome.as_ref().ok()?;
             let view = solution.view(&model, solved);
-            let efforts =
-                self.sought.iter().map(|i| view.scalar(&Expr::Query(Query::Effort(DriveId::at(*i)))));
+            let efforts = self.asked.iter().map(|query| view.scalar(&Expr::Query(*query)));
             Some(efforts.collect::<Vec<f64>>()).filter(|efforts| efforts.iter().all(|x| x.is_finite()))
         };
         solution.poses.iter().take(at.len()).map(effort).collect()
@@ -179,7 +199,7 @@ impl Search {
         }
         match roots.as_slice() {
             [] => Err(self.none(&samples)),
-            [root] => Ok(self.equilibrium(others, &[root.at], root.stable)),
+            [root] => Ok(self.equilibrium(others, &[root.at], Some(root.stable))),
             all => Err(self.several(all)),
         }
     }
@@ -188,11 +208,14 @@ impl Search {
         &self.mechanism.drives[self.sought[k]]
     }
 
-    fn equilibrium(&self, others: &[DriveValue], at: &[f64], stable: bool) -> Equilibrium {
+    fn equilibrium(&mut self, others: &[DriveValue], at: &[f64], stable: Option<bool>) -> Equilibrium {
+        let small = if self.vibrates || stable.is_none() { self.small(others, at) } else { None };
+        let stable = stable.unwrap_or_else(|| small.as_ref().is_some_and(Small::is_stable));
+        let modes = small.filter(|_| self.vibrates).map(|small| small.modes()).unwrap_or_default();
         let mut all: Vec<f64> =
             others.iter().map(|value| if let DriveValue::Scalar(x) = value { *x } else { 0.0 }).collect();
         self.sought.iter().zip(at).for_each(|(i, x)| all[*i] = *x);
-        Equilibrium { at: all, stable }
+        Equilibrium { at: all, stable, modes }
     }
 
     /// The efforts at many positions, followed from their middle to both ends: there the mechanism is assembled as the file says.
@@ -362,11 +385,12 @@ impl Search {
     }
 }
 
-/// Whether the stiffness brings the mechanism back: it is positive definite.
-fn is_stable(stiffness: &DMatrix<f64>) -> bool {
+/// Whether the stiffness brings the mechanism back: it is positive definite. `None` where the loads have no potential, and the
+/// masses decide too.
+fn is_stable(stiffness: &DMatrix<f64>) -> Option<bool> {
     let transposed = stiffness.transpose();
     let symmetric = (stiffness - &transposed).amax() <= SYMMETRIC * stiffness.amax();
-    symmetric && ((stiffness + transposed) * 0.5).cholesky().is_some()
+    symmetric.then(|| ((stiffness + transposed) * 0.5).cholesky().is_some())
 }
 
 fn turns(mechanism: &Mechanism, drive: &Drive) -> bool {
@@ -377,8 +401,8 @@ fn turns(mechanism: &Mechanism, drive: &Drive) -> bool {
     }
 }
 
-/// The mechanism without speeds and questions but the efforts of some drives.
-fn at_rest(mechanism: &Mechanism, sought: &[usize]) -> Mechanism {
+/// The mechanism without speeds and questions.
+fn at_rest(mechanism: &Mechanism) -> Mechanism {
     let mut mechanism = mechanism.clone();
     for drive in &mut mechanism.drives {
         (drive.free, drive.speed, drive.acceleration, drive.sense) = (false, None, None, None);
@@ -398,12 +422,7 @@ fn at_rest(mechanism: &Mechanism, sought: &[usize]) -> Mechanism {
             quantity.expr = Expr::number(0.0);
         }
     }
-    let find = |i: &usize| {
-        let expr = Expr::Query(Query::Effort(DriveId::at(*i)));
-        let kind = FindKind::Value { expr, display: assur_model::model::Display::default(), poseless: false };
-        Find { name: String::new(), span: Span::default(), kind }
-    };
-    mechanism.finds = sought.iter().map(find).collect();
+    mechanism.finds.clear();
     mechanism
 }
 

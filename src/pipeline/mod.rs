@@ -11,6 +11,7 @@ mod solved;
 mod test;
 mod turn;
 mod variant_solver;
+mod vibration;
 
 pub use compile::assembly_clauses;
 pub use compile::{CompileFindings, Compiled, Origin, analyze, check_source, compile, compile_document};

@@ -245,3 +245,66 @@ fn a_motion_starts_in_equilibrium() {
     let period = number(pose["time(top, 2)"].si()) - number(pose["time(top)"].si());
     assert!((std::f64::consts::TAU / period - 5.676_640_638_119_8).abs() < 1e-6, "{period}");
 }
+
+#[test]
+fn frequencies_follow_from_the_curvature() {
+    let mut state = 41;
+    for _ in 0..40 {
+        let (text, slope) = bar(&mut state);
+        let Some((q, _)) = roots(&slope).into_iter().find(|root| root.1) else { continue };
+        let inertia = within(&mut state, 0.0, 0.5);
+        let text = text.replace("at S }", &format!("at S; inertia {inertia} kg*m^2 }}"));
+        let file = format!("{text}equilibrium bar near {q} rad\n");
+        let found = answers(&file, &["natural_frequency(1)", "inertia(bar, A)", "damping_ratio(1)"])
+            .unwrap_or_else(|e| panic!("{e}\n{file}"));
+        let h = 1e-3;
+        let curvature =
+            (8.0 * (slope(q + h) - slope(q - h)) - (slope(q + 2.0 * h) - slope(q - 2.0 * h))) / (12.0 * h);
+        let wanted = (curvature / number(found[1])).sqrt();
+        assert!(
+            (number(found[0]) - wanted).abs() < 1e-8 * wanted,
+            "{} is not {wanted}\n{file}",
+            number(found[0])
+        );
+        assert!(number(found[2]).abs() < 1e-12, "{file}");
+    }
+}
+
+/// Two masses on one rail: the values with dampers are roots of the characteristic equation of the fourth degree.
+#[test]
+fn damped_vibrations_solve_the_characteristic_equation() {
+    let mut state = 43;
+    for _ in 0..40 {
+        let [m1, m2] = [0, 1].map(|_| within(&mut state, 0.5, 3.0));
+        let [k1, k2, k3] = [0, 1, 2].map(|_| within(&mut state, 100.0, 500.0));
+        let [c1, c2, c3] = [0, 1, 2].map(|_| within(&mut state, 0.1, 3.0));
+        let file = format!(
+            "ground {{ O (0, 0); W (3 m, 0); line rail through O along 0 deg }}\nlink one {{ P (0, 0); mass {m1} kg at P }}\nlink two {{ P (0, \
+             0); mass {m2} kg at P }}\nprismatic P1: one.P - ground.rail\nprismatic P2: two.P - ground.rail\nspring s: ground.O - one.P {{ \
+             stiffness {k1} N/m; free_length 1 m; damping {c1} N*s/m }}\nspring t: one.P - two.P {{ stiffness {k2} N/m; free_length 1 m; \
+             damping {c2} N*s/m }}\nspring u: two.P - ground.W {{ stiffness {k3} N/m; free_length 1 m; damping {c3} N*s/m }}\nequilibrium P1 \
+             near 1 m, P2 near 2 m\n"
+        );
+        let names = ["natural_frequency(1)", "natural_frequency(2)"];
+        let [a, b] = [(k1 + k2) / m1, (k2 + k3) / m2];
+        let root = (((a - b) / 2.0).powi(2) + k2 * k2 / (m1 * m2)).sqrt();
+        let found = answers(&file, &names).unwrap_or_else(|e| panic!("{e}\n{file}"));
+        for (found, square) in found.into_iter().zip([(a + b) / 2.0 - root, (a + b) / 2.0 + root]) {
+            assert!((number(found) - square.sqrt()).abs() < 1e-9 * square.sqrt(), "{file}");
+        }
+        for i in 1..=2 {
+            let names = [format!("damping_ratio({i})"), format!("damped_frequency({i})")];
+            let found = answers(&file, &names.each_ref().map(String::as_str)).unwrap();
+            let (zeta, damped) = (number(found[0]), number(found[1]));
+            let (re, im) = (-zeta * damped / (1.0 - zeta * zeta).sqrt(), damped);
+            let square = (re * re - im * im, 2.0 * re * im);
+            // m λ² + c λ + k
+            let of = |m: f64, c: f64, k: f64| (m * square.0 + c * re + k, m * square.1 + c * im);
+            let (p, q, r) = (of(m1, c1 + c2, k1 + k2), of(m2, c2 + c3, k2 + k3), of(0.0, c2, k2));
+            let product = |a: (f64, f64), b: (f64, f64)| (a.0 * b.0 - a.1 * b.1, a.0 * b.1 + a.1 * b.0);
+            let (x, y) = (product(p, q), product(r, r));
+            let left = (x.0 - y.0).hypot(x.1 - y.1);
+            assert!(left < 1e-7 * (k1 + k2) * (k2 + k3), "{left}\n{file}");
+        }
+    }
+}

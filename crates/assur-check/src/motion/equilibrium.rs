@@ -6,10 +6,11 @@ use crate::expr::results::Call;
 use crate::motion::drive::{Moves, once, target, value};
 use crate::statements::written::text;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{Drive, Expr, Positions, Query, Sought};
-use assur_syntax::document::{self, Balanced, Statement};
+use assur_model::model::{Drive, Expr, ModePart, Positions, Query, Sought};
+use assur_syntax::document::{self, Balanced, ExprKind, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
+use assur_text::units::Dimension;
 
 const CODE: &str = "mech::equilibrium::not_here";
 
@@ -146,17 +147,50 @@ impl Context<'_> {
     /// `stable()`
     pub(crate) fn stable(&mut self, call: Call<'_>) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
-        let sought = self.doc.statements.iter().any(|s| matches!(s.node, Statement::Equilibrium(_)));
-        if !sought {
-            let drive = self.doc.statements.iter().find_map(|s| match &s.node {
-                Statement::Drive(drive) => Some(text(&drive.target)),
-                _ => None,
-            });
-            let drive = drive.unwrap_or_else(|| "bar".to_owned());
-            let help = format!("write `equilibrium {drive} near …` in place of its `drive`");
-            refuse(self, "no equilibrium is sought".to_owned(), call.span, help);
-            return None;
-        }
+        self.coordinates_sought(call)?;
         Some(Typed::new(Expr::Query(Query::Stable), Type::Bool))
+    }
+
+    /// `natural_frequency(1)`, `damping_ratio(1)`, `damped_frequency(1)`
+    pub(crate) fn vibration(
+        &mut self,
+        call: Call<'_>,
+        part: ModePart,
+        dimension: Dimension,
+    ) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let coordinates = self.coordinates_sought(call)?;
+        let which = match &args[0].kind {
+            ExprKind::Number(n) if n.unit.is_none() => (1..=coordinates).find(|k| *k as f64 == n.value),
+            _ => None,
+        };
+        let Some(which) = which else {
+            let most =
+                format!("a whole number from 1 to {coordinates}, the number of coordinates in equilibrium");
+            self.wrong_argument(call, &most, args[0].span);
+            return None;
+        };
+        self.builder.mech.vibrates = true;
+        Some(Typed::new(Expr::Query(Query::Vibration(which - 1, part)), Type::number(dimension)))
+    }
+
+    /// How many coordinates are sought; reports that there is none.
+    fn coordinates_sought(&mut self, call: Call<'_>) -> Option<usize> {
+        let statements = self.doc.statements.iter().map(|s| match &s.node {
+            Statement::Equilibrium(all) => all.len(),
+            _ => 0,
+        });
+        let count = statements.sum();
+        if count > 0 {
+            return Some(count);
+        }
+        let drive = self.doc.statements.iter().find_map(|s| match &s.node {
+            Statement::Drive(drive) => Some(text(&drive.target)),
+            _ => None,
+        });
+        let drive = drive.unwrap_or_else(|| "bar".to_owned());
+        let help = format!("write `equilibrium {drive} near …` in place of its `drive`");
+        refuse(self, "no equilibrium is sought".to_owned(), call.span, help);
+        None
     }
 }

@@ -213,6 +213,8 @@ pub enum Query {
     Efficiency,
     /// Whether an equilibrium is stable.
     Stable,
+    /// Of a small vibration about an equilibrium, counted from 0.
+    Vibration(usize, super::ModePart),
     /// Whether the efficiency is not positive, as a condition.
     Locked,
     /// Value of a given at which locking begins: index into [`super::Mechanism::criticals`].

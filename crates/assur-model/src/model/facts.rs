@@ -195,6 +195,7 @@ impl Query {
             Self::Locked => {
                 Facts { level: Level::Velocities, answer: Answer::Condition, ..force("the efficiency") }
             }
+            Self::Vibration(..) => NUMBER,
             Self::Stable => Facts { answer: Answer::Condition, ..NUMBER },
             Self::Critical(_) => Facts { poseless: true, of_solution: true, ..force("a critical value") },
             Self::Cycle(_) => OF_SOLUTION,

@@ -31,7 +31,9 @@ pub use facts::{About, Answer, Facts, Level};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring, TorsionSpring};
-pub use motion::{Drive, DriveTarget, Equilibrium, Hint, HintKind, LinkPoint, NamedPose, Positions, Sought};
+pub use motion::{
+    Drive, DriveTarget, Equilibrium, Hint, HintKind, LinkPoint, Mode, ModePart, NamedPose, Positions, Sought,
+};
 pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape, UnilateralCondition};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 pub use simulation::{Bound, Cycle, CycleFunction, Part};
@@ -73,6 +75,8 @@ pub struct Mechanism {
     pub poses: Vec<NamedPose>,
     /// The positions of equilibrium, where they are sought and found: one per position of the sweep.
     pub equilibria: Vec<Equilibrium>,
+    /// Small vibrations about them are asked for.
+    pub vibrates: bool,
     /// The clauses of `assemble`.
     pub hints: Vec<Hint>,
     /// The acceleration of free fall, where declared.

@@ -57,6 +57,27 @@ pub struct Equilibrium {
     pub at: Vec<f64>,
     /// Whether the mechanism comes back to it when it is moved a little.
     pub stable: bool,
+    /// The small vibrations about it, with rising frequencies; none where nothing asks for them.
+    pub modes: Vec<Mode>,
+}
+
+/// A small vibration about an equilibrium, after λ² M + λ C + K = 0; NaN where there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    /// ω₀ of the undamped motion, rad/s.
+    pub natural: f64,
+    /// ζ
+    pub ratio: f64,
+    /// ω₀ √(1 − ζ²), rad/s.
+    pub damped: f64,
+}
+
+/// What is asked of a vibration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModePart {
+    Natural,
+    Ratio,
+    Damped,
 }
 
 /// The target of a drive.

@@ -5,8 +5,8 @@ use super::switch::Switch;
 use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
 use crate::model::{
-    BalanceKind, CamContact, FindKind, LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query,
-    Value,
+    BalanceKind, CamContact, Equilibrium, FindKind, LinkId, Mechanism, ModePart, PairId, PairKind, PointRef,
+    QuantityId, Query, Value,
 };
 use crate::plan::Plan;
 use crate::position::{Model, State};
@@ -145,7 +145,8 @@ impl PoseAnswers<'_> {
             Query::FrictionPower(pair) => Value::Scalar(self.friction_power(*pair)),
             Query::Efficiency => Value::Scalar(self.efficiency()),
             Query::Locked => Value::Bool(self.efficiency() <= 0.0),
-            Query::Stable => Value::Bool(self.is_stable()),
+            Query::Stable => Value::Bool(self.equilibrium().is_some_and(|here| here.stable)),
+            Query::Vibration(which, part) => Value::Scalar(self.vibration(*which, *part)),
             Query::Critical(which) => Value::Scalar(self.statics.critical(*which)),
             Query::ContactForce(pair, which) => {
                 Value::Scalar(self.contact_forces(*pair).map_or(f64::NAN, |r| r[usize::from(*which == 2)]))
@@ -187,11 +188,20 @@ impl PoseAnswers<'_> {
         }
     }
 
-    /// Whether the position is a stable equilibrium of those that were sought.
-    fn is_stable(&self) -> bool {
+    /// The equilibrium of those sought that this position is.
+    fn equilibrium(&self) -> Option<&Equilibrium> {
         let inputs = &self.state.motion.inputs;
         let here = |at: &[f64]| at.iter().zip(inputs).all(|(x, input)| *x == input.value);
-        self.mechanism.equilibria.iter().any(|equilibrium| here(&equilibrium.at) && equilibrium.stable)
+        self.mechanism.equilibria.iter().find(|equilibrium| here(&equilibrium.at))
+    }
+
+    fn vibration(&self, which: usize, part: ModePart) -> f64 {
+        let mode = self.equilibrium().and_then(|here| here.modes.get(which));
+        mode.map_or(f64::NAN, |mode| match part {
+            ModePart::Natural => mode.natural,
+            ModePart::Ratio => mode.ratio,
+            ModePart::Damped => mode.damped,
+        })
     }
 
     /// State of a link.

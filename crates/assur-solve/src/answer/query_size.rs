@@ -147,6 +147,7 @@ impl PoseAnswers<'_> {
             | Query::Dead(..)
             | Query::StaticSubstitution(..)
             | Query::DynamicSubstitution(..) => itself(),
+            Query::Vibration(..) => itself(),
             Query::In(_) | Query::Locked | Query::Stable | Query::Slips(_) => 0.0,
         }
     }

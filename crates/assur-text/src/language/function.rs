@@ -135,7 +135,17 @@ impl Function {
     /// Whether a curve may have its name, as curves had before there was the function.
     #[must_use]
     pub const fn yields_to_curve(self) -> bool {
-        matches!(self, Self::Mass | Self::MassCentre | Self::Inertia | Self::Axial | Self::Stable)
+        matches!(
+            self,
+            Self::Mass
+                | Self::MassCentre
+                | Self::Inertia
+                | Self::Axial
+                | Self::Stable
+                | Self::NaturalFrequency
+                | Self::DampingRatio
+                | Self::DampedFrequency
+        )
     }
 
     /// The function of that name.

@@ -253,6 +253,21 @@ functions! {
         [form(&[], Number(Dimension::NUMBER), "ideal over actual effort, see Friction")],
     Stable "stable" Force "stable()"
         [form(&[], Condition, "whether the equilibrium is stable; needs `equilibrium`")],
+    NaturalFrequency "natural_frequency" Force "natural_frequency(1)" [form(
+        &[arg("1", Takes::Count)],
+        Number(Dimension::ANGULAR_VELOCITY),
+        "of a small vibration about the equilibrium without dampers; they rise",
+    )],
+    DampingRatio "damping_ratio" Force "damping_ratio(1)" [form(
+        &[arg("1", Takes::Count)],
+        Number(Dimension::NUMBER),
+        "of the vibration with its dampers",
+    )],
+    DampedFrequency "damped_frequency" Force "damped_frequency(1)" [form(
+        &[arg("1", Takes::Count)],
+        Number(Dimension::ANGULAR_VELOCITY),
+        "of the vibration with its dampers",
+    )],
     Locked "locked" Friction "locked()" [form(&[], Condition, "self-locking, see Friction")],
     Critical "critical" Friction "critical(al)" [form(
         &[arg("al", Takes::Given)],
