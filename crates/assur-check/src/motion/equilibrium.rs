@@ -9,6 +9,7 @@ use crate::values::typed::{Type, Typed};
 use assur_model::model::{Drive, Expr, ModePart, Positions, Query, Sought};
 use assur_syntax::document::{self, Balanced, ExprKind, Statement};
 use assur_text::diagnostic::Diagnosis;
+use assur_text::language::Function;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -152,12 +153,12 @@ impl Context<'_> {
     }
 
     /// `natural_frequency(1)`, `damping_ratio(1)`, `damped_frequency(1)`
-    pub(crate) fn vibration(
-        &mut self,
-        call: Call<'_>,
-        part: ModePart,
-        dimension: Dimension,
-    ) -> Option<Typed> {
+    pub(crate) fn vibration(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        let (part, dimension) = match function {
+            Function::DampingRatio => (ModePart::Ratio, Dimension::NUMBER),
+            Function::DampedFrequency => (ModePart::Damped, Dimension::ANGULAR_VELOCITY),
+            _ => (ModePart::Natural, Dimension::ANGULAR_VELOCITY),
+        };
         let args = self.arguments(call, 1, 1)?;
         let coordinates = self.coordinates_sought(call)?;
         let which = match &args[0].kind {
@@ -165,8 +166,10 @@ impl Context<'_> {
             _ => None,
         };
         let Some(which) = which else {
-            let most =
-                format!("a whole number from 1 to {coordinates}, the number of coordinates in equilibrium");
+            let most = match coordinates {
+                1 => "the number 1, as there is one coordinate in equilibrium,".to_owned(),
+                _ => format!("a whole number up to {coordinates}, the number of coordinates in equilibrium,"),
+            };
             self.wrong_argument(call, &most, args[0].span);
             return None;
         };

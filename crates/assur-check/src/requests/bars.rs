@@ -268,10 +268,10 @@ fn others(cx: &Context<'_>, link: LinkId, all: &mut Vec<Acting>) -> Result<(), B
     for balance in &mech.balances {
         for place in balance.kind.places() {
             match place {
+                // it is in the force of its pin
+                BalanceKind::Force { .. } if balance.pin.is_some() => {}
                 BalanceKind::Force { on, at: Place::Local(at), .. } if *on == link => {
-                    if balance.pin.is_none() {
-                        all.push(Acting { at: *at, what: What::Other(balance.span) });
-                    }
+                    all.push(Acting { at: *at, what: What::Other(balance.span) });
                 }
                 BalanceKind::Force { on, .. } if *on == link => {
                     return turned("it is loaded between its hinges", balance.span);

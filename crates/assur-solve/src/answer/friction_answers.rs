@@ -3,6 +3,7 @@
 use super::pose_answers::PoseAnswers;
 use crate::model::{LinkId, PairId, PairKind};
 use crate::plan::{FrictionElement, FrictionLaw};
+use crate::structure::BodyId;
 
 /// Useful power less than this part of the power put in is rounding.
 const NOTHING: f64 = 1e-13;
@@ -39,8 +40,8 @@ impl PoseAnswers<'_> {
             let measured = self.state.measured(self.plan, element);
             PairFriction {
                 pair: element.pair,
-                on: LinkId::at(element.body),
-                from: LinkId::at(element.base),
+                on: self.held_by(element.pair, element.body),
+                from: self.held_by(element.pair, element.base),
                 turns: matches!(element.kind, FrictionLaw::Circle { .. }),
                 factor,
                 speed: if still { 0.0 } else { speed },
@@ -66,6 +67,11 @@ impl PoseAnswers<'_> {
         let open = |i: usize| self.state.motion.grips.get(i).is_some_and(|grip| grip.open);
         let places = self.plan.friction_of.places(pair).iter().map(move |&i| open(i));
         self.elements(pair).zip(places).map(|((e, x), open)| (e, if open { f64::NAN } else { x }))
+    }
+
+    /// The link by which a pair holds a body.
+    fn held_by(&self, pair: PairId, body: usize) -> LinkId {
+        LinkId::at(self.structure.replaced.held_by(self.mechanism, pair, BodyId(body)).0)
     }
 
     /// Friction force on a link along the line of a pair; for a contact along the tangent, which is the common normal

@@ -26,7 +26,7 @@ use crate::expr::context::Context;
 use crate::expr::results::{Call, Results};
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{self, CamPart, CurvePart, CycleFunction, FlywheelPart, ModePart, Query};
+use assur_model::model::{self, CamPart, CurvePart, CycleFunction, FlywheelPart, Query};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
 use assur_text::source::Span;
@@ -141,9 +141,7 @@ impl Context<'_> {
             F::Reaction => self.reaction(call, |_| true, Query::Reaction, Type::vector(Dimension::FORCE)),
             F::Axial => self.axial(call),
             F::Stable => self.stable(call),
-            F::NaturalFrequency => self.vibration(call, ModePart::Natural, Dimension::ANGULAR_VELOCITY),
-            F::DampingRatio => self.vibration(call, ModePart::Ratio, Dimension::NUMBER),
-            F::DampedFrequency => self.vibration(call, ModePart::Damped, Dimension::ANGULAR_VELOCITY),
+            F::NaturalFrequency | F::DampingRatio | F::DampedFrequency => self.vibration(call, function),
             F::Moment => self.reaction(call, has_moment, Query::Moment, Type::number(Dimension::TORQUE)),
             F::Normal => self.reaction(call, has_normal, Query::Normal, Type::number(Dimension::FORCE)),
             F::Friction => self.reaction(call, has_normal, Query::Friction, Type::number(Dimension::FORCE)),
