@@ -3,7 +3,7 @@
 use super::error::ExpectError;
 use super::undefined::{not_happened, truth, why_undefined, without_cycle};
 use assur_model::model::{
-    At, Comparison, Display, Expect, Expr, Find, FindKind, Occasion, Relation, Tolerance, Value,
+    At, Comparison, Display, Expect, Expr, Find, FindKind, Occasion, Query, Relation, Tolerance, Value,
 };
 use assur_solve::message::failure;
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, PoseOrigin, Solution, State, compare};
@@ -72,7 +72,12 @@ impl<'a> Key<'a> {
         let answer = |find: &Find| {
             let FindKind::Value { expr, .. } = &find.kind else { return None };
             let why = without_cycle(model, solution, expr).filter(|_| !expected(&find.name))?;
+            let mut of_event = false;
+            expr.queries(&mut |query| {
+                of_event |= matches!(query, Query::EventTime(..) | Query::EventDrive(..))
+            });
             let help = match &model.mechanism.simulation {
+                None if of_event => "let the drive go on for longer, or ask for what the condition compares",
                 Some(_) => {
                     "let `simulate` end later, or ask for a part of the motion that exists and in which the quantity is defined: \
                      `max(…, after = …, before = …)`"

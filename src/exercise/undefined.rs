@@ -1,9 +1,13 @@
 //! Why a value does not exist.
 
 use assur_model::model::{Bound, Expr, Query, Value};
+use assur_solve::answer::Swept;
 use assur_solve::message::undefined;
 use assur_solve::solve::{Model, PoseAnswers, Solution, compare};
 use assur_text::units::Dimension;
+
+/// Digits in a sentence.
+const DIGITS: usize = 4;
 
 /// Whether a condition holds; `None` where that depends on a value that does not exist.
 pub(super) fn truth(view: &PoseAnswers<'_>, expr: &Expr) -> Option<bool> {
@@ -79,7 +83,9 @@ pub(super) fn without_cycle(model: &Model<'_>, solution: &Solution, expr: &Expr)
                 quantity.and_then(|q| without_cycle(model, solution, &q.expr))
             }
             Expr::Query(Query::Cycle(index)) => no_cycle(model, solution, *index),
-            Expr::Query(Query::EventTime(event, which)) => not_happened(model, solution, *event, *which),
+            Expr::Query(Query::EventTime(event, which) | Query::EventDrive(event, which)) => {
+                not_happened(model, solution, *event, *which)
+            }
             _ => None,
         };
         why = why.take().or(found);
@@ -94,18 +100,44 @@ pub(super) fn not_happened(
     event: usize,
     which: usize,
 ) -> Option<String> {
-    let run = solution.simulation.as_ref()?;
-    let happened = run.events.get(event)?.len();
+    let happened = solution.statics.events.get(event)?.len();
     let name = model.mechanism.events.get(event)?.name.as_deref().unwrap_or("until");
     let times = match happened {
         0 => "does not happen".to_owned(),
         1 => "happens once".to_owned(),
         n => format!("happens {n} times"),
     };
-    let end = format!(
-        "{} {}",
-        model.mechanism.instant_text(run.end),
-        model.mechanism.display_of(Dimension::TIME).unit
-    );
-    (happened < which).then(|| format!("the event `{name}` {times} until {end}"))
+    let during = match (&solution.simulation, &solution.statics.swept) {
+        (Some(run), _) => {
+            let unit = model.mechanism.display_of(Dimension::TIME).unit;
+            format!("until {} {unit}", model.mechanism.instant_text(run.end))
+        }
+        (None, Some(swept)) => {
+            let nearest = if happened == 0 { nearest(model, swept, event) } else { String::new() };
+            let [from, to] = [swept.from, swept.to].map(|x| drive_value(model, swept, x));
+            format!("between {from} and {to}{nearest}")
+        }
+        (None, None) => return None,
+    };
+    (happened < which).then(|| format!("the event `{name}` {times} {during}"))
+}
+
+fn drive_value(model: &Model<'_>, swept: &Swept, value: f64) -> String {
+    let target = model.mechanism.drives[swept.drive].target;
+    model.mechanism.drive_display(target).text(Value::Scalar(value), DIGITS)
+}
+
+/// How near an event comes to happening.
+fn nearest(model: &Model<'_>, swept: &Swept, event: usize) -> String {
+    let (least, at) = swept.nearest[event];
+    let place = drive_value(model, swept, at);
+    match model.mechanism.events[event].dimension {
+        _ if !least.is_finite() => ": its condition has no value there".to_owned(),
+        Some([length, mass, time]) => {
+            let dimension = Dimension { length, mass, time, ..Dimension::NUMBER };
+            let least = model.mechanism.display_of(dimension).text(Value::Scalar(least), DIGITS);
+            format!(": it comes nearest at {place}, where {least} are missing")
+        }
+        None => format!(": it comes nearest at {place}"),
+    }
 }

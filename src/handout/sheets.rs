@@ -223,11 +223,9 @@ impl<'a> Sheets<'a> {
 
     /// The positions that answers are wanted at, by name.
     fn positions(&self, answers: &Answers<'_>) -> Vec<String> {
-        let events = answers.solution.simulation.iter().flat_map(|run| run.events.iter().flatten());
-        let events: Vec<f64> = events.copied().collect();
-        // the instant of an event is an answer
-        let of_event =
-            |pose: &&Pose| pose.outcome.as_ref().is_ok_and(|at| events.contains(&at.state.motion.time));
+        // where an event happens is an answer
+        let events = |pose: &Pose| answers.solution.events_at(answers.model.mechanism, pose);
+        let of_event = |pose: &&Pose| !events(pose).is_empty();
         let poses = answers.poses().filter(|pose| self.is_wanted(pose) && !of_event(pose));
         poses.map(|pose| pose.name.clone()).collect()
     }

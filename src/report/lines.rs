@@ -90,7 +90,7 @@ impl PoseLines for CsvLines {
         }
         if self.events {
             out.push(b',');
-            let events = simulation::events_at(answers, pose).unwrap_or_default();
+            let events = simulation::events_at(answers, pose);
             out.extend_from_slice(field(&events).as_bytes());
         }
         self.columns.write_beside(answers, pose, &self.whole, (FULL, None), out);

@@ -97,7 +97,7 @@ fn of_a_sweep(answers: &Answers<'_>, scale: MotionScales, poses: &[&Pose], quant
     table.rows = poses.iter().map(|p| vec![answers.pose_cell(p)]).collect();
     if simulation::names_events(answers.model.mechanism) {
         table.columns.push(Column::words("event"));
-        let events = poses.iter().map(|p| simulation::events_at(answers, p).unwrap_or_default());
+        let events = poses.iter().map(|p| simulation::events_at(answers, p));
         table.rows.iter_mut().zip(events).for_each(|(row, events)| row.push(events));
     }
     for (i, drive) in answers.shown_drives() {
@@ -131,7 +131,7 @@ pub(super) fn full_table(answers: &Answers<'_>) -> Table {
     table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
     if simulation::names_events(answers.model.mechanism) {
         table.columns.push(Column::words("event"));
-        let events = poses.iter().map(|p| simulation::events_at(answers, p).unwrap_or_default());
+        let events = poses.iter().map(|p| simulation::events_at(answers, p));
         table.rows.iter_mut().zip(events).for_each(|(row, events)| row.push(events));
     }
     for (i, drive) in answers.shown_drives() {

@@ -149,7 +149,7 @@ impl AnswerColumns {
     /// The events that happen at the instant of a pose, where a column says so.
     #[must_use]
     pub fn events_at(&self, answers: &Answers<'_>, pose: &Pose) -> Option<String> {
-        self.events.then(|| simulation::events_at(answers, pose).unwrap_or_default())
+        self.events.then(|| simulation::events_at(answers, pose))
     }
 
     /// The headers: names with units in brackets, `.x` and `.y` for the components of vectors. Without the drives for an

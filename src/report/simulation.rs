@@ -19,32 +19,27 @@ pub(super) fn names_events(mechanism: &Mechanism) -> bool {
     mechanism.events.iter().any(|event| event.name.is_some())
 }
 
-/// The events that happen at the instant of a pose, by their names.
-pub(super) fn events_at(answers: &Answers<'_>, pose: &Pose) -> Option<String> {
-    let (mechanism, report) = (answers.model.mechanism, answers.solution.simulation.as_ref()?);
-    let time = pose.outcome.as_ref().ok()?.state.motion.time;
-    let all = mechanism.events.iter().zip(&report.events);
-    let here = all.filter(|(_, times)| times.contains(&time));
-    let names = here.map(|(event, _)| event.name.as_deref().unwrap_or("end"));
-    Some(names.collect::<Vec<_>>().join(", "))
+/// The events that happen at a pose, by their names.
+pub(super) fn events_at(answers: &Answers<'_>, pose: &Pose) -> String {
+    let names = answers.solution.events_at(answers.model.mechanism, pose);
+    names.join(", ")
 }
 
-/// The instants of every event.
+/// Where every event happens, and when what is held.
 pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
-    let Some(run) = &answers.solution.simulation else { return };
-    let mechanism = answers.model.mechanism;
-    let time = mechanism.display_of(Dimension::TIME);
+    let (mechanism, statics) = (answers.model.mechanism, &answers.solution.statics);
+    let along = statics.along(mechanism);
     let mut table = Table::new(vec![Column::words("event"), Column::numbers("count")], 1);
-    let most = run.events.iter().map(Vec::len).max().unwrap_or(0).min(MOST);
+    let most = statics.events.iter().map(Vec::len).max().unwrap_or(0).min(MOST);
     for which in 0..most {
-        table.columns.push(Column::numbers(with_unit(&format!("{}.", which + 1), &time.unit)));
+        table.columns.push(Column::numbers(with_unit(&format!("{}.", which + 1), &along.unit)));
     }
-    for (event, times) in mechanism.events.iter().zip(&run.events) {
-        let mut cells = vec![event.name.clone().unwrap_or_else(|| "until".into()), times.len().to_string()];
+    for (event, places) in mechanism.events.iter().zip(&statics.events) {
+        let mut cells = vec![event.name.clone().unwrap_or_else(|| "until".into()), places.len().to_string()];
         let shown = (0..most).map(|which| {
-            times.get(which).map_or_else(
+            places.get(which).map_or_else(
                 || NONE.to_owned(),
-                |t| time.figures(Value::Scalar(*t), answers.precision.digits),
+                |t| along.figures(Value::Scalar(*t), answers.precision.digits),
             )
         });
         cells.extend(shown);
@@ -54,6 +49,16 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     if !mechanism.events.is_empty() {
         section.table(table);
     }
+    if let Some(run) = &answers.solution.simulation {
+        rests(answers, run, &mut section);
+    }
+    report.section(section);
+}
+
+/// When pairs are held by friction or rest on their stops.
+fn rests(answers: &Answers<'_>, run: &SimulationReport, section: &mut Section) {
+    let mechanism = answers.model.mechanism;
+    let time = mechanism.display_of(Dimension::TIME);
     let instant =
         |t: f64| format!("{} {}", time.figures(Value::Scalar(t), answers.precision.digits), time.unit);
     let lasts = |(begin, end): (f64, Option<f64>), what: &str| match end {
@@ -75,7 +80,6 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
             section.text(lasts(*rest, &format!("{} rests on its stop", name(stop.pair))));
         }
     }
-    report.section(section);
 }
 
 /// How it was integrated, and how accurately.

@@ -40,6 +40,7 @@ mod run_accuracy;
 mod share;
 mod simulation;
 mod starts;
+mod sweep_events;
 mod terminal;
 mod torsion_springs;
 mod trusses;

@@ -104,7 +104,7 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Dia
     Ok((drawing, Curves { along, x, all }))
 }
 
-/// The curves of items; over a motion under loads with the instants of every event.
+/// The curves of items, with the places of every event.
 fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>>), Diagnosis> {
     let small = |item: &Item| rounding(scene.greatest.in_si(item.display.dimension));
     let exprs: Vec<(Expr, f64)> = items.iter().map(|item| (item.expr.clone(), small(item))).collect();
@@ -126,7 +126,10 @@ fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>
         Ok([course]) => Curve::of(course),
         _ => over_poses(scene, &item.expr),
     });
-    Ok((curves.collect(), Vec::new()))
+    // the curves run over the first drive
+    let statics = &scene.solution.statics;
+    let events = statics.swept.as_ref().filter(|swept| swept.drive == 0).map(|_| statics.events.clone());
+    Ok((curves.collect(), events.unwrap_or_default()))
 }
 
 /// The numbers among the items of `find`; of a vector both components.

@@ -147,6 +147,9 @@ impl Asking<'_> {
             Query::SlackSide(id) => (M::SlackSide, vec![pair(id)]),
             Query::Dead(id, _) => (M::DeadPosition, vec![pair(id)]),
             Query::Period => (M::Period, Vec::new()),
+            Query::EventDrive(id, _) => {
+                (M::EventDrive, vec![vec![text(m.events.get(*id)?.name.as_deref()?)]])
+            }
             Query::EventTime(id, _) => (M::EventTime, vec![vec![text(m.events.get(*id)?.name.as_deref()?)]]),
             Query::Cycle(id) => {
                 let cycle = m.cycles.get(*id)?;

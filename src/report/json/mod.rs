@@ -22,7 +22,7 @@ use entries::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
 pub use lines::JsonLines;
 use pose::PoseView;
-use simulation::SimulationView;
+use simulation::{SimulationView, events};
 use std::fmt::Write;
 
 /// Name and version of the format.
@@ -44,6 +44,8 @@ struct SolutionView<'a> {
     accuracy: Option<ReachedView>,
     #[serde(skip_serializing_if = "Option::is_none")]
     simulation: Option<SimulationView>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    events: Entries<Vec<Number>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     poses: Option<Vec<PoseView<'a>>>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
@@ -144,6 +146,7 @@ pub fn render_row(
         effects: model.map(|s| s.plan.effects.computed()),
         accuracy: answers.and_then(|a| a.reached).map(ReachedView::of),
         simulation: answers.and_then(SimulationView::of),
+        events: answers.filter(|a| a.solution.statics.swept.is_some()).map_or(Entries(Vec::new()), events),
         poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
         cycle: Entries(answers.map(of_cycle).unwrap_or_default()),
         cycle_accuracy: answers.map_or_else(|| Entries(Vec::new()), entries::accuracy),

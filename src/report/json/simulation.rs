@@ -92,14 +92,20 @@ struct EndView {
     time: Option<Number>,
 }
 
+/// Where every event happens, by its name: instants, s, or values of the swept drive, rad or m.
+pub(super) fn events(answers: &Answers<'_>) -> Entries<Vec<Number>> {
+    let all = answers.model.mechanism.events.iter().zip(&answers.solution.statics.events);
+    let named = all.filter_map(|(event, places)| {
+        let name = event.name.clone()?;
+        Some((name, places.iter().filter_map(|at| Number::of(*at)).collect()))
+    });
+    Entries(named.collect())
+}
+
 impl SimulationView {
     /// Of a file that follows a motion.
     pub fn of(answers: &Answers<'_>) -> Option<Self> {
         let (mechanism, report) = (answers.model.mechanism, answers.solution.simulation.as_ref()?);
-        let times = mechanism.events.iter().zip(&report.events).filter_map(|(event, times)| {
-            let name = event.name.clone()?;
-            Some((name, times.iter().filter_map(|t| Number::of(*t)).collect()))
-        });
         let energy = |e: Energy| EnergyView {
             begin: Number::of(e.begin),
             end: Number::of(e.end),
@@ -137,7 +143,7 @@ impl SimulationView {
                 condition: Number::of(report.worst_condition.0),
                 time: Number::of(report.worst_condition.1),
             }),
-            events: Entries(times.collect()),
+            events: events(answers),
             rests: all.chain(pairs).collect(),
             stops: stops.flat_map(closed).collect(),
             steady: report.steady.map(|steady| SteadyView {

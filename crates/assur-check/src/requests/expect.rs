@@ -247,11 +247,11 @@ fn place(cx: &mut Context<'_>, expect: &document::Expect, at: &ExpectAt, span: S
 
 /// `at event top 2`, `at event end`
 fn occasion(cx: &mut Context<'_>, name: &Name, which: Option<&Spanned<usize>>) -> Option<Occasion> {
-    if !cx.names.simulates {
-        no_simulate(cx, "event", name.span);
-        return None;
-    }
     match (name.node.as_str(), which) {
+        ("begin" | "end", None) if !cx.names.simulates && cx.builder.mech.events.is_empty() => {
+            no_simulate(cx, "event", name.span);
+            None
+        }
         ("begin", None) if !cx.names.events.contains_key("begin") => Some(Occasion::Begin),
         ("end", None) if !cx.names.events.contains_key("end") => Some(Occasion::End),
         _ => {
@@ -388,7 +388,11 @@ fn pose_is_clear(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At
         );
         return None;
     }
-    let Some((count, drive, place)) = sweep(cx) else {
+    // how many positions of events there are is not known yet
+    let eventful = !cx.builder.mech.events.is_empty();
+    let Some((count, drive, place)) =
+        sweep(cx).map(|found| (found.0.filter(|_| !eventful), found.1, found.2))
+    else {
         if values > 1 && !may_sweep(cx) {
             let help = "keep one value: a file without a sweep has one pose".to_owned();
             cx.error(wrong_count(values, "one pose", span, None, help));

@@ -157,6 +157,8 @@ pub enum Query {
     Time,
     /// The instant of an event, s: index into [`super::Mechanism::events`], and which time, counted from 1.
     EventTime(usize, usize),
+    /// The value of the drive at an event of a sweep, rad or m, as [`Query::EventTime`].
+    EventDrive(usize, usize),
     /// How often an event happens.
     EventCount(usize),
     /// After what time a steady motion comes again, s.

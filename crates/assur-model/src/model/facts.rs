@@ -124,7 +124,7 @@ impl Query {
                 let about = About::Link(link);
                 Facts { placed: Some((about, "an angle")), turned: Some(about), ..VECTOR }
             }
-            Self::Period | Self::EventTime(..) | Self::EventCount(_) => EVENT,
+            Self::Period | Self::EventTime(..) | Self::EventDrive(..) | Self::EventCount(_) => EVENT,
             Self::In(_) => of_motion("what rests or sticks", Answer::Condition),
             Self::Time | Self::PotentialEnergy | Self::StopEffort(_) => NUMBER,
             Self::KineticEnergy => RATE,

@@ -61,7 +61,7 @@ pub struct Mechanism {
     pub drives: Vec<Drive>,
     /// Motion under given loads, from the positions and speeds of the drives that are starts.
     pub simulation: Option<Simulation>,
-    /// Its events and ends.
+    /// Its events and ends, or those of the sweep.
     pub events: Vec<Event>,
     /// Friction at rest, of pairs in which it is more than that of the motion.
     pub friction_at_rest: Vec<(PairId, Friction)>,
@@ -143,6 +143,12 @@ impl Mechanism {
     #[must_use]
     pub fn link(&self, id: LinkId) -> &Link {
         &self.links[id.index()]
+    }
+
+    /// The first drive that goes through a range.
+    #[must_use]
+    pub fn swept_drive(&self) -> Option<usize> {
+        self.drives.iter().position(|drive| matches!(drive.positions, Positions::Range { .. }))
     }
 
     /// Whether its answers need other solutions of the same text: with other values of a `given`, or with other sizes of

@@ -63,7 +63,11 @@ pub struct Event {
     pub value: Expr,
     /// It counts where the number rises, or falls, alone.
     pub rising: Option<bool>,
-    /// The motion ends there.
+    /// Of a condition: where the number is zero it is not true.
+    pub strict: bool,
+    /// Exponents of length, mass and time of the number; `None` where it has no one unit.
+    pub dimension: Option<[i8; 3]>,
+    /// The motion, or the sweep, ends there.
     pub ends: bool,
     /// It happens where this begins to be as said, instead of where the number passes zero.
     pub situation: Option<(Situation, bool)>,

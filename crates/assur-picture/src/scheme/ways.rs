@@ -95,7 +95,7 @@ pub fn extent(scene: &Scene<'_>, wanted: &Scheme, traced: &[Traced], bounds: &mu
     }
 }
 
-/// Other poses: those of the file, evenly, else of the whole turn.
+/// Other poses: those of the file, evenly, and those of its events; else of the whole turn.
 fn ghosts<'p>(scene: &Scene<'p>, count: usize) -> Vec<&'p Pose> {
     let solved = |p: &&'p Pose| p.outcome.is_ok();
     let mut own: Vec<&Pose> =
@@ -107,8 +107,17 @@ fn ghosts<'p>(scene: &Scene<'p>, count: usize) -> Vec<&'p Pose> {
     }
     let all = if own.len() > 1 { own } else { scene.turn.iter().filter(solved).collect() };
     let count = count.min(all.len());
-    let chosen = (0..count).map(|i| all[i * all.len() / count]);
+    let evenly = (0..count).map(|i| i * all.len() / count);
+    let chosen: Vec<usize> =
+        evenly.chain((0..all.len()).filter(|i| count > 0 && !events(scene, all[*i]).is_empty())).collect();
+    let chosen = all.iter().enumerate().filter(|(i, _)| chosen.contains(i)).map(|(_, pose)| *pose);
     chosen.filter(|p| !std::ptr::eq(*p, scene.pose)).collect()
+}
+
+/// The events of a sweep at a pose.
+fn events<'p>(scene: &Scene<'p>, pose: &Pose) -> Vec<&'p str> {
+    let swept = scene.solution.statics.swept.as_ref();
+    swept.map_or_else(Vec::new, |_| scene.solution.events_at(scene.model.mechanism, pose))
 }
 
 /// The last pose of a whole turn is the first.
@@ -166,7 +175,9 @@ impl Sketch<'_, '_> {
                 drawing.mark(Style::Solid, Shape::Circle { centre: end, radius: POINT });
                 if self.is_of_the_file(pose) {
                     let pivot = self.pivot(link).unwrap_or(end);
-                    let label = Label::at(Text::upright(&pose.name), NUMBER, end, POINT).towards(end - pivot);
+                    let events = events(self.scene, pose);
+                    let name = if events.is_empty() { pose.name.clone() } else { events.join(", ") };
+                    let label = Label::at(Text::upright(&name), NUMBER, end, POINT).towards(end - pivot);
                     drawing.label(label.coloured(Role::Grey).ranked(5));
                 }
             }

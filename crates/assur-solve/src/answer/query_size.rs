@@ -137,6 +137,7 @@ impl PoseAnswers<'_> {
             | Query::PotentialEnergy
             | Query::TorsionEnergy(..)
             | Query::EventTime(..)
+            | Query::EventDrive(..)
             | Query::EventCount(_)
             | Query::Period
             | Query::Time

@@ -2,7 +2,8 @@
 
 use super::cycle_answers::{CycleAnswer, FlywheelAnswer};
 use super::sizes::Sizes;
-use crate::model::{PairId, Situation};
+use crate::model::{Display, Mechanism, PairId, Situation};
+use crate::units::Dimension;
 use std::f64::consts::TAU;
 
 /// Extremes of the pairs asked for.
@@ -13,8 +14,11 @@ pub struct WholeCycle {
     pub criticals: Vec<f64>,
     /// Functions over the sweep, by index into [`crate::model::Mechanism::cycles`].
     pub cycles: Vec<CycleAnswer>,
-    /// Instants of the events of a motion under loads, s, by index into [`crate::model::Mechanism::events`].
+    /// Instants of the events of a motion under loads, s, or values of the swept drive, rad or m, by index into
+    /// [`crate::model::Mechanism::events`].
     pub events: Vec<Vec<f64>>,
+    /// The sweep of a file with events.
+    pub swept: Option<Swept>,
     /// What such a motion is in, and from when to when, s.
     pub situations: Vec<(Situation, f64, Option<f64>)>,
     /// After what time a steady motion comes again, s, where one is asked for.
@@ -25,6 +29,21 @@ pub struct WholeCycle {
     pub flywheels: Vec<FlywheelAnswer>,
     /// The same without friction, where the file asks for any.
     pub ideal_flywheels: Vec<FlywheelAnswer>,
+}
+
+/// A sweep in which events were looked for.
+#[derive(Clone, Debug)]
+pub struct Swept {
+    /// The drive that goes through a range.
+    pub drive: usize,
+    /// Its first value, rad or m.
+    pub from: f64,
+    /// Its last: that of the end by `until`, if it comes to one.
+    pub to: f64,
+    /// Its speed, rad/s or m/s, where it is constant.
+    pub speed: Option<f64>,
+    /// How near every event comes to happening: the least magnitude of its number, SI, and the value of the drive there.
+    pub nearest: Vec<(f64, f64)>,
 }
 
 /// Extremes of one coordinate over a turn.
@@ -45,6 +64,7 @@ impl WholeCycle {
         criticals: Vec::new(),
         cycles: Vec::new(),
         events: Vec::new(),
+        swept: None,
         situations: Vec::new(),
         period: None,
         sizes: Sizes::NONE,
@@ -80,11 +100,29 @@ impl WholeCycle {
         self.criticals.get(which).copied().unwrap_or(f64::NAN)
     }
 
-    /// The instant, s, at which an event happens for the given time, counted from 1; NaN where it does not.
+    /// The instant, s, at which an event happens, as [`WholeCycle::event`]; in a sweep counted from its first position.
+    #[must_use]
+    pub fn event_time(&self, event: usize, which: usize) -> f64 {
+        let found = self.event(event, which);
+        let passed = |swept: &Swept| (found - swept.from) / swept.speed.unwrap_or(f64::NAN);
+        self.swept.as_ref().map_or(found, passed)
+    }
+
+    /// The instant, s, or the value of the drive, at which an event happens for the given time, counted from 1; NaN where it does not.
     #[must_use]
     pub fn event(&self, event: usize, which: usize) -> f64 {
         let times = self.events.get(event).and_then(|times| times.get(which.wrapping_sub(1)));
         times.copied().unwrap_or(f64::NAN)
+    }
+
+    /// How the places of events are printed.
+    #[must_use]
+    pub fn along(&self, mechanism: &Mechanism) -> Display {
+        let drive = self.swept.as_ref().and_then(|swept| mechanism.drives.get(swept.drive));
+        drive.map_or_else(
+            || mechanism.display_of(Dimension::TIME),
+            |drive| mechanism.drive_display(drive.target),
+        )
     }
 
     /// Whether the motion is in a situation at an instant.

@@ -25,7 +25,7 @@ fn note(model: &Model<'_>, note: &Note) -> Option<Diagnosis> {
     Some(match note {
         Note::Switched { group, at, from, to } => switched(model, *group, at, (from, to)),
         Note::Elsewhere { link, off, turned, drives } => elsewhere(model, *link, (*off, *turned), drives),
-        Note::NeverEnded { event, time } => never_ended(model, *event, *time),
+        Note::NeverEnded { event, at } => never_ended(model, *event, *at),
         Note::SelfLocking { pose, more } => self_locking(model, (pose, *more)),
         Note::SeveralBalances { count, followed, pose, more } => {
             several(model, (*count, *followed), (pose, *more))

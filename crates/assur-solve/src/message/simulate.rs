@@ -5,7 +5,7 @@ use super::format::{four, label, labels, length, links, short, with_unit};
 use super::impossible::spring_at_zero;
 use super::opens::opens;
 use crate::message::refusal::not_supported_yet;
-use crate::model::{Drive, DriveTarget, LoadId, PairId};
+use crate::model::{Drive, DriveTarget, LoadId, PairId, Value};
 use crate::position::{Model, turns};
 use crate::solve::{Clause, Halt, NoCycle};
 use crate::source::Span;
@@ -79,17 +79,26 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
 }
 
 /// An end that does not come.
-pub(super) fn never_ended(model: &Model<'_>, event: usize, time: f64) -> Diagnosis {
+pub(super) fn never_ended(model: &Model<'_>, event: usize, at: f64) -> Diagnosis {
     let span = model.mechanism.events[event].span;
+    let (what, last, help) = match model.mechanism.swept_drive().map(|drive| &model.mechanism.drives[drive]) {
+        Some(drive) => {
+            let at = model.mechanism.drive_display(drive.target).text(Value::Scalar(at), 4);
+            let help = format!("let `{}` go on for longer, or leave `until` out", drive.name);
+            ("the sweep", format!("{at}, its last position"), help)
+        }
+        None => {
+            let at = with_unit(model, at, Dimension::TIME);
+            let help = "let `simulate` go on for longer, or leave `until` out".to_owned();
+            ("the motion", format!("{at}, its last instant"), help)
+        }
+    };
     Diagnosis::warning(
         "mech::simulate::never_ended",
-        format!(
-            "the motion does not come to this end until {}, its last instant",
-            with_unit(model, time, Dimension::TIME)
-        ),
+        format!("{what} does not come to this end until {last}"),
     )
     .label(span, "does not happen")
-    .help("let `simulate` go on for longer, or leave `until` out")
+    .help(help)
 }
 
 fn accuracy(wanted: f64, reached: f64, span: Span) -> Diagnosis {

@@ -29,12 +29,12 @@ pub enum Note {
         /// Drive values of the position.
         drives: Vec<DriveValue>,
     },
-    /// A motion under loads comes to its last instant without the end that `until` names.
+    /// A motion under loads, or a sweep, comes to its last position without the end that `until` names.
     NeverEnded {
         /// Index into [`crate::model::Mechanism::events`].
         event: usize,
-        /// The last instant, s.
-        time: f64,
+        /// The last instant, s, or the last value of the swept drive, rad or m.
+        at: f64,
     },
     /// The load cannot drive the mechanism.
     SelfLocking {

@@ -1,8 +1,8 @@
 //! Which positions are asked for: sweeps, named poses, and those an `expect … at` adds.
 
 use super::refusal::Refusal;
-use crate::answer::{WholeCycle, constant};
-use crate::model::{At, Drive, DriveId, Expr, Mechanism, Positions, Value};
+use crate::answer::{Swept, WholeCycle, constant};
+use crate::model::{At, Drive, DriveId, Expr, Mechanism, Occasion, Positions, Value};
 use crate::position::{DriveValue, Model, PoseOrigin, PoseRequest, turns};
 use std::sync::Arc;
 
@@ -14,7 +14,14 @@ const SAME: f64 = 1e-12;
 enum Values {
     List(Vec<DriveValue>),
     Numbers(Arc<Vec<f64>>),
-    Range { from: f64, to: f64, steps: usize, count: usize },
+    Range {
+        from: f64,
+        to: f64,
+        steps: usize,
+        count: usize,
+    },
+    /// A range with the events in it; the value after whole turns, where it is left out.
+    Eventful(Vec<f64>, Option<f64>),
 }
 
 impl Values {
@@ -42,8 +49,25 @@ impl Values {
         Self::Range { from, to, steps, count: if whole { steps } else { steps + 1 } }
     }
 
+    /// A range as far as it goes, with the positions of events.
+    fn with_events(&self, statics: &WholeCycle, swept: &Swept) -> Self {
+        let value = |i| if let DriveValue::Scalar(x) = self.at(i) { x } else { f64::NAN };
+        let mut all: Vec<f64> = (0..self.len()).map(value).collect();
+        let sense = (swept.to - swept.from).signum();
+        all.retain(|x| sense * (swept.to - x) >= 0.0);
+        all.extend(statics.events.iter().flatten());
+        all.sort_by(|a, b| (sense * a).total_cmp(&(sense * b)));
+        all.dedup();
+        let after = match self.after_turns() {
+            Some(DriveValue::Scalar(x)) if x == swept.to && all.last() != Some(&x) => Some(x),
+            _ => None,
+        };
+        Self::Eventful(all, after)
+    }
+
     fn len(&self) -> usize {
         match self {
+            Self::Eventful(list, _) => list.len(),
             Self::List(list) => list.len(),
             Self::Numbers(list) => list.len(),
             Self::Range { count, .. } => *count,
@@ -55,6 +79,7 @@ impl Values {
         match self {
             Self::List(list) if list.len() == 1 => list.first().copied(),
             Self::List(_) | Self::Numbers(_) => None,
+            Self::Eventful(_, after) => after.map(DriveValue::Scalar),
             Self::Range { to, steps, count, .. } => (count == steps).then_some(DriveValue::Scalar(*to)),
         }
     }
@@ -71,6 +96,9 @@ impl Values {
     fn at(&self, index: usize) -> DriveValue {
         match self {
             Self::List(list) => list.get(index).or(list.last()).copied().unwrap_or(DriveValue::None),
+            Self::Eventful(list, _) => {
+                DriveValue::Scalar(list.get(index).or(list.last()).copied().unwrap_or(f64::NAN))
+            }
             Self::Numbers(list) => {
                 DriveValue::Scalar(list.get(index).or(list.last()).copied().unwrap_or(f64::NAN))
             }
@@ -103,7 +131,11 @@ pub(crate) struct Sweep {
 impl Sweep {
     pub fn of(model: &Model<'_>, statics: &WholeCycle) -> Self {
         let drives = model.mechanism.drives.iter().map(|d| Values::of(model, statics, d));
-        let drives: Vec<Values> = drives.collect();
+        let mut drives: Vec<Values> = drives.collect();
+        if let Some(swept) = &statics.swept {
+            let range = &mut drives[swept.drive];
+            *range = range.with_events(statics, swept);
+        }
         // `check` has seen to it that all are of one length, or single
         let len = drives.iter().map(Values::len).max().unwrap_or(1);
         Self { drives, len }
@@ -111,6 +143,15 @@ impl Sweep {
 
     pub const fn len(&self) -> usize {
         self.len
+    }
+
+    /// The number of steps of a drive that goes through a range.
+    #[allow(clippy::cast_precision_loss)] // steps are far below 2^52
+    pub fn steps(&self, drive: usize) -> f64 {
+        match self.drives[drive] {
+            Values::Range { steps, .. } => steps as f64,
+            _ => f64::NAN,
+        }
     }
 
     /// A range that turned out to have no length: `check` has seen to those whose ends are numbers.
@@ -176,6 +217,18 @@ pub(super) fn beside(model: &Model<'_>, statics: &WholeCycle, first: &PoseReques
             origin: PoseOrigin::Expected(i),
             drives: at(list),
         }),
+        Some(At::Occasion(occasion)) => {
+            let swept = statics.swept.as_ref()?;
+            let value = match occasion {
+                Occasion::Begin => swept.from,
+                Occasion::End => swept.to,
+                Occasion::Event(event, which) => statics.event(*event, *which),
+            };
+            let mut drives = first.drives.clone();
+            drives[swept.drive] = DriveValue::Scalar(value);
+            let (name, origin) = (format!("expect {}", i + 1), PoseOrigin::Expected(i));
+            (!value.is_nan()).then_some(PoseRequest { name, origin, drives })
+        }
         _ => None,
     });
     named.chain(expected).collect()

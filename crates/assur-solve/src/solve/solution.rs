@@ -4,7 +4,7 @@ use super::failure::{Cause, Failure};
 use super::note::Note;
 use super::simulate::SimulationReport;
 use crate::answer::{PoseAnswers, WholeCycle};
-use crate::model::Value;
+use crate::model::{Mechanism, Value};
 use crate::position::{DriveValue, Model, PoseOrigin, Residuals, State};
 
 /// All positions of a file.
@@ -109,5 +109,26 @@ impl Solution {
     #[must_use]
     pub fn view<'a>(&'a self, model: &Model<'a>, solved: &'a Solved) -> PoseAnswers<'a> {
         solved.view(model, &self.statics)
+    }
+
+    /// Where a pose stands among the events: its instant, s, or the value of the swept drive, rad or m.
+    #[must_use]
+    pub fn place_of(&self, pose: &Pose) -> Option<f64> {
+        match &self.statics.swept {
+            None => Some(pose.outcome.as_ref().ok()?.state.motion.time),
+            Some(swept) => match pose.drives.get(swept.drive)? {
+                DriveValue::Scalar(value) => Some(*value),
+                _ => None,
+            },
+        }
+    }
+
+    /// The events that happen at a pose, by their names.
+    #[must_use]
+    pub fn events_at<'m>(&self, mechanism: &'m Mechanism, pose: &Pose) -> Vec<&'m str> {
+        let place = self.place_of(pose);
+        let all = mechanism.events.iter().zip(&self.statics.events);
+        let here = all.filter(|(_, places)| place.is_some_and(|place| places.contains(&place)));
+        here.map(|(event, _)| event.name.as_deref().unwrap_or("end")).collect()
     }
 }

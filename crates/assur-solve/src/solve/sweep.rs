@@ -4,7 +4,7 @@ use super::again::PoseOutputs;
 use super::block::{Block, FreeSweep, is_free};
 use super::centre_notes::CentreNotes;
 use super::closure_after_turn::{FirstPoses, begin};
-use super::cycle::loads_name_quantities;
+use super::cycle::{events, loads_name_quantities, never_ended};
 use super::extremes::statics;
 use super::failure::{Cause, Failure};
 use super::inputs::Rates;
@@ -93,7 +93,7 @@ impl<'a, 's> Following<'a, 's> {
         }
         let mut statics = statics(model).map_err(|cause| vec![cause.into()])?;
         statics.criticals = criticals;
-        let sweep = Sweep::of(model, &statics);
+        let mut sweep = Sweep::of(model, &statics);
         if let Some(empty) = sweep.empty_range(model.mechanism) {
             return Err(vec![Cause::Refused(empty).into()]);
         }
@@ -106,6 +106,10 @@ impl<'a, 's> Following<'a, 's> {
             found.report_to(model.mechanism, &mut statics);
             trajectory = Some(found);
         } else {
+            if !model.mechanism.events.is_empty() {
+                events(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
+                sweep = Sweep::of(model, &statics);
+            }
             cycle_notes =
                 super::cycle::cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
         }
@@ -229,6 +233,7 @@ impl<'a, 's> Following<'a, 's> {
         notes.extend(unit_speeds(self.run.model));
         notes.extend(self.run.friction.into_notes());
         notes.extend(self.run.centres.into_notes());
+        notes.extend(never_ended(self.run.model, &self.run.statics));
         if let Some(trajectory) = &self.trajectory {
             notes.extend(trajectory.never_ended(self.run.model.mechanism));
         }

@@ -210,6 +210,7 @@ pub const CODES: &[Code] = codes! {
 
     "simulate" / "twice",
     "simulate" / "missing",
+    "simulate" / "two_ranges",
     "simulate" / "no_start",
     "simulate" / "point",
     "simulate" / "interval",

@@ -145,6 +145,7 @@ impl Function {
                 | Self::NaturalFrequency
                 | Self::DampingRatio
                 | Self::DampedFrequency
+                | Self::Drive
         )
     }
 

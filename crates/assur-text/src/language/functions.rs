@@ -307,6 +307,11 @@ functions! {
         Number(Dimension::TIME),
         "instant of an event, of the first or of another one",
     )],
+    Drive "drive" Simulation "drive(top, 2)" [form(
+        &[EVENT, WHICH],
+        OF_DRIVE,
+        "value of the drive at an event of a sweep, at the first or at another one",
+    )],
     Count "count" Simulation "count(top)"
         [form(&[EVENT], Number(Dimension::NUMBER), "how often an event happens")],
     KineticEnergy "kinetic_energy" Simulation "kinetic_energy()"

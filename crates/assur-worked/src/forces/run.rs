@@ -17,7 +17,7 @@ const STILL: f64 = 1e-9;
 impl Derivation<'_> {
     /// The section of a motion under loads.
     pub fn run(&mut self) {
-        let Some(report) = self.scene.solution.simulation.as_ref() else { return };
+        let Some(report) = self.scene.solution.simulation.as_ref() else { return self.events() };
         let heading = self.words(RunMessage::Run);
         self.heading(2, heading);
         let energy = self.kinetic_energy();
@@ -26,7 +26,7 @@ impl Derivation<'_> {
             self.reduced_masses(report, &energy);
         }
         self.balance_of_energy(report);
-        self.events(report);
+        self.events();
         let method = match report.method {
             Method::Dop853 => "DOP853".to_owned(),
             Method::Energy => self.words(RunMessage::ByEnergy),
@@ -158,20 +158,32 @@ impl Derivation<'_> {
         self.confirm(Name::new("Δ", "T"), value, Unit::Work, right);
     }
 
-    fn events(&mut self, report: &SimulationReport) {
-        let mechanism = self.scene.mechanism();
+    /// Where every event of a motion or of a sweep happens.
+    fn events(&mut self) {
+        let (mechanism, statics) = (self.scene.mechanism(), &self.scene.solution.statics);
+        let along = statics.along(mechanism);
+        let (said, place) = match &statics.swept {
+            None => (RunMessage::EventsOfRun, self.words(RunMessage::Instants)),
+            Some(swept) => {
+                let name = &mechanism.drives[swept.drive].name;
+                (RunMessage::EventsOfSweep, format!("{name}, {}", along.unit))
+            }
+        };
         let mut rows = Vec::new();
-        for (event, times) in mechanism.events.iter().zip(&report.events) {
-            let times: Vec<String> = times.iter().take(8).map(|t| with_digits(*t, 6).text()).collect();
-            let written = if times.is_empty() { "–".to_owned() } else { times.join(", ") };
+        for (event, places) in mechanism.events.iter().zip(&statics.events) {
+            let shown = |at: &f64| {
+                with_digits(if statics.swept.is_some() { along.of_si(*at) } else { *at }, 6).text()
+            };
+            let shown: Vec<String> = places.iter().take(8).map(shown).collect();
+            let written = if shown.is_empty() { "–".to_owned() } else { shown.join(", ") };
             rows.push(vec![
                 vec![text(event.name.clone().unwrap_or_else(|| "until".to_owned()))],
                 vec![text(written)],
             ]);
         }
-        let headers = [RunMessage::Event, RunMessage::Instants].map(|m| vec![text(self.words(m))]).to_vec();
+        let headers = [self.words(RunMessage::Event), place].map(|head| vec![text(head)]).to_vec();
         if !rows.is_empty() {
-            self.say(RunMessage::EventsOfRun, &[]);
+            self.say(said, &[]);
             self.table(Table { headers, rows, numbers: Vec::new() });
         }
     }

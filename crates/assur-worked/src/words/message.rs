@@ -78,7 +78,7 @@ messages! {
 messages! {
     /// Motions under loads.
     RunMessage of "run" {
-        Run EnergyHere Reduced ReducedMotion EnergyOfRun EventsOfRun Event Instants RunMethod ByEnergy
+        Run EnergyHere Reduced ReducedMotion EnergyOfRun EventsOfRun EventsOfSweep Event Instants RunMethod ByEnergy
         ReducedSeveral EnergyReduced
     }
 }
@@ -91,7 +91,7 @@ messages! {
         Coriolis Reaction Moment Normal Friction FrictionPower Efficiency Locked InertiaForce InertiaTorque
         PressureAngle BalancingTorque BalancingEffort DriveEffort Load Power KineticEnergy PotentialEnergy
         Travel Stroke TimeRatio TangentialForce ToothForce Tension TightSide SlackSide DeadPosition Period
-        EventTime Greatest Least Mean Integral WhereGreatest Work FlywheelInertia Fluctuation RimWidth
+        EventTime EventDrive Greatest Least Mean Integral WhereGreatest Work FlywheelInertia Fluctuation RimWidth
         RimHeight RimMass ReducedTorque ReducedInertia ExcessWork StaticMass DynamicMass SecondMass
         SecondDistance InertiaLeft Jerk AngularJerk RelativeJerk Axial
     }

@@ -17,18 +17,28 @@ pub(super) fn check(cx: &mut Context<'_>, simulate: Span) {
     balances(cx);
 }
 
-/// Reports a motion in which nothing is free, unless expressions of `time` say it.
+/// Reports a motion in which nothing is free and no drive moves.
 fn starts_or_drives(cx: &mut Context<'_>, span: Span) {
     let bad = |s: &Statement| matches!(s, Statement::Start(_) | Statement::Bad(_));
     let written = cx.doc.statements.iter().any(|s| bad(&s.node));
-    if written || cx.builder.mech.drives.iter().any(|d| d.free || d.of_time) {
+    if written
+        || cx
+            .builder
+            .mech
+            .drives
+            .iter()
+            .any(|d| d.free || d.of_time || d.speed.is_some() || d.acceleration.is_some())
+    {
         return;
     }
     let drives = &cx.builder.mech.drives;
     let help = match drives.first() {
         Some(drive) => {
             let value = drive.written.clone().unwrap_or_else(|| "45 deg".into());
-            format!("write `start {} = {value}` in place of its `drive`", drive.name)
+            format!(
+                "write `start {} = {value}` in place of its `drive`, or give it a speed after `at`",
+                drive.name
+            )
         }
         None => {
             let turning = cx.builder.mech.pairs.iter().find_map(|p| match &p.kind {
@@ -44,8 +54,7 @@ fn starts_or_drives(cx: &mut Context<'_>, span: Span) {
     cx.error(
         Diagnosis::error(
             "mech::simulate::no_start",
-            "the motion follows from the loads where a coordinate is free, and this \
-             file has no `start`",
+            "nothing moves: no coordinate is free, and no drive has a speed",
         )
         .label(span, "nothing is free")
         .help(help),

@@ -1,13 +1,14 @@
 //! Events, and conditions at which the motion ends.
 
 use crate::expr::context::Context;
-use crate::motion::simulation::without_meaning;
+use crate::motion::simulation::meaningless;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type};
 use assur_model::model::{BinaryOp, Comparison, Event, Expr, Function, Query, Situation};
-use assur_syntax::document::{Passing, PassingSense, Statement};
+use assur_syntax::document::{self, Passing, PassingSense, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
+use assur_text::units::Dimension;
 
 /// Enters all events, in the order of the file, then the ends by `until`.
 pub(super) fn events(cx: &mut Context<'_>) {
@@ -24,18 +25,28 @@ pub(super) fn events(cx: &mut Context<'_>) {
     }
 }
 
+/// What happens: a number that passes zero, and in which direction it counts.
+struct Passage {
+    value: Expr,
+    rising: Option<bool>,
+    strict: bool,
+    dimension: Option<[i8; 3]>,
+}
+
 fn enter(cx: &mut Context<'_>, passing: &Passing, (name, span): (Option<String>, Span)) {
     let ends = name.is_none();
     let found = match &passing.value {
         Some(value) => passed(cx, passing, value),
         None => condition(cx, passing),
     };
-    let found = found.filter(|(value, _)| situation(value).is_some() || is_of_instant(cx, value, span));
-    let situation = found.as_ref().and_then(|(value, _)| situation(value));
+    let found =
+        found.filter(|found| situation(&found.value).is_some() || is_of_instant(cx, &found.value, span));
+    let situation = found.as_ref().and_then(|found| situation(&found.value));
     // an event without a value keeps its place: what names it counts them
     let found = found.filter(|_| situation.is_none());
-    let (value, rising) = found.unwrap_or((Expr::number(1.0), None));
-    cx.builder.mech.events.push(Event { name, span, value, rising, ends, situation });
+    let nothing = Passage { value: Expr::number(1.0), rising: None, strict: false, dimension: None };
+    let Passage { value, rising, strict, dimension } = found.unwrap_or(nothing);
+    cx.builder.mech.events.push(Event { name, span, value, rising, strict, dimension, ends, situation });
 }
 
 /// Reports what is known only once the whole motion is.
@@ -43,20 +54,16 @@ fn is_of_instant(cx: &mut Context<'_>, value: &Expr, span: Span) -> bool {
     let mut of_run = false;
     value.queries(&mut |query| of_run |= query.facts().of_solution);
     if of_run {
-        let what = "a function over the whole motion in an event".to_owned();
-        let help =
-            "let it depend on the instant, on positions, velocities, accelerations and forces".to_owned();
-        cx.error(without_meaning(&what, &help, span));
+        let (run, instant) = if cx.names.simulates { ("motion", "the instant, on ") } else { ("sweep", "") };
+        let what = format!("a function over the whole {run}");
+        let help = format!("let it depend on {instant}positions, velocities, accelerations and forces");
+        cx.error(meaningless(&what, "in an event", &help, span));
     }
     !of_run
 }
 
 /// A value that is passed.
-fn passed(
-    cx: &mut Context<'_>,
-    passing: &Passing,
-    value: &assur_syntax::document::Expr,
-) -> Option<(Expr, Option<bool>)> {
+fn passed(cx: &mut Context<'_>, passing: &Passing, value: &document::Expr) -> Option<Passage> {
     let what = cx.read(&passing.what)?;
     let Type::Number(dim) = what.ty else {
         let help = matches!(what.ty, Type::Vector(_)).then(|| "write `mag(…)`, `.x` or `.y`".to_owned());
@@ -70,11 +77,12 @@ fn passed(
     let read = cx.read(value)?;
     let bound = cx.fit(read, wanted, "the value that is passed", value)?;
     let rising = passing.way.as_ref().map(|way| way.node == PassingSense::Rising);
-    Some((fold::binary(BinaryOp::Sub, what.expr, bound.expr), rising))
+    let value = fold::binary(BinaryOp::Sub, what.expr, bound.expr);
+    Some(Passage { value, rising, strict: false, dimension: exponents(what.ty) })
 }
 
 /// A condition that becomes true.
-fn condition(cx: &mut Context<'_>, passing: &Passing) -> Option<(Expr, Option<bool>)> {
+fn condition(cx: &mut Context<'_>, passing: &Passing) -> Option<Passage> {
     let what = cx.read(&passing.what)?;
     if what.ty != Type::Bool {
         let (is, span) = (what.ty.phrase().to_owned(), passing.what.span);
@@ -92,16 +100,13 @@ fn condition(cx: &mut Context<'_>, passing: &Passing) -> Option<(Expr, Option<bo
         return None;
     }
     if let Some(way) = &passing.way {
-        let (what, help) = (
-            "`rising` or `falling` of a condition".to_owned(),
-            "leave it out: it happens where the condition becomes true".to_owned(),
-        );
-        cx.error(without_meaning(&what, &help, way.span));
+        let help = "leave it out: it happens where the condition becomes true";
+        cx.error(meaningless("`rising` or `falling`", "with a condition", help, way.span));
     }
     if situation(&what.expr).is_some() {
-        return Some((what.expr, None));
+        return Some(Passage { value: what.expr, rising: None, strict: false, dimension: None });
     }
-    let Some(margin) = margin(&what.expr) else {
+    let Some(value) = margin(&what.expr) else {
         cx.error(
             Diagnosis::error(
                 "mech::simulate::no_margin",
@@ -112,7 +117,26 @@ fn condition(cx: &mut Context<'_>, passing: &Passing) -> Option<(Expr, Option<bo
         );
         return None;
     };
-    Some((margin, Some(true)))
+    let dimension = match &passing.what.kind {
+        document::ExprKind::Compare(first, rest) if rest.len() == 1 => exponents(cx.read(first)?.ty),
+        _ => None,
+    };
+    Some(Passage { value, rising: Some(true), strict: is_strict(&what.expr), dimension })
+}
+
+fn exponents(ty: Type) -> Option<[i8; 3]> {
+    let Dimension { length, mass, time, .. } = ty.dimension();
+    Some([length, mass, time])
+}
+
+/// Whether a condition is not true where its number is zero.
+fn is_strict(condition: &Expr) -> bool {
+    match condition {
+        Expr::Compare(how, ..) => matches!(how, Comparison::Less | Comparison::Greater),
+        Expr::And(a, b) | Expr::Or(a, b) => is_strict(a) || is_strict(b),
+        Expr::Not(a) => !is_strict(a),
+        _ => false,
+    }
 }
 
 /// What the motion is in for a while, and whether it is to be so: `rests(G)`, `not rests(G)`.

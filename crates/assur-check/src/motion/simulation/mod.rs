@@ -6,6 +6,7 @@ mod of_time;
 mod start;
 mod steady;
 mod stop;
+mod swept;
 
 pub(crate) use of_time::{differentiable, follows_time, own_rates};
 pub(crate) use start::starts;
@@ -32,7 +33,7 @@ pub(crate) fn statement<'a>(cx: &Context<'a>) -> Option<(&'a Simulate, Span)> {
 pub(crate) fn simulation(cx: &mut Context<'_>) {
     second_statement(cx);
     let Some((simulate, span)) = statement(cx) else {
-        return without_simulate(cx);
+        return swept::events(cx);
     };
     event::events(cx);
     cx.builder.mech.simulation = course(cx, simulate, span);
@@ -64,18 +65,6 @@ pub(crate) fn no_simulate(cx: &mut Context<'_>, word: &'static str, span: Span) 
     if may_be_missing(cx) {
         let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
         cx.error(no_simulation(word, help, span));
-    }
-}
-
-/// What has no meaning without a motion that is followed.
-fn without_simulate(cx: &mut Context<'_>) {
-    for statement in &cx.doc.statements {
-        let word = match &statement.node {
-            Statement::Event(_) => "event",
-            Statement::Until(_) => "until",
-            _ => continue,
-        };
-        no_simulate(cx, word, statement.span);
     }
 }
 
@@ -159,13 +148,15 @@ pub fn of_given_positions(what: &str, help: impl Into<Help>, span: Span, simulat
 
 /// An effect that a motion under loads has of itself.
 pub fn without_meaning(what: &str, help: &str, span: Span) -> Diagnosis {
-    Diagnosis::error(
-        "mech::simulate::no_meaning",
-        format!("{what} has no meaning where the motion follows from the loads"),
-    )
-    .label(span, "no meaning here")
-    .fixes(help.starts_with("leave ").then(|| Fix::left_out("this", span)))
-    .help(help)
+    meaningless(what, "where the motion follows from the loads", help, span)
+}
+
+/// What has no meaning in a file of this kind.
+pub fn meaningless(what: &str, place: &str, help: &str, span: Span) -> Diagnosis {
+    Diagnosis::error("mech::simulate::no_meaning", format!("{what} has no meaning {place}"))
+        .label(span, "no meaning here")
+        .fixes(help.starts_with("leave ").then(|| Fix::left_out("this", span)))
+        .help(help)
 }
 
 /// A statement of a motion that is not followed.

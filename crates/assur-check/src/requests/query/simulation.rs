@@ -2,13 +2,16 @@
 
 use crate::expr::context::Context;
 use crate::expr::results::Call;
-use crate::motion::simulation::{no_simulate, without_meaning};
+use crate::motion::simulation::{meaningless, no_simulate, without_meaning};
 use crate::names::declared::QuantityKind;
 use crate::names::suggestion::suggestion;
+use crate::statements::written::text;
 use crate::values::fold;
-use crate::values::typed::{Type, Typed};
+use crate::values::typed::{Dim, Type, Typed};
 use assur_model::model::{BinaryOp, Expr, LoadId, Pair, PairId, Query, Situation};
-use assur_syntax::document::{ExprKind, Name, Simulate, Spring, SpringSite, Statement, TimeCourse};
+use assur_syntax::document::{
+    Drive, DrivePosition, ExprKind, Name, Simulate, Spring, SpringSite, Statement, TimeCourse,
+};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
@@ -18,17 +21,12 @@ impl Context<'_> {
     /// Reports functions of a motion under loads in another file, and those of a turn of the drive in such a file.
     pub(crate) fn is_of_a_motion(&mut self, call: Call<'_>, function: Function) -> Option<()> {
         use Function as F;
-        let of_events = matches!(function, F::Time | F::Count);
         let of_states = matches!(function, F::Period | F::Sticks | F::Rests | F::FrictionWork);
         if of_states && !self.names.simulates {
             no_simulate(self, function.name(), call.span);
             return None;
         }
         let of_drive = matches!(function, F::Travel | F::Stroke | F::TimeRatio | F::Dead | F::Critical);
-        if of_events && !self.names.simulates {
-            no_simulate(self, "event", call.span);
-            return None;
-        }
         if of_drive && self.names.simulates {
             let what = format!("`{}`, which is found over the positions of a drive,", call.name.node);
             let help = "take `max` or `min` of a coordinate over the motion, as in \
@@ -55,6 +53,7 @@ impl Context<'_> {
     pub(crate) fn of_motion(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
         match function {
             Function::Time => self.event_time(call),
+            Function::Drive => self.event_drive(call),
             Function::Count => self.event_count(call),
             Function::Rests => self.rests(call),
             Function::FrictionWork => self.friction_work(call),
@@ -74,8 +73,37 @@ impl Context<'_> {
             None => 1,
             Some(which) => self.count_argument(call, which)?,
         };
+        let is_timed = |drive: &Drive| drive.rate.is_some() && drive.acceleration.is_none();
+        if let Some(drive) = self.swept_drive().filter(|drive| !is_timed(drive)) {
+            let name = text(&drive.target);
+            let place = format!("where `{name}` has no constant speed");
+            let help = format!(
+                "give `{name}` one, as in `at 10 rad/s`, or ask for `drive(…)` in place of `time(…)`"
+            );
+            self.error(meaningless("`time` of an event", &place, &help, call.span));
+            return None;
+        }
         let query = Expr::Query(Query::EventTime(event, which));
         Some(Typed::new(query, Type::number(Dimension::TIME)))
+    }
+
+    /// `drive(top)`, `drive(top, 2)`
+    fn event_drive(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 2)?;
+        let event = self.event_argument(call, args[0])?;
+        let which = args.get(1).map_or(Some(1), |which| self.count_argument(call, which))?;
+        let query = Expr::Query(Query::EventDrive(event, which));
+        match self.swept_drive().map(|drive| self.drive_dimension(drive)) {
+            Some(dimension) => Some(Typed::new(query, Type::number(dimension))),
+            None if self.names.simulates => {
+                let help =
+                    "ask for `time(…)`, or for a value there: `expect angle(crank) = 90 deg at event …`";
+                self.error(without_meaning("`drive` of an event", help, call.span));
+                None
+            }
+            // the event itself is reported
+            None => Some(Typed::pending(Type::Number(Dim::Any))),
+        }
     }
 
     /// `count(top)`
@@ -215,6 +243,12 @@ impl Context<'_> {
         let first = parts.next()?;
         let sum = parts.fold(first, |sum, part| fold::binary(BinaryOp::Add, sum, part));
         Some(Typed::new(sum, Type::number(Dimension::TORQUE)))
+    }
+
+    /// The first drive that goes through a range.
+    pub(crate) fn swept_drive(&self) -> Option<&Drive> {
+        let all = self.drive_statements().into_iter();
+        all.filter(|drive| matches!(drive.position, Some(DrivePosition::Range(_)))).next()
     }
 
     /// An event by its name. Reports what is none.

@@ -43,6 +43,11 @@ impl Interval {
                 _ => *end = if sweep.len() > 1 { *end } else { *from },
             }
         }
+        if let Some(swept) = &statics.swept
+            && let Some(end) = to.get_mut(swept.drive)
+        {
+            *end = DriveValue::Scalar(swept.to);
+        }
         let interval = Self { is_closed: false, turns: None, from, to };
         if interval.from == interval.to {
             return Err(NoSweep::OnePosition);

@@ -7,6 +7,7 @@
 
 mod course;
 mod depends;
+mod events;
 mod flywheel;
 mod interval;
 mod panels;
@@ -16,6 +17,7 @@ mod switches;
 
 pub use course::{CourseSet, SweepCurve, courses};
 pub(super) use depends::loads_name_quantities;
+pub(crate) use events::{events, never_ended};
 
 use super::failure::{Cause, Failure};
 use super::note::Note;

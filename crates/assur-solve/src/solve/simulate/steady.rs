@@ -125,6 +125,8 @@ fn end(mechanism: &Mechanism, simulation: &Simulation, after: Steady, angles: &[
                 span: simulation.span,
                 value,
                 rising: Some(true),
+                strict: false,
+                dimension: None,
                 ends: true,
                 situation: None,
             }

@@ -53,7 +53,7 @@ impl Trajectory {
     pub fn never_ended(&self, mechanism: &Mechanism) -> Vec<Note> {
         let open = self.ended.is_none() && self.report.ended_by.is_none();
         let ends = mechanism.events.iter().enumerate().filter(|(_, event)| open && event.ends);
-        ends.map(|(event, _)| Note::NeverEnded { event, time: self.report.end }).collect()
+        ends.map(|(event, _)| Note::NeverEnded { event, at: self.report.end }).collect()
     }
 
     /// What it has found.
