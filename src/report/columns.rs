@@ -2,7 +2,7 @@
 
 use super::answers::{Answers, NONE};
 use crate::exercise::why_undefined;
-use assur_model::model::{Display, Expr, Find, FindKind, Query, Value};
+use assur_model::model::{Display, Expr, Find, FindKind, Query, TableEntry, Value};
 use assur_model::structure::{EffortKind, EffortSource};
 use assur_solve::solve::{Model, Pose, PoseAnswers, Solved, State};
 use assur_text::units::Dimension;
@@ -69,12 +69,29 @@ impl<'a> Answers<'a> {
 
     /// Items of `find` that need no pose: each with its one value.
     pub(super) fn quantities_without_pose(&self) -> Vec<Quantity> {
+        self.without_pose(|view| self.values_without_pose(view))
+    }
+
+    /// The numbers of a kind in a table, SI; not a number where there is none.
+    pub(super) fn entry(&self, entry: &TableEntry) -> Vec<f64> {
+        if entry.found.is_empty() {
+            return entry.values.clone();
+        }
+        let number = |value: Value| if let Value::Scalar(x) = value { x } else { f64::NAN };
+        self.without_pose(|view| entry.found.iter().map(|expr| number(view.value(expr))).collect())
+    }
+
+    /// What is known without a pose.
+    fn without_pose<T>(&self, of: impl FnOnce(&PoseAnswers<'_>) -> T) -> T {
         let plan = self.model.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
         let view = PoseAnswers::new(&self.model, &state, &angles, &self.solution.statics);
         let quantities = view.all_quantities();
-        let view = PoseAnswers { quantities: &quantities, ..view };
+        of(&PoseAnswers { quantities: &quantities, ..view })
+    }
+
+    fn values_without_pose(&self, view: &PoseAnswers<'_>) -> Vec<Quantity> {
         let quantity = |(find, expr, display): (&'a Find, &'a Expr, &'a Display)| Quantity {
             name: find.name.clone(),
             display: display.clone(),

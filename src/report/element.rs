@@ -110,8 +110,9 @@ fn lying(answers: &Answers<'_>, table: &model::Table) -> Table {
     let rows = table.entries.first().map_or(0, |e| e.values.len());
     let mut out = Table { rows: vec![Vec::new(); rows], ..Table::new(Vec::new(), 1) };
     for entry in &table.entries {
-        let greatest = entry.values.iter().filter(|x| x.is_finite()).fold(0.0, |m, x| f64::max(m, x.abs()));
-        let cells = entry.values.iter().map(|x| figures(answers, &entry.display, *x, greatest));
+        let values = answers.entry(entry);
+        let greatest = values.iter().filter(|x| x.is_finite()).fold(0.0, |m, x| f64::max(m, x.abs()));
+        let cells = values.iter().map(|x| figures(answers, &entry.display, *x, greatest));
         out.column(with_unit(&entry.name, &entry.display.unit), cells);
     }
     out

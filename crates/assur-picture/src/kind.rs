@@ -3,6 +3,7 @@
 use crate::animation::{ArrowKind, still};
 use crate::cam::cams;
 use crate::forces::{forces, friction, lever};
+use crate::fourier::fourier;
 use crate::hodograph::{hodographs, polars};
 use crate::motion::{accelerations, velocities};
 use crate::paper::Scaled;
@@ -35,6 +36,8 @@ pub enum Kind {
     Plot,
     /// Effort and work of a flywheel over the cycle.
     Work,
+    /// Amplitudes of Fourier series.
+    Fourier,
     /// Profile and motion of designed cams.
     Cam,
     /// Velocities of a point over the sweep.
@@ -45,7 +48,7 @@ pub enum Kind {
     Animation,
 }
 
-pub const KINDS: [Kind; 14] = [
+pub const KINDS: [Kind; 15] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -56,6 +59,7 @@ pub const KINDS: [Kind; 14] = [
     Kind::Train,
     Kind::Plot,
     Kind::Work,
+    Kind::Fourier,
     Kind::Cam,
     Kind::Hodograph,
     Kind::Polar,
@@ -93,6 +97,7 @@ impl Kind {
             Self::Train => "train",
             Self::Plot => "plot",
             Self::Work => "work",
+            Self::Fourier => "fourier",
             Self::Cam => "cam",
             Self::Hodograph => "hodograph",
             Self::Polar => "polar",
@@ -110,6 +115,7 @@ impl Kind {
             | Self::Train
             | Self::Plot
             | Self::Work
+            | Self::Fourier
             | Self::Cam
             | Self::Polar
             | Self::Animation => Level::Positions,
@@ -137,7 +143,7 @@ impl Kind {
     /// Whether the space that it takes is chosen: diagrams and sections have their own.
     #[must_use]
     pub const fn has_size(self) -> bool {
-        !matches!(self, Self::Train | Self::Plot | Self::Work)
+        !matches!(self, Self::Train | Self::Plot | Self::Work | Self::Fourier)
     }
 
     /// Whether it shows forces.
@@ -149,7 +155,10 @@ impl Kind {
     /// Whether it shows the whole sweep and not one position.
     #[must_use]
     pub const fn is_of_sweep(self) -> bool {
-        matches!(self, Self::Plot | Self::Work | Self::Hodograph | Self::Polar | Self::Animation)
+        matches!(
+            self,
+            Self::Plot | Self::Work | Self::Fourier | Self::Hodograph | Self::Polar | Self::Animation
+        )
     }
 
     /// Whether its name may be followed by what it shows.
@@ -179,6 +188,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Polar => polars(scene, &options.of, paper),
         Kind::Animation => still(scene, options).map(|first| vec![first]),
         Kind::Work => work(scene),
+        Kind::Fourier => fourier(scene),
         Kind::Plot => plot(scene, &options.plotted).map(|(plot, _)| vec![plot]),
         Kind::Velocities => velocities(scene, paper).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, paper).map(|plan| vec![plan]),

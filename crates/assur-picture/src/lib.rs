@@ -6,6 +6,7 @@ mod diagram;
 mod error;
 mod figures;
 mod forces;
+mod fourier;
 mod hodograph;
 mod inset;
 mod kind;

@@ -70,6 +70,17 @@ pub(crate) fn no_quantity(scene: &Scene<'_>, why: &str) -> Diagnosis {
         .help(help)
 }
 
+/// No Fourier series; the help asks for one.
+pub(crate) fn no_term(scene: &Scene<'_>) -> Diagnosis {
+    let mechanism = scene.mechanism();
+    let name = mechanism.balances.first().map_or("shaking_force().x", |balance| balance.name.as_str());
+    let (at, label) = first_item(scene);
+    let why = "there is no Fourier series to draw: the file asks for no amplitude of one";
+    Diagnosis::error("mech::picture::no_quantity", why)
+        .label(at, label)
+        .help(format!("ask for a table, as in `find fourier({name}) in 8 steps`"))
+}
+
 /// No flywheel; the help writes one.
 pub(crate) fn no_flywheel(scene: &Scene<'_>) -> Diagnosis {
     let mechanism = scene.mechanism();

@@ -159,6 +159,7 @@ impl Asking<'_> {
                     CycleFunction::Mean => M::Mean,
                     CycleFunction::Integral => M::Integral,
                     CycleFunction::Argmax => M::WhereGreatest,
+                    CycleFunction::Harmonic(_) => return None,
                 };
                 (message, vec![self.expr(&cycle.expr)?])
             }

@@ -164,7 +164,7 @@ impl Analysis {
                 Takes::Given => self.of_kinds(&[SymbolKind::Given]),
                 Takes::Cam | Takes::Flywheel => self.of_kinds(&[SymbolKind::Element]),
                 Takes::Event => self.of_kinds(&[SymbolKind::Event]),
-                Takes::Count | Takes::OneOrTwo | Takes::Fit => Vec::new(),
+                Takes::Count | Takes::Order | Takes::OneOrTwo | Takes::Fit => Vec::new(),
                 Takes::Value(_) | Takes::Angle => self.of_values(),
             });
         }

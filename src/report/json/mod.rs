@@ -209,7 +209,7 @@ fn tables(answers: &Answers<'_>) -> Vec<(String, Entries<Vec<Number>>)> {
         let FindKind::Table(table) = &find.kind else { return None };
         // an entry that does not exist at some place (the radius of a straight piece) is left out
         let entry = |e: &TableEntry| {
-            let values = e.values.iter().map(|x| Number::of(*x)).collect::<Option<Vec<_>>>()?;
+            let values = answers.entry(e).iter().map(|x| Number::of(*x)).collect::<Option<Vec<_>>>()?;
             Some((e.name.clone(), values))
         };
         Some((find.name.clone(), Entries(table.entries.iter().filter_map(entry).collect())))

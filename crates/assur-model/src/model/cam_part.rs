@@ -90,7 +90,7 @@ impl PlateCam {
         let points: Vec<CamPoint> = angles.iter().map(|phi| self.cam.at(*phi)).collect();
         let mut table = Table::default();
         let mut entry = |name: String, dimension: Dimension, values: Vec<f64>| {
-            table.entries.push(TableEntry { name, display: display(dimension), values });
+            table.entries.push(TableEntry { name, display: display(dimension), values, found: Vec::new() });
         };
         entry("cam angle".into(), Dimension::ANGLE, angles.clone());
         let oscillates = self.cam.follower.oscillates();

@@ -1,6 +1,6 @@
 //! Machine elements as designed, and tables of what they are.
 
-use super::{BalanceId, Display, LinkId, LoadId, PairId};
+use super::{BalanceId, Display, Expr, LinkId, LoadId, PairId};
 use crate::element::{cam::Cam, geneva::Geneva};
 use crate::math::{Piece, TableFunction, Vec2};
 use crate::source::Span;
@@ -69,6 +69,8 @@ pub struct TableEntry {
     pub display: Display,
     /// Its values, SI; not a number where there is none.
     pub values: Vec<f64>,
+    /// Those that are found over the sweep.
+    pub found: Vec<Expr>,
 }
 
 /// A pin in the slots of a Geneva wheel. Crank and wheel are hinged to the same frame.

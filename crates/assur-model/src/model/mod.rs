@@ -36,7 +36,7 @@ pub use motion::{
 };
 pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape, UnilateralCondition};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
-pub use simulation::{Bound, Cycle, CycleFunction, Part};
+pub use simulation::{Bound, Cycle, CycleFunction, Harmonic, Part};
 pub use simulation::{Event, Occasion, Simulation, Situation, Steady, Stop};
 pub use train::{FrictionLimit, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 

@@ -149,4 +149,35 @@ pub enum CycleFunction {
     Integral,
     /// The drive's value at the greatest value.
     Argmax,
+    /// A coefficient of its Fourier series.
+    Harmonic(Harmonic),
+}
+
+/// A term of a Fourier series over whole turns, or over the period of a steady motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Harmonic {
+    /// Twice its order: over two turns there are halves.
+    pub halves: u32,
+    /// It goes with the sine, not the cosine.
+    pub sine: bool,
+}
+
+impl Harmonic {
+    /// What the quantity is multiplied by at an angle, rad: the mean of the product is half the coefficient.
+    #[must_use]
+    pub fn weight(self, phi: f64) -> f64 {
+        let angle = 0.5 * f64::from(self.halves) * phi;
+        if self.sine { libm::sin(angle) } else { libm::cos(angle) }
+    }
+}
+
+impl CycleFunction {
+    /// The term of a series of which it is a coefficient.
+    #[must_use]
+    pub const fn harmonic(self) -> Option<Harmonic> {
+        match self {
+            Self::Harmonic(term) => Some(term),
+            _ => None,
+        }
+    }
 }

@@ -38,7 +38,7 @@ pub enum NoExtreme {
 }
 
 /// Why there is no sweep to take a function over.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NoSweep {
     /// The file has one position.
     OnePosition,
@@ -46,6 +46,8 @@ pub enum NoSweep {
     TooLong,
     /// The positions of this drive are listed out of order.
     Unordered(usize),
+    /// A term of a Fourier series needs whole turns of the drive, or `two` of them; how many there are, where it turns.
+    PartOfTurn { turns: Option<f64>, two: bool },
 }
 
 /// Why a flywheel cannot be found.

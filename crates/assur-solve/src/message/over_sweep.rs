@@ -145,10 +145,35 @@ pub(super) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> Diagnosis {
             let help = "list the values of one drive in their order, or write a range: `0 deg .. 360 deg in 12 steps`";
             ("the listed positions do not all go in one direction".to_owned(), help.to_owned())
         }
+        NoSweep::PartOfTurn { turns, two } => return part_of_turn(model, turns, two),
     };
     Diagnosis::error("mech::solve::no_sweep", format!("no function over the sweep can be found: {why}"))
         .labels(labels)
         .help(help)
+}
+
+/// A Fourier series is one over whole turns.
+fn part_of_turn(model: &Model<'_>, turns: Option<f64>, two: bool) -> Diagnosis {
+    let mechanism = model.mechanism;
+    let name = mechanism.drives.first().map_or("crank", |drive| drive.name.as_str());
+    let why = match turns {
+        None => format!("`{name}` does not turn"),
+        Some(turns) if turns.abs() == 1.0 => format!("`{name}` sweeps over one"),
+        Some(turns) => format!("`{name}` sweeps over {}", short(turns.abs())),
+    };
+    let (wanted, range) = if two {
+        ("terms of a half order need an even number of turns", "0 deg .. 720 deg in 24 steps")
+    } else {
+        ("a Fourier series needs whole turns", "0 deg .. 360 deg in 12 steps")
+    };
+    let terms =
+        mechanism.cycles.iter().filter(|c| c.how.harmonic().is_some_and(|term| !two || term.halves % 2 != 0));
+    let mut spans: Vec<_> = terms.map(|c| c.span).collect();
+    spans.dedup();
+    let labels = spans.into_iter().map(|span| label("asked here", span));
+    Diagnosis::error("mech::solve::no_sweep", format!("{wanted}, and {why}"))
+        .labels(labels.chain(mechanism.drives.iter().map(|d| label("drive", d.span))))
+        .help(format!("write a sweep over whole turns: `drive {name} = {range}`"))
 }
 
 /// The functions that need a sweep.

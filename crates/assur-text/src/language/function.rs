@@ -71,6 +71,8 @@ pub enum Takes {
     Event,
     /// A whole number, as written.
     Count,
+    /// 1/2, 1, 3/2, 2, …
+    Order,
 }
 
 /// What comes out of a function.
@@ -146,6 +148,9 @@ impl Function {
                 | Self::DampingRatio
                 | Self::DampedFrequency
                 | Self::Drive
+                | Self::Fourier
+                | Self::ShakingForce
+                | Self::ShakingMoment
         )
     }
 

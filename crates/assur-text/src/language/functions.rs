@@ -218,6 +218,12 @@ functions! {
         [form(&[L], Number(Dimension::TORQUE), "−J α")],
     InertiaArm "inertia_arm" Inertia "inertia_arm(rod)"
         [form(&[L], Number(Dimension::LENGTH), "magnitude of the torque divided by that of the force")],
+    ShakingForce "shaking_force" Inertia "shaking_force()"
+        [form(&[], Vector(Dimension::FORCE), "−Σ m a of all moving links: what their inertia does to the frame")],
+    ShakingMoment "shaking_moment" Inertia "shaking_moment()" [
+        form(&[], Number(Dimension::TORQUE), "−Σ (r × m a + J α) about the origin of the ground"),
+        form(&[arg("P", Takes::Point)], Number(Dimension::TORQUE), "about a point of the ground"),
+    ],
     Mass "mass" Inertia "mass(rod)" [
         form(&[L], Number(Dimension::MASS), "of a link"),
         form(&[], Number(Dimension::MASS), "of all moving links"),
@@ -393,6 +399,14 @@ functions! {
         Varies("that of x times that of the drive"),
         "over the drive's value along the sweep",
     )],
+    Fourier "fourier" Cycle "fourier(Mb, 2).amplitude" [
+        form(
+            &[X, arg("2", Takes::Order)],
+            Parts("that of x; an angle"),
+            "term of order 2 of the Fourier series over whole turns, see Cycles; with a part",
+        ),
+        form(&[X], Parts("that of x; an angle"), "in `find fourier(Mb) in 8 steps`: a table of the orders 1 to 8"),
+    ],
     Argmax "argmax" Cycle "argmax(Mb)"
         [form(&[X, AFTER, BEFORE], OF_DRIVE, "value of the drive where x is greatest")],
     JournalTorque "journal_torque" Bearing "journal_torque(load = 5 kN, radius = 40 mm, friction = 0.1)"

@@ -25,6 +25,10 @@ impl Context<'_> {
             CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => dim,
             CycleFunction::Integral => dim.times(Dim::Of(self.over(call)?)),
             CycleFunction::Argmax => Dim::Of(self.over(call)?),
+            CycleFunction::Harmonic(_) => {
+                self.over(call)?;
+                dim
+            }
         };
         let ty = Type::Number(dim);
         if t.pending {
@@ -40,7 +44,7 @@ impl Context<'_> {
     }
 
     /// A function over the sweep; the same one is kept once.
-    fn cycle(
+    pub(super) fn cycle(
         &mut self,
         (how, dimension): (CycleFunction, [i8; 3]),
         expr: Expr,

@@ -212,6 +212,7 @@ impl Context<'_> {
                     Pair(of) => vec![of(&pair)],
                     Wheel(of) => (0..2).map(|i| of(&pair, &pair.gears[i], i)).collect(),
                 },
+                found: Vec::new(),
             };
             FindKind::Table(Table { entries: ROWS.iter().map(entry).collect(), upright: true })
         }))

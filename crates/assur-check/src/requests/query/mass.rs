@@ -76,20 +76,9 @@ impl Context<'_> {
     pub(super) fn moment_of_inertia(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 2)?;
         let link = self.link_argument(call, args[0])?;
-        let arm = match args.get(1).map(|point| (&point.kind, point.span)) {
+        let arm = match args.get(1) {
             None => None,
-            Some((ExprKind::Name(name), span)) => Some(self.point(link, &Spanned::new(name.clone(), span))?),
-            Some((ExprKind::Member(..), span)) => match self.point_argument(call, args[1])? {
-                (owner, at) if owner == link => Some(at),
-                _ => {
-                    self.wrong_argument(call, "a point of that link", span);
-                    return None;
-                }
-            },
-            Some((_, span)) => {
-                self.wrong_argument(call, "a point of that link", span);
-                return None;
-            }
+            Some(point) => Some(self.point_on(call, link, (point, "a point of that link"))?),
         };
         self.with_mass(call, link)?;
         let m = self.builder.mech.link(link).mass?;
@@ -97,8 +86,29 @@ impl Context<'_> {
         Some(Typed::constant(m.inertia + m.mass * arm.dot(arm), Dimension::INERTIA))
     }
 
+    /// A point of this link, named alone or with it.
+    pub(super) fn point_on(
+        &mut self,
+        call: Call<'_>,
+        link: LinkId,
+        (point, wanted): (&Expr, &str),
+    ) -> Option<Vec2> {
+        match &point.kind {
+            ExprKind::Name(name) => return self.point(link, &Spanned::new(name.clone(), point.span)),
+            ExprKind::Member(..) => {
+                let (owner, at) = self.point_argument(call, point)?;
+                if owner == link {
+                    return Some(at);
+                }
+            }
+            _ => {}
+        }
+        self.wrong_argument(call, wanted, point.span);
+        None
+    }
+
     /// The link that is named with its mass, or all moving links that have one.
-    fn heavy(&mut self, call: Call<'_>) -> Option<Vec<(LinkId, MassProperties)>> {
+    pub(super) fn heavy(&mut self, call: Call<'_>) -> Option<Vec<(LinkId, MassProperties)>> {
         let args = self.arguments(call, 0, 1)?;
         if let [link] = args[..] {
             let link = self.link_argument(call, link)?;
@@ -135,7 +145,7 @@ impl Context<'_> {
     }
 
     /// Reports a mass centre where nothing has a mass.
-    fn without_any_mass(&mut self, call: Call<'_>) {
+    pub(super) fn without_any_mass(&mut self, call: Call<'_>) {
         self.error(
             Diagnosis::error("mech::request::no_mass", "nothing that moves has a mass".to_owned())
                 .primary(call.span, "asked here")

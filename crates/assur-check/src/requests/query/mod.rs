@@ -8,6 +8,7 @@ mod element;
 mod flywheel;
 mod force;
 mod formula;
+mod fourier;
 mod friction;
 mod gear;
 mod grip;
@@ -18,6 +19,7 @@ mod own_usage;
 mod pair_kinds;
 mod part;
 mod relative;
+mod shaking;
 mod simulation;
 mod substitution;
 mod suggestion;
@@ -95,6 +97,9 @@ impl Context<'_> {
             F::Dot => self.product(call, model::Function::Dot),
             F::Cross => self.product(call, model::Function::Cross),
             F::Max | F::Min | F::Argmax | F::Mean | F::Integral => self.over_all(call, function),
+            F::Fourier => self.fourier_alone(call),
+            F::ShakingForce => self.shaking_force(call),
+            F::ShakingMoment => self.shaking_moment(call),
             F::Position => self.point_motion(call, Dimension::LENGTH, Query::Position, Query::Displacement),
             F::Velocity => {
                 self.point_motion(call, Dimension::VELOCITY, Query::Velocity, Query::RelativeVelocity)

@@ -131,13 +131,7 @@ impl Context<'_> {
     /// `period()`
     fn period(&mut self, call: Call<'_>) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
-        let steady = |s: &Statement| {
-            matches!(
-                s,
-                Statement::Simulate(Simulate { course: TimeCourse::Steady(_), .. }) | Statement::Bad(_)
-            )
-        };
-        if !self.doc.statements.iter().any(|s| steady(&s.node)) {
+        if !self.is_steady() {
             let what = "`period()` without a steady motion".to_owned();
             let help =
                 "ask for the motion that comes again, as in `simulate steady turn of crank`".to_owned();

@@ -3,7 +3,7 @@
 use super::super::positions::Sweep;
 use super::super::steps::{StepLimit, between};
 use crate::answer::{NoSweep, SweepPlace, WholeCycle, constant};
-use crate::model::Positions;
+use crate::model::{Cycle, Harmonic, Positions};
 use crate::position::{DriveValue, Model, turns};
 use std::f64::consts::TAU;
 
@@ -61,6 +61,18 @@ impl Interval {
         let turns = turning.then(|| interval.length() / TAU);
         let is_closed = turns.is_some_and(|n| n.round() != 0.0 && (n - n.round()).abs() < 1e-12);
         Ok(Self { is_closed, turns, ..interval })
+    }
+
+    /// Terms of Fourier series need whole turns, those of a half order an even number of them.
+    pub(super) fn has_whole_turns(&self, cycles: &[Cycle]) -> Result<(), NoSweep> {
+        let mut terms = cycles.iter().filter_map(|cycle| cycle.how.harmonic());
+        let turns = self.turns.unwrap_or(f64::NAN);
+        let comes_again =
+            |term: Harmonic| self.is_closed && (term.halves % 2 == 0 || (turns.round() / 2.0).fract() == 0.0);
+        match terms.find(|term| !comes_again(*term)) {
+            Some(term) => Err(NoSweep::PartOfTurn { turns: self.turns, two: term.halves % 2 != 0 }),
+            None => Ok(()),
+        }
     }
 
     /// Drive values at a place of the sweep.

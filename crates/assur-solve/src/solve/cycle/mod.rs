@@ -36,6 +36,9 @@ use sampler::Sampler;
 const MOST_SAMPLES: usize = 128;
 /// The fewest; half of them where few digits are wanted.
 const FEWEST_SAMPLES: usize = 16;
+/// Of a term of a Fourier series at least so many per wave, and at most so many times more.
+const PER_WAVE: usize = 8;
+const FINER: usize = 2;
 
 /// Finds the functions over the sweep and the flywheels of a file.
 pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep) -> Result<Vec<Note>, Cause> {
@@ -44,6 +47,7 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
         return Ok(Vec::new());
     }
     let interval = Interval::of(model, statics, sweep).map_err(Cause::NoSweep)?;
+    interval.has_whole_turns(&mechanism.cycles).map_err(Cause::NoSweep)?;
     let mut sampler = Sampler::new(model, statics, &interval)?;
     statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
     // those of motion alone first: loads may depend on them
@@ -107,7 +111,9 @@ pub fn over_cycle(model: &Model<'_>, found: &WholeCycle) -> Result<WholeCycle, F
 fn cycle(model: &Model<'_>, statics: &WholeCycle, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
     let asked = &model.mechanism.cycles[index];
     sampler.begin();
-    match found(model, statics, sampler, asked.how, &asked.expr) {
+    let found = found(model, statics, sampler, asked.how, &asked.expr);
+    sampler.term = None;
+    match found {
         Ok(answer) => CycleAnswer { samples: sampler.samples, ..answer },
         Err(why) => CycleAnswer::undefined(why),
     }
@@ -131,11 +137,16 @@ fn found(
         CycleAnswer { value, error, scale, size, splits, ..CycleAnswer::default() }
     };
     let length = sampler.interval.length();
-    let whole = matches!(how, CycleFunction::Mean | CycleFunction::Integral);
-    let factor = if how == CycleFunction::Integral { length } else { 1.0 };
-    if whole
-        && breaks.is_empty()
-        && comes_again(model, statics, sampler, expr)?
+    let factor = match how {
+        CycleFunction::Mean => Some(1.0),
+        CycleFunction::Integral => Some(length),
+        CycleFunction::Harmonic(_) => Some(2.0),
+        CycleFunction::Max | CycleFunction::Min | CycleFunction::Argmax => None,
+    };
+    let is_smooth = factor.is_some() && breaks.is_empty() && comes_again(model, statics, sampler, expr)?;
+    sampler.term = how.harmonic();
+    if let Some(factor) = factor
+        && is_smooth
         && let Some((mean, size)) = smooth_mean(statics, sampler, expr)?
     {
         let scales = [mean.scale, size].map(|x| x * factor.abs());
@@ -143,7 +154,7 @@ fn found(
     }
     let all = panels::piecewise(sampler, statics, &[expr], &breaks)?;
     let [piecewise] = all.as_slice() else { return Err(Undefined::Unresolved) };
-    if whole {
+    if let Some(factor) = factor {
         let scales = [piecewise.scale, piecewise.size].map(|x| x * factor.abs());
         return Ok(answer(piecewise.integral() * factor, piecewise.error * factor.abs(), scales));
     }
@@ -172,7 +183,7 @@ fn of_work(statics: &WholeCycle, how: CycleFunction, expr: &Expr) -> Option<Cycl
     let greatest = match how {
         CycleFunction::Max | CycleFunction::Argmax => sign > 0.0,
         CycleFunction::Min => sign < 0.0,
-        CycleFunction::Mean | CycleFunction::Integral => return None,
+        CycleFunction::Mean | CycleFunction::Integral | CycleFunction::Harmonic(_) => return None,
     };
     let at = found.extremes[usize::from(greatest)];
     let value = if how == CycleFunction::Argmax { at } else { sign * found.work(at) };
@@ -210,8 +221,11 @@ fn smooth_mean(
 ) -> Result<Option<(Mean, f64)>, Undefined> {
     let (mut samples, mut size): (Vec<f64>, f64) = (Vec::new(), 0.0);
     let tolerance = sampler.tolerance;
-    let mut count = if tolerance > COARSE { FEWEST_SAMPLES / 2 } else { FEWEST_SAMPLES };
-    while count <= MOST_SAMPLES {
+    let fewest = if tolerance > COARSE { FEWEST_SAMPLES / 2 } else { FEWEST_SAMPLES };
+    let waves = sampler.waves();
+    let mut count = fewest.max((PER_WAVE * waves).next_power_of_two());
+    let most = MOST_SAMPLES.max(FINER * count);
+    while count <= most {
         let mut next = Vec::with_capacity(count);
         for i in 0..count {
             let known = if i % 2 == 0 { samples.get(i / 2).copied() } else { None };

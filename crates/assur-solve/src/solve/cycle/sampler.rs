@@ -11,7 +11,7 @@ use super::depends::{
 use super::interval::Interval;
 use super::switches::Switch;
 use crate::answer::{LeftCurve, Measured, PoseAnswers, Sizes, Undefined, WholeCycle, balanced};
-use crate::model::{Expr, LoadId, Value};
+use crate::model::{Expr, Harmonic, LoadId, Value};
 use crate::plan::{Level, Settings};
 use crate::position::{BodyState, Branch, DEAD, DriveValue, Model, State, extent};
 use std::collections::HashMap;
@@ -96,6 +96,8 @@ pub(super) struct Sampler<'a> {
     pub samples: usize,
     /// Roots of functions that switch, as far as they are known.
     pub switched: Vec<(Switch, Vec<f64>)>,
+    /// The numbers are multiplied by this term of a Fourier series.
+    pub term: Option<Harmonic>,
     /// The first curve that was needed beyond its table.
     pub left: Option<LeftCurve>,
 }
@@ -158,6 +160,7 @@ impl<'a> Sampler<'a> {
             numbers: Vec::new(),
             samples: 0,
             switched: Vec::new(),
+            term: None,
             left: None,
         })
     }
@@ -168,6 +171,13 @@ impl<'a> Sampler<'a> {
         let near = 1e-9 * extent(&self.model);
         let mut bodies = first.bodies.iter().zip(&last.bodies);
         bodies.all(|(a, b)| (a.p - b.p).norm() <= near && (a.u - b.u).norm() <= 1e-9)
+    }
+
+    /// Waves of that term over the sweep.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most some 1e4
+    pub(super) fn waves(&self) -> usize {
+        let turns = self.interval.turns.unwrap_or(0.0).abs();
+        self.term.map_or(0, |term| (0.5 * f64::from(term.halves) * turns).ceil() as usize)
     }
 
     /// How accurately places are found.
@@ -230,7 +240,8 @@ impl<'a> Sampler<'a> {
         };
         match found.value {
             Value::Scalar(value) if value.is_finite() && !found.size.is_nan() => {
-                return Ok(Sample { value, size: found.size });
+                let weight = self.term.map_or(1.0, |term| term.weight(self.interval.value(s)));
+                return Ok(Sample { value: weight * value, size: found.size });
             }
             _ => {}
         }

@@ -64,6 +64,8 @@ pub(super) struct EventDetector<'m> {
     again: f64,
     pub(super) y: Vec<f64>,
     pub(super) memory: Memory,
+    /// Parts of a step are halved so many times more: a term of a high order turns within them.
+    pub(super) finer: u32,
     /// How often every event had happened where the last step began.
     begun: Vec<usize>,
     /// The length of the run, s.
@@ -91,6 +93,8 @@ impl<'m> EventDetector<'m> {
         let comes_again =
             (!all.is_empty() && is_linkage(mechanism)) || all.iter().any(|expr| comes_again(mechanism, expr));
         let count = mechanism.events.len();
+        let terms = mechanism.cycles.iter().filter_map(|c| c.how.harmonic());
+        let finest = terms.map(|term| term.halves).max().unwrap_or(0);
         Self {
             events: &mechanism.events,
             functions,
@@ -111,6 +115,7 @@ impl<'m> EventDetector<'m> {
             again: AT_ONCE.max(AGAIN * tolerance),
             y: equations.start(),
             memory: Memory::default(),
+            finer: finest.checked_ilog2().unwrap_or(0),
             begun: vec![0; count],
             length: end - begin,
             begin,

@@ -8,6 +8,7 @@ use crate::answer::{OF_FORCES, OF_MOTION};
 use crate::math::lobatto::{PLACES, Short};
 use crate::math::ode::Integrator;
 use crate::model::{Bound, Cycle, CycleFunction, Part};
+use std::f64::consts::TAU;
 
 /// What the series of a function leaves off is less than this part of its greatest value, or of the tolerance of that, or its part
 /// of a step is halved, so often at most.
@@ -64,7 +65,9 @@ pub(super) struct Function<'m> {
 impl<'m> Function<'m> {
     /// The functions of a file.
     pub fn all(cycles: &'m [Cycle]) -> Vec<Self> {
-        let source = |i: usize| cycles[..i].iter().position(|c| c.expr == cycles[i].expr).unwrap_or(i);
+        let same =
+            |c: &Cycle, i: usize| c.expr == cycles[i].expr && c.how.harmonic() == cycles[i].how.harmonic();
+        let source = |i: usize| cycles[..i].iter().position(|c| same(c, i)).unwrap_or(i);
         cycles.iter().enumerate().map(|(i, cycle)| Self::new(cycle, source(i))).collect()
     }
 
@@ -75,7 +78,7 @@ impl<'m> Function<'m> {
             value: match cycle.how {
                 CycleFunction::Max | CycleFunction::Argmax => f64::NEG_INFINITY,
                 CycleFunction::Min => f64::INFINITY,
-                CycleFunction::Mean | CycleFunction::Integral => 0.0,
+                CycleFunction::Mean | CycleFunction::Integral | CycleFunction::Harmonic(_) => 0.0,
             },
             at: f64::NAN,
             greatest: 0.0,
@@ -96,7 +99,7 @@ impl Function<'_> {
         match self.cycle.how {
             CycleFunction::Max | CycleFunction::Argmax => Some(1.0),
             CycleFunction::Min => Some(-1.0),
-            CycleFunction::Mean | CycleFunction::Integral => None,
+            CycleFunction::Mean | CycleFunction::Integral | CycleFunction::Harmonic(_) => None,
         }
     }
 
@@ -208,7 +211,7 @@ impl EventDetector<'_> {
             return;
         }
         let mut memory = std::mem::take(&mut self.memory);
-        memory.parts.push((method.previous_t(), method.t(), HALVED));
+        memory.parts.push((method.previous_t(), method.t(), HALVED + self.finer));
         while let Some((from, to, left)) = memory.parts.pop() {
             let known = self.functions_between(equations, method, ((from, to), left == 0), &mut memory);
             if !known {
@@ -298,7 +301,10 @@ impl EventDetector<'_> {
                 self.look_at_rounding(equations, memory);
             }
             for (values, &source) in memory.values.iter_mut().zip(&memory.sets) {
-                values[place] = equations.value(&self.functions[source].cycle.expr);
+                let cycle = self.functions[source].cycle;
+                let share = (t - self.begin) / self.length;
+                let weight = cycle.how.harmonic().map_or(1.0, |term| term.weight(TAU * share));
+                values[place] = weight * equations.value(&cycle.expr);
             }
             for (&f, &set) in memory.asked.iter().zip(&memory.set_of) {
                 if !memory.values[set][place].is_finite() {
@@ -350,6 +356,7 @@ impl EventDetector<'_> {
             _ if f.lost.is_some() => f64::NAN,
             _ if !whole(f) && !is_known(f.cycle, &self.times) => f64::NAN,
             CycleFunction::Mean => f.value / length(f),
+            CycleFunction::Harmonic(_) => 2.0 * f.value / length(f),
             CycleFunction::Argmax => f.at,
             CycleFunction::Max | CycleFunction::Min | CycleFunction::Integral => f.value,
         };
