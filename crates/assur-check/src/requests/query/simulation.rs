@@ -9,9 +9,7 @@ use crate::statements::written::text;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type, Typed};
 use assur_model::model::{BinaryOp, Expr, LoadId, Pair, PairId, Query, Situation};
-use assur_syntax::document::{
-    Drive, DrivePosition, ExprKind, Name, Simulate, Spring, SpringSite, Statement, TimeCourse,
-};
+use assur_syntax::document::{Drive, DrivePosition, ExprKind, Name, Spring, SpringSite, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
