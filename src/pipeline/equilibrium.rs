@@ -12,6 +12,7 @@ use assur_model::model::{
 use assur_model::structure::{self, Structure};
 use assur_position::plan::{self, Plan};
 use assur_position::position::{DriveValue, extent};
+use assur_solve::message;
 use assur_solve::solve::{self, Model};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
@@ -187,10 +188,9 @@ impl Search {
             Sought::Anywhere => self.sampled(others, (-half, half), turning),
         };
         let mut roots = self.roots(others, &samples);
-        let efforts = samples.iter().filter_map(|(_, effort)| *effort);
-        if roots.len() > MOST
-            || efforts.clone().next().is_some() && efforts.fold(true, |all, x| all && x == 0.0)
-        {
+        let mut efforts = samples.iter().filter_map(|(_, effort)| *effort).peekable();
+        let nothing = efforts.peek().is_some() && efforts.all(|x| x == 0.0);
+        if nothing || roots.len() > MOST {
             return Err(self.indifferent());
         }
         if let Sought::Near(x) = sought {
@@ -198,6 +198,9 @@ impl Search {
             roots.truncate(1);
         }
         match roots.as_slice() {
+            [] if samples.iter().all(|(_, effort)| effort.is_none()) => {
+                Err(self.without_position(others, sought))
+            }
             [] => Err(self.none(&samples)),
             [root] => Ok(self.equilibrium(others, &[root.at], Some(root.stable))),
             all => Err(self.several(all)),
@@ -337,6 +340,23 @@ impl Search {
         }
         let display = self.mechanism.drive_display(self.mechanism.drives[drive].target);
         display.text(Value::Scalar(x), 4)
+    }
+
+    /// Why the mechanism has no position where it is sought.
+    fn without_position(&mut self, others: &[DriveValue], sought: Sought) -> Diagnosis {
+        let at = match sought {
+            Sought::Near(x) => x,
+            Sought::Between(from, to) => 0.5 * (from + to),
+            Sought::Anywhere => 0.0,
+        };
+        self.efforts(others, &[vec![at]]);
+        let model = Model { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan };
+        let failures = match solve::solve(&model) {
+            Ok(solution) => solution.poses.into_iter().filter_map(|pose| pose.outcome.err()).collect(),
+            Err(failures) => failures,
+        };
+        let first = message::failures(&model, &failures).next();
+        first.unwrap_or_else(|| self.none(&Samples::new()))
     }
 
     fn none(&self, samples: &Samples) -> Diagnosis {

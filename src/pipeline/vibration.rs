@@ -69,11 +69,11 @@ impl Small {
             .filter(|value| value.im > 0.0)
             .map(|value| (value.re, value.im))
             .collect();
-        pairs.sort_by(|a, b| a.0.hypot(a.1).total_cmp(&b.0.hypot(b.1)));
+        pairs.sort_by(|a, b| libm::hypot(a.0, a.1).total_cmp(&libm::hypot(b.0, b.1)));
         // a pair of real values is no vibration, and the order of the others is not that of the undamped motion
         if pairs.len() == n {
             for (mode, (re, im)) in modes.iter_mut().zip(pairs) {
-                (mode.ratio, mode.damped) = (-re / re.hypot(im), im);
+                (mode.ratio, mode.damped) = (-re / libm::hypot(re, im), im);
             }
         }
         modes

@@ -1,6 +1,7 @@
 //! Equilibria against the potential energy: its slope is nothing there, and its curvature says whether they are stable.
 
 use super::quick_rows::random;
+use libm::{cos, hypot, sin};
 
 fn within(state: &mut u64, least: f64, most: f64) -> f64 {
     least + (most - least) * random(state)
@@ -35,10 +36,10 @@ fn bar(state: &mut u64) -> (String, impl Fn(f64) -> f64 + use<>) {
         l / 2.0
     );
     let slope = move |q: f64| {
-        let (dx, dy) = (x - l * q.cos(), y - l * q.sin());
-        let d = dx.hypot(dy);
-        let turned = (dx * l * q.sin() - dy * l * q.cos()) / d;
-        m * 9.81 * l / 2.0 * q.cos() + k * (d - free) * turned
+        let (dx, dy) = (x - l * cos(q), y - l * sin(q));
+        let d = hypot(dx, dy);
+        let turned = (dx * l * sin(q) - dy * l * cos(q)) / d;
+        m * 9.81 * l / 2.0 * cos(q) + k * (d - free) * turned
     };
     (text, slope)
 }
@@ -134,10 +135,10 @@ fn two_coordinates_rest_where_the_energy_is_least() {
             (at, within(&mut state, 100.0, 400.0), within(&mut state, 0.1, 0.3))
         });
         let energy = |q: [f64; 2]| {
-            let b = (l1 * q[0].cos(), l1 * q[0].sin());
-            let c = (b.0 + l2 * q[1].cos(), b.1 + l2 * q[1].sin());
+            let b = (l1 * cos(q[0]), l1 * sin(q[0]));
+            let c = (b.0 + l2 * cos(q[1]), b.1 + l2 * sin(q[1]));
             let spring = |p: (f64, f64), (at, k, free): ((f64, f64), f64, f64)| {
-                k / 2.0 * ((p.0 - at.0).hypot(p.1 - at.1) - free).powi(2)
+                k / 2.0 * (hypot(p.0 - at.0, p.1 - at.1) - free).powi(2)
             };
             9.81 * (m1 * b.1 / 2.0 + m2 * (b.1 + c.1) / 2.0) + spring(b, springs[0]) + spring(c, springs[1])
         };
@@ -211,12 +212,12 @@ fn an_equilibrium_follows_another_drive() {
              N/m; free_length 0.4 m }}\n{drive}\nequilibrium bar near {near}\nfind angle(bar), effort(H)\n"
         )
     };
-    let swept = assur::solve(&file("drive H = 1.2 m .. 1.5 m in 6 steps", "60 deg")).unwrap();
+    let swept = assur::solve(file("drive H = 1.2 m .. 1.5 m in 6 steps", "60 deg")).unwrap();
     assert_eq!(swept.poses().len(), 7);
     for (i, pose) in swept.poses().iter().enumerate() {
         let height = 1.2 + 0.05 * i as f64;
         let q = number(pose["angle(bar)"].si());
-        let alone = assur::solve(&file(&format!("drive H = {height} m"), &format!("{q} rad"))).unwrap();
+        let alone = assur::solve(file(&format!("drive H = {height} m"), &format!("{q} rad"))).unwrap();
         for name in ["angle(bar)", "effort(H)"] {
             let (a, b) = (number(pose[name].si()), number(alone.poses()[0][name].si()));
             assert!((a - b).abs() < 1e-10 * b.abs().max(1.0), "{name} at {height}: {a} is not {b}");
@@ -235,7 +236,7 @@ fn a_motion_starts_in_equilibrium() {
              angle(bar) as deg\n"
         )
     };
-    let still = assur::solve(&file("")).unwrap();
+    let still = assur::solve(file("")).unwrap();
     for pose in still.poses() {
         assert!((number(pose["angle(bar)"].si()).to_degrees() - 62.961_812_046_662).abs() < 1e-9);
     }
@@ -303,7 +304,7 @@ fn damped_vibrations_solve_the_characteristic_equation() {
             let (p, q, r) = (of(m1, c1 + c2, k1 + k2), of(m2, c2 + c3, k2 + k3), of(0.0, c2, k2));
             let product = |a: (f64, f64), b: (f64, f64)| (a.0 * b.0 - a.1 * b.1, a.0 * b.1 + a.1 * b.0);
             let (x, y) = (product(p, q), product(r, r));
-            let left = (x.0 - y.0).hypot(x.1 - y.1);
+            let left = hypot(x.0 - y.0, x.1 - y.1);
             assert!(left < 1e-7 * (k1 + k2) * (k2 + k3), "{left}\n{file}");
         }
     }

@@ -24,8 +24,8 @@ fn truss(state: &mut u64) -> Truss {
             ((random(state) * pins.len() as f64) as usize, (random(state) * pins.len() as f64) as usize);
         let at = [within(state, -1.0, 5.0), within(state, -2.0, 3.0)];
         let [a, b] = [i, j].map(|k: usize| [pins[k][0] - at[0], pins[k][1] - at[1]]);
-        let sine = (a[0] * b[1] - a[1] * b[0]) / (a[0].hypot(a[1]) * b[0].hypot(b[1]));
-        let apart = pins.iter().all(|p: &[f64; 2]| (p[0] - at[0]).hypot(p[1] - at[1]) > 0.3);
+        let sine = (a[0] * b[1] - a[1] * b[0]) / (libm::hypot(a[0], a[1]) * libm::hypot(b[0], b[1]));
+        let apart = pins.iter().all(|p: &[f64; 2]| libm::hypot(p[0] - at[0], p[1] - at[1]) > 0.3);
         if i != j && sine.abs() > 0.3 && apart {
             bars.push([i, pins.len()]);
             bars.push([pins.len(), j]);
@@ -44,7 +44,7 @@ fn file(truss: &Truss, state: &mut u64) -> String {
     let mut ends: Vec<Vec<String>> = vec![Vec::new(); truss.pins.len()];
     ends[0].push("ground".to_owned());
     for (i, &[a, b]) in truss.bars.iter().enumerate() {
-        let length = (truss.pins[b][0] - truss.pins[a][0]).hypot(truss.pins[b][1] - truss.pins[a][1]);
+        let length = libm::hypot(truss.pins[b][0] - truss.pins[a][0], truss.pins[b][1] - truss.pins[a][1]);
         let _ = writeln!(text, "link b{i} {}-{} {length} m", names(a), names(b));
         ends[a].push(format!("b{i}"));
         ends[b].push(format!("b{i}"));
@@ -70,7 +70,7 @@ fn joints(truss: &Truss) -> Vec<f64> {
     let mut rows = vec![vec![0.0; n + 1]; n];
     for (column, &[a, b]) in truss.bars.iter().enumerate() {
         let d = [0, 1].map(|k| truss.pins[b][k] - truss.pins[a][k]);
-        let length = d[0].hypot(d[1]);
+        let length = libm::hypot(d[0], d[1]);
         for k in [0, 1] {
             rows[2 * a + k][column] = d[k] / length;
             rows[2 * b + k][column] = -d[k] / length;
@@ -191,8 +191,8 @@ fn an_unknown_force_on_a_pin_is_part_of_the_force_on_its_first_link() {
         ["M", "reaction(C, rod).x", "reaction(C, rocker).x", "reaction(C, rod).y", "reaction(C, rocker).y"];
     let found = values(&text, &names.map(str::to_owned));
     let angle = 30.0_f64.to_radians();
-    near(found[1] + found[2], found[0] * angle.cos(), found[0].abs(), &text);
-    near(found[3] + found[4], found[0] * angle.sin(), found[0].abs(), &text);
+    near(found[1] + found[2], found[0] * libm::cos(angle), found[0].abs(), &text);
+    near(found[3] + found[4], found[0] * libm::sin(angle), found[0].abs(), &text);
 }
 
 #[test]

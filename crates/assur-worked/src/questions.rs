@@ -147,10 +147,8 @@ impl Asking<'_> {
             Query::SlackSide(id) => (M::SlackSide, vec![pair(id)]),
             Query::Dead(id, _) => (M::DeadPosition, vec![pair(id)]),
             Query::Period => (M::Period, Vec::new()),
-            Query::EventDrive(id, _) => {
-                (M::EventDrive, vec![vec![text(m.events.get(*id)?.name.as_deref()?)]])
-            }
-            Query::EventTime(id, _) => (M::EventTime, vec![vec![text(m.events.get(*id)?.name.as_deref()?)]]),
+            Query::EventDrive(id, _) => (M::EventDrive, self.event(*id)?),
+            Query::EventTime(id, _) => (M::EventTime, self.event(*id)?),
             Query::Cycle(id) => {
                 let cycle = m.cycles.get(*id)?;
                 let message = match cycle.how {
@@ -195,6 +193,11 @@ impl Asking<'_> {
             _ => return None,
         };
         Some(self.say(message, &parts))
+    }
+
+    fn event(&self, id: usize) -> Option<Vec<Line>> {
+        let name = self.mechanism.events.get(id)?.name.as_deref()?;
+        Some(vec![vec![text(name)]])
     }
 
     fn letters(&self, name: &str) -> Line {

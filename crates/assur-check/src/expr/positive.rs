@@ -56,10 +56,15 @@ pub(crate) fn not_negative(
         return Some(value);
     }
     let value = format_value_like(&cx.names, value, dimension, expr);
+    let help = if dimension == Dimension::MASS {
+        "a hole is no mass of its own: write what is left, with its own centre and inertia"
+    } else {
+        "write it without the minus, or leave it out"
+    };
     cx.error(
         Diagnosis::error("mech::geometry::negative", format!("{what} must not be negative; got {value}"))
             .label(expr.span, &value)
-            .help("write it without the minus, or leave it out"),
+            .help(help),
     );
     None
 }

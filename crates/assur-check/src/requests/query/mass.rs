@@ -14,14 +14,23 @@ use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 
 impl Context<'_> {
+    /// A function of the masses of links.
+    pub(super) fn of_masses(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        match function {
+            Function::Mass => self.mass_of(call),
+            Function::MassCentre => self.mass_centre_of(call),
+            _ => self.moment_of_inertia(call),
+        }
+    }
+
     /// `mass(L)`, `mass()`
-    pub(super) fn mass_of(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn mass_of(&mut self, call: Call<'_>) -> Option<Typed> {
         let mass = self.heavy(call)?.iter().map(|(_, m)| m.mass).sum();
         Some(Typed::constant(mass, Dimension::MASS))
     }
 
     /// `mass_centre(L)`, `mass_centre()`
-    pub(super) fn mass_centre_of(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn mass_centre_of(&mut self, call: Call<'_>) -> Option<Typed> {
         self.of_mass_centre(call, Query::Position, Dimension::LENGTH)
     }
 
@@ -73,7 +82,7 @@ impl Context<'_> {
     }
 
     /// `inertia(L)` about the mass centre, `inertia(L, P)` about a point of the link
-    pub(super) fn moment_of_inertia(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn moment_of_inertia(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 2)?;
         let link = self.link_argument(call, args[0])?;
         let arm = match args.get(1) {

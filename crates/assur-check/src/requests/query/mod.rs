@@ -117,12 +117,7 @@ impl Context<'_> {
             F::Displacement => self.of_coordinate(call, Query::Displacement, 0),
             F::RelativeVelocity => self.of_coordinate(call, Query::RelativeVelocity, 1),
             F::RelativeAcceleration => self.of_coordinate(call, Query::RelativeAcceleration, 2),
-            F::SlipSpeed => {
-                let kinds = (has_normal as fn(&_) -> bool, None);
-                let t = self.of_pair(call, kinds, Query::Sliding, Type::number(Dimension::VELOCITY))?;
-                // a magnitude of its own is known to have a kink where it is zero
-                Some(Typed { expr: fold::call(model::Function::Abs, vec![t.expr]), ..t })
-            }
+            F::SlipSpeed => self.slip_speed(call),
             F::Travel => self.of_coordinate(call, Query::Travel, 0),
             F::Stroke => self.of_coordinate(call, Query::Stroke, 0),
             F::TimeRatio => self.time_ratio(call),
@@ -155,9 +150,7 @@ impl Context<'_> {
             F::InertiaForce => self.inertia(call, Query::InertiaForce, Type::vector(Dimension::FORCE)),
             F::InertiaTorque => self.inertia(call, Query::InertiaTorque, Type::number(Dimension::TORQUE)),
             F::InertiaArm => self.inertia(call, Query::InertiaArm, Type::number(Dimension::LENGTH)),
-            F::Mass => self.mass_of(call),
-            F::MassCentre => self.mass_centre_of(call),
-            F::Inertia => self.moment_of_inertia(call),
+            F::Mass | F::MassCentre | F::Inertia => self.of_masses(call, function),
             F::StaticSubstitution | F::DynamicSubstitution => self.substitution_alone(call),
             F::Effort => self.effort(call),
             F::Power => self.power(call),
@@ -186,6 +179,13 @@ impl Context<'_> {
             F::ReducedInertia => self.of_flywheel(call, FlywheelPart::LinksInertia, Dimension::INERTIA),
             F::Rim => self.rim_alone(call),
         }
+    }
+
+    fn slip_speed(&mut self, call: Call<'_>) -> Option<Typed> {
+        let kinds = (has_normal as fn(&_) -> bool, None);
+        let t = self.of_pair(call, kinds, Query::Sliding, Type::number(Dimension::VELOCITY))?;
+        // a magnitude of its own is known to have a kink where it is zero
+        Some(Typed { expr: fold::call(model::Function::Abs, vec![t.expr]), ..t })
     }
 
     fn jerk(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {

@@ -239,8 +239,8 @@ impl Context<'_> {
 
     /// The first drive that goes through a range.
     pub(crate) fn swept_drive(&self) -> Option<&Drive> {
-        let all = self.drive_statements().into_iter();
-        all.filter(|drive| matches!(drive.position, Some(DrivePosition::Range(_)))).next()
+        let mut all = self.drive_statements().into_iter();
+        all.find(|drive| matches!(drive.position, Some(DrivePosition::Range(_))))
     }
 
     /// An event by its name. Reports what is none.

@@ -67,8 +67,9 @@ impl Interval {
     pub(super) fn has_whole_turns(&self, cycles: &[Cycle]) -> Result<(), NoSweep> {
         let mut terms = cycles.iter().filter_map(|cycle| cycle.how.harmonic());
         let turns = self.turns.unwrap_or(f64::NAN);
-        let comes_again =
-            |term: Harmonic| self.is_closed && (term.halves % 2 == 0 || (turns.round() / 2.0).fract() == 0.0);
+        let comes_again = |term: Harmonic| {
+            self.is_closed && (term.halves.is_multiple_of(2) || (turns.round() / 2.0).fract() == 0.0)
+        };
         match terms.find(|term| !comes_again(*term)) {
             Some(term) => Err(NoSweep::PartOfTurn { turns: self.turns, two: term.halves % 2 != 0 }),
             None => Ok(()),
