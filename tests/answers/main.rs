@@ -20,6 +20,7 @@ mod folder;
 mod formatted;
 mod geometry;
 mod great_numbers;
+mod harmonics;
 mod honest_runs;
 mod jerks;
 mod jumps;

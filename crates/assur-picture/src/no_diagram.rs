@@ -76,7 +76,7 @@ pub(crate) fn no_term(scene: &Scene<'_>) -> Diagnosis {
     let name = mechanism.balances.first().map_or("shaking_force().x", |balance| balance.name.as_str());
     let (at, label) = first_item(scene);
     let why = "there is no Fourier series to draw: the file asks for no amplitude of one";
-    Diagnosis::error("mech::picture::no_quantity", why)
+    Diagnosis::error("mech::picture::no_fourier", why)
         .label(at, label)
         .help(format!("ask for a table, as in `find fourier({name}) in 8 steps`"))
 }

@@ -312,6 +312,7 @@ pub const CODES: &[Code] = codes! {
     "picture" / "no_quantity",
     "picture" / "no_flywheel",
     "picture" / "no_axial",
+    "picture" / "no_fourier",
     "picture" / "no_cam",
     "picture" / "unknown",
     "picture" / "no_point",

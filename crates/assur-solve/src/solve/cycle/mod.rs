@@ -36,7 +36,8 @@ use sampler::Sampler;
 const MOST_SAMPLES: usize = 128;
 /// The fewest; half of them where few digits are wanted.
 const FEWEST_SAMPLES: usize = 16;
-/// Of a term of a Fourier series at least so many per wave, and at most so many times more.
+/// Of a term of a Fourier series at least so many per wave, and at most so many times more. There are twice the fewest per turn: what
+/// comes again within a turn is seen between 3N/8 and N/2 whatever the order.
 const PER_WAVE: usize = 8;
 const FINER: usize = 2;
 
@@ -222,8 +223,10 @@ fn smooth_mean(
     let (mut samples, mut size): (Vec<f64>, f64) = (Vec::new(), 0.0);
     let tolerance = sampler.tolerance;
     let fewest = if tolerance > COARSE { FEWEST_SAMPLES / 2 } else { FEWEST_SAMPLES };
-    let waves = sampler.waves();
-    let mut count = fewest.max((PER_WAVE * waves).next_power_of_two());
+    let mut count = match sampler.waves() {
+        Some([waves, turns]) => (PER_WAVE * waves).max(2 * fewest * turns).next_power_of_two(),
+        None => fewest,
+    };
     let most = MOST_SAMPLES.max(FINER * count);
     while count <= most {
         let mut next = Vec::with_capacity(count);

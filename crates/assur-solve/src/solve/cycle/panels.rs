@@ -149,7 +149,7 @@ fn first_panels(sampler: &Sampler<'_>, breaks: &[f64]) -> Vec<(f64, f64)> {
         wanted if wanted > COARSE => FEW_PER_TURN[0],
         _ => PER_TURN,
     };
-    let longest = 1.0 / (per_turn * turns).max(sampler.waves() as f64);
+    let longest = 1.0 / (per_turn * turns).max(sampler.waves().map_or(0, |[waves, _]| waves) as f64);
     let mut panels = Vec::new();
     let ends = breaks.iter().copied().chain([1.0]);
     let mut from = 0.0;

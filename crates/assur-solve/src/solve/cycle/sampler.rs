@@ -173,11 +173,11 @@ impl<'a> Sampler<'a> {
         bodies.all(|(a, b)| (a.p - b.p).norm() <= near && (a.u - b.u).norm() <= 1e-9)
     }
 
-    /// Waves of that term over the sweep.
+    /// Waves of that term over the sweep, and turns.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // at most some 1e4
-    pub(super) fn waves(&self) -> usize {
+    pub(super) fn waves(&self) -> Option<[usize; 2]> {
         let turns = self.interval.turns.unwrap_or(0.0).abs();
-        self.term.map_or(0, |term| (0.5 * f64::from(term.halves) * turns).ceil() as usize)
+        self.term.map(|term| [0.5 * f64::from(term.halves) * turns, turns].map(|x| x.ceil() as usize))
     }
 
     /// How accurately places are found.
