@@ -301,7 +301,7 @@ fn all_reactions(model: &Model<'_>, of_transmissions: bool, answers: &mut Vec<An
         let links = pair.kind.links();
         let determined = model.structure.undetermined_couples.binary_search(&id).is_err();
         let couple = match pair.kind {
-            PairKind::Revolute(_) => true,
+            PairKind::Revolute(_) | PairKind::Weld { .. } => true,
             PairKind::Prismatic(_) => determined,
             PairKind::Transmission(_) => of_transmissions,
             _ => false,

@@ -106,7 +106,7 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &Plan) ->
         joints,
         moving,
         reactions: (0..plan.reactions.len()).map(|slot| reaction(mechanism, structure, plan, slot)).collect(),
-        efforts: efforts(mechanism, structure),
+        efforts: efforts(mechanism, structure).collect(),
         free: (0..replaced.bodies.len())
             .filter(|&slot| !replaced.bodies[slot].known || replaced.part(LinkId::at(slot)).is_some())
             .collect(),
@@ -180,28 +180,31 @@ fn held(mechanism: &Mechanism, structure: &Structure, pair: PairId, bodies: [usi
 }
 
 /// The places where unknown efforts act.
-fn efforts(mechanism: &Mechanism, structure: &Structure) -> Vec<(usize, EffortCheck)> {
-    let places = structure.efforts.iter().enumerate().flat_map(|(slot, effort)| {
-        let links = links_of(mechanism, effort.source).into_iter().chain(std::iter::repeat(None));
-        effort.places().zip(links).map(move |(kind, link)| (slot, kind, link))
+fn efforts<'s>(
+    mechanism: &'s Mechanism,
+    structure: &'s Structure,
+) -> impl Iterator<Item = (usize, EffortCheck)> + 's {
+    let all = structure.efforts.iter().enumerate();
+    let places = all.flat_map(|(slot, effort)| {
+        effort.places().enumerate().map(move |(place, kind)| (slot, kind, effort.source, place))
     });
-    places.filter_map(|(slot, kind, link)| Some((slot, effort(mechanism, structure, kind, link)?))).collect()
+    places.filter_map(move |(slot, kind, source, place)| {
+        let link = link_of(mechanism, source, place);
+        Some((slot, effort(mechanism, structure, kind, link)?))
+    })
 }
 
-/// The link on which each place of an effort acts, where it names one.
-fn links_of(mechanism: &Mechanism, source: EffortSource) -> Vec<Option<LinkId>> {
-    let of_balance = |kind: &BalanceKind| match kind {
-        BalanceKind::Torque(link) | BalanceKind::Force { on: link, .. } => Some(*link),
-        BalanceKind::InPair(_) | BalanceKind::Several(_) => None,
-    };
+/// The link on which an effort acts at one of its places, where it names one.
+fn link_of(mechanism: &Mechanism, source: EffortSource, place: usize) -> Option<LinkId> {
     match source {
         EffortSource::Drive(id) => match mechanism.drives[id.index()].target {
-            DriveTarget::Link(link) => vec![Some(link)],
-            DriveTarget::Pair(_) | DriveTarget::Point(..) => Vec::new(),
+            DriveTarget::Link(link) if place == 0 => Some(link),
+            _ => None,
         },
-        EffortSource::Balance(id) => {
-            mechanism.balances[id.index()].kind.places().iter().map(of_balance).collect()
-        }
+        EffortSource::Balance(id) => match mechanism.balances[id.index()].kind.places().get(place)? {
+            BalanceKind::Torque(link) | BalanceKind::Force { on: link, .. } => Some(*link),
+            BalanceKind::InPair(_) | BalanceKind::Several(_) => None,
+        },
     }
 }
 
