@@ -2,9 +2,11 @@
 
 use crate::course::Derivation;
 use crate::forces::quantity_name;
-use assur_formula::{Expr, Name, Node, letters, name_node};
+use assur_formula::{Expr, Name, Node, Unit, letters, name_node};
 use assur_math::math::{SAME, Vec2};
-use assur_model::model::{self, Function, PairId, PairKind, PointRef, Query, SubstitutionPart, Value};
+use assur_model::model::{
+    self, Function, ModePart, PairId, PairKind, PointRef, Query, SubstitutionPart, Value,
+};
 
 impl Derivation<'_> {
     /// The letters of a question's answer; none where no step has them.
@@ -63,6 +65,15 @@ impl Derivation<'_> {
         let names = match query {
             Query::InertiaTorque(link) => indexed("M", format!("{inertia}{}", self.label(link.index()))),
             Query::InertiaArm(link) => indexed("h", format!("{inertia}{}", self.label(link.index()))),
+            Query::Vibration(which, part) => {
+                let number = (which + 1).to_string();
+                let (letter, index, unit) = match part {
+                    ModePart::Natural => ("ω", format!("0,{number}"), Unit::AngularVelocity),
+                    ModePart::Ratio => ("ζ", number, Unit::One),
+                    ModePart::Damped => ("ω", format!("d,{number}"), Unit::AngularVelocity),
+                };
+                return Some(self.stated(Name::new(letter, &index), value, unit));
+            }
             Query::Axial(link) => indexed("N", self.label(link.index())),
             Query::Normal(pair, _) => self.reactions_of(*pair),
             Query::Moment(pair, _) => {

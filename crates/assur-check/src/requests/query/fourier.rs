@@ -65,7 +65,9 @@ impl Context<'_> {
         let x = call.args.first().map_or_else(|| "Mb".to_owned(), |arg| shown(&arg.value));
         let help = match call.args.len() {
             0 | 1 => {
-                format!("write `fourier({x}, 2).amplitude`; a table is `find fourier({x}) in 8 steps`")
+                format!(
+                    "write `fourier({x}, 2).amplitude`; for a table add steps, as in `fourier({x}) in 8 steps`"
+                )
             }
             _ => "ask for a part: `.amplitude`, `.phase`, `.cos` or `.sin`".to_owned(),
         };

@@ -55,7 +55,9 @@ pub(in crate::solve) fn unit_speeds(model: &Model<'_>) -> Option<Note> {
     let springs = mechanism.springs.iter().enumerate().filter(|(_, s)| s.damping > 0.0);
     let springs: Vec<SpringId> = springs.map(|(i, _)| SpringId::at(i)).collect();
     if !effects.moving {
-        return (!springs.is_empty()).then_some(Note::NoDamping { drive: FIRST, springs });
+        // at an equilibrium it acts in the vibrations about it
+        let left_out = !springs.is_empty() && !mechanism.seeks_equilibrium();
+        return left_out.then_some(Note::NoDamping { drive: FIRST, springs });
     }
     let loads = mechanism.loads.iter().enumerate().filter(|(_, l)| takes_speeds(mechanism, l.value()));
     let loads: Vec<LoadId> = loads.map(|(i, _)| LoadId::at(i)).collect();
