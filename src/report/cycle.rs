@@ -2,7 +2,7 @@
 
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
-use assur_model::model::{Display, Expr, FindKind, Flywheel, Query, Value};
+use assur_model::model::{Display, Expr, Find, FindKind, Flywheel, Query, Value};
 use assur_solve::solve::{CycleAnswer, FlywheelAnswer};
 use assur_text::units::Dimension;
 
@@ -84,16 +84,39 @@ struct Estimate<'a> {
 
 fn estimates<'a>(answers: &Answers<'a>) -> impl Iterator<Item = Estimate<'a>> {
     let over = |error: f64, of: f64| if error == 0.0 { 0.0 } else { error / of.abs() };
-    let cycles = named(answers).into_iter().filter(|(_, c)| c.value.is_finite()).map(move |(name, c)| {
+    let of_cycle = move |(name, c): (&'a str, &'a CycleAnswer)| {
         // of what is zero the greatest magnitude in play is the measure
         let relative = over(c.error, if c.value == 0.0 { c.scale } else { c.value });
         Estimate { name, relative, samples: c.samples, splits: &c.splits }
+    };
+    let is_known = |(_, c): &(&str, &CycleAnswer)| c.value.is_finite();
+    let cycles = named(answers).into_iter().filter(is_known).map(of_cycle);
+    // of a table its least accurate number
+    let tables = of_tables(answers).into_iter().filter_map(move |all| {
+        all.into_iter().filter(is_known).map(of_cycle).max_by(|a, b| a.relative.total_cmp(&b.relative))
     });
     let wheels = all_flywheels(answers).map(move |(wheel, found)| {
         let relative = over(found.error, found.fluctuation);
         Estimate { name: &wheel.name, relative, samples: found.samples, splits: &found.splits }
     });
-    cycles.chain(wheels)
+    cycles.chain(tables).chain(wheels)
+}
+
+/// The functions over the sweep that the numbers of each table are made of, under its name.
+fn of_tables<'a>(answers: &Answers<'a>) -> Vec<Vec<(&'a str, &'a CycleAnswer)>> {
+    let all = &answers.solution.statics.cycles;
+    let of = |find: &'a Find| {
+        let FindKind::Table(table) = &find.kind else { return None };
+        let mut found: Vec<usize> = Vec::new();
+        for expr in table.entries.iter().flat_map(|entry| &entry.found) {
+            expr.queries(&mut |query| match query {
+                Query::Cycle(index) if !found.contains(index) => found.push(*index),
+                _ => {}
+            });
+        }
+        Some(found.into_iter().filter_map(|i| Some((find.name.as_str(), all.get(i)?))).collect())
+    };
+    answers.model.mechanism.finds.iter().filter_map(of).collect()
 }
 
 /// The greatest estimated error, relative to the value.

@@ -105,8 +105,8 @@ fn harmonics_are_sums_over_equally_spaced_positions() {
         };
         near("c_n", sum[0], most);
         near("s_n", sum[1], most);
-        near("amplitude", sum[0].hypot(sum[1]), most);
-        if sum[0].hypot(sum[1]) > 1e-3 * most {
+        near("amplitude", libm::hypot(sum[0], sum[1]), most);
+        if libm::hypot(sum[0], sum[1]) > 1e-3 * most {
             let apart = (value("phase") - libm::atan2(sum[1], sum[0])) / TAU;
             assert!((apart - apart.round()).abs() < 1e-8, "the phase\n{file}");
         }
@@ -149,12 +149,12 @@ fn shaking_forces_are_those_of_each_mass_and_those_of_the_frame() {
             let [sx, sy, ax, ay, alpha] = [next(), next(), next(), next(), next()];
             let turned = link.m * (sx * ay - sy * ax) + link.j * alpha;
             own = [own[0] - link.m * ax, own[1] - link.m * ay, own[2] - turned];
-            scale = scale.max(link.m * ax.hypot(ay)).max(turned.abs());
+            scale = scale.max(link.m * libm::hypot(ax, ay)).max(turned.abs());
         }
         let mut on_frame = [0.0, 0.0, -torque];
         let mut add = |[rx, ry]: [f64; 2], at: [f64; 2]| {
             on_frame = [on_frame[0] - rx, on_frame[1] - ry, on_frame[2] - (at[0] * ry - at[1] * rx)];
-            scale = scale.max(rx.hypot(ry));
+            scale = scale.max(libm::hypot(rx, ry));
         };
         for (_, at, _) in &frame {
             add([next(), next()], *at);

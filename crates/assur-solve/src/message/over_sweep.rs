@@ -166,8 +166,10 @@ fn part_of_turn(model: &Model<'_>, turns: Option<f64>, two: bool) -> Diagnosis {
     } else {
         ("a Fourier series needs whole turns", "0 deg .. 360 deg in 12 steps")
     };
-    let terms =
-        mechanism.cycles.iter().filter(|c| c.how.harmonic().is_some_and(|term| !two || term.halves % 2 != 0));
+    let terms = mechanism
+        .cycles
+        .iter()
+        .filter(|c| c.how.harmonic().is_some_and(|term| !two || !term.halves.is_multiple_of(2)));
     let mut spans: Vec<_> = terms.map(|c| c.span).collect();
     spans.dedup();
     let labels = spans.into_iter().map(|span| label("asked here", span));

@@ -65,9 +65,7 @@ impl Context<'_> {
         let x = call.args.first().map_or_else(|| "Mb".to_owned(), |arg| shown(&arg.value));
         let help = match call.args.len() {
             0 | 1 => {
-                format!(
-                    "write `fourier({x}, 2).amplitude`; for a table add steps, as in `fourier({x}) in 8 steps`"
-                )
+                format!("write `fourier({x}, 2).amplitude`, or `fourier({x}) in 8 steps` for a table")
             }
             _ => "ask for a part: `.amplitude`, `.phase`, `.cos` or `.sin`".to_owned(),
         };
@@ -165,7 +163,7 @@ impl Context<'_> {
             let x = shown(value);
             let written = match call.args.get(1) {
                 Some(order) => format!("fourier({x}.x, {}).amplitude", shown(&order.value)),
-                None => format!("find fourier({x}.x) in 8 steps"),
+                None => format!("fourier({x}.x) in 8 steps"),
             };
             let help = matches!(t.ty, Type::Vector(_)).then(|| format!("write `.x` or `.y`: `{written}`"));
             self.shape("the argument of `fourier`", "a number", t.ty, value.span, help);
@@ -186,7 +184,7 @@ impl Context<'_> {
     fn order(&mut self, x: &Expr, order: &Expr) -> Option<u32> {
         let value = self.scalar_constant(order, &Want::NUMBER, "the order")?;
         let known = (1..=2 * MOST).find(|halves| f64::from(*halves) == 2.0 * value);
-        let whole = known.filter(|halves| !self.names.simulates || halves % 2 == 0);
+        let whole = known.filter(|halves| !self.names.simulates || halves.is_multiple_of(2));
         if whole.is_none() {
             let x = shown(x);
             let range = match self.names.simulates {
