@@ -80,6 +80,9 @@ pub enum PositionsError {
     /// A text without drives.
     #[error("the problem has no drive")]
     NoDrive,
+    /// The positions are sought as equilibria.
+    #[error("the positions of this text are found from its loads: it seeks an equilibrium")]
+    OfEquilibrium,
     /// A motion under loads.
     #[error("the problem is a motion under loads: its instants follow from `simulate`")]
     OfMotion,
@@ -121,6 +124,9 @@ pub(super) fn place(
 ) -> Result<(), PositionsError> {
     if mechanism.simulation.is_some() {
         return Err(PositionsError::OfMotion);
+    }
+    if mechanism.seeks_equilibrium() {
+        return Err(PositionsError::OfEquilibrium);
     }
     let mut placed: Vec<Option<DrivePositions>> = vec![None; mechanism.drives.len()];
     for (name, positions) in given {

@@ -248,6 +248,10 @@ impl Search {
         let mut roots: Vec<Root> = Vec::new();
         for pair in samples.windows(2) {
             let [(a, Some(at_a)), (b, Some(at_b))] = pair else { continue };
+            let begins = roots.is_empty() && *a == samples[0].0 && *at_a == 0.0;
+            if begins {
+                roots.push(Root { at: *a, stable: *at_b > 0.0 });
+            }
             if *at_a == 0.0 || at_a.signum() == at_b.signum() && *at_b != 0.0 {
                 continue;
             }

@@ -1,11 +1,7 @@
 //! Equilibria against the potential energy: its slope is nothing there, and its curvature says whether they are stable.
 
-use super::quick_rows::random;
+use super::masses::within;
 use libm::{cos, hypot, sin};
-
-fn within(state: &mut u64, least: f64, most: f64) -> f64 {
-    least + (most - least) * random(state)
-}
 
 fn answers(text: &str, names: &[&str]) -> Result<Vec<assur::Quantity>, String> {
     let asked = format!("{text}find {}\n", names.join(", "));

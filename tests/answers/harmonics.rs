@@ -1,12 +1,9 @@
 //! Fourier series and shaking forces against sums over equally spaced positions, closed forms, each mass, and the frame.
 
+use super::masses::within;
 use super::quick_rows::random;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
-
-fn within(state: &mut u64, least: f64, most: f64) -> f64 {
-    least + (most - least) * random(state)
-}
 
 /// A link with a mass centre of its own.
 struct Heavy {

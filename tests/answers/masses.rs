@@ -10,7 +10,8 @@ struct Part {
     j: f64,
 }
 
-fn within(state: &mut u64, least: f64, most: f64) -> f64 {
+/// A number between two others, the same at every run.
+pub fn within(state: &mut u64, least: f64, most: f64) -> f64 {
     least + (most - least) * random(state)
 }
 
@@ -87,7 +88,8 @@ fn four_bar(state: &mut u64) -> (String, String, Vec<Vec<Part>>) {
     (text + &drive, summed + &drive, all)
 }
 
-fn values(text: &str, names: &[String]) -> Vec<f64> {
+/// The values of questions at the first position.
+pub fn values(text: &str, names: &[String]) -> Vec<f64> {
     let asked = format!("{text}find {}\n", names.join(", "));
     let solution = assur::solve(&asked).unwrap_or_else(|e| panic!("{e}\n{asked}"));
     let pose = &solution.poses()[0];

@@ -3,6 +3,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "an independent computation")]
 
+use super::masses::within;
 use super::quick_rows::random;
 use crate::share::first;
 use std::f64::consts::TAU;
@@ -11,10 +12,6 @@ use std::f64::consts::TAU;
 const DENSE: usize = 720;
 /// Parts of a section.
 const PARTS: usize = 24;
-
-fn within(state: &mut u64, least: f64, most: f64) -> f64 {
-    least + (most - least) * random(state)
-}
 
 fn one_of<'t>(state: &mut u64, all: &[&'t str]) -> &'t str {
     all[((random(state) * all.len() as f64) as usize).min(all.len() - 1)]

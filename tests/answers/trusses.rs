@@ -1,11 +1,8 @@
 //! Loads on pins and forces along bars: trusses by the method of joints, mechanisms with the load on either link of a pin.
 
+use super::masses::{values, within};
 use super::quick_rows::random;
 use std::fmt::Write;
-
-fn within(state: &mut u64, least: f64, most: f64) -> f64 {
-    least + (most - least) * random(state)
-}
 
 /// A truss: its pins, its bars as pairs of pins, a load on every pin. The first pin is hinged, the second rolls along x.
 struct Truss {
@@ -93,13 +90,6 @@ fn joints(truss: &Truss) -> Vec<f64> {
         }
     }
     (0..n).map(|i| rows[i][n] / rows[i][i]).collect()
-}
-
-fn values(text: &str, names: &[String]) -> Vec<f64> {
-    let asked = format!("{text}find {}\n", names.join(", "));
-    let solution = assur::solve(&asked).unwrap_or_else(|e| panic!("{e}\n{asked}"));
-    let pose = &solution.poses()[0];
-    names.iter().map(|name| pose[name.as_str()].number().expect("a number")).collect()
 }
 
 #[track_caller]

@@ -1,11 +1,8 @@
-//! Welds: against the same mechanism with one link in place of the welded ones, and against sums over what hangs on each.
+//! Welds: against the same mechanism with one link in place of the welded ones, and against sums over what each carries.
 
+use super::masses::{values, within};
 use super::quick_rows::random;
 use std::fmt::Write;
-
-fn within(state: &mut u64, least: f64, most: f64) -> f64 {
-    least + (most - least) * random(state)
-}
 
 fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
     let (sine, cosine) = libm::sincos(degrees.to_radians());
@@ -15,7 +12,7 @@ fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
 /// A welded link: its frame in that of the whole, its mass, a force on it.
 struct Part {
     name: String,
-    /// The part it hangs on, the weld's point there and here.
+    /// The part that carries it, the weld's point there and here.
     on: Option<(usize, [f64; 2], [f64; 2])>,
     origin: [f64; 2],
     angle: f64,
@@ -123,13 +120,6 @@ fn whole(all: &[Part], name: &str, points: &[(&str, usize, [f64; 2])]) -> String
         let _ = writeln!(text, "force F{} on {name} at L{i} = ({x} N, {y} N)", part.name);
     }
     text
-}
-
-fn values(text: &str, names: &[String]) -> Vec<f64> {
-    let asked = format!("{text}find {}\n", names.join(", "));
-    let solution = assur::solve(&asked).unwrap_or_else(|e| panic!("{e}\n{asked}"));
-    let pose = &solution.poses()[0];
-    names.iter().map(|name| pose[name.as_str()].number().expect("a number")).collect()
 }
 
 #[track_caller]
@@ -260,12 +250,12 @@ fn outside(machine: &Machine) -> Vec<([f64; 2], f64)> {
     sums
 }
 
-/// Whether a part hangs on another, or is it.
+/// Whether a part is carried by another, or is it.
 fn hangs(all: &[Part], part: usize, on: usize) -> bool {
     part == on || all[part].on.is_some_and(|(base, ..)| hangs(all, base, on))
 }
 
-/// Each weld against the sum over what hangs on it: on the ground all, with `about` as its place.
+/// Each weld against the sum over what it carries: on the ground all, with `about` as its place.
 fn check_welds(text: &str, all: &[Part], sums: &[([f64; 2], f64)]) {
     for (i, part) in all.iter().enumerate().filter(|(_, p)| p.on.is_some()) {
         let (weld, link) = (format!("w{}", part.name), &part.name);

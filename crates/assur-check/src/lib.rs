@@ -45,6 +45,7 @@ use expr::context::{Context, constants};
 use expr::curve::curves;
 use loads::load_cycle;
 use machine::machine;
+use motion::equilibrium;
 use names::declare;
 use names::lookalikes::{self, Scope};
 use requests::query::RESULTS;
@@ -186,6 +187,7 @@ fn meaning(cx: &mut Context<'_>) {
     machine(cx);
     find::finds(cx);
     expect::expects(cx);
+    equilibrium::allowed(cx);
     bars::bars(cx);
     bars::load_at_pin(cx);
     at_rest(cx);

@@ -36,5 +36,4 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     simulation::simulation(cx);
     no_motion::no_motion(cx);
     spacing::spacing(cx);
-    equilibrium::allowed(cx);
 }

@@ -6,7 +6,7 @@ use crate::expr::results::Call;
 use crate::motion::drive::{Moves, once, target, value};
 use crate::statements::written::text;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{Drive, Expr, ModePart, Positions, Query, Sought};
+use assur_model::model::{At, Drive, Expr, ModePart, Positions, Query, Sought};
 use assur_syntax::document::{self, Balanced, ExprKind, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
@@ -18,10 +18,11 @@ const CODE: &str = "mech::equilibrium::not_here";
 /// Enters all equilibria into the mechanism.
 pub(crate) fn equilibria(cx: &mut Context<'_>) {
     let doc = cx.doc;
+    let several = count(cx) > 1;
     for statement in &doc.statements {
         let Statement::Equilibrium(all) = &statement.node else { continue };
         for one in all {
-            if let Some(drive) = equilibrium(cx, one, all.len() > 1) {
+            if let Some(drive) = equilibrium(cx, one, several) {
                 cx.builder.mech.drives.push(drive);
             }
         }
@@ -129,9 +130,24 @@ pub(crate) fn allowed(cx: &mut Context<'_>) {
             wrong.push((message, drive.span, "leave its speed out".to_owned()));
         }
     }
+    let named = mech.poses.iter().map(|pose| pose.span);
+    let expected = mech.expects.iter().filter(|e| matches!(e.at, Some(At::Drives(_)))).map(|e| e.span);
+    for span in named.chain(expected) {
+        let message = "a position in addition to the sweep is not solved with an equilibrium yet".to_owned();
+        wrong.push((message, span, "write the value of the drive into the sweep".to_owned()));
+    }
     for (message, span, help) in wrong {
         refuse(cx, message, span, help);
     }
+}
+
+/// How many coordinates are sought in equilibrium.
+fn count(cx: &Context<'_>) -> usize {
+    let statements = cx.doc.statements.iter().map(|s| match &s.node {
+        Statement::Equilibrium(all) => all.len(),
+        _ => 0,
+    });
+    statements.sum()
 }
 
 fn of_time(expr: &Expr) -> bool {
@@ -179,11 +195,7 @@ impl Context<'_> {
 
     /// How many coordinates are sought; reports that there is none.
     fn coordinates_sought(&mut self, call: Call<'_>) -> Option<usize> {
-        let statements = self.doc.statements.iter().map(|s| match &s.node {
-            Statement::Equilibrium(all) => all.len(),
-            _ => 0,
-        });
-        let count = statements.sum();
+        let count = count(self);
         if count > 0 {
             return Some(count);
         }

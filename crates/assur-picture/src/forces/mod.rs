@@ -135,7 +135,7 @@ fn parts(scene: &Scene<'_>) -> Vec<Part> {
     parts
 }
 
-/// The links of a body, those first that hang on others.
+/// The links of a body, those first that others carry.
 fn links_of(model: &Model<'_>, body: BodyId) -> Vec<LinkId> {
     let mut own = model.structure.replaced.links_of(body);
     let depth = |link: &LinkId| model.plan.welds.iter().position(|weld| weld.part.body == link.index());

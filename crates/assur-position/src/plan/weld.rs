@@ -23,7 +23,7 @@ pub struct PlannedPart {
     pub angle: f64,
 }
 
-/// What a weld does to the part that hangs on it.
+/// What a weld does to the part that it carries.
 #[derive(Clone, Copy, Debug)]
 pub struct PlannedWeld {
     /// Slot of the reaction.

@@ -28,7 +28,7 @@ impl State {
         }
     }
 
-    /// What welds do, from the equilibrium of the links that hang on them, outermost first.
+    /// What welds do, from the equilibrium of the links that they carry, outermost first.
     pub fn find_weld_reactions(&mut self, plan: &Plan) {
         if plan.welds.is_empty() {
             return;

@@ -372,7 +372,7 @@ impl PoseAnswers<'_> {
         };
         let body = match in_slot {
             Some((pin, block)) if pin == link => block,
-            // the part itself hangs on a weld
+            // a weld carries the part itself
             _ if matches!(self.mechanism.pair(pair).kind, PairKind::Weld { .. }) => BodyId(link.index()),
             _ => self.structure.replaced.body_of(link),
         };

@@ -1,4 +1,4 @@
-//! Welded links: bodies bear what acts on their parts, and each weld follows from the equilibrium of the part that hangs on it.
+//! Welded links: bodies bear what acts on their parts, and each weld follows from the equilibrium of the part that it carries.
 
 use super::free_body::{Couple, Force, is_load};
 use crate::course::{Derivation, cell};

@@ -36,7 +36,7 @@ use sampler::Sampler;
 const MOST_SAMPLES: usize = 128;
 /// The fewest; half of them where few digits are wanted.
 const FEWEST_SAMPLES: usize = 16;
-/// Of a term of a Fourier series at least so many per wave, and at most so many times more. There are twice the fewest per turn: what
+/// The fewest samples per wave of a term of a Fourier series, and by which factor there may be more. There are twice the fewest per turn: what
 /// comes again within a turn is seen between 3N/8 and N/2 whatever the order.
 const PER_WAVE: usize = 8;
 const FINER: usize = 2;

@@ -64,7 +64,7 @@ pub(super) struct EventDetector<'m> {
     again: f64,
     pub(super) y: Vec<f64>,
     pub(super) memory: Memory,
-    /// Parts of a step are halved so many times more: a term of a high order turns within them.
+    /// Further halvings of the parts of a step: a term of a high order turns within them.
     pub(super) finer: u32,
     /// How often every event had happened where the last step began.
     begun: Vec<usize>,
