@@ -328,8 +328,9 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
         text += "\nor ";
     }
     let drive = if trial.mechanism.simulation.is_some() { "start" } else { "drive" };
-    let pairs =
-        (count.drives > 0 || missing > 2).then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
+    // a truss has no drive
+    let looks = count.drives > 0 || missing > 2 || !trial.mechanism.bars.is_empty();
+    let pairs = looks.then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
     if let Some(missing) = pairs {
         text += &pairs_to_add(trial, missing, &defect.loose);
         text += "\nor ";
