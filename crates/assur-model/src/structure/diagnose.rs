@@ -329,10 +329,14 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     }
     let drive = if trial.mechanism.simulation.is_some() { "start" } else { "drive" };
     // a truss has no drive
-    let looks = count.drives > 0 || missing > 2 || !trial.mechanism.bars.is_empty();
+    let is_truss = count.drives == 0 && !trial.mechanism.bars.is_empty();
+    let looks = count.drives > 0 || missing > 2 || is_truss;
     let pairs = looks.then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
     if let Some(missing) = pairs {
         text += &pairs_to_add(trial, missing, &defect.loose);
+        if is_truss {
+            return text;
+        }
         text += "\nor ";
     }
     text + &match (drives.as_slice(), missing) {
