@@ -172,6 +172,10 @@ pub(super) fn plan_mechanism(
     mut problems: Problems,
     origin: Option<Origin>,
 ) -> (Option<Compiled>, Problems) {
+    if let Err(misfit) = super::repeated::leave_out(&mut mechanism) {
+        problems.extend([misfit]);
+        return (None, problems);
+    }
     let found = known.map_or_else(|| structure::structure(&mechanism), |known| Ok((known, Vec::new())));
     match found {
         Ok((structure, warnings)) => {

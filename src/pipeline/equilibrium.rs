@@ -421,12 +421,12 @@ fn turns(mechanism: &Mechanism, drive: &Drive) -> bool {
     match drive.target {
         DriveTarget::Link(_) => true,
         DriveTarget::Pair(pair) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
-        DriveTarget::Point(..) => false,
+        DriveTarget::Point(..) | DriveTarget::Place(..) => false,
     }
 }
 
 /// The mechanism without speeds and questions.
-fn at_rest(mechanism: &Mechanism) -> Mechanism {
+pub(super) fn at_rest(mechanism: &Mechanism) -> Mechanism {
     let mut mechanism = mechanism.clone();
     for drive in &mut mechanism.drives {
         (drive.free, drive.speed, drive.acceleration, drive.sense) = (false, None, None, None);

@@ -7,6 +7,7 @@ mod equilibrium;
 mod file_variants;
 mod followed;
 mod open_sizes;
+mod repeated;
 mod solved;
 mod test;
 mod turn;

@@ -95,7 +95,7 @@ impl Way {
         let turns = match drive.target {
             DriveTarget::Link(_) => true,
             DriveTarget::Pair(pair) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
-            DriveTarget::Point(..) => false,
+            DriveTarget::Point(..) | DriveTarget::Place(..) => false,
         };
         let first = solution.poses.first()?.drives.first()?;
         let (true, DriveValue::Scalar(first)) = (turns, first) else { return None };

@@ -24,6 +24,8 @@ pub(super) struct Quantity {
 pub(super) struct EffortEntry {
     /// The balance's name, or `effort(crank)`.
     pub name: String,
+    /// The latter as the file says it, where one statement drives two coordinates.
+    pub written: String,
     /// It is a drive's own: no balance is declared.
     pub of_drive: bool,
     /// How it is printed.
@@ -32,6 +34,11 @@ pub(super) struct EffortEntry {
 }
 
 impl EffortEntry {
+    /// Whether a quantity of this name has it.
+    pub fn is_named(&self, name: &str) -> bool {
+        name == self.name || name == self.written
+    }
+
     /// Its value, N m or N.
     pub fn value(&self, solved: &Solved) -> Option<f64> {
         solved.state.forces.efforts.get(self.slot).copied().filter(|x| x.is_finite())
@@ -53,7 +60,7 @@ impl<'a> Answers<'a> {
             .collect();
         for effort in self.efforts() {
             let wanted = effort.of_drive || self.wants_reactions();
-            if !wanted || quantities.iter().any(|q| q.name == effort.name) {
+            if !wanted || quantities.iter().any(|q| effort.is_named(&q.name)) {
                 continue;
             }
             let value = |p: &&Pose| p.outcome.as_ref().ok().and_then(|s| effort.value(s)).map(Value::Scalar);
@@ -133,15 +140,21 @@ impl<'a> Answers<'a> {
             return Vec::new();
         }
         let entry = |(slot, effort): (usize, &assur_model::structure::Effort)| {
-            let (name, of_drive) = match effort.source {
-                EffortSource::Balance(id) => (mechanism.balances[id.index()].name.clone(), false),
-                EffortSource::Drive(id) => (format!("effort({})", mechanism.drives[id.index()].name), true),
+            let of = |name: &str| format!("effort({name})");
+            let (name, written, of_drive) = match effort.source {
+                EffortSource::Balance(id) => {
+                    (mechanism.balances[id.index()].name.clone(), String::new(), false)
+                }
+                EffortSource::Drive(id) => {
+                    let drive = &mechanism.drives[id.index()];
+                    (of(&drive.name), of(drive.written_name()), true)
+                }
             };
             let dimension = match effort.kind {
                 EffortKind::Angle(_) | EffortKind::RelativeAngle { .. } => Dimension::TORQUE,
-                EffortKind::Coordinate(_) | EffortKind::Line(_) | EffortKind::Point(_) => Dimension::FORCE,
+                _ => Dimension::FORCE,
             };
-            EffortEntry { name, of_drive, display: mechanism.display_of(dimension), slot }
+            EffortEntry { name, written, of_drive, display: mechanism.display_of(dimension), slot }
         };
         let all = self.model.structure.efforts.iter().enumerate();
         let of_start = |effort: &assur_model::structure::Effort| match effort.source {

@@ -61,7 +61,7 @@ fn bodies(model: &Model<'_>, group: &Group) -> String {
 fn motion_in_words(model: &Model<'_>, group: &Group, efforts: &[Effort], step: &MotionStep) -> String {
     let with: Vec<String> = group.efforts.iter().map(|&e| source_name(model, &efforts[e])).collect();
     match step {
-        MotionStep::Turn { .. } | MotionStep::Shift { .. } => {
+        MotionStep::Turn { .. } | MotionStep::Shift { .. } | MotionStep::Free { .. } => {
             let free = |e: &usize| match efforts[*e].source {
                 EffortSource::Drive(id) => model.mechanism.drives[id.index()].free,
                 EffortSource::Balance(_) => false,

@@ -32,7 +32,9 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
         let whole = answers.quantities_without_pose();
         section.table(of_one_pose(answers, scale, header.to_owned(), &whole));
     }
-    let own: Vec<String> = answers.efforts().into_iter().filter(|e| e.of_drive).map(|e| e.name).collect();
+    let mut own: Vec<String> =
+        answers.efforts().into_iter().filter(|e| e.of_drive).map(|e| e.written).collect();
+    own.dedup();
     if !own.is_empty() {
         section.text(format!("No balance is declared: {} is the drive's own effort.", own.join(", ")));
     }

@@ -99,7 +99,7 @@ impl AnswerColumns {
         let blank = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
         for (slot, effort) in blank.efforts().into_iter().enumerate() {
             let wanted = effort.of_drive || blank.wants_reactions();
-            if wanted && !answers[drives..].iter().any(|a| a.name == effort.name) {
+            if wanted && !answers[drives..].iter().any(|a| effort.is_named(&a.name)) {
                 let (name, display) = (effort.name, effort.display);
                 answers.push(Answer { name, content: Content::Effort(slot), vector: false, display });
             }

@@ -155,7 +155,9 @@ pub(super) fn coordinates<'m>(
     targets: &'m [DriveTarget],
 ) -> impl Iterator<Item = &'m str> {
     targets.iter().map(|target| match target {
-        DriveTarget::Link(link) | DriveTarget::Point(link, _) => mechanism.link(*link).name.as_str(),
+        DriveTarget::Link(link) | DriveTarget::Point(link, _) | DriveTarget::Place(link, ..) => {
+            mechanism.link(*link).name.as_str()
+        }
         DriveTarget::Pair(pair) => mechanism.pair(*pair).name.as_str(),
     })
 }

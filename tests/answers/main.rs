@@ -18,6 +18,7 @@ mod expressions;
 #[path = "../folder/mod.rs"]
 mod folder;
 mod formatted;
+mod free_bodies;
 mod geometry;
 mod great_numbers;
 mod harmonics;

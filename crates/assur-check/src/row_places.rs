@@ -112,6 +112,8 @@ impl<'d> Places<'d> {
             }
             Statement::All(all) => self.properties(&all.properties),
             Statement::Spring(spring) => self.properties(&spring.properties),
+            // a point may be two coordinates
+            Statement::Drive(drive) if drive.target.tail.is_some() => None,
             Statement::Drive(drive) => {
                 match &drive.position {
                     None => {}

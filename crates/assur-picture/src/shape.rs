@@ -5,7 +5,8 @@ use crate::scene::Scene;
 use assur_drawing::Rect;
 use assur_math::math::Vec2;
 use assur_model::model::{
-    BalanceKind, Bearing, Guide, LinkId, LoadKind, PairId, PairKind, Pin, Place, Profile, ProfileShape,
+    BalanceKind, Bearing, DriveTarget, Guide, LinkId, LoadKind, PairId, PairKind, Pin, Place, Profile,
+    ProfileShape,
 };
 
 /// How a prismatic pair is drawn.
@@ -95,6 +96,13 @@ pub fn shapes(scene: &Scene<'_>) -> Vec<LinkShape> {
     for wheel in &mechanism.wheels {
         if let Some(at) = wheel.centre {
             shapes[wheel.link.index()].joints.push(at);
+        }
+    }
+    for drive in &mechanism.drives {
+        if let DriveTarget::Place(link, ..) = drive.target
+            && shapes[link.index()].joints.is_empty()
+        {
+            shapes[link.index()].joints = mechanism.link(link).points.iter().map(|point| point.at).collect();
         }
     }
     attach(scene, &mut shapes);

@@ -114,6 +114,7 @@ impl Derivation<'_> {
         let message = match group.kind {
             GroupKind::Dyad(dyad) => return dyad.name().to_owned(),
             GroupKind::Driven => Message::Driven,
+            GroupKind::Free => Message::FreeLink,
             GroupKind::DrivenLegs(_) => Message::DrivenLegs,
             GroupKind::Translation => Message::Between,
             GroupKind::Train => Message::Train,

@@ -8,7 +8,7 @@ use super::super::reactions::{ReactionEntry, reactions};
 use super::entries::{Entries, Number, Pair, Reading};
 use super::train::{PartView, ShaftView, SliderView, are_elements, elements, transmissions};
 use assur_math::math::Vec2;
-use assur_model::model::{DriveTarget, Link, LinkId};
+use assur_model::model::{Axis, DriveTarget, Link, LinkId};
 use assur_position::plan::{Effects, Level};
 use assur_solve::message::failure;
 use assur_solve::solve::{BodyState, DriveValue, Pose, Solved};
@@ -224,8 +224,12 @@ pub(super) fn all_points<'a>(
     let name = |link: &Link, point: &str| format!("{}.{point}", link.name);
     let on_links = turning_links(answers)
         .flat_map(move |(id, link)| link.points.iter().map(move |p| (name(link, &p.name), id, p.at)));
-    let driven = answers.model.mechanism.drives.iter().filter_map(|drive| match drive.target {
+    let passive = &answers.model.structure.passive;
+    let driven = answers.model.mechanism.drives.iter().filter_map(move |drive| match drive.target {
         DriveTarget::Point(id, at) => Some((drive.name.clone(), id, at)),
+        DriveTarget::Place(id, at, Axis::X) if passive.contains(&id) => {
+            Some((drive.written_name().to_owned(), id, at))
+        }
         _ => None,
     });
     on_links.chain(driven)

@@ -4,7 +4,7 @@ use crate::expr::context::Context;
 use crate::expr::positive::Want;
 use crate::expr::property::given_twice;
 use crate::links::lookup::is_linkage_pair;
-use crate::motion::step_size;
+use crate::motion::{place, step_size};
 use crate::names::declared::ThingKind;
 use crate::pairs::pair::link_point;
 use crate::statements::written::text;
@@ -54,7 +54,9 @@ pub(crate) fn drives(cx: &mut Context<'_>) {
         if let Statement::Drive(d) = &statement.node
             && let Some(drive) = drive(cx, d, statement.span)
         {
-            cx.builder.mech.drives.push(drive);
+            let drives =
+                if place::is_place(cx, &d.target) { place::coordinates(&drive) } else { vec![drive] };
+            cx.builder.mech.drives.extend(drives);
         }
     }
     same_count(cx);
@@ -232,6 +234,7 @@ pub(crate) fn moves(cx: &Context<'_>, target: DriveTarget) -> Moves {
     match target {
         DriveTarget::Link(_) => Moves::Turning,
         DriveTarget::Point(..) => Moves::Freely,
+        DriveTarget::Place(..) => Moves::Sliding,
         DriveTarget::Pair(pair) => match cx.builder.mech.pair(pair).kind {
             PairKind::Revolute(_) => Moves::Turning,
             _ => Moves::Sliding,
@@ -240,7 +243,8 @@ pub(crate) fn moves(cx: &Context<'_>, target: DriveTarget) -> Moves {
 }
 
 pub(super) fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bool {
-    let Some(first) = cx.builder.mech.drives.iter().find(|d| d.target == target).map(|d| d.span) else {
+    let first = cx.builder.mech.drives.iter().find(|d| place::is_given(d, target)).map(|d| d.span);
+    let Some(first) = first else {
         return true;
     };
     cx.error(

@@ -1,10 +1,11 @@
 //! Poses beside those of the sweep.
 
 use crate::expr::context::Context;
-use crate::motion::drive::{count, moves, stated_twice, value, zero};
+use crate::motion::drive::{Moves, count, moves, stated_twice, value, zero};
+use crate::motion::place;
 use crate::names::suggestion::suggestion;
 use crate::statements::written::text;
-use assur_model::model::{DriveId, Expr, NamedPose, Positions};
+use assur_model::model::{Axis, DriveId, Expr, NamedPose, Positions};
 use assur_syntax::document::{Pose, Setting, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
@@ -45,7 +46,7 @@ pub(crate) fn settings(
         }
         let set = set(cx, setting, &name);
         at = at.zip(set).map(|(mut at, set)| {
-            at.push(set);
+            at.extend(set);
             at
         });
     }
@@ -80,12 +81,19 @@ pub(crate) fn settings(
     Some(at)
 }
 
-fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<(DriveId, Expr)> {
+fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<Vec<(DriveId, Expr)>> {
     let span = setting.target.span();
     cx.names.note_path(&setting.target);
     if let Some(index) = cx.builder.mech.drives.iter().position(|d| d.name == name) {
         let moves = moves(cx, cx.builder.mech.drives[index].target);
-        return value(cx, &setting.value, moves, 0, name).map(|v| (DriveId::at(index), v));
+        return value(cx, &setting.value, moves, 0, name).map(|v| vec![(DriveId::at(index), v)]);
+    }
+    if place::is_place(cx, &setting.target)
+        && let Some(index) = cx.builder.mech.drives.iter().position(|d| d.written_name() == name)
+    {
+        let place = value(cx, &setting.value, Moves::Freely, 0, name)?;
+        let of = |axis: Axis| place::component(&place, axis);
+        return Some(vec![(DriveId::at(index), of(Axis::X)), (DriveId::at(index + 1), of(Axis::Y))]);
     }
     if name == "time" {
         cx.builder.unsupported("an instant of a simulation", span);

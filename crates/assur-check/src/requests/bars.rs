@@ -287,7 +287,7 @@ fn others(cx: &Context<'_>, link: LinkId, all: &mut Vec<Acting>) -> Result<(), B
     if mech.balances.is_empty() {
         for drive in mech.drives.iter().filter(|drive| !drive.free) {
             let driven = match drive.target {
-                DriveTarget::Link(on) | DriveTarget::Point(on, _) => on == link,
+                DriveTarget::Link(on) | DriveTarget::Point(on, _) | DriveTarget::Place(on, ..) => on == link,
                 DriveTarget::Pair(pair) => mech.pair(pair).kind.links().contains(&link),
             };
             if driven {

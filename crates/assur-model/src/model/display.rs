@@ -97,7 +97,7 @@ impl Mechanism {
         let turns = match target {
             DriveTarget::Link(_) => true,
             DriveTarget::Pair(pair) => matches!(self.pair(pair).kind, PairKind::Revolute(_)),
-            DriveTarget::Point(..) => false,
+            DriveTarget::Point(..) | DriveTarget::Place(..) => false,
         };
         self.display_of(if turns { Dimension::ANGLE } else { Dimension::LENGTH })
     }
@@ -161,7 +161,7 @@ impl Mechanism {
         match drive.target {
             DriveTarget::Link(id) => id != LinkId::GROUND,
             DriveTarget::Pair(pair) => matches!(self.pair(pair).kind, PairKind::Revolute(_)),
-            DriveTarget::Point(..) => false,
+            DriveTarget::Point(..) | DriveTarget::Place(..) => false,
         }
     }
 }

@@ -101,6 +101,27 @@ pub enum Axis {
     Y,
 }
 
+impl Axis {
+    pub const BOTH: [Self; 2] = [Self::X, Self::Y];
+
+    /// Its unit vector.
+    #[must_use]
+    pub const fn unit(self) -> Vec2 {
+        match self {
+            Self::X => Vec2::new(1.0, 0.0),
+            Self::Y => Vec2::new(0.0, 1.0),
+        }
+    }
+
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+        }
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
     Sqrt,

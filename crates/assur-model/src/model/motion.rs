@@ -1,6 +1,6 @@
 //! Drives, poses and the choice of assembly.
 
-use super::{DriveId, Expr, LinkId, PairId};
+use super::{Axis, DriveId, Expr, LinkId, PairId};
 use crate::math::Vec2;
 use crate::source::Span;
 use std::sync::Arc;
@@ -33,6 +33,13 @@ pub struct Drive {
 }
 
 impl Drive {
+    /// Its name in the file, where one statement gives both coordinates of a point.
+    #[must_use]
+    pub fn written_name(&self) -> &str {
+        let DriveTarget::Place(_, _, axis) = self.target else { return &self.name };
+        self.name.strip_suffix(axis.name()).and_then(|name| name.strip_suffix('.')).unwrap_or(&self.name)
+    }
+
     /// Whether its effort is nothing: it is free, or in equilibrium.
     #[must_use]
     pub const fn is_unaided(&self) -> bool {
@@ -89,6 +96,8 @@ pub enum DriveTarget {
     Pair(PairId),
     /// A point (in the link's frame, m): the link is an outer link of a group given alone.
     Point(LinkId, Vec2),
+    /// A coordinate of a point (in the link's frame, m) in the axes of the ground: the link stands freely.
+    Place(LinkId, Vec2, Axis),
 }
 
 /// Positions of a drive, in SI.

@@ -48,7 +48,7 @@ impl Mechanism {
 }
 
 fn of_drive(drive: &mut Drive, visit: &mut impl FnMut(&mut f64)) {
-    if let DriveTarget::Point(_, at) = &mut drive.target {
+    if let DriveTarget::Point(_, at) | DriveTarget::Place(_, at, _) = &mut drive.target {
         of_vector(at, visit);
     }
     match &mut drive.positions {

@@ -10,6 +10,7 @@ use super::defect::{Defect, Part};
 use super::effort::{Effort, EffortSource};
 use super::joint::{BodyId, JointKind, Replaced};
 use super::leave_out::{Repair, links, one_of};
+use super::place;
 use super::repeated::repeated;
 use super::ring::locked;
 use super::roller::{MOST_LABELS, counted, label, listed, names, with_lines};
@@ -25,6 +26,11 @@ const MOST_PARTS: usize = 3;
 pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Diagnosis {
     if defect.fit.surplus > 0
         && let Some(error) = repeated(trial, count, defect)
+    {
+        return error;
+    }
+    if let Some(error) =
+        place::without_angle(trial, defect).or_else(|| place::in_place_of_angle(trial, defect))
     {
         return error;
     }
@@ -403,7 +409,10 @@ fn held_labels(trial: Trial<'_>, parts: &[Part], text: impl Fn(usize) -> String)
     let efforts = parts.iter().flat_map(|p| &p.efforts);
     let efforts = efforts.map(|&e| label(text(1), place(trial.mechanism, &trial.efforts[e])));
     // what was added last is most often what is too much
-    efforts.chain(pairs).take(MOST_LABELS).collect()
+    let mut labels: Vec<LabeledSpan> = efforts.chain(pairs).collect();
+    labels.dedup();
+    labels.truncate(MOST_LABELS);
+    labels
 }
 
 fn place(mechanism: &Mechanism, effort: &Effort) -> Span {

@@ -3,7 +3,7 @@
 use super::joint::{BodyId, JointId, JointKind, Replaced};
 use super::roller::label;
 use crate::math::Vec2;
-use crate::model::{BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, Mechanism, PairId, PairKind};
+use crate::model::{Axis, BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, Mechanism, PairId, PairKind};
 use assur_text::diagnostic::Diagnosis;
 
 /// A driven freedom, or the effort that acts in it.
@@ -28,7 +28,7 @@ pub enum EffortSource {
 }
 
 /// Where an effort stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EffortKind {
     /// The angle of a body to the ground; a torque on it from outside.
     Angle(BodyId),
@@ -40,6 +40,8 @@ pub enum EffortKind {
     Line(BodyId),
     /// The place of a point: the body is known.
     Point(BodyId),
+    /// A coordinate of a point of a body in the axes of the ground; as an effort it is a force along a line.
+    Place(BodyId, Vec2, Axis),
 }
 
 impl Effort {
@@ -55,7 +57,7 @@ impl Effort {
         match self.source {
             EffortSource::Drive(id) => match mechanism.drives[id.index()].target {
                 DriveTarget::Link(link) => Some(link),
-                DriveTarget::Pair(_) | DriveTarget::Point(..) => None,
+                DriveTarget::Pair(_) | DriveTarget::Point(..) | DriveTarget::Place(..) => None,
             },
             EffortSource::Balance(_) => None,
         }
@@ -76,7 +78,9 @@ impl Effort {
     #[must_use]
     pub fn bodies(&self, replaced: &Replaced) -> Vec<BodyId> {
         let bodies = |kind| match kind {
-            EffortKind::Angle(b) | EffortKind::Line(b) | EffortKind::Point(b) => vec![b],
+            EffortKind::Angle(b) | EffortKind::Line(b) | EffortKind::Point(b) | EffortKind::Place(b, ..) => {
+                vec![b]
+            }
             EffortKind::RelativeAngle { first, second, .. } => vec![first, second],
             EffortKind::Coordinate(joint) => replaced.joint(joint).bodies(),
         };
@@ -108,6 +112,10 @@ pub(super) fn of_drives(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Effor
         DriveTarget::Link(link) => Some(EffortKind::Angle(replaced.body_of(link))),
         DriveTarget::Pair(pair) => in_pair(mechanism, replaced, pair),
         DriveTarget::Point(link, _) => Some(EffortKind::Point(replaced.body_of(link))),
+        DriveTarget::Place(link, at, axis) => {
+            let (body, at) = replaced.place(link, at);
+            Some(EffortKind::Place(body, at, axis))
+        }
     };
     mechanism
         .drives
@@ -125,7 +133,7 @@ fn axes(mechanism: &Mechanism, replaced: &Replaced, target: DriveTarget) -> [Vec
     let links = match target {
         DriveTarget::Link(link) => vec![LinkId::GROUND, link],
         DriveTarget::Pair(pair) => mechanism.pair(pair).kind.links(),
-        DriveTarget::Point(..) => Vec::new(),
+        DriveTarget::Point(..) | DriveTarget::Place(..) => Vec::new(),
     };
     match links[..] {
         [first, second] => [first, second].map(|link| replaced.direction(link, X_AXES[0])),
@@ -135,11 +143,13 @@ fn axes(mechanism: &Mechanism, replaced: &Replaced, target: DriveTarget) -> [Vec
 
 /// The balances or, where there is none, the drives' own efforts; and those of starts, which come to nothing.
 pub(super) fn of_balances(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Effort> {
+    let own = of_drives(mechanism, replaced).into_iter().filter_map(|effort| match effort.kind {
+        EffortKind::Point(_) => None,
+        EffortKind::Place(body, ..) => Some(Effort { kind: EffortKind::Line(body), ..effort }),
+        _ => Some(effort),
+    });
     if mechanism.balances.is_empty() {
-        return of_drives(mechanism, replaced)
-            .into_iter()
-            .filter(|e| !matches!(e.kind, EffortKind::Point(_)))
-            .collect();
+        return own.collect();
     }
     let kind = |kind: &BalanceKind| match kind {
         BalanceKind::Torque(link) => Some(EffortKind::Angle(replaced.body_of(*link))),
@@ -152,7 +162,7 @@ pub(super) fn of_balances(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Eff
         let source = EffortSource::Balance(BalanceId::at(i));
         Some(Effort { source, kind: places.next()?, also: places.collect(), axes: X_AXES })
     });
-    let starts = of_drives(mechanism, replaced).into_iter().filter(|e| match e.source {
+    let starts = own.filter(|e| match e.source {
         EffortSource::Drive(id) => mechanism.drives[id.index()].free,
         EffortSource::Balance(_) => false,
     });

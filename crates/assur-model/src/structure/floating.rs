@@ -24,12 +24,12 @@ pub(super) fn floating(trial: Trial<'_>) -> Vec<Diagnosis> {
     described.map(|(i, links)| describe(trial, (i < MOST_TRIED).then_some(&defect), links)).collect()
 }
 
-/// Links that no pair joins to the ground. The ground and links driven at a point are firm.
+/// Links that no pair joins to the ground. The ground and links driven or started at a point are firm.
 pub(super) fn floating_islands(mechanism: &Mechanism) -> Vec<Vec<LinkId>> {
     let island = islands(mechanism);
     let mut firm = vec![false; mechanism.links.len()];
     let roots = mechanism.drives.iter().filter_map(|d| match d.target {
-        DriveTarget::Point(link, _) => Some(link.index()),
+        DriveTarget::Point(link, _) | DriveTarget::Place(link, ..) => Some(link.index()),
         _ => None,
     });
     for root in roots.chain([0]) {
@@ -104,9 +104,15 @@ fn help(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> String {
     let mechanism = trial.mechanism;
     let named = links.iter().find_map(|l| Some((mechanism.link(*l), mechanism.link(*l).points.last()?)));
     let (link, point) = named.map_or(("LINK", "P"), |(l, p)| (l.name.as_str(), p.name.as_str()));
+    let free = match mechanism.simulation {
+        Some(_) => format!(
+            "or let it move freely: add `start {link}.{point} = (0 m, 0 m)` and `start {link} = 0 deg`; "
+        ),
+        None => String::new(),
+    };
     format!(
         "give the ground a point `{point}` too and add `revolute {point}: ground - {link}`, with a drive or a second pair \
-         for the remaining freedoms; or remove {it}"
+         for the remaining freedoms; {free}or remove {it}"
     )
 }
 

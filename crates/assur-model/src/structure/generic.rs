@@ -16,6 +16,8 @@ pub(super) type Vector = [Number; 2];
 pub(super) struct Generic {
     points: Vec<Vector>,
     directions: Vec<Vector>,
+    /// A joint at each point of a link that has one.
+    at: BTreeMap<Name, usize>,
 }
 
 /// A place of a body, or a line of it.
@@ -43,7 +45,17 @@ impl Generic {
                 JointKind::Weld { .. } | JointKind::Law(_) => {}
             }
         }
-        Self { points: points.vectors(0), directions: directions.vectors(1 << 40) }
+        let (at, points) = (points.first.clone(), points.vectors(0));
+        Self { points, directions: directions.vectors(1 << 40), at }
+    }
+
+    /// The place of a point of a link in the world.
+    pub(super) fn place(&self, body: BodyId, at: Vec2) -> Vector {
+        let name = (body, bits(at, Vec2::new(0.0, 0.0)));
+        let seed = || name.1.iter().fold(body.0 as u64, |sum, bits| sum.rotate_left(21) ^ bits);
+        self.at
+            .get(&name)
+            .map_or_else(|| [0, 1].map(|k| Number::random(seed() ^ k)), |&joint| self.points[joint])
     }
 
     /// The place of a joint in the world.

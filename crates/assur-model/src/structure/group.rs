@@ -36,6 +36,8 @@ pub(super) struct Inside {
 pub enum GroupKind {
     /// One body with a lower pair and a drive (an effort).
     Driven,
+    /// One body without pairs that drives or starts place: a point of it, and its angle.
+    Free,
     /// Two bodies and three lower pairs.
     Dyad(Dyad),
     /// A dyad RRR or RRP one or two of whose links are pairs of bodies with a driven joint (an effort) between them, as
@@ -99,6 +101,8 @@ impl Group {
             group.class = group.class.max(2);
         } else if group.is_driven(all_efforts, replaced) {
             group.kind = GroupKind::Driven;
+        } else if group.is_free(all_efforts) {
+            group.kind = GroupKind::Free;
         } else if group.is_translation(replaced) {
             group.kind = GroupKind::Translation;
         } else if let Some(dyad) = group.arrange_dyad(replaced) {
@@ -127,8 +131,22 @@ impl Group {
             Some(EffortKind::Angle(_)) => !joint.prismatic,
             Some(EffortKind::RelativeAngle { joint: j, .. } | EffortKind::Coordinate(j)) => j == joint.joint,
             Some(EffortKind::Line(_)) => true,
-            Some(EffortKind::Point(_)) | None => false,
+            Some(EffortKind::Point(_) | EffortKind::Place(..)) | None => false,
         }
+    }
+
+    /// On the side of motion: both coordinates of one point, and the angle unless it turns nothing.
+    fn is_free(&self, efforts: &[Effort]) -> bool {
+        let mut points = self.efforts.iter().filter_map(|&effort| match efforts[effort].kind {
+            EffortKind::Place(_, at, _) => Some(at),
+            _ => None,
+        });
+        let is_angle = |effort: &usize| {
+            matches!(efforts[*effort].kind, EffortKind::Angle(_)) && !efforts[*effort].is_aside()
+        };
+        let angles = self.efforts.iter().filter(|effort| is_angle(effort)).count();
+        let one_point = points.next().is_some_and(|first| points.next() == Some(first));
+        self.bodies.len() == 1 && self.joints.is_empty() && one_point && self.efforts.len() == 2 + angles
     }
 
     fn is_translation(&self, replaced: &Replaced) -> bool {
@@ -181,7 +199,9 @@ impl Group {
             .iter()
             .map(|&e| match efforts[e].only()? {
                 EffortKind::RelativeAngle { joint, .. } | EffortKind::Coordinate(joint) => Some(joint),
-                EffortKind::Angle(_) | EffortKind::Line(_) | EffortKind::Point(_) => None,
+                EffortKind::Angle(_) | EffortKind::Line(_) | EffortKind::Point(_) | EffortKind::Place(..) => {
+                    None
+                }
             })
             .collect::<Option<_>>()?;
         let (inside, rest): (Vec<GroupJoint>, Vec<GroupJoint>) =
@@ -256,7 +276,10 @@ impl Group {
             JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => true,
         };
         let constant = |e: &usize| {
-            !matches!(efforts[*e].only(), None | Some(EffortKind::Line(_) | EffortKind::Point(_)))
+            !matches!(
+                efforts[*e].only(),
+                None | Some(EffortKind::Line(_) | EffortKind::Point(_) | EffortKind::Place(..))
+            )
         };
         if self.joints.len() != self.bodies.len()
             || !self.joints.iter().all(simple)
@@ -323,6 +346,7 @@ impl Group {
     pub fn kind_name(&self) -> &'static str {
         match self.kind {
             GroupKind::Driven => "driven",
+            GroupKind::Free => "free",
             GroupKind::Dyad(dyad) => dyad.name(),
             GroupKind::DrivenLegs(dyad) => dyad.name(),
             GroupKind::Translation => "PP",

@@ -7,6 +7,7 @@ use super::effort::{Effort, EffortKind};
 use super::generic::{Generic, Vector};
 use super::joint::{BodyId, BodyRate, Joint, JointId, JointKind, Replaced};
 use super::matching::Condition;
+use crate::model::Axis;
 
 /// Random numbers of laws and of efforts along a line begin here.
 const LAWS: u64 = 1 << 48;
@@ -202,6 +203,9 @@ impl Incidence {
         }
         let terms = |kind| match kind {
             EffortKind::Point(_) => Vec::new(),
+            EffortKind::Place(body, at, axis) => {
+                vec![(body, along(self.generic.place(body, at), AXES[usize::from(axis == Axis::Y)]))]
+            }
             EffortKind::Angle(body) => vec![(body, TURN)],
             EffortKind::RelativeAngle { first, second, .. } => vec![(first, NO_TURN), (second, TURN)],
             EffortKind::Coordinate(joint) => self.slide(replaced, joint),

@@ -50,7 +50,7 @@ fn effort_statement(mechanism: &Mechanism, source: EffortSource) -> String {
     match source {
         EffortSource::Drive(id) => {
             let drive = &mechanism.drives[id.index()];
-            format!("`{} {}`", if drive.free { "start" } else { "drive" }, drive.name)
+            format!("`{} {}`", if drive.free { "start" } else { "drive" }, drive.written_name())
         }
         EffortSource::Balance(id) => format!("`balance {}`", mechanism.balances[id.index()].name),
     }
@@ -135,7 +135,11 @@ impl Repair<'_> {
         let tried = self.part.efforts.iter().take(self.trial.most_tried(MOST_TRIED));
         let needless = tried.filter(|&&e| self.is_sound(self.trial.without(&[], &[e]).fit()));
         let mechanism = self.trial.mechanism;
-        needless.map(|&e| effort_statement(mechanism, self.trial.efforts[e].source)).collect()
+        let mut lines: Vec<String> =
+            needless.map(|&e| effort_statement(mechanism, self.trial.efforts[e].source)).collect();
+        // one statement may give two coordinates
+        lines.dedup();
+        lines
     }
 
     /// Pairs and efforts that together leave no condition too many in the part, where no single one does, and the number of
@@ -205,7 +209,7 @@ fn is_driven(trial: Trial<'_>, pair: PairId) -> bool {
         EffortKind::RelativeAngle { joint, .. } | EffortKind::Coordinate(joint) => {
             trial.replaced.joint(joint).pair == pair
         }
-        EffortKind::Angle(_) | EffortKind::Line(_) | EffortKind::Point(_) => false,
+        EffortKind::Angle(_) | EffortKind::Line(_) | EffortKind::Point(_) | EffortKind::Place(..) => false,
     })
 }
 

@@ -19,6 +19,7 @@ mod joint;
 mod leave_out;
 #[doc(hidden)]
 pub mod matching;
+mod place;
 mod renumber;
 mod repeated;
 mod replace;
@@ -99,7 +100,8 @@ impl Structure {
     /// more than other numbers: a defect, a driven point, or joints of another kind.
     #[must_use]
     pub fn with_numbers_of(&self, mechanism: &Mechanism) -> Option<Self> {
-        let points = self.drives.iter().any(|d| matches!(d.kind, EffortKind::Point(_)));
+        let points =
+            self.drives.iter().any(|d| matches!(d.kind, EffortKind::Point(_) | EffortKind::Place(..)));
         if self.force_defect.is_some()
             || points
             || self.replaced.has_parts()

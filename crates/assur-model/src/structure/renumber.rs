@@ -10,7 +10,8 @@ impl Structure {
     /// slots and cylinders, forces that are determined, no driven point.
     #[must_use]
     pub fn is_renumbered(&self, mechanism: &Mechanism) -> bool {
-        let points = self.drives.iter().any(|d| matches!(d.kind, EffortKind::Point(_)));
+        let points =
+            self.drives.iter().any(|d| matches!(d.kind, EffortKind::Point(_) | EffortKind::Place(..)));
         let other = |kind: &PairKind| matches!(kind, PairKind::Contact { .. } | PairKind::Transmission(_));
         !self.replaced.has_parts()
             && self.force_defect.is_none()

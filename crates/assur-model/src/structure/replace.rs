@@ -9,7 +9,8 @@ use super::joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind
 use super::weld::Welds;
 use crate::math::Vec2;
 use crate::model::{
-    DriveTarget, Guide, Law, LinkId, Mechanism, PairId, PairKind, Pin, Profile, ProfileShape, Rate,
+    DriveTarget, Guide, Law, LinkId, LoadKind, Mechanism, PairId, PairKind, Pin, Place, Profile,
+    ProfileShape, Rate,
 };
 
 const X_AXIS: Vec2 = Vec2::new(1.0, 0.0);
@@ -235,9 +236,40 @@ fn passive_links(mechanism: &Mechanism) -> Vec<LinkId> {
         .map(|profile| profile.link)
         .filter(|&link| !driven(link) && is_free_roller(mechanism, link))
         .collect();
+    let particles = mechanism.drives.iter().filter_map(|drive| match drive.target {
+        DriveTarget::Place(link, at, _) if !driven(link) && is_particle(mechanism, link, at) => Some(link),
+        _ => None,
+    });
+    rollers.extend(particles);
     rollers.sort_unstable();
     rollers.dedup();
     rollers
+}
+
+/// Whether nothing is at a link but at this point of it, and nothing turns it.
+fn is_particle(mechanism: &Mechanism, link: LinkId, at: Vec2) -> bool {
+    let is_here = |(on, point): (LinkId, Vec2)| on != link || point == at;
+    let masses =
+        mechanism.link(link).mass.is_none_or(|m| m.inertia == 0.0 && (m.mass == 0.0 || m.centre == at));
+    let pairs = mechanism.pairs.iter().all(|pair| match &pair.kind {
+        PairKind::Revolute(pins) => pins.iter().all(|pin| is_here((pin.link, pin.at))),
+        PairKind::Slot(guide) => guide.guide != link && is_here((guide.slider, guide.point)),
+        PairKind::Contact { first, second, .. } => {
+            [first, second].iter().all(|profile| match profile.shape {
+                ProfileShape::Point(point) => is_here((profile.link, point)),
+                _ => profile.link != link,
+            })
+        }
+        kind => !kind.links().contains(&link),
+    });
+    let loads =
+        mechanism.loads.iter().filter(|load| load.link() == Some(link)).all(|load| match &load.kind {
+            LoadKind::Force { at: Place::Local(point), .. }
+            | LoadKind::ForceAgainstMotion { at: Place::Local(point), .. } => *point == at,
+            _ => false,
+        });
+    let springs = mechanism.springs.iter().all(|spring| is_here(spring.from) && is_here(spring.to));
+    masses && pairs && loads && springs
 }
 
 fn is_free_roller(mechanism: &Mechanism, link: LinkId) -> bool {

@@ -29,7 +29,7 @@ pub(super) fn defects(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Diagnos
     }
     let fixed = |drive: &&Drive| match drive.target {
         DriveTarget::Link(link) => link != LinkId::GROUND && replaced.body_of(link) == BodyId::GROUND,
-        DriveTarget::Pair(_) | DriveTarget::Point(..) => false,
+        DriveTarget::Pair(_) | DriveTarget::Point(..) | DriveTarget::Place(..) => false,
     };
     found.extend(mechanism.drives.iter().filter(fixed).map(|drive| of_fixed(mechanism, replaced, drive)));
     let points = mechanism.drives.iter().filter_map(|drive| match drive.target {

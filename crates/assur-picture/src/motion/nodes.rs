@@ -3,7 +3,7 @@
 use crate::scene::Scene;
 use assur_drawing::Text;
 use assur_math::math::Vec2;
-use assur_model::model::{Guide, LinkId, PairId, PairKind, Profile, ProfileShape};
+use assur_model::model::{DriveTarget, Guide, LinkId, PairId, PairKind, Point, Profile, ProfileShape};
 use assur_solve::solve::BodyState;
 
 /// A point of a link whose velocity and acceleration have an image.
@@ -103,6 +103,19 @@ impl Nodes {
         for (i, pair) in pairs.iter().enumerate() {
             if let PairKind::Contact { first, second, .. } = &pair.kind {
                 nodes.touch(scene, (PairId::at(i), &pair.name), [first, second], contacts);
+            }
+        }
+        for drive in &scene.mechanism().drives {
+            let DriveTarget::Place(link, at, _) = drive.target else { continue };
+            let points = &scene.mechanism().link(link).points;
+            // the driven one first
+            let (driven, others): (Vec<&Point>, Vec<&Point>) =
+                points.iter().partition(|point| point.at == at);
+            for point in driven.iter().chain(&others) {
+                let at = scene.at(link, point.at);
+                if nodes.nodes.iter().all(|node| !node.links.contains(&link) || node.at != at) {
+                    nodes.add(scene, &point.name, vec![link], at);
+                }
             }
         }
         // those known first first

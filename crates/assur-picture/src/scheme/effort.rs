@@ -5,7 +5,9 @@ use crate::inset::{flipped, wrapped};
 use crate::symbol::{arrow, guide, hinge};
 use assur_drawing::{Drawing, Label, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{BalanceKind, Drive, DriveTarget, LoadId, LoadKind, PairId, PairKind, Query, Value};
+use assur_model::model::{
+    Axis, BalanceKind, Drive, DriveTarget, LoadId, LoadKind, PairId, PairKind, Query, Value,
+};
 use std::f64::consts::TAU;
 
 /// Length of the arrow of a load, mm.
@@ -37,17 +39,19 @@ impl Sketch<'_, '_> {
                 DriveTarget::Pair(pair) => self.driven_pair(drawing, drive, pair),
                 DriveTarget::Point(link, at) => {
                     let Some(speed) = &drive.speed else { continue };
-                    let v = flipped(scene.view().vector(speed));
-                    if let Some(along) = v.unit() {
-                        let from = self.on_paper(link, at);
-                        self.push(
-                            drawing,
-                            Style::Drive,
-                            from,
-                            along,
-                            LENGTH,
-                            Text::italic("v").lowered(&drive.name),
-                        );
+                    self.moved(drawing, (link, at), scene.view().vector(speed), &drive.name);
+                }
+                // one arrow for both coordinates
+                DriveTarget::Place(link, at, axis) => {
+                    if axis == Axis::X
+                        || !scene
+                            .mechanism()
+                            .drives
+                            .iter()
+                            .any(|d| d.target == DriveTarget::Place(link, at, Axis::X))
+                    {
+                        let v = scene.view().body(link).velocity(at);
+                        self.moved(drawing, (link, at), v, drive.written_name());
                     }
                 }
                 DriveTarget::Link(_) => {}
@@ -57,6 +61,14 @@ impl Sketch<'_, '_> {
         let drives = crate::words::drives(scene);
         if !drives.is_empty() {
             self.say(&format!("Drive: {drives}"));
+        }
+    }
+
+    /// The arrow of a driven point.
+    fn moved(&mut self, drawing: &mut Drawing, (link, at): (LinkId, Vec2), v: Vec2, name: &str) {
+        if let Some(along) = flipped(v).unit() {
+            let from = self.on_paper(link, at);
+            self.push(drawing, Style::Drive, from, along, LENGTH, Text::italic("v").lowered(name));
         }
     }
 

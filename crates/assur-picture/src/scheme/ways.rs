@@ -59,7 +59,7 @@ fn crank_end(scene: &Scene<'_>) -> Option<(LinkId, Vec2)> {
             PairKind::Revolute(pins) => pins.iter().map(|p| p.link).find(|l| *l != LinkId::GROUND),
             _ => None,
         },
-        DriveTarget::Point(..) => None,
+        DriveTarget::Point(..) | DriveTarget::Place(..) => None,
     })?;
     let pins = mechanism.pairs.iter().filter_map(|p| match &p.kind {
         PairKind::Revolute(pins) => pins.iter().find(|pin| pin.link == link).map(|pin| pin.at),

@@ -187,7 +187,7 @@ fn efforts(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
         let link = match drive.target {
             DriveTarget::Link(link) => link,
             DriveTarget::Pair(pair) => moving(scene, pair),
-            DriveTarget::Point(..) => continue,
+            DriveTarget::Point(..) | DriveTarget::Place(..) => continue,
         };
         let speed = drive.speed.as_ref().map(|e| scene.view().scalar(e)).or(drive.sense).unwrap_or(1.0);
         let slides = layout.sliders.iter().any(|s| s.0 == link);

@@ -3,7 +3,7 @@
 
 use super::planned::Plan;
 use crate::math::Vec2;
-use crate::model::{BalanceKind, DriveTarget, LinkId, Mechanism, PairId};
+use crate::model::{Axis, BalanceKind, DriveTarget, LinkId, Mechanism, PairId};
 use crate::structure::{BodyId, BodyOrigin, EffortKind, EffortSource, JointKind, Structure};
 
 /// What joints join, what acts on bodies, and what moves.
@@ -102,6 +102,10 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &Plan) ->
             joints.push(check);
         }
     }
+    moving.extend(structure.drives.iter().filter_map(|drive| match drive.kind {
+        EffortKind::Place(body, at, Axis::X) => Some((body.0, at)),
+        _ => None,
+    }));
     Checks {
         joints,
         moving,
@@ -233,6 +237,6 @@ fn effort(
             }
             JointKind::Revolute(_) | JointKind::Weld { .. } | JointKind::Law(_) => None,
         },
-        EffortKind::Point(_) => None,
+        EffortKind::Point(_) | EffortKind::Place(..) => None,
     }
 }

@@ -106,6 +106,12 @@ pub fn equations(mechanism: &Mechanism, structure: &Structure, plan: &Plan) -> V
                 let row = row_of(structure, joint);
                 all.extend(row.map(|row| Equation::Driven(row, id.index())));
             }
+            EffortKind::Place(body, at, axis) => {
+                let point = Anchor { body: body.0, at };
+                let line = Anchor { body: 0, at: Vec2::zero() };
+                let row = GuideRow { point, line, along: axis.unit(), across: false };
+                all.push(Equation::Driven(row, id.index()));
+            }
             EffortKind::Line(_) | EffortKind::Point(_) => {}
         }
     }

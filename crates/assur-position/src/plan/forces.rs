@@ -49,7 +49,7 @@ pub(super) fn closed(
             ways: [0, 1].map(|i| guide(structure, group.joints[i], first + i)),
         }),
         GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
-        GroupKind::Triad | GroupKind::Train | GroupKind::General => None,
+        GroupKind::Free | GroupKind::Triad | GroupKind::Train | GroupKind::General => None,
     }
 }
 
@@ -72,7 +72,7 @@ pub(super) fn effort_line(
             let guide = guide(structure, joint, slot);
             Some((EffortLine::Along(guide), if guide.slider == body { 1.0 } else { -1.0 }))
         }
-        EffortKind::Point(_) => None,
+        EffortKind::Point(_) | EffortKind::Place(..) => None,
     }
 }
 

@@ -118,7 +118,7 @@ fn shared(
                     let joint = GroupJoint { joint: id, body: slider, base, prismatic: true, inner: true };
                     at.push(SharedPlace::Along(guide(structure, joint, 0)));
                 }
-                EffortKind::Line(_) | EffortKind::Point(_) => {}
+                EffortKind::Line(_) | EffortKind::Point(_) | EffortKind::Place(..) => {}
             }
         }
         all.push((effort, at));
@@ -199,6 +199,11 @@ pub(super) fn problem(structure: &Structure, group: &Group, plan: &Plan) -> Gene
             EffortKind::Coordinate(id) => {
                 let Some(&joint) = group.joints.iter().find(|j| j.joint == id) else { continue };
                 let Some((_, point, line, _)) = prismatic(structure, joint, &mut places) else { continue };
+                Constraint::Coordinate { point, line, law: law(0.0) }
+            }
+            EffortKind::Place(body, at, axis) => {
+                let point = Point { body: places.of(body), r: at };
+                let line = Line { body: places.of(BodyId::GROUND), r: Vec2::zero(), d: axis.unit() };
                 Constraint::Coordinate { point, line, law: law(0.0) }
             }
             EffortKind::Line(_) | EffortKind::Point(_) => continue,
@@ -282,7 +287,7 @@ pub(super) fn balance_system(
                 let line = Line { body: places.of(BodyId::GROUND), r: Vec2::zero(), d: Vec2::new(1.0, 0.0) };
                 (Constraint::Coordinate { point, line, law: law(0.0) }, UnknownForce::Line(effort))
             }
-            EffortKind::Point(_) => continue,
+            EffortKind::Point(_) | EffortKind::Place(..) => continue,
         };
         if matches!(unknown, UnknownForce::Torque { .. }) {
             torques.push(constraints.len());

@@ -6,7 +6,8 @@ use super::load_step::{ForceLine, LoadStep};
 use super::step::Anchor;
 use crate::math::Vec2;
 use crate::model::{
-    BalanceKind, Bearing, Expr, LinkId, LoadId, LoadKind, Mechanism, PairKind, Place, SpringId, Value,
+    BalanceKind, Bearing, DriveTarget, Expr, LinkId, LoadId, LoadKind, Mechanism, PairKind, Place, SpringId,
+    Value,
 };
 use crate::structure::{Effort, EffortKind, EffortSource, Structure};
 use std::collections::HashSet;
@@ -19,7 +20,14 @@ pub(super) fn lines(mechanism: &Mechanism, structure: &Structure, lines: &mut Ve
 }
 
 fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine> {
-    let (EffortKind::Line(_), EffortSource::Balance(id)) = (effort.kind, effort.source) else { return None };
+    let id = match (effort.kind, effort.source) {
+        (EffortKind::Line(_), EffortSource::Balance(id)) => id,
+        (EffortKind::Line(_), EffortSource::Drive(id)) => {
+            let DriveTarget::Place(on, at, axis) = mechanism.drives[id.index()].target else { return None };
+            return Some(ForceLine { effort: slot, body: on.index(), at, along: axis.unit(), frame: None });
+        }
+        _ => return None,
+    };
     let BalanceKind::Force { on, at, along, frame } = &mechanism.balances[id.index()].kind else {
         return None;
     };

@@ -6,7 +6,8 @@ use super::planned::Plan;
 use super::step::{DrivenJoint, DrivenLeg, MotionStep};
 use super::train_step::TrainMember;
 use crate::group::rrr::Sides;
-use crate::model::Mechanism;
+use crate::math::Vec2;
+use crate::model::{Axis, Mechanism};
 use crate::structure::{Dyad, EffortKind, EffortSource, Group, GroupKind, Structure};
 
 pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
@@ -49,6 +50,7 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
 pub(super) fn closed(structure: &Structure, group: &Group, branch: usize) -> Option<MotionStep> {
     match group.kind {
         GroupKind::Driven => driven(structure, group, branch),
+        GroupKind::Free => free(structure, group, branch),
         GroupKind::Dyad(kind) => Some(dyad(structure, group, branch, kind)),
         GroupKind::Translation => Some(MotionStep::Translation {
             branch,
@@ -87,8 +89,24 @@ fn driven(structure: &Structure, group: &Group, branch: usize) -> Option<MotionS
             slide: slide(replaced, joint, joint.base),
             drive: drive.index(),
         }),
-        EffortKind::Line(_) | EffortKind::Point(_) => None,
+        EffortKind::Line(_) | EffortKind::Point(_) | EffortKind::Place(..) => None,
     }
+}
+
+fn free(structure: &Structure, group: &Group, branch: usize) -> Option<MotionStep> {
+    let (mut x, mut y, mut turn, mut point) = (None, None, None, Vec2::zero());
+    for &effort in &group.efforts {
+        let effort = &structure.drives[effort];
+        let EffortSource::Drive(drive) = effort.source else { return None };
+        match effort.kind {
+            EffortKind::Place(_, at, axis) => {
+                point = at;
+                *if axis == Axis::X { &mut x } else { &mut y } = Some(drive.index());
+            }
+            _ => turn = Some(drive.index()),
+        }
+    }
+    Some(MotionStep::Free { branch, body: group.bodies[0].0, at: arm(point), place: [x?, y?], turn })
 }
 
 fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> MotionStep {

@@ -150,6 +150,18 @@ pub enum MotionStep {
         /// The axis of the base from that of the body: where the angle is between others than their x axes.
         ahead: Option<Vec2>,
     },
+    /// A body that stands freely.
+    Free {
+        branch: usize,
+        /// Slot of the body.
+        body: usize,
+        /// The driven point in the body's frame.
+        at: Arm,
+        /// Slots of the drives of its coordinates x, y.
+        place: [usize; 2],
+        /// Slot of the drive of the angle; of a particle there is none.
+        turn: Option<usize>,
+    },
     /// A body on a guide at a driven coordinate.
     Shift {
         branch: usize,
@@ -269,6 +281,7 @@ impl MotionStep {
     pub const fn branch(&self) -> usize {
         match self {
             Self::Turn { branch, .. }
+            | Self::Free { branch, .. }
             | Self::Shift { branch, .. }
             | Self::Rrr { branch, .. }
             | Self::Rrp { branch, .. }

@@ -206,7 +206,7 @@ fn driven_terms(effort: &Effort) -> Vec<(BodyRate, f64)> {
             vec![(BodyRate::Turn(second), 1.0), (BodyRate::Turn(first), -1.0)]
         }
         EffortKind::Coordinate(joint) => vec![(BodyRate::Slide(joint), 1.0)],
-        EffortKind::Line(_) | EffortKind::Point(_) => Vec::new(),
+        EffortKind::Line(_) | EffortKind::Point(_) | EffortKind::Place(..) => Vec::new(),
     }
 }
 
@@ -278,6 +278,6 @@ fn effort(structure: &Structure, slot: usize, effort: &Effort) -> Option<TrainEf
         EffortKind::Coordinate(joint) => {
             guide_of(structure, joint).map(|j| TrainEffort::Along(slot, guide(structure, j, usize::MAX)))
         }
-        EffortKind::Line(_) | EffortKind::Point(_) => None,
+        EffortKind::Line(_) | EffortKind::Point(_) | EffortKind::Place(..) => None,
     }
 }

@@ -19,7 +19,7 @@ pub fn turns(model: &Model<'_>, drive: &Drive) -> bool {
         DriveTarget::Pair(pair) => {
             matches!(model.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_))
         }
-        DriveTarget::Point(..) => false,
+        DriveTarget::Point(..) | DriveTarget::Place(..) => false,
     }
 }
 
@@ -33,5 +33,9 @@ pub fn extent(model: &Model<'_>) -> f64 {
         JointKind::Law(_) => 0.0,
     };
     let extent = model.structure.replaced.joints.iter().map(|j| of(&j.kind)).fold(0.0, f64::max);
+    // of links that stand freely
+    let points =
+        || model.mechanism.links.iter().flat_map(|link| link.points.iter().map(|point| point.at.norm()));
+    let extent = if extent > 0.0 { extent } else { points().fold(0.0, f64::max) };
     if extent > 0.0 { extent } else { 1.0 }
 }

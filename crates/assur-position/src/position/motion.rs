@@ -142,6 +142,7 @@ impl<S: Scalar> State<S> {
             MotionStep::Turn { body, base, pin, drive, relative, sign, ahead, .. } => {
                 self.turn::<LEVEL>(*body, base, pin, *drive, (*relative, *sign, *ahead));
             }
+            MotionStep::Free { body, at, place, turn, .. } => self.free::<LEVEL>(*body, at, *place, *turn),
             MotionStep::Shift { slide, drive, .. } => self.shift::<LEVEL>(slide, *drive),
             MotionStep::Rrr { branch, legs, sides } => self.rrr::<LEVEL>(*branch, legs, sides),
             MotionStep::Rrp { branch, leg, slide, pin, from_point } => {
@@ -207,6 +208,25 @@ impl<S: Scalar> State<S> {
         let body = &mut self.motion.bodies[body];
         body.turned = turned;
         place::<S, LEVEL>(body, pin, hinge, u, omega, alpha);
+    }
+
+    /// Puts a body where drives say.
+    #[cfg_attr(in_one, inline(always))]
+    fn free<const LEVEL: u8>(&mut self, body: usize, at: &Arm, [x, y]: [usize; 2], turn: Option<usize>) {
+        let [x, y] = [x, y].map(|drive| self.motion.inputs[drive]);
+        let point = Point {
+            p: V2::new(x.value, y.value),
+            v: V2::new(x.rate, y.rate),
+            a: V2::new(x.acceleration, y.acceleration),
+        };
+        let still = (V2::new(S::one(), S::zero()), S::zero(), S::zero(), S::zero());
+        let (u, omega, alpha, turned) = turn.map_or(still, |drive| {
+            let input = &self.motion.inputs[drive];
+            (input.place, input.rate, input.acceleration, input.value)
+        });
+        let body = &mut self.motion.bodies[body];
+        body.turned = turned;
+        place::<S, LEVEL>(body, at, point, u, omega, alpha);
     }
 
     #[cfg_attr(in_one, inline(always))]

@@ -151,6 +151,7 @@ fn placing(plan: &Plan, body: usize) -> (usize, bool) {
             Some(on_ground(&leg.base, &leg.pin))
         }
         MotionStep::Shift { slide, .. } => (slide.body == body).then_some(false),
+        MotionStep::Free { body: free, .. } => (*free == body).then_some(false),
         MotionStep::Rrp { leg, slide, .. } if leg.body == body => Some(on_ground(&leg.base, &leg.pin)),
         MotionStep::Rrp { slide, .. } => (slide.body == body).then_some(false),
         _ => None,

@@ -36,7 +36,7 @@ impl PoseAnswers<'_> {
                 let b = &self.state.motion.bodies[body.0];
                 value * (b.v + (at - b.p).perp() * b.omega).dot(n)
             }
-            EffortKind::Point(_) => f64::NAN,
+            EffortKind::Point(_) | EffortKind::Place(..) => f64::NAN,
         };
         self.structure.efforts[slot].places().map(power).sum()
     }

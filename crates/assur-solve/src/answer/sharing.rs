@@ -90,7 +90,8 @@ fn bodies_of_effort(structure: &Structure, kind: EffortKind) -> Vec<usize> {
     match kind {
         EffortKind::Angle(BodyId(body))
         | EffortKind::Line(BodyId(body))
-        | EffortKind::Point(BodyId(body)) => {
+        | EffortKind::Point(BodyId(body))
+        | EffortKind::Place(BodyId(body), ..) => {
             vec![body]
         }
         EffortKind::RelativeAngle { first, second, .. } => vec![first.0, second.0],

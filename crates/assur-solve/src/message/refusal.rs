@@ -3,7 +3,7 @@
 use super::format::label;
 use super::open_places::{friction_without_place, no_place, no_position};
 use super::speeds::{empty_range, needs_speed};
-use crate::model::PairId;
+use crate::model::{Drive, DriveTarget, LinkId, Mechanism, PairId};
 use crate::position::Model;
 use crate::solve::Refusal;
 use assur_text::diagnostic::Diagnosis;
@@ -39,10 +39,7 @@ pub(super) fn refused(model: &Model<'_>, refusal: &Refusal) -> Diagnosis {
             format!("`{}` turns freely: its rotation is not determined", mechanism.link(*roller).name),
         )
         .labels(places.iter().map(|place| label("depends on its rotation", *place)))
-        .help(
-            "ask for points of its axis, or of the link that carries it; or give the \
-             circle to that link, so that it slides instead of rolling",
-        ),
+        .help(of_free_rotation(mechanism, *roller)),
         Refusal::NoPosition { drive, what } => no_position(model, *drive, *what),
         Refusal::NoPlace { pair, place } => no_place(mechanism, *pair, *place),
         Refusal::OpenCouple(pairs) => {
@@ -65,6 +62,19 @@ pub(super) fn refused(model: &Model<'_>, refusal: &Refusal) -> Diagnosis {
             )
         }
     }
+}
+
+fn of_free_rotation(mechanism: &Mechanism, link: LinkId) -> String {
+    let stands_freely = |drive: &Drive| matches!(drive.target, DriveTarget::Place(on, ..) if on == link);
+    if let Some(drive) = mechanism.drives.iter().find(|drive| stands_freely(drive)) {
+        let (name, point) = (&mechanism.link(link).name, drive.written_name());
+        return format!(
+            "ask for `{point}`; or give its angle too, as in `start {name} = 0 deg`, and its `inertia`"
+        );
+    }
+    "ask for points of its axis, or of the link that carries it; or give the circle to that link, so that it slides instead \
+     of rolling"
+        .to_owned()
 }
 
 /// A construct that cannot be solved yet.

@@ -138,8 +138,11 @@ fn enough(reached: f64) -> f64 {
     enough
 }
 
+/// One per statement, which may give two coordinates.
 fn starts<'m>(model: &Model<'m>) -> impl Iterator<Item = &'m Drive> {
-    model.mechanism.drives.iter().filter(|d| d.free)
+    let drives = &model.mechanism.drives;
+    let repeats = |i: usize| i > 0 && drives[i - 1].span == drives[i].span;
+    drives.iter().enumerate().filter(move |(i, d)| d.free && !repeats(*i)).map(|(_, d)| d)
 }
 
 fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: f64) -> Diagnosis {
@@ -188,16 +191,23 @@ fn no_rate(model: &Model<'_>, drive: usize, (other, value): (DriveTarget, f64)) 
     let mechanism = model.mechanism;
     let drive = &mechanism.drives[drive];
     let name = match other {
-        DriveTarget::Link(link) | DriveTarget::Point(link, _) => &mechanism.link(link).name,
+        DriveTarget::Link(link) | DriveTarget::Point(link, _) | DriveTarget::Place(link, ..) => {
+            &mechanism.link(link).name
+        }
         DriveTarget::Pair(pair) => &mechanism.pair(pair).name,
     };
     let turns = turns(model, &Drive { target: other, ..drive.clone() });
     let line = start_line(model, name, (turns, value, None));
-    let help =
-        format!("start what can move there, as in `{line}`, or leave out the speed of `{}`", drive.name);
+    let help = format!(
+        "start what can move there, as in `{line}`, or leave out the speed of `{}`",
+        drive.written_name()
+    );
     Diagnosis::error(
         "mech::simulate::dead_position",
-        format!("`{}` can have no speed where it starts: it is in its dead position there", drive.name),
+        format!(
+            "`{}` can have no speed where it starts: it is in its dead position there",
+            drive.written_name()
+        ),
     )
     .label(drive.span, "no motion of the links gives it this speed")
     .help(help)
@@ -340,7 +350,7 @@ fn nothing_free(model: &Model<'_>) -> Diagnosis {
 
 fn no_inertia(model: &Model<'_>, time: String) -> Diagnosis {
     let mechanism = model.mechanism;
-    let names = starts(model).map(|d| format!("`{}`", d.name)).collect::<Vec<_>>();
+    let names = starts(model).map(|d| format!("`{}`", d.written_name())).collect::<Vec<_>>();
     let light = mechanism.links.iter().skip(1).filter(|l| l.mass.is_none());
     let light = light.map(|l| format!("`{}`", l.name)).collect::<Vec<_>>();
     let what = if names.len() == 1 { "it moves links" } else { "they move links" };

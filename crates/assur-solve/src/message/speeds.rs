@@ -148,7 +148,7 @@ fn turns(mechanism: &Mechanism, drive: &Drive) -> bool {
     match drive.target {
         DriveTarget::Link(_) => true,
         DriveTarget::Pair(pair) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
-        DriveTarget::Point(..) => false,
+        DriveTarget::Point(..) | DriveTarget::Place(..) => false,
     }
 }
 

@@ -96,7 +96,7 @@ pub(super) fn unknowns(model: &Model<'_>, state: &State, motion: &Motion<'_>) ->
                     let along = super::unit(direction).turned(body.u);
                     on = on.force(slider.0, guide.0, body.position(point), along);
                 }
-                EffortKind::Point(_) => {}
+                EffortKind::Point(_) | EffortKind::Place(..) => {}
             }
         }
         if matches!(effort.kind, EffortKind::Point(_)) {

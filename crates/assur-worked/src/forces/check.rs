@@ -124,7 +124,7 @@ impl Derivation<'_> {
                     if guide.0 == 0 { [Expr::ZERO, Expr::ZERO] } else { self.velocity(guide.0, at) };
                 Some(angle.along(&[vx - wx, vy - wy]))
             }
-            EffortKind::Point(_) => None,
+            EffortKind::Point(_) | EffortKind::Place(..) => None,
         }
     }
 

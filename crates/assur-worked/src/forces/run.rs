@@ -124,7 +124,7 @@ impl Derivation<'_> {
                 Some((self.rate_of_effort(0, kind)?, true))
             }
             DriveTarget::Pair(pair) => self.rate_of_pair(pair),
-            DriveTarget::Point(..) => None,
+            DriveTarget::Point(..) | DriveTarget::Place(..) => None,
         }
     }
 

@@ -92,7 +92,7 @@ impl Derivation<'_> {
             let label = match drive.target {
                 DriveTarget::Link(link) => self.label(link.index()),
                 DriveTarget::Pair(pair) => self.scene.mechanism().pair(pair).name.clone(),
-                DriveTarget::Point(..) => return None,
+                DriveTarget::Point(..) | DriveTarget::Place(..) => return None,
             };
             Some(Coordinate { label, turns: turns(&self.scene.model, drive), target: drive.target })
         };

@@ -233,7 +233,7 @@ impl Derivation<'_> {
                 EffortKind::Line(body) => Some(self.line_of_effort(slot, body.0).1),
                 EffortKind::Coordinate(joint) => Some(self.guide_of_coordinate(joint)?.3),
                 EffortKind::Angle(_) | EffortKind::RelativeAngle { .. } => None,
-                EffortKind::Point(_) => return None,
+                EffortKind::Point(_) | EffortKind::Place(..) => return None,
             };
             let value = self.found.get(&self.effort_name(slot, angle.is_some())).cloned()?;
             let (parts, couple) = match angle {

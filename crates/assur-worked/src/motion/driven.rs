@@ -80,6 +80,45 @@ impl Derivation<'_> {
         }
     }
 
+    /// A link that stands freely: a point of it and its angle.
+    pub(super) fn free(
+        &mut self,
+        stage: Stage,
+        (body, at): (usize, Vec2),
+        place: [usize; 2],
+        turn: Option<usize>,
+    ) {
+        let (label, point) = (self.label(body), self.point_name(body, at));
+        let inputs = place.map(|drive| self.state().motion.inputs[drive]);
+        let input = turn.map(|drive| self.state().motion.inputs[drive]);
+        let order = stage as usize;
+        if stage == Stage::Positions {
+            let names = ["x", "y"].map(|letter| Name::new(letter, &point));
+            let [x, y] = [0, 1].map(|i| self.given(names[i].clone(), inputs[i].value, Unit::Length));
+            self.points[0].insert(point, [x, y]);
+            let angle = input.map_or(Angle::ZERO, |input| {
+                Angle::of(self.given(Name::new("φ", &label), input.value.to_degrees(), Unit::Angle))
+            });
+            self.bodies[body] = Some(Body { reference: at, angle, rates: [Expr::ZERO, Expr::ZERO] });
+            let message = if self.is_free(place[0]) { Message::FreeCoordinate } else { Message::DrivenAngle };
+            let mut letters: Vec<Name> = names.to_vec();
+            letters.extend(turn.map(|_| Name::new("φ", &label)));
+            letters.iter().for_each(|name| self.say(message, &[super::of(name)]));
+            return;
+        }
+        let (letter, unit) = [("v", Unit::Velocity), ("a", Unit::Acceleration)][order - 1];
+        let rates = inputs.map(|input| [input.rate, input.acceleration][order - 1]);
+        let parts = ["x", "y"].map(|axis| Name::new(letter, &point).and(axis));
+        let found = [0, 1].map(|i| self.given_or_stated(parts[i].clone(), rates[i], unit, place[i]));
+        self.keep(order, &point, found);
+        if let (Some(drive), Some(input)) = (turn, input) {
+            let (name, unit) = [("ω", Unit::AngularVelocity), ("α", Unit::AngularAcceleration)][order - 1];
+            let value = [input.rate, input.acceleration][order - 1];
+            let rate = self.given_or_stated(Name::new(name, &label), value, unit, drive);
+            self.set_rate(body, order - 1, rate);
+        }
+    }
+
     /// Where the rates of a drive come from.
     fn origin(&self, drive: usize) -> Origin {
         let file = self.scene.mechanism().drives.get(drive);

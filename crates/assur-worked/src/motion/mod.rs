@@ -122,6 +122,9 @@ impl Derivation<'_> {
                 self.turn(stage, *body, base, *pin, *drive, relative.then_some(*sign));
             }
             MotionStep::Shift { slide, drive, .. } => self.shift(stage, slide, *drive),
+            MotionStep::Free { body, at, place, turn, .. } => {
+                self.free(stage, (*body, at.unwrap_or_default()), *place, *turn);
+            }
             MotionStep::Rrr { legs, .. } => self.rrr(stage, legs),
             MotionStep::Rrp { branch, leg, slide, pin, .. } => self.rrp(stage, *branch, leg, slide, *pin),
             MotionStep::Rpr { branch, bases, pins, slide, .. } => {

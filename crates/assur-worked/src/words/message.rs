@@ -27,7 +27,7 @@ messages! {
     Message of "words" {
         Structure Positions Velocities Accelerations Inertia Reactions Check Results Given Value Quantity
         Letters Unit Pair Links Kind Class Group OuterPairs InnerPairs Revolute Prismatic Slot Contact
-        Cylinder Transmission Lower Higher Driven Train Triad General DrivenLegs Between SchemeAt
+        Cylinder Transmission Lower Higher Driven FreeLink Train Triad General DrivenLegs Between SchemeAt
         VelocityPlan AccelerationPlan Freed Polygon Lever Conventions MobilityIs Replaced Passive Formula
         ForceOrder GroupOf LinkOf DrivenAngle DrivenRate SenseOnly FreeCoordinate Uniform Triangle LeftOf
         RightOf Projected OnGuide AcrossGuide AlongGuide Slotted SlottedThrough Covered TwoGuides TwoSlides

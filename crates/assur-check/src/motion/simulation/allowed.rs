@@ -47,8 +47,22 @@ fn starts_or_drives(cx: &mut Context<'_>, span: Span) {
                 }
                 _ => None,
             });
-            let link = turning.map_or("LINK", |link| cx.builder.mech.link(link).name.as_str());
-            format!("add `start {link} = 45 deg`: one line for each freedom, of a link or a pair")
+            let mech = &cx.builder.mech;
+            let joined = |link: LinkId| mech.pairs.iter().any(|pair| pair.kind.links().contains(&link));
+            let alone = (1..mech.links.len()).map(LinkId::at).find(|link| !joined(*link));
+            let point =
+                alone.and_then(|link| Some((&mech.link(link).name, &mech.link(link).points.first()?.name)));
+            match (turning, point) {
+                (None, Some((link, point))) => {
+                    format!(
+                        "`{link}` is joined to nothing; let it move freely: add `start {link}.{point} = (0 m, 0 m)` and `start {link} = 0 deg`"
+                    )
+                }
+                _ => {
+                    let link = turning.map_or("LINK", |link| mech.link(link).name.as_str());
+                    format!("add `start {link} = 45 deg`: one line for each freedom, of a link or a pair")
+                }
+            }
         }
     };
     cx.error(

@@ -4,10 +4,12 @@ use super::{may_be_missing, statement};
 use crate::expr::context::Context;
 use crate::motion::{
     drive::{Moves, has_wheels, target, value, zero},
+    place,
     simulation::no_simulation,
 };
 use crate::statements::written::{text, written};
-use assur_model::model::{Drive, DriveTarget, Expr, Positions};
+use assur_math::math::Vec2;
+use assur_model::model::{Drive, DriveTarget, Expr, Positions, Value};
 use assur_syntax::document::{Start, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
@@ -19,25 +21,13 @@ pub(crate) fn starts(cx: &mut Context<'_>) {
         if let Statement::Start(s) = &statement.node
             && let Some(drive) = start(cx, s, statement.span)
         {
-            cx.builder.mech.drives.push(drive);
+            cx.builder.mech.drives.extend(place::coordinates(&drive));
         }
     }
 }
 
 fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
     let name = text(&start.target);
-    if start.target.tail.is_some() {
-        let link = start.target.head.node.clone();
-        cx.error(
-            Diagnosis::error(
-                "mech::simulate::point",
-                format!("a start is the value of an angle or a coordinate, and `{name}` is a point"),
-            )
-            .label(start.target.span(), "a point")
-            .help(format!("name its link, as in `start {link} = 45 deg`, or a pair")),
-        );
-        return None;
-    }
     let (target, moves) = target(cx, &start.target, "a start")?;
     if statement(cx).is_none() && may_be_missing(cx) {
         let line = written_start(start, &name);
@@ -49,10 +39,15 @@ fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
     let position = start.value.as_ref().map(|v| value(cx, v, moves, 0, &name));
     let speed = match &start.rate {
         Some(rate) => value(cx, rate, moves, 1, &name),
+        None if moves == Moves::Freely => Some(Expr::Constant(Value::Vector(Vec2::zero()))),
         None => Some(Expr::number(0.0)),
     };
-    if position.is_none() && !has_wheels(cx) {
-        let example = if moves == Moves::Sliding { "100 mm" } else { "45 deg" };
+    if position.is_none() && (moves == Moves::Freely || !has_wheels(cx)) {
+        let example = match moves {
+            Moves::Turning => "45 deg",
+            Moves::Sliding => "100 mm",
+            Moves::Freely => "(0, 100 mm)",
+        };
         let name = format!("{name} = {example} at {}", zero(moves, 1));
         cx.error(
             Diagnosis::error(
@@ -95,7 +90,7 @@ fn written_start(start: &Start, name: &str) -> String {
 
 /// Whether nothing else gives the coordinate.
 fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, again: Span) -> bool {
-    let other = cx.builder.mech.drives.iter().find(|d| d.target == target);
+    let other = cx.builder.mech.drives.iter().find(|d| place::is_given(d, target));
     let Some((first, free)) = other.map(|d| (d.span, d.free)) else { return true };
     let (what, help) = if free {
         (format!("`{name}` is started twice"), "keep one of them".to_owned())

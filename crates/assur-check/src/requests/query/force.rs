@@ -4,13 +4,16 @@ use crate::expr::{
     context::Context,
     results::{Call, Sign, wrong_argument},
 };
+use crate::motion::place;
 use crate::names::{
     declared::QuantityKind,
     suggestion::{suggestion, wrong_kind},
 };
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind};
+use assur_model::model::{
+    BinaryOp, DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind,
+};
 use assur_syntax::document::{Expr, Member, Name, Statement};
 use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::language::Function;
@@ -286,15 +289,20 @@ impl Context<'_> {
             return None;
         };
         self.note_names(args[0]);
-        let drive = self.drive(&names)?;
-        let statement = self.drive_statements()[drive.index()];
-        let vector = statement.target.tail.is_some();
-        if vector {
+        let (index, drive) = self.drive(&names)?;
+        let target = &self.drive_statements()[index].target;
+        let (is_point, is_place) = (target.tail.is_some(), place::is_place(self, target));
+        if is_point && !is_place {
             self.wrong_argument(call, "a link or a pair that is driven", args[0].span);
             return None;
         }
         self.own_effort(args[0])?;
-        let statement = self.drive_statements()[drive.index()];
+        if is_place {
+            let [x, y] = [drive, DriveId::at(drive.index() + 1)]
+                .map(|id| Box::new(ModelExpr::Query(Query::Effort(id))));
+            return Some(Typed::new(ModelExpr::Vector(x, y), Type::vector(Dimension::FORCE)));
+        }
+        let statement = self.drive_statements()[index];
         let turns = self.drive_dimension(statement) == Dimension::ANGLE;
         Some(number(Query::Effort(drive), if turns { Dimension::TORQUE } else { Dimension::FORCE }))
     }
@@ -322,11 +330,14 @@ impl Context<'_> {
     }
 
     /// The drive of what is named.
-    fn drive(&mut self, names: &[Name]) -> Option<DriveId> {
+    /// A drive by its name: its place among the statements, and its first coordinate.
+    fn drive(&mut self, names: &[Name]) -> Option<(usize, DriveId)> {
         let written = names.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join(".");
         let drives = self.drive_names();
         if let Some(i) = drives.iter().position(|d| *d == written) {
-            return Some(DriveId::at(i));
+            let before = &self.drive_statements()[..i];
+            let places = before.iter().filter(|drive| place::is_place(self, &drive.target)).count();
+            return Some((i, DriveId::at(i + places)));
         }
         let (first, last) = (names.first()?, names.last()?);
         if self.names.bad.contains(&first.node) || !self.problems.reported.insert(("drive", written.clone()))
@@ -386,8 +397,14 @@ impl Context<'_> {
             }
             _ => {
                 self.note_names(args[0]);
-                let drive = self.drive(&names)?;
+                let (index, drive) = self.drive(&names)?;
                 self.own_effort(args[0])?;
+                if place::is_place(self, &self.drive_statements()[index].target) {
+                    let [x, y] = [drive, DriveId::at(drive.index() + 1)]
+                        .map(|id| ModelExpr::Query(Query::EffortPower(id)));
+                    let sum = crate::values::fold::binary(BinaryOp::Add, x, y);
+                    return Some(Typed::new(sum, Type::number(Dimension::POWER)));
+                }
                 Query::EffortPower(drive)
             }
         };

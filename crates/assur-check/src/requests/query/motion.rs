@@ -227,7 +227,7 @@ impl Context<'_> {
         None
     }
 
-    /// All drives as written, in order: their place is their id.
+    /// All drives as written, in order.
     pub fn drive_statements(&self) -> Vec<&Drive> {
         let all = self.doc.statements.iter();
         all.filter_map(|s| if let Statement::Drive(d) = &s.node { Some(d) } else { None }).collect()

@@ -1,7 +1,7 @@
 //! What is asked of the rotation of a roller that turns freely: nothing says how it turns.
 
 use crate::answer::every_query;
-use crate::model::{About, LinkId, PairId, PairKind, PointRef, Query};
+use crate::model::{About, DriveTarget, LinkId, PairId, PairKind, PointRef, Query};
 use crate::position::Model;
 use crate::solve::refusal::Refusal;
 
@@ -35,10 +35,13 @@ fn joins(model: &Model<'_>, pair: PairId, roller: LinkId) -> bool {
     model.mechanism.pair(pair).kind.links().contains(&roller)
 }
 
-/// The hinge about which the roller turns: it stays where it is.
+/// The hinge about which the roller turns, or the place of a particle: it stays where it is.
 fn is_pivot(model: &Model<'_>, roller: LinkId, at: crate::math::Vec2) -> bool {
-    model.mechanism.pairs.iter().any(|pair| match &pair.kind {
-        PairKind::Revolute(pins) => pins.iter().any(|pin| pin.link == roller && pin.at == at),
-        _ => false,
-    })
+    let is_place =
+        |target| matches!(target, DriveTarget::Place(link, point, _) if link == roller && point == at);
+    model.mechanism.drives.iter().any(|drive| is_place(drive.target))
+        || model.mechanism.pairs.iter().any(|pair| match &pair.kind {
+            PairKind::Revolute(pins) => pins.iter().any(|pin| pin.link == roller && pin.at == at),
+            _ => false,
+        })
 }

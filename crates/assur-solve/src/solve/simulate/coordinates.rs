@@ -139,6 +139,11 @@ impl<'w> Charts<'w> {
                 let along = guide.along.turned(bodies[guide.guide.index()].u);
                 (at(guide.slider) - at(guide.guide)).dot(along).abs()
             }
+            DriveTarget::Place(link, at, axis) => {
+                let body = &equations.here().1.motion.bodies[link.index()];
+                let (v, omega) = unit(link);
+                (v + at.turned(body.u).perp() * omega).dot(axis.unit()).abs()
+            }
             DriveTarget::Point(..) => 0.0,
         }
     }
@@ -202,7 +207,7 @@ impl Change {
 /// A unit of a coordinate: an angle of 1, or the extent.
 pub(super) const fn unit(target: DriveTarget, extent: f64) -> f64 {
     match target {
-        DriveTarget::Pair(_) => extent,
+        DriveTarget::Pair(_) | DriveTarget::Place(..) => extent,
         DriveTarget::Link(_) | DriveTarget::Point(..) => 1.0,
     }
 }
@@ -225,6 +230,12 @@ pub(super) fn measured(view: &PoseAnswers<'_>, target: DriveTarget) -> Option<(f
         }
         DriveTarget::Pair(pair) => {
             (view.displacement(pair), view.relative_velocity(pair), view.relative_acceleration(pair))
+        }
+        DriveTarget::Place(link, at, axis) => {
+            let body = &view.state.motion.bodies[link.index()];
+            let place = [body.position(at), body.velocity(at), body.acceleration(at)];
+            let [x, v, a] = place.map(|vector| vector.dot(axis.unit()));
+            (x, v, a)
         }
         DriveTarget::Point(..) => return None,
     })
