@@ -3,6 +3,7 @@
 mod accuracy;
 mod against_motion;
 mod all_motion;
+mod arms;
 mod bonds;
 mod brakes;
 #[path = "../busy/mod.rs"]

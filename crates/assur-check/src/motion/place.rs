@@ -1,20 +1,33 @@
-//! The place of a link that stands freely: a point of it counts as two coordinates, x and y in the axes of the ground.
+//! The place of a link: a point of it counts as two coordinates, x and y in the axes of the ground.
 
 use crate::expr::context::Context;
-use assur_model::model::{Axis, Drive, DriveTarget, Expr, Positions, Value};
+use assur_math::math::Vec2;
+use assur_model::model::{Axis, Drive, DriveTarget, Expr, LinkId, PairKind, Positions, Value};
 use assur_syntax::document::{Path, Statement};
 
-/// Whether another drive or start gives the angle of the link of this point: the two are the place of the link.
+/// Whether a driven point counts as two coordinates: another drive or start gives the angle of its link, or a pair joins the link
+/// elsewhere. Else its link is an outer one, whose rotation is not known.
 pub(crate) fn is_place(cx: &Context<'_>, point: &Path) -> bool {
-    point.tail.is_some()
-        && cx.doc.statements.iter().any(|statement| {
-            let target = match &statement.node {
-                Statement::Drive(drive) => &drive.target,
-                Statement::Start(start) => &start.target,
-                _ => return false,
-            };
-            target.tail.is_none() && target.head.node == point.head.node
-        })
+    let Some(tail) = &point.tail else { return false };
+    let gives_angle = cx.doc.statements.iter().any(|statement| {
+        let target = match &statement.node {
+            Statement::Drive(drive) => &drive.target,
+            Statement::Start(start) => &start.target,
+            _ => return false,
+        };
+        target.tail.is_none() && target.head.node == point.head.node
+    });
+    let link = cx.find_link(&point.head.node);
+    let at = link.and_then(|link| cx.builder.mech.link(link).points.iter().find(|p| p.name == tail.node));
+    gives_angle || link.zip(at).is_some_and(|(link, point)| is_joined_elsewhere(cx, link, point.at))
+}
+
+fn is_joined_elsewhere(cx: &Context<'_>, link: LinkId, at: Vec2) -> bool {
+    cx.builder.mech.pairs.iter().any(|pair| match &pair.kind {
+        PairKind::Revolute(pins) => pins.iter().any(|pin| pin.link == link && pin.at != at),
+        PairKind::Cylinder { from, to, .. } => [from, to].iter().any(|pin| pin.link == link && pin.at != at),
+        kind => kind.links().contains(&link),
+    })
 }
 
 /// The drives of the two coordinates.

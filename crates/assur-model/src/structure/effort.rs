@@ -1,10 +1,8 @@
 //! What is known of the motion (drives) and what is unknown of the forces (balances): one place in the mechanism each.
 
 use super::joint::{BodyId, JointId, JointKind, Replaced};
-use super::roller::label;
 use crate::math::Vec2;
 use crate::model::{Axis, BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, Mechanism, PairId, PairKind};
-use assur_text::diagnostic::Diagnosis;
 
 /// A driven freedom, or the effort that acts in it.
 #[derive(Clone, Debug)]
@@ -167,54 +165,4 @@ pub(super) fn of_balances(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Eff
         EffortSource::Balance(_) => false,
     });
     balances.chain(starts).collect()
-}
-
-/// An outer link is joined at its driven point only: its own rotation is not known.
-pub(super) fn outer_link_defects(
-    mechanism: &Mechanism,
-    replaced: &Replaced,
-    drives: &[Effort],
-) -> Vec<Diagnosis> {
-    let mut errors = Vec::new();
-    for effort in drives {
-        let (EffortKind::Point(outer), EffortSource::Drive(id)) = (effort.kind, effort.source) else {
-            continue;
-        };
-        let drive = &mechanism.drives[id.index()];
-        let DriveTarget::Point(_, point) = drive.target else { continue };
-        for joint in &replaced.joints {
-            let at_point = match &joint.kind {
-                JointKind::Revolute(members) => members.iter().all(|m| m.0 != outer || same(m.1, point)),
-                JointKind::Prismatic { slider, guide, .. } => *slider != outer && *guide != outer,
-                JointKind::Weld { .. } => true,
-                JointKind::Law(_) => !joint.bodies().contains(&outer),
-            };
-            if !at_point {
-                let pair = mechanism.pair(joint.pair);
-                errors.push(
-                    Diagnosis::error(
-                        "mech::determinacy::outer_link",
-                        format!(
-                            "`drive {}` moves only one point of its link, but pair `{}` joins the \
-                             link elsewhere: its rotation is not known",
-                            drive.name, pair.name
-                        ),
-                    )
-                    .labels(vec![
-                        label("moves one point only", drive.span),
-                        label("joins the link elsewhere", pair.span),
-                    ])
-                    .help(
-                        "join it at this point only, or join it to the ground and drive its \
-                         angle: a link driven at a point must not be joined elsewhere",
-                    ),
-                );
-            }
-        }
-    }
-    errors
-}
-
-fn same(a: Vec2, b: Vec2) -> bool {
-    (a - b).norm() <= 1e-12 * (a.norm() + b.norm())
 }

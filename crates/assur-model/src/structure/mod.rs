@@ -54,7 +54,6 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
         return Err(errors);
     }
     errors.extend(floating::floating(trial));
-    errors.extend(effort::outer_link_defects(mechanism, &replaced, &drives));
     errors.extend(roller::turned(mechanism, &replaced.passive));
     if !errors.is_empty() {
         return Err(errors);

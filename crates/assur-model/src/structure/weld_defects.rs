@@ -28,19 +28,12 @@ pub(super) fn defects(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Diagnos
         }
     }
     let fixed = |drive: &&Drive| match drive.target {
-        DriveTarget::Link(link) => link != LinkId::GROUND && replaced.body_of(link) == BodyId::GROUND,
-        DriveTarget::Pair(_) | DriveTarget::Point(..) | DriveTarget::Place(..) => false,
+        DriveTarget::Link(link) | DriveTarget::Place(link, ..) => {
+            link != LinkId::GROUND && replaced.body_of(link) == BodyId::GROUND
+        }
+        DriveTarget::Pair(_) | DriveTarget::Point(..) => false,
     };
     found.extend(mechanism.drives.iter().filter(fixed).map(|drive| of_fixed(mechanism, replaced, drive)));
-    let points = mechanism.drives.iter().filter_map(|drive| match drive.target {
-        DriveTarget::Point(link, _) => Some((drive, welds_of(mechanism, replaced, link))),
-        _ => None,
-    });
-    found.extend(
-        points
-            .filter(|(_, welds)| !welds.is_empty())
-            .map(|(drive, welds)| of_point(mechanism, drive, &welds)),
-    );
     found
 }
 
@@ -104,7 +97,7 @@ fn of_law(mechanism: &Mechanism, pair: PairId, link: LinkId) -> Diagnosis {
 
 fn of_fixed(mechanism: &Mechanism, replaced: &Replaced, drive: &Drive) -> Diagnosis {
     let welds = welds_of(mechanism, replaced, LinkId::GROUND);
-    let (word, name) = (if drive.free { "start" } else { "drive" }, &drive.name);
+    let (word, name) = (if drive.free { "start" } else { "drive" }, drive.written_name());
     Diagnosis::error(
         "mech::determinacy::overconstrained",
         format!("`{word} {name}` moves a link that is welded to the ground"),
@@ -112,15 +105,4 @@ fn of_fixed(mechanism: &Mechanism, replaced: &Replaced, drive: &Drive) -> Diagno
     .primary(drive.span, "nothing can move here")
     .labels(welds.iter().map(|weld| label("holds it", mechanism.pair(*weld).span)).take(MOST_LABELS))
     .help(format!("leave out `{word} {name}`: reactions of what does not move need no drive"))
-}
-
-fn of_point(mechanism: &Mechanism, drive: &Drive, welds: &[PairId]) -> Diagnosis {
-    let labels = welds.iter().map(|weld| label("welds its link", mechanism.pair(*weld).span));
-    Diagnosis::error(
-        "mech::determinacy::outer_link",
-        format!("`drive {}` moves a point of a link that is welded: its rotation is not known", drive.name),
-    )
-    .primary(drive.span, "moves one point only")
-    .labels(labels.take(MOST_LABELS))
-    .help("leave out the weld: a link driven at a point is joined at this point only")
 }

@@ -7,14 +7,28 @@ use crate::model::PairKind;
 use crate::plan::{DrivenJoint, DrivenLeg, MotionStep};
 use crate::position::Model;
 use crate::solve::GroupGap;
-use crate::structure::{BodyId, GroupJoint};
+use crate::structure::{BodyId, EffortSource, Group, GroupJoint};
 use crate::units::Dimension;
+
+/// The point that drives move.
+fn tip(model: &Model<'_>, group: &Group) -> String {
+    let drives = group.efforts.iter().map(|&effort| model.structure.drives[effort].source);
+    let names = drives.filter_map(|source| match source {
+        EffortSource::Drive(id) => Some(format!("`{}`", model.mechanism.drives[id.index()].written_name())),
+        EffortSource::Balance(_) => None,
+    });
+    names.take(1).collect()
+}
 
 /// The gap with its numbers and points, and what would close it.
 pub(super) fn gap_text(model: &Model<'_>, group: usize, gap: &GroupGap) -> (String, String) {
     let step = &model.plan.motion[group];
     let group = &model.structure.motion[group];
-    let name = |i: usize| hinge(model, model.structure.replaced.joint(group.joints[i].joint));
+    // an arm has its driven tip in place of the third hinge
+    let name = |i: usize| match group.joints.get(i) {
+        Some(joint) => hinge(model, model.structure.replaced.joint(joint.joint)),
+        None => tip(model, group),
+    };
     let mm = &|x: f64| length(model, x);
     let link = |i: usize| body(model, group.bodies[i]);
     match gap {

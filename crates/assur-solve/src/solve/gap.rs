@@ -2,9 +2,11 @@
 
 use crate::group::triad::{Miss, gap};
 use crate::group::{Gap, rpr, rrp, rrr};
+use crate::math::Vec2;
 use crate::model::PairId;
 use crate::plan::{Anchor, MotionStep};
 use crate::position::{Model, State};
+use crate::structure::{BodyId, EffortKind, EffortSource, GroupJoint, JointKind};
 
 /// By how much a group does not close, with the lengths that make it so. A gap is absent where the closed form sees none.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +96,42 @@ pub(super) fn group_gap(model: &Model<'_>, state: &State, index: usize) -> Group
     }
 }
 
-fn reach([p_A, p_B]: [crate::math::Vec2; 2], lengths: [f64; 2]) -> GroupGap {
+/// By how much an arm of two links does not reach the place of its driven tip; `None` of other groups.
+pub(super) fn arm_gap(model: &Model<'_>, state: &State, index: usize) -> Option<GroupGap> {
+    let (replaced, group) = (&model.structure.replaced, &model.structure.motion[index]);
+    let [upper, fore] = group.bodies[..] else { return None };
+    let (outer, inner) = match group.joints[..] {
+        [a, b] if !a.prismatic && !b.prismatic && a.inner != b.inner => {
+            if a.inner {
+                (b, a)
+            } else {
+                (a, b)
+            }
+        }
+        _ => return None,
+    };
+    let mut tip = Vec2::zero();
+    let mut on = None;
+    for &effort in &group.efforts {
+        let effort = &model.structure.drives[effort];
+        let (EffortKind::Place(body, at, axis), EffortSource::Drive(drive)) = (effort.kind, effort.source)
+        else {
+            return None;
+        };
+        tip = tip + axis.unit() * state.motion.inputs[drive.index()].value;
+        on = Some((body, at));
+    }
+    let (fore, at) = on.filter(|(body, _)| [upper, fore].contains(body) && *body != outer.body)?;
+    let pin = |joint: GroupJoint, body: BodyId| match &replaced.joint(joint.joint).kind {
+        JointKind::Revolute(members) => members.iter().find(|member| member.0 == body).map(|member| member.1),
+        _ => None,
+    };
+    let base = state.motion.bodies[outer.base.0].position(pin(outer, outer.base)?);
+    let upper = (pin(inner, outer.body)? - pin(outer, outer.body)?).norm();
+    Some(reach([base, tip], [upper, (at - pin(inner, fore)?).norm()]))
+}
+
+fn reach([p_A, p_B]: [Vec2; 2], lengths: [f64; 2]) -> GroupGap {
     let gap = rrr::gap(p_A, p_B, lengths[0], lengths[1]);
     GroupGap::Reach { distance: (p_B - p_A).norm(), lengths, gap }
 }

@@ -2,7 +2,7 @@
 
 use super::clause::{apart, clauses, coordinate, distinct, points};
 use super::failure::Cause;
-use super::gap::group_gap;
+use super::gap::{GroupGap, arm_gap, group_gap};
 use crate::model::HintKind;
 use crate::plan::MotionStep;
 use crate::position::{Model, State, is_never_regular};
@@ -15,6 +15,9 @@ pub(super) fn does_not_close(model: &Model<'_>, state: State, group: usize) -> C
     let mut state = state;
     let step = &model.plan.motion[group];
     if let MotionStep::General { problem, .. } = step {
+        if let Some(gap @ GroupGap::Reach { gap: Some(_), .. }) = arm_gap(model, &state, group) {
+            return Cause::DoesNotClose { group, gap };
+        }
         let point = points(model, &model.structure.motion[group]).first().map(|p| p.0);
         let never_regular = is_never_regular(&state, *problem, &model.plan.general[*problem]);
         return Cause::NotFound { group, point, never_regular };

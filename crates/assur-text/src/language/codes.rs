@@ -227,7 +227,6 @@ pub const CODES: &[Code] = codes! {
     // structure
     "determinacy" / "floating_link",
     "determinacy" / "not_grounded",
-    "determinacy" / "outer_link",
     "determinacy" / "weld_in_law",
     "determinacy" / "free_roller",
     "determinacy" / "underconstrained",
