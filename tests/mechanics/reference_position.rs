@@ -119,7 +119,7 @@ fn powers(model: &Model<'_>, exact: &Reference) -> (Double, f64) {
                 let along = V2::of(direction) / V2::<Double>::of(direction).norm();
                 (s.velocity(point) - under).dot(along.turned(s.u))
             }
-            EffortKind::Line(_) | EffortKind::Point(_) => panic!("not counted here"),
+            EffortKind::Line(_) | EffortKind::Point(_) | EffortKind::Place(..) => panic!("not counted here"),
         };
         effort.places().for_each(|kind| add(*value * rate(kind)));
     }

@@ -14,7 +14,7 @@ fn started(run: &Run, drive: &Drive, target: DriveTarget) -> Option<Drive> {
     let (value, rate) = match target {
         DriveTarget::Link(link) => (Query::Angle(link), Query::Omega(link)),
         DriveTarget::Pair(pair) => (Query::Displacement(pair), Query::RelativeVelocity(pair)),
-        DriveTarget::Point(..) => return None,
+        DriveTarget::Point(..) | DriveTarget::Place(..) => return None,
     };
     let (value, rate) = (scalar(&view, &value), scalar(&view, &rate));
     let name = format!("other {}", drive.name);

@@ -163,6 +163,8 @@ fn turns(m: &Mechanism, target: &assur::internals::model::DriveTarget) -> bool {
         assur::internals::model::DriveTarget::Pair(pair) => {
             matches!(m.pair(*pair).kind, PairKind::Revolute(_))
         }
-        assur::internals::model::DriveTarget::Point(..) => false,
+        assur::internals::model::DriveTarget::Point(..) | assur::internals::model::DriveTarget::Place(..) => {
+            false
+        }
     }
 }

@@ -112,7 +112,7 @@ fn agree(
         let factor = match drive.target {
             DriveTarget::Link(_) => change.torque(),
             DriveTarget::Pair(pair) => in_pair(pair),
-            DriveTarget::Point(..) => change.force(),
+            DriveTarget::Point(..) | DriveTarget::Place(..) => change.force(),
         };
         let query = Query::Effort(DriveId::at(i));
         let apart = factor * scalar(&a, &query) - scalar(&b, &query);

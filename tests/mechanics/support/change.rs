@@ -182,12 +182,15 @@ impl Change {
                     PairKind::Revolute(pins) => (self.mirror, self.gain(pins[0].link, pins[1].link)),
                     _ => (self.length, 0.0),
                 },
-                DriveTarget::Point(..) => (self.length, 0.0),
+                DriveTarget::Point(..) | DriveTarget::Place(..) => (self.length, 0.0),
             };
             drive.target = match drive.target {
                 DriveTarget::Link(link) => DriveTarget::Link(self.link(link)),
                 DriveTarget::Pair(pair) => DriveTarget::Pair(self.pair(pair)),
                 DriveTarget::Point(link, at) => DriveTarget::Point(self.link(link), self.point(link, at)),
+                DriveTarget::Place(link, at, axis) => {
+                    DriveTarget::Place(self.link(link), self.point(link, at), axis)
+                }
             };
             if let Positions::List(list) = &mut drive.positions {
                 for x in list {

@@ -234,6 +234,9 @@ impl System<'_> {
                 DriveTarget::Link(link) => vec![(*link, Wrench::couple(1.0))],
                 DriveTarget::Pair(pair) => self.in_pair(*pair),
                 DriveTarget::Point(..) => Vec::new(),
+                DriveTarget::Place(link, at, axis) => {
+                    vec![(*link, Wrench::at(self.at(*link, *at), axis.unit()))]
+                }
             };
             let drives = m.drives.iter().filter(|d| !matches!(d.target, DriveTarget::Point(..)));
             return drives.map(|d| of(&d.target)).collect();

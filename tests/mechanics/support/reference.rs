@@ -208,6 +208,9 @@ pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driv
                     Jet::constant(S::of(f64::NAN))
                 }
             },
+            DriveTarget::Place(link, at, axis) => {
+                body(link).point(at).dot(Moving::constant(axis.unit())) - Jet::of(law)
+            }
             DriveTarget::Point(..) => Jet::constant(S::of(f64::NAN)),
         });
     }

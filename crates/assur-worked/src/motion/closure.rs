@@ -7,7 +7,7 @@ use crate::system::System;
 use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
-use assur_model::model::DriveTarget;
+use assur_model::model::{Axis, DriveTarget};
 use assur_model::structure::{EffortKind, EffortSource, JointId, JointKind};
 
 impl Derivation<'_> {
@@ -113,6 +113,11 @@ impl Derivation<'_> {
             let drive = &self.structure().drives[effort];
             let EffortSource::Drive(id) = drive.source else { continue };
             let input = self.state().motion.inputs[id.index()];
+            if let EffortKind::Place(body, at, axis) = drive.kind {
+                let value = [input.rate, input.acceleration][order];
+                left.extend(self.driven_place(stage, (body.0, at), axis, value));
+                continue;
+            }
             let (label, turning) = match drive.kind {
                 EffortKind::Angle(body) => (self.label(body.0), self.rate_of_body(body.0, order)),
                 EffortKind::RelativeAngle { first, second, .. } => (
@@ -136,6 +141,26 @@ impl Derivation<'_> {
             self.confirm(name.clone(), 0.0, *unit, sum.clone());
         }
         left.into_iter().map(|(name, _, sum)| (name, sum)).collect()
+    }
+
+    /// A driven coordinate of a point moves as the drive says.
+    fn driven_place(
+        &mut self,
+        stage: Stage,
+        (body, at): (usize, Vec2),
+        axis: Axis,
+        value: f64,
+    ) -> Option<(Name, Unit, Expr)> {
+        let (letters, unit) = match stage {
+            Stage::Positions => return None,
+            Stage::Velocities => (["v", "Δv"], Unit::Velocity),
+            Stage::Accelerations => (["a", "Δa"], Unit::Acceleration),
+        };
+        let [x, y] = self.through(stage, body, at)?;
+        let point = self.point_name(body, at);
+        let [given, left] = letters.map(|letter| Name::new(letter, &point).and(axis.name()).marked("∗"));
+        let given = self.given(given, value, unit);
+        Some((left, unit, if axis == Axis::X { x } else { y } - given))
     }
 
     /// A slider turns with its guide, and its point moves along it.
