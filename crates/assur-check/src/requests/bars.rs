@@ -17,6 +17,8 @@ use assur_text::language::Collection;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
+const BETWEEN: &str = "it is loaded between its hinges";
+
 /// Why a link carries more than a force along it, and where that stands.
 struct Bends {
     why: String,
@@ -66,8 +68,11 @@ pub(crate) fn asked(cx: &mut Context<'_>, item: &FindItem) -> Option<Vec<Find>> 
         None => cx.values.display(Dimension::FORCE),
     };
     let links = (1..cx.builder.mech.links.len()).map(LinkId::at);
-    let bars: Vec<LinkId> = links.filter(|link| bar(cx, *link).is_ok()).collect();
-    if bars.is_empty() {
+    let links: Vec<LinkId> = links.collect();
+    let bars: Vec<LinkId> = links.iter().copied().filter(|link| bar(cx, *link).is_ok()).collect();
+    if !bars.is_empty() {
+        left_out(cx, &links, item.span);
+    } else {
         cx.error(
             Diagnosis::error("mech::request::bends", "no link has two hinges and nothing between them")
                 .primary(item.span, "the forces along links are asked for")
@@ -85,6 +90,22 @@ pub(crate) fn asked(cx: &mut Context<'_>, item: &FindItem) -> Option<Vec<Find>> 
         Find { name, span: item.span, kind }
     };
     Some(bars.into_iter().map(find).collect())
+}
+
+/// Notes once the links of two hinges that are not among the answers.
+fn left_out(cx: &mut Context<'_>, links: &[LinkId], asked: Span) {
+    let bent = links.iter().find_map(|&link| match bar(cx, link) {
+        Err(bends) if bends.why == BETWEEN => Some((link, bends.at)),
+        _ => None,
+    });
+    let Some((link, at)) = bent else { return };
+    let name = &cx.builder.mech.link(link).name;
+    let note =
+        Diagnosis::advice("mech::request::bends", format!("`{name}` is left out: {BETWEEN}, so it bends"))
+            .primary(asked, "the forces along links are asked for")
+            .label(at, "this acts on it")
+            .help("ask for the forces in its pairs: `find reactions`");
+    cx.error(note);
 }
 
 /// Enters the links whose axial force is asked for; reports one that bends. Only once all loads are in the mechanism.
@@ -170,7 +191,7 @@ fn bar(cx: &Context<'_>, link: LinkId) -> Result<Bar, Bends> {
     loads(cx, link, &mut all)?;
     others(cx, link, &mut all)?;
     if let Some(between) = all.iter().find(|acting| acting.at != a && acting.at != b) {
-        return Err(bends("it is loaded between its hinges", span(cx, between.what, declared)));
+        return Err(bends(BETWEEN, span(cx, between.what, declared)));
     }
     let summed = |end: Vec2| all.iter().all(|x| x.at != end || !matches!(x.what, What::Other(_)));
     let (from, to) = match (summed(b), summed(a)) {
@@ -251,7 +272,7 @@ fn loads(cx: &Context<'_>, link: LinkId, all: &mut Vec<Acting>) -> Result<(), Be
                 all.push(Acting { at: *at, what: What::Other(load.span) });
             }
             LoadKind::Torque { .. } => return turned("a torque acts on it", load.span),
-            _ => return turned("it is loaded between its hinges", load.span),
+            _ => return turned(BETWEEN, load.span),
         }
     }
     Ok(())
@@ -274,7 +295,7 @@ fn others(cx: &Context<'_>, link: LinkId, all: &mut Vec<Acting>) -> Result<(), B
                     all.push(Acting { at: *at, what: What::Other(balance.span) });
                 }
                 BalanceKind::Force { on, .. } if *on == link => {
-                    return turned("it is loaded between its hinges", balance.span);
+                    return turned(BETWEEN, balance.span);
                 }
                 BalanceKind::Torque(on) if *on == link => return turned("a torque acts on it", balance.span),
                 BalanceKind::InPair(pair) if mech.pair(*pair).kind.links().contains(&link) => {

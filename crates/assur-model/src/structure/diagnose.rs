@@ -79,6 +79,7 @@ fn declared(mechanism: &Mechanism, count: &Count) -> String {
     let driven = count.drives.saturating_sub(starts);
     match (driven, starts) {
         (0, 0) if mechanism.simulation.is_some() => "but no start is declared".to_owned(),
+        (0, 0) if count.mobility < 0 => "less than 0 without any drive".to_owned(),
         (0, 0) => "but no drive is declared".to_owned(),
         (1, 0) => "but 1 drive is declared".to_owned(),
         (n, 0) => format!("but {n} drives are declared"),

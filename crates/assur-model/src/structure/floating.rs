@@ -150,8 +150,8 @@ pub(super) fn immobile(trial: Trial<'_>, driven: &Incidence) -> Option<Diagnosis
         )
         .labels(spans.take(MOST_LABELS).map(|s| label("cannot move", s)))
         .help(format!(
-            "check which links {} join, because they hold them to the ground; if the \
-             links should not move, make them part of the ground",
+            "check which links {} join, because they hold them to the ground; \
+             nothing is wrong if they are a frame whose reactions are asked for",
             listed(&quoted, "and")
         )),
     )

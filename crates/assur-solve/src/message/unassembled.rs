@@ -5,7 +5,7 @@ use super::format::{label, labels, length, links, short};
 use super::gap::gap_text;
 use crate::model::{HintKind, PairKind};
 use crate::position::Model;
-use crate::solve::{Clause, GroupGap, NamedPoint};
+use crate::solve::{Clause, GroupGap, MOST_CLAUSES, NamedPoint};
 use crate::source::{Edit, Span};
 use assur_text::diagnostic::{Diagnosis, Fix};
 
@@ -56,6 +56,7 @@ pub(super) fn ambiguous(
 ) -> Diagnosis {
     let mut sections = Vec::new();
     let mut marks = Vec::new();
+    let mut listed = None;
     for (group, clauses) in groups {
         marks.extend(labels(model, &model.structure.motion[*group], "has several assemblies"));
         let mut lines: Vec<String> = Vec::new();
@@ -63,6 +64,9 @@ pub(super) fn ambiguous(
             if !lines.contains(&line) {
                 lines.push(line);
             }
+        }
+        if clauses.len() == MOST_CLAUSES && count > MOST_CLAUSES {
+            listed = Some(lines.len());
         }
         // a choice between lines that are the same is none
         sections.extend((lines.len() > 1).then(|| section(lines.into_iter())));
@@ -74,6 +78,12 @@ pub(super) fn ambiguous(
             .to_owned()
     } else {
         format!("{write} one of{}", sections.join("\nand one of"))
+    };
+    let help = match listed {
+        Some(listed) => format!(
+            "{help}\nthese are {listed} of {count}: if yours is not among them, write where one of the points is, from a drawing"
+        ),
+        None => help,
     };
     let which = if chosen { "`assemble` does not choose between them" } else { "the file chooses none" };
     Diagnosis::error(

@@ -292,11 +292,17 @@ fn choose(
     };
     let kind = |hint: &usize| &model.mechanism.hints[*hint].kind;
     for hint in hints.iter().filter(|h| !matches!(kind(h), HintKind::Near { .. })) {
-        let (fit, other): (Vec<_>, Vec<_>) = ways.into_iter().partition(|(i, assembly)| {
+        let mut fit_by = |(i, assembly): &(usize, Assembly)| {
             let state = &mut candidates[*i].state;
             assembly.put(model, state, index);
-            fits(model, state, kind(hint))
-        });
+            beyond(model, state, kind(hint))
+        };
+        let by: Vec<f64> = ways.iter().map(&mut fit_by).collect();
+        // what is at the bound but for rounding fits where nothing else does
+        let least = if by.iter().any(|by| *by > SAME) { SAME } else { 0.0 };
+        let mut by = by.iter();
+        let (fit, other): (Vec<_>, Vec<_>) =
+            ways.into_iter().partition(|_| by.next().is_some_and(|by| *by >= least));
         if fit.is_empty() {
             let other = built(&candidates, &other);
             return Err(not_met(model, *hint, &states(&other), index));
@@ -323,28 +329,34 @@ fn choose(
 }
 
 pub(super) fn fits(model: &Model<'_>, state: &State, hint: &HintKind) -> bool {
+    beyond(model, state, hint) >= 0.0
+}
+
+/// By how much it fits a hint: an angle, or a length over the extent.
+fn beyond(model: &Model<'_>, state: &State, hint: &HintKind) -> f64 {
     let at = |p: &(LinkId, Vec2)| state.motion.bodies[p.0.index()].position(p.1);
+    let signed = |x: f64, positive: bool| if positive { x } else { -x };
     match hint {
         HintKind::Side { point, from, to, left } => {
-            let from = at(from);
-            let side = (at(to) - from).cross(at(point) - from);
-            if *left { side >= 0.0 } else { side <= 0.0 }
+            let line = at(to) - at(from);
+            let side = line.cross(at(point) - at(from)) / (line.norm() * extent(model));
+            // a line of no length has no sides
+            if side.is_nan() { 0.0 } else { signed(side, *left) }
         }
         HintKind::Along { point, other, pair, ahead } => {
             let view = PoseAnswers::bare(model, state);
-            let Some(guide) = view.guide(*pair) else { return true };
-            let along = (at(point) - at(other)).dot(view.along(&guide));
-            if *ahead { along >= 0.0 } else { along <= 0.0 }
+            let Some(guide) = view.guide(*pair) else { return 0.0 };
+            signed((at(point) - at(other)).dot(view.along(&guide)) / extent(model), *ahead)
         }
         HintKind::Coordinate { pair, bound, greater } => {
             // angles are asked for by revolute pairs alone
             let revolute = matches!(model.mechanism.pair(*pair).kind, PairKind::Revolute(_));
             let angles = if revolute { first_angles(model, state) } else { Vec::new() };
             let view = PoseAnswers { angles: &angles, ..PoseAnswers::bare(model, state) };
-            let value = view.displacement(*pair);
-            if *greater { value >= *bound } else { value <= *bound }
+            let size = if revolute { 1.0 } else { extent(model) };
+            signed((view.displacement(*pair) - *bound) / size, *greater)
         }
-        HintKind::Near { .. } => true,
+        HintKind::Near { .. } => 0.0,
     }
 }
 

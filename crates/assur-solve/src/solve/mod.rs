@@ -67,6 +67,7 @@ pub use simulate::{
 };
 pub use solution::{OpenSizes, Pose, Solution, Solved};
 pub use sweep::{Following, solve, solve_with};
+pub use unassembled::MOST_CLAUSES;
 
 pub(crate) use assemble::assemble;
 pub(crate) use cycle::cycles;

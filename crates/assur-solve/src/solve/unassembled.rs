@@ -8,7 +8,7 @@ use crate::plan::MotionStep;
 use crate::position::{Model, State, is_never_regular};
 
 /// More clauses than this are no help.
-const MOST_CLAUSES: usize = 8;
+pub const MOST_CLAUSES: usize = 8;
 
 /// A group does not close.
 pub(super) fn does_not_close(model: &Model<'_>, state: State, group: usize) -> Cause {

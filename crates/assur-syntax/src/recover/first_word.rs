@@ -178,6 +178,7 @@ const SYNONYMS: &[(&[&str], &[&str])] = &[
         &["slider", "sliding", "slide", "guide", "translational", "translation", "linear"],
         &["prismatic", "slot"],
     ),
+    (&["roller", "roller_support", "rolling_support"], &["slot"]),
     (&["welded", "rigid", "fixed_joint", "glue", "bolt", "clamp", "fix", "rivet"], &["weld"]),
     (&["gear", "gears", "gearing", "teeth"], &["mesh"]),
     (&["piston", "hydraulic", "actuator"], &["cylinder"]),
