@@ -216,3 +216,36 @@ fn hinged_rods() {
         agree(&text, &at_end(&text, &names), &expected, 1e-7);
     }
 }
+
+#[test]
+fn round_a_bowl_and_over_a_hill() {
+    // x and y of the ball take turns as its coordinate; rolling, its speed follows from the energy
+    let text = "gravity 9.81 m/s^2\nground { O (0, 0); circle loop centre O radius 1 m }\nlink disc { C (0, 0); circle rim centre C \
+                radius 0.1 m; mass 2 kg at C; inertia 0.01 kg*m^2 }\ncontact K: disc.rim - ground.loop { internal; friction 0.9 \
+                }\nstart disc.C = (0, -0.9 m) at (7 m/s, 0)\nstart disc = 0 deg at -70 rad/s\nsimulate 3 s within 1e-10\n";
+    let found = at_end(text, &["position(disc.C).y", "mag(velocity(disc.C))", "mag(position(disc.C))"]);
+    let fall = -0.9 - found[0];
+    agree(text, &found[1..], &[(49.0 + 4.0 / 3.0 * G * fall).sqrt(), 0.9], 1e-8);
+    // friction of 0.9 would lock the disc against a force along x here, but there is none
+    let text = "gravity 9.81 m/s^2\nground { O (0, 0); circle hill centre O radius 2 m }\nlink disc { C (0, 0); circle rim centre C \
+                radius 0.1 m; mass 1 kg at C; inertia 0.005 kg*m^2 }\ncontact K: disc.rim - ground.hill { friction 0.9 }\nstart \
+                disc.C = 2.1 m @ 140 deg at 3.4 m/s @ 50 deg\nstart disc = 0 deg at -34 rad/s\nsimulate 0.6 s within 1e-10\n";
+    let found = at_end(text, &["mag(velocity(disc.C)) + omega(disc)*0.1 m / 1 rad", "mag(position(disc.C))"]);
+    agree(text, &found, &[0.0, 2.1], 1e-8);
+}
+
+#[test]
+fn functions_of_a_slide_that_begins_at_the_origin() {
+    let text = "ground { O (0, 0); line way through O along 0 deg }\nlink slide { S (0, 0); mass 8 kg at S }\nprismatic G: slide.S - \
+                ground.way\ndrive G = 0 mm at 1 m/s accelerating 2 m/s^2\nsimulate 2 s\n";
+    let names = ["max(power(G))", "min(power(G))", "mean(power(G))", "integral(power(G))"];
+    let solution = assur::solve(&format!("{text}find {}\n", names.join(", "))).expect("a motion");
+    let found: Vec<f64> = names
+        .iter()
+        .map(|name| match solution[*name].si() {
+            assur::Quantity::Number(x) => x,
+            other => panic!("{name} is {other:?}"),
+        })
+        .collect();
+    agree(text, &found, &[80.0, 16.0, 48.0, 96.0], 1e-9);
+}

@@ -6,25 +6,28 @@ use super::load_step::{ForceLine, LoadStep};
 use super::step::Anchor;
 use crate::math::Vec2;
 use crate::model::{
-    BalanceKind, Bearing, DriveTarget, Expr, LinkId, LoadId, LoadKind, Mechanism, PairKind, Place, SpringId,
-    Value,
+    BalanceKind, Bearing, DriveTarget, Expr, LinkId, LoadId, LoadKind, Mechanism, PairId, PairKind, Place,
+    SpringId, Value,
 };
-use crate::structure::{Effort, EffortKind, EffortSource, Structure};
+use crate::structure::{BodyOrigin, Effort, EffortKind, EffortSource, JointKind, Structure};
 use std::collections::HashSet;
 
 /// The lines of the unknown forces.
 pub(super) fn lines(mechanism: &Mechanism, structure: &Structure, lines: &mut Vec<ForceLine>) {
     let efforts = structure.efforts.iter().enumerate();
     lines.clear();
-    lines.extend(efforts.filter_map(|(effort, e)| line(mechanism, effort, e)));
+    lines.extend(efforts.filter_map(|(effort, e)| line(mechanism, structure, (effort, e))));
 }
 
-fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine> {
+fn line(mechanism: &Mechanism, structure: &Structure, (slot, effort): (usize, &Effort)) -> Option<ForceLine> {
     let id = match (effort.kind, effort.source) {
         (EffortKind::Line(_), EffortSource::Balance(id)) => id,
         (EffortKind::Line(_), EffortSource::Drive(id)) => {
-            let DriveTarget::Place(on, at, axis) = mechanism.drives[id.index()].target else { return None };
-            return Some(ForceLine { effort: slot, body: on.index(), at, along: axis.unit(), frame: None });
+            let drive = &mechanism.drives[id.index()];
+            let DriveTarget::Place(on, at, axis) = drive.target else { return None };
+            let tangent = if drive.free { tangent(mechanism, structure, on) } else { None };
+            let (frame, along) = tangent.map_or((None, axis.unit()), |(frame, along)| (Some(frame), along));
+            return Some(ForceLine { effort: slot, body: on.index(), at, along, frame });
         }
         _ => return None,
     };
@@ -38,6 +41,36 @@ fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine
         Place::Ground(_) => (0, Vec2::new(f64::NAN, f64::NAN)),
     };
     Some(ForceLine { effort: slot, body, at, along: *along, frame: frame.map(|f| f.index()) })
+}
+
+/// The direction in which a link in contact can move, in the frame of a body, where one coordinate of its place is free: the effort
+/// there is nothing in any direction, and across the normal friction does not lock it.
+fn tangent(mechanism: &Mechanism, structure: &Structure, link: LinkId) -> Option<(usize, Vec2)> {
+    let places =
+        mechanism.drives.iter().filter(|d| matches!(d.target, DriveTarget::Place(on, ..) if on == link));
+    let mut contacts = mechanism.pairs.iter().enumerate().filter(|(_, pair)| {
+        matches!(pair.kind, PairKind::Contact { .. }) && pair.kind.links().contains(&link)
+    });
+    let (contact, _) = contacts.next()?;
+    if places.count() != 1 || contacts.next().is_some() {
+        return None;
+    }
+    let replaced = &structure.replaced;
+    replaced.joints_of(PairId::at(contact)).find_map(|joint| match &replaced.joint(joint).kind {
+        JointKind::Prismatic { guide, along, .. } => Some((guide.0, *along)),
+        // across the rod between two centres
+        JointKind::Revolute(members) => {
+            let rod = members.iter().map(|(body, _)| body.0);
+            let rod = rod
+                .into_iter()
+                .find(|body| matches!(replaced.bodies[*body].origin, BodyOrigin::Imaginary(_)))?;
+            let slides = replaced
+                .joints_of(PairId::at(contact))
+                .any(|joint| matches!(replaced.joint(joint).kind, JointKind::Prismatic { .. }));
+            (!slides).then_some((rod, Vec2::new(0.0, 1.0)))
+        }
+        JointKind::Weld { .. } | JointKind::Law(_) => None,
+    })
 }
 
 pub(super) fn plan(mechanism: &Mechanism, effects: &Effects, steps: &mut Vec<LoadStep>) {

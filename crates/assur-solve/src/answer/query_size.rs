@@ -30,10 +30,11 @@ impl Sizes {
             }
         }
         for body in bodies {
-            self.turning = self.turning.max(body.omega.abs()).max(self.over_length(body.v.norm()));
-            self.speeding = self.speeding.max(body.alpha.abs()).max(self.over_length(body.a.norm()));
+            self.turning = self.turning.max(body.omega.abs());
+            self.speeding = self.speeding.max(body.alpha.abs());
+            self.moving = self.moving.max(body.v.norm());
+            self.gaining = self.gaining.max(body.a.norm());
         }
-        self.speeding = self.speeding.max(self.turning * self.turning);
     }
 
     fn look_at_quantities(&mut self, at: &PoseAnswers<'_>) {

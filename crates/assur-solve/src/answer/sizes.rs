@@ -23,9 +23,13 @@ pub(crate) fn is_zero(x: f64, size: f64) -> bool {
 #[derive(Clone, Debug, Default)]
 pub struct Sizes {
     pub(super) length: f64,
-    /// Angular velocities, and velocities over lengths.
+    /// Velocities of bodies, m/s: over the length they count as angular ones, once the greatest length is known.
+    pub(super) moving: f64,
+    /// The same of accelerations, m/s².
+    pub(super) gaining: f64,
+    /// Angular velocities.
     pub(super) turning: f64,
-    /// Angular accelerations, and what accelerations over lengths are.
+    /// Angular accelerations.
     pub(super) speeding: f64,
     /// What the loads would make of the angular accelerations, each alone.
     pub(super) alone: f64,
@@ -44,6 +48,8 @@ pub struct Sizes {
 impl Sizes {
     pub(crate) const NONE: Self = Self {
         length: 0.0,
+        moving: 0.0,
+        gaining: 0.0,
         turning: 0.0,
         speeding: 0.0,
         alone: 0.0,
@@ -98,12 +104,17 @@ impl Sizes {
 
     /// Angular velocities, rad/s.
     pub(crate) fn turning(&self) -> f64 {
-        self.turning.max(self.alone.sqrt())
+        self.seen_turning().max(self.alone.sqrt())
+    }
+
+    /// Those that there were.
+    pub(crate) fn seen_turning(&self) -> f64 {
+        self.turning.max(self.over_length(self.moving))
     }
 
     /// Angular accelerations, rad/s².
-    pub(crate) const fn speeding(&self) -> f64 {
-        self.speeding.max(self.alone)
+    pub(crate) fn speeding(&self) -> f64 {
+        self.speeding.max(self.over_length(self.gaining)).max(self.turning * self.turning).max(self.alone)
     }
 
     /// Velocities, m/s.

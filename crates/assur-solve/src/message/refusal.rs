@@ -65,6 +65,11 @@ pub(super) fn refused(model: &Model<'_>, refusal: &Refusal) -> Diagnosis {
 }
 
 fn of_free_rotation(mechanism: &Mechanism, link: LinkId) -> String {
+    let is_outer = |drive: &&Drive| matches!(drive.target, DriveTarget::Point(on, _) if on == link);
+    if let Some(drive) = mechanism.drives.iter().find(is_outer) {
+        let name = &mechanism.link(link).name;
+        return format!("give its angle too: `drive {name} = 0 deg`, or ask for `{}` alone", drive.name);
+    }
     let stands_freely = |drive: &Drive| matches!(drive.target, DriveTarget::Place(on, ..) if on == link);
     if let Some(drive) = mechanism.drives.iter().find(|drive| stands_freely(drive)) {
         let (name, point) = (&mechanism.link(link).name, drive.written_name());

@@ -6,7 +6,9 @@ use crate::names::declared::ThingKind;
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_math::math::Vec2;
-use assur_model::model::{BinaryOp, Expr as ModelExpr, LinkId, MassProperties, PointRef, Query};
+use assur_model::model::{
+    BinaryOp, Expr as ModelExpr, LinkId, MassProperties, Mechanism, PairKind, PointRef, Query,
+};
 use assur_syntax::document::{Arg, Expr, ExprKind};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
@@ -124,8 +126,11 @@ impl Context<'_> {
             self.with_mass(call, link)?;
             return Some(vec![(link, self.builder.mech.link(link).mass?)]);
         }
-        let links = self.builder.mech.links.iter().enumerate().skip(1);
-        Some(links.filter_map(|(i, link)| Some((LinkId::at(i), link.mass?))).collect())
+        let mech = &self.builder.mech;
+        let fixed = fixed(mech);
+        let links = mech.links.iter().enumerate().map(|(i, link)| (LinkId::at(i), link));
+        let moving = links.filter(|(id, _)| !fixed.contains(id));
+        Some(moving.filter_map(|(id, link)| Some((id, link.mass?))).collect())
     }
 
     /// Reports a mass centre of what has a mass, but no place.
@@ -160,5 +165,18 @@ impl Context<'_> {
                 .primary(call.span, "asked here")
                 .help("add a mass in the braces of a link: `mass 2 kg at S; inertia 0.1 kg*m^2`"),
         );
+    }
+}
+
+/// The ground, and the links that are welded to it.
+fn fixed(mechanism: &Mechanism) -> Vec<LinkId> {
+    let mut fixed = vec![LinkId::GROUND];
+    loop {
+        let welds = mechanism.pairs.iter().filter(|pair| matches!(pair.kind, PairKind::Weld { .. }));
+        let next = welds.map(|pair| pair.kind.links()).find(|links| {
+            links.iter().any(|link| fixed.contains(link)) && !links.iter().all(|link| fixed.contains(link))
+        });
+        let Some(links) = next else { return fixed };
+        fixed.extend(links);
     }
 }

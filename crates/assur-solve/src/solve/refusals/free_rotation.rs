@@ -9,9 +9,9 @@ use crate::solve::refusal::Refusal;
 pub(super) fn free_rollers(model: &Model<'_>) -> Option<Refusal> {
     let mut asked = Vec::new();
     every_query(model.mechanism, &mut |query, span| {
-        if let Some(roller) = model.structure.passive.iter().find(|&&roller| depends_on(model, query, roller))
-        {
-            asked.push((*roller, span));
+        let unknown = model.structure.passive.iter().copied().chain(outer_links(model));
+        if let Some(link) = unknown.into_iter().find(|&link| depends_on(model, query, link)) {
+            asked.push((link, span));
         }
     });
     let (first, _) = *asked.first()?;
@@ -19,6 +19,14 @@ pub(super) fn free_rollers(model: &Model<'_>) -> Option<Refusal> {
     asked.dedup();
     let places = asked.into_iter().map(|(_, span)| span).collect();
     Some(Refusal::FreeRotation { roller: first, places })
+}
+
+/// Links that are driven at a point and have no other pairs.
+fn outer_links(model: &Model<'_>) -> impl Iterator<Item = LinkId> {
+    model.mechanism.drives.iter().filter_map(|drive| match drive.target {
+        DriveTarget::Point(link, _) => Some(link),
+        _ => None,
+    })
 }
 
 fn depends_on(model: &Model<'_>, query: &Query, roller: LinkId) -> bool {
@@ -37,8 +45,10 @@ fn joins(model: &Model<'_>, pair: PairId, roller: LinkId) -> bool {
 
 /// The hinge about which the roller turns, or the place of a particle: it stays where it is.
 fn is_pivot(model: &Model<'_>, roller: LinkId, at: crate::math::Vec2) -> bool {
-    let is_place =
-        |target| matches!(target, DriveTarget::Place(link, point, _) if link == roller && point == at);
+    let is_place = |target| match target {
+        DriveTarget::Place(link, point, _) | DriveTarget::Point(link, point) => link == roller && point == at,
+        DriveTarget::Link(_) | DriveTarget::Pair(_) => false,
+    };
     model.mechanism.drives.iter().any(|drive| is_place(drive.target))
         || model.mechanism.pairs.iter().any(|pair| match &pair.kind {
             PairKind::Revolute(pins) => pins.iter().any(|pin| pin.link == roller && pin.at == at),

@@ -6,7 +6,7 @@ use super::equations::Equations;
 use super::sliding_sense::Held;
 use super::starting;
 use crate::answer::{PoseAnswers, WholeCycle};
-use crate::model::{DriveTarget, LinkId, PairId, PairKind};
+use crate::model::{Axis, DriveTarget, LinkId, PairId, PairKind};
 use crate::position::{Model, Reduced, State, extent, turns};
 use std::rc::Rc;
 
@@ -101,9 +101,15 @@ impl<'w> Charts<'w> {
         let mechanism = self.written.mechanism;
         let links = (1..mechanism.links.len()).map(LinkId::at).map(DriveTarget::Link);
         let pairs = (0..mechanism.pairs.len()).map(PairId::at).map(DriveTarget::Pair);
+        let places = mechanism.drives.iter().flat_map(|drive| match drive.target {
+            DriveTarget::Place(link, at, _) => {
+                Axis::BOTH.map(|axis| DriveTarget::Place(link, at, axis)).to_vec()
+            }
+            _ => Vec::new(),
+        });
         let mut others = Vec::new();
         let extent = extent(self.written);
-        for target in links.chain(pairs).filter(|target| !now.contains(target)) {
+        for target in links.chain(pairs).chain(places).filter(|target| !now.contains(target)) {
             for (coordinate, &drive) in equations.reduced.free().iter().enumerate() {
                 let moves = self.moves(equations, coordinate, target);
                 let moves = moves / unit(target, extent) * unit(now[drive], extent);

@@ -15,6 +15,7 @@ use crate::math::{Lu, Vec2};
 use crate::model::{LoadId, Value};
 use crate::position::{Against, ContactMode};
 use crate::solve::failure::Halt;
+use crate::structure::EffortKind;
 
 impl Equations<'_, '_> {
     /// The rates of the unknowns at the position that is set.
@@ -98,11 +99,20 @@ impl Equations<'_, '_> {
         self.speeds_change((held, units), left);
         let mut greatest = greatest_of(x);
         for i in 0..self.order() {
-            left[i] = self.trial.forces.efforts[efforts_of[i]] * units[i];
+            let effort = efforts_of[i];
+            left[i] = self.trial.forces.efforts[effort] * self.along_line(effort, i) * units[i];
             greatest = greatest.max(units[i] * self.reduced.greatest_power(i, &self.trial));
         }
         let known = left.iter().all(|left| left.is_finite()) && greatest.is_finite();
         if known { Ok(greatest) } else { Err(Halt::NotANumber) }
+    }
+
+    /// How fast the point of an effort moves along its line for a unit rate of a free coordinate; 1 of others, which act along their own.
+    pub fn along_line(&self, effort: usize, coordinate: usize) -> f64 {
+        let EffortKind::Line(body) = self.model.structure.efforts[effort].kind else { return 1.0 };
+        let (at, along) = self.trial.forces.lines[effort];
+        let (v, omega) = self.reduced.unit_motion(coordinate, body.0);
+        (v + (at - self.trial.motion.bodies[body.0].p).perp() * omega).dot(along)
     }
 
     /// Puts accelerations and what holds, in their units, with the motion and the forces that go with them.

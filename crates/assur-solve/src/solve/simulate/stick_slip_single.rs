@@ -219,9 +219,10 @@ impl Equations<'_, '_> {
             return Err(Halt::Jam);
         }
         let drive = self.reduced.free()[0];
-        let mut efforts = self.model.structure.efforts.iter().zip(&self.trial.forces.efforts);
-        let own = efforts.find(|(e, _)| matches!(e.source, EffortSource::Drive(id) if id.index() == drive));
-        own.map(|(_, effort)| *effort).filter(|e| e.is_finite()).ok_or(Halt::NotANumber)
+        let mut efforts = self.model.structure.efforts.iter();
+        let own = efforts.position(|e| matches!(e.source, EffortSource::Drive(id) if id.index() == drive));
+        let effort = own.map(|slot| self.trial.forces.efforts[slot] * self.along_line(slot, 0));
+        effort.filter(|e| e.is_finite()).ok_or(Halt::NotANumber)
     }
 
     /// What friction in the pairs takes, W: not positive but beyond the end of a step.
