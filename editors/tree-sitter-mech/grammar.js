@@ -52,9 +52,21 @@ module.exports = grammar({
     circle: ($) => seq('circle', field('name', $.identifier), 'centre', $.identifier, 'radius', $.expression),
     profile: ($) => seq('profile', field('name', $.identifier), 'of', $.identifier, 'centre', $.identifier),
     mass: ($) =>
-      seq('mass', $.expression, optional(seq('at', $.identifier)), optional(seq('inertia', $.expression))),
+      seq('mass', $.expression, optional(choice(seq('at', $.identifier), $.shape)), optional(seq('inertia', $.expression))),
     weight: ($) =>
-      seq('weight', $.expression, optional(seq('at', $.identifier)), optional(seq('inertia', $.expression))),
+      seq('weight', $.expression, optional(choice(seq('at', $.identifier), $.shape)), optional(seq('inertia', $.expression))),
+    shape: ($) =>
+      seq(
+        choice(
+          seq('rod', $.identifier, 'to', $.identifier),
+          seq(
+            choice('disc', 'ring', 'sphere'), 'centre', $.identifier, 'radius', $.expression,
+            optional(seq('inner', $.expression)),
+          ),
+          seq('plate', $.identifier, repeat1(seq(',', nl($), $.identifier))),
+        ),
+        optional(seq(choice('thickness', 'section'), $.expression)),
+      ),
     inertia: ($) => seq('inertia', $.expression, optional(seq('about', $.identifier))),
     wheel: ($) =>
       seq(

@@ -75,6 +75,7 @@ pub fn statements() -> Report {
             Place::Pair => "Pairs and transmissions",
             Place::Member => "In the braces of a link",
             Place::CamMember => "In the braces of a cam",
+            Place::Shape => "Shapes of masses, after the value of `mass` or `weight`",
             Place::Law => "Laws of cams, after the angle of a phase",
             // they have no meaning of their own
             Place::Connecting | Place::Contextual => continue,

@@ -27,6 +27,7 @@ mod honest_runs;
 mod jerks;
 mod jumps;
 mod large;
+mod mass_shapes;
 mod masses;
 mod methods;
 mod names;

@@ -70,6 +70,7 @@ fn the_reference_lists_every_word() {
             Place::CamMember => "begin a member of a cam",
             Place::Law => "name the laws of cams",
             Place::Connecting => "connect others, and cannot be names",
+            Place::Shape => "follow the value of a mass, and can be names elsewhere",
             Place::Contextual => "connect others, and can be names elsewhere",
         };
         let words = list.iter().map(|row| code(row.word)).collect::<Vec<_>>();
@@ -173,7 +174,7 @@ fn every_example_reads() {
         for row in list.iter().filter(|row| !["variants", "curve"].contains(&row.word)) {
             match place {
                 Place::Statement | Place::Pair => reads(row.example),
-                Place::Member => reads(&format!("link a A-B 1 m {{ {} }}", row.example)),
+                Place::Member | Place::Shape => reads(&format!("link a A-B 1 m {{ {} }}", row.example)),
                 Place::CamMember | Place::Law => reads(&format!("cam a {{ {} }}", row.example)),
                 Place::Connecting | Place::Contextual => assert_eq!(row.example, ""),
             }

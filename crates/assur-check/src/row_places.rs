@@ -172,10 +172,16 @@ impl<'d> Places<'d> {
             _ => false,
         });
         let masses = body.iter().filter(|m| matches!(m.node, Member::Mass(_) | Member::Weight(_))).count();
+        let shapes = body.iter().filter_map(|m| match &m.node {
+            Member::Mass(at) | Member::Weight(at) => at.shape.as_ref(),
+            _ => None,
+        });
+        let summed = masses > 1 || shapes.clone().next().is_some();
         // the sums follow from all of them
-        if masses > 1 && (moved || heavier) {
+        if summed && (moved || heavier) {
             return None;
         }
+        self.none(shapes.flat_map(|shape| shape.values()))?;
         let has_mass = masses > 0;
         self.all(bar.map(|bar| &bar.length), Asked::Positive)?;
         for member in body {
@@ -193,7 +199,7 @@ impl<'d> Places<'d> {
                     let is_mass = matches!(member.node, Member::Mass(_));
                     self.add(&at.value, if is_mass { Asked::Positive } else { Asked::Weight })?;
                     match &at.inertia {
-                        Some(inertia) if masses > 1 => self.none([inertia])?,
+                        Some(inertia) if summed => self.none([inertia])?,
                         inertia => self.all(inertia, Asked::NotNegative)?,
                     }
                 }

@@ -134,7 +134,7 @@ pub(super) fn is_cam_member(word: &str) -> bool {
 
 /// The words that may stand within a statement.
 pub(super) fn within() -> impl Iterator<Item = &'static str> {
-    words_of(Place::Connecting).chain(words_of(Place::Contextual))
+    [Place::Connecting, Place::Contextual, Place::Shape].into_iter().flat_map(words_of)
 }
 
 /// A line that begins with the word of a statement or of a member of a link.

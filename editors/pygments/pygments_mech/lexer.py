@@ -81,6 +81,9 @@ class MechLexer(RegexLexer):
             (rf"pi{END}", Name.Constant),
             # of a part: behind a mass
             (rf"(?<!\.)(inertia){END}(?=[ \t]+(?!(?:{'|'.join(w.CONNECTING)}){END})[^\W_(])", Keyword.Reserved),
+            # of a shape: behind a mass
+            (rf"(?<!\.)(rod(?=[ \t]+{NAME}[ \t]+to{END})|(?:disc|ring|sphere)(?=[ \t]+centre{END})|plate(?=[ \t]+{NAME}[ \t]*,))", Keyword.Reserved),
+            (rf"(?<!\.)(?<![-:] )(inner|thickness|section){END}(?=[ \t]+(?!(?:{'|'.join(w.CONNECTING + w.CONTEXTUAL)}){END})[^\W_])", Keyword.Reserved),
             (rf"(?<!\.)(?<![-:] )({'|'.join(w.CONTEXTUAL)}){END}(?!\s*(?:[:=.,()+*/^]|-\s))", Keyword.Reserved),
             (NAME, Name),
         ],

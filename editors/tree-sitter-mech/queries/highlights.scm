@@ -18,7 +18,7 @@
   "line" "circle" "profile" "mass" "weight" "inertia" "wheel" "turning" "follower" "lift" "rise" "dwell" "fall" "on" "in" "at"
   "of" "from" "to" "through" "along" "about" "as" "for" "against" "motion" "when" "within" "accelerating" "moving" "near" "phase"
   "steps" "step" "centre" "radius" "diameter" "teeth" "module" "ahead" "behind" "over" "under" "forward" "back" "steady" "cycle"
-  "turn" "turns" "rising" "falling" "linear" "smooth" "periodic" "held"
+  "turn" "turns" "rising" "falling" "linear" "smooth" "periodic" "held" "rod" "disc" "ring" "sphere" "plate" "inner" "thickness" "section"
 ] @keyword.modifier
 ["and" "or" "not"] @keyword.operator
 [(side) (heading) (turn) (law)] @constant.builtin

@@ -236,7 +236,7 @@ fn properties(of: &str) -> Vec<Completion> {
 }
 
 pub fn within() -> Vec<Completion> {
-    let places = [WordPlace::Connecting, WordPlace::Contextual, WordPlace::Law];
+    let places = [WordPlace::Connecting, WordPlace::Contextual, WordPlace::Shape, WordPlace::Law];
     let words = rows(&places).map(|row| Completion::plain(row.word, CompletionKind::Word, row.means));
     words.collect()
 }

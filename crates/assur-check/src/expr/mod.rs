@@ -19,12 +19,13 @@ use crate::expr::{
 };
 use crate::values::{
     fold,
-    typed::{Type, Typed},
+    typed::{Dim, Type, Typed},
 };
 use assur_math::math::Vec2;
 use assur_model::model;
 use assur_syntax::document::Expr;
 use assur_text::diagnostic::Diagnosis;
+use assur_text::units::Dimension;
 
 impl Context<'_> {
     /// A number that is known before anything is solved: made of numbers, `given` and `let` alone. `what` says what it is
@@ -33,6 +34,22 @@ impl Context<'_> {
         let t = self.constant(expr, what)?;
         let t = self.fit(t, want.0, what, expr)?;
         fold::scalar(&t.expr)
+    }
+
+    /// A number that is known before anything is solved, with that of several dimensions which it has. One of another
+    /// dimension is reported against the first.
+    pub fn scalar_of_one(
+        &mut self,
+        expr: &Expr,
+        wants: &[Dimension],
+        what: &str,
+    ) -> Option<(f64, Dimension)> {
+        let t = self.constant(expr, what)?;
+        let has =
+            |want: &&Dimension| matches!(t.ty, Type::Number(dim) if dim.unify(Dim::Of(**want)).is_some());
+        let want = *wants.iter().find(has).or(wants.first())?;
+        let t = self.fit(t, want, what, expr)?;
+        Some((fold::scalar(&t.expr)?, want))
     }
 
     /// A vector that is known before anything is solved; `want` is the dimension of its components.

@@ -7,7 +7,7 @@ use crate::expr::property::given_twice;
 use crate::trains::planet::{Carried, carried};
 use crate::values::format_value::{format_value, format_value_like};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, MassProperties, PairKind};
+use assur_model::model::{LinkId, MassPart, MassProperties, PairKind};
 use assur_syntax::document::{At, Body, Expr, Member, Name, Statement};
 use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::source::Span;
@@ -120,14 +120,14 @@ pub(super) struct StatedInertia<'a> {
     pub(super) span: Span,
 }
 
-/// The mass of a link from its members; where there are several, also each of them.
+/// The mass of a link from its members; where there are several or one has a shape, also each of them.
 fn mass(
     cx: &mut Context<'_>,
     link: LinkId,
     body: &Body,
     turning: Turning,
     placed: bool,
-) -> Option<(MassProperties, Vec<MassProperties>)> {
+) -> Option<(MassProperties, Vec<MassPart>)> {
     let (stated, inertia) = members(cx, link, body);
     if stated.is_empty() && inertia.is_none() {
         return None;
@@ -135,7 +135,7 @@ fn mass(
     if link == LinkId::GROUND {
         on_ground(cx, stated.first().map(|s| s.span), inertia.map(|i| i.span));
     }
-    if stated.len() > 1 {
+    if stated.len() > 1 || (placed && stated.iter().any(|one| one.at.shape.is_some())) {
         return mass_sum::several(cx, link, &stated, inertia, placed);
     }
     let stated = stated.first();
@@ -162,6 +162,7 @@ fn mass(
             // what cannot be read may be the inertia
             let whole = !body.iter().any(|member| matches!(member.node, Member::Bad(_)));
             if whole && matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
+                let rod = rod_meant(cx, link, stated, mass, centre);
                 let link = cx.builder.mech.link(link).name.clone();
                 cx.error(
                     Diagnosis::advice(
@@ -169,10 +170,10 @@ fn mass(
                         format!("`{link}` turns and has a mass but no inertia: it is taken as a point mass"),
                     )
                     .label(stated.span, "the whole mass at one point")
-                    .help(
+                    .help(format!(
                         "add `inertia 0.01 kg*m^2` with its own value, about the mass centre, if it is more \
-                         than a point mass",
-                    ),
+                         than a point mass{rod}"
+                    )),
                 );
             }
             0.0
@@ -183,6 +184,22 @@ fn mass(
         without_mass(cx, link, body, turning, inertia.span);
     }
     Some((MassProperties { mass, centre, inertia: about_centre }, Vec::new()))
+}
+
+/// Of a mass in the middle between two points the rod that may be meant.
+fn rod_meant(cx: &Context<'_>, link: LinkId, stated: &Stated<'_>, mass: f64, centre: Vec2) -> String {
+    let points = &cx.builder.mech.link(link).points;
+    let pairs = points.iter().enumerate().flat_map(|(i, b)| points[..i].iter().map(move |a| (a, b)));
+    let mut around = pairs.filter(|(a, b)| {
+        let length = (b.at - a.at).norm();
+        length > 0.0 && ((a.at + b.at) * 0.5 - centre).norm() <= ROUNDING * length
+    });
+    match around.next() {
+        Some((a, b)) => {
+            format!("; of a uniform rod write `{} rod {} to {}`", written(cx, stated, mass), a.name, b.name)
+        }
+        None => String::new(),
+    }
 }
 
 /// The inertia that stands with a mass: about its point.
@@ -280,6 +297,18 @@ pub(super) fn amount_of_mass(cx: &mut Context<'_>, link: LinkId, stated: &Stated
         return positive(cx, &stated.at.value, Dimension::MASS, &format!("the mass of `{name}`"));
     }
     let weight = positive(cx, &stated.at.value, Dimension::FORCE, &format!("the weight of `{name}`"))?;
+    over_gravity(cx, link, stated, weight, Dimension::FORCE)
+}
+
+/// The mass of a weight, or that per length, area or volume.
+pub(super) fn over_gravity(
+    cx: &mut Context<'_>,
+    link: LinkId,
+    stated: &Stated<'_>,
+    weight: f64,
+    dimension: Dimension,
+) -> Option<f64> {
+    let name = cx.builder.mech.link(link).name.clone();
     if let Some(gravity) = cx.builder.mech.gravity {
         let g = gravity.acceleration;
         return Some(weight / libm::hypot(g.x, g.y));
@@ -287,7 +316,7 @@ pub(super) fn amount_of_mass(cx: &mut Context<'_>, link: LinkId, stated: &Stated
     let declared = cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Gravity(_)));
     let mut first = || cx.problems.reported.insert(("gravity", "of a weight".to_owned()));
     if !declared && !cx.names.bad.contains("gravity") && first() {
-        let weight = format_value_like(&cx.names, weight, Dimension::FORCE, &stated.at.value);
+        let weight = format_value_like(&cx.names, weight, dimension, &stated.at.value);
         cx.error(
             Diagnosis::error(
                 "mech::geometry::weight_without_gravity",

@@ -1,15 +1,16 @@
 //! Several masses on one link: m = Σ m_i, r_S = Σ m_i r_i / m, J_S = Σ (J_i + m_i |r_i − r_S|²).
 
 use super::mass::{Stated, StatedInertia, amount_of_mass, own_inertia, steiner, written};
+use super::mass_shape;
 use crate::expr::context::Context;
 use crate::expr::positive::not_negative;
 use crate::expr::property::given_twice;
 use crate::statements::walk::same;
-use crate::values::format_value::format_value_like;
+use crate::values::format_value::{format_value, format_value_like};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, MassProperties};
+use assur_model::model::{LinkId, MassPart, MassProperties};
 use assur_text::diagnostic::{Diagnosis, Fix};
-use assur_text::source::Edit;
+use assur_text::source::{Edit, Span};
 use assur_text::units::Dimension;
 
 /// The whole mass of a link and its parts. What has no place of its own, as a slider of a train, needs no points.
@@ -19,34 +20,48 @@ pub(super) fn several(
     stated: &[Stated<'_>],
     inertia: Option<StatedInertia<'_>>,
     placed: bool,
-) -> Option<(MassProperties, Vec<MassProperties>)> {
+) -> Option<(MassProperties, Vec<MassPart>)> {
     twice(cx, link, stated);
     let parts: Vec<_> = stated.iter().map(|one| part(cx, link, one, placed)).collect();
-    let parts = parts.into_iter().collect::<Option<Vec<MassProperties>>>()?;
-    let mass: f64 = parts.iter().map(|p| p.mass).sum();
-    let centre = parts.iter().fold(Vec2::zero(), |sum, p| sum + p.centre * p.mass) / mass;
+    let parts = parts.into_iter().collect::<Option<Vec<MassPart>>>()?;
+    let mass = whole_mass(cx, link, stated, parts.iter().map(|p| p.own.mass).sum())?;
+    let centre = parts.iter().fold(Vec2::zero(), |sum, p| sum + p.own.centre * p.own.mass) / mass;
     let from_centre = |p: &MassProperties| p.mass * (p.centre - centre).dot(p.centre - centre);
-    let about_centre = match inertia {
-        None => parts.iter().map(|p| p.inertia + from_centre(p)).sum(),
-        Some(whole) if placed && whole.about.is_none() => {
+    let shape = |one: &Stated<'_>| one.at.shape.as_ref().map(|shape| shape.kind.span);
+    let about_centre = match (inertia, stated.iter().find_map(shape)) {
+        (None, _) => {
+            let sum = parts.iter().map(|p| p.own.inertia + from_centre(&p.own)).sum();
+            whole_inertia(cx, link, stated, sum)?
+        }
+        (Some(whole), Some(of_shape)) => {
+            of_a_shape(cx, link, whole.span, of_shape);
+            return None;
+        }
+        (Some(whole), None) if placed && whole.about.is_none() => {
             of_which(cx, link, stated, &parts, whole);
             return None;
         }
-        Some(whole) => {
+        (Some(whole), None) => {
             if let Some(own) = stated.iter().find_map(own_inertia) {
                 let name = cx.builder.mech.link(link).name.clone();
                 cx.error(given_twice(&format!("the inertia of `{name}`"), whole.span, own.span));
                 return None;
             }
-            let at: Vec<_> = stated.iter().zip(&parts).map(|(s, p)| (s.span, p.mass, p.centre)).collect();
-            steiner(cx, link, whole, &at, (mass, centre))?
+            let at = stated.iter().zip(&parts).map(|(s, p)| (s.span, p.own.mass, p.own.centre));
+            steiner(cx, link, whole, &at.collect::<Vec<_>>(), (mass, centre))?
         }
     };
     Some((MassProperties { mass, centre, inertia: about_centre }, parts))
 }
 
 /// One of the masses.
-fn part(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>, placed: bool) -> Option<MassProperties> {
+fn part(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>, placed: bool) -> Option<MassPart> {
+    if let Some(shape) = stated.at.shape.as_ref().filter(|_| placed) {
+        if let Some(own) = own_inertia(stated) {
+            of_a_shape(cx, link, own.span, shape.kind.span);
+        }
+        return mass_shape::part(cx, link, stated, shape);
+    }
     let mass = amount_of_mass(cx, link, stated);
     let what = format!("the inertia of a mass of `{}`", cx.builder.mech.link(link).name);
     let inertia = match &stated.at.inertia {
@@ -61,7 +76,56 @@ fn part(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>, placed: bool) -
         }
         None => Some(Vec2::zero()),
     };
-    Some(MassProperties { mass: mass?, centre: centre?, inertia: inertia? })
+    let own = MassProperties { mass: mass?, centre: centre?, inertia: inertia? };
+    Some(MassPart { own, shape: None })
+}
+
+/// Reports an inertia beside a shape, from which it follows.
+fn of_a_shape(cx: &mut Context<'_>, link: LinkId, inertia: Span, shape: Span) {
+    let name = cx.builder.mech.link(link).name.clone();
+    cx.error(
+        Diagnosis::error(
+            "mech::geometry::stated_twice",
+            format!("the inertia of `{name}` is given twice: a mass with a shape has its own"),
+        )
+        .primary(inertia, "given again here")
+        .label(shape, "follows from the shape")
+        .help("leave out the inertia, or give the mass its point: `mass 3 kg at S inertia 0.16 kg*m^2`"),
+    );
+}
+
+/// The sum of the masses, which holes must leave greater than zero.
+fn whole_mass(cx: &mut Context<'_>, link: LinkId, stated: &[Stated<'_>], sum: f64) -> Option<f64> {
+    let what = format!("the mass of `{}`", cx.builder.mech.link(link).name);
+    left(cx, stated, (sum > 0.0).then_some(sum), &what, &format_value(sum, Dimension::MASS))
+}
+
+/// The sum of the moments of inertia, which holes must not make negative.
+fn whole_inertia(cx: &mut Context<'_>, link: LinkId, stated: &[Stated<'_>], sum: f64) -> Option<f64> {
+    let what = format!("the inertia of `{}` about its mass centre", cx.builder.mech.link(link).name);
+    left(cx, stated, (sum >= 0.0).then_some(sum), &what, &format_value(sum, Dimension::INERTIA))
+}
+
+/// Reports holes that leave nothing.
+fn left(
+    cx: &mut Context<'_>,
+    stated: &[Stated<'_>],
+    sum: Option<f64>,
+    what: &str,
+    found: &str,
+) -> Option<f64> {
+    if sum.is_none() {
+        let masses = stated.iter().map(|one| one.span);
+        cx.error(
+            Diagnosis::error(
+                "mech::geometry::mass_shape",
+                format!("{what} is {found}: its holes leave nothing"),
+            )
+            .each(masses, "counts")
+            .help("a hole has the density of the body around it, with a minus, and lies within it"),
+        );
+    }
+    sum
 }
 
 /// Reports one of several masses without its point.
@@ -86,7 +150,7 @@ fn of_which(
     cx: &mut Context<'_>,
     link: LinkId,
     stated: &[Stated<'_>],
-    parts: &[MassProperties],
+    parts: &[MassPart],
     whole: StatedInertia<'_>,
 ) {
     let name = cx.builder.mech.link(link).name.clone();
@@ -96,11 +160,12 @@ fn of_which(
     let Some(point) = first.at.at.as_ref().map(|at| at.node.clone()) else { return };
     let inertia = format_value_like(&cx.names, value, Dimension::INERTIA, whole.value);
     // the first point whose moment of inertia of the masses alone is not greater
-    let enough =
-        |at: Vec2| parts.iter().map(|p| p.mass * (at - p.centre).dot(at - p.centre)).sum::<f64>() <= value;
+    let enough = |at: Vec2| {
+        parts.iter().map(|p| p.own.mass * (at - p.own.centre).dot(at - p.own.centre)).sum::<f64>() <= value
+    };
     let points = &cx.builder.mech.link(link).points;
     let about = points.iter().find(|p| enough(p.at)).map(|p| p.name.clone());
-    let with_first = format!("{} at {point} inertia {inertia}", written(cx, first, part.mass));
+    let with_first = format!("{} at {point} inertia {inertia}", written(cx, first, part.own.mass));
     let of_whole = format!("inertia {inertia} about {}", about.as_ref().unwrap_or(&point));
     let count = stated.len();
     let mut fixes = Vec::new();
@@ -130,8 +195,12 @@ fn twice(cx: &mut Context<'_>, link: LinkId, stated: &[Stated<'_>]) {
             (Some(a), Some(b)) => same(a, b),
             (a, b) => a.is_none() && b.is_none(),
         };
+        let shape = match (&a.at.shape, &b.at.shape) {
+            (Some(a), Some(b)) => mass_shape::alike(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        };
         let point = |s: &Stated<'_>| s.at.at.as_ref().map(|at| at.node.clone());
-        a.weight == b.weight && inertia && same(&a.at.value, &b.at.value) && point(a) == point(b)
+        a.weight == b.weight && inertia && shape && same(&a.at.value, &b.at.value) && point(a) == point(b)
     };
     for (i, again) in stated.iter().enumerate() {
         let Some(first) = stated[..i].iter().find(|first| alike(first, again)) else { continue };

@@ -5,6 +5,7 @@ pub mod gravity;
 pub mod load;
 pub mod load_cycle;
 pub mod mass;
+mod mass_shape;
 mod mass_sum;
 mod pin;
 pub mod spring;

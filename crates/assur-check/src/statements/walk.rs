@@ -157,7 +157,8 @@ fn body<'a>(members: &'a assur_syntax::document::Body, visit: &mut dyn FnMut(&'a
             }
             Member::Circle(c) => visit(&c.radius),
             Member::Mass(m) | Member::Weight(m) => {
-                std::iter::once(&m.value).chain(&m.inertia).for_each(&mut *visit);
+                let of_shape = m.shape.iter().flat_map(|shape| shape.values());
+                std::iter::once(&m.value).chain(of_shape).chain(&m.inertia).for_each(&mut *visit);
             }
             Member::Inertia(i) => visit(&i.value),
             Member::Wheel(w) => {

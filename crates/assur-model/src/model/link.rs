@@ -19,8 +19,8 @@ pub struct Link {
     pub cam_profiles: Vec<CamProfile>,
     /// Mass properties of the whole link, where declared.
     pub mass: Option<MassProperties>,
-    /// Its masses, where there are several: each at its own centre.
-    pub mass_parts: Vec<MassProperties>,
+    /// Its masses, where there are several or one has a shape.
+    pub mass_parts: Vec<MassPart>,
 }
 
 /// Mass of a link.
@@ -32,6 +32,41 @@ pub struct MassProperties {
     pub centre: Vec2,
     /// Moment of inertia about the mass centre, kg m², ≥ 0.
     pub inertia: f64,
+}
+
+/// One of the masses of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MassPart {
+    /// Its own, about its own centre. A hole has a mass below zero.
+    pub own: MassProperties,
+    /// How it is spread; of a mass at a point nothing.
+    pub shape: Option<MassShape>,
+}
+
+/// How a mass is spread, evenly; a disc, a ring and a sphere about the centre of the part.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MassShape {
+    /// Along the line between two points of the link.
+    Rod {
+        from: Vec2,
+        to: Vec2,
+    },
+    /// Between an inner radius, which may be zero, and an outer one.
+    Disc {
+        radius: f64,
+        inner: f64,
+    },
+    /// Along a circle.
+    Ring {
+        radius: f64,
+    },
+    Sphere {
+        radius: f64,
+    },
+    /// Over a polygon; its corners in order.
+    Plate {
+        corners: Vec<Vec2>,
+    },
 }
 
 /// A point of a link.

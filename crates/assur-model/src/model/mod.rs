@@ -29,7 +29,7 @@ pub use expr::{
 };
 pub use facts::{About, Answer, Facts, Level};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
-pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
+pub use link::{CamProfile, Circle, Line, Link, MassPart, MassProperties, MassShape, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring, TorsionSpring};
 pub use motion::{
     Drive, DriveTarget, Equilibrium, Hint, HintKind, LinkPoint, Mode, ModePart, NamedPose, Positions, Sought,

@@ -88,7 +88,7 @@ impl Link {
             of_vector(&mut circle.centre, visit);
             visit(&mut circle.radius);
         }
-        for mass in self.mass.iter_mut().chain(&mut self.mass_parts) {
+        for mass in self.mass.iter_mut().chain(self.mass_parts.iter_mut().map(|part| &mut part.own)) {
             visit(&mut mass.mass);
             of_vector(&mut mass.centre, visit);
             visit(&mut mass.inertia);

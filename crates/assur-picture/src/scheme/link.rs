@@ -82,7 +82,7 @@ impl Sketch<'_, '_> {
             if let Some(at) = centre.filter(|at| !is_joint(*at)) {
                 mass::centre(drawing, at);
             }
-            link.mass_parts.iter().for_each(|part| mass::part(drawing, body(part.centre)));
+            link.mass_parts.iter().for_each(|part| mass::part(drawing, body(part.own.centre)));
             for point in &link.points {
                 let at = body(point.at);
                 if any_near(&self.labelled, at, SAME) {

@@ -7,6 +7,7 @@ mod geneva;
 mod hidden;
 mod label;
 mod link;
+mod mass_shape;
 mod mesh;
 mod numbers;
 mod pair;
@@ -282,6 +283,7 @@ impl<'a, 's> Sketch<'a, 's> {
     /// From the back to the front.
     fn draw(&mut self, drawing: &mut Drawing, wanted: &Scheme) {
         self.rails(drawing);
+        self.mass_shapes(drawing);
         self.wheels(|_| true, drawing);
         self.meshes(drawing);
         self.profiles(drawing);

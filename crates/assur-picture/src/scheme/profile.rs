@@ -1,6 +1,6 @@
 //! Profiles that touch: circles, lines, points, designed cams; wheels seen from the front.
 
-use super::{Sketch, geneva};
+use super::{Sketch, geneva, mass_shape};
 use crate::paper::Frame;
 use crate::scene::Scene;
 use crate::shape::LinkShape;
@@ -17,10 +17,11 @@ const LEAST: f64 = 0.6;
 /// Steps of a cam's profile.
 const STEPS: u32 = 360;
 
-/// What profiles and wheels take, m.
+/// What profiles, wheels and masses with a shape take, m.
 pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
     extent_of(scene, |_| true, bounds);
     wheels_extent(scene, |_| true, bounds);
+    mass_shape::extent(scene, bounds);
 }
 
 /// What the wheels of some links take, m.
@@ -32,7 +33,7 @@ fn wheels_extent(scene: &Scene<'_>, wanted: impl Fn(LinkId) -> bool, bounds: &mu
     }
 }
 
-fn round(bounds: &mut Rect, centre: Vec2, radius: f64) {
+pub(super) fn round(bounds: &mut Rect, centre: Vec2, radius: f64) {
     bounds.add(centre - Vec2::new(radius, radius));
     bounds.add(centre + Vec2::new(radius, radius));
 }

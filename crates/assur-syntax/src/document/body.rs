@@ -18,7 +18,7 @@ pub enum Member {
     Circle(CircleMember),
     /// `profile rim of plate centre O`
     Profile(ProfileMember),
-    /// `mass 2.5 kg at S2`, `mass 3 kg at S inertia 0.16 kg*m^2`
+    /// `mass 2.5 kg at S2`, `mass 3 kg at S inertia 0.16 kg*m^2`, `mass 3 kg rod A to B`
     Mass(At),
     /// `weight 21 N at C`
     Weight(At),
@@ -89,8 +89,46 @@ pub struct ProfileMember {
 pub struct At {
     pub value: Expr,
     pub at: Option<Name>,
+    /// How it is spread, where it is at no point.
+    pub shape: Option<Box<MassShape>>,
     /// Its moment of inertia about that point.
     pub inertia: Option<Expr>,
+}
+
+/// How a mass is spread.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MassShape {
+    pub kind: Spanned<ShapeKind>,
+    /// The ends of a rod, the corners of a plate, else the centre.
+    pub points: Vec<Name>,
+    pub radius: Option<Expr>,
+    pub inner: Option<Expr>,
+    /// What a mass per volume is taken over, across the shape.
+    pub across: Option<(Spanned<Across>, Expr)>,
+}
+
+impl MassShape {
+    /// Its numbers.
+    pub fn values(&self) -> impl Iterator<Item = &Expr> {
+        self.radius.iter().chain(&self.inner).chain(self.across.as_ref().map(|(_, value)| value))
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShapeKind {
+    Rod,
+    Disc,
+    Ring,
+    Sphere,
+    Plate,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Across {
+    /// `thickness 20 mm`
+    Thickness,
+    /// `section 300 mm^2`
+    Section,
 }
 
 /// A moment of inertia.

@@ -12,7 +12,7 @@ mod question;
 mod simulation;
 
 pub use assur_text::language::{CamLaw, JointKind};
-pub use body::{About, At, PointFrom, WheelSize};
+pub use body::{About, Across, At, MassShape, PointFrom, ShapeKind, WheelSize};
 pub use body::{
     Body, CircleMember, LineDirection, LineMember, Member, PointMember, ProfileMember, WheelMember,
 };

@@ -3,8 +3,9 @@
 use super::simulation::Lower;
 use super::walk::{P, Parts, span, text};
 use crate::document::{
-    About, At, Bar, Body, CircleMember, Expr, ExprKind, Ground, LineDirection, LineMember, Link, Member,
-    Name, PointFrom, PointMember, ProfileMember, Shaft, Side, Slider, Statement, WheelMember, WheelSize,
+    About, Across, At, Bar, Body, CircleMember, Expr, ExprKind, Ground, LineDirection, LineMember, Link,
+    MassShape, Member, Name, PointFrom, PointMember, ProfileMember, Shaft, ShapeKind, Side, Slider,
+    Statement, WheelMember, WheelSize,
 };
 use crate::recover::{What, needless_word};
 use crate::trivia::corrected;
@@ -92,12 +93,18 @@ impl Lower<'_> {
             Rule::m_mass | Rule::m_weight => {
                 let value = self.expr(parts.any()?)?;
                 let at = parts.name_behind(Rule::w_at);
+                let shape = match parts.take(Rule::shape) {
+                    Some(pair) => Some(Box::new(self.shape(pair)?)),
+                    None => None,
+                };
                 let inertia = if parts.word(Rule::w_inertia) { Some(self.expr(parts.any()?)?) } else { None };
                 let name = Spanned::new(word.as_str().to_owned(), span(&word));
-                match (&value.kind, &at, &inertia) {
-                    (ExprKind::Vector(..), None, None) => Member::Point(PointMember { name, at: value }),
-                    _ if rule == Rule::m_mass => Member::Mass(At { value, at, inertia }),
-                    _ => Member::Weight(At { value, at, inertia }),
+                match (&value.kind, &at, &shape, &inertia) {
+                    (ExprKind::Vector(..), None, None, None) => {
+                        Member::Point(PointMember { name, at: value })
+                    }
+                    _ if rule == Rule::m_mass => Member::Mass(At { value, at, shape, inertia }),
+                    _ => Member::Weight(At { value, at, shape, inertia }),
                 }
             }
             Rule::m_inertia => {
@@ -107,6 +114,36 @@ impl Lower<'_> {
             Rule::m_wheel => self.wheel(parts)?,
             _ => return None,
         })
+    }
+
+    /// `rod A to B`, `disc centre O radius 0.3 m inner 50 mm thickness 20 mm`
+    fn shape(&mut self, pair: P<'_>) -> Option<MassShape> {
+        let mut parts = Parts::of(pair);
+        let word = parts.any()?;
+        let kind = match word.as_rule() {
+            Rule::w_rod => ShapeKind::Rod,
+            Rule::w_disc => ShapeKind::Disc,
+            Rule::w_ring => ShapeKind::Ring,
+            Rule::w_sphere => ShapeKind::Sphere,
+            _ => ShapeKind::Plate,
+        };
+        parts.word(Rule::w_centre);
+        let mut points = Vec::new();
+        while let Some(name) = parts.name() {
+            points.push(name);
+            parts.word(Rule::w_to);
+        }
+        let radius = if parts.word(Rule::w_radius) { Some(self.expr(parts.any()?)?) } else { None };
+        let inner = if parts.word(Rule::w_inner) { Some(self.expr(parts.any()?)?) } else { None };
+        let across = match parts.any() {
+            None => None,
+            Some(word) => {
+                let thick = word.as_rule() == Rule::w_thickness;
+                let across = if thick { Across::Thickness } else { Across::Section };
+                Some((Spanned::new(across, span(&word)), self.expr(parts.any()?)?))
+            }
+        };
+        Some(MassShape { kind: Spanned::new(kind, span(&word)), points, radius, inner, across })
     }
 
     fn point(&mut self, name: P<'_>, mut parts: Parts<'_>) -> Option<Member> {

@@ -75,6 +75,7 @@ pub const CODES: &[Code] = codes! {
     "geometry" / "inertia_of_which",
     "geometry" / "counts_twice",
     "geometry" / "point_mass",
+    "geometry" / "mass_shape",
     "geometry" / "mass_on_ground",
     "geometry" / "nothing_to_join",
     "geometry" / "wrong_ends",

@@ -20,4 +20,6 @@ pub use properties::{
 };
 pub use properties::{Property, PropertyValue};
 pub use units::{Symbol, UNITS, symbol};
-pub use words::{CAM_MEMBERS, CONNECTING, CONTEXTUAL, MEMBERS, Place, STATEMENTS, WORDS, Word, words_of};
+pub use words::{
+    CAM_MEMBERS, CONNECTING, CONTEXTUAL, MEMBERS, Place, SHAPES, STATEMENTS, WORDS, Word, words_of,
+};

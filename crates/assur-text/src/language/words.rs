@@ -28,6 +28,8 @@ pub enum Place {
     Law,
     /// Between other words; it cannot be a name.
     Connecting,
+    /// Behind the value of a mass; it may be a name elsewhere.
+    Shape,
     /// Between other words; it may be a name elsewhere.
     Contextual,
 }
@@ -40,6 +42,7 @@ pub const WORDS: &[(Place, &[Word])] = &[
     (Place::CamMember, CAM_MEMBERS),
     (Place::Law, LAWS),
     (Place::Connecting, CONNECTING),
+    (Place::Shape, SHAPES),
     (Place::Contextual, CONTEXTUAL),
 ];
 
@@ -161,6 +164,30 @@ pub const CONNECTING: &[Word] = &[
     small("turning", "before `cw` or `ccw`"),
     small("when", "before the condition of a load"),
     small("within", "before a tolerance"),
+];
+
+/// How a mass is spread, and the sizes of its shape.
+pub const SHAPES: &[Word] = &[
+    row("rod", "along the line between two points", "mass 3 kg rod A to B"),
+    row("disc", "between an inner radius, if any, and a radius", "mass 12 kg disc centre A radius 0.3 m"),
+    row("ring", "along a circle", "mass 8 kg ring centre A radius 0.3 m"),
+    row("sphere", "a ball", "mass 6 kg sphere centre A radius 110 mm"),
+    row("plate", "over a polygon", "mass 16 kg/m^2 plate A, B, C"),
+    row(
+        "inner",
+        "before the radius of the hole of a disc",
+        "mass 12 kg disc centre A radius 0.3 m inner 50 mm",
+    ),
+    row(
+        "thickness",
+        "before that of a disc or plate, with a mass per volume",
+        "mass 7850 kg/m^3 plate A, B, C thickness 20 mm",
+    ),
+    row(
+        "section",
+        "before the area of a rod or ring, with a mass per volume",
+        "mass 7850 kg/m^3 rod A to B section 300 mm^2",
+    ),
 ];
 
 /// Connecting words that are not reserved.
