@@ -33,6 +33,7 @@ pub(super) fn expected(rule: Rule) -> Vec<Expected> {
         Rule::load_kind => &["force", "torque"],
         Rule::site => &["on", "in"],
         Rule::order => &["ahead", "behind"],
+        Rule::shape => &["rod", "disc", "ring", "sphere", "plate"],
         Rule::m_along => &["along"],
         Rule::m_to => &["to"],
         Rule::near => &["near"],
