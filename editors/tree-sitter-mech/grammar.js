@@ -25,7 +25,7 @@ module.exports = grammar({
     statement: ($) =>
       choice(
         $.edition, $.title, $.given, $.let, $.gravity, $.ground, $.link, $.shaft, $.slider, $.pair, $.spring, $.all, $.group,
-        $.drive, $.pose, $.assemble, $.load, $.balance, $.cam, $.brake, $.flywheel, $.start, $.equilibrium, $.simulate, $.event, $.until,
+        $.drive, $.pose, $.assemble, $.load, $.balance, $.cam, $.brake, $.flywheel, $.counterweight, $.start, $.equilibrium, $.simulate, $.event, $.until,
         $.stop, $.ignore, $.find, $.expect, $.curve, $.variants,
       ),
 
@@ -46,15 +46,16 @@ module.exports = grammar({
     slider: ($) => seq('slider', field('name', $.identifier), optional($.body)),
 
     body: ($) => braces($, $.member),
-    member: ($) => choice($.line, $.circle, $.profile, $.mass, $.weight, $.inertia, $.wheel, $.point),
+    member: ($) => choice($.line, $.circle, $.profile, $.mass, $.weight, $.inertia, $.plane, $.wheel, $.point),
     line: ($) =>
       seq('line', field('name', $.identifier), 'through', $.identifier, choice(seq('along', $.expression), seq('to', $.identifier))),
     circle: ($) => seq('circle', field('name', $.identifier), 'centre', $.identifier, 'radius', $.expression),
     profile: ($) => seq('profile', field('name', $.identifier), 'of', $.identifier, 'centre', $.identifier),
     mass: ($) =>
-      seq('mass', $.expression, optional(choice(seq('at', $.identifier), $.shape)), optional(seq('inertia', $.expression))),
+      seq('mass', $.expression, optional(choice(seq('at', $.identifier), $.shape)), optional(seq('inertia', $.expression)), optional($.plane)),
     weight: ($) =>
-      seq('weight', $.expression, optional(choice(seq('at', $.identifier), $.shape)), optional(seq('inertia', $.expression))),
+      seq('weight', $.expression, optional(choice(seq('at', $.identifier), $.shape)), optional(seq('inertia', $.expression)), optional($.plane)),
+    plane: ($) => seq('plane', $.expression),
     shape: ($) =>
       seq(
         choice(
@@ -170,6 +171,7 @@ module.exports = grammar({
     law: () =>
       choice('parabolic', 'harmonic', 'cycloidal', 'poly345', 'poly4567', 'modified_trapezoid', 'modified_sine', 'uniform'),
     brake: ($) => seq('brake', field('name', $.identifier), 'on', $.identifier, optional($.properties)),
+    counterweight: ($) => seq('counterweight', field('name', $.identifier), 'on', $.identifier, optional($.properties)),
     flywheel: ($) =>
       seq('flywheel', field('name', $.identifier), 'on', $.identifier, optional(seq('for', $.identifier)), optional($.properties)),
 

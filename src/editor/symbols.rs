@@ -119,6 +119,7 @@ fn of_statement(statement: &Spanned<Statement>) -> Vec<Symbol> {
         Statement::Load(load) => load.name.iter().flat_map(|name| one(name, SymbolKind::Load)).collect(),
         Statement::Brake(brake) => one(&brake.name, SymbolKind::Element),
         Statement::Cam(cam) => one(&cam.name, SymbolKind::Element),
+        Statement::Counterweight(weight) => one(&weight.name, SymbolKind::Element),
         Statement::Flywheel(flywheel) => one(&flywheel.name, SymbolKind::Element),
         Statement::Find(find) => {
             let named = find.items.iter().filter_map(|item| Some((item.name.as_ref()?, item.span)));

@@ -33,6 +33,7 @@ mod methods;
 mod names;
 mod nothing;
 mod number_cases;
+mod planes;
 mod positions;
 mod powers;
 mod printed;

@@ -3,7 +3,7 @@
 use crate::elements::{cam, cam_contact, flywheel, geneva};
 use crate::expr::context::Context;
 use crate::links::link;
-use crate::loads::{balance, gravity, load, mass, spring};
+use crate::loads::{balance, counterweight, gravity, load, mass, spring};
 use crate::motion::{assemble, drive, equilibrium, no_motion, pose, simulation, spacing};
 use crate::pairs::pair;
 use crate::requests::definitions;
@@ -22,6 +22,7 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     pair::groups(cx);
     gravity::gravity(cx);
     mass::masses(cx);
+    counterweight::counterweights(cx);
     definitions::results(cx);
     drive::drives(cx);
     simulation::starts(cx);

@@ -150,6 +150,7 @@ impl<'d> Places<'d> {
             | Statement::Brake(_)
             | Statement::Cam(_)
             | Statement::Flywheel(_)
+            | Statement::Counterweight(_)
             | Statement::Curve(_)
             | Statement::Start(_)
             | Statement::Equilibrium(_)
@@ -182,6 +183,16 @@ impl<'d> Places<'d> {
             return None;
         }
         self.none(shapes.flat_map(|shape| shape.values()))?;
+        let planes = body.iter().filter_map(|m| match &m.node {
+            Member::Mass(at) | Member::Weight(at) => at.plane.as_ref(),
+            Member::Plane(at) => Some(at),
+            _ => None,
+        });
+        // the couples of the masses follow from all of them
+        if planes.clone().next().is_some() && (moved || heavier) {
+            return None;
+        }
+        self.none(planes)?;
         let has_mass = masses > 0;
         self.all(bar.map(|bar| &bar.length), Asked::Positive)?;
         for member in body {
@@ -209,6 +220,7 @@ impl<'d> Places<'d> {
                     self.none([&inertia.value])?;
                 }
                 Member::Inertia(inertia) => self.add(&inertia.value, Asked::NotNegative)?,
+                Member::Plane(_) => {}
                 Member::Wheel(_) | Member::Profile(_) | Member::Bad(_) => return None,
             }
         }

@@ -7,6 +7,7 @@ use crate::fourier::fourier;
 use crate::hodograph::{hodographs, polars};
 use crate::motion::{accelerations, velocities};
 use crate::paper::Scaled;
+use crate::planes::planes;
 use crate::plot::plot;
 use crate::scene::Scene;
 use crate::scheme::{Scheme, axial, scheme};
@@ -38,6 +39,8 @@ pub enum Kind {
     Work,
     /// Amplitudes of Fourier series.
     Fourier,
+    /// Masses of rotors in their planes.
+    Planes,
     /// Profile and motion of designed cams.
     Cam,
     /// Velocities of a point over the sweep.
@@ -48,7 +51,7 @@ pub enum Kind {
     Animation,
 }
 
-pub const KINDS: [Kind; 15] = [
+pub const KINDS: [Kind; 16] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -60,6 +63,7 @@ pub const KINDS: [Kind; 15] = [
     Kind::Plot,
     Kind::Work,
     Kind::Fourier,
+    Kind::Planes,
     Kind::Cam,
     Kind::Hodograph,
     Kind::Polar,
@@ -98,6 +102,7 @@ impl Kind {
             Self::Plot => "plot",
             Self::Work => "work",
             Self::Fourier => "fourier",
+            Self::Planes => "planes",
             Self::Cam => "cam",
             Self::Hodograph => "hodograph",
             Self::Polar => "polar",
@@ -116,6 +121,7 @@ impl Kind {
             | Self::Plot
             | Self::Work
             | Self::Fourier
+            | Self::Planes
             | Self::Cam
             | Self::Polar
             | Self::Animation => Level::Positions,
@@ -143,7 +149,7 @@ impl Kind {
     /// Whether the space that it takes is chosen: diagrams and sections have their own.
     #[must_use]
     pub const fn has_size(self) -> bool {
-        !matches!(self, Self::Train | Self::Plot | Self::Work | Self::Fourier)
+        !matches!(self, Self::Train | Self::Plot | Self::Work | Self::Fourier | Self::Planes)
     }
 
     /// Whether it shows forces.
@@ -189,6 +195,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Animation => still(scene, options).map(|first| vec![first]),
         Kind::Work => work(scene),
         Kind::Fourier => fourier(scene),
+        Kind::Planes => planes(scene),
         Kind::Plot => plot(scene, &options.plotted).map(|(plot, _)| vec![plot]),
         Kind::Velocities => velocities(scene, paper).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, paper).map(|plan| vec![plan]),

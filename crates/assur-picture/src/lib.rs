@@ -13,6 +13,7 @@ mod kind;
 mod motion;
 mod no_diagram;
 mod paper;
+mod planes;
 mod plot;
 mod scene;
 mod scheme;

@@ -81,6 +81,13 @@ pub(crate) fn no_term(scene: &Scene<'_>) -> Diagnosis {
         .help(format!("ask for a table, as in `find fourier({name}) in 8 steps`"))
 }
 
+/// No rotor with masses in several planes.
+pub(crate) fn no_planes() -> Diagnosis {
+    let why = "there are no planes to draw: no link on the ground has masses in several planes";
+    Diagnosis::error("mech::picture::no_planes", why)
+        .help("give the masses of a link their planes: `mass 2 kg at P plane 100 mm`")
+}
+
 /// No flywheel; the help writes one.
 pub(crate) fn no_flywheel(scene: &Scene<'_>) -> Diagnosis {
     let mechanism = scene.mechanism();

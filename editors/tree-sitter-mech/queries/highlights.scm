@@ -9,13 +9,13 @@
 
 [
   "mech" "mechanism" "given" "let" "gravity" "ground" "link" "shaft" "slider" "spring" "all" "group" "drive" "pose" "assemble"
-  "force" "torque" "balance" "cam" "brake" "flywheel" "start" "simulate" "event" "until" "stop" "ignore" "find" "expect" "curve"
+  "force" "torque" "balance" "cam" "brake" "flywheel" "counterweight" "start" "simulate" "event" "until" "stop" "ignore" "find" "expect" "curve"
   "variants"
 ] @keyword
 (kind) @keyword
 
 [
-  "line" "circle" "profile" "mass" "weight" "inertia" "wheel" "turning" "follower" "lift" "rise" "dwell" "fall" "on" "in" "at"
+  "line" "circle" "profile" "mass" "weight" "inertia" "plane" "wheel" "turning" "follower" "lift" "rise" "dwell" "fall" "on" "in" "at"
   "of" "from" "to" "through" "along" "about" "as" "for" "against" "motion" "when" "within" "accelerating" "moving" "near" "phase"
   "steps" "step" "centre" "radius" "diameter" "teeth" "module" "ahead" "behind" "over" "under" "forward" "back" "steady" "cycle"
   "turn" "turns" "rising" "falling" "linear" "smooth" "periodic" "held" "rod" "disc" "ring" "sphere" "plate" "inner" "thickness" "section"
@@ -29,7 +29,7 @@
 (call function: (identifier) @function.call)
 ((call function: (identifier) @function.builtin)
   ; words: functions
-  (#any-of? @function.builtin "sqrt" "abs" "sin" "cos" "tan" "asin" "acos" "atan" "atan2" "exp" "log" "mag" "dot" "cross" "unit" "dir" "max" "min" "slope" "position" "velocity" "acceleration" "jerk" "distance" "instant_centre" "angle" "omega" "alpha" "angular_jerk" "displacement" "relative_velocity" "relative_acceleration" "coriolis" "slip_speed" "travel" "stroke" "time_ratio" "dead" "transmission_angle" "pressure_angle" "reaction" "moment" "axial" "normal" "friction" "contact_force" "line_offset" "inertia_force" "inertia_torque" "inertia_arm" "shaking_force" "shaking_moment" "mass" "mass_centre" "inertia" "static_substitution" "dynamic_substitution" "effort" "power" "speed" "efficiency" "stable" "natural_frequency" "damping_ratio" "damped_frequency" "locked" "critical" "profile" "curvature_radius" "start" "smallest_base_radius" "table" "tooth_force" "sliding_velocity" "contact_ratio" "time" "drive" "count" "kinetic_energy" "potential_energy" "energy" "period" "sticks" "rests" "fluctuation" "rim" "work" "friction_work" "reduced_torque" "reduced_inertia" "radius" "tangential_force" "normal_force" "tension" "tight_side" "slack_side" "wrap" "capacity" "slips" "frictionless" "mean" "integral" "fourier" "argmax" "journal_torque" "thrust_torque" "belt_ratio" "raising_torque" "lowering_torque"))
+  (#any-of? @function.builtin "sqrt" "abs" "sin" "cos" "tan" "asin" "acos" "atan" "atan2" "exp" "log" "mag" "dot" "cross" "unit" "dir" "max" "min" "slope" "position" "velocity" "acceleration" "jerk" "distance" "instant_centre" "angle" "omega" "alpha" "angular_jerk" "displacement" "relative_velocity" "relative_acceleration" "coriolis" "slip_speed" "travel" "stroke" "time_ratio" "dead" "transmission_angle" "pressure_angle" "reaction" "moment" "axial" "normal" "friction" "contact_force" "line_offset" "inertia_force" "inertia_torque" "inertia_arm" "shaking_force" "shaking_moment" "rocking_couple" "mass" "mass_centre" "inertia" "static_substitution" "dynamic_substitution" "effort" "power" "speed" "efficiency" "stable" "natural_frequency" "damping_ratio" "damped_frequency" "locked" "critical" "profile" "curvature_radius" "start" "smallest_base_radius" "table" "tooth_force" "sliding_velocity" "contact_ratio" "time" "drive" "count" "kinetic_energy" "potential_energy" "energy" "period" "sticks" "rests" "fluctuation" "rim" "work" "friction_work" "reduced_torque" "reduced_inertia" "radius" "tangential_force" "normal_force" "tension" "tight_side" "slack_side" "wrap" "capacity" "slips" "frictionless" "mean" "integral" "fourier" "argmax" "journal_torque" "thrust_torque" "belt_ratio" "raising_torque" "lowering_torque"))
 ((name) @constant.builtin
   ; words: collections
   (#any-of? @constant.builtin "reactions" "powers" "axial" "positions" "velocities" "accelerations"))
@@ -45,6 +45,7 @@
 (spring name: (identifier) @label)
 (event name: (identifier) @label)
 (group name: (identifier) @label)
+(counterweight name: (identifier) @type)
 (cam name: (identifier) @type)
 (curve name: (identifier) @function)
 (given name: (identifier) @variable)

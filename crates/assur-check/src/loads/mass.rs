@@ -33,7 +33,8 @@ pub(crate) fn masses(cx: &mut Context<'_>) {
         if let Some(link) = link {
             let element = !matches!(statement.node, Statement::Link(_) | Statement::Ground(_));
             let turning = if element { Turning::No } else { turning[link.index()] };
-            if let Some((whole, parts)) = mass(cx, link, body, turning, !element) {
+            if let Some((whole, mut parts)) = mass(cx, link, body, turning, !element) {
+                planes(cx, body, whole, &mut parts);
                 let link = &mut cx.builder.mech.links[link.index()];
                 (link.mass, link.mass_parts) = (Some(whole), parts);
             }
@@ -45,6 +46,32 @@ pub(crate) fn masses(cx: &mut Context<'_>) {
         {
             of_planets(cx, link, &shaft.body);
         }
+    }
+}
+
+/// Enters the places of the masses along the axis.
+fn planes(cx: &mut Context<'_>, body: &Body, whole: MassProperties, parts: &mut Vec<MassPart>) {
+    let mut all = None;
+    let mut own = Vec::new();
+    for member in body {
+        match &member.node {
+            Member::Mass(at) | Member::Weight(at) => own.push(at.plane.as_ref()),
+            Member::Plane(at) => match all {
+                None => all = Some(at),
+                Some(first) => cx.error(given_twice("the plane of all masses", member.span, first.span)),
+            },
+            _ => {}
+        }
+    }
+    if all.is_none() && own.iter().all(Option::is_none) {
+        return;
+    }
+    if parts.is_empty() {
+        parts.push(MassPart { own: whole, shape: None, plane: 0.0 });
+    }
+    for (part, own) in parts.iter_mut().zip(own) {
+        let Some(at) = own.or(all) else { continue };
+        part.plane = cx.scalar_constant(at, &Want::LENGTH, "the plane of a mass").unwrap_or(0.0);
     }
 }
 

@@ -42,7 +42,7 @@ pub(super) fn part(
     let mass = amount(cx, link, stated, shape, spread.as_ref().map(|s| s.size));
     let (spread, mass) = (spread?, mass?);
     let own = MassProperties { mass, centre: spread.centre, inertia: mass * spread.gyration };
-    Some(MassPart { own, shape: Some(spread.shape) })
+    Some(MassPart { own, shape: Some(spread.shape), plane: 0.0 })
 }
 
 /// Whether two shapes are written with the same points and numbers.

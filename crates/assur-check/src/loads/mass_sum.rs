@@ -77,7 +77,7 @@ fn part(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>, placed: bool) -
         None => Some(Vec2::zero()),
     };
     let own = MassProperties { mass: mass?, centre: centre?, inertia: inertia? };
-    Some(MassPart { own, shape: None })
+    Some(MassPart { own, shape: None, plane: 0.0 })
 }
 
 /// Reports an inertia beside a shape, from which it follows.

@@ -1,6 +1,7 @@
 //! What acts on the machine: weights, forces, springs, brakes, unknown efforts.
 
 pub mod balance;
+pub mod counterweight;
 pub mod gravity;
 pub mod load;
 pub mod load_cycle;

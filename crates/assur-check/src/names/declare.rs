@@ -115,6 +115,9 @@ fn things(cx: &mut Scope<'_, '_>, statement: &Statement, span: Span) {
         Statement::Spring(spring) => {
             thing(cx, &spring.name, ThingKind::Spring);
         }
+        Statement::Counterweight(weight) => {
+            thing(cx, &weight.name, ThingKind::Counterweight);
+        }
         Statement::Group(group) => {
             thing(cx, &group.name, ThingKind::Group);
         }
@@ -166,7 +169,11 @@ fn members(cx: &mut Scope<'_, '_>, link: LinkId, body: &Body) {
                 cx.names.inside[link.index()].bad.extend(names.iter().cloned());
                 cx.names.bad.extend(names.iter().cloned());
             }
-            Member::Wheel(_) | Member::Mass(_) | Member::Weight(_) | Member::Inertia(_) => {}
+            Member::Wheel(_)
+            | Member::Mass(_)
+            | Member::Weight(_)
+            | Member::Inertia(_)
+            | Member::Plane(_) => {}
         }
     }
     wheels(cx, body);

@@ -69,6 +69,7 @@ pub enum ThingKind {
     /// A slider on a rope.
     Slider,
     Wheel,
+    Counterweight,
     /// An idler of a rope, declared by `over(C)`.
     Idler,
 }
@@ -87,6 +88,7 @@ impl ThingKind {
             Self::Shaft => "a shaft".into(),
             Self::Slider => "a slider".into(),
             Self::Wheel => "a wheel".into(),
+            Self::Counterweight => "a counterweight".into(),
             Self::Idler => "an idler".into(),
         }
     }

@@ -77,6 +77,7 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
         Statement::Spring(s) => properties(&s.properties, visit),
         Statement::All(a) => properties(&a.properties, visit),
         Statement::Flywheel(f) => properties(&f.properties, visit),
+        Statement::Counterweight(c) => properties(&c.properties, visit),
         Statement::Stop(s) => {
             visit(&s.bound);
             properties(&s.properties, visit);
@@ -158,8 +159,13 @@ fn body<'a>(members: &'a assur_syntax::document::Body, visit: &mut dyn FnMut(&'a
             Member::Circle(c) => visit(&c.radius),
             Member::Mass(m) | Member::Weight(m) => {
                 let of_shape = m.shape.iter().flat_map(|shape| shape.values());
-                std::iter::once(&m.value).chain(of_shape).chain(&m.inertia).for_each(&mut *visit);
+                std::iter::once(&m.value)
+                    .chain(of_shape)
+                    .chain(&m.inertia)
+                    .chain(&m.plane)
+                    .for_each(&mut *visit);
             }
+            Member::Plane(at) => visit(at),
             Member::Inertia(i) => visit(&i.value),
             Member::Wheel(w) => {
                 if let Some(WheelSize::Radius(e) | WheelSize::Diameter(e) | WheelSize::Teeth(e)) = &w.size {

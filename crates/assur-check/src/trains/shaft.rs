@@ -115,9 +115,10 @@ fn push(cx: &mut Context<'_>, name: &Name, kind: PairKind, bearing: Bearing) {
 fn members(cx: &mut Context<'_>, body: &Body, what: &str, turns: bool) {
     for member in body {
         let (is, help) = match &member.node {
-            Member::Mass(at) | Member::Weight(at) if at.shape.is_some() => {
-                ("a mass with a shape", "write the mass alone, and `inertia` where it turns")
+            Member::Mass(at) | Member::Weight(at) if at.shape.is_some() || at.plane.is_some() => {
+                ("a mass with a shape or a plane", "write the mass alone, and `inertia` where it turns")
             }
+            Member::Plane(_) => ("a plane", "give the mass and its plane to a `link`"),
             Member::Mass(at) | Member::Weight(at) if at.inertia.is_none() || turns => continue,
             Member::Bad(_) => continue,
             Member::Wheel(_) if turns => continue,

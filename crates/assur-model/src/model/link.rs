@@ -19,7 +19,7 @@ pub struct Link {
     pub cam_profiles: Vec<CamProfile>,
     /// Mass properties of the whole link, where declared.
     pub mass: Option<MassProperties>,
-    /// Its masses, where there are several or one has a shape.
+    /// Its masses, where there are several or one has a shape or a plane.
     pub mass_parts: Vec<MassPart>,
 }
 
@@ -41,6 +41,19 @@ pub struct MassPart {
     pub own: MassProperties,
     /// How it is spread; of a mass at a point nothing.
     pub shape: Option<MassShape>,
+    /// Its place along the axis, m.
+    pub plane: f64,
+}
+
+/// A counterweight as it was found.
+#[derive(Clone, Debug)]
+pub struct Counterweight {
+    pub name: String,
+    pub mass: f64,
+    /// Its distance from the hinge, m.
+    pub radius: f64,
+    /// Its direction from the hinge in the link's frame, rad.
+    pub angle: f64,
 }
 
 /// How a mass is spread, evenly; a disc, a ring and a sphere about the centre of the part.

@@ -29,7 +29,7 @@ pub use expr::{
 };
 pub use facts::{About, Answer, Facts, Level};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
-pub use link::{CamProfile, Circle, Line, Link, MassPart, MassProperties, MassShape, Point};
+pub use link::{CamProfile, Circle, Counterweight, Line, Link, MassPart, MassProperties, MassShape, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring, TorsionSpring};
 pub use motion::{
     Drive, DriveTarget, Equilibrium, Hint, HintKind, LinkPoint, Mode, ModePart, NamedPose, Positions, Sought,
@@ -107,6 +107,7 @@ pub struct Mechanism {
     pub cycles: Vec<Cycle>,
     /// Flywheels that are to be found.
     pub flywheels: Vec<Flywheel>,
+    pub counterweights: Vec<Counterweight>,
     /// Constructs that are understood but cannot be solved yet.
     pub unsupported: Vec<Unsupported>,
     /// Givens whose critical value is asked for.

@@ -24,6 +24,8 @@ pub enum Member {
     Weight(At),
     /// `inertia 0.2 kg*m^2 about C`
     Inertia(About),
+    /// `plane 250 mm`: the place of all masses along the axis
+    Plane(Expr),
     /// `wheel z2 teeth 42 module 16 mm at O2`
     Wheel(WheelMember),
     /// A part that could not be read; already reported.
@@ -93,6 +95,8 @@ pub struct At {
     pub shape: Option<Box<MassShape>>,
     /// Its moment of inertia about that point.
     pub inertia: Option<Expr>,
+    /// Its place along the axis.
+    pub plane: Option<Expr>,
 }
 
 /// How a mass is spread.

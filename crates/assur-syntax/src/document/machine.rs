@@ -185,6 +185,16 @@ pub struct Brake {
     pub properties: Vec<Property>,
 }
 
+/// `counterweight X on rotor { radius 100 mm; plane 100 mm }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Counterweight {
+    pub name: Name,
+    /// The link that it balances.
+    pub on: Name,
+    /// The contents of its braces.
+    pub properties: Vec<Property>,
+}
+
 /// `flywheel J on O1 for Mb { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flywheel {

@@ -17,7 +17,9 @@ pub use body::{
     Body, CircleMember, LineDirection, LineMember, Member, PointMember, ProfileMember, WheelMember,
 };
 pub use expr::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
-pub use machine::{Bar, Brake, Cam, CamMember, End, Flywheel, Follower, Ground, Group, Joint, Link};
+pub use machine::{
+    Bar, Brake, Cam, CamMember, Counterweight, End, Flywheel, Follower, Ground, Group, Joint, Link,
+};
 pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring, SpringSite};
 pub use motion::{
     Assemble, AssembleClause, Balance, Direction, Drive, DrivePosition, DriveRange, Load, LoadKind, Steps,
@@ -111,6 +113,8 @@ pub enum Statement {
     Brake(Brake),
     /// `cam plate { … }`
     Cam(Cam),
+    /// `counterweight X on rotor { radius 100 mm; plane 100 mm }`
+    Counterweight(Counterweight),
     /// `flywheel J on O1 for Mb { … }`
     Flywheel(Flywheel),
     /// `all revolute { friction_circle 5 mm }`

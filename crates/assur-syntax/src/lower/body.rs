@@ -98,13 +98,24 @@ impl Lower<'_> {
                     None => None,
                 };
                 let inertia = if parts.word(Rule::w_inertia) { Some(self.expr(parts.any()?)?) } else { None };
+                let plane = if parts.word(Rule::w_plane) { Some(self.expr(parts.any()?)?) } else { None };
                 let name = Spanned::new(word.as_str().to_owned(), span(&word));
                 match (&value.kind, &at, &shape, &inertia) {
-                    (ExprKind::Vector(..), None, None, None) => {
+                    (ExprKind::Vector(..), None, None, None) if plane.is_none() => {
                         Member::Point(PointMember { name, at: value })
                     }
-                    _ if rule == Rule::m_mass => Member::Mass(At { value, at, shape, inertia }),
-                    _ => Member::Weight(At { value, at, shape, inertia }),
+                    _ if rule == Rule::m_mass => Member::Mass(At { value, at, shape, inertia, plane }),
+                    _ => Member::Weight(At { value, at, shape, inertia, plane }),
+                }
+            }
+            Rule::m_plane => {
+                let value = self.expr(parts.any()?)?;
+                match value.kind {
+                    ExprKind::Vector(..) | ExprKind::Polar(..) => {
+                        let name = Spanned::new(word.as_str().to_owned(), span(&word));
+                        Member::Point(PointMember { name, at: value })
+                    }
+                    _ => Member::Plane(value),
                 }
             }
             Rule::m_inertia => {

@@ -4,8 +4,8 @@ use super::expr::turn;
 use super::simulation::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{
-    AllJoints, Brake, Cam, CamLaw, CamMember, End, Flywheel, Follower, Group, Joint, JointKind, Phase,
-    PhaseKind, Property, Spring, SpringSite,
+    AllJoints, Brake, Cam, CamLaw, CamMember, Counterweight, End, Flywheel, Follower, Group, Joint,
+    JointKind, Phase, PhaseKind, Property, Spring, SpringSite,
 };
 use crate::recover::What;
 use crate::words::Rule;
@@ -146,6 +146,14 @@ impl Lower<'_> {
         let name = parts.name()?;
         let on = parts.name_behind(Rule::w_on)?;
         Some(Brake { name, on, properties: self.properties(&mut parts) })
+    }
+
+    pub(super) fn counterweight(&mut self, pair: P<'_>) -> Option<Counterweight> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let name = parts.name()?;
+        let on = parts.name_behind(Rule::w_on)?;
+        Some(Counterweight { name, on, properties: self.properties(&mut parts) })
     }
 
     pub(super) fn flywheel(&mut self, pair: P<'_>) -> Option<Flywheel> {

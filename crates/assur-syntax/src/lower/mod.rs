@@ -68,6 +68,7 @@ impl Lower<'_> {
             Rule::group => Statement::Group(self.group(pair)?),
             Rule::all => Statement::All(self.all(pair)?),
             Rule::cam => Statement::Cam(self.cam(pair)?),
+            Rule::counterweight => Statement::Counterweight(self.counterweight(pair)?),
             Rule::flywheel => Statement::Flywheel(self.flywheel(pair)?),
             Rule::brake => Statement::Brake(self.brake(pair)?),
             Rule::drive => Statement::Drive(self.drive(pair)?),

@@ -151,6 +151,7 @@ impl Function {
                 | Self::Fourier
                 | Self::ShakingForce
                 | Self::ShakingMoment
+                | Self::RockingCouple
         )
     }
 

@@ -224,6 +224,14 @@ functions! {
         form(&[], Number(Dimension::TORQUE), "−Σ (r × m a + J α) about the origin of the ground"),
         form(&[arg("P", Takes::Point)], Number(Dimension::TORQUE), "about a point of the ground"),
     ],
+    RockingCouple "rocking_couple" Inertia "rocking_couple()" [
+        form(&[], Vector(Dimension::TORQUE), "Σ z k × (−m a) of all masses in their planes z, about the plane 0"),
+        form(
+            &[arg("plane", Takes::Value(Some(Dimension::LENGTH)))],
+            Vector(Dimension::TORQUE),
+            "about another plane",
+        ),
+    ],
     Mass "mass" Inertia "mass(rod)" [
         form(&[L], Number(Dimension::MASS), "of a link"),
         form(&[], Number(Dimension::MASS), "of all moving links"),

@@ -16,7 +16,8 @@ pub use functions::{FUNCTIONS, Function};
 pub use kinds::{COLLECTIONS, Collection};
 pub use kinds::{CamLaw, JointKind, LAWS, PAIRS};
 pub use properties::{
-    BRAKE, CAM, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, STOP, TORSION_SPRING, properties_of_pair,
+    BRAKE, CAM, COUNTERWEIGHT, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, STOP, TORSION_SPRING,
+    properties_of_pair,
 };
 pub use properties::{Property, PropertyValue};
 pub use units::{Symbol, UNITS, symbol};

@@ -225,6 +225,13 @@ pub const FOLLOWER: &[Property] = &[
     row("against_cam", Flag, "against_cam", "the rise turns it against the cam"),
 ];
 
+/// The properties of a counterweight.
+pub const COUNTERWEIGHT: &[Property] = &[
+    row("radius", Positive(Dimension::LENGTH), "radius 100 mm", "distance from the hinge; its mass is found"),
+    row("mass", Positive(Dimension::MASS), "mass 180 kg", "its mass; its radius is found"),
+    row("plane", Any(Dimension::LENGTH), "plane 100 mm", "its place along the axis"),
+];
+
 /// The properties of the rim of a flywheel.
 pub const RIM: &[Property] = &[
     row("diameter", Positive(Dimension::LENGTH), "diameter 0.5 m", "at which its mass is taken"),
@@ -309,6 +316,7 @@ pub const PROPERTIES: &[(&str, &[Property])] = &[
     ("stop", STOP),
     ("cam", CAM),
     ("follower", FOLLOWER),
+    ("counterweight", COUNTERWEIGHT),
     ("flywheel", FLYWHEEL),
     ("rim", RIM),
 ];

@@ -95,6 +95,11 @@ pub const STATEMENTS: &[Word] = &[
         "a function from a table of values",
         "curve p periodic { then a header and rows, each on a line of its own }",
     ),
+    row(
+        "counterweight",
+        "a mass to be found that balances a link",
+        "counterweight X on rotor { radius 100 mm; plane 100 mm }",
+    ),
     row("flywheel", "a flywheel to be sized", "flywheel J on O1 for Mb { fluctuation 1/30 }"),
     row("find", "the answers wanted", "find v_C = velocity(C) as m/s"),
     row("expect", "an answer that is expected", "expect Mb = 26 N*m within 1 %"),
@@ -123,6 +128,7 @@ pub const MEMBERS: &[Word] = &[
     row("profile", "the profile of a designed cam", "profile rim of plate centre O"),
     row("mass", "mass, with the mass centre", "mass 2.5 kg at S"),
     row("weight", "mass by its weight", "weight 21 N at C"),
+    row("plane", "the place of all masses along the axis", "plane 250 mm"),
     row("inertia", "moment of inertia", "inertia 0.0425 kg*m^2"),
     row("wheel", "a wheel, pulley or drum", "wheel z1 teeth 18 module 16 mm"),
 ];

@@ -134,7 +134,7 @@ impl Context<'_> {
     }
 
     /// Reports a mass centre of what has a mass, but no place.
-    fn in_the_plane(&mut self, call: Call<'_>, heavy: &[(LinkId, MassProperties)]) -> Option<()> {
+    pub(super) fn in_the_plane(&mut self, call: Call<'_>, heavy: &[(LinkId, MassProperties)]) -> Option<()> {
         let Some((open, _)) = heavy.iter().find(|(link, _)| !self.builder.mech.is_placed(*link)) else {
             return Some(());
         };

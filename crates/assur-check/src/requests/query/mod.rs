@@ -81,6 +81,9 @@ impl Context<'_> {
     fn answer(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
         use Function as F;
         self.is_of_a_motion(call, function)?;
+        if let Some(found) = self.of_counterweight(call, function) {
+            return found;
+        }
         match function {
             F::Sqrt => self.root(call),
             F::Abs => self.absolute(call),
@@ -99,6 +102,7 @@ impl Context<'_> {
             F::Max | F::Min | F::Argmax | F::Mean | F::Integral => self.over_all(call, function),
             F::Fourier => self.fourier_alone(call),
             F::ShakingForce => self.shaking_force(call),
+            F::RockingCouple => self.rocking_couple(call),
             F::ShakingMoment => self.shaking_moment(call),
             F::Position => self.point_motion(call, Dimension::LENGTH, Query::Position, Query::Displacement),
             F::Velocity => {
