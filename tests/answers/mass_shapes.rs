@@ -13,7 +13,9 @@ const PLACES: [&str; 4] = ["x", "y", "z", "w"];
 /// Points on a circle about a place, evenly, each with its part of a mass.
 fn around(m: f64, at: [f64; 2], radius: f64) -> Vec<Piece> {
     let turn = |i: usize| TAU * i as f64 / 8.0;
-    (0..8).map(|i| (m / 8.0, [at[0] + radius * turn(i).cos(), at[1] + radius * turn(i).sin()], 0.0)).collect()
+    (0..8)
+        .map(|i| (m / 8.0, [at[0] + radius * libm::cos(turn(i)), at[1] + radius * libm::sin(turn(i))], 0.0))
+        .collect()
 }
 
 /// The radii and weights by which an integral from 0 to 1 of a polynomial to the fifth degree is exact (Gauss and Legendre).
@@ -64,7 +66,7 @@ fn shape(state: &mut u64, name: &str) -> (String, Vec<Piece>) {
         0 => {
             let to = [at[0] + within(state, 0.1, 0.5), at[1] + within(state, -0.3, 0.3)];
             let _ = write!(text, "{name}y ({} m, {} m); ", to[0], to[1]);
-            let l = (to[0] - at[0]).hypot(to[1] - at[1]);
+            let l = libm::hypot(to[0] - at[0], to[1] - at[1]);
             let along = |t: f64| [at[0] + t * (to[0] - at[0]), at[1] + t * (to[1] - at[1])];
             let pieces = nodes().map(|(t, weight)| (l * weight, along(t), 0.0)).into();
             (l, 1, format!("rod {name}x to {name}y"), "section", pieces)
@@ -89,7 +91,7 @@ fn shape(state: &mut u64, name: &str) -> (String, Vec<Piece>) {
             let corner = |state: &mut u64, i: usize| {
                 let angle = TAU * (i as f64 + within(state, 0.0, 0.8)) / count as f64;
                 let r = within(state, 0.05, 0.3);
-                [at[0] + r * angle.cos(), at[1] + r * angle.sin()]
+                [at[0] + r * libm::cos(angle), at[1] + r * libm::sin(angle)]
             };
             let corners: Vec<[f64; 2]> = (0..count).map(|i| corner(state, i)).collect();
             for (letter, p) in ["a", "b", "c", "d"].iter().zip(&corners) {
@@ -185,14 +187,14 @@ fn plates_may_have_bays() {
             .map(|(i, xy)| {
                 let [x, y] =
                     [0, 1].map(|k| xy.split(',').nth(k).expect("two").parse::<f64>().expect("a number"));
-                let (s, c) = turned.to_radians().sin_cos();
+                let (s, c) = (libm::sin(turned.to_radians()), libm::cos(turned.to_radians()));
                 format!("P{i} ({} m, {} m); ", c * x - s * y, s * x + c * y)
             })
             .collect();
         let text = format!(
             "ground {{ P0 (0, 0) }}\nlink u {{ {points} mass 1 kg/m^2 plate {order} }}\nrevolute P0: ground - u\ndrive u = 0 deg\n"
         );
-        assur::solve(&format!("{text}find mass(u)\n"))
+        assur::solve(format!("{text}find mass(u)\n"))
             .map(|s| s.poses()[0]["mass(u)"].number().expect("a number"))
     };
     // a U of three squares' arms, and a comb

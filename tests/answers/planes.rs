@@ -79,7 +79,7 @@ fn counterweights_leave_no_force_and_no_couple() {
         all.iter().for_each(|h| add(h.m, [h.at[0] - hinge[0], h.at[1] - hinge[1]], h.z));
         for (found, z) in found.chunks(3).zip(&planes) {
             let [m, r, angle] = [found[0], found[1], found[2]];
-            add(m, [r * angle.cos(), r * angle.sin()], *z);
+            add(m, [r * libm::cos(angle), r * libm::sin(angle)], *z);
         }
         let held = if two { 4 } else { 2 };
         for sum in &sums[..held] {

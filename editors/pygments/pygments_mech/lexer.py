@@ -52,6 +52,7 @@ class MechLexer(RegexLexer):
             (rf"^([ \t]*)({LETTER}(?:{MORE}|[.-])*)(?=[ \t]*,[ \t]*[-−]?[0-9])", bygroups(Whitespace, Name)),
             (rf"{START}(pose)([ \t]+)({MORE}+)", bygroups(Keyword, Whitespace, Name.Label)),
             (rf"{START}(all)([ \t]+)({'|'.join(w.PAIRS)}){END}", bygroups(Keyword, Whitespace, Keyword)),
+            (rf"(^|;)([ \t]*)(counterweight)([ \t]+)({NAME})([ \t]+)(on)([ \t]+)({NAME})(?=[ \t]*\{{)", bygroups(Punctuation, Whitespace, Keyword, Whitespace, Name, Whitespace, Keyword.Reserved, Whitespace, Name), "counterweight"),
             (rf"{START}(balance)([ \t]+)(force|torque){END}", bygroups(Keyword, Whitespace, Keyword)),
             (head(w.STATEMENTS + w.PAIRS, "^|;") + NOT_HEAD, bygroups(Punctuation, Whitespace, Keyword)),
             (head(w.MEMBERS + w.CAM_MEMBERS, "^|[;{]") + NOT_HEAD, bygroups(Punctuation, Whitespace, Keyword.Reserved)),
@@ -75,6 +76,11 @@ class MechLexer(RegexLexer):
             (r"[()\[\]{},;:.]", Punctuation),
             (r"\n|[^\S\n]+", Whitespace),
         ],
+        "counterweight": [
+            (rf"(^|[{{;])([ \t]*)(radius|mass|plane){END}", bygroups(Punctuation, Whitespace, Name.Attribute)),
+            (r"\}", Punctuation, "#pop"),
+            include("root"),
+        ],
         "names": [
             (rf"(?<!\.)({'|'.join(w.FUNCTIONS)}){END}(?=[ \t]*\()", Name.Builtin),
             (rf"(?<!\.)({'|'.join(w.COLLECTIONS)}){END}(?!\s*[(=.:])", Name.Builtin),
@@ -83,7 +89,7 @@ class MechLexer(RegexLexer):
             (rf"(?<!\.)(inertia){END}(?=[ \t]+(?!(?:{'|'.join(w.CONNECTING)}){END})[^\W_(])", Keyword.Reserved),
             # of a shape: behind a mass
             (rf"(?<!\.)(rod(?=[ \t]+{NAME}[ \t]+to{END})|(?:disc|ring|sphere)(?=[ \t]+centre{END})|plate(?=[ \t]+{NAME}[ \t]*,))", Keyword.Reserved),
-            (rf"(?<!\.)(?<![-:] )(inner|thickness|section){END}(?=[ \t]+(?!(?:{'|'.join(w.CONNECTING + w.CONTEXTUAL)}){END})[^\W_])", Keyword.Reserved),
+            (rf"(?<!\.)(?<![-:] )(inner|thickness|section|plane){END}(?=[ \t]+(?!(?:{'|'.join(w.CONNECTING + w.CONTEXTUAL)}){END})[^\W_])", Keyword.Reserved),
             (rf"(?<!\.)(?<![-:] )({'|'.join(w.CONTEXTUAL)}){END}(?!\s*(?:[:=.,()+*/^]|-\s))", Keyword.Reserved),
             (NAME, Name),
         ],

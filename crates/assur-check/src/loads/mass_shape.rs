@@ -117,7 +117,7 @@ fn plate(cx: &mut Context<'_>, shape: &MassShape, corners: Vec<Vec2>) -> Option<
         let cross = a.cross(b);
         twice += cross;
         turned += cross.abs();
-        moment = moment + (a + b) * cross;
+        moment += (a + b) * cross;
         polar += (a.dot(a) + a.dot(b) + b.dot(b)) * cross;
     }
     let length: f64 = sides.iter().map(|(a, b)| (*b - *a).norm()).sum();

@@ -107,9 +107,9 @@ fn missing_word(case: &Case<'_>) -> Option<Diagnosis> {
     fitting
         .retain(|w| w != "{" && w != "}" && case.reads(&case.with(case.fail, case.fail, &format!(" {w} "))));
     fitting.retain(|w| w != "accelerating");
-    // a mass lacks its point more often than its inertia
+    // a mass lacks its point more often than its inertia or plane
     let has_point = fitting.iter().any(|w| w == "at");
-    fitting.retain(|w| w != "inertia" || !has_point);
+    fitting.retain(|w| !matches!(w.as_str(), "inertia" | "plane") || !has_point);
     // behind `when` stands a comparison
     let compared = case.slice.get(case.fail..)?.contains(['<', '>']);
     fitting.retain(|w| w != "when" || compared);

@@ -58,6 +58,9 @@ impl Context<'_> {
         if function.yields_to_curve() && self.is_curve(&call.name.node) {
             return self.curve(call, CurvePart::Value);
         }
+        if let Some(found) = self.of_counterweight(call, function) {
+            return found;
+        }
         self.answer(call, function)
     }
 
@@ -81,9 +84,6 @@ impl Context<'_> {
     fn answer(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
         use Function as F;
         self.is_of_a_motion(call, function)?;
-        if let Some(found) = self.of_counterweight(call, function) {
-            return found;
-        }
         match function {
             F::Sqrt => self.root(call),
             F::Abs => self.absolute(call),
@@ -101,9 +101,7 @@ impl Context<'_> {
             F::Cross => self.product(call, model::Function::Cross),
             F::Max | F::Min | F::Argmax | F::Mean | F::Integral => self.over_all(call, function),
             F::Fourier => self.fourier_alone(call),
-            F::ShakingForce => self.shaking_force(call),
-            F::RockingCouple => self.rocking_couple(call),
-            F::ShakingMoment => self.shaking_moment(call),
+            F::ShakingForce | F::ShakingMoment | F::RockingCouple => self.on_the_frame(call, function),
             F::Position => self.point_motion(call, Dimension::LENGTH, Query::Position, Query::Displacement),
             F::Velocity => {
                 self.point_motion(call, Dimension::VELOCITY, Query::Velocity, Query::RelativeVelocity)

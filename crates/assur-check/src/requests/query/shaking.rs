@@ -16,8 +16,16 @@ use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 
 impl Context<'_> {
+    pub(super) fn on_the_frame(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        match function {
+            Function::ShakingForce => self.shaking_force(call),
+            Function::ShakingMoment => self.shaking_moment(call),
+            _ => self.rocking_couple(call),
+        }
+    }
+
     /// `shaking_force()`: −Σ m a
-    pub(super) fn shaking_force(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn shaking_force(&mut self, call: Call<'_>) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
         let of = |(link, m): &(LinkId, MassProperties)| {
             (m.mass > 0.0).then_some(Expr::Query(Query::InertiaForce(*link)))
@@ -27,7 +35,7 @@ impl Context<'_> {
     }
 
     /// `shaking_moment()`, `shaking_moment(P)`: −Σ (r × m a + J α)
-    pub(super) fn shaking_moment(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn shaking_moment(&mut self, call: Call<'_>) -> Option<Typed> {
         let about = match self.arguments(call, 0, 1)?[..] {
             [point] => self.point_on(call, LinkId::GROUND, (point, "a point of the ground"))?,
             _ => Vec2::zero(),
@@ -53,7 +61,7 @@ impl Context<'_> {
     }
 
     /// `rocking_couple()`, `rocking_couple(z)`: Σ z k × (−m a), the planes counted from that named
-    pub(super) fn rocking_couple(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn rocking_couple(&mut self, call: Call<'_>) -> Option<Typed> {
         let from = match self.arguments(call, 0, 1)?[..] {
             [plane] => self.scalar_constant(plane, &Want::LENGTH, "the plane of a rocking couple")?,
             _ => 0.0,
