@@ -9,6 +9,7 @@ mod brakes;
 #[path = "../busy/mod.rs"]
 mod busy;
 mod completed;
+mod curvature;
 mod cycle;
 mod effects;
 mod energy;

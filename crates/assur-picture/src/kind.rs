@@ -10,7 +10,7 @@ use crate::paper::Scaled;
 use crate::planes::planes;
 use crate::plot::plot;
 use crate::scene::Scene;
-use crate::scheme::{Scheme, axial, scheme};
+use crate::scheme::{Scheme, axial, curvature, scheme};
 use crate::train::train;
 use crate::work::work;
 use assur_drawing::Drawing;
@@ -30,6 +30,8 @@ pub enum Kind {
     Lever,
     /// Bars with the forces along them.
     Axial,
+    /// Osculating circles of paths.
+    Curvature,
     /// Friction circles, angles and action lines.
     Friction,
     Train,
@@ -51,13 +53,14 @@ pub enum Kind {
     Animation,
 }
 
-pub const KINDS: [Kind; 16] = [
+pub const KINDS: [Kind; 17] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
     Kind::Forces,
     Kind::Lever,
     Kind::Axial,
+    Kind::Curvature,
     Kind::Friction,
     Kind::Train,
     Kind::Plot,
@@ -97,6 +100,7 @@ impl Kind {
             Self::Forces => "forces",
             Self::Lever => "lever",
             Self::Axial => "axial",
+            Self::Curvature => "curvature",
             Self::Friction => "friction",
             Self::Train => "train",
             Self::Plot => "plot",
@@ -117,6 +121,7 @@ impl Kind {
             Self::Scheme
             | Self::Forces
             | Self::Axial
+            | Self::Curvature
             | Self::Train
             | Self::Plot
             | Self::Work
@@ -137,7 +142,13 @@ impl Kind {
             Scaled::Length => {
                 matches!(
                     self,
-                    Self::Scheme | Self::Forces | Self::Axial | Self::Friction | Self::Cam | Self::Animation
+                    Self::Scheme
+                        | Self::Forces
+                        | Self::Axial
+                        | Self::Curvature
+                        | Self::Friction
+                        | Self::Cam
+                        | Self::Animation
                 )
             }
             Scaled::Velocity => matches!(self, Self::Velocities | Self::Lever | Self::Hodograph),
@@ -203,6 +214,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Friction => friction(scene, paper).map(|picture| vec![picture]),
         Kind::Lever => lever(scene, paper).map(|lever| vec![lever]),
         Kind::Axial => axial(scene, &options.scheme).map(|bars| vec![bars]),
+        Kind::Curvature => curvature(scene, &options.scheme).map(|circles| vec![circles]),
     }
 }
 

@@ -129,6 +129,17 @@ pub(crate) fn no_axial(scene: &Scene<'_>) -> Diagnosis {
         .help("ask in the file: `find axial`")
 }
 
+/// The file asks for no curvature of a path, or it has none here.
+pub(crate) fn no_curvature(scene: &Scene<'_>) -> Diagnosis {
+    let (at, label) = first_item(scene);
+    let links = scene.mechanism().links.iter().skip(1);
+    let point = links.flat_map(|link| link.points.last().map(|p| format!("{}.{}", link.name, p.name))).last();
+    let point = point.unwrap_or_else(|| "rod.C".to_owned());
+    Diagnosis::error("mech::picture::no_curvature", "there is no curvature of a path to draw")
+        .label(at, label)
+        .help(format!("ask in the file: `find curvature_radius({point})`"))
+}
+
 /// There are no positions to go over.
 fn nothing_to_go_over(
     what: &'static str,

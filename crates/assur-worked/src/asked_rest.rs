@@ -7,7 +7,7 @@ use crate::results::unit_of;
 use crate::words::{Message, say};
 use assur_formula::{Expr, Name, Node, Unit, letters, name_node};
 use assur_math::math::SAME;
-use assur_model::model::{self, FindKind, Function, PairId, Query, SpringId, Value};
+use assur_model::model::{self, FindKind, Function, PairId, PointRef, Query, SpringId, Value};
 use assur_position::position::Origin;
 
 impl Derivation<'_> {
@@ -133,6 +133,12 @@ impl Derivation<'_> {
                 Query::KineticEnergy => Name::new("T", ""),
                 Query::Flywheel(..) => Name::new("J", "r"),
                 Query::PotentialEnergy | Query::TorsionEnergy(..) => Name::new("V", ""),
+                Query::CurvatureRadius(PointRef::Fixed(link, at)) => {
+                    Name::new("ρ", &self.point_name(link.index(), *at))
+                }
+                Query::CurvatureCentre(PointRef::Fixed(link, at)) => {
+                    Name::new("K", &format!("K{}", self.point_name(link.index(), *at)))
+                }
                 Query::Sliding(own) => of_pair("v", "s,", own),
                 Query::PressureAngle(own) => of_pair("α", "", own),
                 Query::TransmissionAngle(group) => {

@@ -5,9 +5,10 @@ use crate::course::{Derivation, joined};
 use crate::expressions::length;
 use crate::motion::{end, pin};
 use assur_formula::{Expr, Function, Name, Unit};
-use assur_math::math::SAME;
+use assur_math::math::{SAME, Vec2};
 use assur_model::model::{
-    FlywheelPart, FrictionLimit, LinkId, PairId, PairKind, ProfileShape, Query, SpringId, Transmission, Value,
+    FlywheelPart, FrictionLimit, LinkId, PairId, PairKind, PointRef, ProfileShape, Query, SpringId,
+    Transmission, Value,
 };
 use assur_model::structure::BodyOrigin;
 use assur_position::plan::{FrictionElement, FrictionLaw, MotionStep};
@@ -27,6 +28,10 @@ impl Derivation<'_> {
             Query::TorsionEnergy(spring, pair) => self.torsion_energy(*spring, *pair),
             Query::Turning(link, other) => {
                 Some(self.rate_of_body(link.index(), 0) - self.rate_of_body(other.index(), 0))
+            }
+            Query::CurvatureRadius(PointRef::Fixed(link, at)) => {
+                let (v, bend) = self.bend(link.index(), *at);
+                Some(Expr::Power(Box::new(length(v)), 3) / bend)
             }
             Query::Sliding(pair) => self.sliding(*pair),
             Query::TangentialForce(pair, on) => self.force_of_mesh(*pair, *on),
@@ -71,6 +76,21 @@ impl Derivation<'_> {
             Query::SpringPower(i) => Some(self.power_from(Origin::Spring(SpringId::at(*i)))),
             _ => None,
         }
+    }
+
+    /// Velocity of a point, and v × a.
+    fn bend(&mut self, body: usize, at: Vec2) -> ([Expr; 2], Expr) {
+        let ([x, y], [a_x, a_y]) = (self.velocity(body, at), self.acceleration(body, at));
+        let bend = x.clone() * a_y - y.clone() * a_x;
+        ([x, y], bend)
+    }
+
+    /// Where the path of a point has its centre of curvature.
+    pub(crate) fn centre_of_curvature(&mut self, body: usize, at: Vec2) -> [Expr; 2] {
+        let [x, y] = self.position(body, at);
+        let ([v_x, v_y], bend) = self.bend(body, at);
+        let squared = v_x.clone().squared() + v_y.clone().squared();
+        [x - v_y * squared.clone() / bend.clone(), y + v_x * squared / bend]
     }
 
     /// Σ G y of weights from y = 0, and ½ c Δl² of springs.

@@ -257,6 +257,7 @@ impl Derivation<'_> {
             Query::Position(PointRef::Under(_, (other, at))) => self.position(other.index(), *at),
             Query::Velocity(PointRef::Under(link, point)) => self.point_under(1, *link, *point),
             Query::Acceleration(PointRef::Under(link, point)) => self.point_under(2, *link, *point),
+            Query::CurvatureCentre(PointRef::Fixed(link, at)) => self.centre_of_curvature(link.index(), *at),
             Query::InertiaForce(_) => self.known_parts(query)?,
             Query::Reaction(pair, link) => match self.known_parts(query) {
                 Some(parts) => parts,

@@ -101,6 +101,8 @@ impl Asking<'_> {
             Query::Velocity(at) => (M::Velocity, vec![self.point(at)?]),
             Query::Acceleration(at) => (M::Acceleration, vec![self.point(at)?]),
             Query::Jerk(at) => (M::Jerk, vec![self.point(at)?]),
+            Query::CurvatureRadius(at) => (M::CurvatureRadius, vec![self.point(at)?]),
+            Query::CurvatureCentre(at) => (M::CurvatureCentre, vec![self.point(at)?]),
             Query::Angle(id) => (M::Angle, vec![link(id)]),
             Query::Omega(id) => (M::AngularVelocity, vec![link(id)]),
             Query::Alpha(id) => (M::AngularAcceleration, vec![link(id)]),

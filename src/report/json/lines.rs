@@ -159,7 +159,7 @@ fn sources(answers: &Answers<'_>) -> Vec<Source> {
 
 fn links(answers: &Answers<'_>, all: &mut Vec<Source>) {
     let effects = answers.model.plan.effects;
-    let from = |level| effects.level >= level;
+    let from = |level| effects.rates() >= level;
     let mut add = |wanted: bool, query| all.extend(wanted.then_some(Source::Query(query)));
     for (id, link) in super::pose::turning_links(answers) {
         add(true, Query::Angle(id));

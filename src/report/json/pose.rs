@@ -203,7 +203,7 @@ fn links(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, LinkView)> {
 }
 
 fn from(effects: Effects, level: Level) -> bool {
-    effects.level >= level
+    effects.rates() >= level
 }
 
 fn points(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, PointView)> {

@@ -55,7 +55,7 @@ type Elements = (Vec<(String, ShaftView)>, Vec<(String, SliderView)>);
 
 /// Rates of shafts and sliders, as far as the plan follows them and they depend on no size that is left open.
 pub(super) fn elements(answers: &Answers<'_>, solved: &Solved) -> Elements {
-    let (mechanism, level) = (answers.model.mechanism, answers.model.plan.effects.level);
+    let (mechanism, level) = (answers.model.mechanism, answers.model.plan.effects.rates());
     let view = answers.solution.view(&answers.model, solved);
     let (mut shafts, mut sliders) = (Vec::new(), Vec::new());
     let at = |least: Level, x: f64| (level >= least).then_some(x).and_then(Number::of);

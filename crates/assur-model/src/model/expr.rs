@@ -172,6 +172,10 @@ pub enum Query {
     Acceleration(PointRef),
     /// Third derivative of a point's position, a vector.
     Jerk(PointRef),
+    /// Radius of curvature of a point's path, positive where it bends to the left, m.
+    CurvatureRadius(PointRef),
+    /// Its centre of curvature, a vector, m.
+    CurvatureCentre(PointRef),
     /// Angle of a link's x axis, continuous over a sweep.
     Angle(LinkId),
     /// The instant of a motion under loads, s.
@@ -306,6 +310,7 @@ impl Query {
     pub const fn point_mut(&mut self) -> Option<&mut PointRef> {
         match self {
             Self::Position(p) | Self::Velocity(p) | Self::Acceleration(p) | Self::Jerk(p) => Some(p),
+            Self::CurvatureRadius(p) | Self::CurvatureCentre(p) => Some(p),
             _ => None,
         }
     }

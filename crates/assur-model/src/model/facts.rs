@@ -37,6 +37,8 @@ pub enum About {
 pub struct Facts {
     /// How far motion must be followed.
     pub level: Level,
+    /// It is the same at any speed: a drive without one moves at unit speed for it.
+    pub geometric: bool,
     /// It needs rates beyond accelerations.
     pub beyond: bool,
     /// It needs reactions or efforts.
@@ -66,6 +68,7 @@ pub struct Facts {
 /// A number that needs positions alone.
 const NUMBER: Facts = Facts {
     level: Level::Positions,
+    geometric: false,
     beyond: false,
     forces: false,
     poseless: false,
@@ -119,6 +122,8 @@ impl Query {
             Self::Jerk(p) => {
                 Facts { beyond: true, ..of_point(p, Level::Accelerations, "the jerk of a point") }
             }
+            Self::CurvatureRadius(p) => Facts { answer: Answer::Number, ..of_path(p) },
+            Self::CurvatureCentre(p) => of_path(p),
             Self::Angle(link) => followed(About::Link(link), "an angle"),
             Self::LinkDirection(link) => {
                 let about = About::Link(link);
@@ -222,6 +227,11 @@ const fn of_point(point: PointRef, level: Level, what: &'static str) -> Facts {
     let (PointRef::Fixed(link, _) | PointRef::Under(link, _)) = point;
     let placed = Some((About::Link(link), what));
     Facts { level, placed, turned: Some(About::Point(point)), ..VECTOR }
+}
+
+/// The curvature of the path of a point.
+const fn of_path(point: PointRef) -> Facts {
+    Facts { geometric: true, ..of_point(point, Level::Accelerations, "the path of a point") }
 }
 
 /// A part of a mass substitution.

@@ -1,6 +1,6 @@
 //! Bars in the colours of tension and compression, with the forces along them.
 
-use super::{Scheme, Sketch, scheme};
+use super::{Scheme, Shows, Sketch, scheme};
 use crate::no_diagram::no_axial;
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Label, Role, Style, Text};
@@ -43,7 +43,7 @@ pub fn axial(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Diagnosis> {
     if scene.mechanism().bars.is_empty() {
         return Err(no_axial(scene));
     }
-    scheme(scene, &Scheme { axial: true, ..wanted.clone() })
+    scheme(scene, &Scheme { shows: Shows::Axial, ..wanted.clone() })
 }
 
 impl Sketch<'_, '_> {

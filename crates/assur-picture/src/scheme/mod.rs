@@ -1,6 +1,7 @@
 //! The kinematic scheme: the mechanism at one position, to scale.
 
 mod axial;
+mod curvature;
 mod dimension;
 mod effort;
 mod geneva;
@@ -17,6 +18,7 @@ mod ways;
 mod weld;
 
 pub use axial::axial;
+pub use curvature::curvature;
 pub use dimension::{Dimension, Measured};
 pub use profile::Freed;
 
@@ -41,6 +43,28 @@ pub enum Loads {
     None,
 }
 
+/// What a scheme shows of its position.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shows {
+    #[default]
+    Links,
+    /// Bars have the forces along them in place of their names.
+    Axial,
+    /// Osculating circles of paths.
+    Curvature,
+}
+
+impl Shows {
+    /// The begin of its ids, and what its title says.
+    const fn words(self) -> [&'static str; 2] {
+        match self {
+            Self::Links => ["scheme", "kinematic scheme"],
+            Self::Axial => ["axial", "axial forces"],
+            Self::Curvature => ["curvature", "curvature of paths"],
+        }
+    }
+}
+
 /// What a scheme shows, and how large.
 #[derive(Clone, Debug)]
 pub struct Scheme {
@@ -57,8 +81,7 @@ pub struct Scheme {
     pub paths: Vec<String>,
     /// Whether loads and efforts have their numbers, and arrows of forces lengths in proportion.
     pub numbers: bool,
-    /// Bars have the forces along them in place of their names.
-    pub axial: bool,
+    pub shows: Shows,
     /// Lengths that are shown with their names.
     pub dimensions: Vec<Dimension>,
 }
@@ -67,8 +90,8 @@ impl Default for Scheme {
     fn default() -> Self {
         let (ghosts, paths, numbers, dimensions) = (0, Vec::new(), false, Vec::new());
         let (size, scales) = (Vec2::new(180.0, 120.0), Scales::default());
-        let axial = false;
-        Self { loads: Loads::All, size, grows: true, scales, ghosts, paths, numbers, axial, dimensions }
+        let shows = Shows::Links;
+        Self { loads: Loads::All, size, grows: true, scales, ghosts, paths, numbers, shows, dimensions }
     }
 }
 
@@ -96,11 +119,12 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Diagnosis> 
     let traced = ways::traced(scene, wanted)?;
     let mut bounds = extent(scene, &shapes);
     ways::extent(scene, wanted, &traced, &mut bounds);
+    let circles = curvature::shown(scene, wanted, &mut bounds);
     let size = if wanted.grows { room::for_pairs(scene, &bounds, wanted.size) } else { wanted.size };
     let sheet = Paper { size: paper(&bounds, size), ..wanted.paper() };
     let frame = sheet.frame(Scaled::Length, &bounds, AROUND)?;
     let forces = if wanted.numbers { numbers::scale(scene, wanted)? } else { None };
-    let mut drawing = drawn(scene, wanted, &shapes, &frame, &traced, forces);
+    let mut drawing = drawn(scene, wanted, &shapes, &frame, (&traced, &circles), forces);
     captioned(&mut drawing, &frame, forces);
     Sketch::new(scene, &shapes, &frame).hidden(&mut drawing);
     Ok(described(scene, wanted, drawing))
@@ -119,12 +143,12 @@ pub fn frame_of_all(scenes: &[Scene<'_>], shapes: &[LinkShape], space: &Paper) -
 
 /// The scheme of a position where others have their places too, without words and scales.
 pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, shapes: &[LinkShape], frame: &Frame) -> Drawing {
-    drawn(scene, wanted, shapes, frame, &[], None)
+    drawn(scene, wanted, shapes, frame, (&[], &[]), None)
 }
 
 /// With its title and what it shows.
 pub fn described(scene: &Scene<'_>, wanted: &Scheme, mut drawing: Drawing) -> Drawing {
-    let what = if wanted.axial { "axial forces" } else { "kinematic scheme" };
+    let [_, what] = wanted.shows.words();
     drawing.title = format!("{}: {what}{}", words::title(scene), words::at_position(scene));
     drawing.description = words::mechanism(scene) + &drawing.description;
     drawing
@@ -145,21 +169,18 @@ fn drawn(
     wanted: &Scheme,
     shapes: &[LinkShape],
     frame: &Frame,
-    traced: &[ways::Traced],
+    (traced, circles): (&[ways::Traced], &[curvature::Circle]),
     forces: Option<Scale>,
 ) -> Drawing {
-    let mut drawing = Drawing::new(
-        &words::id(scene, if wanted.axial { "axial" } else { "scheme" }),
-        String::new(),
-        String::new(),
-    );
+    let mut drawing = Drawing::new(&words::id(scene, wanted.shows.words()[0]), String::new(), String::new());
     let mut sketch = Sketch::new(scene, shapes, frame);
     (sketch.numbers, sketch.forces) = (wanted.numbers, forces);
-    if wanted.axial {
+    if wanted.shows == Shows::Axial {
         sketch.shows_axial();
     }
     sketch.ghosts(&mut drawing, wanted.ghosts);
     sketch.paths(&mut drawing, traced);
+    sketch.circles(&mut drawing, circles);
     sketch.draw(&mut drawing, wanted);
     drawing.description = sketch.said;
     drawing

@@ -1,6 +1,8 @@
 //! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
 
-use crate::model::{Expr, FindKind, Level, LoadId, Mechanism, PairKind, QuantityId, Query, Relation};
+use crate::model::{
+    DriveTarget, Expr, FindKind, Level, LoadId, Mechanism, PairKind, QuantityId, Query, Relation,
+};
 
 /// What is computed at every position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,6 +15,8 @@ pub struct Effects {
     pub moving: bool,
     /// A drive has a speed: accelerations are there to be asked for.
     pub timed: bool,
+    /// The one drive has no speed, and moves at unit speed: the shape of paths is asked for, which is the same at any speed.
+    pub geometric: bool,
     /// The motion follows from the loads: they are summed up at every position, whether forces are asked for or not.
     pub simulated: bool,
     pub forces: bool,
@@ -80,11 +84,16 @@ impl Effects {
         if !moving {
             level = Level::Positions;
         }
+        let geometric = wanted.geometric && Self::is_geometric(mechanism);
+        if geometric {
+            level = Level::Accelerations;
+        }
         Self {
             level,
             beyond: wanted.beyond && timed,
             moving,
             timed,
+            geometric,
             simulated,
             forces,
             inertia,
@@ -92,6 +101,24 @@ impl Effects {
             springs: loaded && !mechanism.springs.is_empty(),
             friction,
             losses,
+        }
+    }
+
+    /// Whether the shape of paths is known without a speed: one drive moves everything, by a number.
+    #[must_use]
+    pub fn is_geometric(mechanism: &Mechanism) -> bool {
+        let [drive] = mechanism.drives.as_slice() else { return false };
+        let of_time = mechanism.simulation.is_some() || drive.speed.is_some() || drive.acceleration.is_some();
+        !of_time && !matches!(drive.target, DriveTarget::Point(..))
+    }
+
+    /// How far the motion that is found has rates of its own: not those at unit speed that paths need alone.
+    #[must_use]
+    pub fn rates(&self) -> Level {
+        match (self.geometric, self.moving) {
+            (false, _) => self.level,
+            (true, true) => Level::Velocities,
+            (true, false) => Level::Positions,
         }
     }
 
@@ -164,6 +191,7 @@ fn loses(mechanism: &Mechanism) -> bool {
 #[derive(Default)]
 struct EffectRequest {
     level: Level,
+    geometric: bool,
     beyond: bool,
     forces: bool,
     /// The file's quantities that something asked for names: a definition alone asks for nothing.
@@ -225,6 +253,7 @@ impl EffectRequest {
             Expr::Query(query) => {
                 let facts = query.facts();
                 self.level = self.level.max(facts.level);
+                self.geometric |= facts.geometric;
                 self.beyond |= facts.beyond;
                 self.forces |= facts.forces;
                 if let Query::Load(id) | Query::LoadPower(id) = query {

@@ -7,6 +7,7 @@ mod axial;
 mod constant;
 mod contact_normal;
 mod coordinate;
+mod curvature;
 mod cycle_answers;
 mod effort;
 mod evaluate;

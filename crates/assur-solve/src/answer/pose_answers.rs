@@ -105,6 +105,8 @@ impl PoseAnswers<'_> {
             Query::Velocity(p) => Value::Vector(self.velocity(p)),
             Query::Acceleration(p) => Value::Vector(self.acceleration(p)),
             Query::Jerk(p) => Value::Vector(self.jerk(p)),
+            Query::CurvatureRadius(p) => Value::Scalar(self.curvature_radius(p)),
+            Query::CurvatureCentre(p) => Value::Vector(self.curvature_centre(p)),
             Query::Angle(link) => Value::Scalar(self.angles.get(link.index()).copied().unwrap_or(f64::NAN)),
             Query::EventTime(event, which) => Value::Scalar(self.statics.event_time(*event, *which)),
             Query::EventDrive(event, which) => Value::Scalar(self.statics.event(*event, *which)),
@@ -222,7 +224,7 @@ impl PoseAnswers<'_> {
         }
     }
 
-    fn position(&self, point: &PointRef) -> Vec2 {
+    pub(super) fn position(&self, point: &PointRef) -> Vec2 {
         let (link, at) = self.local(point);
         self.body(link).position(at)
     }

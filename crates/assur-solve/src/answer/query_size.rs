@@ -87,6 +87,7 @@ impl PoseAnswers<'_> {
             Query::Velocity(_) | Query::Sliding(_) => sizes.speed(),
             Query::Acceleration(_) | Query::Coriolis(_) => sizes.acceleration(),
             Query::Jerk(_) => sizes.acceleration() * sizes.turning() + itself(),
+            Query::CurvatureRadius(p) | Query::CurvatureCentre(p) => self.curvature_size(p, sizes),
             Query::AngularJerk(_) => sizes.speeding() * sizes.turning() + itself(),
             Query::RelativeJerk(pair) => of_pair(*pair, sizes.speeding() * sizes.turning()) + itself(),
             // an angle is that of a direction and whole turns

@@ -8,7 +8,7 @@ use super::partial_sweep::partial_sweep;
 use super::simulate::never_ended;
 use super::slip::slips;
 use super::speeds::{no_damping, unit_speed};
-use crate::model::LinkId;
+use crate::model::{LinkId, PointRef, Query};
 use crate::position::{DriveValue, Model, PoseRequest};
 use crate::solve::{GroupId, Loss, Note, Pull, Uncertified};
 use crate::source::Span;
@@ -67,7 +67,13 @@ fn note(model: &Model<'_>, note: &Note) -> Option<Diagnosis> {
         Note::UnitSpeed { drive, springs, loads } => unit_speed(mechanism, *drive, (springs, loads)),
         Note::NoSliding { pair, pose, more } => no_sliding(model, *pair, (pose, *more)),
         Note::Locked(locking) => locked(model, locking),
-        Note::NoCentre { find, links, pose, more } => no_centre(model, *find, *links, (pose, *more)),
+        Note::NoCentre { find, of, pose, more } => match *of {
+            Query::CurvatureRadius(point) | Query::CurvatureCentre(point) => {
+                no_curvature(model, *find, point, (pose, *more))
+            }
+            Query::Turning(link, other) => no_centre(model, *find, [link, other], (pose, *more)),
+            _ => return None,
+        },
         Note::NoEffort { finds, pose, more } => no_effort(model, finds, (pose, *more)),
     })
 }
@@ -99,6 +105,24 @@ fn no_centre(
     )
     .label(mechanism.finds[find].span, "no value")
     .help(help)
+}
+
+fn no_curvature(
+    model: &Model<'_>,
+    find: usize,
+    point: PointRef,
+    (pose, more): (&PoseRequest, usize),
+) -> Diagnosis {
+    let (PointRef::Fixed(link, at) | PointRef::Under(link, (_, at))) = point;
+    let link = model.mechanism.link(link);
+    let name = link.points.iter().find(|p| p.at == at).map_or("", |p| p.name.as_str());
+    let name = format!("`{}.{name}`", link.name);
+    Diagnosis::warning(
+        "mech::solve::no_curvature",
+        format!("{name} is at rest or its path is straight{}{}", place(model, pose), and_at(more)),
+    )
+    .label(model.mechanism.finds[find].span, "no value")
+    .help("choose a pose at which the point moves along a curve")
 }
 
 fn switched(model: &Model<'_>, group: usize, at: &[DriveValue], (from, to): (&str, &str)) -> Diagnosis {

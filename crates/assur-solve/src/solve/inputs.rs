@@ -18,7 +18,7 @@ impl Rates {
     /// The same of a mechanism that differs in numbers alone, where these are known before anything is solved.
     pub(super) fn refresh(&mut self, model: &Model<'_>) {
         for (rates, drive) in self.0.iter_mut().zip(&model.mechanism.drives) {
-            *rates = rates_by(drive, &|expr| known_value(expr).unwrap_or(Value::Scalar(f64::NAN)));
+            *rates = rates_by(model, drive, &|expr| known_value(expr).unwrap_or(Value::Scalar(f64::NAN)));
         }
     }
 
@@ -58,7 +58,7 @@ impl Rates {
 }
 
 fn rates(model: &Model<'_>, statics: &WholeCycle, drive: &Drive) -> DriveInput {
-    rates_by(drive, &|expr| constant(model, statics, expr))
+    rates_by(model, drive, &|expr| constant(model, statics, expr))
 }
 
 /// The value of an expression that is one.
@@ -69,13 +69,13 @@ pub(super) const fn known_value(expr: &Expr) -> Option<Value> {
     }
 }
 
-fn rates_by(drive: &Drive, constant: &dyn Fn(&Expr) -> Value) -> DriveInput {
+fn rates_by(model: &Model<'_>, drive: &Drive, constant: &dyn Fn(&Expr) -> Value) -> DriveInput {
     let mut input = DriveInput::default();
     match drive.speed.as_ref().map(constant) {
         Some(Value::Scalar(x)) => input.rate = x,
         Some(Value::Vector(v)) => input.velocity = v,
         Some(Value::Bool(_)) => {}
-        None => input.rate = drive.sense.unwrap_or(0.0),
+        None => input.rate = drive.sense.unwrap_or(f64::from(u8::from(model.plan.effects.geometric))),
     }
     match drive.acceleration.as_ref().map(constant) {
         Some(Value::Scalar(x)) => input.acceleration = x,

@@ -1,7 +1,7 @@
 //! What deserves a warning or a note in a solution: data alone, of which `message` makes the sentences.
 
 use super::failure::GroupId;
-use crate::model::{DriveId, LinkId, LoadId, PairId, SpringId};
+use crate::model::{DriveId, LinkId, LoadId, PairId, Query, SpringId};
 use crate::position::{DriveValue, PoseRequest};
 
 /// Something that deserves a warning, or a note.
@@ -109,12 +109,12 @@ pub enum Note {
     },
     /// Friction locks the mechanism.
     Locked(Locking),
-    /// An instant centre is asked for where nothing turns.
+    /// An instant centre is asked for where nothing turns, or a curvature where a path has none.
     NoCentre {
         /// Index into [`crate::model::Mechanism::finds`].
         find: usize,
-        /// The link, and that against which it does not turn.
-        links: [LinkId; 2],
+        /// The rate, or the curvature.
+        of: Query,
         pose: PoseRequest,
         /// The number of others.
         more: usize,

@@ -143,6 +143,7 @@ impl Function {
                 | Self::MassCentre
                 | Self::Inertia
                 | Self::Axial
+                | Self::CurvatureCentre
                 | Self::Stable
                 | Self::NaturalFrequency
                 | Self::DampingRatio

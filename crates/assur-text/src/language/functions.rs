@@ -290,8 +290,12 @@ functions! {
     )],
     Profile "profile" Cam "profile(plate, 30 deg).point"
         [form(&[CAM, PHI], Parts("see Cams"), "profile and motion at a cam angle; with a part")],
-    CurvatureRadius "curvature_radius" Cam "curvature_radius(plate, 30 deg)"
-        [form(&[CAM, PHI], Number(Dimension::LENGTH), "radius of curvature, see Cams")],
+    CurvatureRadius "curvature_radius" Cam "curvature_radius(plate, 30 deg)" [
+        form(&[CAM, PHI], Number(Dimension::LENGTH), "radius of curvature, see Cams"),
+        form(&[P], Number(Dimension::LENGTH), "of the path of a point, positive where it bends to the left"),
+    ],
+    CurvatureCentre "curvature_centre" Motion "curvature_centre(rod.C)"
+        [form(&[P], Vector(Dimension::LENGTH), "centre of curvature of the path of a point")],
     Start "start" Cam "start(plate)" [form(
         &[CAM],
         COORDINATE,

@@ -58,6 +58,30 @@ impl Context<'_> {
         Some(vector(of_point(point), dimension))
     }
 
+    /// The curvature of the path of a point.
+    pub(super) fn of_path(
+        &mut self,
+        call: Call<'_>,
+        query: fn(PointRef) -> Query,
+        ty: Type,
+    ) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let (link, at) = self.point_argument(call, args[0])?;
+        Some(Typed::new(ModelExpr::Query(query(PointRef::Fixed(link, at))), ty))
+    }
+
+    /// Whether the one argument is a point, or what else cannot be a cam.
+    pub(super) fn asks_path(&mut self, args: &[Arg]) -> bool {
+        let [Arg { value, name: None }] = args else { return false };
+        let is_shared = |name: &String| self.bearers_as_declared(name).next().is_some();
+        let may_be_cam = match &value.kind {
+            ExprKind::Name(name) => !is_shared(name) && !self.builder.mech.cams.is_empty(),
+            ExprKind::Member(..) => false,
+            _ => true,
+        };
+        !may_be_cam && !self.asks_cam(args)
+    }
+
     /// The pair of a slider on a rope.
     fn slider(&mut self, expr: &Expr) -> Option<PairId> {
         let ExprKind::Name(name) = &expr.kind else { return None };

@@ -32,6 +32,8 @@ const ALSO: &[(Function, &[&str])] = &[
     (Function::Min, &["minimum", "amin"]),
     (Function::Sqrt, &["root"]),
     (Function::Distance, &["dist", "gap"]),
+    (Function::CurvatureRadius, &["curvature", "radius_of_curvature", "rho"]),
+    (Function::CurvatureCentre, &["curvature_center", "centre_of_curvature", "center_of_curvature"]),
     (Function::InstantCentre, &["instant_center", "icr", "pole", "velocity_pole"]),
 ];
 

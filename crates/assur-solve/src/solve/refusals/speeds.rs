@@ -29,7 +29,10 @@ pub(in crate::solve) fn missing_speeds(model: &Model<'_>) -> Option<Refusal> {
         }
     };
     every_query(mechanism, &mut |query, span| {
-        ask(query.facts().level, span);
+        let facts = query.facts();
+        if !(facts.geometric && effects.geometric) {
+            ask(facts.level, span);
+        }
         if let Query::Load(id) = query
             && mechanism.loads[id.index()].is_against_motion()
         {
