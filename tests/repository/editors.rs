@@ -48,7 +48,7 @@ fn properties(table: &[Property], names: &mut BTreeSet<&'static str>, values: &m
         names.insert(property.name);
         match property.takes {
             PropertyValue::Block(inner) => properties(inner, names, values),
-            PropertyValue::Word(words, _) => values.extend(words),
+            PropertyValue::Word(words, _) | PropertyValue::FlagOr(words) => values.extend(words),
             _ => {}
         }
     }

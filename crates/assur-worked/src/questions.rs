@@ -97,12 +97,6 @@ impl Asking<'_> {
         let m = self.mechanism;
         let (link, pair) = (|id: &LinkId| self.link(*id), |id: &PairId| self.pair(*id));
         let (message, parts) = match query {
-            Query::Position(at) => (M::Position, vec![self.point(at)?]),
-            Query::Velocity(at) => (M::Velocity, vec![self.point(at)?]),
-            Query::Acceleration(at) => (M::Acceleration, vec![self.point(at)?]),
-            Query::Jerk(at) => (M::Jerk, vec![self.point(at)?]),
-            Query::CurvatureRadius(at) => (M::CurvatureRadius, vec![self.point(at)?]),
-            Query::CurvatureCentre(at) => (M::CurvatureCentre, vec![self.point(at)?]),
             Query::Angle(id) => (M::Angle, vec![link(id)]),
             Query::Omega(id) => (M::AngularVelocity, vec![link(id)]),
             Query::Alpha(id) => (M::AngularAcceleration, vec![link(id)]),
@@ -192,7 +186,10 @@ impl Asking<'_> {
                 SubstitutionPart::L2 => (M::SecondDistance, vec![link(id)]),
                 _ => return None,
             },
-            _ => return None,
+            _ => {
+                let (message, at) = of_point(query)?;
+                (message, vec![self.point(at)?])
+            }
         };
         Some(self.say(message, &parts))
     }
@@ -242,4 +239,18 @@ fn formula(written: &str, named: Option<&str>) -> String {
 
 fn one_line(words: &str) -> String {
     words.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// What is asked of a point.
+const fn of_point(query: &Query) -> Option<(QuestionMessage, &PointRef)> {
+    use QuestionMessage as M;
+    Some(match query {
+        Query::Position(at) => (M::Position, at),
+        Query::Velocity(at) => (M::Velocity, at),
+        Query::Acceleration(at) => (M::Acceleration, at),
+        Query::Jerk(at) => (M::Jerk, at),
+        Query::CurvatureRadius(at) => (M::CurvatureRadius, at),
+        Query::CurvatureCentre(at) => (M::CurvatureCentre, at),
+        _ => return None,
+    })
 }

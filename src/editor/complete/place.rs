@@ -233,7 +233,7 @@ fn wanted(place: &Place<'_>) -> Option<Dimension> {
             | PropertyValue::NotNegative(d)
             | PropertyValue::Two(d)
             | PropertyValue::Word(_, d) => Some(d),
-            PropertyValue::Flag | PropertyValue::Block(_) => None,
+            PropertyValue::Flag | PropertyValue::FlagOr(_) | PropertyValue::Block(_) => None,
         };
     }
     match (place.body(), place.head(), place.words().any(|word| word == "=")) {

@@ -122,7 +122,11 @@ fn one(
     }
     let phrase = format!("`{name}`");
     let value = match (spec.takes, property.values.as_slice()) {
-        (Takes::Flag, []) => Value::Flag,
+        (Takes::Flag | Takes::FlagOr(_), []) => Value::Flag,
+        (Takes::FlagOr(words), values) => match values {
+            [x] if word(x, words).is_some() => Value::Word(word(x, words)?),
+            _ => return wrong(cx, property, spec, &spec.takes.to_string(), &count(values)),
+        },
         (Takes::Flag, _) => return wrong(cx, property, spec, "no value", "a value"),
         (Takes::Any(d), [x]) => Value::Number(cx.scalar_constant(x, &Want(d), &phrase)?),
         (Takes::Positive(d), [x]) => Value::Number(positive(cx, x, d, &phrase)?),

@@ -34,7 +34,8 @@ fn set_phase(cx: &mut Context<'_>, what: &Path, phase: &Expr) -> Option<()> {
     let (span, name) = (declared.span, declared.name.clone());
     let of_wheels = match &declared.kind {
         PairKind::Transmission(t) => {
-            t.links.len() == 2 && properties_of_pair(t.kind.statement()).iter().any(|p| p.name == "phase")
+            let two = t.links.len() == 2 && t.bevel.is_none();
+            two && properties_of_pair(t.kind.statement()).iter().any(|p| p.name == "phase")
         }
         _ => false,
     };

@@ -40,6 +40,14 @@ impl Context<'_> {
         let properties =
             self.quietly(|cx| read(cx, "a mesh", &joint.properties, properties_of_pair(JointKind::Mesh)))?;
         let wheels = wheels_of(self.doc, joint)?;
+        if find(&properties, "bevel").is_some() {
+            let message = format!(
+                "`{}` is a mesh of bevel wheels: the geometry is that of spur wheels",
+                joint.name.node
+            );
+            let help = "leave out `bevel`, or ask for speeds and torques".to_owned();
+            return self.gear_incomplete(message, help, asked, joint.name.span);
+        }
         let (z, module) = self.teeth(joint, wheels, asked)?;
         let number = |name: &str, usual: f64| find(&properties, name).map_or(usual, Read::number);
         let shift = match find(&properties, "shift").map(|p| &p.value) {

@@ -1,6 +1,7 @@
 //! Shafts, wheels, sliders and what runs between them.
 
 pub mod at_rest;
+pub mod bevel;
 pub mod carrier;
 pub mod ends;
 pub mod friction_torque;

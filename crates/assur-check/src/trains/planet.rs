@@ -2,12 +2,13 @@
 
 use crate::expr::context::Context;
 use crate::statements::written::{braces, end_text};
+use crate::trains::bevel::as_bevel;
 use crate::trains::carrier::centre_on;
 use crate::values::format_value::{digits, format_value, format_value_like};
 use assur_model::model::{Bearing, LinkId, Pair, PairKind, TransmissionKind, Wheel};
 use assur_syntax::document::{Joint, WheelSize};
-use assur_text::diagnostic::{Diagnosis, Help};
-use assur_text::source::Span;
+use assur_text::diagnostic::{Diagnosis, Fix, Help};
+use assur_text::source::{Edit, Span};
 use assur_text::units::Dimension;
 use indexmap::IndexMap;
 
@@ -30,6 +31,8 @@ pub(crate) struct Arm {
     internal: bool,
     /// The size of that wheel over the size of the planet's.
     ratio: f64,
+    /// The mesh as one of bevel wheels.
+    bevel: (String, Edit),
 }
 
 /// Arms of planets as their meshes ask for them, by shaft.
@@ -103,7 +106,17 @@ pub(crate) fn arm(
     };
     let (mesh, span) = (joint.name.node.clone(), joint.name.span);
     let ratio = other.radius / planet.radius;
-    let asked = Arm { length, turned, mesh, span, help, other: other.clone(), internal, ratio };
+    let asked = Arm {
+        length,
+        turned,
+        mesh,
+        span,
+        help,
+        other: other.clone(),
+        internal,
+        ratio,
+        bevel: as_bevel(joint, "bevel"),
+    };
     let agree = |a: f64, b: f64| (a - b).abs() <= AGREES * b;
     let before = arms.entry(planet.link).or_default();
     let alike = before.iter().find(|a| {
@@ -114,27 +127,7 @@ pub(crate) fn arm(
     let odd = before.iter().find(|a| !agree(a.length, length)).cloned();
     before.push(asked.clone());
     if let Some(first) = alike {
-        let name = |link: LinkId| cx.builder.mech.link(link).name.clone();
-        let shaft = name(planet.link);
-        let (span, first) = (first.span, name(first.other.link));
-        let second = name(other.link);
-        cx.error(
-            Diagnosis::advice(
-                "mech::train::turn_alike",
-                format!(
-                    "`{first}` and `{second}` turn alike: both mesh with planet `{shaft}` \
-                     from outside, at the ratio {} seen from its carrier",
-                    digits(-1.0 / asked.ratio).replacen('-', "−", 1)
-                ),
-            )
-            .label(span, format!("turns `{first}`"))
-            .primary(asked.span, format!("turns `{second}` in the same sense"))
-            .help(format!(
-                "for a differential give the carrier a second planet that meshes with \
-                 `{shaft}`, and let `{second}` mesh with that one: side wheels of a bevel \
-                 differential turn in opposite senses"
-            )),
-        );
+        turn_alike(cx, planet.link, first, &asked, joint);
     }
     let Some(first) = odd else { return };
     let modules = cx.builder.mech.open_sizes.iter().any(|s| s.teeth);
@@ -177,6 +170,35 @@ pub(crate) fn arm(
     .primary(asked.span, format!("an arm of {two}"))
     .help(help);
     cx.error(error);
+}
+
+/// Two wheels that mesh alike with a planet, which a differential cannot have.
+fn turn_alike(cx: &mut Context<'_>, planet: LinkId, first: Arm, asked: &Arm, joint: &Joint) {
+    let name = |link: LinkId| cx.builder.mech.link(link).name.clone();
+    let shaft = name(planet);
+    let (line, edit) = first.bevel;
+    let (far, other_edit) = as_bevel(joint, "bevel far");
+    let bevel = format!("write `{line}` and `{far}`");
+    let edits = vec![edit, other_edit];
+    let (span, first) = (first.span, name(first.other.link));
+    let second = name(asked.other.link);
+    cx.error(
+        Diagnosis::advice(
+            "mech::train::turn_alike",
+            format!(
+                "`{first}` and `{second}` turn alike: both mesh with planet `{shaft}` \
+                 from outside, at the ratio {} seen from its carrier",
+                digits(-1.0 / asked.ratio).replacen('-', "−", 1)
+            ),
+        )
+        .label(span, format!("turns `{first}`"))
+        .primary(asked.span, format!("turns `{second}` in the same sense"))
+        .help(format!(
+            "for bevel wheels {bevel}: then side wheels turn in opposite senses, seen from the carrier; with parallel \
+             axes give it a second planet that meshes with `{shaft}`, and let `{second}` mesh with that one"
+        ))
+        .fixes([Fix { title: bevel, edits, certain: false }]),
+    );
 }
 
 /// The size with which a wheel that meshes with a planet asks for an arm.
@@ -246,6 +268,7 @@ pub(crate) fn carried(cx: &Context<'_>, planet: LinkId) -> Option<Carried> {
     });
     let arm = cx.builder.mech.pairs.iter().find_map(|p| {
         let PairKind::Transmission(t) = &p.kind else { return None };
+        t.bevel.is_none().then_some(())?;
         let wheel = |i: usize| cx.wheel(t.ends.get(i)?);
         let (TransmissionKind::Mesh, Some(a), Some(b)) = (t.kind, wheel(0), wheel(1)) else { return None };
         let (own, other) = if a.link == planet { (a, b) } else { (b, a) };

@@ -8,6 +8,7 @@ use crate::links::lookup::is_linkage_pair;
 use crate::pairs::property::{phrase, shared};
 use crate::statements::written::end_text;
 use crate::trains::{
+    bevel,
     carrier::carrier,
     ends::{AGREES, Runs, clutch, incomplete, two, wheel},
     friction_torque::friction_torque,
@@ -21,7 +22,8 @@ use crate::trains::{
 };
 use crate::values::format_value::digits;
 use assur_model::model::{
-    FrictionLimit, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
+    Bevel, FrictionLimit, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind,
+    Wheel,
 };
 use assur_syntax::document::{Joint, JointKind, Statement};
 use assur_text::diagnostic::Diagnosis;
@@ -61,6 +63,7 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
             cx.builder.mech.pairs.push(Pair { name, span, kind, friction: None, bearing: None });
         }
     }
+    bevel::planets(cx);
 }
 
 fn transmission(
@@ -96,9 +99,25 @@ fn transmission(
         }
         runs.laws.iter_mut().for_each(|l| l.efficiency = efficiency);
     }
-    let ends = joint.ends.iter().map(end_text).collect();
+    let mut ends: Vec<String> = joint.ends.iter().map(end_text).collect();
     let Runs { laws, links, meeting } = runs;
-    Some(Transmission { kind, ends, links, laws, meeting, pressure_angle, grip, slip: slip(properties) })
+    let bevel = bevel::side(properties);
+    // a bevel planet comes second
+    if bevel.is_some() && links.first() != ends.first().and_then(|end| cx.wheel(end)).map(|w| w.link).as_ref()
+    {
+        ends.reverse();
+    }
+    Some(Transmission {
+        kind,
+        ends,
+        links,
+        laws,
+        meeting,
+        bevel,
+        pressure_angle,
+        grip,
+        slip: slip(properties),
+    })
 }
 
 fn kind(kind: JointKind) -> Option<TransmissionKind> {
@@ -185,15 +204,20 @@ fn wheels(
     let turned = if meshes { !internal } else { is("crossed") };
     let c_2 = if turned { c_2 } else { -c_2 };
     let carrier = carrier(cx, &a, &b, joint.name.span)?;
+    let bevel = bevel::side(properties);
+    if bevel.is_some() {
+        bevel::fits(cx, properties, [&a, &b])?;
+    }
+    let c_2 = if bevel == Some(Bevel::Far) { -c_2 } else { c_2 };
     let mut meeting = None;
     if meshes {
         crate::trains::carrier::turns_at_all(cx, &a, &b, joint.name.span)?;
         crate::trains::carrier::turns_at_all(cx, &b, &a, joint.name.span)?;
-        if !is("shift") {
+        if !is("shift") && bevel.is_none() {
             distance(cx, [&a, &b], carrier, internal, joint.name.span)?;
         }
         for (planet, other) in [(&a, &b), (&b, &a)] {
-            if is_planet(cx, planet, carrier) && !is_planet(cx, other, carrier) {
+            if bevel.is_none() && is_planet(cx, planet, carrier) && !is_planet(cx, other, carrier) {
                 arm(cx, arms, planet, other, internal, joint);
             }
         }
@@ -206,9 +230,13 @@ fn wheels(
     // the first wheel drives: the second gets the speed that is left
     let c_1 = c_1 * (1.0 - slip(properties));
     let constant = find(properties, "phase").map_or(0.0, |phase| c_2 * phase.number());
-    let terms = about(a.link, c_1, b.link, c_2, carrier);
+    let terms = match bevel {
+        Some(_) => bevel::terms(cx, [(&a, c_1), (&b, c_2)], carrier, joint.name.span)?,
+        None => about(a.link, c_1, b.link, c_2, carrier),
+    };
     let law = Law { terms, constant, force, efficiency: None };
-    Some(Runs { laws: vec![law], links: vec![a.link, b.link], meeting })
+    let links = law.terms.iter().take(2).filter_map(|term| term.0.turning()).collect();
+    Some(Runs { laws: vec![law], links, meeting })
 }
 
 /// Two sides, and the carrier that they are counted from.

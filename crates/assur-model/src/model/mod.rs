@@ -38,7 +38,10 @@ pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileSh
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 pub use simulation::{Bound, Cycle, CycleFunction, Harmonic, Part};
 pub use simulation::{Event, Occasion, Simulation, Situation, Steady, Stop};
-pub use train::{FrictionLimit, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
+pub use train::{
+    Bevel, FrictionLimit, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel,
+    counts_from_carrier,
+};
 
 use crate::math::Vec2;
 use crate::source::Span;

@@ -54,6 +54,13 @@ pub struct Law {
     pub efficiency: Option<[f64; 2]>,
 }
 
+/// Whether a side of a law counts from the carrier. A second side that does not turns relative to it already, as a bevel planet: the
+/// carrier's coefficient is that of the first side alone.
+#[must_use]
+pub fn counts_from_carrier<T>(terms: &[(T, f64)], side: usize) -> bool {
+    matches!(terms, [first, _, carrier] if side == 0 || carrier.1 != -first.1)
+}
+
 /// A transmission between wheels, shafts and sliders.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transmission {
@@ -66,12 +73,21 @@ pub struct Transmission {
     pub laws: Vec<Law>,
     /// The two wheels that meet, where the places of their axes and the pressure angle are known.
     pub meeting: Option<Meeting>,
+    /// Wheels whose axes meet.
+    pub bevel: Option<Bevel>,
     /// Pressure angle, rad.
     pub pressure_angle: Option<f64>,
     /// What friction alone can transmit.
     pub grip: Option<FrictionLimit>,
     /// The part of the speed that a belt loses, with its first wheel driving.
     pub slip: f64,
+}
+
+/// On which side of its planet a bevel wheel is: those on both sides turn in opposite senses, seen from the carrier.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bevel {
+    Near,
+    Far,
 }
 
 /// What a transmission by friction can transmit before it slips.
@@ -133,6 +149,16 @@ pub struct Meeting {
     pub internal: bool,
     /// Tangent of the pressure angle.
     pub tangent: f64,
+}
+
+impl Transmission {
+    /// The planet of a mesh of bevel wheels, and its carrier.
+    #[must_use]
+    pub fn bevel_planet(&self) -> Option<(LinkId, LinkId)> {
+        self.bevel?;
+        let [_, planet, carrier] = self.laws.first()?.terms.as_slice() else { return None };
+        Some((planet.0.turning()?, carrier.0.turning()?))
+    }
 }
 
 impl TransmissionKind {

@@ -1,13 +1,14 @@
 //! Where shafts, wheels and sliders are in the section. Levels grow upwards, mm; y of paper is their negative.
 
+use super::bevel::{self, Cones};
 use crate::scene::Scene;
 use assur_drawing::Scale;
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, LinkId, Mechanism, PairKind, Rate, Transmission, TransmissionKind};
+use assur_model::model::{Bearing, Bevel, LinkId, Mechanism, PairKind, Rate, Transmission, TransmissionKind};
 
 /// Radius of the largest wheel, and the least that is drawn.
 const LARGEST: f64 = 24.0;
-const LEAST: f64 = 5.0;
+pub const LEAST: f64 = 5.0;
 /// From column to column.
 pub const COLUMN: f64 = 22.0;
 /// What a shaft is longer than its wheels, on the side of its bearing and on the other.
@@ -29,6 +30,8 @@ pub struct Shaft {
     pub ends: (f64, f64),
     /// Its bearing is at the right end.
     pub right: bool,
+    /// Its axis stands upright here, from this height; the level is its top.
+    pub upright: Option<(f64, f64)>,
 }
 
 /// A wheel in the section.
@@ -43,6 +46,8 @@ pub struct Drawn {
     pub level: f64,
     /// The wheel lies within this one; where they touch.
     pub ring_at: Option<f64>,
+    /// A bevel wheel: where its axis meets that of another, and whether it stands upright.
+    pub cone: Option<(Vec2, bool)>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -64,6 +69,7 @@ pub struct Run {
     pub internal: bool,
     /// A belt or a chain joins them.
     pub apart: bool,
+    pub cones: Option<Cones>,
 }
 
 impl Layout {
@@ -82,7 +88,14 @@ impl Layout {
         let columns = columns(&drawn, &runs);
         for (i, wheel) in drawn.iter().enumerate() {
             let x = COLUMN * columns[i] as f64;
-            layout.wheels.push(Drawn { wheel: *wheel, radius: radii[i], x, level: 0.0, ring_at: None });
+            layout.wheels.push(Drawn {
+                wheel: *wheel,
+                radius: radii[i],
+                x,
+                level: 0.0,
+                ring_at: None,
+                cone: None,
+            });
         }
         let levels = layout.levels(mechanism, &runs);
         for (shaft, level) in layout.shafts.iter_mut().zip(&levels) {
@@ -93,9 +106,10 @@ impl Layout {
             wheel.level = layout.shafts.iter().find(|s| s.link == link).map_or(0.0, |s| s.level);
         }
         layout.rings(mechanism, &runs);
+        layout.runs = runs;
+        bevel::place(&mut layout, mechanism);
         layout.ends(mechanism);
         layout.place_sliders(mechanism);
-        layout.runs = runs;
         layout
     }
 
@@ -103,7 +117,7 @@ impl Layout {
     pub fn scale(&self, mechanism: &Mechanism) -> Option<Scale> {
         let radius = |w: &Drawn| mechanism.wheels[w.wheel].radius;
         let scale = Scale::fitting(self.wheels.iter().map(radius).fold(0.0, f64::max), LARGEST)?;
-        let fits = |w: &Drawn| (w.radius - radius(w) / scale.factor()).abs() < 1e-9;
+        let fits = |w: &Drawn| w.cone.is_none() && (w.radius - radius(w) / scale.factor()).abs() < 1e-9;
         (mechanism.open_sizes.is_empty() && self.wheels.iter().all(fits)).then_some(scale)
     }
 
@@ -181,7 +195,8 @@ impl Layout {
                 self.shafts.iter().any(|s| s.link == link && s.on == shaft.link)
             };
             let xs: Vec<f64> = self.wheels.iter().filter(own).map(|w| w.x).collect();
-            let arms: Vec<f64> = self.wheels.iter().filter(of_planets).map(|w| w.x + COLUMN / 2.0).collect();
+            let arm = |w: &Drawn| if w.cone.is_some() { w.x } else { w.x + COLUMN / 2.0 };
+            let arms: Vec<f64> = self.wheels.iter().filter(of_planets).map(arm).collect();
             let bell = self.wheels.iter().filter(own).any(|w| w.ring_at.is_some());
             let all = xs.iter().map(|x| if bell { x + 8.0 } else { *x }).chain(arms.iter().copied());
             let (low, high) = all.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
@@ -192,9 +207,15 @@ impl Layout {
             };
             let left = (low - LONG, high + if arms.is_empty() { SHORT } else { 0.0 });
             let right = (low - if arms.is_empty() && !bell { SHORT } else { 0.0 }, high + LONG);
-            let is_right = !planet && (bell || !arms.is_empty() || clash(left.0, left.1));
+            let far = self.runs.iter().filter_map(|run| run.cones).any(|cones| {
+                cones.side == Bevel::Far
+                    && mechanism.wheels[self.wheels[cones.lying].wheel].link == shaft.link
+            });
+            let is_right = !planet && (bell || far || !arms.is_empty() || clash(left.0, left.1));
             self.shafts[i].right = is_right;
-            self.shafts[i].ends = if planet {
+            self.shafts[i].ends = if let Some((x, _)) = shaft.upright {
+                (x, x)
+            } else if planet {
                 (low - SHORT, high + COLUMN / 2.0)
             } else if is_right {
                 // bearings on one axis are behind each other
@@ -264,7 +285,8 @@ fn shafts(mechanism: &Mechanism) -> Vec<Shaft> {
         PairKind::Revolute(pins) => Some((pins.first()?.link, pins.last()?.link)),
         _ => None,
     });
-    shafts.map(|(on, link)| Shaft { link, on, level: 0.0, ends: (0.0, 0.0), right: false }).collect()
+    let ends = (0.0, 0.0);
+    shafts.map(|(on, link)| Shaft { link, on, level: 0.0, ends, right: false, upright: None }).collect()
 }
 
 /// Shafts that a clutch joins.
@@ -294,8 +316,9 @@ fn runs(mechanism: &Mechanism, drawn: &[usize]) -> Vec<Run> {
         let place = |end: &str| drawn.iter().position(|i| Some(*i) == wheel_named(mechanism, end));
         if let (Some(a), Some(b)) = (place(first), place(second)) {
             let links = [a, b].map(|i| mechanism.wheels[drawn[i]].link);
-            let internal = t.kind == TransmissionKind::Mesh && is_internal(t, links);
-            runs.push(Run { wheels: [a, b], internal, apart });
+            let cones = bevel::cones(t, [a, b], links);
+            let internal = t.kind == TransmissionKind::Mesh && cones.is_none() && is_internal(t, links);
+            runs.push(Run { wheels: [a, b], internal, apart, cones });
         }
     }
     runs

@@ -1,5 +1,6 @@
 //! Shafts without places: the half section of the schoolbook, laid out in order of the meshes. Sizes are relative.
 
+mod bevel;
 mod front;
 mod layout;
 mod rack;
@@ -101,6 +102,13 @@ fn said(scene: &Scene<'_>) -> String {
 fn draw_shaft(scene: &Scene<'_>, layout: &Layout, shaft: &Shaft, drawing: &mut Drawing) {
     let at = |x: f64| Vec2::new(x, -shaft.level);
     let (from, to) = shaft.ends;
+    if let Some(upright) = shaft.upright {
+        bevel::axis(drawing, upright, shaft.level, shaft.on != LinkId::GROUND);
+        let text = Text::upright(scene.link_label(shaft.link));
+        let towards = Vec2::new(0.3, -1.0);
+        drawing.label(Label::at(text, NAME, at(to), 0.6).towards(towards).ranked(2));
+        return;
+    }
     drawing.line(Style::Link, at(from), at(to));
     let end = if shaft.right { to } else { from };
     if shaft.on == LinkId::GROUND {
@@ -127,6 +135,16 @@ fn bearing(drawing: &mut Drawing, at: Vec2) {
         let line = Vec2::new(BEARING.x, 0.0);
         drawing.line(Style::Medium, middle - line, middle + line);
         hinge::hatch(drawing, middle - line, middle + line, Vec2::new(0.0, side));
+    }
+}
+
+/// A bearing of an upright shaft.
+fn bearing_across(drawing: &mut Drawing, at: Vec2) {
+    for side in [-1.0, 1.0] {
+        let middle = at + Vec2::new(side * BEARING.y, 0.0);
+        let line = Vec2::new(0.0, BEARING.x);
+        drawing.line(Style::Medium, middle - line, middle + line);
+        hinge::hatch(drawing, middle - line, middle + line, Vec2::new(side, 0.0));
     }
 }
 

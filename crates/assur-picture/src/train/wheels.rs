@@ -1,7 +1,7 @@
 //! Wheels in section, and what runs between them.
 
 use super::layout::{Drawn, Layout, wheel_named};
-use super::{NAME, rack, rope};
+use super::{NAME, bevel, rack, rope};
 use crate::scene::Scene;
 use crate::symbol::hinge;
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
@@ -19,6 +19,11 @@ pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
     for drawn in &layout.wheels {
         let wheel = &scene.mechanism().wheels[drawn.wheel];
         drawing.begin("wheel", &wheel.name);
+        if let Some(cone) = drawn.cone {
+            bevel::wheel(drawing, drawn, wheel, cone);
+            drawing.end();
+            continue;
+        }
         let face = |drawing: &mut Drawing, level: f64| {
             let at = Vec2::new(drawn.x, -level);
             drawing.line(Style::Link, at - Vec2::new(FACE, 0.0), at + Vec2::new(FACE, 0.0));

@@ -8,11 +8,8 @@ impl TrainSupport {
     /// Coefficient of a law with losses on the member's coordinate, with what is left of the forces on its two sides.
     #[must_use]
     pub fn coefficient(&self, law: &PlannedLaw, sides: [f64; 2]) -> Option<f64> {
-        let side = |i: usize| sides[i] * law.terms[i].1;
-        match law.terms.iter().position(|(site, _)| acts_on(site, self))? {
-            2 => Some(-(side(0) + side(1))),
-            term => Some(side(term)),
-        }
+        let term = law.terms.iter().position(|(site, _)| acts_on(site, self))?;
+        Some(law.with_losses(term, sides))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::joint::{Guide, Hinge};
 use super::step::{Anchor, Arm, Slide};
+use crate::math::Scalar;
 use crate::model::{Meeting, PairId};
 
 /// A train group of motion.
@@ -65,6 +66,25 @@ pub struct PlannedLaw {
     pub force: f64,
     /// The wheels whose teeth meet at a known place.
     pub meeting: Option<Meeting>,
+}
+
+impl PlannedLaw {
+    /// Whether a side counts from the carrier: a bevel planet turns relative to it, and has no part in its term.
+    #[must_use]
+    pub fn counts_from_carrier(&self, side: usize) -> bool {
+        crate::model::counts_from_carrier(&self.terms, side)
+    }
+
+    /// What a law with losses does at one of its sites, with the forces on its two sides per unit of their coefficients.
+    #[must_use]
+    pub fn with_losses<S: Scalar>(&self, term: usize, sides: [S; 2]) -> S {
+        let side = |i: usize| sides[i] * S::of(self.terms[i].1);
+        match term {
+            2 if !self.counts_from_carrier(1) => -side(0),
+            2 => -(side(0) + side(1)),
+            _ => side(term),
+        }
+    }
 }
 
 /// What a law acts on.

@@ -25,9 +25,8 @@ impl State {
                 continue;
             }
             let sides = if losses { self.forces.law_forces[slot].sides } else { [1.0, 1.0] };
-            let side = |i: usize| sides[i] * law.terms[i].1;
             for (i, term) in gearing.terms.iter_mut().enumerate() {
-                term.coefficient = if i == 2 { -(side(0) + side(1)) } else { side(i) };
+                term.coefficient = law.with_losses(i, sides);
             }
         }
     }

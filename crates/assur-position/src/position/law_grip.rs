@@ -16,14 +16,26 @@ impl State {
     /// The rate of the first side from the carrier.
     #[must_use]
     pub fn law_speed(&self, law: &PlannedLaw) -> f64 {
-        let carrier = law.terms.get(2).map_or(0.0, |term| self.site_rate(&term.0));
-        self.site_rate(&law.terms[0].0) - carrier
+        self.seen_from_carrier(law, 0, &|site| self.site_rate(site))
     }
 
     #[must_use]
     pub fn law_acceleration(&self, law: &PlannedLaw) -> f64 {
-        let carrier = law.terms.get(2).map_or(0.0, |term| self.site_acceleration(&term.0));
-        self.site_acceleration(&law.terms[0].0) - carrier
+        self.seen_from_carrier(law, 0, &|site| self.site_acceleration(site))
+    }
+
+    /// A rate of a side, as the carrier sees it.
+    pub(super) fn seen_from_carrier(
+        &self,
+        law: &PlannedLaw,
+        side: usize,
+        rate: &dyn Fn(&LawSite) -> f64,
+    ) -> f64 {
+        let own = law.terms.get(side).map_or(0.0, |term| rate(&term.0));
+        match law.terms.get(2) {
+            Some(carrier) if law.counts_from_carrier(side) => own - rate(&carrier.0),
+            _ => own,
+        }
     }
 
     /// Calls `act` with what holds a law at rest: on its first side, and back on the carrier.

@@ -120,11 +120,9 @@ impl State {
     /// The generalized force of a law at one of its sites.
     pub fn law_force(&self, law: &PlannedLaw, slot: usize, term: usize) -> f64 {
         let force = &self.forces.law_forces[slot];
-        let side = |i: usize| force.multiplier * force.sides[i] * law.terms[i].1;
-        match (law.efficiency, term) {
-            (Some(_), 2) => -(side(0) + side(1)),
-            (Some(_), _) => side(term),
-            (None, _) => force.multiplier * law.terms[term].1,
+        match law.efficiency {
+            Some(_) => law.with_losses(term, force.sides.map(|side| force.multiplier * side)),
+            None => force.multiplier * law.terms[term].1,
         }
     }
 

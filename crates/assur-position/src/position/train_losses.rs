@@ -185,9 +185,7 @@ impl State {
         if let Some(grip) = self.law_grip(law) {
             return [grip.sense, -grip.sense * law.terms[0].1 / law.terms[1].1];
         }
-        let rate = |i: usize| law.terms.get(i).map_or(0.0, |t| self.site_rate(&t.0));
-        let carrier = rate(2);
-        [rate(0) - carrier, rate(1) - carrier]
+        [0, 1].map(|side| self.seen_from_carrier(law, side, &|site| self.site_rate(site)))
     }
 
     /// Takes every direction as these multipliers have it.

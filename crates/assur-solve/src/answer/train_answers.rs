@@ -94,12 +94,9 @@ impl PoseAnswers<'_> {
         for (slot, law) in self.laws(pair) {
             for (term, (site, _)) in law.terms.iter().enumerate() {
                 if *site == LawSite::Turn(link.index()) {
-                    let [one, other] = self.state.on_sides(law, slot);
-                    sum += match (law.efficiency, term) {
-                        (None, _) => self.state.law_force(law, slot, term),
-                        (Some(_), 0) => one * law.terms[0].1,
-                        (Some(_), 1) => other * law.terms[1].1,
-                        (Some(_), _) => -(one * law.terms[0].1 + other * law.terms[1].1),
+                    sum += match law.efficiency {
+                        None => self.state.law_force(law, slot, term),
+                        Some(_) => law.with_losses(term, self.state.on_sides(law, slot)),
                     };
                 }
             }

@@ -164,10 +164,9 @@ fn of_law<'a>(bodies: &'a [BodyState<D>], state: &State, law: &PlannedLaw, slot:
     let mut unit = Unit::new(bodies);
     let sides = state.forces.law_forces[slot].sides.map(D::of);
     let coefficient = |term: usize| D::of(law.terms[term].1);
-    let effort = |term: usize| match (law.efficiency, term) {
-        (Some(_), 2) => -(sides[0] * coefficient(0) + sides[1] * coefficient(1)),
-        (Some(_), _) => sides[term] * coefficient(term),
-        (None, _) => coefficient(term),
+    let effort = |term: usize| match law.efficiency {
+        Some(_) => law.with_losses(term, sides),
+        None => coefficient(term),
     };
     for (term, (site, _)) in law.terms.iter().enumerate() {
         match site {

@@ -199,6 +199,7 @@ pub const CODES: &[Code] = codes! {
     "train" / "same_shaft",
     "train" / "no_carrier",
     "train" / "sizes",
+    "train" / "bevel",
     "train" / "internal",
     "train" / "centre_distance",
     "train" / "planet_distance",

@@ -1,7 +1,7 @@
 //! The properties, as data.
 
 use super::{Dimension, JointKind};
-use PropertyValue::{Any, Block, Flag, NotNegative, Positive, Two, Word};
+use PropertyValue::{Any, Block, Flag, FlagOr, NotNegative, Positive, Two, Word};
 use std::fmt;
 
 const fn row(
@@ -38,6 +38,13 @@ const PHASE: Property = row(
     "angle of the second wheel's link when that of the first is 0, both from the carrier",
 );
 const INTERNAL: Property = row("internal", Flag, "internal", "one is inside the other");
+
+const BEVEL: Property = row(
+    "bevel",
+    FlagOr(&["far"]),
+    "bevel",
+    "bevel wheels: their axes meet; `bevel far` on the other side of the planet",
+);
 
 const REVOLUTE: &[Property] = &[
     row("radius", Positive(Dimension::LENGTH), "radius 20 mm", "radius of the pin"),
@@ -86,6 +93,7 @@ const CONTACT: &[Property] = &[FRICTION, STATIC_FRICTION, INTERNAL];
 
 const MESH: &[Property] = &[
     INTERNAL,
+    BEVEL,
     EFFICIENCY,
     PRESSURE_ANGLE,
     PHASE,
@@ -338,6 +346,8 @@ pub struct Property {
 #[derive(Clone, Copy, Debug)]
 pub enum PropertyValue {
     Flag,
+    /// Nothing, or one of these words.
+    FlagOr(&'static [&'static str]),
     /// A value of this dimension.
     Any(Dimension),
     /// A value greater than zero.
@@ -355,6 +365,7 @@ impl fmt::Display for PropertyValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Flag => f.write_str("no value"),
+            Self::FlagOr(words) => write!(f, "no value, or `{}`", words.join("`, `")),
             Self::Any(dimension) => write!(f, "{dimension}"),
             Self::Positive(dimension) => write!(f, "{dimension} > 0"),
             Self::NotNegative(dimension) => write!(f, "{dimension} ≥ 0"),

@@ -214,7 +214,11 @@ impl Derivation<'_> {
         if is(a.radius + b.radius) {
             return Some(half(radius(a) + radius(b)));
         }
-        is(large.radius - small.radius).then(|| half(radius(large) - radius(small)))
+        if is(large.radius - small.radius) {
+            return Some(half(radius(large) - radius(small)));
+        }
+        // a bevel planet counts from its carrier: the lever there is that of the other wheel
+        wheels.iter().find(|w| t.bevel.is_some() && is(w.radius)).map(|w| half(radius(w)))
     }
 
     /// The forces on a wheel act on the link that carries its axis.

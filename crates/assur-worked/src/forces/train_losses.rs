@@ -55,6 +55,7 @@ impl Derivation<'_> {
             self.side(slot, i) * self.lever(law.terms[i].1 / scale, pair, &self.label(body), turns)
         };
         match term {
+            Some(2) if !law.counts_from_carrier(1) => -on_side(0),
             Some(2) => -(on_side(0) + on_side(1)),
             Some(term) => on_side(term),
             None => Expr::ZERO,
@@ -143,6 +144,6 @@ impl Derivation<'_> {
             }
             None => Expr::ZERO,
         };
-        rate(term) - rate(2)
+        if law.counts_from_carrier(term) { rate(term) - rate(2) } else { rate(term) }
     }
 }

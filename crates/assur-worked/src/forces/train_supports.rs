@@ -67,7 +67,7 @@ impl Derivation<'_> {
             self.side(slot, i) * self.lever(law.terms[i].1 / scale, pair, &self.label(body), turns)
         });
         let [a, b] = both;
-        -(a + b)
+        if law.counts_from_carrier(1) { -(a + b) } else { -a }
     }
 
     /// A force along a guide, on its slider and back on its base.

@@ -6,7 +6,7 @@ use crate::document::text;
 use crate::letters::teeth_name;
 use crate::words::Message;
 use assur_formula::{Expr, Name, Unit};
-use assur_model::model::{PairKind, Query, TransmissionKind, Value, Wheel};
+use assur_model::model::{PairKind, Query, TransmissionKind, Value, Wheel, counts_from_carrier};
 use assur_model::structure::{BodyRate, JointId, JointKind};
 use assur_position::plan::TrainMember;
 
@@ -316,7 +316,9 @@ impl Derivation<'_> {
     fn shared(&self, terms: &[(BodyRate, f64)], a: Expr, b: Expr) -> Vec<Expr> {
         let signed = |x: Expr, c: f64| if c < 0.0 { -x } else { x };
         let (a, b) = (signed(a, terms[0].1), signed(b, terms[1].1));
-        let rest = terms.iter().skip(2).map(|_| -(a.clone() + b.clone()));
+        let both = counts_from_carrier(terms, 1);
+        let carrier = if both { -(a.clone() + b.clone()) } else { -a.clone() };
+        let rest = terms.iter().skip(2).map(|_| carrier.clone());
         [a.clone(), b.clone()].into_iter().chain(rest).collect()
     }
 }

@@ -5,7 +5,7 @@ use crate::document::{Line, Table, text};
 use crate::motion::of;
 use crate::words::Message;
 use assur_formula::{Name, with_digits};
-use assur_model::model::DriveTarget;
+use assur_model::model::{DriveTarget, counts_from_carrier};
 use assur_model::structure::{BodyRate, JointId, JointKind};
 
 /// The largest denominator that teeth give.
@@ -45,14 +45,16 @@ impl Derivation<'_> {
     }
 
     fn table_of_carrier(&mut self, carrier: usize, laws: &[JointId]) {
-        let mut bodies: Vec<usize> = Vec::new();
+        let (mut bodies, mut bevel): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
         for law in laws {
             let JointKind::Law(terms) = &self.structure().replaced.joint(*law).kind else { continue };
-            for (rate, _) in terms.iter().take(2) {
+            for (side, (rate, _)) in terms.iter().take(2).enumerate() {
                 if let BodyRate::Turn(body) = rate
                     && !bodies.contains(&body.0)
                 {
                     bodies.push(body.0);
+                    // a bevel planet turns relative to its carrier
+                    bevel.extend((!counts_from_carrier(terms, side)).then_some(body.0));
                 }
             }
         }
@@ -78,15 +80,15 @@ impl Derivation<'_> {
         headers.push(of(&Name::new("ω", &self.label(carrier))));
         let mut all = bodies;
         all.push(carrier);
-        let turn = omega(carrier);
+        let turn = |body: usize| if bevel.contains(&body) { 0.0 } else { omega(carrier) };
         let row = |message: Message, values: Vec<f64>| {
             let mut cells: Vec<Line> = vec![vec![text(self.words(message))]];
             cells.extend(values.into_iter().map(figure));
             cells
         };
         let rows = vec![
-            row(Message::CarrierLocked, all.iter().map(|b| omega(*b) - turn).collect()),
-            row(Message::CarrierTurns, all.iter().map(|_| turn).collect()),
+            row(Message::CarrierLocked, all.iter().map(|b| omega(*b) - turn(*b)).collect()),
+            row(Message::CarrierTurns, all.iter().map(|b| turn(*b)).collect()),
             row(Message::SumOfBoth, all.iter().map(|b| omega(*b)).collect()),
         ];
         let carrier = vec![text(self.label(carrier))];

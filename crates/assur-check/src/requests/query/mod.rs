@@ -132,11 +132,7 @@ impl Context<'_> {
             F::PressureAngle => {
                 self.of_pair(call, (has_normal, None), Query::PressureAngle, Type::number(Dimension::ANGLE))
             }
-            F::CurvatureRadius if self.asks_path(call.args) => {
-                self.of_path(call, Query::CurvatureRadius, Type::number(Dimension::LENGTH))
-            }
-            F::CurvatureRadius => self.of_cam(call, CamPart::CurvatureRadius),
-            F::CurvatureCentre => self.of_path(call, Query::CurvatureCentre, Type::vector(Dimension::LENGTH)),
+            F::CurvatureRadius | F::CurvatureCentre => self.curvature(call, function),
             F::Profile => self.profile_alone(call),
             F::Start => self.cam_start(call),
             F::SmallestBaseRadius => self.smallest_base_radius(call),

@@ -5,11 +5,15 @@ use crate::expr::results::{Call, argument_count};
 use crate::names::declared::ThingKind;
 use crate::requests::query::args::{Mover, path};
 use crate::requests::query::pair_kinds::ALONG_LINE;
+use crate::trains::bevel;
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{Expr as ModelExpr, Function, LinkId, PairId, PairKind, PointRef, Query};
+use assur_model::model::{
+    CamPart, Expr as ModelExpr, Function as ModelFunction, LinkId, PairId, PairKind, PointRef, Query,
+};
 use assur_syntax::document::{Arg, Drive, Expr, ExprKind, JointKind, Statement};
 use assur_text::diagnostic::{Diagnosis, Fix};
+use assur_text::language::Function;
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 
@@ -58,20 +62,23 @@ impl Context<'_> {
         Some(vector(of_point(point), dimension))
     }
 
-    /// The curvature of the path of a point.
-    pub(super) fn of_path(
-        &mut self,
-        call: Call<'_>,
-        query: fn(PointRef) -> Query,
-        ty: Type,
-    ) -> Option<Typed> {
+    /// The curvature of the path of a point, or of a designed cam.
+    pub(super) fn curvature(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        let is_radius = function == Function::CurvatureRadius;
+        if is_radius && !self.asks_path(call.args) {
+            return self.of_cam(call, CamPart::CurvatureRadius);
+        }
         let args = self.arguments(call, 1, 1)?;
         let (link, at) = self.point_argument(call, args[0])?;
-        Some(Typed::new(ModelExpr::Query(query(PointRef::Fixed(link, at))), ty))
+        let point = PointRef::Fixed(link, at);
+        Some(match is_radius {
+            true => number(Query::CurvatureRadius(point), Dimension::LENGTH),
+            false => vector(Query::CurvatureCentre(point), Dimension::LENGTH),
+        })
     }
 
     /// Whether the one argument is a point, or what else cannot be a cam.
-    pub(super) fn asks_path(&mut self, args: &[Arg]) -> bool {
+    fn asks_path(&mut self, args: &[Arg]) -> bool {
         let [Arg { value, name: None }] = args else { return false };
         let is_shared = |name: &String| self.bearers_as_declared(name).next().is_some();
         let may_be_cam = match &value.kind {
@@ -102,7 +109,7 @@ impl Context<'_> {
             return None;
         };
         let velocity = ModelExpr::Query(Query::RelativeVelocity(pair));
-        let speed = fold::call(Function::Abs, vec![velocity]);
+        let speed = fold::call(ModelFunction::Abs, vec![velocity]);
         Some(Typed::new(speed, Type::number(Dimension::VELOCITY)))
     }
 
@@ -222,6 +229,12 @@ impl Context<'_> {
                     .fixes(Fix::quoted(&help.replace(" with links:", ""), call.span))
                     .help(help),
                 );
+                None
+            }
+            PairKind::Revolute(_) if bevel::carries(self, pair) => {
+                let name = self.builder.mech.pair(pair).name.clone();
+                let help = format!("ask for `omega({name})`: it is relative to the carrier");
+                self.not_of_this_pair(call, pair, Some(&help));
                 None
             }
             PairKind::Revolute(_) => Some(Dimension::ANGLE),
