@@ -4,7 +4,7 @@ use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
 use assur_math::element::cam::{Law, Phase, Shape};
 use assur_math::math::Vec2;
-use assur_model::model::{self, Display, FindKind, Mechanism, PlateCam, Value};
+use assur_model::model::{self, CamContact, Display, FindKind, LinkId, Mechanism, PlateCam, Value};
 use assur_solve::solve::Model;
 use assur_text::units::{Dimension, significant};
 use std::f64::consts::TAU;
@@ -15,9 +15,42 @@ const ROUNDING: f64 = 1e-12;
 
 /// What each designed cam does over a turn, the dwell that is left of it among them.
 pub(super) fn cams(model: &Model<'_>, report: &mut Report) {
-    for plate in &model.mechanism.cams {
-        report.section(phases(model.mechanism, plate));
+    for (i, plate) in model.mechanism.cams.iter().enumerate() {
+        let mut section = phases(model.mechanism, plate);
+        for contact in model.mechanism.cam_contacts.iter().filter(|contact| contact.cam == i) {
+            section.text(format!("cam angle = {}", cam_angle(model.mechanism, plate, contact)));
+        }
+        report.section(section);
     }
+}
+
+/// `angle(disk) − 90 deg`: the angle of a cam from the angle of its link, by the direction in which the follower stands.
+fn cam_angle(mechanism: &Mechanism, plate: &PlateCam, contact: &CamContact) -> String {
+    let angle = mechanism.display_of(Dimension::ANGLE);
+    let of = |link: LinkId| format!("angle({})", mechanism.link(link).name);
+    let zero = contact.towards.angle();
+    let size = format!("{} {}", angle.figures(Value::Scalar(zero.abs()), 6), angle.unit);
+    let mut terms = vec![(1.0, of(contact.disk))];
+    if contact.frame != LinkId::GROUND {
+        terms.push((-1.0, of(contact.frame)));
+    }
+    if zero.abs() > ROUNDING {
+        terms.push((-zero, size));
+    }
+    let sense = if plate.cam.ccw { 1.0 } else { -1.0 };
+    // what is added comes first
+    terms.sort_by_key(|(sign, _)| sign * sense < 0.0);
+    let mut text = String::new();
+    for (i, (sign, term)) in terms.iter().enumerate() {
+        text += match (i, sign * sense < 0.0) {
+            (0, false) => "",
+            (0, true) => "−",
+            (_, false) => " + ",
+            (_, true) => " − ",
+        };
+        text += term;
+    }
+    text
 }
 
 fn phases(mechanism: &Mechanism, plate: &PlateCam) -> Section {
