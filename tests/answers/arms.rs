@@ -79,7 +79,7 @@ impl Arm {
 }
 
 fn numbers(text: &str, names: &[&str]) -> Vec<f64> {
-    let solution = assur::solve(&format!("{text}find {}\n", names.join(", ")));
+    let solution = assur::solve(format!("{text}find {}\n", names.join(", ")));
     let solution = solution.unwrap_or_else(|e| panic!("{text}\n{e}"));
     let pose = &solution.poses()[0];
     let number = |name: &&str| match pose[*name].si() {

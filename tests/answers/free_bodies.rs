@@ -9,7 +9,7 @@ const G: f64 = 9.81;
 
 /// Numbers at the end of a motion, SI.
 fn at_end(text: &str, names: &[&str]) -> Vec<f64> {
-    let solution = assur::solve(&format!("{text}find {}\n", names.join(", ")));
+    let solution = assur::solve(format!("{text}find {}\n", names.join(", ")));
     let solution = solution.unwrap_or_else(|e| panic!("{text}\n{e}"));
     let pose = solution.poses().last().expect("a motion has an end");
     let number = |name: &&str| match pose[*name].si() {
@@ -239,7 +239,7 @@ fn functions_of_a_slide_that_begins_at_the_origin() {
     let text = "ground { O (0, 0); line way through O along 0 deg }\nlink slide { S (0, 0); mass 8 kg at S }\nprismatic G: slide.S - \
                 ground.way\ndrive G = 0 mm at 1 m/s accelerating 2 m/s^2\nsimulate 2 s\n";
     let names = ["max(power(G))", "min(power(G))", "mean(power(G))", "integral(power(G))"];
-    let solution = assur::solve(&format!("{text}find {}\n", names.join(", "))).expect("a motion");
+    let solution = assur::solve(format!("{text}find {}\n", names.join(", "))).expect("a motion");
     let found: Vec<f64> = names
         .iter()
         .map(|name| match solution[*name].si() {

@@ -118,7 +118,7 @@ pub(super) fn arm_gap(model: &Model<'_>, state: &State, index: usize) -> Option<
         else {
             return None;
         };
-        tip = tip + axis.unit() * state.motion.inputs[drive.index()].value;
+        tip += axis.unit() * state.motion.inputs[drive.index()].value;
         on = Some((body, at));
     }
     let (fore, at) = on.filter(|(body, _)| [upper, fore].contains(body) && *body != outer.body)?;
