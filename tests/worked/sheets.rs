@@ -169,7 +169,9 @@ fn sheets_have_no_answers() {
                 break;
             };
             sheets += 1;
-            if asks_for_positions(words) && !page.contains("drawn at another position") {
+            // the place of a counterweight is in no scheme
+            let hides = words.contains("\ncounterweight") && !page.contains("<svg");
+            if asks_for_positions(words) && !hides && !page.contains("drawn at another position") {
                 wrong.push(format!("{name}: the scheme shows the position that is asked for"));
             }
             let (text, mut found) = (read(&page), [Vec::new(), Vec::new()]);

@@ -7,7 +7,7 @@ use crate::problem::two_abreast;
 use crate::questions::questions;
 use crate::words::{Language, Message, say};
 use crate::worked::{given_rows, without_empty};
-use assur_formula::name_node;
+use assur_formula::{Name, name_node};
 use assur_model::model::{FindKind, Mechanism, Query, Value};
 use assur_picture::Scene;
 use assur_text::units::significant;
@@ -101,7 +101,9 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
     if !notes.is_empty() {
         blocks.push(Block::Paragraph(vec![text(notes)]));
     }
-    if let (Some(scene), Some(shown)) = (exercise.scene, exercise.shown) {
+    // a scheme would show where counterweights are, which is asked
+    let drawn = exercise.scene.zip(exercise.shown).filter(|_| exercise.mechanism.counterweights.is_empty());
+    if let Some((scene, shown)) = drawn {
         let scheme = Derivation::new(shown, language).blank_scheme();
         if !scheme.is_empty() {
             blocks.push(Block::Figures(scheme));
@@ -316,6 +318,7 @@ impl Exercise<'_> {
             let figures = significant(value.display.of_si(x), GIVEN_DIGITS).replace('-', "−");
             rows.push([name, vec![text(format!("{figures}{}", printed_unit(&value.display.unit)))]]);
         }
+        rows.retain(|row| !self.is_of_counterweight(row));
         let is_same = |row: &GivenRow| {
             let of_name = |other: &&Vec<GivenRow>| other.iter().any(|o| o[0] == row[0]);
             self.others.iter().filter(of_name).all(|other| other.contains(row))
@@ -323,6 +326,12 @@ impl Exercise<'_> {
         rows.retain(is_same);
         let headers = [Message::Given, Message::Value].map(|m| say(language, m, &[]));
         two_abreast(headers, rows).into_iter().map(Block::Table).collect()
+    }
+
+    /// Whether a row says where a counterweight is.
+    fn is_of_counterweight(&self, row: &GivenRow) -> bool {
+        let named = |letter: &str, name: &str| row[0] == [Inline::Math(name_node(&Name::new(letter, name)))];
+        self.mechanism.counterweights.iter().any(|w| ["ξ", "η"].iter().any(|letter| named(letter, &w.name)))
     }
 
     /// Whether a given value, in the units of equations, is an answer: a drive at a dead position, the torque of a brake.

@@ -3,7 +3,7 @@
 use super::super::Analysis;
 use super::{Completion, CompletionKind};
 use assur_syntax::{Token, TokenKind, parse_with_tokens};
-use assur_text::language::{Dimension, FUNCTIONS, Function, PROPERTIES, PropertyValue, UNITS, WORDS};
+use assur_text::language::{Dimension, FUNCTIONS, Function, PROPERTIES, PropertyValue, SHAPES, UNITS, WORDS};
 use assur_text::source::{Source, Span};
 use assur_text::units::{Unit, lookup};
 use indexmap::{IndexMap, IndexSet};
@@ -156,7 +156,10 @@ fn made(example: &str) -> String {
     for (index, token) in tokens.iter().enumerate() {
         out.push_str(&escaped(example.get(end..token.span.start).unwrap_or_default()));
         let text = token.text(example);
-        let is_name = token.kind == TokenKind::Word && index > 0 && !is_word(text);
+        // a rod or a disc is mostly the name of a link
+        let is_shape = SHAPES.iter().any(|row| row.word == text);
+        let is_word = if is_shape { example.starts_with("mass ") } else { is_word(text) };
+        let is_name = token.kind == TokenKind::Word && index > 0 && !is_word;
         if is_name || token.kind == TokenKind::Number {
             places += 1;
             // writing to a text cannot fail

@@ -3,8 +3,8 @@
 use crate::expr::context::Context;
 use assur_math::math::Vec2;
 use assur_model::model::{
-    BinaryOp, DriveId, Expr, Find, FindKind, Function, LinkId, Load, LoadId, LoadKind, PairId, PointRef,
-    Query, Spring, Value,
+    BinaryOp, DriveId, DriveTarget, Expr, Find, FindKind, Function, LinkId, Load, LoadId, LoadKind, PairId,
+    PointRef, Query, Spring, Value,
 };
 use assur_syntax::document::FindItem;
 use assur_text::language::Collection;
@@ -30,7 +30,10 @@ fn efforts(cx: &Context<'_>) -> Vec<(String, Expr)> {
         let of = |(i, drive): (usize, &assur_model::model::Drive)| {
             (format!("power({})", drive.name), Expr::Query(Query::EffortPower(DriveId::at(i))))
         };
-        return mech.drives.iter().enumerate().map(of).collect();
+        // a started place has no effort, and may be left out where a contact repeats it
+        let is_started =
+            |drive: &assur_model::model::Drive| drive.free && matches!(drive.target, DriveTarget::Place(..));
+        return mech.drives.iter().enumerate().filter(|(_, drive)| !is_started(drive)).map(of).collect();
     }
     let of = |(i, balance): (usize, &assur_model::model::Balance)| {
         let power = Query::BalancePower(assur_model::model::BalanceId::at(i));

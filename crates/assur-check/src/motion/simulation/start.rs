@@ -24,6 +24,8 @@ pub(crate) fn starts(cx: &mut Context<'_>) {
             cx.builder.mech.drives.extend(place::coordinates(&drive));
         }
     }
+    // those of places last: one that is left out changes no number of another
+    cx.builder.mech.drives.sort_by_key(|drive| drive.free && matches!(drive.target, DriveTarget::Place(..)));
 }
 
 fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
