@@ -223,3 +223,14 @@ fn rows_of_variants_have_their_own_masses() {
         near(value("M"), 2.0 * mass * l, 1.0, &text);
     }
 }
+
+#[test]
+fn plane_is_a_member_or_the_name_of_a_point() {
+    let text = "let v = (0.1 m, 0.2 m)\nlet w = 2*v + (0, 0.1 m)\ngiven d = 0.1 m\nground { A (0, 0); plane v }\nlink bar A-B 0.5 m { plane w; \
+                mass 2 kg at B }\nlink arm A-D 0.5 m { plane d; mass 2 kg at D }\nrevolute A: ground - bar - arm\ndrive bar = 0 \
+                deg\ndrive arm = 0 deg\nfind position(bar.plane).y, position(ground.plane).x\n";
+    let solution = assur::solve(text).expect("both read");
+    let pose = &solution.poses()[0];
+    assert_eq!(pose["position(bar.plane).y"].si(), assur::Quantity::Number(0.5));
+    assert_eq!(pose["position(ground.plane).x"].si(), assur::Quantity::Number(0.1));
+}

@@ -9,6 +9,7 @@ mod label;
 mod lenient;
 mod machine;
 mod motion;
+mod plane;
 mod question;
 mod simulation;
 mod walk;
@@ -39,6 +40,7 @@ pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spann
             statements.push(Spanned::new(statement, rest.unwrap_or(at)));
         }
     }
+    plane::points(&mut statements);
     (statements, lower.problems)
 }
 
