@@ -59,7 +59,7 @@ class MechLexer(RegexLexer):
             (head(w.PROPERTIES, "^|[;{]") + r"(?!\s*[(=,.\[])", bygroups(Punctuation, Whitespace, Name.Attribute)),
             (rf"{after('link', 'shaft', 'slider')}([0-9]+)([ \t]+)({NAME})", bygroups(Number, Whitespace, Name.Class)),
             (rf"{after('link', 'shaft', 'slider')}(?!(?:at|in|on){END}){NAME}", Name.Class),
-            (rf"{after('fit', 'groove')}({'|'.join(w.VALUES)}){END}", Name.Constant),
+            (rf"{after('fit', 'groove', 'bevel')}({'|'.join(w.VALUES)}){END}", Name.Constant),
             # names that may look like words: `line left through U`
             (rf"{after(*BEFORE_NAMES)}{NAME}", Name),
             (rf"{START}(at)([ \t]+)(event)(?=[ \t]+{LETTER})", bygroups(Keyword.Reserved, Whitespace, Keyword.Reserved)),
