@@ -249,3 +249,11 @@ fn functions_of_a_slide_that_begins_at_the_origin() {
         .collect();
     agree(text, &found, &[80.0, 16.0, 48.0, 96.0], 1e-9);
 }
+
+#[test]
+fn the_corner_of_a_drive_has_the_rate_behind_it() {
+    let text = "ground { A (0, 0) }\nlink crank A-B 60 mm { mass 2 kg at B; inertia 0.01 kg*m^2 }\nrevolute A: ground - crank\ndrive crank = \
+                20 rad/s^2*min(time, 1 s)^2/2 + 20 rad/s*max(time - 1 s, 0 s)\nsimulate 2 s in 2 steps\n";
+    let solution = assur::solve(format!("{text}find omega(crank)\n")).expect("a motion");
+    assert_eq!(solution.poses()[1]["omega(crank)"].si(), assur::Quantity::Number(20.0));
+}

@@ -165,8 +165,9 @@ impl Derivatives {
             Function::Exp => x.through([libm::exp(u); 4]),
             Function::Log => x.through([libm::log(u), 1.0 / u, -1.0 / (u * u), 2.0 / (u * u * u)]),
             Function::Atan2 => all.next().map_or(Self::UNKNOWN, |other| Self::angle(x, other)),
-            Function::Max => all.fold(x, |most, x| if x.0[0] > most.0[0] { x } else { most }),
-            Function::Min => all.fold(x, |least, x| if x.0[0] < least.0[0] { x } else { least }),
+            // of two that are equal at a corner the one that will be greater, or less, just behind it
+            Function::Max => all.fold(x, |most, x| if x.0 > most.0 { x } else { most }),
+            Function::Min => all.fold(x, |least, x| if x.0 < least.0 { x } else { least }),
             Function::Mag | Function::Dot | Function::Cross | Function::Unit | Function::Direction => {
                 Self::UNKNOWN
             }
