@@ -4,7 +4,7 @@
 
 use assur_math::math::Vec2;
 use assur_model::model::{
-    Display, DriveTarget, Expr, Find, FindKind, Hint, HintKind, LinkId, Mechanism, PairKind, PointRef,
+    Display, Drive, DriveTarget, Expr, Find, FindKind, Hint, HintKind, LinkId, Mechanism, PairKind, PointRef,
     Positions, Query, Value,
 };
 use assur_model::structure;
@@ -66,8 +66,13 @@ fn coordinates(mechanism: &Mechanism) -> Vec<Coordinate> {
         mechanism.pairs.iter().any(|pair| is_contact(&pair.kind))
     };
     let drives = mechanism.drives.iter().enumerate().filter(|(_, drive)| drive.free);
+    // what is no number is not compared with the contact: the starts are then too many
+    let is_number = |expr: Option<&Expr>| matches!(expr, Some(Expr::Constant(Value::Scalar(_))));
+    let is_known = |d: &Drive| is_number(place(d)) && is_number(d.speed.as_ref());
     let places = drives.filter_map(|(drive, d)| match d.target {
-        DriveTarget::Place(link, at, _) if touches(link) => Some(Coordinate { drive, link, at }),
+        DriveTarget::Place(link, at, _) if touches(link) && is_known(d) => {
+            Some(Coordinate { drive, link, at })
+        }
         _ => None,
     });
     places.take(MOST).collect()
@@ -141,10 +146,7 @@ fn remove(mechanism: &mut Mechanism, drives: &[usize]) {
 /// Where the started points are, for the choice of the assembly.
 fn near(mechanism: &Mechanism, all: &[Coordinate]) -> Vec<Hint> {
     let hint = |one: &Coordinate| {
-        let place = started(mechanism, all, one, |drive| match &drive.positions {
-            Positions::List(list) => list.first(),
-            _ => None,
-        });
+        let place = started(mechanism, all, one, place);
         let kind = HintKind::Near { point: (one.link, one.at), place };
         Hint { span: mechanism.drives[one.drive].span, kind }
     };
@@ -152,12 +154,20 @@ fn near(mechanism: &Mechanism, all: &[Coordinate]) -> Vec<Hint> {
     all.iter().enumerate().filter(|(i, _)| first_of(*i)).map(|(_, one)| hint(one)).collect()
 }
 
+/// The coordinate that a start gives.
+fn place(drive: &Drive) -> Option<&Expr> {
+    match &drive.positions {
+        Positions::List(list) => list.first(),
+        _ => None,
+    }
+}
+
 /// What the starts say of a point.
 fn started<'m>(
     mechanism: &'m Mechanism,
     all: &[Coordinate],
     of: &Coordinate,
-    part: impl Fn(&'m assur_model::model::Drive) -> Option<&'m Expr>,
+    part: impl Fn(&'m Drive) -> Option<&'m Expr>,
 ) -> Vec2 {
     let same = all.iter().filter(|one| (one.link, one.at) == (of.link, of.at));
     let parts = same.map(|one| &mechanism.drives[one.drive]).filter_map(|drive| {
@@ -171,10 +181,7 @@ fn started<'m>(
 /// Whether the point of a start is where the position found has it, and moves as it says.
 fn fit(mechanism: &Mechanism, all: &[Coordinate], one: &Coordinate, first: &First) -> Result<(), Diagnosis> {
     let Some(body) = first.bodies.get(one.link.index()) else { return Ok(()) };
-    let place = started(mechanism, all, one, |drive| match &drive.positions {
-        Positions::List(list) => list.first(),
-        _ => None,
-    });
+    let place = started(mechanism, all, one, place);
     let found = body.position(one.at);
     if (found - place).norm() > FITS * first.size.max(place.norm()) {
         return Err(misfit(mechanism, one, (place, found), Dimension::LENGTH));

@@ -102,7 +102,6 @@ fn balance(cx: &mut Context<'_>, link: LinkId, all: &[Wanted<'_>]) -> Option<()>
     if let (true, Some(own)) = (parts.is_empty(), whole) {
         parts.push(MassPart { own, shape: None, plane: 0.0 });
     }
-    let mut whole = whole.unwrap_or(MassProperties { mass: 0.0, centre: hinge, inertia: 0.0 });
     let own = parts.clone();
     for one in all {
         // the share of the moment of each mass that falls to this one
@@ -117,7 +116,6 @@ fn balance(cx: &mut Context<'_>, link: LinkId, all: &[Wanted<'_>]) -> Option<()>
         let centre = hinge + Vec2::new(libm::cos(found.angle), libm::sin(found.angle)) * found.radius;
         if found.mass > 0.0 {
             let own = MassProperties { mass: found.mass, centre, inertia: 0.0 };
-            whole = together(whole, own);
             parts.push(MassPart { own, shape: None, plane: one.plane });
             let (name, span) = (found.name.clone(), one.stated.name.span);
             cx.builder.mech.links[link.index()].points.push(Point { name, span, at: centre });
@@ -125,7 +123,7 @@ fn balance(cx: &mut Context<'_>, link: LinkId, all: &[Wanted<'_>]) -> Option<()>
         cx.builder.mech.counterweights.push(found);
     }
     // without the rounding of the sums
-    whole.centre = hinge;
+    let whole = MassProperties { centre: hinge, ..MassProperties::of_parts(&parts) };
     let link = &mut cx.builder.mech.links[link.index()];
     (link.mass, link.mass_parts) = ((whole.mass > 0.0).then_some(whole), parts);
     Some(())
@@ -151,14 +149,6 @@ fn found(cx: &mut Context<'_>, wanted: &Wanted<'_>, moment: Vec2) -> model::Coun
     }
     let angle = if size == 0.0 { 0.0 } else { libm::atan2(moment.y, moment.x) };
     model::Counterweight { name, mass, radius, angle }
-}
-
-/// Two masses of a link as one.
-fn together(a: MassProperties, b: MassProperties) -> MassProperties {
-    let mass = a.mass + b.mass;
-    let centre = (a.centre * a.mass + b.centre * b.mass) / mass;
-    let part = |one: MassProperties| one.inertia + one.mass * (one.centre - centre).dot(one.centre - centre);
-    MassProperties { mass, centre, inertia: part(a) + part(b) }
 }
 
 fn wrong<T>(cx: &mut Context<'_>, at: Span, what: String, label: &str, help: &str) -> Option<T> {

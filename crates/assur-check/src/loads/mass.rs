@@ -33,6 +33,7 @@ pub(crate) fn masses(cx: &mut Context<'_>) {
         if let Some(link) = link {
             let element = !matches!(statement.node, Statement::Link(_) | Statement::Ground(_));
             let turning = if element { Turning::No } else { turning[link.index()] };
+            plane_of_nothing(cx, link, body);
             if let Some((whole, mut parts)) = mass(cx, link, body, turning, !element) {
                 planes(cx, body, whole, &mut parts);
                 let link = &mut cx.builder.mech.links[link.index()];
@@ -47,6 +48,20 @@ pub(crate) fn masses(cx: &mut Context<'_>) {
             of_planets(cx, link, &shaft.body);
         }
     }
+}
+
+/// Reports a plane of masses that are not there.
+fn plane_of_nothing(cx: &mut Context<'_>, link: LinkId, body: &Body) {
+    let is_mass = |member: &Member| matches!(member, Member::Mass(_) | Member::Weight(_));
+    let plane = body.iter().find(|member| matches!(member.node, Member::Plane(_)));
+    let Some(plane) = plane.filter(|_| !body.iter().any(|member| is_mass(&member.node))) else { return };
+    let name = &cx.builder.mech.link(link).name;
+    let message = format!("`{name}` has a plane and no mass: a plane is the place of masses along the axis");
+    cx.error(
+        Diagnosis::error("mech::geometry::plane_without_mass", message)
+            .primary(plane.span, "of no mass")
+            .help("add the mass, as in `mass 2 kg at S`, or leave the plane out; a counterweight has a `plane` of its own"),
+    );
 }
 
 /// Enters the places of the masses along the axis.

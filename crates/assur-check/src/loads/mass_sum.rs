@@ -24,15 +24,11 @@ pub(super) fn several(
     twice(cx, link, stated);
     let parts: Vec<_> = stated.iter().map(|one| part(cx, link, one, placed)).collect();
     let parts = parts.into_iter().collect::<Option<Vec<MassPart>>>()?;
-    let mass = whole_mass(cx, link, stated, parts.iter().map(|p| p.own.mass).sum())?;
-    let centre = parts.iter().fold(Vec2::zero(), |sum, p| sum + p.own.centre * p.own.mass) / mass;
-    let from_centre = |p: &MassProperties| p.mass * (p.centre - centre).dot(p.centre - centre);
+    let sum = MassProperties::of_parts(&parts);
+    let (mass, centre) = (whole_mass(cx, link, stated, sum.mass)?, sum.centre);
     let shape = |one: &Stated<'_>| one.at.shape.as_ref().map(|shape| shape.kind.span);
     let about_centre = match (inertia, stated.iter().find_map(shape)) {
-        (None, _) => {
-            let sum = parts.iter().map(|p| p.own.inertia + from_centre(&p.own)).sum();
-            whole_inertia(cx, link, stated, sum)?
-        }
+        (None, _) => whole_inertia(cx, link, stated, sum.inertia)?,
         (Some(whole), Some(of_shape)) => {
             of_a_shape(cx, link, whole.span, of_shape);
             return None;

@@ -34,6 +34,18 @@ pub struct MassProperties {
     pub inertia: f64,
 }
 
+impl MassProperties {
+    /// Several masses of a link as one: Σ m, Σ m r / m, Σ (J + m |r − r_S|²).
+    #[must_use]
+    pub fn of_parts(parts: &[MassPart]) -> Self {
+        let mass = parts.iter().map(|p| p.own.mass).sum();
+        let centre = parts.iter().fold(Vec2::zero(), |sum, p| sum + p.own.centre * p.own.mass) / mass;
+        let about = |p: &Self| p.inertia + p.mass * (p.centre - centre).dot(p.centre - centre);
+        let inertia = parts.iter().map(|p| about(&p.own)).sum();
+        Self { mass, centre, inertia }
+    }
+}
+
 /// One of the masses of a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassPart {

@@ -29,9 +29,10 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Dia
     {
         return error;
     }
-    if let Some(error) =
-        place::without_angle(trial, defect).or_else(|| place::in_place_of_angle(trial, defect))
-    {
+    let of_point = place::without_angle(trial, defect)
+        .or_else(|| place::in_place_of_angle(trial, defect))
+        .or_else(|| super::floating::moves_nothing(trial, defect));
+    if let Some(error) = of_point {
         return error;
     }
     let formula = count.formula();

@@ -8,7 +8,7 @@ use super::joint::{Body, BodyId};
 use super::leave_out::{links, pairs_of};
 use super::roller::{MOST_LABELS, label, listed, names};
 use super::trial::Trial;
-use crate::model::{DriveTarget, LinkId, Mechanism, PairId, PairKind};
+use crate::model::{DriveTarget, Link, LinkId, Mechanism, PairId, PairKind};
 use crate::source::Span;
 use assur_text::diagnostic::Diagnosis;
 
@@ -22,6 +22,33 @@ pub(super) fn floating(trial: Trial<'_>) -> Vec<Diagnosis> {
     let Some(defect) = defect.flatten() else { return Vec::new() };
     let described = islands.iter().enumerate();
     described.map(|(i, links)| describe(trial, (i < MOST_TRIED).then_some(&defect), links)).collect()
+}
+
+/// A link that is driven at a point and that no pair joins to the loose ones: it moves nothing.
+pub(super) fn moves_nothing(trial: Trial<'_>, defect: &Defect) -> Option<Diagnosis> {
+    let joined = |link: LinkId| trial.mechanism.pairs.iter().any(|pair| pair.kind.links().contains(&link));
+    let alone = trial.mechanism.drives.iter().find_map(|drive| match drive.target {
+        DriveTarget::Point(link, _) if !joined(link) => Some(link),
+        _ => None,
+    });
+    alone.map(|link| {
+        let diagnosis = describe(trial, Some(defect), &[link]);
+        match by_name(trial.mechanism, link) {
+            Some(line) => diagnosis.help(format!("a pair may be missing; add the line\n  {line}")).added(),
+            None => diagnosis,
+        }
+    })
+}
+
+/// A hinge at a point whose name another link has too.
+fn by_name(mechanism: &Mechanism, alone: LinkId) -> Option<String> {
+    let own = mechanism.link(alone);
+    let others = mechanism.links.iter().skip(1).filter(|other| other.name != own.name);
+    let shared = |other: &Link| {
+        let point = own.points.iter().find(|point| other.points.iter().any(|p| p.name == point.name))?;
+        Some(format!("revolute {}: {} - {}", point.name, other.name, own.name))
+    };
+    others.into_iter().find_map(shared)
 }
 
 /// Links that no pair joins to the ground. The ground and links driven or started at a point are firm.

@@ -76,6 +76,7 @@ pub const CODES: &[Code] = codes! {
     "geometry" / "counts_twice",
     "geometry" / "point_mass",
     "geometry" / "mass_shape",
+    "geometry" / "plane_without_mass",
     "geometry" / "counterweight",
     "geometry" / "mass_on_ground",
     "geometry" / "nothing_to_join",
