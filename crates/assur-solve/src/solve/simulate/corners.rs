@@ -28,9 +28,9 @@ pub(super) struct Corners {
     y: Vec<f64>,
     /// The least and the greatest value of each number in a step.
     ranges: Vec<(f64, f64)>,
-    /// Which ends in the present step.
-    ending: Option<usize>,
-    /// Where the present step ends by it, s.
+    /// Where each ends in the last step, s; infinite where it does not.
+    crossings: Vec<f64>,
+    /// Where the present step ends by one, s; infinite where none does.
     ends: f64,
     /// How often each has turned at the last instant of its turning, s.
     turned: Vec<(f64, u32)>,
@@ -46,8 +46,8 @@ impl Corners {
         Self {
             y: equations.start(),
             ranges: vec![(0.0, 0.0); count],
-            ending: None,
-            ends: f64::NAN,
+            crossings: vec![f64::INFINITY; count],
+            ends: f64::INFINITY,
             turned: vec![(f64::NAN, 0); count],
             at_once,
         }
@@ -62,7 +62,7 @@ impl Corners {
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) -> Result<(), Undefined> {
-        self.ending = None;
+        self.ends = f64::INFINITY;
         if !equations.held {
             return Ok(());
         }
@@ -72,7 +72,8 @@ impl Corners {
             return Ok(());
         }
         self.take_ranges(equations, method, step);
-        let mut first: Option<(f64, usize)> = None;
+        self.crossings.fill(f64::INFINITY);
+        let mut first = None;
         for index in 0..self.ranges.len() {
             let (least, greatest) = self.ranges[index];
             if least > CLEAR * (greatest - least)
@@ -82,15 +83,15 @@ impl Corners {
                 continue;
             }
             let crossing = first_crossing(step, Some(true), |t| self.room(equations, method, index, t));
-            if let Some(t) = crossing.map(|c| c.t) {
-                // several at once are passed one after another, in steps of no length
-                if first.is_none_or(|(earliest, _)| t < earliest) {
-                    first = Some((t, index));
+            if let Some(crossing) = crossing {
+                self.crossings[index] = crossing.t;
+                if first.is_none_or(|(earliest, _)| crossing.t < earliest) {
+                    first = Some((crossing.t, index));
                 }
             }
         }
         let Some((t, index)) = first else { return Ok(()) };
-        (self.ending, self.ends) = (Some(index), t);
+        self.ends = t;
         if t >= step.1 {
             return Ok(());
         }
@@ -103,7 +104,7 @@ impl Corners {
         let exact = t - late;
         if late.abs() > ROUNDING * t.abs() && late.abs() < t - before && exact < step.1 {
             method.shorten(equations, exact)?;
-            self.ends = exact;
+            (self.ends, self.crossings[index]) = (exact, exact);
         }
         Ok(())
     }
@@ -156,18 +157,32 @@ impl Corners {
         equations.rounding_of(size, OF_MOTION)
     }
 
-    /// The step has ended, where a side ends or before it: goes over to the other side, and whether it does.
+    /// The step has ended, where sides end or before it: goes over to the other sides, and whether it does.
+    ///
+    /// All that end at one instant turn together: between them the loads would be those of no side.
     pub fn turn<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &M) -> bool {
         let t = method.t();
-        let Some(index) = self.ending.take().filter(|_| t >= self.ends) else { return false };
+        if t < self.ends {
+            return false;
+        }
         self.y.copy_from_slice(method.y());
         if !equations.observe(t, &self.y, false) {
             return false;
         }
-        let (last, count) = &mut self.turned[index];
-        *count = if (t - *last).abs() <= self.at_once { *count + 1 } else { 1 };
-        *last = t;
-        equations.turn(index, *count > MOST);
+        let mut of_last = None;
+        for index in 0..self.crossings.len() {
+            // of the two ends of a piece one turns
+            let switch = (index < ENDS * equations.switches.len()).then_some(index / ENDS);
+            if self.crossings[index] > self.ends + self.at_once || switch.is_some() && switch == of_last {
+                continue;
+            }
+            of_last = switch;
+            let (last, count) = &mut self.turned[index];
+            *count = if (t - *last).abs() <= self.at_once { *count + 1 } else { 1 };
+            *last = t;
+            equations.turn(index, *count > MOST);
+        }
+        self.ends = f64::INFINITY;
         true
     }
 }
