@@ -256,4 +256,61 @@ fn the_corner_of_a_drive_has_the_rate_behind_it() {
                 20 rad/s^2*min(time, 1 s)^2/2 + 20 rad/s*max(time - 1 s, 0 s)\nsimulate 2 s in 2 steps\n";
     let solution = assur::solve(format!("{text}find omega(crank)\n")).expect("a motion");
     assert_eq!(solution.poses()[1]["omega(crank)"].si(), assur::Quantity::Number(20.0));
+    // both ends of the drive turn at one instant: between them there is no speed of 40 rad/s
+    let extremes = ["max(omega(crank))", "max(alpha(crank))", "min(alpha(crank))"];
+    let solution = assur::solve(format!("{text}find {}\n", extremes.join(", "))).expect("a motion");
+    let found = extremes.map(|name| solution[name].si());
+    assert_eq!(found, [20.0, 20.0, 0.0].map(assur::Quantity::Number));
+}
+
+#[test]
+fn discs_that_slide_off_a_hill() {
+    let mut state = 47;
+    for _ in 0..12 {
+        let (r, radius, m) =
+            (within(&mut state, 0.02, 0.2), within(&mut state, 0.5, 3.0), within(&mut state, 0.5, 5.0));
+        let (f, from) = (within(&mut state, 0.02, 0.2), within(&mut state, 0.1, 0.4));
+        let all = r + radius;
+        let speed = within(&mut state, 0.3, 0.6) * (G * all * cos(from)).sqrt();
+        // the angle from the top, its rate, and the rolling speed, which stays behind; until nothing presses
+        let rates = |[angle, rate, _]: [f64; 3]| {
+            let presses = G * cos(angle) - all * rate * rate;
+            [rate, (G * sin(angle) - f * presses) / all, 2.0 * f * presses]
+        };
+        let step = |y: [f64; 3], h: f64| {
+            let plus = |k: [f64; 3], h: f64| [0, 1, 2].map(|i| y[i] + h * k[i]);
+            let a = rates(y);
+            let b = rates(plus(a, h / 2.0));
+            let c = rates(plus(b, h / 2.0));
+            let d = rates(plus(c, h));
+            [0, 1, 2].map(|i| y[i] + h / 6.0 * (a[i] + 2.0 * (b[i] + c[i]) + d[i]))
+        };
+        let presses = |[angle, rate, _]: [f64; 3]| G * cos(angle) - all * rate * rate;
+        let (mut y, mut t, mut h) = ([from, speed / all, 0.0], 0.0, 1e-3);
+        while h > 1e-14 {
+            let then = step(y, h);
+            if presses(then) > 0.0 {
+                (y, t) = (then, t + h);
+            } else {
+                h /= 2.0;
+            }
+        }
+        assert!(y[1] * all > y[2], "it rolls: {f} {y:?}");
+        let turned = 90.0 - from.to_degrees();
+        let j = m * r * r / 2.0;
+        let text = &format!(
+            "gravity 9.81 m/s^2\nground {{ O (0, 0); circle hill centre O radius {radius:?} m }}\nlink disc {{ C (0, 0); circle rim centre C \
+             radius {r:?} m; mass {m:?} kg at C; inertia {j:?} kg*m^2 }}\ncontact K: disc.rim - ground.hill {{ friction {f:?} \
+             }}\nstart disc.C = {all:?} m @ {turned:?} deg at {speed:?} m/s @ {:?} deg\nstart disc = 0 deg at 0 rad/s\nuntil \
+             normal(K, disc) < 0 N\nsimulate 9 s within 1e-10\n",
+            turned - 90.0
+        );
+        let found = at_end(text, &["time", "mag(velocity(disc.C))", "omega(disc)", "position(disc.C).y"]);
+        agree(text, &found, &[t, y[1] * all, -y[2] / r, all * cos(y[0])], 1e-7);
+        let opens = assur::solve(text.replace("until normal(K, disc) < 0 N\n", "")).expect(text);
+        assert!(
+            opens.diagnostics().iter().any(|d| d.code.as_deref() == Some("mech::simulate::opens")),
+            "{text}"
+        );
+    }
 }

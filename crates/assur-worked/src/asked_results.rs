@@ -152,6 +152,7 @@ impl Derivation<'_> {
             first: first.shape,
             second: second.shape,
             internal: *internal,
+            presses: 0.0,
         };
         let element = FrictionElement { pair, body, base, through: body, slot: 0, kind, pin: None };
         self.sliding_in_contact(&element)

@@ -6,8 +6,8 @@ use super::geometry::guide;
 use super::planned::Plan;
 use super::train::slot_of;
 use super::train_step::LawSite;
-use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
-use crate::structure::{BodyId, Group, JointKind, Structure};
+use crate::model::{Friction, LinkId, Mechanism, PairId, PairKind, ProfileShape};
+use crate::structure::{BodyId, Group, GroupJoint, JointKind, Structure};
 
 /// The elements by joint where [`FrictionGroup::reduced`] holds: circles in the hinges of a dyad RRR, or of a dyad RRP whose
 /// guide rubs by its normal force; the one joint of a link whose effort acts in that joint.
@@ -171,7 +171,7 @@ fn bases(structure: &Structure, group: &Group, laws: &[usize], plan: &Plan) -> V
 fn element(
     mechanism: &Mechanism,
     structure: &Structure,
-    joint: &crate::structure::GroupJoint,
+    joint: &GroupJoint,
     slot: usize,
 ) -> Option<FrictionElement> {
     let id = structure.replaced.joint(joint.joint).pair;
@@ -209,6 +209,7 @@ fn element(
                 first: profile(guide.slider, ProfileShape::Point(guide.point)),
                 second: profile(guide.guide, ProfileShape::Line(guide.through, guide.along)),
                 internal: false,
+                presses: 0.0,
             };
             let block = if joint.base == body(guide.guide) { joint.body } else { joint.base };
             (prismatic && friction.coefficient() > 0.0).then(|| FrictionElement {
@@ -222,9 +223,28 @@ fn element(
                 first: profile(first.link, first.shape),
                 second: profile(second.link, second.shape),
                 internal: *internal,
+                presses: side_of_reaction(mechanism, structure, joint, id),
             };
             (friction.coefficient() > 0.0).then(|| at(body(first.link), body(second.link), kind))
         }
         _ => None,
     }
+}
+
+/// 1 where the reaction of a joint that stands for a contact is that on the side of its first profile, else −1.
+fn side_of_reaction(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    joint: &GroupJoint,
+    contact: PairId,
+) -> f64 {
+    let PairKind::Contact { first, second, .. } = &mechanism.pair(contact).kind else { return 0.0 };
+    let cam = mechanism.cam_contacts.iter().find(|cam| cam.pair == contact);
+    let is_of = |body: BodyId, link: LinkId| {
+        // what a roller gets is found on the follower that carries it
+        let carrier = cam.filter(|cam| cam.roller.is_some_and(|(roller, _)| roller == link));
+        let links = [Some(link), carrier.map(|cam| cam.follower)];
+        links.into_iter().flatten().any(|link| structure.replaced.body_of(link) == body)
+    };
+    if is_of(joint.body, first.link) || is_of(joint.base, second.link) { 1.0 } else { -1.0 }
 }

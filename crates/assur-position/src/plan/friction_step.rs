@@ -47,6 +47,9 @@ pub enum FrictionLaw {
         second: ProfileShape,
         /// One circle lies inside the other.
         internal: bool,
+        /// 1 where the reaction of the slot is that on `body`, −1 where it is that on `base`: along the normal it can only press.
+        /// 0 of a slot, which also holds on its other side.
+        presses: f64,
     },
 }
 

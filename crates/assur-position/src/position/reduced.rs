@@ -14,7 +14,7 @@ use super::state::State;
 use super::virtual_power::{Along, Loads};
 use crate::math::{Lu, Vec2};
 use crate::model::{LoadId, Value};
-use crate::plan::Plan;
+use crate::plan::{LoadStep, Plan};
 
 /// What positions of bodies that are found twice may differ by.
 const SAME_PLACE: f64 = 1e-9;
@@ -324,9 +324,21 @@ impl Reduced {
     /// The sum of magnitudes whose sum is the power of the loads for a unit rate of a free coordinate: what rounding leaves of
     /// it is relative to this.
     #[must_use]
-    pub fn greatest_power(&self, coordinate: usize, state: &State) -> f64 {
-        let bodies = self.columns[coordinate].iter().zip(&state.forces.applied).skip(1);
-        bodies.map(|(k, w)| w.force.norm() * k.v.norm() + (w.moment * k.omega).abs()).sum()
+    pub fn greatest_power(&self, coordinate: usize, plan: &Plan, state: &State) -> f64 {
+        let columns = &self.columns[coordinate];
+        let of = |k: &Column, force: f64, moment: f64| force * k.v.norm() + (moment * k.omega).abs();
+        let bodies = columns.iter().zip(&state.forces.applied).skip(1);
+        let all: f64 = bodies.map(|(k, w)| of(k, w.force.norm(), w.moment)).sum();
+        // where a body falls, its weight and its inertia cancel
+        let inertia = plan.loads.iter().map(|load| match load {
+            LoadStep::Mass { body, centre, mass, moment_of_inertia, inertia: true, .. } => {
+                let moves = &state.motion.bodies[*body];
+                let force = moves.acceleration(centre.unwrap_or_default()).norm() * mass;
+                of(&columns[*body], force, moment_of_inertia * moves.alpha)
+            }
+            _ => 0.0,
+        });
+        all + inertia.sum::<f64>()
     }
 
     /// Velocity of a body's origin and angular velocity for a unit rate of a free coordinate.

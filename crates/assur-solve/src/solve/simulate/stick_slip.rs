@@ -101,7 +101,7 @@ impl Equations<'_, '_> {
         for i in 0..self.order() {
             let effort = efforts_of[i];
             left[i] = self.trial.forces.efforts[effort] * self.along_line(effort, i) * units[i];
-            greatest = greatest.max(units[i] * self.reduced.greatest_power(i, &self.trial));
+            greatest = greatest.max(units[i] * self.reduced.greatest_power(i, self.model.plan, &self.trial));
         }
         let known = left.iter().all(|left| left.is_finite()) && greatest.is_finite();
         if known { Ok(greatest) } else { Err(Halt::NotANumber) }

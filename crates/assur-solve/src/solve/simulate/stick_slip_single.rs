@@ -83,7 +83,7 @@ impl Equations<'_, '_> {
             .extend(held.iter().map(|&sense| ContactMode { sense, ..ContactMode::default() }));
         let acceleration = self.rubbing_acceleration(sense)?;
         if self.model.plan.effects.loses() {
-            let term = self.reduced.greatest_power(0, &self.trial) / self.reduced.mass()[0];
+            let term = self.reduced.greatest_power(0, self.model.plan, &self.trial) / self.reduced.mass()[0];
             self.terms = (self.terms.0.max(term), self.terms.1.max(acceleration.abs()));
         }
         // stages beyond a rest go on smoothly
@@ -184,7 +184,7 @@ impl Equations<'_, '_> {
         let mut slope = mass;
         for _ in 0..MOST {
             // what the friction adds is of the order of the loads
-            let greatest = self.reduced.greatest_power(0, &self.trial) + mass * a.abs();
+            let greatest = self.reduced.greatest_power(0, self.model.plan, &self.trial) + mass * a.abs();
             if effort.abs() <= ENOUGH * greatest {
                 return Ok(a);
             }
