@@ -7,7 +7,7 @@
 use super::vibration::Small;
 use assur_model::model::{
     Drive, DriveId, DriveTarget, Equilibrium, Expr, Find, FindKind, Mechanism, PairKind, Positions,
-    QuantityId, Query, Sought, Value,
+    QuantityId, Query, Sought, SoughtWay, Value,
 };
 use assur_model::structure::{self, Structure};
 use assur_position::plan::{self, Plan};
@@ -193,6 +193,7 @@ impl Search {
         if nothing || roots.len() > MOST {
             return Err(self.indifferent());
         }
+        let equilibria = roots.iter().map(|root| (root.at, root.stable)).collect();
         if let Sought::Near(x) = sought {
             roots.sort_by(|a, b| (a.at - x).abs().total_cmp(&(b.at - x).abs()));
             roots.truncate(1);
@@ -202,7 +203,11 @@ impl Search {
                 Err(self.without_position(others, sought))
             }
             [] => Err(self.none(&samples)),
-            [root] => Ok(self.equilibrium(others, &[root.at], Some(root.stable))),
+            [root] => {
+                let way = SoughtWay { drive: self.sought[0], efforts: samples, equilibria };
+                let found = self.equilibrium(others, &[root.at], Some(root.stable));
+                Ok(Equilibrium { sought: Some(Arc::new(way)), ..found })
+            }
             all => Err(self.several(all)),
         }
     }
@@ -218,7 +223,7 @@ impl Search {
         let mut all: Vec<f64> =
             others.iter().map(|value| if let DriveValue::Scalar(x) = value { *x } else { 0.0 }).collect();
         self.sought.iter().zip(at).for_each(|(i, x)| all[*i] = *x);
-        Equilibrium { at: all, stable, modes }
+        Equilibrium { at: all, stable, modes, sought: None }
     }
 
     /// The efforts at many positions, followed from their middle to both ends: there the mechanism is assembled as the file says.

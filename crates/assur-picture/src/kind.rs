@@ -2,6 +2,7 @@
 
 use crate::animation::{ArrowKind, still};
 use crate::cam::cams;
+use crate::equilibrium::equilibrium;
 use crate::forces::{forces, friction, lever};
 use crate::fourier::fourier;
 use crate::hodograph::{hodographs, polars};
@@ -43,6 +44,8 @@ pub enum Kind {
     Fourier,
     /// Masses of rotors in their planes.
     Planes,
+    /// Potential energy around positions of equilibrium.
+    Equilibrium,
     /// Profile and motion of designed cams.
     Cam,
     /// Velocities of a point over the sweep.
@@ -53,7 +56,7 @@ pub enum Kind {
     Animation,
 }
 
-pub const KINDS: [Kind; 17] = [
+pub const KINDS: [Kind; 18] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -67,6 +70,7 @@ pub const KINDS: [Kind; 17] = [
     Kind::Work,
     Kind::Fourier,
     Kind::Planes,
+    Kind::Equilibrium,
     Kind::Cam,
     Kind::Hodograph,
     Kind::Polar,
@@ -107,6 +111,7 @@ impl Kind {
             Self::Work => "work",
             Self::Fourier => "fourier",
             Self::Planes => "planes",
+            Self::Equilibrium => "equilibrium",
             Self::Cam => "cam",
             Self::Hodograph => "hodograph",
             Self::Polar => "polar",
@@ -127,6 +132,7 @@ impl Kind {
             | Self::Work
             | Self::Fourier
             | Self::Planes
+            | Self::Equilibrium
             | Self::Cam
             | Self::Polar
             | Self::Animation => Level::Positions,
@@ -160,7 +166,10 @@ impl Kind {
     /// Whether the space that it takes is chosen: diagrams and sections have their own.
     #[must_use]
     pub const fn has_size(self) -> bool {
-        !matches!(self, Self::Train | Self::Plot | Self::Work | Self::Fourier | Self::Planes)
+        !matches!(
+            self,
+            Self::Train | Self::Plot | Self::Work | Self::Fourier | Self::Planes | Self::Equilibrium
+        )
     }
 
     /// Whether it shows forces.
@@ -207,6 +216,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Work => work(scene),
         Kind::Fourier => fourier(scene),
         Kind::Planes => planes(scene),
+        Kind::Equilibrium => equilibrium(scene).map(|energy| vec![energy]),
         Kind::Plot => plot(scene, &options.plotted).map(|(plot, _)| vec![plot]),
         Kind::Velocities => velocities(scene, paper).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, paper).map(|plan| vec![plan]),

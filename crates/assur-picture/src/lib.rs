@@ -3,6 +3,7 @@
 mod animation;
 mod cam;
 mod diagram;
+mod equilibrium;
 mod error;
 mod figures;
 mod forces;

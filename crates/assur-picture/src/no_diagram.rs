@@ -88,6 +88,23 @@ pub(crate) fn no_planes() -> Diagnosis {
         .help("give the masses of a link their planes: `mass 2 kg at P plane 100 mm`")
 }
 
+/// No equilibrium that was sought among all positions of one coordinate.
+pub(crate) fn no_equilibrium(scene: &Scene<'_>) -> Diagnosis {
+    let mechanism = scene.mechanism();
+    let several = mechanism.drives.iter().rfind(|drive| drive.sought.is_some());
+    let drive = several.or_else(|| mechanism.drives.first());
+    let name = drive.map_or("bar", |drive| drive.name.as_str());
+    let (why, label, help) = if several.is_some() {
+        let help = format!("drive all but one of them, as in `drive {name} = …`");
+        ("it is drawn over one coordinate, and the file seeks several", "one of several", help)
+    } else {
+        ("the file seeks no equilibrium", "driven", format!("seek one: `equilibrium {name} near 60 deg`"))
+    };
+    Diagnosis::error("mech::picture::no_equilibrium", format!("there is no potential energy to draw: {why}"))
+        .label(drive.map(|drive| drive.span), label)
+        .help(help)
+}
+
 /// No flywheel; the help writes one.
 pub(crate) fn no_flywheel(scene: &Scene<'_>) -> Diagnosis {
     let mechanism = scene.mechanism();

@@ -66,6 +66,19 @@ pub struct Equilibrium {
     pub stable: bool,
     /// The small vibrations about it, with rising frequencies; none where nothing asks for them.
     pub modes: Vec<Mode>,
+    /// Where it was sought among all positions of one coordinate.
+    pub sought: Option<Arc<SoughtWay>>,
+}
+
+/// The positions of one coordinate among which equilibria were sought.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SoughtWay {
+    /// The drive that is sought.
+    pub drive: usize,
+    /// Its values, rad or m, with the effort that holds it there, N m or N; none where the mechanism has no position.
+    pub efforts: Vec<(f64, Option<f64>)>,
+    /// All positions of equilibrium among them, and whether they are stable.
+    pub equilibria: Vec<(f64, bool)>,
 }
 
 /// A small vibration about an equilibrium, after λ² M + λ C + K = 0; NaN where there is none.

@@ -319,6 +319,7 @@ pub const CODES: &[Code] = codes! {
     "picture" / "no_curvature",
     "picture" / "no_fourier",
     "picture" / "no_planes",
+    "picture" / "no_equilibrium",
     "picture" / "no_cam",
     "picture" / "unknown",
     "picture" / "no_point",
