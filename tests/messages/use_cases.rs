@@ -121,6 +121,26 @@ fn notes_that_lead_to_what_is_missing() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(crate::share::part(60)))]
 
+    /// A Geneva wheel is back after as many turns as it has slots: the range that is offered is a whole cycle.
+    #[test]
+    fn the_range_that_is_offered_is_a_whole_cycle(slots in 3i32..12, turns in 1i32..4, from in -90i32..90) {
+        let with = |range: &str| format!(
+            "ground {{ A (0, 0); C (100 mm, 0) }}\nlink crank A-B 100 mm*sin(180 deg/{slots})\n\
+             link wheel {{ C (0, 0); line slot through C along 0 deg }}\nrevolute A: ground - crank\n\
+             revolute C: ground - wheel\nslot K: crank.B - wheel.slot {{ slots {slots} }}\n\
+             drive crank = {range} at 60 rpm\nfind mean(omega(wheel))"
+        );
+        let found = all(&with(&format!("{from} deg .. {} deg in 24 steps", from + 360 * turns)));
+        let help = found.first().and_then(|d| d.help.clone()).unwrap_or_default();
+        let offered = help.rsplit_once("write `").map(|(_, range)| range.trim_end_matches('`'));
+        if turns % slots == 0 {
+            prop_assert!(found.is_empty(), "{:#?}", found);
+        } else {
+            let left = offered.map(|range| all(&with(range)));
+            prop_assert!(left.as_ref().is_some_and(Vec::is_empty), "{}\n{:#?}", help, left);
+        }
+    }
+
     /// Shafts in a ring, each with two wheels: by the product of the ratios the ring turns or is locked.
     #[test]
     fn rings_turn_where_their_ratios_agree(

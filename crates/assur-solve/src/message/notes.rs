@@ -1,7 +1,7 @@
 //! The sentences about what deserves a warning or a note.
 
 use super::consistent::several;
-use super::format::{and_at, drive_text, four, label, labels, links, place, rounded, with_unit};
+use super::format::{and_at, drive_text, four, label, labels, links, place, rounded, short, with_unit};
 use super::friction::{locked, no_effort, no_sliding};
 use super::over_sweep::needless_flywheel;
 use super::partial_sweep::partial_sweep;
@@ -10,7 +10,7 @@ use super::slip::slips;
 use super::speeds::{no_damping, unit_speed};
 use crate::model::{LinkId, PointRef, Query};
 use crate::position::{DriveValue, Model, PoseRequest};
-use crate::solve::{GroupId, Loss, Note, Pull, Uncertified};
+use crate::solve::{GroupId, Loss, Note, Pull, Uncertified, WholeCycleRange};
 use crate::source::Span;
 use crate::units::Dimension;
 use assur_text::diagnostic::Diagnosis;
@@ -24,7 +24,9 @@ fn note(model: &Model<'_>, note: &Note) -> Option<Diagnosis> {
     let mechanism = model.mechanism;
     Some(match note {
         Note::Switched { group, at, from, to } => switched(model, *group, at, (from, to)),
-        Note::Elsewhere { link, off, turned, drives } => elsewhere(model, *link, (*off, *turned), drives),
+        Note::Elsewhere { link, off, turned, drives, whole } => {
+            elsewhere(model, *link, (*off, *turned), drives, *whole)
+        }
         Note::NeverEnded { event, at } => never_ended(model, *event, *at),
         Note::SelfLocking { pose, more } => self_locking(model, (pose, *more)),
         Note::SeveralBalances { count, followed, pose, more } => {
@@ -143,10 +145,20 @@ fn switched(model: &Model<'_>, group: usize, at: &[DriveValue], (from, to): (&st
     )
 }
 
-fn elsewhere(model: &Model<'_>, link: LinkId, (off, turned): (f64, f64), drives: &[DriveValue]) -> Diagnosis {
+fn elsewhere(
+    model: &Model<'_>,
+    link: LinkId,
+    (off, turned): (f64, f64),
+    drives: &[DriveValue],
+    whole: Option<WholeCycleRange>,
+) -> Diagnosis {
     let mechanism = model.mechanism;
     let moved = with_unit(model, off, Dimension::LENGTH);
     let labels = mechanism.drives.iter().map(|d| label("after whole turns of this drive", d.span));
+    let whole = whole.map_or("; no whole cycle was found".to_owned(), |range| {
+        let [from, to] = [range.from, range.to].map(|x| short(x.to_degrees()));
+        format!(": for a whole one write `{from} deg .. {to} deg in {} steps`", range.steps)
+    });
     Diagnosis::warning(
         "mech::solve::not_periodic",
         format!(
@@ -158,9 +170,7 @@ fn elsewhere(model: &Model<'_>, link: LinkId, (off, turned): (f64, f64), drives:
     )
     .labels(labels)
     .help(format!(
-        "the pose at {} is left out, and functions over the sweep take a part of \
-         the cycle: go on until all links come back, as in `0 deg .. 720 deg in 24 \
-         steps`",
+        "the pose at {} is left out, and functions over the sweep take a part of the cycle{whole}",
         drive_text(model, drives)
     ))
 }

@@ -57,7 +57,7 @@ pub use failure::{Cause, Failure, GroupId, Halt, Lost, NoCycle};
 pub use gap::GroupGap;
 pub use iteration::{Begun, Iteration, iteration};
 pub use motion_scales::MotionScales;
-pub use note::{Closing, Gap, Locking, Loss, Note, Pull, Uncertified};
+pub use note::{Closing, Gap, Locking, Loss, Note, Pull, Uncertified, WholeCycleRange};
 pub use refusal::{Refusal, Unpositioned};
 pub use refusals::{refusals, unplaced_reactions};
 pub use replay::Replay;

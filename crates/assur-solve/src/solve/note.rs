@@ -28,6 +28,8 @@ pub enum Note {
         turned: f64,
         /// Drive values of the position.
         drives: Vec<DriveValue>,
+        /// The range after which all links are back, if it was found.
+        whole: Option<WholeCycleRange>,
     },
     /// A motion under loads, or a sweep, comes to its last position without the end that `until` names.
     NeverEnded {
@@ -200,4 +202,12 @@ pub struct Locking {
     pub efficiency: Option<f64>,
     /// Values at which locking begins, by index into [`crate::model::Mechanism::criticals`].
     pub criticals: Vec<f64>,
+}
+
+/// A range of the swept drive, rad, at whose end all links are where they began.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WholeCycleRange {
+    pub from: f64,
+    pub to: f64,
+    pub steps: usize,
 }

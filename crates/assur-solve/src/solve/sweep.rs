@@ -248,9 +248,9 @@ impl<'a, 's> Following<'a, 's> {
             self.begin = Some(begin(tracker));
         }
         if self.next == self.sweep.len()
-            && let (Some(begin), Some(after)) = (&self.begin, self.sweep.after_turns())
+            && let Some(begin) = &self.begin
         {
-            let note = self.run.elsewhere(begin, tracker, &after);
+            let note = self.run.elsewhere(begin, tracker, &self.sweep);
             self.cycle_notes.extend(note);
         }
     }

@@ -6,6 +6,7 @@ mod brackets;
 mod case;
 mod commas;
 mod first_word;
+mod harmonic;
 mod meant;
 mod phrase;
 mod range;

@@ -1,13 +1,17 @@
 //! Pieces that begin well and go wrong further on.
 
 use super::case::Case;
+use super::harmonic;
 use crate::recover::{lacking, misspelling, without_operator, word_of_the_language};
 use crate::words::{self, Expected, Rule, is_name_char, is_reserved};
 use assur_text::diagnostic::{Diagnosis, did_you_mean};
 use assur_text::units::is_unit;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
-    reserved_name(case).or_else(|| misspelt_here(case)).or_else(|| misspelt_before(case))
+    harmonic::explain(case)
+        .or_else(|| reserved_name(case))
+        .or_else(|| misspelt_here(case))
+        .or_else(|| misspelt_before(case))
 }
 
 /// The last attempts at a correction.

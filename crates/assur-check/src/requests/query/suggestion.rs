@@ -6,7 +6,7 @@ use crate::names::suggestion::{not_declared, wrong_kind};
 use crate::statements::written::written;
 use crate::values::typed::Type;
 use assur_model::model::LinkId;
-use assur_syntax::document::{Arg, Expr, ExprKind, Name, Statement};
+use assur_syntax::document::{Arg, Expr, ExprKind, Name, Statement, UnaryOp};
 use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::language::{FUNCTIONS, Function};
 use assur_text::source::{Span, Spanned};
@@ -44,7 +44,7 @@ impl Context<'_> {
         if !self.problems.reported.insert(("function", name.clone())) {
             return;
         }
-        let suggestion = self.suggestion(call).map(Help::from);
+        let suggestion = self.suggestion(call);
         let help = suggestion.or_else(|| near(call.name)).unwrap_or_else(|| {
             "ask for one of `position`, `velocity`, `acceleration`, `angle`, `omega`, `alpha`, `displacement`, `reaction`, \
              `moment`, `effort`, `power`, `efficiency`; the language has no others like it"
@@ -56,7 +56,8 @@ impl Context<'_> {
     }
 
     /// `write …` with a call that can be read.
-    pub(crate) fn suggestion(&mut self, call: Call<'_>) -> Option<String> {
+    fn suggestion(&mut self, call: Call<'_>) -> Option<Help> {
+        let write = |expr: &Expr| Some(Help::write(call.span, &[written(expr)?]));
         let name = call.name.node.as_str();
         let also = ALSO.iter().filter(|(_, others)| others.contains(&name)).map(|(function, _)| *function);
         let named = also.map(|function| called(function, call.args, call.span));
@@ -64,15 +65,19 @@ impl Context<'_> {
         if let ("range" | "span", [_]) = (name, call.args) {
             let [most, least] =
                 [Function::Max, Function::Min].map(|f| written(&called(f, call.args, call.span)));
-            return Some(format!("write `{} - {}`", most?, least?));
+            return Some(format!("write `{} - {}`", most?, least?).into());
+        }
+        if let ("argmin", [of, ..]) = (name, call.args) {
+            let least = called(Function::Argmax, &opposite(of, call.args), call.span);
+            return write(&least);
         }
         if matches!(name, "torque" | "moment" | "driving_torque")
             && let Some(balance) = self.builder.mech.balances.first()
         {
-            return Some(format!("ask for the unknown effort: `{}`", balance.name));
+            return Some(format!("ask for the unknown effort: `{}`", balance.name).into());
         }
         let found = candidates.iter().find(|c| self.quietly(|cx| cx.read(c)).is_some())?;
-        Some(format!("write `{}`", written(found)?))
+        write(found)
     }
 
     /// Reports what is asked of a pair or point though it belongs to a link. Whether it was.
@@ -182,6 +187,15 @@ impl Context<'_> {
 fn called(function: Function, args: &[Arg], span: Span) -> Expr {
     let function = Spanned::new(function.name().to_owned(), span);
     Expr { kind: ExprKind::Call { function, args: args.to_vec() }, span }
+}
+
+/// The same arguments with the first one negated.
+fn opposite(of: &Arg, args: &[Arg]) -> Vec<Arg> {
+    let minus = Spanned::new(UnaryOp::Minus, of.value.span);
+    let kind = ExprKind::Unary(minus, Box::new(of.value.clone()));
+    let value = Expr { kind, span: of.value.span };
+    let first = Arg { name: of.name.clone(), value };
+    std::iter::once(first).chain(args.iter().skip(1).cloned()).collect()
 }
 
 /// `did you mean …?`, functions with which the name shares more than a few letters.
