@@ -4,6 +4,7 @@ mod accuracy;
 mod against_motion;
 mod all_motion;
 mod arms;
+mod beams;
 mod bevel;
 mod bonds;
 mod brakes;

@@ -272,6 +272,8 @@ impl<'d> Places<'d> {
     fn site(&mut self, site: &'d Site) -> Option<()> {
         match site {
             Site::Link { at: Some(Place::Ground(place)), .. } => self.add(place, Asked::Nothing),
+            // its resultant follows from two points and two values
+            Site::Segment { .. } => None,
             Site::Link { .. } | Site::Pair(_) | Site::Pin(_) => Some(()),
         }
     }

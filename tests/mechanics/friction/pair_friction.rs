@@ -134,8 +134,9 @@ pub fn pair_frictions(mechanism: &Mechanism, reference: &Reference) -> Vec<PairF
 /// The mechanism with its friction as loads of these values.
 pub fn loaded(mechanism: &Mechanism, rubs: &[PairFriction], efforts: &[f64]) -> Mechanism {
     let mut out = mechanism.clone();
-    let mut load =
-        |kind| out.loads.push(Load { name: None, span: Span::default(), kind, pin: None, when: None });
+    let mut load = |kind| {
+        out.loads.push(Load { name: None, span: Span::default(), kind, pin: None, spread: None, when: None })
+    };
     for (rub, &x) in rubs.iter().zip(efforts) {
         match rub.kind {
             Kind::Hinge => {

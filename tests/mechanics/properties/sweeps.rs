@@ -255,7 +255,7 @@ fn a_load_against_motion_is_nothing_where_nothing_moves() {
         at: Place::Local(Vec2::zero()),
         value: Expr::number(1000.0),
     };
-    m.loads.push(Load { name: None, span: Span::default(), kind, pin: None, when: None });
+    m.loads.push(Load { name: None, span: Span::default(), kind, pin: None, spread: None, when: None });
     let loaded = run(&m);
     let reaction = |run: &Run, pose: usize| {
         vector(&run.view(pose).expect("closes"), &Query::Reaction(PairId::at(1), LinkId::at(2)))

@@ -101,7 +101,14 @@ impl Draft {
                 let turns = Expr::Query(Query::Omega(on));
                 Expr::Compare(Comparison::Greater, Box::new(turns), Box::new(Expr::number(0.0)))
             });
-            self.mechanism.loads.push(Load { name: None, span: Span::default(), kind, pin: None, when });
+            self.mechanism.loads.push(Load {
+                name: None,
+                span: Span::default(),
+                kind,
+                pin: None,
+                spread: None,
+                when,
+            });
         }
         for _ in 0..self.random.below(3) {
             let (a, b) = (LinkId::at(self.random.below(self.frames.len())), self.moving());

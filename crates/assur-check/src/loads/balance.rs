@@ -23,7 +23,7 @@ pub(crate) fn balances(cx: &mut Context<'_>) {
             let (name, span) = (balance.name.node.clone(), balance.name.span);
             let pin = match &balance.site {
                 Site::Pin(pin) => cx.find_pair(&pin.node),
-                Site::Link { .. } | Site::Pair(_) => None,
+                Site::Link { .. } | Site::Segment { .. } | Site::Pair(_) => None,
             };
             cx.builder.mech.balances.push(model::Balance { name, span, kind, pin });
         }
@@ -45,7 +45,7 @@ fn all_places(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
     }
     let mut places = vec![first];
     let mut names = vec![match &balance.site {
-        Site::Link { link, .. } => link,
+        Site::Link { link, .. } | Site::Segment { link, .. } => link,
         Site::Pair(name) | Site::Pin(name) => name,
     }];
     for name in &balance.also {
@@ -56,7 +56,7 @@ fn all_places(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
             continue;
         }
         let site = match &balance.site {
-            Site::Link { .. } => Site::Link { link: name.clone(), at: None },
+            Site::Link { .. } | Site::Segment { .. } => Site::Link { link: name.clone(), at: None },
             Site::Pair(_) => Site::Pair(name.clone()),
             Site::Pin(_) => Site::Pin(name.clone()),
         };
@@ -69,6 +69,12 @@ fn all_places(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
 fn kind(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
     let (link, at) = match &balance.site {
         Site::Link { link, at } => (link, at.as_ref()),
+        Site::Segment { link, from, to } => {
+            let message = "an unknown load does not act along a segment".to_owned();
+            let help = format!("give one point: `on {} at {}`", link.node, to.node);
+            form(cx, message, &help, from.span.to(to.span));
+            return None;
+        }
         Site::Pin(name) => {
             let pin = LoadedPin::of(cx, name, balance.kind.node)?;
             let pin = pin.moves(cx, name, "no force is to be found there")?;

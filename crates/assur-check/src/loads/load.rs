@@ -30,7 +30,12 @@ pub(crate) fn loads(cx: &mut Context<'_>) {
 }
 
 fn load(cx: &mut Context<'_>, load: &Load, span: Span) -> Option<model::Load> {
-    let mut pin = None;
+    let (mut pin, mut spread) = (None, None);
+    if let (Some(last), false) = (&load.last, matches!(load.site, Site::Segment { .. })) {
+        let message = "a load that changes from end to end has no ends".to_owned();
+        form(cx, message, "write the two points: `on beam from A to B`", last.span);
+        return None;
+    }
     let kind = match &load.site {
         Site::Pair(pair) => in_pair(cx, load, pair),
         Site::Pin(name) => {
@@ -39,6 +44,12 @@ fn load(cx: &mut Context<'_>, load: &Load, span: Span) -> Option<model::Load> {
                 pin = pin.and_then(|pin| pin.moves(cx, name, "nothing acts against its motion"));
             }
             pin.and_then(|pin| force_at(cx, load, Some(pin.on), Some(Place::Local(pin.at))))
+        }
+        Site::Segment { link, from, to } => {
+            super::spread::along(cx, load, (link, from, to)).map(|(kind, over)| {
+                spread = Some(over);
+                kind
+            })
         }
         Site::Link { link, at } => match load.kind.node {
             document::LoadKind::Force => force(cx, load, link, at.as_ref()),
@@ -53,19 +64,29 @@ fn load(cx: &mut Context<'_>, load: &Load, span: Span) -> Option<model::Load> {
         None => Some(None),
     };
     let name = load.name.as_ref().map(|n| n.node.clone());
-    Some(model::Load { name, span, kind: kind?, pin: pin.map(|pin| pin.pair), when: when? })
+    Some(model::Load { name, span, kind: kind?, pin: pin.map(|pin| pin.pair), spread, when: when? })
 }
 
 /// A value that depends on no force.
 fn value(cx: &mut Context<'_>, load: &Load, vector: bool, dimension: Dimension) -> Option<Expr> {
+    value_of(cx, load, &load.value.value, vector, dimension)
+}
+
+/// The same of one of the values of a load.
+pub(super) fn value_of(
+    cx: &mut Context<'_>,
+    load: &Load,
+    source: &document::Expr,
+    vector: bool,
+    dimension: Dimension,
+) -> Option<Expr> {
     let what = described(load);
     let want = Want(dimension);
-    let source = &load.value.value;
     let value = if vector { cx.vector(source, &want, &what)? } else { cx.scalar(source, &want, &what)? };
     no_forces(cx, &value, &what, source.span).then_some(value)
 }
 
-fn described(load: &Load) -> String {
+pub(super) fn described(load: &Load) -> String {
     let word = kind_word(load.kind.node);
     match &load.name {
         Some(name) => format!("the {word} `{}`", name.node),
@@ -416,5 +437,5 @@ pub(crate) fn brake(cx: &mut Context<'_>, brake: &Brake, span: Span) -> Option<m
     let properties = read(cx, "a brake", &brake.properties, BRAKE)?;
     let value = Expr::number(friction_torque(cx, &brake.name, &properties)?);
     let kind = LoadKind::Torque { on: on?, value, against_motion: true };
-    Some(model::Load { name: Some(brake.name.node.clone()), span, kind, pin: None, when: None })
+    Some(model::Load { name: Some(brake.name.node.clone()), span, kind, pin: None, spread: None, when: None })
 }

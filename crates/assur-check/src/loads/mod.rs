@@ -9,4 +9,5 @@ pub mod mass;
 mod mass_shape;
 mod mass_sum;
 mod pin;
+mod spread;
 pub mod spring;

@@ -113,6 +113,7 @@ fn in_pair(cx: &mut Context<'_>, spring: &Spring, pair: &Name) -> Option<model::
         span: spring.name.span,
         kind,
         pin: None,
+        spread: None,
         when: None,
     })
 }

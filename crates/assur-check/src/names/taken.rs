@@ -153,6 +153,7 @@ fn balance_line(name: &str, balance: &Balance) -> Option<String> {
     let site = match &balance.site {
         Site::Pair(pair) => format!("in {}", pair.node),
         Site::Pin(pin) => format!("at {}", pin.node),
+        Site::Segment { link, from, to } => format!("on {} from {} to {}", link.node, from.node, to.node),
         Site::Link { link, at: None } => format!("on {}", link.node),
         Site::Link { link, at: Some(Place::Point(point)) } => format!("on {} at {}", link.node, point.node),
         Site::Link { link, at: Some(Place::Ground(place)) } => {

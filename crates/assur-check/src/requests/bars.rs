@@ -265,7 +265,7 @@ fn loads(cx: &Context<'_>, link: LinkId, all: &mut Vec<Acting>) -> Result<(), Be
                 return turned("an effort acts in one of its pairs", load.span);
             }
             _ if load.link() != Some(link) || load.pin.is_some() => {}
-            LoadKind::Force { at: Place::Local(at), .. } => {
+            LoadKind::Force { at: Place::Local(at), .. } if load.spread.is_none() => {
                 all.push(Acting { at: *at, what: What::Load(LoadId::at(i)) });
             }
             LoadKind::ForceAgainstMotion { at: Place::Local(at), .. } => {

@@ -112,6 +112,7 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
         Statement::Load(l) => {
             site(&l.site, visit);
             visit(&l.value.value);
+            l.last.iter().for_each(&mut *visit);
             l.when.iter().for_each(visit);
         }
         Statement::Find(f) => f.items.iter().for_each(|item| visit(&item.value)),

@@ -31,8 +31,35 @@ pub struct Load {
     pub kind: LoadKind,
     /// It acts on this pin, which is fixed to its first link: to the link of `kind`.
     pub pin: Option<PairId>,
+    /// A force that is the resultant of a load per length.
+    pub spread: Option<Spread>,
     /// Acts only while this condition is true.
     pub when: Option<Expr>,
+}
+
+/// How a force is spread over a segment of its link: per length it changes linearly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Ends of the segment in the link's frame, m.
+    pub from: Vec2,
+    pub to: Vec2,
+    /// The part of the force per length at the end in the sum of those at both ends.
+    pub share: f64,
+}
+
+impl Spread {
+    /// The place of the resultant, m.
+    #[must_use]
+    pub fn centre(&self) -> Vec2 {
+        self.from + (self.to - self.from) * ((1.0 + self.share) / 3.0)
+    }
+
+    /// The forces per length at both ends that have this resultant.
+    #[must_use]
+    pub fn ends(&self, resultant: Vec2) -> [Vec2; 2] {
+        let mean = resultant * (2.0 / (self.to - self.from).norm());
+        [mean * (1.0 - self.share), mean * self.share]
+    }
 }
 
 /// The load and its point. Expressions are in SI; those that need no results are folded to numbers.

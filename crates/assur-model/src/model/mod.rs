@@ -30,7 +30,7 @@ pub use expr::{
 pub use facts::{About, Answer, Facts, Level};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{CamProfile, Circle, Counterweight, Line, Link, MassPart, MassProperties, MassShape, Point};
-pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring, TorsionSpring};
+pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spread, Spring, TorsionSpring};
 pub use motion::{
     Drive, DriveTarget, Equilibrium, Hint, HintKind, LinkPoint, Mode, ModePart, NamedPose, Positions, Sought,
     SoughtWay,

@@ -6,7 +6,7 @@ use crate::symbol::{arrow, guide, hinge};
 use assur_drawing::{Drawing, Label, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{
-    Axis, BalanceKind, Drive, DriveTarget, LoadId, LoadKind, PairId, PairKind, Query, Value,
+    Axis, BalanceKind, Drive, DriveTarget, LoadId, LoadKind, PairId, PairKind, Query, Spread, Value,
 };
 use std::f64::consts::TAU;
 
@@ -21,6 +21,9 @@ const DRIVE: (f64, f64) = (8.7, 1.1);
 const ANGLE: (f64, f64) = (10.0, 13.0);
 const LETTERS: f64 = 4.2;
 const SMALL: f64 = 3.8;
+/// Length of the longest arrow of a load per length, mm, and the number of gaps between its arrows.
+const PER_LENGTH: f64 = 7.0;
+const SPREAD: u8 = 6;
 /// Arrows from one point are at least as far apart, mm.
 const BESIDE: f64 = 1.9;
 
@@ -158,6 +161,27 @@ impl Sketch<'_, '_> {
         }
     }
 
+    /// Arrows of a load per length along its segment, without names: the resultant has it.
+    fn spread(&self, drawing: &mut Drawing, on: LinkId, spread: &Spread, resultant: Vec2) {
+        let ends = spread.ends(resultant).map(flipped);
+        let longest = ends[0].norm().max(ends[1].norm());
+        for i in 0..=SPREAD {
+            let s = f64::from(i) / f64::from(SPREAD);
+            let per_length = ends[0] * (1.0 - s) + ends[1] * s;
+            let Some(along) = per_length.unit().filter(|_| per_length.norm() > 0.05 * longest) else {
+                continue;
+            };
+            let at = self.on_paper(on, spread.from + (spread.to - spread.from) * s);
+            let from = at + along * self.clear(at, along);
+            arrow::straight(
+                drawing,
+                Style::Force,
+                from,
+                from + along * (PER_LENGTH * per_length.norm() / longest),
+            );
+        }
+    }
+
     /// The slider's point and the direction of the guide on paper.
     fn line_of(&self, pair: &assur_model::model::Pair) -> Option<(Vec2, Vec2)> {
         match &pair.kind {
@@ -191,6 +215,9 @@ impl Sketch<'_, '_> {
                         let (length, force) =
                             (self.arrow(f.norm(), LENGTH), self.with_force(force, f.norm()));
                         named.push(spoken(&name, &force));
+                        if let Some(spread) = &load.spread {
+                            self.spread(drawing, *on, spread, f);
+                        }
                         self.push(drawing, Style::Force, at, along, length, force);
                     }
                 }

@@ -172,6 +172,8 @@ pub enum Site {
     Pair(Name),
     /// `on crank at B`: on one link.
     Link { link: Name, at: Option<Place> },
+    /// `on beam from A to B`: along the line between two points of a link.
+    Segment { link: Name, from: Name, to: Name },
     /// `at B`: on the pin of a revolute pair.
     Pin(Name),
 }
@@ -208,6 +210,8 @@ pub struct Load {
     /// On what it acts.
     pub site: Site,
     pub value: Sensed,
+    /// The value at the end of a segment, where it is another one.
+    pub last: Option<Expr>,
     /// The link its direction turns with; the ground where nothing is said.
     pub frame: Option<Name>,
     /// `against motion`

@@ -152,15 +152,22 @@ impl Lower<'_> {
         let name = parts.name();
         let site = self.site(parts.any()?)?;
         let mut value = self.sensed(parts.any()?)?;
+        let mut last = match parts.take(Rule::last) {
+            Some(last) => Some(self.expr(Parts::of(last).any()?)?),
+            None => None,
+        };
         if let Some(heading) = parts.take(Rule::heading) {
-            let at = value.value.span.to(span(&heading));
-            let kind = ExprKind::Polar(Box::new(value.value), Box::new(heading_angle(heading)?));
-            value.value = Expr { kind, span: at };
+            let (end, angle) = (span(&heading), heading_angle(heading)?);
+            for value in std::iter::once(&mut value.value).chain(&mut last) {
+                let at = value.span.to(end);
+                let kind = ExprKind::Polar(Box::new(value.clone()), Box::new(angle.clone()));
+                *value = Expr { kind, span: at };
+            }
         }
         let frame = parts.take(Rule::frame).and_then(|p| Parts::of(p).name_behind(Rule::w_in));
         let against_motion = parts.take(Rule::against).map(|p| span(&p));
         let when = if parts.word(Rule::w_when) { Some(self.expr(parts.any()?)?) } else { None };
-        Some(Load { kind, name, site, value, frame, against_motion, when })
+        Some(Load { kind, name, site, value, last, frame, against_motion, when })
     }
 
     fn site(&mut self, pair: P<'_>) -> Option<Site> {
@@ -172,6 +179,11 @@ impl Lower<'_> {
             return Some(Site::Pin(parts.name()?));
         }
         let link = parts.name_behind(Rule::w_on)?;
+        if let Some(segment) = parts.take(Rule::segment) {
+            let mut ends = Parts::of(segment);
+            let (from, to) = (ends.name_behind(Rule::w_from)?, ends.name_behind(Rule::w_to)?);
+            return Some(Site::Segment { link, from, to });
+        }
         if !parts.word(Rule::w_at) {
             return Some(Site::Link { link, at: None });
         }

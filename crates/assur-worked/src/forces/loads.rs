@@ -2,7 +2,7 @@
 
 use super::holding::stop_of;
 use super::{Couple, Force, is_load};
-use crate::course::{Derivation, cell};
+use crate::course::{Derivation, cell, joined};
 use crate::document::text;
 use crate::expressions::length;
 use crate::motion::of;
@@ -51,6 +51,9 @@ impl Derivation<'_> {
 
     /// The magnitude of a load: a value of the file, or what an expression of the file comes to at this position.
     pub(super) fn size_of(&mut self, load: &Load, name: Name, size: f64, unit: Unit) -> Expr {
+        if let Some(resultant) = self.resultant(load, &name, size) {
+            return resultant;
+        }
         if matches!(load.value(), model::Expr::Constant(_)) {
             return self.given(name, size, unit);
         }
@@ -64,6 +67,24 @@ impl Derivation<'_> {
             Some(right) => self.equate(name, size, unit, right),
             None => self.stated(name, size, unit),
         }
+    }
+
+    /// The resultant of a load per length, (q1 + q2) l/2 of the values at both ends.
+    fn resultant(&mut self, load: &Load, name: &Name, size: f64) -> Option<Expr> {
+        let (spread, on) = (load.spread?, load.link()?.index());
+        let ends = [spread.from, spread.to].map(|at| self.point_name(on, at));
+        self.say(Message::LoadResultant, &[of(name), vec![text(&*ends[0])], vec![text(&*ends[1])]]);
+        let length = (spread.to - spread.from).norm();
+        let [first, last] = [1.0 - spread.share, spread.share].map(|share| share * size * 2.0 / length);
+        let length = self.given(Name::new("l", &joined(&ends[0], &ends[1])), length, Unit::Length);
+        let sum = if spread.share == 0.5 {
+            self.given(Name::new("q", "0"), first, Unit::Stiffness) * length
+        } else {
+            let [first, last] = [(first, &ends[0]), (last, &ends[1])]
+                .map(|(q, end)| self.given(Name::new("q", end), q, Unit::Stiffness));
+            (first + last) * length / Expr::Int(2)
+        };
+        Some(self.equate(name.clone(), size, Unit::Force, sum))
     }
 
     /// What the file has for a load, in the letters of the steps before.

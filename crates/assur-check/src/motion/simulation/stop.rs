@@ -28,7 +28,14 @@ pub(crate) fn stops(cx: &mut Context<'_>) {
         let Some(stop) = stop(cx, written, item.span) else { continue };
         let value = Expr::Query(Query::StopEffort(cx.builder.mech.stops.len()));
         let kind = LoadKind::InPair { pair: stop.pair, value };
-        cx.builder.mech.loads.push(Load { name: None, span: item.span, kind, pin: None, when: None });
+        cx.builder.mech.loads.push(Load {
+            name: None,
+            span: item.span,
+            kind,
+            pin: None,
+            spread: None,
+            when: None,
+        });
         cx.builder.mech.stops.push(stop);
     }
 }
