@@ -3,7 +3,8 @@
 use super::error::ExpectError;
 use super::undefined::{not_happened, truth, why_undefined, without_cycle};
 use assur_model::model::{
-    At, Comparison, Display, Expect, Expr, Find, FindKind, Occasion, Query, Relation, Tolerance, Value,
+    At, Comparison, Display, DriveId, Expect, Expr, Find, FindKind, Occasion, Query, Relation, Tolerance,
+    Value,
 };
 use assur_solve::message::failure;
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, PoseOrigin, Solution, State, compare};
@@ -162,12 +163,13 @@ impl<'a> Key<'a> {
     fn name(&self, pose: &Pose) -> String {
         let PoseOrigin::Expected(index) = pose.origin else { return pose.name.clone() };
         let mechanism = self.model.mechanism;
-        let list = match &mechanism.expects[index].at {
-            Some(At::Drives(list)) => list,
-            Some(At::Time(_) | At::Occasion(_)) => return self.instant(pose),
-            Some(At::Pose(..)) | None => return pose.name.clone(),
+        let all: Vec<DriveId> = match (&mechanism.expects[index].at, &self.solution.statics.swept) {
+            (Some(At::Drives(list)), _) => list.iter().map(|(id, _)| *id).collect(),
+            (Some(At::Occasion(_)), Some(swept)) => vec![DriveId::at(swept.drive)],
+            (Some(At::Time(_) | At::Occasion(_)), _) => return self.instant(pose),
+            (Some(At::Pose(..)) | None, _) => return pose.name.clone(),
         };
-        let texts = list.iter().map(|(id, _)| {
+        let texts = all.into_iter().map(|id| {
             let drive = &mechanism.drives[id.index()];
             let display = mechanism.drive_display(drive.target);
             let value = pose.drives.get(id.index()).and_then(DriveValue::value);

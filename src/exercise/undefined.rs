@@ -1,7 +1,7 @@
 //! Why a value does not exist.
 
 use assur_model::model::{Bound, Expr, Query, Value};
-use assur_solve::answer::Swept;
+use assur_solve::answer::{Nearest, Swept};
 use assur_solve::message::undefined;
 use assur_solve::solve::{Model, PoseAnswers, Solution, compare};
 use assur_text::units::Dimension;
@@ -129,15 +129,26 @@ fn drive_value(model: &Model<'_>, swept: &Swept, value: f64) -> String {
 
 /// How near an event comes to happening.
 fn nearest(model: &Model<'_>, swept: &Swept, event: usize) -> String {
-    let (least, at) = swept.nearest[event];
-    let place = drive_value(model, swept, at);
-    match model.mechanism.events[event].dimension {
-        _ if !least.is_finite() => ": its condition has no value there".to_owned(),
-        Some([length, mass, time]) => {
+    let place = |at: f64| drive_value(model, swept, at);
+    let event_asked = &model.mechanism.events[event];
+    match (swept.nearest[event], event_asked.dimension) {
+        (Nearest::Later(at), _) => format!(": it would happen at {}, after the end of the sweep", place(at)),
+        (Nearest::Reached(at), _) if at == swept.from => {
+            format!(": what holds at {}, where the sweep begins, does not count", place(at))
+        }
+        (Nearest::Reached(at), _) if event_asked.rising.is_some() => {
+            format!(": its value is reached at {}, but not passed in this direction", place(at))
+        }
+        (Nearest::Reached(at), _) => format!(": its value is reached at {}, but not passed", place(at)),
+        (Nearest::Missing(least, _), _) if !least.is_finite() => {
+            ": its condition has no value there".to_owned()
+        }
+        (Nearest::Missing(least, at), Some([length, mass, time])) if [length, mass, time] != [0; 3] => {
             let dimension = Dimension { length, mass, time, ..Dimension::NUMBER };
             let least = model.mechanism.display_of(dimension).text(Value::Scalar(least), DIGITS);
-            format!(": it comes nearest at {place}, where {least} are missing")
+            format!(": it comes nearest at {}, where {least} are missing", place(at))
         }
-        None => format!(": it comes nearest at {place}"),
+        // of an angle or a plain number, as of what has no one unit, the place alone is clear
+        (Nearest::Missing(_, at), _) => format!(": it comes nearest at {}", place(at)),
     }
 }

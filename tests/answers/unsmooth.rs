@@ -215,3 +215,65 @@ prismatic G: m.P - ground.way\nspring s: ground.O - m.P {{ stiffness {k} N/m; fr
         }
     }
 }
+
+/// The mean of |x − c| up to an instant, for x = k sin(w t + p), between the places where it is c.
+fn mean_apart((k, w, p): (f64, f64, f64), c: f64, end: f64) -> f64 {
+    let integral = |t: f64| -k / w * (w * t + p).cos() - c * t;
+    let first = (c / k).asin();
+    let phases = (-9..9).flat_map(|i| {
+        let turn = 2.0 * std::f64::consts::PI * f64::from(i);
+        [first + turn, std::f64::consts::PI - first + turn]
+    });
+    let mut at = phases.map(|phase| (phase - p) / w).filter(|t| 0.0 < *t && *t < end).collect::<Vec<_>>();
+    at.extend([0.0, end]);
+    at.sort_by(f64::total_cmp);
+    at.windows(2).map(|pair| (integral(pair[1]) - integral(pair[0])).abs()).sum::<f64>() / end
+}
+
+/// Means over a driven motion of what has corners, at random places of its steps.
+#[test]
+fn means_are_divided_at_corners() {
+    let values = (0.5_f64..4.0, -0.9_f64..0.9, -0.9_f64..0.9, 0.5_f64..8.0);
+    let config = Config { failure_persistence: None, ..Config::with_cases(crate::share::part(40)) };
+    TestRunner::new_with_rng(
+        config,
+        proptest::test_runner::TestRng::deterministic_rng(proptest::test_runner::RngAlgorithm::ChaCha),
+    )
+    .run(&values, |(w, x, v, end)| {
+        let speed = 0.2 * w;
+        let (x, v) = (0.2 * x, speed * v);
+        let text = format!(
+            "curve f linear {{\n  x [m], y [m]\n  -1, {:?}\n  {x:?}, 0\n  1, {:?}\n}}\n\
+             ground {{ O (0, 0); line path through O along 30 deg }}\nlink b {{ B (0, 0) }}\n\
+             prismatic P: b.B - ground.path\ndrive P = 0.2 m*sin({w:?} rad/s*time)\nsimulate {end:?} s in 3 steps\n\
+             let slow = {v:?} m/s\nlet u = relative_velocity(P)\n\
+             expect mean(abs(u)) = {:?} m/s within 1e-12 m/s\nexpect mean(mag(velocity(B))) = {:?} m/s within 1e-12 m/s\n\
+             expect 2*mean(max(u, slow)) - mean(u) - slow = {:?} m/s within 1e-12 m/s\n\
+             expect mean(u) + slow - 2*mean(min(u, slow)) = {:?} m/s within 1e-12 m/s\n\
+             expect mean(f(displacement(P))) = {:?} m within 1e-12 m\n",
+            1.0 + x,
+            1.0 - x,
+            mean_apart((speed, w, std::f64::consts::FRAC_PI_2), 0.0, end),
+            mean_apart((speed, w, std::f64::consts::FRAC_PI_2), 0.0, end),
+            mean_apart((speed, w, std::f64::consts::FRAC_PI_2), v, end),
+            mean_apart((speed, w, std::f64::consts::FRAC_PI_2), v, end),
+            mean_apart((0.2, w, 0.0), x, end),
+        );
+        let (_, words) = tested(&text);
+        assert!(words.is_empty(), "{words}\n{text}");
+        Ok(())
+    })
+    .unwrap();
+}
+
+/// The same of a motion under loads: thrown upwards, a mass is slow at one instant.
+#[test]
+fn means_of_a_free_motion_are_divided_at_corners() {
+    let text = "gravity 9.81 m/s^2\nground { O (0, 0); line path through O along 90 deg }\n\
+        link b { B (0, 0); mass 2 kg at B }\nprismatic P: b.B - ground.path\nstart P = 0 m at 5 m/s\nsimulate 1.3 s\n";
+    let (g, v, end) = (9.81, 5.0, 1.3);
+    let path: f64 = v * v / g - (v * end - g * end * end / 2.0);
+    let (_, words) =
+        tested(&format!("{text}expect mean(mag(velocity(B))) = {:?} m/s within 1e-11", path / end));
+    assert!(words.is_empty(), "{words}");
+}

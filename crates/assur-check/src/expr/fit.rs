@@ -74,7 +74,8 @@ impl Context<'_> {
             return false;
         }
         let help = self
-            .column_without_unit(want, found, expr)
+            .by_time(want, expr)
+            .or_else(|| self.column_without_unit(want, found, expr))
             .or_else(|| self.in_its_place(want, found, &what, expr));
         self.error(unit_mismatch(&what, &phrase(want), &phrase(found), span, help));
         false
@@ -128,6 +129,9 @@ impl Context<'_> {
             };
         };
         let (x, y) = (x.known(), y.known());
+        if let Some(help) = self.by_time(x, right).or_else(|| self.by_time(y, left)) {
+            return Some(help);
+        }
         let bare = |d: Dimension, expr: &Expr, other: Dimension| {
             let units = self.likely_units(other, expr);
             if d == Dimension::NUMBER { with_unit(expr, units.last()?) } else { None }

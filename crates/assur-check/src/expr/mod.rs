@@ -1,5 +1,6 @@
 //! Expressions: names resolved, dimensions checked, constants folded.
 
+pub mod by_time;
 pub mod context;
 pub mod curve;
 pub mod factor;

@@ -57,6 +57,17 @@ impl Context<'_> {
         Some(format!("ask for one point each, as in `{calls}`"))
     }
 
+    /// The time of a motion by another name; of a file that has none, what makes it one.
+    fn time_by_other_name(&self, name: &Name) -> Option<Help> {
+        let line = "the line `simulate 2 s in 20 steps`";
+        match name.node.as_str() {
+            "t" | "T" if self.names.simulates => Some(Help::write(name.span, &["time".to_owned()])),
+            "t" => Some(format!("{}; the time of a motion is `time`, with {line}", unit_apart("t")?).into()),
+            "time" => Some(format!("a motion has a `time`: add {line}").into()),
+            _ => None,
+        }
+    }
+
     /// Reports a name that stands for no quantity.
     pub(crate) fn no_quantity(&mut self, name: &Name) {
         self.names.note_thing(name);
@@ -91,7 +102,9 @@ impl Context<'_> {
                 [] => beside_a_list(&help, name),
                 _ => help,
             });
-            let help = pi().or_else(|| unit().or_else(effort).or_else(results).map(Help::from));
+            let time = || if alone { self.time_by_other_name(name) } else { None };
+            let help = pi().or_else(time);
+            let help = help.or_else(|| unit().or_else(effort).or_else(results).map(Help::from));
             let alone = || self.function_alone(&name.node, name.span).map(Help::from);
             let help = help.or_else(alone).or(listed);
             let (name, span) = (name.node.clone(), name.span);

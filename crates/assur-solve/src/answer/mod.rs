@@ -53,4 +53,4 @@ pub(crate) use sizes::{LEAST_CONDITION, OF_FORCES, OF_MOTION, ROUNDING, is_zero}
 pub use switch::Switch;
 pub(crate) use switch::{Side, side_of, switches};
 pub use undefined::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
-pub use whole_cycle::{Extremes, Swept, WholeCycle};
+pub use whole_cycle::{Extremes, Nearest, Swept, WholeCycle};

@@ -42,8 +42,19 @@ pub struct Swept {
     pub to: f64,
     /// Its speed, rad/s or m/s, where it is constant.
     pub speed: Option<f64>,
-    /// How near every event comes to happening: the least magnitude of its number, SI, and the value of the drive there.
-    pub nearest: Vec<(f64, f64)>,
+    /// How near every event comes to happening.
+    pub nearest: Vec<Nearest>,
+}
+
+/// How near an event comes to happening in a sweep, with the value of the drive there, rad or m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Nearest {
+    /// It would happen after the end that `until` makes.
+    Later(f64),
+    /// Its value is reached where that does not count.
+    Reached(f64),
+    /// The least magnitude of its number, SI; infinite where it has no value.
+    Missing(f64, f64),
 }
 
 /// Extremes of one coordinate over a turn.

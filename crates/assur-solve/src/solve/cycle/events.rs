@@ -7,7 +7,7 @@ use super::interval::Interval;
 use super::sampler::{Sample, Sampler};
 use super::switches::APART;
 use super::within_curves;
-use crate::answer::{ROUNDING, Swept, WholeCycle, constant};
+use crate::answer::{Nearest, ROUNDING, Swept, WholeCycle, constant};
 use crate::math::ode::event::crossings;
 use crate::model::{Event, Expr, Value};
 use crate::position::{DriveValue, Model};
@@ -28,12 +28,11 @@ pub(crate) fn events(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     let interval = Interval::of(model, statics, sweep).map_err(Cause::NoSweep)?;
     let mut sampler = Sampler::new(model, statics, &interval)?;
     let mut places = Vec::new();
-    let mut nearest = Vec::new();
+    let mut seen = Vec::new();
     for event in &mechanism.events {
-        let mut search =
-            Search { statics, sampler: &mut sampler, expr: &event.value, nearest: (f64::INFINITY, 0.0) };
+        let mut search = Search { statics, sampler: &mut sampler, expr: &event.value, seen: Vec::new() };
         places.push(search.places(event));
-        nearest.push(search.nearest);
+        seen.push(search.seen);
     }
     within_curves(&sampler)?;
     let steps = sweep.steps(drive);
@@ -44,7 +43,6 @@ pub(crate) fn events(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     places.iter_mut().flatten().for_each(|s| *s = own(s));
     let ends = places.iter().zip(&mechanism.events).filter(|(_, event)| event.ends);
     let end = ends.flat_map(|(places, _)| places).copied().fold(1.0, f64::min);
-    places.iter_mut().for_each(|places| places.retain(|s| *s <= end));
     let value = |s: f64| match interval.values(s).nth(drive) {
         Some(DriveValue::Scalar(value)) => value,
         _ => f64::NAN,
@@ -55,7 +53,8 @@ pub(crate) fn events(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
         Value::Scalar(speed) => Some(speed),
         _ => None,
     });
-    let nearest = nearest.into_iter().map(|(least, s)| (least, value(s))).collect();
+    let nearest = places.iter().zip(&seen).map(|(places, seen)| nearest(places, seen, end, value)).collect();
+    places.iter_mut().for_each(|places| places.retain(|s| *s <= end));
     let swept = Swept { drive, from: value(0.0), to: value(end), speed, nearest };
     statics.events = places.into_iter().map(|all| all.into_iter().map(value).collect()).collect();
     statics.swept = Some(swept);
@@ -71,6 +70,16 @@ pub(crate) fn never_ended(model: &Model<'_>, statics: &WholeCycle) -> Vec<Note> 
     ends.into_iter().filter(|_| open).map(|event| Note::NeverEnded { event, at: swept.to }).collect()
 }
 
+/// How near an event comes, from where it happens and what was seen of its number.
+fn nearest(places: &[f64], seen: &[(f64, f64)], end: f64, value: impl Fn(f64) -> f64) -> Nearest {
+    if let Some(later) = places.iter().copied().filter(|s| *s > end).min_by(f64::total_cmp) {
+        return Nearest::Later(value(later));
+    }
+    let before = seen.iter().copied().filter(|(_, s)| *s <= end);
+    let (least, s) = before.fold((f64::INFINITY, 0.0), |a, b| if b.0 < a.0 { b } else { a });
+    if least == 0.0 { Nearest::Reached(value(s)) } else { Nearest::Missing(least, value(s)) }
+}
+
 /// A part of the sweep on which a number has one sign, or stays zero: where it begins.
 type Part = (f64, i8);
 
@@ -78,8 +87,8 @@ struct Search<'f, 'a> {
     statics: &'f WholeCycle,
     sampler: &'f mut Sampler<'a>,
     expr: &'f Expr,
-    /// The least magnitude, and where.
-    nearest: (f64, f64),
+    /// Magnitudes, and where.
+    seen: Vec<(f64, f64)>,
 }
 
 impl Search<'_, '_> {
@@ -175,9 +184,8 @@ impl Search<'_, '_> {
         let Ok(Sample { value, size }) = self.sampler.sample(self.statics, s, self.expr) else {
             return f64::NAN;
         };
-        if value.abs() < self.nearest.0 {
-            self.nearest = (value.abs(), s);
-        }
+        let is_zero = value.abs() <= ROUNDING * size;
+        self.seen.push((if is_zero { 0.0 } else { value.abs() }, s));
         if value.abs() <= zero * size { 0.0 } else { value }
     }
 }

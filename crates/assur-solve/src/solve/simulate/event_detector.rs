@@ -3,6 +3,7 @@
 use super::depends::{Kept, comes_again, is_deep, is_kept, is_linkage};
 use super::equations::Equations;
 use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
+use super::kinks::Kinks;
 use super::options::Drawn;
 use super::records::within_step;
 use crate::answer::{OF_FORCES, OF_MOTION};
@@ -34,6 +35,7 @@ const MOST_TRIES: usize = 4;
 pub(super) struct EventDetector<'m> {
     events: &'m [Event],
     pub(super) functions: Vec<Function<'m>>,
+    pub(super) kinks: Kinks,
     /// An event depends on accelerations or forces.
     deep: bool,
     pub(super) deep_functions: bool,
@@ -98,6 +100,7 @@ impl<'m> EventDetector<'m> {
         Self {
             events: &mechanism.events,
             functions,
+            kinks: Kinks::of(mechanism, &mechanism.cycles, deep_functions, equations.start()),
             deep,
             deep_functions,
             comes_again,

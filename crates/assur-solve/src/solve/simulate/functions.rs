@@ -207,11 +207,17 @@ impl EventDetector<'_> {
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) {
-        if self.functions.is_empty() {
+        if self.functions.is_empty() || self.bare {
             return;
         }
         let mut memory = std::mem::take(&mut self.memory);
-        memory.parts.push((method.previous_t(), method.t(), HALVED + self.finer));
+        self.kinks.find(equations, method);
+        // the first part is the last one in
+        let mut to = method.t();
+        for from in self.kinks.found.iter().rev().copied().chain([method.previous_t()]) {
+            memory.parts.push((from, to, HALVED + self.finer));
+            to = from;
+        }
         while let Some((from, to, left)) = memory.parts.pop() {
             let known = self.functions_between(equations, method, ((from, to), left == 0), &mut memory);
             if !known {
@@ -277,8 +283,7 @@ impl EventDetector<'_> {
         };
         let Memory { asked, sets, set_of, values, .. } = memory;
         asked.clear();
-        let looked_at =
-            |f: &usize| !self.bare && self.functions[*f].lost.is_none() && counts(&self.functions[*f]);
+        let looked_at = |f: &usize| self.functions[*f].lost.is_none() && counts(&self.functions[*f]);
         asked.extend((0..self.functions.len()).filter(looked_at));
         // several functions may be of one expression
         sets.clear();

@@ -26,6 +26,7 @@ mod functions;
 mod held_efforts;
 mod impact;
 mod integration;
+mod kinks;
 mod loads;
 mod meeting;
 mod multi_crossing;
