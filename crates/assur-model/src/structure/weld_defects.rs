@@ -4,7 +4,7 @@ use super::joint::{BodyId, Replaced};
 use super::leave_out::statement;
 use super::roller::{MOST_LABELS, label, names};
 use super::weld::{Welds, is_law, spoken_of, weld};
-use crate::model::{Drive, DriveTarget, LinkId, Mechanism, PairId, PairKind};
+use crate::model::{Drive, DriveTarget, LinkId, Mechanism, PairId, PairKind, Pin};
 use assur_text::diagnostic::Diagnosis;
 
 /// What welds cannot be: rings, pairs within one body, links that laws speak of, points that are driven.
@@ -71,13 +71,54 @@ fn inside(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) -> Diagnosis
     let twice = twice.unwrap_or([links[0]; 2]);
     let welds = welds_of(mechanism, replaced, twice[0]);
     let rigid = welds.iter().map(|weld| label("makes them one body", mechanism.pair(*weld).span));
+    let degree = degree(mechanism, replaced, twice[0]);
+    let hinged = if degree == 1 { hinge(mechanism, pair, &welds) } else { None };
+    let hinged = hinged.map(|(line, weld)| format!(", or write `{line}` in place of {weld}"));
+    let fixed = if twice.contains(&LinkId::GROUND) { "supports" } else { "joints" };
     Diagnosis::error(
         "mech::determinacy::overconstrained",
-        format!("{what} joins {}, which are one body", names(mechanism, twice.into_iter())),
+        format!(
+            "{what} joins {}, which are one body: the forces in their {fixed} are statically indeterminate by {degree}",
+            names(mechanism, twice.into_iter())
+        ),
     )
     .primary(mechanism.pair(pair).span, "nothing can move here")
     .labels(rigid.take(MOST_LABELS))
-    .help(format!("leave out {what}: welds hold these links together already"))
+    .help(format!("leave out {what}{}", hinged.unwrap_or_default()))
+}
+
+/// How many conditions hold the links of a body beyond those of the welds that make it one.
+fn degree(mechanism: &Mechanism, replaced: &Replaced, link: LinkId) -> usize {
+    let body = replaced.body_of(link);
+    let more = |kind: &PairKind| {
+        let same = kind.links().iter().filter(|link| replaced.body_of(**link) == body).count();
+        let each = match kind {
+            PairKind::Revolute(_) | PairKind::Prismatic(_) => 2,
+            PairKind::Slot(_) | PairKind::Contact { .. } | PairKind::Transmission(_) => 1,
+            PairKind::Weld { .. } | PairKind::Cylinder { .. } => 0,
+        };
+        each * same.saturating_sub(1)
+    };
+    let closing = Welds::of(mechanism).closing.into_iter().map(|pair| mechanism.pair(pair).kind.links());
+    let rings = closing.filter(|links| links.iter().any(|link| replaced.body_of(*link) == body)).count();
+    3 * rings + mechanism.pairs.iter().map(|pair| more(&pair.kind)).sum::<usize>()
+}
+
+/// The one weld of a body of two links as a hinge, which takes one condition less, where a slot away from it holds them too.
+fn hinge(mechanism: &Mechanism, slot: PairId, welds: &[PairId]) -> Option<(String, String)> {
+    let ([weld], PairKind::Slot(guide)) = (welds, &mechanism.pair(slot).kind) else { return None };
+    let pair = mechanism.pair(*weld);
+    let PairKind::Weld { pins, .. } = &pair.kind else { return None };
+    let [first, second] = pins.as_slice() else { return None };
+    if pins.iter().any(|pin| pin.link == guide.slider && pin.at == guide.point) {
+        return None;
+    }
+    let end = |pin: &Pin| {
+        let link = &mechanism.link(pin.link).name;
+        if pin.name == pair.name { link.clone() } else { format!("{link}.{}", pin.name) }
+    };
+    let line = format!("revolute {}: {} - {}", pair.name, end(first), end(second));
+    Some((line, statement(mechanism, *weld)))
 }
 
 fn of_law(mechanism: &Mechanism, pair: PairId, link: LinkId) -> Diagnosis {
