@@ -163,3 +163,33 @@ fn a_wheel_between_two_racks_takes_their_mean() {
         close(of("G"), 0.5 * of_axis + of_turn / (2.0 * r), 1e-10, &text);
     }
 }
+
+/// A rack that rolls on a wheel of the ground: its points run on involutes of the wheel.
+#[test]
+fn a_rack_rolls_on_a_wheel_of_the_ground() {
+    let mut random = Random::new(29);
+    for _ in 0..20 {
+        let (r, phi, omega) = (random.within(0.05, 0.3), random.within(-2.0, 2.0), random.within(0.5, 4.0));
+        let (place, force) = (random.within(0.1, 0.5), random.within(10.0, 100.0));
+        let text = format!(
+            "ground {{ O (0, 0); wheel w radius {r} m at O }}\nlink arm {{ O (0, 0); Q (0, {} m); line way through Q along 0 deg }}\n\
+             link bar {{ A (0, 0); B ({place} m, 0); line teeth through A along 0 deg }}\nrevolute O: ground - arm\n\
+             prismatic P: bar.A - arm.way\nrack k: w - bar.teeth\ndrive arm = {phi} rad at {omega} rad/s\n\
+             force F on bar at B = {force} N down\nbalance torque M on arm\nfind position(bar.A), velocity(bar.A), omega(bar), M\n",
+            -r
+        );
+        let found = answers(&text);
+        let Some(found) = &found[0] else { panic!("{text}") };
+        let (sin, cos) = (libm::sin(phi), libm::cos(phi));
+        // from the place of contact, r (sin, -cos), back along the rack
+        let wanted = [r * (sin - phi * cos), -r * (cos + phi * sin)];
+        let rate = [r * omega * phi * sin, -r * omega * phi * cos];
+        for axis in 0..2 {
+            close(found["position(bar.A)"][axis], wanted[axis], 1e-10, &text);
+            close(found["velocity(bar.A)"][axis], rate[axis], 1e-10, &text);
+        }
+        close(found["omega(bar)"][0], omega, 1e-12, &text);
+        // it turns about the place of contact
+        close(found["M"][0], force * (place - r * phi) * cos, 1e-9, &text);
+    }
+}

@@ -52,7 +52,7 @@ fn near(a: assur_math::math::Vec2, b: assur_math::math::Vec2) -> bool {
 }
 
 /// Whether a link turns about the axis of a wheel: on one of those that the wheel turns on, at the same place.
-fn turns_about(cx: &Context<'_>, link: LinkId, wheel: &Wheel, mates: &[LinkId]) -> bool {
+pub(super) fn turns_about(cx: &Context<'_>, link: LinkId, wheel: &Wheel, mates: &[LinkId]) -> bool {
     if link == LinkId::GROUND {
         return false;
     }

@@ -10,6 +10,7 @@ pub mod grip;
 pub mod losses;
 pub mod planet;
 pub mod rack;
+pub mod rack_distance;
 pub mod rope;
 pub mod shaft;
 pub mod size;

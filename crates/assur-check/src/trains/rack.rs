@@ -10,8 +10,9 @@ use crate::expr::context::Context;
 use crate::names::declared::ThingKind;
 use crate::pairs::transmission::known;
 use crate::trains::{
-    carrier::mates,
+    carrier::{centre_on, mates, turns_about},
     ends::{Runs, incomplete, two, wheel},
+    rack_distance::{Placed, distance},
 };
 use assur_math::math::{SAME, Vec2};
 use assur_model::model::{Bearing, Law, LinkId, PairId, PairKind, Rate, Wheel};
@@ -20,16 +21,20 @@ use assur_text::source::Span;
 
 /// A link that slides along a line of another.
 #[derive(Clone, Copy)]
-struct Sliding {
+pub(super) struct Sliding {
     pair: PairId,
+    link: LinkId,
     base: LinkId,
     /// The direction in which it slides, in its own frame and in that of the base.
-    own: Vec2,
-    on_base: Vec2,
+    pub own: Vec2,
+    pub on_base: Vec2,
+    /// A point of a line of that direction, in both frames.
+    pub own_point: Vec2,
+    pub base_point: Vec2,
     /// Its velocity from the base in that direction is this times the rate of the pair.
     sense: f64,
     /// No direction is given: that of a `slider`.
-    open: bool,
+    pub open: bool,
 }
 
 /// How the wheel meets the rack.
@@ -44,13 +49,14 @@ fn slides(cx: &Context<'_>, link: LinkId) -> Vec<Sliding> {
     let all = pairs.filter_map(|(i, p)| {
         let PairKind::Prismatic(g) = &p.kind else { return None };
         let (pair, open) = (PairId::at(i), p.bearing == Some(Bearing::Open));
-        if g.slider == link {
-            Some(Sliding { pair, base: g.guide, own: g.direction, on_base: g.along, sense: 1.0, open })
-        } else if g.guide == link {
-            Some(Sliding { pair, base: g.slider, own: g.along, on_base: g.direction, sense: -1.0, open })
-        } else {
-            None
-        }
+        let (slider, guide) = ((g.slider, g.direction, g.point), (g.guide, g.along, g.through));
+        let (own, base, sense) = match link {
+            _ if g.slider == link => (slider, guide, 1.0),
+            _ if g.guide == link => (guide, slider, -1.0),
+            _ => return None,
+        };
+        let ((_, own, own_point), (base, on_base, base_point)) = (own, base);
+        Some(Sliding { pair, link, base, own, on_base, own_point, base_point, sense, open })
     });
     all.collect()
 }
@@ -72,7 +78,7 @@ pub(crate) fn rack(cx: &mut Context<'_>, joint: &Joint, loses: Option<Span>) -> 
     let own = line.as_ref().map(|l| l.along);
     let mut turned = 1.0;
     if let (Some(rack), Some(own)) = (rack, own) {
-        let name = line.map(|l| l.name).unwrap_or_default();
+        let name = line.as_ref().map(|l| l.name.as_str()).unwrap_or_default();
         turned = along(rack.own, own, rack.open).or_else(|| {
             let message = format!("the line `{name}` is not parallel to the guide of its link");
             incomplete(
@@ -102,6 +108,11 @@ pub(crate) fn rack(cx: &mut Context<'_>, joint: &Joint, loses: Option<Span>) -> 
         };
         terms.push((Rate::Slide(axis.pair), sense * axis.sense));
     }
+    if let (Some(line), Some(teeth)) = (&line, teeth)
+        && let Some(at) = centre_on(cx, &wheel, axis.map_or(base, |axis| axis.link))
+    {
+        distance(cx, (&wheel, Placed { at, on: axis }), (line, rack), teeth, joint.name.span)?;
+    }
     if base != LinkId::GROUND {
         terms.push((Rate::Turn(base), -wheel.radius));
     }
@@ -125,7 +136,8 @@ fn meets(cx: &mut Context<'_>, wheel: &Wheel, rack: LinkId, bar: &Path, at: &Pat
     let axes = mates(cx, wheel);
     let guided = slides(cx, rack);
     // the wheel turns on what guides the rack
-    if let Some(&rack) = guided.iter().find(|rack| axes.contains(&rack.base)) {
+    let turns_on = |base: LinkId| axes.contains(&base) || turns_about(cx, base, wheel, &axes);
+    if let Some(&rack) = guided.iter().find(|rack| turns_on(rack.base)) {
         return Some(Meets { base: rack.base, rack: Some(rack), axis: None });
     }
     // on the rack's own link rolls the wheel of a carriage
