@@ -12,10 +12,10 @@ struct Truss {
 }
 
 /// A triangle, and pins on two bars each.
-fn truss(state: &mut u64) -> Truss {
+fn truss(state: &mut u64, more: f64) -> Truss {
     let mut pins = vec![[0.0, 0.0], [within(state, 2.0, 4.0), 0.0]];
     let mut bars = vec![[0, 1]];
-    let count = 3 + (random(state) * 4.0) as usize;
+    let count = 3 + (random(state) * more) as usize;
     while pins.len() < count {
         let (i, j) =
             ((random(state) * pins.len() as f64) as usize, (random(state) * pins.len() as f64) as usize);
@@ -33,8 +33,8 @@ fn truss(state: &mut u64) -> Truss {
     Truss { pins, bars, loads }
 }
 
-/// The file, with the links of each pin in a random order.
-fn file(truss: &Truss, state: &mut u64) -> String {
+/// The file, with the links of each pin in a random order; by lengths and places, or by the coordinates of all pins.
+fn file(truss: &Truss, by_coordinates: bool, state: &mut u64) -> String {
     let names = |i: usize| char::from(b'A' + i as u8);
     let [x, y] = truss.pins[1];
     let mut text = format!("ground {{ A (0, 0); B ({x} m, {y} m); line floor through A along 0 deg }}\n");
@@ -42,7 +42,12 @@ fn file(truss: &Truss, state: &mut u64) -> String {
     ends[0].push("ground".to_owned());
     for (i, &[a, b]) in truss.bars.iter().enumerate() {
         let length = libm::hypot(truss.pins[b][0] - truss.pins[a][0], truss.pins[b][1] - truss.pins[a][1]);
-        let _ = writeln!(text, "link b{i} {}-{} {length} m", names(a), names(b));
+        let _ = if by_coordinates {
+            let point = |k: usize| format!("{} ({} m, {} m)", names(k), truss.pins[k][0], truss.pins[k][1]);
+            writeln!(text, "link b{i} {{ {}; {} }}", point(a), point(b))
+        } else {
+            writeln!(text, "link b{i} {}-{} {length} m", names(a), names(b))
+        };
         ends[a].push(format!("b{i}"));
         ends[b].push(format!("b{i}"));
     }
@@ -54,7 +59,9 @@ fn file(truss: &Truss, state: &mut u64) -> String {
     text += "slot K: b0.B - ground.floor\n";
     let near =
         truss.pins.iter().enumerate().skip(1).map(|(i, [x, y])| format!("{} near ({x} m, {y} m)", names(i)));
-    let _ = writeln!(text, "assemble {}", near.collect::<Vec<_>>().join(", "));
+    if !by_coordinates {
+        let _ = writeln!(text, "assemble {}", near.collect::<Vec<_>>().join(", "));
+    }
     for (i, [x, y]) in truss.loads.iter().enumerate() {
         let _ = writeln!(text, "force F{i} at {} = ({x} N, {y} N)", names(i));
     }
@@ -97,12 +104,28 @@ fn near(found: f64, wanted: f64, scale: f64, text: &str) {
     assert!((found - wanted).abs() <= 1e-9 * scale.max(1.0), "{found} is not {wanted}\n{text}");
 }
 
+/// Groups are placed as they are written, however many there are.
+#[test]
+fn trusses_by_coordinates_need_no_assemble() {
+    let mut state = 17;
+    for _ in 0..60 {
+        let truss = truss(&mut state, 12.0);
+        let text = file(&truss, true, &mut state);
+        let wanted = joints(&truss);
+        let scale = wanted.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let names: Vec<String> = (0..truss.bars.len()).map(|i| format!("axial(b{i})")).collect();
+        for (found, wanted) in values(&text, &names).into_iter().zip(&wanted) {
+            near(found, *wanted, scale, &text);
+        }
+    }
+}
+
 #[test]
 fn trusses_come_out_as_by_the_equilibrium_of_their_pins() {
     let mut state = 11;
     for _ in 0..250 {
-        let truss = truss(&mut state);
-        let text = file(&truss, &mut state);
+        let truss = truss(&mut state, 4.0);
+        let text = file(&truss, false, &mut state);
         let wanted = joints(&truss);
         let scale = wanted.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let mut names: Vec<String> = (0..truss.bars.len()).map(|i| format!("axial(b{i})")).collect();

@@ -73,6 +73,14 @@ impl Assembly {
         bodies.all(|(x, y)| is_same(x, y, || extent))
     }
 
+    /// Whether the frames of all links are that of the ground: the points of a truss may be written so.
+    fn is_as_written(&self, extent: f64) -> bool {
+        let at_origin = |body: &BodyState| {
+            (body.u - Vec2::new(1.0, 0.0)).norm() <= SAME && body.p.norm() <= SAME * extent
+        };
+        self.bodies.iter().all(at_origin)
+    }
+
     /// Whether the group of a state stands this way, with an extent that is asked for only where it decides.
     pub(super) fn is_here(
         &self,
@@ -308,6 +316,12 @@ fn choose(
             return Err(not_met(model, *hint, &states(&other), index));
         }
         ways = fit;
+    }
+    if hints.is_empty() && model.mechanism.drives.is_empty() {
+        let extent = extent(model);
+        if ways.iter().any(|(_, assembly)| assembly.is_as_written(extent)) {
+            ways.retain(|(_, assembly)| assembly.is_as_written(extent));
+        }
     }
     let mut next = match (candidates.as_mut_slice(), ways.as_slice()) {
         // the common case copies nothing
