@@ -50,7 +50,7 @@ fn the_tour_shows_its_files_and_what_the_program_prints() {
             wrong.extend(not_printed(text, &printed).map(|line| format!("section {number}: {line}")));
         }
     }
-    assert_eq!(files, 10, "the sections are found");
+    assert_eq!(files, 13, "the sections are found");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
