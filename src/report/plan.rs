@@ -171,6 +171,9 @@ fn load_on(model: &Model<'_>, index: usize, how: &str) -> (String, String) {
             format!("force{name} on {}", model.mechanism.link(*on).name)
         }
         LoadKind::Torque { on, .. } => format!("torque{name} on {}", model.mechanism.link(*on).name),
+        LoadKind::InPair { pair, against_motion: true, .. } => {
+            format!("torque of {}", model.mechanism.pair(*pair).name)
+        }
         LoadKind::InPair { pair, .. } => format!("effort{name} in {}", model.mechanism.pair(*pair).name),
     };
     (what, how.to_owned())

@@ -119,3 +119,45 @@ fn an_event_at_a_corner_happens_once() {
         }
     }
 }
+
+#[test]
+fn clutches_that_share_what_one_could_hold_have_no_torque_of_their_own() {
+    let text = "shaft one { inertia 2 kg*m^2 }
+shaft two { inertia 5 kg*m^2 }
+clutch k: one - two { capacity 40 N*m; slipping }
+clutch l: two - one { capacity 20 N*m; slipping }
+torque L on one = 10 N*m
+start one at 100 rpm
+start two at 0 rpm
+simulate 4 s in 2 steps
+find K = moment(k, two), L_2 = moment(l, two), w = omega(one) as rad/s
+";
+    let solution = assur::solve(text).unwrap();
+    let [first, .., last] = solution.poses() else { panic!("few instants") };
+    assert_eq!((first["K"].number(), first["L_2"].number()), (Some(40.0), Some(20.0)));
+    for name in ["K", "L_2"] {
+        assert!(last[name].number().is_none_or(f64::is_nan), "{name} {:?}", last[name].number());
+    }
+    // all of the momentum: 2 kg m² at 100 rpm and 10 N m for 4 s
+    let w = (2.0 * 100.0 * std::f64::consts::PI / 30.0 + 40.0) / 7.0;
+    assert!((last["w"].number().unwrap() - w).abs() < 1e-9 * w);
+}
+
+#[test]
+fn loads_that_change_places_are_never_both_there() {
+    // the brake could not hold both
+    let text = "shaft one
+shaft two { inertia 0.5 kg*m^2 }
+brake B on two { capacity 60 N*m }
+torque on two = -37 N*m when time < 1.5 s
+torque on two = -47 N*m when time >= 1.5 s
+drive one at 47 rad/s
+start two at 0 rad/s
+simulate 3 s in 2 steps
+find B, w = omega(two)
+";
+    let solution = assur::solve(text).unwrap();
+    let torques = solution.poses().iter().map(|pose| pose["B"].number().unwrap());
+    assert_eq!(torques.collect::<Vec<_>>(), [37.0, 37.0, 47.0]);
+    assert!(solution.poses().iter().all(|pose| pose["w"].number() == Some(0.0)));
+}

@@ -22,6 +22,7 @@ mod rolling;
 mod rubbing_wheels;
 #[path = "../share/mod.rs"]
 mod share;
+mod slipping;
 mod structure;
 mod support;
 mod train_losses;

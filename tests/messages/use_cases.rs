@@ -34,13 +34,8 @@ const CASES: &[Case] = &[
     near(
         "use3/messages/clutch-with-two-speeds",
         OVER,
-        "a clutch that slips is two loads until they are equal",
-        &[
-            Line("torque k_I on I = -40 N*m when omega(I) > omega(II)"),
-            Line("torque k_II on II = 40 N*m when omega(I) > omega(II)"),
-            Whole("clutch k: I - II { capacity 40 N*m }\n", ""),
-            Whole(", slips(k)", ""),
-        ],
+        "add `slipping` to the clutch, as in `clutch k: I - II { capacity 40 N*m; slipping }`",
+        &[Whole("{ capacity 40 N*m }", "{ capacity 40 N*m; slipping }")],
     ),
     near("use3/messages/change-point-at-182", DEAD, "dead position at pose 6 (a = 180 deg)", &[]),
     near(

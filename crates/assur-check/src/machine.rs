@@ -3,7 +3,7 @@
 use crate::elements::{cam, cam_contact, flywheel, geneva};
 use crate::expr::context::Context;
 use crate::links::link;
-use crate::loads::{balance, counterweight, gravity, load, mass, spring};
+use crate::loads::{balance, counterweight, gravity, load, mass, slipping, spring};
 use crate::motion::{assemble, drive, equilibrium, no_motion, pose, simulation, spacing};
 use crate::pairs::pair;
 use crate::requests::definitions;
@@ -32,6 +32,7 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     load::loads(cx);
     spring::springs(cx);
     simulation::stops(cx);
+    slipping::loads(cx);
     assemble::hints(cx);
     flywheel::flywheels(cx);
     simulation::simulation(cx);

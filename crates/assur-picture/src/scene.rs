@@ -4,7 +4,7 @@ use crate::diagram::{Panel, printed};
 use crate::error;
 use assur_drawing::{Drawing, Label, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, Display, GenevaPair, LinkId, Load, Mechanism, PairId, PairKind};
+use assur_model::model::{Bearing, Display, GenevaPair, LinkId, Load, LoadKind, Mechanism, PairId, PairKind};
 use assur_model::structure::{BodyId, BodyOrigin};
 use assur_solve::answer::PoseAnswers;
 use assur_solve::solve::{BodyState, DriveValue, Model, MotionScales, Pose, Solution, Solved, State};
@@ -168,6 +168,9 @@ impl<'a> Scene<'a> {
     /// The name of a load, or that of the value that it has: `Fr` of `force on ram at F = Fr against motion`; else a letter with its link.
     #[must_use]
     pub fn load_words(&self, load: &Load) -> Option<String> {
+        if let LoadKind::InPair { pair, against_motion: true, .. } = load.kind {
+            return Some(format!("M_{}", self.mechanism().pair(pair).name));
+        }
         self.written_words(load).or_else(|| {
             let letter = if load.is_vector() { 'F' } else { 'M' };
             let link = load.link()?;

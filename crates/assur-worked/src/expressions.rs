@@ -100,6 +100,10 @@ impl Derivation<'_> {
 
     fn called(&mut self, function: Function, args: &[E]) -> Option<Expr> {
         match (function, args) {
+            (Function::Max, [a, b]) => {
+                let [a, b] = [self.in_letters(a)?, self.in_letters(b)?];
+                Some(if a.value() < b.value() { b } else { a })
+            }
             (Function::Sqrt, [x]) => Some(self.in_letters(x)?.root()),
             (Function::Abs, [x]) => Some(self.in_letters(x)?.abs()),
             (Function::Sin, [x]) => Some(self.degrees_in_letters(x)?.of(Of::Sin)),

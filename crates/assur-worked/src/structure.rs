@@ -38,6 +38,7 @@ impl Derivation<'_> {
             let links: Vec<&str> = pair.kind.links().iter().map(|l| self.scene.link_label(*l)).collect();
             let count = pair.kind.lower().max(pair.kind.higher());
             let class = self.words(class);
+            let class = if pair.kind.slipping().is_some() { "–".to_owned() } else { class };
             let class = if count > 1 { format!("{class} × {count}") } else { class };
             table.rows.push(vec![
                 vec![text(&*pair.name)],

@@ -5,7 +5,7 @@ use crate::forces::quantity_name;
 use assur_formula::{Expr, Name, Node, Unit, letters, name_node};
 use assur_math::math::{SAME, Vec2};
 use assur_model::model::{
-    self, Function, ModePart, PairId, PairKind, PointRef, Query, SubstitutionPart, Value,
+    self, Function, LoadId, ModePart, PairId, PairKind, PointRef, Query, SubstitutionPart, Value,
 };
 
 impl Derivation<'_> {
@@ -76,6 +76,10 @@ impl Derivation<'_> {
             }
             Query::Axial(link) => indexed("N", self.label(link.index())),
             Query::Normal(pair, _) => self.reactions_of(*pair),
+            Query::Moment(pair, _) if self.scene.mechanism().pair(*pair).kind.slipping().is_some() => {
+                let load = self.scene.view().load_of_clutch(*pair)?;
+                return self.derived(&Query::Load(LoadId::at(load)));
+            }
             Query::Moment(pair, _) => {
                 let friction = Name::new("M", &format!("f{}", self.scene.mechanism().pair(*pair).name));
                 self.couples_of(*pair).into_iter().chain([friction]).collect()

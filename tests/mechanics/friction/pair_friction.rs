@@ -145,7 +145,7 @@ pub fn loaded(mechanism: &Mechanism, rubs: &[PairFriction], efforts: &[f64]) -> 
                 }
             }
             Kind::Along(_) | Kind::Ends(..) => {
-                load(LoadKind::InPair { pair: rub.pair, value: Expr::number(x) })
+                load(LoadKind::InPair { pair: rub.pair, value: Expr::number(x), against_motion: false })
             }
             Kind::Contact(p, tangent) => {
                 for (on, force) in [(rub.on, tangent * x), (rub.from, tangent * -x)] {

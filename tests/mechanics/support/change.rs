@@ -242,7 +242,7 @@ impl Change {
                     *value = Expr::number(number(value) * factor);
                     *on = self.link(*on);
                 }
-                LoadKind::InPair { pair, value } => {
+                LoadKind::InPair { pair, value, .. } => {
                     *value = Expr::number(number(value) * self.in_pair(m, *pair));
                     *pair = self.pair(*pair);
                 }

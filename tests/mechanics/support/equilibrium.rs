@@ -338,7 +338,7 @@ impl System<'_> {
                 };
                 out[on.index()].add(Wrench::couple(sign * number(value)));
             }
-            LoadKind::InPair { pair, value } => {
+            LoadKind::InPair { pair, value, .. } => {
                 for (link, unit) in self.in_pair(*pair) {
                     out[link.index()].add(unit.times(number(value)));
                 }

@@ -94,7 +94,11 @@ impl Draft {
                         continue;
                     }
                     let pair = pairs[self.random.below(pairs.len())];
-                    LoadKind::InPair { pair, value: Expr::number(self.random.within(-10.0, 10.0)) }
+                    LoadKind::InPair {
+                        pair,
+                        value: Expr::number(self.random.within(-10.0, 10.0)),
+                        against_motion: false,
+                    }
                 }
             };
             let when = self.random.chance(0.15).then(|| {

@@ -318,7 +318,7 @@ fn in_pair(cx: &mut Context<'_>, load: &Load, pair: &Name) -> Option<LoadKind> {
             form(cx, message, "write a minus before the value instead", sense.span);
             None
         }
-        _ => Some(LoadKind::InPair { pair, value: turned(value, load) }),
+        _ => Some(LoadKind::InPair { pair, value: turned(value, load), against_motion: false }),
     }
 }
 
@@ -400,7 +400,7 @@ pub(crate) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span
 }
 
 /// Whether an expression depends on nothing that is found from the loads; reports one that does.
-fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
+pub(crate) fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
     let simulates = cx.names.simulates;
     let of_motion = |query: &Query| match query {
         Query::Cycle(_) => Some("a function over the whole motion"),

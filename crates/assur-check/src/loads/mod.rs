@@ -9,5 +9,6 @@ pub mod mass;
 mod mass_shape;
 mod mass_sum;
 mod pin;
+pub mod slipping;
 mod spread;
 pub mod spring;

@@ -107,7 +107,7 @@ fn in_pair(cx: &mut Context<'_>, spring: &Spring, pair: &Name) -> Option<model::
         (Some(a), Some(b)) => Expr::Binary(BinaryOp::Add, Box::new(a), Box::new(b)),
         (a, b) => a.or(b).unwrap_or_else(|| Expr::number(0.0)),
     };
-    let kind = LoadKind::InPair { pair: pair_id, value };
+    let kind = LoadKind::InPair { pair: pair_id, value, against_motion: false };
     Some(model::Load {
         name: Some(spring.name.node.clone()),
         span: spring.name.span,

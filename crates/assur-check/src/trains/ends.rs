@@ -71,8 +71,8 @@ pub(crate) fn turning(cx: &mut Context<'_>, path: &Path) -> Option<LinkId> {
 
 // Clutches.
 
-/// Both sides have one speed.
-pub(crate) fn clutch(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
+/// Both sides have one speed, but where it slips.
+pub(crate) fn clutch(cx: &mut Context<'_>, joint: &Joint, slips: bool) -> Option<Runs> {
     let [first, second] = two(cx, joint)?;
     let (a, b) = (turning(cx, first), turning(cx, second));
     let (a, b) = (a?, b?);
@@ -86,5 +86,6 @@ pub(crate) fn clutch(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
         force: 1.0,
         efficiency: None,
     };
-    Some(Runs { laws: vec![law], links: vec![a, b], meeting: None })
+    let laws = if slips { Vec::new() } else { vec![law] };
+    Some(Runs { laws, links: vec![a, b], meeting: None })
 }

@@ -1,9 +1,10 @@
 //! The greatest torque of clutches and brakes.
 
-use crate::expr::context::Context;
 use crate::expr::property::{Read, find};
+use crate::expr::{context::Context, positive::Want};
 use crate::trains::ends::incomplete;
-use assur_syntax::document::Name;
+use assur_syntax::document::{Joint, Name, Property};
+use assur_text::units::Dimension;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Given, or from what presses the faces: n f F r of faces at a radius, with r = 2/3 (R² + R r + r²)/(R + r) under even
@@ -11,7 +12,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub(crate) fn friction_torque(cx: &mut Context<'_>, name: &Name, properties: &[Read]) -> Option<f64> {
     let of = |name| find(properties, name);
     if let Some(capacity) = of("capacity") {
-        let other = properties.iter().find(|p| p.name != "capacity");
+        let other = properties.iter().find(|p| !matches!(p.name, "capacity" | "slipping"));
         return match other {
             None => Some(capacity.number()),
             Some(other) => {
@@ -62,6 +63,14 @@ pub(crate) fn friction_torque(cx: &mut Context<'_>, name: &Name, properties: &[R
         return Some(torque);
     }
     incomplete(cx, "the torque is not a finite number", "check the values", name.span)
+}
+
+/// The capacity of a clutch, where it is not a constant: one that slips may have one that varies.
+pub(crate) fn varying<'j>(cx: &mut Context<'_>, joint: &'j Joint) -> Option<&'j Property> {
+    let capacity = joint.properties.iter().find(|property| property.name.node == "capacity")?;
+    let [value] = capacity.values.as_slice() else { return None };
+    let constant = cx.quietly(|cx| cx.scalar_constant(value, &Want(Dimension::TORQUE), "").is_some());
+    (!constant).then_some(capacity)
 }
 
 /// The radius at which the friction acts.

@@ -2,7 +2,7 @@
 
 use crate::expr::{
     context::Context,
-    property::{Read, find, read},
+    property::{Read, Value, find, read},
 };
 use crate::links::lookup::is_linkage_pair;
 use crate::pairs::property::{phrase, shared};
@@ -11,7 +11,7 @@ use crate::trains::{
     bevel,
     carrier::carrier,
     ends::{AGREES, Runs, clutch, incomplete, two, wheel},
-    friction_torque::friction_torque,
+    friction_torque::{friction_torque, varying},
     grip::{belt_grip, slip},
     losses::{losses, only_wheels},
     planet::{Arms, arm, distance, is_planet},
@@ -40,16 +40,14 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
         if is_linkage_pair(joint.kind.node) || !cx.is_own(&joint.name) {
             continue;
         }
-        let what = phrase(joint.kind.node);
-        let properties =
-            read(cx, &what, &joint.properties, properties_of_pair(joint.kind.node)).map(|mut own| {
-                for more in shared.iter().filter(|s| s.0 == joint.kind.node).flat_map(|s| &s.1) {
-                    if find(&own, more.name).is_none() {
-                        own.push(more.clone());
-                    }
+        let properties = own_properties(cx, joint).map(|mut own| {
+            for more in shared.iter().filter(|s| s.0 == joint.kind.node).flat_map(|s| &s.1) {
+                if find(&own, more.name).is_none() {
+                    own.push(more.clone());
                 }
-                own
-            });
+            }
+            own
+        });
         let read = properties.and_then(|properties| transmission(cx, joint, &properties, &mut arms));
         if read.is_none() {
             // What is asked of it is no second mistake.
@@ -64,6 +62,20 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
         }
     }
     bevel::planets(cx);
+}
+
+/// The properties in its braces. A capacity of the instant, of a clutch that slips, is read with the loads: here it is not a number.
+fn own_properties(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Read>> {
+    let (what, specs) = (phrase(joint.kind.node), properties_of_pair(joint.kind.node));
+    let slips =
+        joint.kind.node == JointKind::Clutch && joint.properties.iter().any(|p| p.name.node == "slipping");
+    let Some(varies) = varying(cx, joint).filter(|_| slips) else {
+        return read(cx, &what, &joint.properties, specs);
+    };
+    let others: Vec<_> = joint.properties.iter().filter(|p| !std::ptr::eq(*p, varies)).cloned().collect();
+    let mut own = read(cx, &what, &others, specs)?;
+    own.push(Read { name: "capacity", value: Value::Number(f64::NAN), span: varies.span });
+    Some(own)
 }
 
 fn transmission(
@@ -91,7 +103,7 @@ fn transmission(
         TransmissionKind::Rack => rack(cx, joint, find(properties, "efficiency").map(|e| e.span)),
         TransmissionKind::Worm => worm(cx, joint, properties),
         TransmissionKind::Screw => screw(cx, joint, properties),
-        TransmissionKind::Clutch => clutch(cx, joint),
+        TransmissionKind::Clutch => clutch(cx, joint, find(properties, "slipping").is_some()),
     }?;
     if efficiency.is_some() {
         if kind == TransmissionKind::Rope {

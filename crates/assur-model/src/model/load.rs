@@ -91,9 +91,11 @@ pub enum LoadKind {
     },
     /// A force (N) or torque (N m) between the two links of a pair, positive along its coordinate.
     InPair {
-        /// The pair: prismatic, slot, cylinder or revolute of two links.
+        /// The pair: prismatic, slot, cylinder or revolute of two links, or a clutch that slips.
         pair: PairId,
         value: Expr,
+        /// `value` is a magnitude that acts against the rate of the coordinate.
+        against_motion: bool,
     },
 }
 
@@ -147,8 +149,10 @@ impl Load {
     pub const fn is_against_motion(&self) -> bool {
         match &self.kind {
             LoadKind::ForceAgainstMotion { .. } => true,
-            LoadKind::Torque { against_motion, .. } => *against_motion,
-            LoadKind::Force { .. } | LoadKind::InPair { .. } => false,
+            LoadKind::Torque { against_motion, .. } | LoadKind::InPair { against_motion, .. } => {
+                *against_motion
+            }
+            LoadKind::Force { .. } => false,
         }
     }
 }

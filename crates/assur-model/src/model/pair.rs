@@ -171,13 +171,30 @@ pub enum UnilateralCondition {
     Grips,
 }
 
+impl Pair {
+    /// Whether friction can hold it: it has friction, or is a clutch that slips.
+    #[must_use]
+    pub fn rubs(&self) -> bool {
+        self.friction.is_some_and(|friction| friction.is_some()) || self.kind.slipping().is_some()
+    }
+}
+
 impl PairKind {
+    /// The two sides of a clutch that slips.
+    #[must_use]
+    pub fn slipping(&self) -> Option<[LinkId; 2]> {
+        match self {
+            Self::Transmission(transmission) => transmission.slipping(),
+            _ => None,
+        }
+    }
+
     /// What holds only as long as forces act as it takes them.
     pub fn bonds(&self) -> impl Iterator<Item = UnilateralCondition> {
         let (contact, rope, slips, grips) = match self {
             Self::Contact { .. } => (true, false, false, false),
             Self::Transmission(t) => {
-                let grips = t.grip.is_some_and(|grip| !grip.capacity().is_nan());
+                let grips = t.grip.is_some_and(|grip| !grip.capacity().is_nan()) && t.slipping().is_none();
                 (false, t.kind == TransmissionKind::Rope, t.slip > 0.0, grips)
             }
             _ => (false, false, false, false),

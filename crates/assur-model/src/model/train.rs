@@ -69,7 +69,7 @@ pub struct Transmission {
     pub ends: Vec<String>,
     /// The links joined, in the order written.
     pub links: Vec<LinkId>,
-    /// Its laws: one; of a rope one for each part between wheels that it does not slip on.
+    /// Its laws: one; of a rope one for each part between wheels that it does not slip on; none of a clutch that slips.
     pub laws: Vec<Law>,
     /// The two wheels that meet, where the places of their axes and the pressure angle are known.
     pub meeting: Option<Meeting>,
@@ -101,7 +101,7 @@ pub enum FrictionLimit {
         /// Pull on both sides at rest, N.
         pretension: Option<f64>,
     },
-    /// The greatest torque of a clutch, N m.
+    /// The greatest torque of a clutch, N m; NaN where it depends on the instant.
     Clutch(f64),
 }
 
@@ -152,6 +152,13 @@ pub struct Meeting {
 }
 
 impl Transmission {
+    /// The two sides of a clutch that slips: friction alone joins them, by a load against their relative motion.
+    #[must_use]
+    pub fn slipping(&self) -> Option<[LinkId; 2]> {
+        let slips = self.kind == TransmissionKind::Clutch && self.laws.is_empty();
+        self.links.as_slice().try_into().ok().filter(|_| slips)
+    }
+
     /// The planet of a mesh of bevel wheels, and its carrier.
     #[must_use]
     pub fn bevel_planet(&self) -> Option<(LinkId, LinkId)> {

@@ -194,37 +194,26 @@ fn to_leave_out(trial: Trial<'_>, defect: &Defect) -> String {
     parts.join(";\n")
 }
 
-/// Two shafts that begin at speeds of their own, with a clutch between them: it slips until the speeds are equal.
+/// Two shafts at speeds of their own, with a clutch between them that does not slip.
 fn slipping(trial: Trial<'_>, part: &Part) -> Option<String> {
     let mechanism = trial.mechanism;
     let ([(pair, _)], [_, _]) = (part.pairs.as_slice(), part.efforts.as_slice()) else { return None };
     let PairKind::Transmission(t) = &mechanism.pair(*pair).kind else { return None };
-    let speed = |l: LinkId| {
-        let start = mechanism.drives.iter().find(|d| d.free && d.target == DriveTarget::Link(l))?;
-        match start.speed {
-            Some(Expr::Constant(Value::Scalar(speed))) => Some(speed),
-            Some(_) => None,
-            None => Some(0.0),
-        }
+    let speed = |l: LinkId| match mechanism.drives.iter().find(|d| d.target == DriveTarget::Link(l))?.speed {
+        Some(Expr::Constant(Value::Scalar(speed))) => Some(speed),
+        Some(_) => None,
+        None => Some(0.0),
     };
     let [first, second] = t.links.as_slice() else { return None };
-    let (one, other) = (speed(*first)?, speed(*second)?);
-    if t.kind != TransmissionKind::Clutch || one == other {
+    if t.kind != TransmissionKind::Clutch || speed(*first)? == speed(*second)? {
         return None;
     }
-    let faster = if one > other { [first, second] } else { [second, first] };
-    let [a, b] = faster.map(|l| mechanism.link(*l).name.as_str());
-    let name = &mechanism.pair(*pair).name;
+    let [a, b] = [first, second].map(|l| mechanism.link(*l).name.as_str());
+    let (name, ends) = (&mechanism.pair(*pair).name, t.ends.join(" - "));
     let torque = t.grip.map_or(1.0, FrictionLimit::capacity);
-    let line = |on: &str, sign: &str| {
-        format!("torque {name}_{on} on {on} = {sign}{torque} N*m when omega({a}) > omega({b})")
-    };
-    Some(with_lines(
-        &format!(
-            "the speeds of `{a}` and `{b}` differ, and a clutch that slips is two loads until they are equal; write in place of \
-             `clutch {name}`"
-        ),
-        &[line(a, "-"), line(b, "")],
+    Some(format!(
+        "the speeds of `{a}` and `{b}` differ: add `slipping` to the clutch, as in \
+         `clutch {name}: {ends} {{ capacity {torque} N*m; slipping }}`"
     ))
 }
 

@@ -1,7 +1,7 @@
 //! Loads against the motion of which a run can say whether they hold: torques, and forces at points that keep to a line of their link.
 
 use crate::math::Vec2;
-use crate::model::{LoadId, LoadKind, Mechanism, Place};
+use crate::model::{LoadId, LoadKind, Mechanism, PairId, Place};
 use crate::structure::{JointKind, Structure};
 use assur_math::math::ROUNDING;
 
@@ -12,6 +12,8 @@ pub struct Opposing {
     pub load: LoadId,
     /// The body it acts on.
     pub body: usize,
+    /// Of a clutch that slips: the body on its other side, and the clutch.
+    pub against: Option<(usize, PairId)>,
     /// Of a force: its point, m, and the unit direction in which that moves, in the body's frame.
     pub line: Option<(Vec2, Vec2)>,
 }
@@ -20,15 +22,20 @@ pub struct Opposing {
 pub(super) fn plan(mechanism: &Mechanism, structure: &Structure) -> Vec<Opposing> {
     let loads = mechanism.loads.iter().enumerate().filter(|(_, load)| load.is_against_motion());
     let opposing = loads.filter_map(|(index, load)| {
-        let (body, line) = match &load.kind {
-            LoadKind::Torque { on, .. } => (structure.replaced.body_of(*on).0, None),
+        let body_of = |link| structure.replaced.body_of(link).0;
+        let (body, against, line) = match &load.kind {
+            LoadKind::Torque { on, .. } => (body_of(*on), None, None),
+            LoadKind::InPair { pair, .. } => {
+                let [first, second] = mechanism.pair(*pair).kind.slipping()?.map(body_of);
+                (second, Some((first, *pair)), None)
+            }
             LoadKind::ForceAgainstMotion { on, at: Place::Local(at), .. } => {
                 let (body, at) = structure.replaced.place(*on, *at);
-                (body.0, Some((at, direction(structure, body.0, at)?)))
+                (body.0, None, Some((at, direction(structure, body.0, at)?)))
             }
             _ => return None,
         };
-        Some(Opposing { load: LoadId::at(index), body, line })
+        Some(Opposing { load: LoadId::at(index), body, against, line })
     });
     opposing.collect()
 }

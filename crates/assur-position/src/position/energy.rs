@@ -112,6 +112,10 @@ impl State {
     /// Rate of the coordinate along which an effort inside a pair acts.
     #[must_use]
     pub fn coordinate_rate(&self, model: &Model<'_>, pair: crate::model::PairId) -> f64 {
+        if let Some(sides) = model.mechanism.pair(pair).kind.slipping() {
+            let [first, second] = sides.map(|side| self.motion.bodies[side.index()].omega);
+            return second - first;
+        }
         let joints = model.structure.replaced.joints_of(pair);
         let mut rates = joints.filter_map(|joint| match &model.structure.replaced.joint(joint).kind {
             JointKind::Prismatic { slider, point, direction, guide, .. } => {

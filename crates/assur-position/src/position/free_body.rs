@@ -186,6 +186,10 @@ impl State {
 
     /// An effort between the two links of a pair, positive along its coordinate.
     fn act_in_pair(&self, model: &Model<'_>, pair: PairId, from: Origin, effort: f64) -> Option<Action> {
+        if let Some([first, second]) = model.mechanism.pair(pair).kind.slipping() {
+            let bodies = [second.index(), first.index()];
+            return Some(Action::turning(from, bodies, self.motion.bodies[second.index()].p, effort));
+        }
         let replaced = &model.structure.replaced;
         let held = |bodies: [BodyId; 2]| bodies.map(|body| replaced.held_by(model.mechanism, pair, body).0);
         let is_revolute = matches!(model.mechanism.pair(pair).kind, PairKind::Revolute(_));

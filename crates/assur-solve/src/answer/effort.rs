@@ -71,7 +71,8 @@ impl PoseAnswers<'_> {
                 Value::Vector(frame.map_or(force, |f| force.turned(self.body(f).u)))
             }
             LoadKind::ForceAgainstMotion { value, .. } => Value::Vector(self.against_motion(index, value)),
-            LoadKind::Torque { value, against_motion: true, .. } => {
+            LoadKind::Torque { value, against_motion: true, .. }
+            | LoadKind::InPair { value, against_motion: true, .. } => {
                 Value::Scalar(self.against_motion(index, value).x)
             }
             LoadKind::Torque { value, .. } | LoadKind::InPair { value, .. } => {
@@ -82,10 +83,14 @@ impl PoseAnswers<'_> {
 
     /// What a load against the motion is, in the sense that a run says or else its velocity.
     fn against_motion(&self, index: usize, value: &Expr) -> Vec2 {
-        let said = self.state.motion.against.get(index).copied();
-        let Against { part, held } =
-            said.unwrap_or_else(|| Against { part: self.against_velocity(index), held: Vec2::zero() });
+        let Against { part, held } = self.part_against(index);
         if part == Vec2::zero() { held } else { part * self.scalar(value) + held }
+    }
+
+    /// How a load against the motion acts.
+    pub(super) fn part_against(&self, index: usize) -> Against {
+        let said = self.state.motion.against.get(index).copied();
+        said.unwrap_or_else(|| Against { part: self.against_velocity(index), held: Vec2::zero() })
     }
 
     /// The value of a load against the motion: null where its condition does not hold.
@@ -105,13 +110,17 @@ impl PoseAnswers<'_> {
                 let direction = v.unit().filter(|_| v.norm() > STILL * self.fastest().0);
                 direction.map_or(Vec2::zero(), |d| -d)
             }
-            LoadKind::Torque { on, against_motion: true, .. } => {
-                let omega = self.body(*on).omega;
-                let rests = omega.abs() <= STILL * self.fastest().1;
-                Vec2::new(if rests { 0.0 } else { -omega.signum() }, 0.0)
+            LoadKind::Torque { on, against_motion: true, .. } => self.against_rate(self.body(*on).omega),
+            LoadKind::InPair { pair, against_motion: true, .. } => {
+                self.against_rate(self.state.coordinate_rate(&self.model(), *pair))
             }
             _ => Vec2::zero(),
         }
+    }
+
+    fn against_rate(&self, omega: f64) -> Vec2 {
+        let rests = omega.abs() <= STILL * self.fastest().1;
+        Vec2::new(if rests { 0.0 } else { -omega.signum() }, 0.0)
     }
 
     /// The greatest velocity and the greatest angular velocity, each at least what the other makes of it over the size of

@@ -50,7 +50,7 @@ impl PoseAnswers<'_> {
         self.state.load_act(&self.model(), load, self.query(&Query::Load(load)))
     }
 
-    const fn model(&self) -> Model<'_> {
+    pub(super) const fn model(&self) -> Model<'_> {
         Model { mechanism: self.mechanism, structure: self.structure, plan: self.plan }
     }
 

@@ -126,6 +126,9 @@ impl PoseAnswers<'_> {
 
     /// Power lost in a pair, W, ≥ 0.
     pub(super) fn friction_power(&self, pair: PairId) -> f64 {
+        if let Some(load) = self.load_of_clutch(pair) {
+            return -self.load_power(load);
+        }
         self.elements(pair).map(|(e, x)| -x * self.state.sliding_speed(e)).sum()
     }
 

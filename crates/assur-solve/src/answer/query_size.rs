@@ -183,7 +183,7 @@ impl PoseAnswers<'_> {
         match self.mechanism.loads.get(id.index()).map(|load| &load.kind) {
             Some(LoadKind::Torque { .. }) => true,
             Some(LoadKind::InPair { pair, .. }) => {
-                matches!(self.mechanism.pair(*pair).kind, PairKind::Revolute(_))
+                matches!(self.mechanism.pair(*pair).kind, PairKind::Revolute(_) | PairKind::Transmission(_))
             }
             _ => false,
         }

@@ -2,7 +2,7 @@
 
 use super::pose_answers::{NAN_VECTOR, PoseAnswers};
 use crate::math::Vec2;
-use crate::model::{FrictionLimit, LinkId, PairId, PairKind, Transmission};
+use crate::model::{FrictionLimit, LinkId, Load, LoadKind, PairId, PairKind, Transmission, Value};
 use crate::plan::{LawSite, PlannedLaw};
 
 impl PoseAnswers<'_> {
@@ -78,9 +78,29 @@ impl PoseAnswers<'_> {
         self.grip(pair).map_or(f64::NAN, FrictionLimit::capacity)
     }
 
-    /// Whether a clutch or a belt must transmit more than its capacity. What is at the limit but for rounding still grips.
-    pub(crate) fn slips(&self, pair: PairId) -> bool {
-        self.tangential_force(pair) > self.capacity(pair) * (1.0 + 1e-9)
+    /// Whether a clutch slips that may, or a clutch or a belt must transmit more than its capacity. What is at the limit but for
+    /// rounding still grips.
+    #[must_use]
+    pub fn slips(&self, pair: PairId) -> bool {
+        match self.load_of_clutch(pair) {
+            Some(load) => self.part_against(load).part != Vec2::zero(),
+            None => self.tangential_force(pair) > self.capacity(pair) * (1.0 + 1e-9),
+        }
+    }
+
+    /// The load that a clutch is which slips, by its place.
+    #[must_use]
+    pub fn load_of_clutch(&self, pair: PairId) -> Option<usize> {
+        self.mechanism.pair(pair).kind.slipping()?;
+        let is_own = |load: &Load| matches!(load.kind, LoadKind::InPair { pair: own, .. } if own == pair);
+        self.mechanism.loads.iter().position(is_own)
+    }
+
+    /// Whether a load against the motion holds together with what could hold in its place.
+    fn is_shared(&self, load: usize) -> bool {
+        let first = self.plan.friction.len() + self.plan.losing.len();
+        let place = self.plan.opposing.iter().position(|opposing| opposing.load.index() == load);
+        place.and_then(|place| self.state.motion.grips.get(first + place)).is_some_and(|grip| grip.open)
     }
 
     fn grip(&self, pair: PairId) -> Option<FrictionLimit> {
@@ -90,6 +110,14 @@ impl PoseAnswers<'_> {
     /// Torque of a transmission on a link about its axis, N m.
     #[must_use]
     pub fn transmission_moment(&self, pair: PairId, link: LinkId) -> f64 {
+        if let Some(load) = self.load_of_clutch(pair) {
+            let Value::Scalar(on_second) = self.load(load) else { return f64::NAN };
+            if self.is_shared(load) {
+                return f64::NAN;
+            }
+            let second = self.mechanism.pair(pair).kind.slipping().is_some_and(|[_, side]| side == link);
+            return if second { on_second } else { -on_second };
+        }
         let mut sum = 0.0;
         for (slot, law) in self.laws(pair) {
             for (term, (site, _)) in law.terms.iter().enumerate() {

@@ -68,12 +68,16 @@ fn grips_no_more(
         _ => format!("tangential_force({name})"),
     };
     let (capacity, firmer) = capacity(model, grip);
+    let slipping = match grip {
+        FrictionLimit::Clutch(_) => "; let it slip: add `slipping` to it and a `start` of its other shaft;",
+        FrictionLimit::Belt { .. } => ",",
+    };
     (
         format!(
             "{} `{name}` would slip from {time} on: its friction can transmit {capacity} at most",
             t.kind.word()
         ),
         "slips here",
-        format!("{firmer}, or end the motion there with `until {transmitted} > capacity({name})`"),
+        format!("{firmer}{slipping} or end the motion there with `until {transmitted} > capacity({name})`"),
     )
 }

@@ -108,6 +108,11 @@ impl Loads<'_> {
 
     /// An effort between the two links of a pair.
     fn in_pair(&mut self, model: &Model<'_>, pair: PairId, effort: D) {
+        if let Some([first, second]) = model.mechanism.pair(pair).kind.slipping() {
+            self.couple(second.index(), effort);
+            self.couple(first.index(), -effort);
+            return;
+        }
         if let PairKind::Revolute(pins) = &model.mechanism.pair(pair).kind {
             if let [first, second] = pins.as_slice() {
                 self.couple(second.link.index(), effort);

@@ -403,7 +403,7 @@ functions! {
         "greatest torque of a clutch, greatest tangential force of a belt with a pretension",
     )],
     Slips "slips" Train "slips(k)"
-        [form(&[arg("k", Takes::Pair)], Condition, "a clutch or belt must transmit more than its capacity")],
+        [form(&[arg("k", Takes::Pair)], Condition, "a clutch or belt must transmit more than its capacity; a clutch with `slipping` slips")],
     Frictionless "frictionless" Friction "frictionless(Mb)" [form(&[X], OF_X, "x without friction")],
     Mean "mean" Cycle "mean(Mb)" [form(&[X, AFTER, BEFORE], OF_X, "mean over the sweep, see Cycles")],
     Integral "integral" Cycle "integral(Mb)" [form(

@@ -156,7 +156,23 @@ const WORN: Property = row("worn", Flag, "worn", "pressure as after wear, otherw
 const FACES: Property = row("faces", Positive(Dimension::NUMBER), "faces 2", "number of faces that rub");
 const CONE: Property = row("cone", Positive(Dimension::ANGLE), "cone 12 deg", "half-angle of a cone");
 
-const CLUTCH: &[Property] = &[CAPACITY, PRESSED, FACE_FRICTION, FACE_RADIUS, OUTER, INNER, WORN, FACES, CONE];
+const CLUTCH: &[Property] = &[
+    CAPACITY,
+    PRESSED,
+    FACE_FRICTION,
+    FACE_RADIUS,
+    OUTER,
+    INNER,
+    WORN,
+    FACES,
+    CONE,
+    row(
+        "slipping",
+        Flag,
+        "slipping",
+        "friction alone joins the sides: it slips until their speeds are equal",
+    ),
+];
 
 const WELD: &[Property] =
     &[row("angle", Any(Dimension::ANGLE), "angle 60 deg", "of the second link, less that of the first")];

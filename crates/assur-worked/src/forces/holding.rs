@@ -146,7 +146,9 @@ impl Hold {
 /// The pair of a stop.
 pub(super) const fn stop_of(load: &Load) -> Option<PairId> {
     match load.kind {
-        LoadKind::InPair { pair, value: assur_model::model::Expr::Query(Query::StopEffort(_)) } => Some(pair),
+        LoadKind::InPair { pair, value: assur_model::model::Expr::Query(Query::StopEffort(_)), .. } => {
+            Some(pair)
+        }
         _ => None,
     }
 }

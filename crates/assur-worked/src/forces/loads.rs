@@ -6,10 +6,10 @@ use crate::course::{Derivation, cell, joined};
 use crate::document::text;
 use crate::expressions::length;
 use crate::motion::of;
-use crate::words::Message;
+use crate::words::{FrictionMessage, Message};
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::Vec2;
-use assur_model::model::{self, Load, LoadId, LoadKind, Query, SpringId, Value};
+use assur_model::model::{self, Load, LoadId, LoadKind, PairId, Query, SpringId, Value};
 use assur_model::structure::BodyId;
 use assur_position::position::Action;
 use assur_solve::solve::Wrench;
@@ -87,6 +87,23 @@ impl Derivation<'_> {
         Some(self.equate(name.clone(), size, Unit::Force, sum))
     }
 
+    /// The torque of a clutch that slips: its capacity, or what holds it.
+    fn torque_of_clutch(&mut self, load: &Load, pair: PairId, name: &Name, size: f64) -> Expr {
+        let clutch = self.scene.mechanism().pair(pair);
+        let words = [vec![text(&*clutch.name)], of(name)];
+        if !self.scene.view().slips(pair) {
+            self.say(FrictionMessage::PairHeld, &words);
+            return self.given(name.clone(), size, Unit::Torque);
+        }
+        let sides = clutch.kind.links().into_iter().map(|link| vec![text(self.scene.link_label(link))]);
+        let words: Vec<_> = words.into_iter().chain(sides).collect();
+        self.say(FrictionMessage::ClutchSlips, &words);
+        match self.size_in_letters(load.value(), size) {
+            Some(right) if !right.is_constant() => self.equate(name.clone(), size, Unit::Torque, right),
+            _ => self.given(name.clone(), size, Unit::Torque),
+        }
+    }
+
     /// What the file has for a load, in the letters of the steps before.
     fn size_in_letters(&mut self, value: &model::Expr, size: f64) -> Option<Expr> {
         let right = match value {
@@ -113,7 +130,10 @@ impl Derivation<'_> {
                     Some(value) => value,
                     None if stop_of(load).is_some() => self.stop_effort(*pair, action, effort, unit),
                     None => {
-                        let size = self.size_of(load, name.clone(), effort.abs(), unit);
+                        let size = match load.is_against_motion() {
+                            true => self.torque_of_clutch(load, *pair, name, effort.abs()),
+                            false => self.size_of(load, name.clone(), effort.abs(), unit),
+                        };
                         if effort < 0.0 { -size } else { size }
                     }
                 };

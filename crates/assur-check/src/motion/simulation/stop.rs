@@ -27,7 +27,7 @@ pub(crate) fn stops(cx: &mut Context<'_>) {
         }
         let Some(stop) = stop(cx, written, item.span) else { continue };
         let value = Expr::Query(Query::StopEffort(cx.builder.mech.stops.len()));
-        let kind = LoadKind::InPair { pair: stop.pair, value };
+        let kind = LoadKind::InPair { pair: stop.pair, value, against_motion: false };
         cx.builder.mech.loads.push(Load {
             name: None,
             span: item.span,

@@ -2,6 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::expr::results::Call;
+use crate::loads::slipping;
 use crate::names::declared::QuantityKind;
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
@@ -50,7 +51,8 @@ impl Context<'_> {
     /// `capacity(k)`
     fn capacity(&mut self, call: Call<'_>) -> Option<Typed> {
         let (pair, dimension) = self.gripping(call)?;
-        Some(Typed::new(Expr::Query(Query::Capacity(pair)), Type::number(dimension)))
+        let varying = slipping::capacity(self, pair);
+        Some(Typed::new(varying.unwrap_or(Expr::Query(Query::Capacity(pair))), Type::number(dimension)))
     }
 
     /// `slips(k)`

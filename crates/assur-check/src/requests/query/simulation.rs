@@ -8,7 +8,7 @@ use crate::names::suggestion::suggestion;
 use crate::statements::written::text;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type, Typed};
-use assur_model::model::{BinaryOp, Expr, LoadId, Pair, PairId, Query, Situation};
+use assur_model::model::{BinaryOp, Expr, LoadId, PairId, Query, Situation};
 use assur_syntax::document::{Drive, DrivePosition, ExprKind, Name, Spring, SpringSite, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
@@ -144,7 +144,7 @@ impl Context<'_> {
         let args = self.arguments(call, 1, 1)?;
         let pair = self.pair_argument(call, args[0])?;
         let declared = self.builder.mech.pair(pair);
-        if !declared.friction.is_some_and(|friction| friction.is_some()) {
+        if !declared.rubs() {
             let what = format!("`sticks` of `{}`, which has no friction,", declared.name);
             let help = "add `{ friction 0.3 }` to the pair".to_owned();
             self.error(without_meaning(&what, &help, call.span));
@@ -195,16 +195,15 @@ impl Context<'_> {
     /// `friction_work()`, `friction_work(P)`
     fn friction_work(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 0, 1)?;
-        let rubs = |pair: &Pair| pair.friction.is_some_and(|friction| friction.is_some());
         let pairs: Vec<PairId> = match args.first() {
             Some(arg) => vec![self.pair_argument(call, arg)?],
             None => {
-                let all = self.builder.mech.pairs.iter().enumerate().filter(|(_, pair)| rubs(pair));
+                let all = self.builder.mech.pairs.iter().enumerate().filter(|(_, pair)| pair.rubs());
                 all.map(|(i, _)| PairId::at(i)).collect()
             }
         };
         let of = |pair: PairId| Expr::Negate(Box::new(Expr::Query(Query::FrictionPower(pair))));
-        let powers = pairs.into_iter().filter(|pair| rubs(self.builder.mech.pair(*pair))).map(of);
+        let powers = pairs.into_iter().filter(|pair| self.builder.mech.pair(*pair).rubs()).map(of);
         let sum = powers.reduce(|sum, power| fold::binary(BinaryOp::Add, sum, power));
         Some(self.work_of(sum.unwrap_or(Expr::number(0.0))))
     }

@@ -147,7 +147,13 @@ impl<'a> Switches<'a> {
         let Some(load) = self.mechanism.loads.get(index) else { return };
         load.when.iter().for_each(|when| self.expr(when));
         match &load.kind {
-            LoadKind::Force { value, .. } | LoadKind::InPair { value, .. } => self.expr(value),
+            LoadKind::Force { value, .. } => self.expr(value),
+            LoadKind::InPair { pair, value, .. } => {
+                self.expr(value);
+                if let Some([first, second]) = self.mechanism.pair(*pair).kind.slipping() {
+                    self.add(difference(&number(Query::Omega(second)), &number(Query::Omega(first))));
+                }
+            }
             LoadKind::Torque { on, value, against_motion } => {
                 self.expr(value);
                 if *against_motion {

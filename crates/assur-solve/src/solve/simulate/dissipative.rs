@@ -46,9 +46,10 @@ impl<'p> DissipativeElement<'p> {
         match self {
             Self::Pair(element) => state.sliding_speed(element),
             Self::Law(law, _) => state.law_speed(law),
-            Self::Load(Opposing { body, line, .. }) => {
-                let body = &state.motion.bodies[*body];
-                line.map_or(body.omega, |(at, along)| body.velocity(at).dot(along.turned(body.u)))
+            Self::Load(Opposing { body, against, line, .. }) => {
+                let bodies = &state.motion.bodies;
+                let (body, other) = (&bodies[*body], against.map_or(0.0, |(other, _)| bodies[other].omega));
+                line.map_or(body.omega - other, |(at, along)| body.velocity(at).dot(along.turned(body.u)))
             }
         }
     }
@@ -58,9 +59,10 @@ impl<'p> DissipativeElement<'p> {
         match self {
             Self::Pair(element) => state.sliding_acceleration(element),
             Self::Law(law, _) => state.law_acceleration(law),
-            Self::Load(Opposing { body, line, .. }) => {
-                let body = &state.motion.bodies[*body];
-                line.map_or(body.alpha, |(at, along)| body.acceleration(at).dot(along.turned(body.u)))
+            Self::Load(Opposing { body, against, line, .. }) => {
+                let bodies = &state.motion.bodies;
+                let (body, other) = (&bodies[*body], against.map_or(0.0, |(other, _)| bodies[other].alpha));
+                line.map_or(body.alpha - other, |(at, along)| body.acceleration(at).dot(along.turned(body.u)))
             }
         }
     }
@@ -86,11 +88,11 @@ impl<'p> DissipativeElement<'p> {
     }
 
     /// The pair, or the transmission.
-    pub const fn pair(self) -> Option<PairId> {
+    pub fn pair(self) -> Option<PairId> {
         match self {
             Self::Pair(element) => Some(element.pair),
             Self::Law(law, _) => Some(law.pair),
-            Self::Load(_) => None,
+            Self::Load(load) => load.against.map(|(_, clutch)| clutch),
         }
     }
 }

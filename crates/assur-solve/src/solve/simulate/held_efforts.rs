@@ -46,10 +46,11 @@ impl Equations<'_, '_> {
 
     /// The one coordinate rests by friction or losses.
     fn hold_at_rest(&mut self) {
-        let count = DissipativeElement::inner(self.model.plan);
+        let (count, all) =
+            (DissipativeElement::inner(self.model.plan), DissipativeElement::count(self.model.plan));
         let grips = &mut self.trial.motion.grips;
         grips.clear();
-        grips.resize(count, ContactMode { open: true, ..ContactMode::default() });
+        grips.resize(all, ContactMode { open: true, ..ContactMode::default() });
         let loads = self.model.mechanism.loads.iter().enumerate();
         let against: Vec<usize> =
             loads.filter(|(_, load)| load.is_against_motion()).map(|(i, _)| i).collect();
@@ -57,6 +58,7 @@ impl Equations<'_, '_> {
             return;
         }
         if let [load] = against[..] {
+            grips.clear();
             return self.hold_by_load(load);
         }
         self.evaluate_loads(self.trial.motion.time);

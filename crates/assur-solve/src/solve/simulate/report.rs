@@ -1,6 +1,6 @@
 //! What a motion under loads says of itself.
 
-use crate::model::{DriveTarget, LoadId, Mechanism, Pair, PairId, Situation};
+use crate::model::{DriveTarget, LoadId, Mechanism, PairId, Situation};
 
 /// How the equations are integrated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -69,8 +69,7 @@ impl SimulationReport {
         let closed = stops.flat_map(|(stop, times)| {
             times.iter().map(|(begin, end)| (Situation::Rests(stop.pair), *begin, *end))
         });
-        let rubs = |pair: &Pair| pair.friction.is_some_and(|friction| friction.is_some());
-        let rubbing = mechanism.pairs.iter().enumerate().filter(|(_, pair)| rubs(pair));
+        let rubbing = mechanism.pairs.iter().enumerate().filter(|(_, pair)| pair.rubs());
         let held = rubbing.flat_map(|(i, _)| {
             self.rests.iter().map(move |(begin, end)| (Situation::Sticks(PairId::at(i)), *begin, *end))
         });

@@ -9,6 +9,7 @@ use super::sliding_sense::{Mode, Slipping};
 use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Integrator, Undefined};
 use crate::model::{LinkId, PairId, PairKind, Situation};
+use crate::plan::Opposing;
 use crate::solve::failure::Halt;
 
 /// Places within a step at which all sliding speeds are looked at, as parts of it.
@@ -275,7 +276,7 @@ impl Equations<'_, '_> {
             .enumerate()
             .filter(|(element, _)| slipping.holds(*element));
         kept.links.extend(held.filter_map(|(_, rubs)| match rubs {
-            DissipativeElement::Load(load) => Some(LinkId::at(load.body)),
+            DissipativeElement::Load(Opposing { body, against: None, .. }) => Some(LinkId::at(*body)),
             _ => None,
         }));
         let body = |link: LinkId| LinkId::at(self.model.structure.replaced.body_of(link).0);
