@@ -1,6 +1,6 @@
 //! Why a value does not exist.
 
-use assur_model::model::{Bound, Expr, Query, Value};
+use assur_model::model::{Bound, Expr, PairId, Query, Value};
 use assur_solve::answer::{Nearest, Swept};
 use assur_solve::message::undefined;
 use assur_solve::solve::{Model, PoseAnswers, Solution, compare};
@@ -50,8 +50,16 @@ pub fn why_undefined(model: &Model<'_>, expr: &Expr) -> Option<String> {
         {
             why = Some(format!("no value of `{name}` within its range is a limit of locking"));
         }
-        let Some(pair) = query.facts().couple else { return };
-        if model.structure.undetermined_couples.contains(&pair) {
+        let open = &model.structure.undetermined_couples;
+        let pair = match query {
+            Query::Internal(asked) => {
+                let of_link =
+                    |pair: &&PairId| model.mechanism.pair(**pair).kind.links().contains(&asked.link);
+                open.iter().find(of_link).copied()
+            }
+            _ => query.facts().couple.filter(|pair| open.contains(pair)),
+        };
+        if let Some(pair) = pair {
             let name = &model.mechanism.pair(pair).name;
             why = Some(format!(
                 "the couple in `{name}` is not determined: the pair closes a chain of prismatic pairs"

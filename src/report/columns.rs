@@ -2,7 +2,7 @@
 
 use super::answers::{Answers, NONE};
 use crate::exercise::why_undefined;
-use assur_model::model::{Display, Expr, Find, FindKind, Query, TableEntry, Value};
+use assur_model::model::{self, Display, Expr, Find, FindKind, Query, TableEntry, Value};
 use assur_model::structure::{EffortKind, EffortSource};
 use assur_solve::solve::{Model, Pose, PoseAnswers, Solved, State};
 use assur_text::units::Dimension;
@@ -79,12 +79,34 @@ impl<'a> Answers<'a> {
         self.without_pose(|view| self.values_without_pose(view))
     }
 
+    /// The tables that are asked for, with their names: one, or one per position.
+    pub(super) fn tables(&self) -> Vec<(String, &'a model::Table, Option<&'a Pose>)> {
+        let mut tables = Vec::new();
+        let poses: Vec<&Pose> = self.poses().collect();
+        for find in &self.model.mechanism.finds {
+            let FindKind::Table(table) = &find.kind else { continue };
+            match &poses[..] {
+                _ if !table.is_of_pose() => tables.push((find.name.clone(), table, None)),
+                [pose] => tables.push((find.name.clone(), table, Some(*pose))),
+                several => {
+                    tables.extend(several.iter().map(|pose| {
+                        (format!("{} {}", find.name, self.at_pose(&pose.name)), table, Some(*pose))
+                    }))
+                }
+            }
+        }
+        tables
+    }
+
     /// The numbers of a kind in a table, SI; not a number where there is none.
-    pub(super) fn entry(&self, entry: &TableEntry) -> Vec<f64> {
+    pub(super) fn entry(&self, entry: &TableEntry, pose: Option<&Pose>) -> Vec<f64> {
         if entry.found.is_empty() {
             return entry.values.clone();
         }
         let number = |value: Value| if let Value::Scalar(x) = value { x } else { f64::NAN };
+        if let Some(pose) = pose {
+            return entry.found.iter().map(|expr| self.value(expr, pose).map_or(f64::NAN, number)).collect();
+        }
         self.without_pose(|view| entry.found.iter().map(|expr| number(view.value(expr))).collect())
     }
 

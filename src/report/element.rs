@@ -4,8 +4,8 @@ use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
 use assur_math::element::cam::{Law, Phase, Shape};
 use assur_math::math::Vec2;
-use assur_model::model::{self, CamContact, Display, FindKind, LinkId, Mechanism, PlateCam, Value};
-use assur_solve::solve::Model;
+use assur_model::model::{self, CamContact, Display, LinkId, Mechanism, PlateCam, Value};
+use assur_solve::solve::{Model, Pose};
 use assur_text::units::{Dimension, significant};
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -122,10 +122,9 @@ const fn law(law: Law) -> &'static str {
 
 /// The tables that are asked for.
 pub(super) fn tables(answers: &Answers<'_>, report: &mut Report) {
-    for find in &answers.model.mechanism.finds {
-        let FindKind::Table(table) = &find.kind else { continue };
-        let mut section = Section::new(find.name.clone());
-        section.table(if table.upright { upright(answers, table) } else { lying(answers, table) });
+    for (name, table, pose) in answers.tables() {
+        let mut section = Section::new(name);
+        section.table(if table.upright { upright(answers, table) } else { lying(answers, table, pose) });
         report.section(section);
     }
 }
@@ -139,11 +138,11 @@ fn figures(answers: &Answers<'_>, display: &Display, x: f64, greatest: f64) -> S
 }
 
 /// One column per entry.
-fn lying(answers: &Answers<'_>, table: &model::Table) -> Table {
+fn lying(answers: &Answers<'_>, table: &model::Table, pose: Option<&Pose>) -> Table {
     let rows = table.entries.first().map_or(0, |e| e.values.len());
     let mut out = Table { rows: vec![Vec::new(); rows], ..Table::new(Vec::new(), 1) };
     for entry in &table.entries {
-        let values = answers.entry(entry);
+        let values = answers.entry(entry, pose);
         let greatest = values.iter().filter(|x| x.is_finite()).fold(0.0, |m, x| f64::max(m, x.abs()));
         let cells = values.iter().map(|x| figures(answers, &entry.display, *x, greatest));
         out.column(with_unit(&entry.name, &entry.display.unit), cells);

@@ -1,4 +1,4 @@
-//! Loads per length.
+//! Loads per length, and forces inside links.
 
 use super::masses::{values, within};
 use super::quick_rows::random;
@@ -63,4 +63,215 @@ fn a_load_per_length_is_two_forces_at_the_points_of_gauss() {
         let scale = other.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         one.into_iter().zip(other).for_each(|(found, wanted)| near(found, wanted, scale, &spread));
     }
+}
+
+/// A rod of a four-bar with rods, masses, loads and a torque on it.
+struct Rod {
+    machine: String,
+    length: f64,
+    /// Rods along segments: from, to, mass.
+    rods: Vec<([f64; 2], [f64; 2], f64)>,
+    /// Masses at points with moments of inertia.
+    masses: Vec<([f64; 2], f64, f64)>,
+    forces: Vec<([f64; 2], [f64; 2])>,
+    /// Loads per length along segments, at their ends and by their angle.
+    spread: Vec<([f64; 2], [f64; 2], [f64; 2], f64)>,
+}
+
+impl Rod {
+    fn of(state: &mut u64) -> Self {
+        let (a, c, d) = (within(state, 0.1, 0.2), within(state, 0.4, 0.5), within(state, 0.5, 0.6));
+        let length = within(state, 0.5, 0.6);
+        let angle = within(state, 0.0, 360.0);
+        let machine = format!(
+            "gravity 9.81 m/s^2\nground {{ A (0, 0); D ({d} m, 0) }}\nlink crank A-B {a} m\nlink rocker D-C {c} m\nrevolute A: ground - \
+             crank\nrevolute D: ground - rocker\nassemble C left of B-D\ndrive crank = {angle} deg at 8 rad/s accelerating 30 \
+             rad/s^2\nbalance torque M on crank\n"
+        );
+        let at = |state: &mut u64| [within(state, 0.0, length), within(state, -0.1, 0.1)];
+        let mut own = Self {
+            machine,
+            length,
+            rods: vec![([0.0, 0.0], [length, 0.0], within(state, 0.5, 2.0))],
+            masses: Vec::new(),
+            forces: Vec::new(),
+            spread: Vec::new(),
+        };
+        for _ in 0..2 {
+            own.rods.push((at(state), at(state), within(state, 0.5, 2.0)));
+            own.masses.push((at(state), within(state, 0.5, 2.0), within(state, 0.0, 0.02)));
+            own.forces.push((at(state), [within(state, -50.0, 50.0), within(state, -50.0, 50.0)]));
+            let ends = [within(state, 1.0, 90.0), within(state, 1.0, 90.0)];
+            own.spread.push((at(state), at(state), ends, within(state, -180.0, 180.0)));
+        }
+        own
+    }
+
+    /// The link of what is between two places of the axis, and the loads on it.
+    fn part(&self, name: &str, [from, to]: [f64; 2], ends: &str) -> (String, String) {
+        let (mut link, mut loads) = (format!("link {name} {{ {ends}"), String::new());
+        let mut count = 0;
+        let mut point = |link: &mut String, [x, y]: [f64; 2]| {
+            count += 1;
+            let _ = write!(link, "; P{count} ({x} m, {y} m)");
+            format!("P{count}")
+        };
+        // the shares of a segment between the places
+        let shares = |a: [f64; 2], b: [f64; 2]| {
+            let share = |x: f64| ((x - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0);
+            let (s, t) = (share(from), share(to));
+            (s.min(t), s.max(t))
+        };
+        let on = |a: [f64; 2], b: [f64; 2], s: f64| [0, 1].map(|k| a[k] + (b[k] - a[k]) * s);
+        for &(a, b, mass) in &self.rods {
+            let (s, t) = shares(a, b);
+            if t > s {
+                let (p, q) = (point(&mut link, on(a, b, s)), point(&mut link, on(a, b, t)));
+                let _ = write!(link, "; mass {} kg rod {p} to {q}", mass * (t - s));
+            }
+        }
+        for &(at, mass, inertia) in self.masses.iter().filter(|m| from <= m.0[0] && m.0[0] < to) {
+            let p = point(&mut link, at);
+            let _ = write!(link, "; mass {mass} kg at {p} inertia {inertia} kg*m^2");
+        }
+        for &(at, [x, y]) in self.forces.iter().filter(|f| from <= f.0[0] && f.0[0] < to) {
+            let p = point(&mut link, at);
+            let _ = writeln!(loads, "force on {name} at {p} = ({x} N, {y} N)");
+        }
+        for &(a, b, [q_1, q_2], phi) in &self.spread {
+            let (s, t) = shares(a, b);
+            if t > s {
+                let (p, q) = (point(&mut link, on(a, b, s)), point(&mut link, on(a, b, t)));
+                let [q_1, q_2] = [s, t].map(|s| q_1 + (q_2 - q_1) * s);
+                let _ = writeln!(
+                    loads,
+                    "force on {name} from {p} to {q} = {q_1} N/m .. {q_2} N/m @ {phi} deg in {name}"
+                );
+            }
+        }
+        (link + " }\n", loads)
+    }
+
+    /// The machine with the rod as one link.
+    fn whole(&self) -> String {
+        let l = self.length;
+        let (link, loads) = self.part("rod", [-1.0, 9.0], &format!("B (0, 0); C ({l} m, 0)"));
+        format!(
+            "{}{link}revolute B: crank - rod\nrevolute C: rod - rocker\n{loads}torque on rod = 7 N*m\n",
+            self.machine
+        )
+    }
+
+    /// The machine with the rod as two links that are welded at a place.
+    fn welded(&self, x: f64) -> String {
+        let l = self.length;
+        let (one, on_one) = self.part("one", [-1.0, x], &format!("B (0, 0); W ({x} m, 0)"));
+        let (two, on_two) = self.part("two", [x, 9.0], &format!("W ({x} m, 0); C ({l} m, 0)"));
+        format!(
+            "{}{one}{two}revolute B: crank - one\nrevolute C: two - rocker\nweld W: one - two\n{on_one}{on_two}torque on one = 7 N*m\n",
+            self.machine
+        )
+    }
+}
+
+/// The force and the couple of a weld at the place of the cut, by the solver of welded links.
+#[test]
+fn the_forces_at_a_cut_are_those_of_a_weld_there() {
+    let mut state = 12;
+    for _ in 0..150 {
+        let rod = Rod::of(&mut state);
+        let x = within(&mut state, 0.02, rod.length - 0.02);
+        let text = rod.whole();
+        let parts = ["N", "Q", "M"].map(|part| format!("internal(rod, {x} m).{part}"));
+        let found = values(&text, &parts);
+        let weld =
+            ["dot(reaction(W, one), dir(one))", "-cross(dir(one), reaction(W, one))", "moment(W, one)"];
+        let wanted = values(&rod.welded(x), &weld.map(str::to_owned));
+        let scale = wanted.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        found.into_iter().zip(wanted).for_each(|(found, wanted)| near(found, wanted, scale, &text));
+    }
+}
+
+/// Extremes against many cuts, and the shear force as the slope of the moment where all acts on the axis.
+#[test]
+fn extremes_along_a_link_are_those_of_many_cuts() {
+    let mut state = 77;
+    for round in 0..40 {
+        let mut rod = Rod::of(&mut state);
+        if round % 2 == 0 {
+            let flat = |at: &mut [f64; 2]| at[1] = 0.0;
+            rod.rods.iter_mut().for_each(|r| [&mut r.0, &mut r.1].into_iter().for_each(flat));
+            rod.spread.iter_mut().for_each(|r| [&mut r.0, &mut r.1].into_iter().for_each(flat));
+        }
+        let text = rod.whole();
+        let steps = 400;
+        let places: Vec<f64> = (0..=steps).map(|i| rod.length * f64::from(i) / f64::from(steps)).collect();
+        for part in ["N", "Q", "M"] {
+            let mut names: Vec<String> =
+                places.iter().map(|x| format!("internal(rod, {x} m).{part}")).collect();
+            let whole = ["max", "min", "argmax", "argmin"].map(|how| format!("{how}(internal(rod).{part})"));
+            names.extend(whole);
+            let all = values(&text, &names);
+            let (cuts, extremes) = all.split_at(places.len());
+            let scale = cuts.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            let (most, least) =
+                (cuts.iter().fold(f64::MIN, |m, x| m.max(*x)), cuts.iter().fold(f64::MAX, |m, x| m.min(*x)));
+            assert!(
+                extremes[0] >= most - 1e-9 * scale && extremes[1] <= least + 1e-9 * scale,
+                "{extremes:?} {most} {least}\n{text}"
+            );
+            // between two cuts a moment changes by less than a step times the shear force
+            if part == "M" {
+                assert!(
+                    extremes[0] - most < 0.05 * scale && least - extremes[1] < 0.05 * scale,
+                    "{extremes:?} {most} {least}\n{text}"
+                );
+            }
+            for i in 0..2 {
+                let beside = [-1e-7, 1e-7].map(|d| (extremes[2 + i] + d).clamp(0.0, rod.length));
+                let names = beside.map(|x| format!("internal(rod, {x} m).{part}"));
+                let found = values(&text, &names);
+                let nearest = found.iter().map(|value| (value - extremes[i]).abs()).fold(f64::MAX, f64::min);
+                assert!(nearest <= 1e-4 * scale.max(1.0), "{part} {i}: {found:?} {extremes:?}\n{text}");
+            }
+        }
+        if round % 2 == 0 {
+            let x = within(&mut state, 0.05, rod.length - 0.05);
+            let h = 1e-4;
+            let names = [
+                format!("internal(rod, {} m).M", x - h),
+                format!("internal(rod, {} m).M", x + h),
+                format!("internal(rod, {x} m).Q"),
+            ];
+            let found = values(&text, &names);
+            let forces = rod.forces.iter().map(|f| f.0[0]).chain(rod.masses.iter().map(|m| m.0[0]));
+            if forces.into_iter().all(|at| (at - x).abs() > 2.0 * h) {
+                near((found[1] - found[0]) / (2.0 * h) / 1e4, found[2] / 1e4, 1.0 + found[2].abs(), &text);
+            }
+        }
+    }
+}
+
+#[test]
+fn extremes_along_a_link_have_extremes_over_the_sweep() {
+    let text = "ground { O (0, 0); line guide through O along 0 deg }\nlink crank O-A 100 mm\nlink rod A-B 400 mm { mass 3 kg rod A to B }\n\
+                link piston { B (0, 0) }\nrevolute O: ground - crank\nrevolute A: crank - rod\nrevolute B: rod - piston\nprismatic P: \
+                piston.B - ground.guide\nassemble B ahead of A\ndrive crank = 0 deg .. 360 deg in 720 steps at 1200 rpm\nfind m = \
+                max(internal(rod).M), most = max(max(internal(rod).M)), place = argmax(max(internal(rod).M)) as deg\n";
+    let solution = assur::solve(text).unwrap_or_else(|e| panic!("{e}"));
+    let number = |pose: usize, name: &str| solution.poses()[pose][name].number().expect("a number");
+    let all = (0..solution.poses().len()).map(|i| number(i, "m"));
+    let most = all.fold(f64::MIN, f64::max);
+    let found = solution["most"].number().expect("a number");
+    assert!(found >= most - 1e-9 && found - most < 1e-2, "{found} {most}");
+}
+
+#[test]
+fn internal_stays_a_name() {
+    let text = "curve internal {\n x, y\n 0, 1\n 1, 3\n}\nground { A (0, 0) }\nlink internal A-B 1 m\nweld A: ground - internal\ngiven M = 2 \
+                N*m\ntorque on internal = M\nlet argmin = 3\n";
+    let found =
+        values(text, &["internal(0.5)".to_owned(), "argmin".to_owned(), "moment(A, internal)".to_owned()]);
+    assert_eq!(found[..2], [2.0, 3.0]);
+    near(found[2], -2.0, 1.0, text);
 }

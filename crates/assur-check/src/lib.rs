@@ -49,7 +49,7 @@ use motion::equilibrium;
 use names::declare;
 use names::lookalikes::{self, Scope};
 use requests::query::RESULTS;
-use requests::{bars, expect, find, variants};
+use requests::{bars, expect, find, internal, variants};
 use trains::at_rest::at_rest;
 use values::order::order;
 use values::store::Values;
@@ -190,6 +190,7 @@ fn meaning(cx: &mut Context<'_>) {
     equilibrium::allowed(cx);
     bars::bars(cx);
     bars::load_at_pin(cx);
+    internal::inside(cx);
     at_rest(cx);
     variants::variants(cx);
     load_cycle::load_cycles(cx);

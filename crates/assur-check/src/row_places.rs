@@ -1,11 +1,12 @@
 //! Where in a document a row of variants may change a number without changing anything else, and what the number must be there.
 //! A document that uses a column elsewhere is checked again for every row.
 
-use crate::statements::walk::{children, parts};
+use crate::statements::walk::{children, expressions, parts};
 use assur_syntax::document::{
     AssembleClause, Bar, Body, Document, DrivePosition, Expect, ExpectAt, Expr, ExprKind, JointKind,
     LineDirection, Member, Place, Property, Sensed, Setting, Site, Statement,
 };
+use assur_text::language::Function;
 use indexmap::IndexSet;
 
 /// What is asked of a number.
@@ -46,9 +47,25 @@ pub(crate) fn places<'d>(doc: &'d Document, names: &'d IndexSet<String>) -> Opti
     if doc.notes.iter().any(|note| filled(&note.node)) || doc.title().is_some_and(|t| filled(&t.node)) {
         return None;
     }
+    if asks_inside(doc) {
+        return None;
+    }
     let mut places = Places { names, found: Vec::new(), expected: Vec::new() };
     doc.statements.iter().try_for_each(|s| places.statement(&s.node))?;
     Some(places)
+}
+
+/// Whether a document asks for forces inside links: places of cuts are compared with the links.
+fn asks_inside(doc: &Document) -> bool {
+    let mut found = false;
+    for statement in &doc.statements {
+        expressions(&statement.node, &mut |expr| {
+            parts(expr, &mut |part| {
+                found |= matches!(&part.kind, ExprKind::Call { function, .. } if function.node == Function::Internal.name());
+            });
+        });
+    }
+    found
 }
 
 /// Whether an expression uses one of these names.

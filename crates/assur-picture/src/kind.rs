@@ -6,6 +6,7 @@ use crate::equilibrium::equilibrium;
 use crate::forces::{forces, friction, lever};
 use crate::fourier::fourier;
 use crate::hodograph::{hodographs, polars};
+use crate::internal::internal;
 use crate::motion::{accelerations, velocities};
 use crate::paper::Scaled;
 use crate::planes::planes;
@@ -42,6 +43,8 @@ pub enum Kind {
     Work,
     /// Amplitudes of Fourier series.
     Fourier,
+    /// Forces inside links.
+    Internal,
     /// Masses of rotors in their planes.
     Planes,
     /// Potential energy around positions of equilibrium.
@@ -56,7 +59,7 @@ pub enum Kind {
     Animation,
 }
 
-pub const KINDS: [Kind; 18] = [
+pub const KINDS: [Kind; 19] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -69,6 +72,7 @@ pub const KINDS: [Kind; 18] = [
     Kind::Plot,
     Kind::Work,
     Kind::Fourier,
+    Kind::Internal,
     Kind::Planes,
     Kind::Equilibrium,
     Kind::Cam,
@@ -110,6 +114,7 @@ impl Kind {
             Self::Plot => "plot",
             Self::Work => "work",
             Self::Fourier => "fourier",
+            Self::Internal => "internal",
             Self::Planes => "planes",
             Self::Equilibrium => "equilibrium",
             Self::Cam => "cam",
@@ -131,6 +136,7 @@ impl Kind {
             | Self::Plot
             | Self::Work
             | Self::Fourier
+            | Self::Internal
             | Self::Planes
             | Self::Equilibrium
             | Self::Cam
@@ -168,14 +174,23 @@ impl Kind {
     pub const fn has_size(self) -> bool {
         !matches!(
             self,
-            Self::Train | Self::Plot | Self::Work | Self::Fourier | Self::Planes | Self::Equilibrium
+            Self::Train
+                | Self::Plot
+                | Self::Work
+                | Self::Fourier
+                | Self::Internal
+                | Self::Planes
+                | Self::Equilibrium
         )
     }
 
     /// Whether it shows forces.
     #[must_use]
     pub const fn forces(self) -> bool {
-        matches!(self, Self::Forces | Self::Lever | Self::Axial | Self::Friction | Self::Polar)
+        matches!(
+            self,
+            Self::Forces | Self::Lever | Self::Axial | Self::Internal | Self::Friction | Self::Polar
+        )
     }
 
     /// Whether it shows the whole sweep and not one position.
@@ -215,6 +230,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Animation => still(scene, options).map(|first| vec![first]),
         Kind::Work => work(scene),
         Kind::Fourier => fourier(scene),
+        Kind::Internal => internal(scene),
         Kind::Planes => planes(scene),
         Kind::Equilibrium => equilibrium(scene).map(|energy| vec![energy]),
         Kind::Plot => plot(scene, &options.plotted).map(|(plot, _)| vec![plot]),

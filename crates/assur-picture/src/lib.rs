@@ -10,6 +10,7 @@ mod forces;
 mod fourier;
 mod hodograph;
 mod inset;
+mod internal;
 mod kind;
 mod motion;
 mod no_diagram;

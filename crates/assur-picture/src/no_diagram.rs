@@ -81,6 +81,18 @@ pub(crate) fn no_term(scene: &Scene<'_>) -> Diagnosis {
         .help(format!("ask for a table, as in `find fourier({name}) in 8 steps`"))
 }
 
+/// No forces inside a link; the help asks for some.
+pub(crate) fn no_internal(scene: &Scene<'_>) -> Diagnosis {
+    let mut links = scene.mechanism().links.iter().skip(1);
+    let long = links.find(|link| link.extent()[0] < link.extent()[1]);
+    let name = long.map_or("beam", |link| link.name.as_str());
+    let (at, label) = first_item(scene);
+    let why = "there are no internal forces to draw: the file asks for none";
+    Diagnosis::error("mech::picture::no_internal", why)
+        .label(at, label)
+        .help(format!("ask for a table, as in `find internal({name}) in 12 steps`"))
+}
+
 /// No rotor with masses in several planes.
 pub(crate) fn no_planes() -> Diagnosis {
     let why = "there are no planes to draw: no link on the ground has masses in several planes";

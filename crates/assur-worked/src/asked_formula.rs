@@ -53,7 +53,8 @@ impl Writer<'_> {
             "dir" => return Some(say(self.language, QuestionMessage::Direction, &[first()?])),
             _ => {}
         }
-        if let Some(words) = FunctionWords::of(name, args.len()) {
+        let words = along_link(name, args).or_else(|| FunctionWords::of(name, args.len()));
+        if let Some(words) = words {
             return self.say(words, args);
         }
         let formula = self.call(name, args)?;
@@ -252,4 +253,12 @@ fn leaf(name: Name) -> Formula {
         given: true,
         rounding: 0.0,
     }))
+}
+
+/// The words of `argmax(internal(beam).M)`, which is a place on a link.
+fn along_link(name: &str, args: &[Arg]) -> Option<FunctionWords> {
+    let [Arg { name: None, value }] = args else { return None };
+    let ExprKind::Member(of, _) = &value.kind else { return None };
+    let inside = matches!(&of.kind, ExprKind::Call { function, .. } if function.node == "internal");
+    if inside { FunctionWords::of(&format!("{name} internal"), 1) } else { None }
 }

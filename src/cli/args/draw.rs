@@ -12,7 +12,7 @@ use clap::ValueEnum;
 #[derive(Clone, Debug, clap::Args)]
 pub struct Draw {
     /// Files to draw, and the pictures wanted: `scheme`, `velocities`, `accelerations`, `forces`, `lever`, `axial`,
-    /// `friction`, `curvature`, `train`, `plot "omega(rocker), Mb"`, `work`, `fourier`, `planes`, `equilibrium`, `cam`, `hodograph rod.S`, `polar B`, `animation`
+    /// `friction`, `curvature`, `train`, `plot "omega(rocker), Mb"`, `work`, `fourier`, `internal`, `planes`, `equilibrium`, `cam`, `hodograph rod.S`, `polar B`, `animation`
     /// [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,

@@ -12,7 +12,7 @@ use serde::Serialize;
 use super::answers::Answers;
 use crate::exercise::Outcome;
 use assur_check::{ColumnUse, Row};
-use assur_model::model::{Find, FindKind, TableEntry};
+use assur_model::model::{self, TableEntry};
 use assur_solve::solve::{Model, Pose};
 use assur_text::diagnostic::DiagnosticView;
 use assur_text::source::is_obeyed;
@@ -205,16 +205,15 @@ pub(super) fn escaped(json: String) -> String {
 }
 /// Tables by the names of their entries.
 fn tables(answers: &Answers<'_>) -> Vec<(String, Entries<Vec<Number>>)> {
-    let table = |find: &Find| {
-        let FindKind::Table(table) = &find.kind else { return None };
+    let table = |(name, table, pose): (String, &model::Table, Option<&Pose>)| {
         // an entry that does not exist at some place (the radius of a straight piece) is left out
         let entry = |e: &TableEntry| {
-            let values = answers.entry(e).iter().map(|x| Number::of(*x)).collect::<Option<Vec<_>>>()?;
+            let values = answers.entry(e, pose).iter().map(|x| Number::of(*x)).collect::<Option<Vec<_>>>()?;
             Some((e.name.clone(), values))
         };
-        Some((find.name.clone(), Entries(table.entries.iter().filter_map(entry).collect())))
+        (name, Entries(table.entries.iter().filter_map(entry).collect()))
     };
-    answers.model.mechanism.finds.iter().filter_map(table).collect()
+    answers.tables().into_iter().map(table).collect()
 }
 
 fn of_cycle(answers: &Answers<'_>) -> Vec<(String, Reading)> {

@@ -81,6 +81,15 @@ pub struct Builder {
     pub hinges: Hinges,
     /// Links whose axial force is asked for, and where.
     pub axial: Vec<(LinkId, Span)>,
+    /// Links inside which forces are asked for.
+    pub inside: Vec<Inside>,
+}
+
+/// A link inside which forces are asked for, and the place of the cut where one is written.
+pub struct Inside {
+    pub link: LinkId,
+    pub span: Span,
+    pub cut: Option<(f64, Span)>,
 }
 
 impl Builder {

@@ -4,6 +4,7 @@ use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::links::lookup::kind_phrase;
 use crate::loads::mass::inertia_counts;
+use crate::values::format_value::format_value;
 use crate::values::typed::{Type, Typed};
 use crate::values::unit_use::display_in;
 use assur_math::math::Vec2;
@@ -126,7 +127,13 @@ fn report(cx: &mut Context<'_>, link: LinkId, span: Span, bends: Bends) {
     let mech = &cx.builder.mech;
     let name = mech.link(link).name.clone();
     let hinge = mech.pairs.iter().find(|p| p.kind.links().contains(&link));
-    let force = hinge.map(|pair| format!("ask for the force in a pair: `reaction({}, {name})`", pair.name));
+    let [begin, end] = mech.link(link).extent();
+    let force = if begin < end {
+        let cut = format_value((begin + end) / 2.0, Dimension::LENGTH);
+        Some(format!("ask for the force along it at a cut: `internal({name}, {cut}).N`"))
+    } else {
+        hinge.map(|pair| format!("ask for the force in a pair: `reaction({}, {name})`", pair.name))
+    };
     cx.error(
         Diagnosis::error("mech::request::bends", format!("`{name}` bends: {}", bends.why))
             .primary(span, "the force along it is asked for")

@@ -82,6 +82,9 @@ fn asked_for(cx: &mut Context<'_>, item: &FindItem) -> Option<FindKind> {
     if let Some(table) = cx.fourier_table(item) {
         return table;
     }
+    if let Some(table) = cx.internal_table(item) {
+        return table;
+    }
     let (expr, display) = match &item.name {
         // Read among the definitions already.
         Some(name) => match cx.values.definitions.settled(&name.node)? {

@@ -7,6 +7,7 @@ pub mod definitions;
 pub mod expect;
 pub mod expected_list;
 pub mod find;
+pub mod internal;
 pub mod query;
 pub mod tolerance;
 pub mod too_wide;

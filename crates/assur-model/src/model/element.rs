@@ -52,7 +52,7 @@ pub struct CamContact {
     pub tip: Vec2,
 }
 
-/// A table of numbers that needs no pose.
+/// A table of numbers: given ones, those over the sweep, or those of a position.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
     /// One entry per column (per row where `upright`).
@@ -69,7 +69,7 @@ pub struct TableEntry {
     pub display: Display,
     /// Its values, SI; not a number where there is none.
     pub values: Vec<f64>,
-    /// Those that are found over the sweep.
+    /// Those that are found, over the sweep or at a position.
     pub found: Vec<Expr>,
 }
 

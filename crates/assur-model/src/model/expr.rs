@@ -228,6 +228,8 @@ pub enum Query {
     Reaction(PairId, LinkId),
     /// Force along a link of two hinges, N; tension is positive.
     Axial(LinkId),
+    /// A force or a moment inside a link, or a place on it.
+    Internal(super::Internal),
     /// Couple on a link in a pair about the pair's reference point.
     Moment(PairId, LinkId),
     /// Part of the force on the link along the line's left normal (contacts: along the common normal into the link).

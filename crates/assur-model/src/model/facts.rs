@@ -175,6 +175,10 @@ impl Query {
             Self::Axial(link) => {
                 Facts { placed: Some((About::Link(link), "an axial force")), ..force("an axial force") }
             }
+            Self::Internal(asked) => Facts {
+                placed: Some((About::Link(asked.link), "a force inside a link")),
+                ..force("a force inside a link")
+            },
             Self::Normal(pair, _) => Facts { reaction: Some(pair), ..force("a normal force") },
             Self::ContactForce(pair, _) => {
                 Facts { reaction: Some(pair), couple: Some(pair), ..force("a normal force") }

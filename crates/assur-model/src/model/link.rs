@@ -23,6 +23,16 @@ pub struct Link {
     pub mass_parts: Vec<MassPart>,
 }
 
+impl Link {
+    /// Where its points begin and end on its x axis, m; equal of a link of one point.
+    #[must_use]
+    pub fn extent(&self) -> [f64; 2] {
+        let xs = || self.points.iter().map(|point| point.at.x);
+        let ends = [xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max)];
+        if ends[0] <= ends[1] { ends } else { [0.0; 2] }
+    }
+}
+
 /// Mass of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassProperties {

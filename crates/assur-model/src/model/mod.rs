@@ -8,6 +8,7 @@ mod element;
 mod expr;
 mod facts;
 mod id;
+mod internal;
 mod link;
 mod load;
 mod motion;
@@ -29,6 +30,7 @@ pub use expr::{
 };
 pub use facts::{About, Answer, Facts, Level};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
+pub use internal::{AlongLink, Cut, Internal, InternalPart};
 pub use link::{CamProfile, Circle, Counterweight, Line, Link, MassPart, MassProperties, MassShape, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spread, Spring, TorsionSpring};
 pub use motion::{

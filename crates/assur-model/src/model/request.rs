@@ -1,6 +1,8 @@
 //! Questions and expectations.
 
-use super::{Answer, BinaryOp, Display, DriveId, Expr, Function, Load, Mechanism, Value};
+use super::{
+    Answer, BinaryOp, Display, DriveId, Expr, Function, LinkId, Load, Mechanism, Query, Table, Value,
+};
 use crate::source::Span;
 
 /// One item of `find`.
@@ -27,7 +29,7 @@ pub enum FindKind {
     /// All reactions in all pairs.
     Reactions,
     /// A table that needs no pose.
-    Table(super::Table),
+    Table(Table),
 }
 
 /// One `expect`.
@@ -152,5 +154,43 @@ impl Mechanism {
             | Expr::Power(..)
             | Expr::Curve(..) => false,
         }
+    }
+}
+
+impl Table {
+    /// Those of its numbers that are found.
+    pub fn questions(&self) -> impl Iterator<Item = &Expr> {
+        self.entries.iter().flat_map(|entry| &entry.found)
+    }
+
+    /// Whether it has other numbers at each position.
+    #[must_use]
+    pub fn is_of_pose(&self) -> bool {
+        let mut of_pose = false;
+        self.questions().for_each(|expr| expr.queries(&mut |query| of_pose |= !query.facts().poseless));
+        of_pose
+    }
+}
+
+impl Mechanism {
+    /// The links inside which the file asks for forces.
+    #[must_use]
+    pub fn asked_inside(&self) -> Vec<LinkId> {
+        let mut links = Vec::new();
+        let mut look = |expr: &Expr| {
+            expr.queries(&mut |query| match query {
+                Query::Internal(asked) if !links.contains(&asked.link) => links.push(asked.link),
+                _ => {}
+            });
+        };
+        for find in &self.finds {
+            match &find.kind {
+                FindKind::Value { expr, .. } => look(expr),
+                FindKind::Table(table) => table.questions().for_each(&mut look),
+                FindKind::Reactions => {}
+            }
+        }
+        self.quantities.iter().for_each(|quantity| look(&quantity.expr));
+        links
     }
 }

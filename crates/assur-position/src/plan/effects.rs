@@ -210,7 +210,7 @@ impl EffectRequest {
                     self.forces = true;
                     self.level = Level::Accelerations;
                 }
-                FindKind::Table(_) => {}
+                FindKind::Table(table) => table.questions().for_each(|expr| self.expr(mechanism, expr)),
             }
         }
         for expect in &mechanism.expects {

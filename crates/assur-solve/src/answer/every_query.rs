@@ -32,8 +32,10 @@ pub(crate) fn every_expr(mechanism: &Mechanism, ask: &mut impl FnMut(&Expr, Span
         load.expressions().for_each(|e| ask(e, load.span));
     }
     for find in &mechanism.finds {
-        if let FindKind::Value { expr, .. } = &find.kind {
-            ask(expr, find.span);
+        match &find.kind {
+            FindKind::Value { expr, .. } => ask(expr, find.span),
+            FindKind::Table(table) => table.questions().for_each(|expr| ask(expr, find.span)),
+            FindKind::Reactions => {}
         }
     }
     for expect in &mechanism.expects {

@@ -142,6 +142,7 @@ impl PoseAnswers<'_> {
             Query::Coriolis(pair) => Value::Vector(self.coriolis(*pair)),
             Query::Reaction(pair, link) => Value::Vector(self.reaction(*pair, *link)),
             Query::Axial(link) => Value::Scalar(self.axial(*link)),
+            Query::Internal(asked) => Value::Scalar(self.internal(*asked)),
             Query::Moment(pair, link) => Value::Scalar(self.moment(*pair, *link)),
             Query::Normal(pair, link) => Value::Scalar(self.normal(*pair, *link)),
             Query::Friction(pair, link) => Value::Scalar(self.friction(*pair, *link)),

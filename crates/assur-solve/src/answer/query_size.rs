@@ -2,7 +2,9 @@
 
 use super::pose_answers::PoseAnswers;
 use super::sizes::Sizes;
-use crate::model::{LinkId, LoadId, LoadKind, PairId, PairKind, Query};
+use crate::model::{
+    AlongLink, Cut, Internal, InternalPart, LinkId, LoadId, LoadKind, PairId, PairKind, Query,
+};
 use crate::plan::LoadStep;
 use crate::structure::{EffortKind, EffortSource};
 
@@ -115,7 +117,11 @@ impl PoseAnswers<'_> {
             | Query::Tension(..)
             | Query::TightSide(_)
             | Query::SlackSide(_) => sizes.all_force(),
-            Query::Moment(..) => sizes.all_moment(),
+            Query::Internal(Internal { at: Cut::Extreme(AlongLink { place: true, .. }), .. }) => length,
+            Query::Internal(Internal { part: InternalPart::Moment, .. }) | Query::Moment(..) => {
+                sizes.all_moment()
+            }
+            Query::Internal(_) => sizes.all_force(),
             Query::StopEffort(stop) => match self.mechanism.stops.get(*stop) {
                 Some(stop) if stop.turns => sizes.all_moment(),
                 _ => sizes.all_force(),

@@ -143,6 +143,8 @@ impl Function {
                 | Self::MassCentre
                 | Self::Inertia
                 | Self::Axial
+                | Self::Internal
+                | Self::Argmin
                 | Self::CurvatureCentre
                 | Self::Stable
                 | Self::NaturalFrequency

@@ -192,6 +192,18 @@ functions! {
         [form(&[J, ON], Number(Dimension::TORQUE), "couple on L about the pair's reference point")],
     Axial "axial" Force "axial(bar)"
         [form(&[L], Number(Dimension::FORCE), "force along a link of two hinges; tension is positive")],
+    Internal "internal" Force "internal(beam, 1.2 m).M" [
+        form(
+            &[L, X],
+            Parts("force, force, torque"),
+            "normal force `.N`, shear force `.Q` and bending moment `.M` at x along a link",
+        ),
+        form(
+            &[L],
+            Parts("force, force, torque"),
+            "along the whole link: in `max`, `min`, `argmax`, `argmin`; in `find internal(L) in 12 steps` a table",
+        ),
+    ],
     Normal "normal" Force "normal(D, piston)" [form(
         &[J, ON],
         Number(Dimension::FORCE),
@@ -421,6 +433,8 @@ functions! {
     ],
     Argmax "argmax" Cycle "argmax(Mb)"
         [form(&[X, AFTER, BEFORE], OF_DRIVE, "value of the drive where x is greatest")],
+    Argmin "argmin" Cycle "argmin(Mb)"
+        [form(&[X, AFTER, BEFORE], OF_DRIVE, "value of the drive where x is least")],
     JournalTorque "journal_torque" Bearing "journal_torque(load = 5 kN, radius = 40 mm, friction = 0.1)"
         [form(&[LOAD, RADIUS, COEFFICIENT, FIT], Number(Dimension::TORQUE), "friction torque of a journal, k f F r")],
     ThrustTorque "thrust_torque" Bearing "thrust_torque(load = 5 kN, outer = 40 mm, inner = 0, friction = 0.1)" [form(

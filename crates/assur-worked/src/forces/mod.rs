@@ -1,6 +1,7 @@
 //! Forces: loads of the links, then the groups, the last of motion first, then the balance.
 
 mod check;
+mod cuts;
 mod driven;
 mod free_body;
 mod friction;
@@ -86,6 +87,7 @@ impl Derivation<'_> {
             self.figures(shown);
         }
         self.welds();
+        self.cuts();
         self.count_reactions();
     }
 

@@ -40,7 +40,7 @@ messages! {
         TrainPlaces LawsOfTrain LawsTogether Eliminated LawOf TrainForces MemberGives MembersGive SheetHead
         DrawnFor TextOf OtherPose Variants Variant Find Answers KeyHead Position TogetherForces
         EquilibriumOf Closes AskedFor AskedOfGuides AskedOfForces NoForces NothingActs SeeScheme SeePlan
-        SeeFreed SeePolygon SeeLever Rates LoadHere LoadResultant CoupleOnFirst EquationsTogether SolutionIs RatesTogether
+        SeeFreed SeePolygon SeeLever Rates LoadHere LoadResultant InsideLink CoupleOnFirst EquationsTogether SolutionIs RatesTogether
         PowerFlows TeethPress BearingsOf TrainPowers CarrierLocked CarrierTurns SumOfBoth WillisParts
         WillisSpeeds Sizes SizesOf CamTurned CamTurnedBy LiftBegins PlanetsEven SplineSlopes RootOfLaw
         CamDwells HeldByArc TurnsWith Rests Powers CommonNormal StaticMasses DynamicMasses StiffLink

@@ -158,8 +158,13 @@ impl Context<'_> {
         None
     }
 
-    /// `max(pressure_angle(plate))`, `min(profile(plate).s'')`, `argmax(…)`; `None` where the argument asks no cam.
-    pub(crate) fn over_cam(&mut self, call: Call<'_>, how: CycleFunction) -> Option<Option<Typed>> {
+    /// `max(pressure_angle(plate))`, `min(profile(plate).s'')`, `argmax(…)`, `argmin(…)`; `None` where the argument asks no cam.
+    pub(crate) fn over_cam(
+        &mut self,
+        call: Call<'_>,
+        how: CycleFunction,
+        least: bool,
+    ) -> Option<Option<Typed>> {
         let [Arg { name: None, value }] = call.args else { return None };
         let (inner, part) = match &value.kind {
             ExprKind::Member(base, part) => (base.as_ref(), Some(part)),
@@ -177,13 +182,13 @@ impl Context<'_> {
             },
             _ => return None,
         };
-        Some(cam.and_then(|plate| self.cam_extreme(call, how, &plate, which)))
+        Some(cam.and_then(|plate| self.cam_extreme(call, (how, least), &plate, which)))
     }
 
     fn cam_extreme(
         &mut self,
         call: Call<'_>,
-        how: CycleFunction,
+        (how, least): (CycleFunction, bool),
         plate: &PlateCam,
         part: CamPart,
     ) -> Option<Typed> {
@@ -198,7 +203,7 @@ impl Context<'_> {
             }
         };
         self.with_speed(plate, part, call)?;
-        let (phi, value) = plate.cam.extreme(quantity, how != CycleFunction::Min);
+        let (phi, value) = plate.cam.extreme(quantity, !least);
         let ty = of_type(part, plate);
         if how == CycleFunction::Argmax {
             return Some(Typed::constant(phi, Dimension::ANGLE));

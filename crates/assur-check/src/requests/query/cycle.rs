@@ -2,13 +2,14 @@
 
 use crate::expr::context::Context;
 use crate::expr::results::Call;
+use crate::values::fold;
 use crate::values::typed::{Dim, Type, Typed};
 use assur_model::model::{Cycle, CycleFunction, Expr, Part, Query};
 use assur_text::units::Dimension;
 
 impl Context<'_> {
-    /// `max`, `min`, `mean`, `integral`, `argmax` of one number.
-    pub(crate) fn over_sweep(&mut self, call: Call<'_>, how: CycleFunction) -> Option<Typed> {
+    /// `max`, `min`, `mean`, `integral`, `argmax` of one number, or of its opposite: where a number is least its opposite is greatest.
+    pub(crate) fn over_sweep(&mut self, call: Call<'_>, how: CycleFunction, opposite: bool) -> Option<Typed> {
         let (value, part) = self.value_and_part(call)?;
         let t = self.read(value)?;
         let Type::Number(dim) = t.ty else {
@@ -34,8 +35,8 @@ impl Context<'_> {
         if t.pending {
             return Some(Typed::pending(ty));
         }
-        let expr = self.cycle((how, dimension), t.expr, (call, part));
-        Some(Typed::new(expr, ty))
+        let expr = if opposite { fold::negate(t.expr) } else { t.expr };
+        Some(Typed::new(self.cycle((how, dimension), expr, (call, part)), ty))
     }
 
     /// The dimension of what it is taken over: the drive, or the time of a motion under loads.

@@ -99,7 +99,7 @@ impl Context<'_> {
             F::Slope => self.slope(call),
             F::Dot => self.product(call, model::Function::Dot),
             F::Cross => self.product(call, model::Function::Cross),
-            F::Max | F::Min | F::Argmax | F::Mean | F::Integral => self.over_all(call, function),
+            F::Max | F::Min | F::Argmax | F::Argmin | F::Mean | F::Integral => self.over_all(call, function),
             F::Fourier => self.fourier_alone(call),
             F::ShakingForce | F::ShakingMoment | F::RockingCouple => self.on_the_frame(call, function),
             F::Position => self.point_motion(call, Dimension::LENGTH, Query::Position, Query::Displacement),
@@ -142,6 +142,7 @@ impl Context<'_> {
             F::SlidingVelocity => self.gear_rate_alone(call, GearRate::SlidingVelocity),
             F::Reaction => self.reaction(call, |_| true, Query::Reaction, Type::vector(Dimension::FORCE)),
             F::Axial => self.axial(call),
+            F::Internal => self.internal_alone(call),
             F::Stable => self.stable(call),
             F::NaturalFrequency | F::DampingRatio | F::DampedFrequency => self.vibration(call, function),
             F::Moment => self.reaction(call, has_moment, Query::Moment, Type::number(Dimension::TORQUE)),
@@ -207,20 +208,24 @@ impl Context<'_> {
         match function {
             Function::Max if several => self.extreme(call, model::Function::Max),
             Function::Min if several => self.extreme(call, model::Function::Min),
-            Function::Max => self.over_cam_or_sweep(call, CycleFunction::Max),
-            Function::Min => self.over_cam_or_sweep(call, CycleFunction::Min),
-            Function::Argmax => self.over_cam_or_sweep(call, CycleFunction::Argmax),
-            Function::Mean => self.over_sweep(call, CycleFunction::Mean),
-            _ => self.over_sweep(call, CycleFunction::Integral),
+            Function::Max => self.extreme_over(call, CycleFunction::Max, false),
+            Function::Min => self.extreme_over(call, CycleFunction::Min, true),
+            Function::Argmax => self.extreme_over(call, CycleFunction::Argmax, false),
+            Function::Argmin => self.extreme_over(call, CycleFunction::Argmax, true),
+            Function::Mean => self.over_sweep(call, CycleFunction::Mean, false),
+            _ => self.over_sweep(call, CycleFunction::Integral, false),
         }
     }
 
-    /// `max`, `min`, `argmax` of one value: over the turn of a cam, else over the sweep.
-    fn over_cam_or_sweep(&mut self, call: Call<'_>, how: CycleFunction) -> Option<Typed> {
-        if let Some(found) = self.over_cam(call, how) {
+    /// `max`, `min`, `argmax`, `argmin` of one value: along a link, over the turn of a cam, else over the sweep.
+    fn extreme_over(&mut self, call: Call<'_>, how: CycleFunction, least: bool) -> Option<Typed> {
+        if let Some(found) = self.along_link(call, how, least) {
             return found;
         }
-        self.over_sweep(call, how)
+        if let Some(found) = self.over_cam(call, how, least) {
+            return found;
+        }
+        self.over_sweep(call, how, least && how == CycleFunction::Argmax)
     }
 }
 

@@ -43,6 +43,7 @@ impl Context<'_> {
                     Function::Table => Some(self.gear_part(call, part)),
                     Function::ToothForce => Some(self.gear_rate(call, GearRate::ToothForce, part)),
                     Function::SlidingVelocity => Some(self.gear_rate(call, GearRate::SlidingVelocity, part)),
+                    Function::Internal if !self.is_curve(&function.node) => Some(self.internal(call, part)),
                     Function::Fourier if !self.is_curve(&function.node) => Some(self.fourier(call, part)),
                     Function::Rim => Some(self.rim(call, part)),
                     _ => None,

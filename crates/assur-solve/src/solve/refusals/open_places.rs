@@ -2,7 +2,7 @@
 //! answered.
 
 use crate::answer::every_query;
-use crate::model::{About, Bearing, FindKind, LinkId, LoadId, PairId, PairKind, PointRef, Positions};
+use crate::model::{About, Bearing, FindKind, LinkId, LoadId, PairId, PairKind, PointRef, Positions, Query};
 use crate::plan::LawSite;
 use crate::position::Model;
 use crate::solve::refusal::{Refusal, Unpositioned};
@@ -135,6 +135,13 @@ pub(super) fn without_place(model: &Model<'_>) -> Vec<Refusal> {
     let mut found: Vec<Refusal> = Vec::new();
     every_query(mechanism, &mut |query, span| {
         let facts = query.facts();
+        if let Query::Internal(asked) = query {
+            let of_link = |i: &usize| mechanism.pairs[*i].kind.links().contains(&asked.link);
+            let open = (0..mechanism.pairs.len()).filter(|i| unknown[*i]).find(of_link).map(PairId::at);
+            let refusal = open.map(|pair| Refusal::NoPlace { pair, place: span });
+            found.extend(refusal.filter(|refusal| !found.contains(refusal)));
+            return;
+        }
         let Some(pair) = facts.reaction else { return };
         // the couple of a transmission on its shaft needs no place
         if facts.couple.is_some() && matches!(mechanism.pair(pair).kind, PairKind::Transmission(_)) {
