@@ -56,7 +56,7 @@ fn file(truss: &Truss, by_coordinates: bool, state: &mut u64) -> String {
         ends.rotate_left(by);
         let _ = writeln!(text, "revolute {}: {}", names(i), ends.join(" - "));
     }
-    text += "slot K: b0.B - ground.floor\n";
+    text += "slot Z: b0.B - ground.floor\n";
     let near =
         truss.pins.iter().enumerate().skip(1).map(|(i, [x, y])| format!("{} near ({x} m, {y} m)", names(i)));
     if !by_coordinates {
@@ -130,7 +130,7 @@ fn trusses_come_out_as_by_the_equilibrium_of_their_pins() {
         let scale = wanted.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let mut names: Vec<String> = (0..truss.bars.len()).map(|i| format!("axial(b{i})")).collect();
         names.extend(
-            ["-reaction(A, ground).x", "-reaction(A, ground).y", "-reaction(K, ground).y"].map(str::to_owned),
+            ["-reaction(A, ground).x", "-reaction(A, ground).y", "-reaction(Z, ground).y"].map(str::to_owned),
         );
         for (found, wanted) in values(&text, &names).into_iter().zip(&wanted) {
             near(found, *wanted, scale, &text);
