@@ -5,8 +5,10 @@ use crate::forces::quantity_name;
 use assur_formula::{Expr, Name, Node, Unit, letters, name_node};
 use assur_math::math::{SAME, Vec2};
 use assur_model::model::{
-    self, Function, LoadId, ModePart, PairId, PairKind, PointRef, Query, SubstitutionPart, Value,
+    self, AlongLink, Cut, Function, Internal, InternalPart, LoadId, ModePart, PairId, PairKind, PointRef,
+    Query, SubstitutionPart, Value,
 };
+use assur_text::units::significant;
 
 impl Derivation<'_> {
     /// The letters of a question's answer; none where no step has them.
@@ -57,6 +59,23 @@ impl Derivation<'_> {
         }
     }
 
+    /// The letters of a force inside a link, which the table of its pieces gives.
+    fn inside(&self, asked: &Internal) -> (Name, Unit) {
+        let (label, part) = (self.label(asked.link.index()), asked.part.name());
+        let unit = if asked.part == InternalPart::Moment { Unit::Torque } else { Unit::Force };
+        match asked.at {
+            Cut::At(x) => (Name::new(part, &format!("{label},{}", significant(x, 6))), unit),
+            Cut::Extreme(AlongLink { greatest, place }) => {
+                let which = if greatest { "max" } else { "min" };
+                if place {
+                    (Name::new("x", &format!("{part},{which}")), Unit::Length)
+                } else {
+                    (Name::new(part, &format!("{label},{which}")), unit)
+                }
+            }
+        }
+    }
+
     /// A number that a step has under letters of the question.
     pub(crate) fn scalar_symbol(&mut self, query: &Query) -> Option<Expr> {
         let Value::Scalar(value) = self.scene.view().query(query) else { return None };
@@ -73,6 +92,10 @@ impl Derivation<'_> {
                     ModePart::Damped => ("ω", format!("d,{number}"), Unit::AngularVelocity),
                 };
                 return Some(self.stated(Name::new(letter, &index), value, unit));
+            }
+            Query::Internal(asked) => {
+                let (name, unit) = self.inside(asked);
+                return Some(self.stated(name, value, unit));
             }
             Query::Axial(link) => indexed("N", self.label(link.index())),
             Query::Normal(pair, _) => self.reactions_of(*pair),
