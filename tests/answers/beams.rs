@@ -10,7 +10,7 @@ fn near(found: f64, wanted: f64, scale: f64, text: &str) {
 }
 
 /// Where Gauss's two points are on a segment.
-const GAUSS: [f64; 2] = [0.211_324_865_405_187_12, 0.788_675_134_594_812_9];
+const GAUSS: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
 
 /// A four-bar in motion, and the length of a segment PQ of its rod with Gauss's points.
 fn four_bar(state: &mut u64) -> (String, f64) {
@@ -65,6 +65,9 @@ fn a_load_per_length_is_two_forces_at_the_points_of_gauss() {
     }
 }
 
+/// A load per length: from, to, at its ends, and its angle.
+type Spread = ([f64; 2], [f64; 2], [f64; 2], f64);
+
 /// A rod of a four-bar with rods, masses, loads and a torque on it.
 struct Rod {
     machine: String,
@@ -74,8 +77,7 @@ struct Rod {
     /// Masses at points with moments of inertia.
     masses: Vec<([f64; 2], f64, f64)>,
     forces: Vec<([f64; 2], [f64; 2])>,
-    /// Loads per length along segments, at their ends and by their angle.
-    spread: Vec<([f64; 2], [f64; 2], [f64; 2], f64)>,
+    spread: Vec<Spread>,
 }
 
 impl Rod {

@@ -111,6 +111,11 @@ const fn extreme(pair: PairId, function: Function, which: Option<u8>) -> Facts {
     Facts { turned: Some(About::Pair(pair)), extreme: Some((pair, function, which)), ..NUMBER }
 }
 
+/// A force in a link that has a place.
+const fn force_in(link: LinkId, what: &'static str) -> Facts {
+    Facts { placed: Some((About::Link(link), what)), ..force(what) }
+}
+
 impl Query {
     /// Its needs, and the kind of its answer.
     #[must_use]
@@ -172,13 +177,8 @@ impl Query {
             Self::Moment(pair, _) => {
                 Facts { reaction: Some(pair), couple: Some(pair), ..force("a moment in a pair") }
             }
-            Self::Axial(link) => {
-                Facts { placed: Some((About::Link(link), "an axial force")), ..force("an axial force") }
-            }
-            Self::Internal(asked) => Facts {
-                placed: Some((About::Link(asked.link), "a force inside a link")),
-                ..force("a force inside a link")
-            },
+            Self::Axial(link) => force_in(link, "an axial force"),
+            Self::Internal(asked) => force_in(asked.link, "a force inside a link"),
             Self::Normal(pair, _) => Facts { reaction: Some(pair), ..force("a normal force") },
             Self::ContactForce(pair, _) => {
                 Facts { reaction: Some(pair), couple: Some(pair), ..force("a normal force") }
