@@ -49,7 +49,7 @@ fn is_of_language(analysis: &Analysis, index: usize) -> bool {
         || is_argument
         || in_curve
         || after == Some(TokenKind::Call)
-        || ["roller", "teeth", "disc", "plate"].contains(&text)
+        || ["roller", "teeth", "rod", "disc", "plate"].contains(&text)
 }
 
 #[test]

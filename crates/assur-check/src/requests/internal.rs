@@ -48,7 +48,8 @@ impl Context<'_> {
                 "name the cut, as in `internal({link}, 0.2 m).{0}`, or ask for `max({path})`",
                 part.node
             );
-            self.error(not_a_quantity(&path, call.span, Some(help)));
+            let span = Span { start: call.span.start, end: part.span.end };
+            self.error(not_a_quantity(&path, span, Some(help)));
             return None;
         };
         let x = self.scalar_constant(at, &Want::LENGTH, "the place of the cut");
@@ -73,8 +74,8 @@ impl Context<'_> {
         let link = self.link_argument(call, args[0])?;
         let link = &self.builder.mech.link(link).name;
         let help = format!(
-            "ask for a part, as in `internal({link}, 0.2 m).M` or `max(internal({link}).M)`; or for a table: `find \
-             internal({link}) in 12 steps`"
+            "ask for a part, as in `internal({link}, 0.2 m).M` or `max(internal({link}).M)`; or for a table: `find … in 12 \
+             steps`"
         );
         self.error(not_a_quantity("internal(…)", call.span, Some(help)));
         None

@@ -6,7 +6,7 @@ use crate::names::suggestion::{not_declared, wrong_kind};
 use crate::statements::written::written;
 use crate::values::typed::Type;
 use assur_model::model::LinkId;
-use assur_syntax::document::{Arg, Expr, ExprKind, Name, Statement, UnaryOp};
+use assur_syntax::document::{Arg, Expr, ExprKind, Name, Statement};
 use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
 use assur_text::language::{FUNCTIONS, Function};
 use assur_text::source::{Span, Spanned};
@@ -66,10 +66,6 @@ impl Context<'_> {
             let [most, least] =
                 [Function::Max, Function::Min].map(|f| written(&called(f, call.args, call.span)));
             return Some(format!("write `{} - {}`", most?, least?).into());
-        }
-        if let ("argmin", [of, ..]) = (name, call.args) {
-            let least = called(Function::Argmax, &opposite(of, call.args), call.span);
-            return write(&least);
         }
         if matches!(name, "torque" | "moment" | "driving_torque")
             && let Some(balance) = self.builder.mech.balances.first()
@@ -187,15 +183,6 @@ impl Context<'_> {
 fn called(function: Function, args: &[Arg], span: Span) -> Expr {
     let function = Spanned::new(function.name().to_owned(), span);
     Expr { kind: ExprKind::Call { function, args: args.to_vec() }, span }
-}
-
-/// The same arguments with the first one negated.
-fn opposite(of: &Arg, args: &[Arg]) -> Vec<Arg> {
-    let minus = Spanned::new(UnaryOp::Minus, of.value.span);
-    let kind = ExprKind::Unary(minus, Box::new(of.value.clone()));
-    let value = Expr { kind, span: of.value.span };
-    let first = Arg { name: of.name.clone(), value };
-    std::iter::once(first).chain(args.iter().skip(1).cloned()).collect()
 }
 
 /// `did you mean …?`, functions with which the name shares more than a few letters.
