@@ -277,3 +277,25 @@ fn internal_stays_a_name() {
     assert_eq!(found[..2], [2.0, 3.0]);
     near(found[2], -2.0, 1.0, text);
 }
+
+#[test]
+fn links_by_the_coordinates_of_their_points() {
+    let boom = "ground { A (0, 0); C (0, 3 m) }\nlink boom { A (0, 0); B (4 m, 3 m); D (2 m, 1.5 m) }\nlink cable { B (4 m, 3 m); C (0, 3 m) }\nrevolute A: ground - boom\nrevolute B: boom - cable\nrevolute C: ground - cable\nforce P on boom at D = 10 kN down\n";
+    let found = values(boom, &["max(internal(boom).M)", "internal(boom, 1 m).N"].map(str::to_owned));
+    found.into_iter().zip([10e3, -34.0 / 3.0]).for_each(|(found, wanted)| near(found, wanted, 1e4, boom));
+    let frame = "ground { A (0, 0) }\nlink col { A (0, 0); B (0, 4 m) }\nlink beam { B (0, 4 m); C (3 m, 4 m); D (2 m, 4 m) }\nweld A: ground - col\nweld B: col - beam\nforce P on beam at C = 5 kN down\nforce Q on beam at D = 2 kN right\n";
+    let asked =
+        ["internal(beam, 0 m).M", "internal(col, 2 m).M", "internal(col, 2 m).N", "internal(beam, 1 m).N"];
+    let found = values(frame, &asked.map(str::to_owned));
+    found
+        .into_iter()
+        .zip([-15e3, -19e3, -5.0, 2.0])
+        .for_each(|(found, wanted)| near(found, wanted, 1e4, frame));
+}
+
+#[test]
+fn a_slider_presses_on_its_guide_at_both_contacts() {
+    let cart = "ground { A (0, 0); line way through A along 0 deg }\nlink beam A-B 8 m { line top through A along 0 deg }\nlink cart { C (0, 0); D (2 m, 0) }\nrevolute A: ground - beam\nslot B: beam.B - ground.way\nprismatic P: cart.C - beam.top { contacts 0 m, 2 m }\nassemble beam.B near (8 m, 0)\ndrive P = 3 m\nforce w on cart from C to D = 3 kN/m down\n";
+    let found = values(cart, &["max(internal(beam).M)", "internal(beam, 4 m).M"].map(str::to_owned));
+    found.into_iter().for_each(|found| near(found, 9e3, 1e4, cart));
+}

@@ -234,3 +234,13 @@ fn plane_is_a_member_or_the_name_of_a_point() {
     assert_eq!(pose["position(bar.plane).y"].si(), assur::Quantity::Number(0.5));
     assert_eq!(pose["position(ground.plane).x"].si(), assur::Quantity::Number(0.1));
 }
+
+#[test]
+fn words_behind_a_number_are_no_units() {
+    let text = "given m0 = 6 kg\ngiven J = 0.5 kg*m^2\nground { A (0, 0) }\nlink bar A-B 1 m { P (0.2 m, 0); mass m0/2 rod A to B; mass 2*m0/3 ring \
+                centre P radius 0.1 m; mass m0/2 at P inertia J/2 }\nrevolute A: ground - bar\nlink disk { A (0, 0); mass 5 kg at A; \
+                inertia 5 kg*(200 mm)^2/2 about A }\nrevolute O: ground.A - disk.A\ndrive bar = 0 deg\ndrive disk = 0 deg\n";
+    let found = values(text, &["mass(bar)", "inertia(bar, A)", "inertia(disk)"].map(str::to_owned));
+    let wanted = [10.0, 1.0 + 4.0 * (0.01 + 0.04) + 3.0 * 0.04 + 0.25, 0.1];
+    assert!(found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
+}

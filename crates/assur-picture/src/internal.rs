@@ -54,7 +54,7 @@ fn points(scene: &Scene<'_>, drawing: &mut Drawing, link: LinkId, x: Axis) {
     let [begin, end] = link.extent();
     drawing.line(Style::Medium, place(begin), place(end));
     for point in &link.points {
-        let at = place(point.at.x);
+        let at = place(link.on_axis(point.at).x);
         drawing.mark(Style::Solid, Shape::Circle { centre: at, radius: 0.7 });
         let label = Label::at(Text::name(&point.name), LETTERS, at, 0.8);
         drawing.label(label.towards(Vec2::new(0.0, -1.0)).ranked(2));

@@ -23,6 +23,6 @@ PROPERTIES = "addendum against_cam angle arm base_radius bevel capacity centre_d
 # words: values of properties
 VALUES = "even far line round worn".split()
 # words: units
-UNITS = "m mm um µm cm dm km inch ft kg g t lb s ms min h rad deg ° gon rev rpm Hz N daN kN MN lbf kgf kp J kJ W kW MW hp PS Pa kPa MPa GPa bar psi %".split()
+UNITS = "m mm um µm cm dm km inch ft kg g t lb slug s ms min h rad deg ° gon rev rpm Hz N daN kN MN lbf kgf kp J kJ W kW MW hp PS Pa kPa MPa GPa bar psi %".split()
 # words: units after a blank
 LAST_UNITS = "mm cm min ms m kg s h rad inch ft".split()

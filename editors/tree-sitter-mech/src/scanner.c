@@ -7,7 +7,7 @@
 enum TokenType { UNIT, ERROR_SENTINEL };
 
 // words: units
-static const char *const UNITS[] = {"m", "mm", "um", "µm", "cm", "dm", "km", "inch", "ft", "kg", "g", "t", "lb", "s", "ms", "min", "h", "rad", "deg", "°", "gon", "rev", "rpm", "Hz", "N", "daN", "kN", "MN", "lbf", "kgf", "kp", "J", "kJ", "W", "kW", "MW", "hp", "PS", "Pa", "kPa", "MPa", "GPa", "bar", "psi", "%"};
+static const char *const UNITS[] = {"m", "mm", "um", "µm", "cm", "dm", "km", "inch", "ft", "kg", "g", "t", "lb", "slug", "s", "ms", "min", "h", "rad", "deg", "°", "gon", "rev", "rpm", "Hz", "N", "daN", "kN", "MN", "lbf", "kgf", "kp", "J", "kJ", "W", "kW", "MW", "hp", "PS", "Pa", "kPa", "MPa", "GPa", "bar", "psi", "%"};
 
 // What may come after a blank or a point: `N m`.
 // words: units after a blank

@@ -169,14 +169,18 @@ pub(crate) fn inside(cx: &mut Context<'_>) {
     let mut spread: Vec<LinkId> = Vec::new();
     for Inside { link, span, cut } in asked {
         let of = cx.builder.mech.link(link);
-        let (name, [begin, end]) = (of.name.clone(), of.extent());
+        let (name, [begin, end], axis) = (of.name.clone(), of.extent(), of.axis());
+        let first = of.points.first().map_or_else(String::new, |point| point.name.clone());
+        let reactions = "ask for the forces in its pairs: `find reactions`";
         let message = if link == LinkId::GROUND {
-            Some("the ground is fixed, and carries everything".to_owned())
+            Some(("the ground is fixed, and carries everything".to_owned(), reactions))
+        } else if axis.is_none() {
+            let why = format!("no two points of `{name}` are on its x axis, and not all are on another line");
+            Some((why, "give it two points on the line along which it is cut: `A (0, 0); B (2 m, 0)`"))
         } else {
-            (begin == end).then(|| format!("`{name}` has no length: its points have one place on its x axis"))
+            (begin == end).then(|| (format!("`{name}` has no length: its points are one place"), reactions))
         };
-        if let Some(message) = message {
-            let help = "ask for the forces in its pairs: `find reactions`";
+        if let Some((message, help)) = message {
             cx.error(
                 Diagnosis::error(CODE, message)
                     .primary(span, "the forces inside it are asked for")
@@ -188,9 +192,15 @@ pub(crate) fn inside(cx: &mut Context<'_>) {
             let slack = ROUNDING * (end - begin);
             if !(begin - slack..=end + slack).contains(&x) {
                 let [x, begin, end] = [x, begin, end].map(|x| format_value(x, Dimension::LENGTH));
+                let on_x = axis.is_some_and(|(from, along)| from.norm() == 0.0 && along.y == 0.0);
+                let (line, origin) = if on_x {
+                    ("its x axis", "the origin of the link".to_owned())
+                } else {
+                    ("the line of its points", format!("its point `{first}`"))
+                };
                 let message =
-                    format!("{x} is not on `{name}`, which goes from {begin} to {end} along its x axis");
-                let help = format!("write a place between {begin} and {end}, from the origin of the link");
+                    format!("{x} is not on `{name}`, which goes from {begin} to {end} along {line}");
+                let help = format!("write a place between {begin} and {end}, from {origin}");
                 cx.error(Diagnosis::error(CODE, message).primary(at, x).help(help));
             }
         }

@@ -23,11 +23,39 @@ pub struct Link {
     pub mass_parts: Vec<MassPart>,
 }
 
+/// Points nearer to a line than this part of their distance from the origin are on it.
+const SAME: f64 = 1e-9;
+
 impl Link {
-    /// Where its points begin and end on its x axis, m; equal of a link of one point.
+    /// The line across which it is cut, in its frame: a point, m, and the unit direction. Its x axis; where no two points lie on that
+    /// and all lie on another line, that line from its first point on. `None` where neither is so.
+    #[must_use]
+    pub fn axis(&self) -> Option<(Vec2, Vec2)> {
+        let size = self.points.iter().map(|point| point.at.norm()).fold(0.0, f64::max);
+        let near = |distance: f64| distance.abs() <= SAME * size;
+        let mut on_x = self.points.iter().filter(|point| near(point.at.y)).map(|point| point.at.x);
+        let first_on_x = on_x.next();
+        if self.points.len() < 2 || on_x.any(|x| first_on_x.is_some_and(|first| !near(x - first))) {
+            return Some((Vec2::zero(), Vec2::new(1.0, 0.0)));
+        }
+        let from = self.points[0].at;
+        let ways = self.points.iter().map(|point| point.at - from);
+        let longest = ways.clone().fold(Vec2::zero(), |a, b| if b.norm() > a.norm() { b } else { a });
+        let along = longest.unit()?;
+        ways.clone().all(|way| near(along.cross(way))).then_some((from, along))
+    }
+
+    /// A point of its frame along and across the line of its cuts, m.
+    #[must_use]
+    pub fn on_axis(&self, at: Vec2) -> Vec2 {
+        let (from, along) = self.axis().unwrap_or((Vec2::zero(), Vec2::new(1.0, 0.0)));
+        (at - from).turned_back(along)
+    }
+
+    /// Where its points begin and end on the line of its cuts, m; equal of a link of one point.
     #[must_use]
     pub fn extent(&self) -> [f64; 2] {
-        let xs = || self.points.iter().map(|point| point.at.x);
+        let xs = || self.points.iter().map(|point| self.on_axis(point.at).x);
         let ends = [xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max)];
         if ends[0] <= ends[1] { ends } else { [0.0; 2] }
     }

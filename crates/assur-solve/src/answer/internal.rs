@@ -1,4 +1,4 @@
-//! Forces inside a link: at a cut across its x axis, and their extremes along it.
+//! Forces inside a link: at a cut across the line of its cuts, and their extremes along it.
 //!
 //! All that acts on the link is a force at a place, or a force per length that changes linearly. So the normal and the shear force are
 //! quadratic and the moment is cubic between two places where something begins, ends or acts.
@@ -19,7 +19,7 @@ const CLOSED: f64 = 1e-7;
 /// A value that exceeds another by less than this part of the greatest is the same.
 const LEVEL: f64 = 1e-12;
 
-/// What acts on a link, in its axes.
+/// What acts on a link, along and across the line of its cuts.
 #[derive(Clone, Copy, Debug)]
 pub enum Acting {
     /// A force and a couple at a place.
@@ -229,15 +229,18 @@ impl PoseAnswers<'_> {
         if extreme.place { place } else { sign * best }
     }
 
-    /// All that acts on a link, in its axes.
+    /// All that acts on a link, along and across the line of its cuts.
     pub(super) fn each_acting(&self, link: LinkId, visit: &mut dyn FnMut(Acting)) {
         let near = self.near(link);
         let roller = self.pin_of_roller(link);
         let mut act = |action: Action| {
             for action in [Some(action), action.opposite()].into_iter().flatten() {
-                if action.on == link.index() && !matches!(action.from, Origin::Weight | Origin::Inertia) {
-                    visit(self.acting(link, action, roller, near));
+                if action.on != link.index() || matches!(action.from, Origin::Weight | Origin::Inertia) {
+                    continue;
                 }
+                let both = self.at_contacts(action).unwrap_or([Some(action), None]);
+                let parts = both.into_iter().flatten();
+                parts.for_each(|part| visit(self.acting(link, part, roller, near)));
             }
         };
         let value = |load: LoadId| self.query(&Query::Load(load));
@@ -246,21 +249,45 @@ impl PoseAnswers<'_> {
         self.masses_act(link, near, visit);
     }
 
+    /// The forces at the two places where a slider touches its guide.
+    fn at_contacts(&self, action: Action) -> Option<[Option<Action>; 2]> {
+        let Origin::Reaction(_) = action.from else { return None };
+        let guide = self.guide(self.pair_of(action.from)?)?;
+        let [a, b] = guide.contacts?;
+        let (p, d) = (self.body(guide.slider).position(guide.point), self.along(&guide));
+        let normal = d.perp().dot(action.force);
+        let moment = action.couple + (action.at - p).cross(action.force);
+        let first = (moment - normal * b) / (a - b);
+        let at = |x: f64, n: f64| Some(Action { at: p + d * x, force: d.perp() * n, couple: 0.0, ..action });
+        Some([at(a, first), at(b, normal - first)])
+    }
+
+    /// A vector of the ground along and across the line of the cuts.
+    fn along_axis(&self, link: LinkId, vector: Vec2) -> Vec2 {
+        let along = self.mechanism.link(link).axis().map_or(Vec2::new(1.0, 0.0), |axis| axis.1);
+        vector.turned_back(self.body(link).u).turned_back(along)
+    }
+
     /// The pair in which a cam presses on the roller of a follower, and the pin of the roller on it.
     fn pin_of_roller(&self, link: LinkId) -> Option<(PairId, Vec2)> {
         let contact = self.mechanism.cam_contacts.iter().find(|contact| contact.follower == link)?;
         let (_, hinge) = contact.roller?;
-        Some((contact.pair, self.mechanism.point_in(hinge, link)?))
+        Some((contact.pair, self.mechanism.link(link).on_axis(self.mechanism.point_in(hinge, link)?)))
     }
 
     fn acting(&self, link: LinkId, action: Action, roller: Option<(PairId, Vec2)>, near: f64) -> Acting {
-        let body = self.body(link);
-        let force = action.force.turned_back(body.u);
-        let at = (action.at - body.p).turned_back(body.u);
+        let (body, own) = (self.body(link), self.mechanism.link(link));
+        let force = self.along_axis(link, action.force);
+        let at = own.on_axis((action.at - body.p).turned_back(body.u));
         if let Origin::Load(id) = action.from
             && let Some(spread) = self.mechanism.loads[id.index()].spread
         {
-            return Acting::of_segment(spread.from, spread.to, spread.ends(force), near);
+            return Acting::of_segment(
+                own.on_axis(spread.from),
+                own.on_axis(spread.to),
+                spread.ends(force),
+                near,
+            );
         }
         if let Some((_, pin)) = roller.filter(|(pair, _)| self.pair_of(action.from) == Some(*pair)) {
             return Acting::At { place: pin, force, couple: action.couple + (at - pin).cross(force) };
@@ -280,23 +307,24 @@ impl PoseAnswers<'_> {
         let body = self.body(link);
         let per_mass = |at: Vec2| {
             let moving = if inertia { body.acceleration(at) } else { Vec2::zero() };
-            (gravity - moving).turned_back(body.u)
+            self.along_axis(link, gravity - moving)
         };
+        let whole = self.mechanism.link(link);
         let mut one = |part: &MassPart| {
             let (own, turning) = (part.own, if inertia { body.alpha } else { 0.0 });
             visit(match part.shape {
                 Some(MassShape::Rod { from, to }) => {
                     let density = own.mass / (to - from).norm();
-                    Acting::of_segment(from, to, [from, to].map(|at| per_mass(at) * density), near)
+                    let ends = [from, to].map(|at| per_mass(at) * density);
+                    Acting::of_segment(whole.on_axis(from), whole.on_axis(to), ends, near)
                 }
                 _ => Acting::At {
-                    place: own.centre,
+                    place: whole.on_axis(own.centre),
                     force: per_mass(own.centre) * own.mass,
                     couple: -own.inertia * turning,
                 },
             });
         };
-        let whole = self.mechanism.link(link);
         whole.mass_parts.iter().for_each(&mut one);
         if let (true, Some(own)) = (whole.mass_parts.is_empty(), whole.mass) {
             one(&MassPart { own, shape: None, plane: 0.0 });

@@ -40,6 +40,7 @@ pub const UNITS: &[Symbol] = &[
     row("g", 1e-3, Dimension::MASS, &["gram", "grams", "gr", "г"]),
     row("t", 1e3, Dimension::MASS, &["ton", "tons", "tonne", "tonnes", "т"]),
     row("lb", LB, Dimension::MASS, &["lbs", "lbm", "pound", "pounds"]),
+    row("slug", LB * G / FT, Dimension::MASS, &["slugs"]),
     row("s", 1.0, Dimension::TIME, &["sec", "second", "seconds", "с"]),
     row("ms", 1e-3, Dimension::TIME, &["msec", "millisecond", "milliseconds", "мс"]),
     row("min", 60.0, Dimension::TIME, &["minute", "minutes", "мин"]),
