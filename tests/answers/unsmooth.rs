@@ -187,6 +187,40 @@ start disk = {start} deg at 25 rad/s\nsimulate 0.3 s in 6 steps within {within}\
     assert_eq!(honest, 6 * LAWS.len());
 }
 
+/// A cam that starts where two parts of its law meet goes on in the part to which it turns: at the end it stands as placed there.
+#[test]
+fn cams_start_where_their_parts_meet_in_both_senses() {
+    let last = |text: &str| {
+        let (solved, words) = tested(text);
+        assert!(words.is_empty(), "{words}\n{text}");
+        solved.solution.poses.last().unwrap().outcome.as_ref().unwrap().state.motion.bodies[2].p.y
+    };
+    for turning in ["ccw", "cw"] {
+        for law in LAWS {
+            for start in [-90.0, 0.0, 90.0, 180.0] {
+                for (way, turned) in [("2 rad/s*time", 0.78_f64), ("3 rad/s^2*time^2", 0.4563)] {
+                    for (sign, sense) in [("+", 1.0), ("-", -1.0)] {
+                        let file = |drive: &str| {
+                            format!(
+                                "mech 1\ncam plate {{\n  base_radius 80 mm\n  turning {turning}\n  follower translating roller {{ radius 10 mm }}
+  rise 90 deg through 20 mm {law}\n  dwell 90 deg\n  fall 90 deg {law}\n}}
+ground {{ O (0, 0); line way through O along 90 deg }}
+link disk {{ O (0, 0); profile rim of plate centre O }}
+link pl {{ F (0, 0); circle roller centre F radius 10 mm; mass 1 kg at F }}
+revolute O: ground - disk\nprismatic V: pl.F - ground.way\ncontact K: disk.rim - pl.roller
+force on pl at F = 1000 N down\ndrive disk = {drive}\nfind displacement(V)\n"
+                            )
+                        };
+                        let there = last(&file(&format!("{} deg", start + sense * turned.to_degrees())));
+                        let moved = last(&file(&format!("{start} deg {sign} {way}\nsimulate 0.39 s")));
+                        assert!((moved - there).abs() < 1e-12, "{law} {start} {sign} {way}: {moved} {there}");
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// A mass between ends of a spring at ±x: x + (start − l₀) (1 − cos ωt) passes zero where cos ωt = −l₀/(|start| − l₀). There its force
 /// turns round, and the motion ends; beside its line, and without a free length, it goes on.
 #[test]

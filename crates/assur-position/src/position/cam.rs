@@ -111,6 +111,14 @@ impl State {
         (sense * e.turned_back(disk.u).angle(), sense * (frame.omega - disk.omega))
     }
 
+    /// The second derivative in time of the same angle, rad/s².
+    #[must_use]
+    pub fn cam_acceleration(&self, step: &CamStep) -> f64 {
+        let [frame, disk] =
+            [step.contact.frame, step.contact.disk].map(|link| self.motion.bodies[link.index()].alpha);
+        if step.cam.ccw { disk - frame } else { frame - disk }
+    }
+
     /// The lift at which the follower of a cam stands, m or rad, and the magnitude of what it is the difference of.
     #[must_use]
     pub fn cam_lift(&self, step: &CamStep) -> (f64, f64) {

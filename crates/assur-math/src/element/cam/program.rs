@@ -136,6 +136,14 @@ impl Program {
         self.parts().take_while(|part| part.from <= phi + NEAR).last()
     }
 
+    /// The part whose formula holds next to a cam angle, rad: where two meet, the earlier one if the cam turns back.
+    #[must_use]
+    pub fn part_towards(&self, phi: f64, back: bool) -> Option<Part> {
+        let part = self.part_at(phi)?;
+        let begins = part.near(phi) <= part.from + NEAR;
+        if back && begins { self.beside(&part, false) } else { Some(part) }
+    }
+
     /// The part after another one, or before it.
     #[must_use]
     pub fn beside(&self, part: &Part, after: bool) -> Option<Part> {

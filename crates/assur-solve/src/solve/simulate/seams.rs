@@ -18,7 +18,8 @@ impl Equations<'_, '_> {
         self.trial.motion.laws.clear();
     }
 
-    /// Takes all on the sides where they are in the state that is observed.
+    /// Takes all on the sides where they are in the state that is observed; where two parts meet, on the side to which the cam
+    /// turns.
     pub fn take_seams(&mut self) {
         let plan = self.model.plan;
         if plan.cams.is_empty() {
@@ -26,8 +27,9 @@ impl Equations<'_, '_> {
         }
         self.trial.motion.laws.resize(plan.cam_contacts, None);
         for step in &plan.cams {
-            let (phi, _) = self.trial.cam_angle(step);
-            self.trial.motion.laws[step.index] = step.cam.program.part_at(phi);
+            let (phi, rate) = self.trial.cam_angle(step);
+            let sense = if rate == 0.0 { self.trial.cam_acceleration(step) } else { rate };
+            self.trial.motion.laws[step.index] = step.cam.program.part_towards(phi, sense < 0.0);
         }
     }
 
