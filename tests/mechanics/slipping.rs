@@ -55,9 +55,12 @@ impl Shafts {
         }
         for (k, Clutch { ends: [a, b], capacity }) in self.clutches.iter().enumerate() {
             let _ = writeln!(text, "clutch k{k}: s{a} - s{b} {{ capacity {capacity} N*m; slipping }}");
-            let _ = writeln!(text, "event engaged{k}: sticks(k{k})");
+            let _ = writeln!(
+                text,
+                "event engaged{k}: sticks(k{k})\nevent freed{k}: slips(k{k})\nevent loose{k}: not sticks(k{k})"
+            );
             wanted.push(format!("M{k} = moment(k{k}, s{b}), h{k} = friction_work(k{k})"));
-            wanted.push(format!("n{k} = count(engaged{k})"));
+            wanted.push(format!("n{k} = count(engaged{k}), f{k} = count(freed{k}), l{k} = count(loose{k})"));
         }
         text + &format!("simulate {} s in 2 steps within 1e-10\nfind {}\n", TIMES[1], wanted.join(", "))
     }
@@ -222,6 +225,8 @@ fn clutches_slip_and_hold_as_accelerations_from_event_to_event() {
                 Some(wanted.engaged[k]),
                 "{case} {k}\n{text}"
             );
+            let [freed, loose] = ["f", "l"].map(|name| number(format!("{name}{k}")));
+            assert!(freed == loose, "{case} {k}: {freed}, not {loose}\n{text}");
             held += usize::from(wanted.senses[k] == 0.0);
             turned += usize::from(wanted.senses[k] != 0.0 && wanted.engaged[k] > 0.0);
         }

@@ -40,8 +40,8 @@ fn enter(cx: &mut Context<'_>, passing: &Passing, (name, span): (Option<String>,
         None => condition(cx, passing),
     };
     let found =
-        found.filter(|found| situation(&found.value).is_some() || is_of_instant(cx, &found.value, span));
-    let situation = found.as_ref().and_then(|found| situation(&found.value));
+        found.filter(|found| situation(cx, &found.value).is_some() || is_of_instant(cx, &found.value, span));
+    let situation = found.as_ref().and_then(|found| situation(cx, &found.value));
     // an event without a value keeps its place: what names it counts them
     let found = found.filter(|_| situation.is_none());
     let nothing = Passage { value: Expr::number(1.0), rising: None, strict: false, dimension: None };
@@ -103,7 +103,7 @@ fn condition(cx: &mut Context<'_>, passing: &Passing) -> Option<Passage> {
         let help = "leave it out: it happens where the condition becomes true";
         cx.error(meaningless("`rising` or `falling`", "with a condition", help, way.span));
     }
-    if situation(&what.expr).is_some() {
+    if situation(cx, &what.expr).is_some() {
         return Some(Passage { value: what.expr, rising: None, strict: false, dimension: None });
     }
     let Some(value) = margin(&what.expr) else {
@@ -139,11 +139,15 @@ fn is_strict(condition: &Expr) -> bool {
     }
 }
 
-/// What the motion is in for a while, and whether it is to be so: `rests(G)`, `not rests(G)`.
-fn situation(condition: &Expr) -> Option<(Situation, bool)> {
+/// What the motion is in for a while, and whether it is to be so: `rests(G)`, `not rests(G)`. A clutch slips while it does not
+/// stick.
+fn situation(cx: &Context<'_>, condition: &Expr) -> Option<(Situation, bool)> {
     match condition {
         Expr::Query(Query::In(situation)) => Some((*situation, true)),
-        Expr::Not(inner) => situation(inner).map(|(found, is)| (found, !is)),
+        Expr::Query(Query::Slips(pair)) if cx.builder.mech.pair(*pair).rubs() => {
+            Some((Situation::Sticks(*pair), false))
+        }
+        Expr::Not(inner) => situation(cx, inner).map(|(found, is)| (found, !is)),
         _ => None,
     }
 }
