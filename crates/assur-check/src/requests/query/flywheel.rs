@@ -75,6 +75,10 @@ impl Context<'_> {
         self.names.note_quantity(&name);
         match self.names.quantities.get(&name.node).map(|d| d.what) {
             Some(QuantityKind::Flywheel(index)) => Some(index),
+            Some(QuantityKind::Balance(..)) if call.name.node == "work" => {
+                self.work_of_balance(&name);
+                None
+            }
             Some(_) => {
                 self.wrong_argument(call, "a flywheel", name.span);
                 None

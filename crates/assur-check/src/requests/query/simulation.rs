@@ -1,7 +1,7 @@
 //! Functions of a motion under loads: `time(top, 2)`, `count(top)`, `energy()`.
 
 use crate::expr::context::Context;
-use crate::expr::results::Call;
+use crate::expr::results::{Call, wrong_argument};
 use crate::motion::simulation::{meaningless, no_simulate, without_meaning};
 use crate::names::declared::QuantityKind;
 use crate::names::suggestion::suggestion;
@@ -165,6 +165,10 @@ impl Context<'_> {
         self.names.note_thing(&whole);
         let power = match self.names.quantities.get(name).map(|d| d.what) {
             Some(QuantityKind::Load(id, _) | QuantityKind::Brake(id)) => Some(Query::LoadPower(id)),
+            Some(QuantityKind::Balance(..)) => {
+                self.work_of_balance(&whole);
+                return None;
+            }
             _ => self.spring_power(name),
         };
         let Some(power) = power else {
@@ -172,6 +176,19 @@ impl Context<'_> {
             return None;
         };
         Some(self.work_of(Expr::Query(power)))
+    }
+
+    /// The work of an unknown effort is not followed in a motion: it is an integral.
+    pub(super) fn work_of_balance(&mut self, balance: &Name) {
+        let name = &balance.node;
+        let (wanted, help) = if self.names.simulates {
+            ("the name of a load or a spring", format!("write `integral(power({name}))`"))
+        } else {
+            let what = "the work of a balance is";
+            let speed = "divided by the speed of the drive";
+            ("a flywheel", format!("{what} `integral(power({name}))` {speed}"))
+        };
+        self.error(wrong_argument("work", wanted, balance.span, "").help(help));
     }
 
     /// The power of a spring: between two points, or in a pair, where it is a load after all others.
