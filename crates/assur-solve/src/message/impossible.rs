@@ -1,6 +1,7 @@
 //! Positions at which there is no motion, or no force, or no number.
 
 use super::format::{body, dead_position, label, labels, links};
+use super::parallel::{turn_some_face, turn_the_face};
 use crate::answer::LeftCurve;
 use crate::position::Model;
 use crate::solve::{GroupId, Lost};
@@ -11,16 +12,19 @@ use miette::LabeledSpan;
 /// A group whose determinant vanishes.
 pub(super) fn dead(model: &Model<'_>, group: GroupId, condition: f64, pose: String) -> Diagnosis {
     let group = group.of(model.structure);
+    let help = turn_the_face(model, group).unwrap_or_else(|| {
+        format!(
+            "choose a position next to it, or drive {} itself: in a dead position the drives determine neither \
+             velocities nor forces",
+            one_of(&links(model, group))
+        )
+    });
     Diagnosis::error(
         "mech::solve::dead_position",
         format!("dead position{pose}: {}", dead_position(model, group, condition)),
     )
     .labels(labels(model, group, "dead"))
-    .help(format!(
-        "choose a position next to it, or drive {} itself: in a dead position the drives determine neither \
-             velocities nor forces",
-        one_of(&links(model, group))
-    ))
+    .help(help)
 }
 
 fn one_of(links: &str) -> String {
@@ -84,7 +88,11 @@ pub(super) fn not_finite(model: &Model<'_>, lost: Lost, pose: String) -> Diagnos
         format!("{what}{pose} cannot be computed: the numbers are too large"),
     )
     .labels(at_drives(model, "at this position"))
-    .help("check units and powers of ten of lengths, speeds, masses and loads")
+    .help(
+        turn_some_face(model).unwrap_or_else(|| {
+            "check units and powers of ten of lengths, speeds, masses and loads".to_owned()
+        }),
+    )
 }
 
 /// A spring of length zero.

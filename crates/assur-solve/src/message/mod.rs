@@ -11,6 +11,7 @@ mod notes;
 mod open_places;
 mod opens;
 mod over_sweep;
+mod parallel;
 mod partial_sweep;
 mod refusal;
 mod simulate;

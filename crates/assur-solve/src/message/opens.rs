@@ -1,8 +1,10 @@
 //! Sentences about a motion that ends since a pair does not take the forces there.
 
-use super::format::four;
+use super::format::{four, short};
 use super::slip::capacity;
-use crate::model::{FrictionLimit, PairId, PairKind, Transmission, UnilateralCondition};
+use crate::model::{
+    FrictionLimit, PairId, PairKind, Profile, ProfileShape, Transmission, UnilateralCondition,
+};
 use crate::position::Model;
 use assur_text::diagnostic::Diagnosis;
 
@@ -10,11 +12,16 @@ use assur_text::diagnostic::Diagnosis;
 pub(super) fn opens(
     model: &Model<'_>,
     (pair, bond): (PairId, UnilateralCondition),
-    time: String,
+    (time, at_start): (String, bool),
 ) -> Diagnosis {
     let pair = model.mechanism.pair(pair);
     let name = &pair.name;
     let (what, text, help) = match (&pair.kind, bond) {
+        (PairKind::Contact { first, second, internal }, _) if at_start => (
+            format!("contact `{name}` would have to pull from {time} on"),
+            "opens here",
+            on_other_side(model, (first, second), *internal),
+        ),
         (PairKind::Contact { second, .. }, _) => {
             let link = &model.mechanism.link(second.link).name;
             (
@@ -38,6 +45,38 @@ pub(super) fn opens(
         ),
     };
     Diagnosis::error("mech::simulate::opens", what).label(pair.span, text).help(help)
+}
+
+/// A contact that never presses: the profiles are likely on the wrong sides of each other, or no load presses them together.
+fn on_other_side(model: &Model<'_>, (first, second): (&Profile, &Profile), internal: bool) -> String {
+    use ProfileShape::{Circle, Line, Point, Rim};
+    let link = |profile: &Profile| &model.mechanism.link(profile.link).name;
+    let press = "or press the profiles together by a spring or a load";
+    let other = match (first.shape, second.shape) {
+        (Circle(..), Circle(..)) if internal => {
+            "if no circle lies inside the other, leave out `internal`".to_owned()
+        }
+        (Circle(..), Circle(..)) => "if one circle lies inside the other, add `{ internal }`".to_owned(),
+        (Point(at), Line(_, along)) | (Line(_, along), Point(at)) if at.norm() == 0.0 => {
+            let line = if matches!(first.shape, Line(..)) { first } else { second };
+            let back = if along.angle() > 0.0 { -180.0 } else { 180.0 } + along.angle().to_degrees();
+            format!(
+                "the free side of `{}.{}` is its left: if it should be the other one, turn the line round, `along {} deg`",
+                link(line),
+                line.name,
+                short(back)
+            )
+        }
+        (Circle(..), Line(..)) | (Line(..), Circle(..)) => {
+            "if the circle should be on the other side of the line, choose that assembly with `assemble`"
+                .to_owned()
+        }
+        (Rim(_), _) | (_, Rim(_)) => return "press the profiles together by a spring or a load".to_owned(),
+        _ => {
+            "if the profiles should touch on the other side, choose that assembly with `assemble`".to_owned()
+        }
+    };
+    format!("{other}; {press}")
 }
 
 fn driven_backwards(t: &Transmission, name: &str, time: &str) -> (String, &'static str, String) {

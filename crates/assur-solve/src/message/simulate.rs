@@ -4,6 +4,7 @@ use super::clause::clause;
 use super::format::{four, label, labels, length, links, short, with_unit};
 use super::impossible::spring_at_zero;
 use super::opens::opens;
+use super::parallel::turn_the_face;
 use crate::message::refusal::not_supported_yet;
 use crate::model::{Drive, DriveTarget, LoadId, PairId, Value};
 use crate::position::{Model, turns};
@@ -33,7 +34,10 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
         }
         Halt::NoInertia => no_inertia(model, time),
         Halt::Jam => jam(model, time),
-        Halt::Opens { pair, bond } => opens(model, (*pair, *bond), time),
+        Halt::Opens { pair, bond } => {
+            let at_start = simulation.is_some_and(|s| s.from == at);
+            opens(model, (*pair, *bond), (time, at_start))
+        }
         Halt::Rolls { pair } => rolls(model, *pair, time),
         Halt::NoCycle(why) => no_cycle(*why, span),
         Halt::StopPassed { stop, by } => stop_passed(model, *stop, *by, time),
@@ -159,7 +163,9 @@ fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: f64) -> D
     };
     let at_start = model.mechanism.simulation.as_ref().is_some_and(|s| s.from == time);
     let time = with_unit(model, time, Dimension::TIME);
-    let help = if at_start {
+    let help = if let Some(help) = turn_the_face(model, group) {
+        help
+    } else if at_start {
         format!("{passed}: start the motion farther from it")
     } else {
         format!("{passed}: let `simulate` end before {time}")

@@ -3,6 +3,7 @@
 use super::clause::{clause, point_name};
 use super::format::{label, labels, length, links, short};
 use super::gap::gap_text;
+use super::parallel::turn_the_face;
 use crate::model::{HintKind, PairKind};
 use crate::position::Model;
 use crate::solve::{Clause, GroupGap, MOST_CLAUSES, NamedPoint};
@@ -116,9 +117,17 @@ pub(super) fn not_met(
     };
     let mut marks = vec![label("no assembly satisfies this", hint.span)];
     marks.extend(labels(model, &model.structure.motion[group], "this group"));
-    let lines = section(assemblies.iter().map(line));
-    let help = match assemblies.len() {
-        0 => "leave the clause out".to_owned(),
+    // what lies nowhere is no assembly
+    let lies = |(clause, _): &&(Clause, Option<f64>)| match clause {
+        Clause::Near { place, .. } => place.norm().is_finite(),
+        _ => true,
+    };
+    let lines: Vec<String> = assemblies.iter().filter(lies).map(line).collect();
+    let count = lines.len();
+    let lines = section(lines.into_iter());
+    let help = match count {
+        0 => turn_the_face(model, &model.structure.motion[group])
+            .unwrap_or_else(|| "leave the clause out".to_owned()),
         1 => format!("write the only assembly{lines}"),
         _ => format!("write one of{lines}"),
     };
