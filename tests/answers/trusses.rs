@@ -120,6 +120,44 @@ fn trusses_by_coordinates_need_no_assemble() {
     }
 }
 
+/// A Warren truss of some panels, its feet on a hinge and a roller.
+fn warren(state: &mut u64) -> Truss {
+    let panels = 2 + (random(state) * 3.0) as usize;
+    let (width, height) = (within(state, 1.0, 4.0), within(state, 0.8, 3.0));
+    let above = |i: usize| if i % 2 == 1 { height } else { 0.0 };
+    let mut pins: Vec<[f64; 2]> = (0..=2 * panels).map(|i| [width * 0.5 * i as f64, above(i)]).collect();
+    // the roller's pin comes second, as in every truss here
+    let last = pins.remove(2 * panels);
+    pins.insert(1, last);
+    let at = |i: usize| if i == 2 * panels { 1 } else { i + usize::from(i > 0) };
+    let ends = (0..2 * panels).map(|i| [i, i + 1]).chain((0..2 * panels - 1).map(|i| [i, i + 2]));
+    let mut bars: Vec<[usize; 2]> = ends.map(|[a, b]| [at(a), at(b)]).collect();
+    // and its first bar ends there
+    let roller = bars.iter().position(|bar| bar[1] == 1).expect("a bar at the roller");
+    bars.swap(0, roller);
+    let loads = pins.iter().map(|_| [within(state, -10.0, 10.0), within(state, -10.0, 10.0)]).collect();
+    Truss { pins, bars, loads }
+}
+
+/// The rollers of these are slots within the group of all bars.
+#[test]
+fn warren_trusses_by_coordinates_need_no_assemble() {
+    let mut state = 23;
+    for count in 0..40 {
+        let truss = warren(&mut state);
+        let mut text = file(&truss, true, &mut state);
+        if count % 2 == 1 {
+            text += "link hook K-H 0.5 m\nrevolute J: b1.C - hook.K\ndrive hook = 250 deg\n";
+        }
+        let wanted = joints(&truss);
+        let scale = wanted.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let names: Vec<String> = (0..truss.bars.len()).map(|i| format!("axial(b{i})")).collect();
+        for (found, wanted) in values(&text, &names).into_iter().zip(&wanted) {
+            near(found, *wanted, scale, &text);
+        }
+    }
+}
+
 #[test]
 fn trusses_come_out_as_by_the_equilibrium_of_their_pins() {
     let mut state = 11;

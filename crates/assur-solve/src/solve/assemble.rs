@@ -1,9 +1,11 @@
 //! Finds the assembly of the first position: all of them are tried, group by group, and `assemble` chooses.
 
+use super::as_written::{is_as_written, resting, written};
 use super::failure::Cause;
 use super::initial_guess::initial_guess;
 use super::unassembled::{ambiguous, does_not_close, not_met};
 use crate::answer::{PoseAnswers, first_angles};
+use crate::group::general::InitialGuess;
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
@@ -73,14 +75,6 @@ impl Assembly {
         bodies.all(|(x, y)| is_same(x, y, || extent))
     }
 
-    /// Whether the frames of all links are that of the ground: the points of a truss may be written so.
-    fn is_as_written(&self, extent: f64) -> bool {
-        let at_origin = |body: &BodyState| {
-            (body.u - Vec2::new(1.0, 0.0)).norm() <= SAME && body.p.norm() <= SAME * extent
-        };
-        self.bodies.iter().all(at_origin)
-    }
-
     /// Whether the group of a state stands this way, with an extent that is asked for only where it decides.
     pub(super) fn is_here(
         &self,
@@ -107,33 +101,79 @@ pub(crate) fn assemble(model: &Model<'_>, start: State) -> Result<State, Cause> 
 pub(super) fn assemble_from(model: &Model<'_>, start: State, starts: usize) -> Result<State, Cause> {
     let mut start = start;
     start.start(model.plan);
-    let extent = extent(model);
     let hints = hints_by_group(model);
-    let mut candidates = vec![Candidate { state: start, far: 0.0 }];
-    for (index, hints) in hints.iter().enumerate() {
-        let mut ways: Vec<(usize, Assembly)> = Vec::new();
-        for (i, candidate) in candidates.iter_mut().enumerate() {
-            ways.extend(
-                ways_from(model, &mut candidate.state, index, extent, starts)
-                    .into_iter()
-                    .map(|assembly| (i, assembly)),
-            );
-        }
-        if ways.is_empty() {
-            let state = candidates.swap_remove(0).state;
-            return Err(does_not_close(model, state, index));
-        }
-        candidates = choose(model, hints, candidates, ways, index)?;
-        if candidates.len() > MOST {
-            // those nearest to the places named so far go on, unless nothing tells them apart
-            candidates.sort_by(|a, b| a.far.total_cmp(&b.far));
-            if candidates[MOST].far.total_cmp(&candidates[0].far).is_le() {
-                return Err(ambiguous(model, &states(&candidates)));
-            }
-            candidates.truncate(MOST);
-        }
+    let unnamed = |(rests, hints): (bool, &Vec<usize>)| rests && hints.is_empty();
+    let as_written: Vec<bool> = resting(model).into_iter().zip(&hints).map(unnamed).collect();
+    let search = Search { model, extent: extent(model), starts, hints };
+    if !as_written.contains(&true) {
+        return search.assemble(start, None);
     }
-    nearest(model, candidates)
+    // `assemble` comes first where it decides; without it the search among all assemblies is spared
+    if model.mechanism.hints.is_empty() {
+        search.assemble(start.clone(), Some(&as_written)).or_else(|_| search.assemble(start, None))
+    } else {
+        search
+            .assemble(start.clone(), None)
+            .or_else(|cause| search.assemble(start, Some(&as_written)).map_err(|_| cause))
+    }
+}
+
+struct Search<'a> {
+    model: &'a Model<'a>,
+    extent: f64,
+    starts: usize,
+    /// The hints that are settled with each group.
+    hints: Vec<Vec<usize>>,
+}
+
+impl Search<'_> {
+    /// Assembles group by group; those marked in `as_written` as they are written, where they fit so.
+    fn assemble(&self, start: State, as_written: Option<&[bool]>) -> Result<State, Cause> {
+        let model = self.model;
+        let mut candidates = vec![Candidate { state: start, far: 0.0 }];
+        for (index, hints) in self.hints.iter().enumerate() {
+            let here = as_written.is_some_and(|groups| groups[index]);
+            let mut ways: Vec<(usize, Assembly)> = Vec::new();
+            for (i, candidate) in candidates.iter_mut().enumerate() {
+                let found = self.ways(&mut candidate.state, index, here);
+                ways.extend(found.into_iter().map(|assembly| (i, assembly)));
+            }
+            if ways.is_empty() {
+                let state = candidates.swap_remove(0).state;
+                return Err(does_not_close(model, state, index));
+            }
+            candidates = choose(model, hints, candidates, ways, index)?;
+            if candidates.len() > MOST {
+                // those nearest to the places named so far go on, unless nothing tells them apart
+                candidates.sort_by(|a, b| a.far.total_cmp(&b.far));
+                if candidates[MOST].far.total_cmp(&candidates[0].far).is_le() {
+                    return Err(ambiguous(model, &states(&candidates)));
+                }
+                candidates.truncate(MOST);
+            }
+        }
+        nearest(model, candidates)
+    }
+
+    /// The way in which a group stands as written, if it is asked for and fits; else all ways.
+    fn ways(&self, state: &mut State, index: usize, as_written: bool) -> Vec<Assembly> {
+        let (model, extent) = (self.model, self.extent);
+        let is_written = |way: &Assembly| is_as_written(model, index, &way.bodies, extent);
+        if as_written && let MotionStep::General { problem, .. } = &model.plan.motion[index] {
+            let guess = written(model, state, index, &model.plan.general[*problem]);
+            let mut found = general(model, state, index, *problem, (0, Some(&guess)));
+            found.retain(&is_written);
+            if !found.is_empty() {
+                found.truncate(1);
+                return found;
+            }
+        }
+        let mut ways = ways_from(model, state, index, extent, self.starts);
+        if as_written && ways.iter().any(&is_written) {
+            ways.retain(&is_written);
+        }
+        ways
+    }
 }
 
 /// All ways in which a group can stand, each once.
@@ -161,19 +201,8 @@ fn ways_from(
 fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize) -> Vec<Assembly> {
     let step = &model.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
-        let group = &model.plan.general[*problem];
-        let mut found = {
-            let initial_guess = initial_guess(model, state, index, group);
-            crate::position::general_assemblies(
-                state,
-                index,
-                *problem,
-                group,
-                (starts, initial_guess.as_ref()),
-            )
-        };
-        found.retain(|state| cylinders_are_positive(model, state, index));
-        return found.iter().map(|state| Assembly::of(model, state, index)).collect();
+        let guess = initial_guess(model, state, index, &model.plan.general[*problem]);
+        return general(model, state, index, *problem, (starts, guess.as_ref()));
     }
     if let MotionStep::Triad { triad, .. } = step {
         let found = crate::position::triad_assemblies(state, index, triad);
@@ -203,6 +232,19 @@ fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize)
         out.truncate(1);
     }
     out
+}
+
+fn general(
+    model: &Model<'_>,
+    state: &State,
+    index: usize,
+    problem: usize,
+    starts: (usize, Option<&InitialGuess>),
+) -> Vec<Assembly> {
+    let group = &model.plan.general[problem];
+    let mut found = crate::position::general_assemblies(state, index, problem, group, starts);
+    found.retain(|state| cylinders_are_positive(model, state, index));
+    found.iter().map(|state| Assembly::of(model, state, index)).collect()
 }
 
 /// The flanks of a cam that reach the lift at which its follower stands.
@@ -316,12 +358,6 @@ fn choose(
             return Err(not_met(model, *hint, &states(&other), index));
         }
         ways = fit;
-    }
-    if hints.is_empty() && model.mechanism.drives.is_empty() {
-        let extent = extent(model);
-        if ways.iter().any(|(_, assembly)| assembly.is_as_written(extent)) {
-            ways.retain(|(_, assembly)| assembly.is_as_written(extent));
-        }
     }
     let mut next = match (candidates.as_mut_slice(), ways.as_slice()) {
         // the common case copies nothing

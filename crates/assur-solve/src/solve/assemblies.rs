@@ -71,12 +71,15 @@ pub fn assemblies(model: &Model<'_>) -> Result<Assemblies, Vec<Failure>> {
     state.start(model.plan);
     let extent = extent(model);
     for (index, group) in model.structure.motion.iter().enumerate() {
-        let ways = every_way(model, &mut state, index, extent);
+        let mut ways = every_way(model, &mut state, index, extent);
+        let stands = whole.as_ref().map(|whole| Assembly::of(model, whole, index));
+        // the search may miss how a group of many bodies stands as written
+        let missed = stands.clone().filter(|stands| !ways.iter().any(|way| way.is_same(stands, extent)));
+        ways.extend(missed);
         let Some(other) = ways.first() else {
             out.problem.get_or_insert_with(|| Failure::at(&first, does_not_close(model, state, index)));
             break;
         };
-        let stands = whole.as_ref().map(|whole| Assembly::of(model, whole, index));
         let chosen = |assembly: &Assembly| stands.as_ref().is_some_and(|s| s.is_same(assembly, extent));
         let next = ways.iter().find(|assembly| chosen(assembly)).unwrap_or(other);
         if ways.len() > 1 || group.kind != GroupKind::Driven {

@@ -1,5 +1,6 @@
 //! How a group without a closed form comes to a position of a solution: the steps of the solver, taken again.
 
+use super::as_written::{stands_as_written, written};
 use super::initial_guess::initial_guess;
 use super::inputs::Rates;
 use super::solution::{Pose, Solution, Solved};
@@ -78,7 +79,10 @@ fn searched(
     let mut state = solved.state.clone().ready(model.plan);
     let initial_guess = match &model.plan.motion[index] {
         MotionStep::General { problem, .. } => {
-            initial_guess(model, &state, index, &model.plan.general[*problem])
+            let group = &model.plan.general[*problem];
+            initial_guess(model, &state, index, group).or_else(|| {
+                stands_as_written(model, &state, index).then(|| written(model, &state, index, group))
+            })
         }
         _ => None,
     };

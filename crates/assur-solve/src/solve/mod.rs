@@ -2,6 +2,7 @@
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
 mod again;
+mod as_written;
 mod assemble;
 mod assemblies;
 mod block;
