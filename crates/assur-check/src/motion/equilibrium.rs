@@ -5,8 +5,10 @@ use crate::expr::positive::Want;
 use crate::expr::results::Call;
 use crate::motion::drive::{Moves, once, target, value};
 use crate::statements::written::text;
+use crate::values::format_value::format_value;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{At, Drive, Expr, ModePart, Positions, Query, Sought};
+use assur_math::math::Vec2;
+use assur_model::model::{At, Drive, DriveTarget, Expr, LinkId, ModePart, Positions, Query, Sought};
 use assur_syntax::document::{self, Balanced, ExprKind, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
@@ -33,10 +35,13 @@ fn equilibrium(cx: &mut Context<'_>, one: &Balanced, several: bool) -> Option<Dr
     let (name, span) = (text(&one.target), one.target.span());
     let (target, moves) = target(cx, &one.target, "an equilibrium")?;
     if moves == Moves::Freely {
-        let link = &one.target.head.node;
         let message =
             format!("an equilibrium is the value of an angle or a coordinate, and `{name}` is a point");
-        refuse(cx, message, span, format!("name its link, `equilibrium {link}`, or a pair"));
+        let help = match target {
+            Some(DriveTarget::Point(link, _)) if !is_held(cx, link) => slides(cx, one),
+            _ => format!("name its link, `equilibrium {}`, or a pair", one.target.head.node),
+        };
+        refuse(cx, message, span, help);
         return None;
     }
     let is_once = target.is_none_or(|target| once(cx, target, &name, span));
@@ -154,6 +159,32 @@ fn of_time(expr: &Expr) -> bool {
     let mut found = false;
     expr.queries(&mut |query| found |= matches!(query, Query::Time));
     found
+}
+
+/// Whether a pair holds the link.
+fn is_held(cx: &Context<'_>, link: LinkId) -> bool {
+    cx.builder.mech.pairs.iter().any(|pair| pair.kind.links().contains(&link))
+}
+
+/// The two slides that give a point of a free link its coordinates.
+fn slides(cx: &mut Context<'_>, one: &Balanced) -> String {
+    let (name, link) = (text(&one.target), &one.target.head.node);
+    let want = Want(Dimension::LENGTH);
+    let near = match &one.sought {
+        document::Sought::Near(near) if matches!(near.kind, ExprKind::Vector(..)) => {
+            cx.vector_constant(near, &want, "the place of the equilibrium")
+        }
+        _ => None,
+    };
+    let near = near.unwrap_or_else(Vec2::zero);
+    let [x, y] = [near.x, near.y].map(|value| format_value(value, Dimension::LENGTH));
+    format!(
+        "give the point two slides. In `ground` add `O (0, 0); line x_axis through O along 0 deg`, and write
+  link {link}_x {{ O (0, 0); line y_axis through O along 90 deg }}
+  prismatic x: {link}_x.O - ground.x_axis
+  prismatic y: {name} - {link}_x.y_axis
+  equilibrium x near {x}, y near {y}"
+    )
 }
 
 fn refuse(cx: &mut Context<'_>, message: String, span: Span, help: String) {
