@@ -44,6 +44,7 @@ fn every_unit_has_its_value() {
         ("g", 0.001, Dimension::MASS),
         ("t", 1000.0, Dimension::MASS),
         ("lb", pound, Dimension::MASS),
+        ("slug", 14.593_902_937_206_362, Dimension::MASS),
         ("s", 1.0, Dimension::TIME),
         ("ms", 0.001, Dimension::TIME),
         ("min", 60.0, Dimension::TIME),
