@@ -325,13 +325,14 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
         text += "\nor ";
     }
     let drive = if trial.mechanism.simulation.is_some() { "start" } else { "drive" };
-    // a truss has no drive
-    let is_truss = count.drives == 0 && !trial.mechanism.bars.is_empty();
-    let looks = count.drives > 0 || missing > 2 || is_truss;
+    // a truss or a beam has no drive
+    let of_statics = !trial.mechanism.bars.is_empty() || !trial.mechanism.asked_inside().is_empty();
+    let is_structure = count.drives == 0 && of_statics;
+    let looks = count.drives > 0 || missing > 2 || is_structure;
     let pairs = looks.then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
     if let Some(missing) = pairs {
         text += &pairs_to_add(trial, missing, &defect.loose);
-        if is_truss {
+        if is_structure {
             return text;
         }
         text += "\nor ";
