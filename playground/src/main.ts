@@ -361,11 +361,14 @@ async function start(): Promise<void> {
     status();
     if (now.language !== before.language || now === before) named();
   });
-  const [text, compiled] = await Promise.allSettled([begin(), module()]);
-  if (text.status === "fulfilled") own.replace(text.value);
+  const loads = module().then((compiled) => ({ compiled }), (why: unknown) => ({ failed: reason(why) }));
+  const text = await begin();
+  // what was written meanwhile is the author's
+  if (own.text() === "") own.replace(text);
   find("mine").hidden = mine === null;
-  if (compiled.status === "rejected") return store.set({ failed: reason(compiled.reason) });
-  connect(compiled.value);
+  const loaded = await loads;
+  if ("failed" in loaded) return store.set({ failed: loaded.failed });
+  connect(loaded.compiled);
 }
 
 void start();

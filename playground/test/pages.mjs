@@ -16,7 +16,7 @@ let browser, site;
 const foreign = [];
 
 /** A page at an address of the playground; what it says and asks for is held. */
-async function open(hash = "", { size = [1280, 800], text, worker, ...more } = {}) {
+async function open(hash = "", { size = [1280, 800], text, worker, slow, ...more } = {}) {
   site ??= await serve();
   browser ??= await chromium.launch({ executablePath: PROGRAM, args: ["--no-sandbox"] });
   const context = await browser.newContext({ viewport: { width: size[0], height: size[1] }, hasTouch: size[0] < 700, locale: "en", acceptDownloads: true, ...more });
@@ -30,6 +30,7 @@ async function open(hash = "", { size = [1280, 800], text, worker, ...more } = {
     const body = worker + readFileSync(new URL("worker.js", DIST), "utf8");
     await page.route("**/worker.js", (route) => route.fulfill({ contentType: "text/javascript", body }));
   }
+  if (slow !== undefined) await page.route("**/assur.wasm.gz", async (route) => (await new Promise((then) => setTimeout(then, slow)), route.continue()));
   if (text !== undefined) await page.addInitScript((own) => localStorage.getItem("assur-text") === null && localStorage.setItem("assur-text", own), text);
   await page.goto(hash.startsWith("file:") ? hash : site.address + hash);
   return page;
@@ -226,6 +227,16 @@ export const pages = {
       await ready(page);
       await closed(page);
     }
+  },
+
+  async "page: what is written before the module has come stays"() {
+    const page = await open("#hello", { slow: 1500 });
+    await page.waitForFunction(() => document.getElementById("notice").textContent !== "");
+    assert.equal(await page.evaluate(() => document.body.dataset.ready), undefined);
+    await paste(page, STEPS);
+    await ready(page);
+    assert.equal(await typed(page), STEPS);
+    await closed(page);
   },
 
   async "page: the gallery shows 24 and finds the others"() {
