@@ -15,6 +15,7 @@ mod every_example;
 mod extreme;
 mod frames;
 mod freed;
+mod leaders;
 mod mutated;
 mod numbers;
 mod over_sweeps;
@@ -23,5 +24,6 @@ mod random;
 mod scenes;
 #[path = "../share/mod.rs"]
 mod share;
+mod trains;
 mod without_script;
 mod xml;

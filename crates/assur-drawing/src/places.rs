@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 /// Directions around a point.
 const DIRECTIONS: usize = 24;
 /// Distances from the anchor, mm.
-const DISTANCES: [f64; 7] = [0.5, 1.0, 1.7, 2.6, 4.0, 6.0, 9.0];
+const DISTANCES: [f64; 8] = [0.5, 1.0, 1.7, 2.6, 4.0, 6.0, 9.0, 12.0];
 /// Places along a line.
 const ALONG: [f64; 7] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75];
 /// Price of a radian away from the best direction, in millimetres of distance; the same beside a line that has none.
@@ -18,8 +18,12 @@ const PER_RADIAN: f64 = 1.1;
 const BESIDE: f64 = 0.3;
 /// Price of the ends of a line against its middle.
 const PER_PART: f64 = 4.0;
+/// A label beside a line with fewer free places looks around its ends too, in every third direction; what that costs, mm.
+const FEW: u32 = 6;
+const EVERY: usize = 3;
+const AT_END: f64 = 6.0;
 /// The first bit of four for each distance.
-const EACH: u32 = 0x0111_1111;
+const EACH: u32 = 0x1111_1111;
 /// What prices may be off by rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -123,17 +127,25 @@ impl Places {
         let round = label.ring.is_some_and(|r| half.x <= r);
         let SearchMemory { rays: all, prices, met } = again;
         all.clear();
-        find_rays(label, half, directions, all);
-        let reach = reach(label, half, all);
-        let crosses = grounds.has_thin(&reach);
-        let clearance = grounds.clearance(&reach, half, round, met);
-        for rays in all.chunks_mut(SIDE) {
-            find_free(rays, clearance);
-            if grounds.closes() {
-                rays.iter_mut().for_each(|ray| ray.close(label, half, round, grounds));
+        let free = |rays: &mut [Ray], met: &mut Met| {
+            let reach = reach(half, rays);
+            let clearance = grounds.clearance(&reach, half, round, met);
+            for rays in rays.chunks_mut(SIDE) {
+                find_free(rays, clearance);
+                if grounds.closes() {
+                    rays.iter_mut().for_each(|ray| ray.close(label, half, round, grounds));
+                }
             }
+            rays.iter().map(|ray| ray.free.count_ones()).sum::<u32>()
+        };
+        find_rays(label, half, directions, all);
+        let mut count = free(all, met);
+        if let (Anchor::Line(a, b), true) = (label.anchor, count < FEW) {
+            let known = all.len();
+            find_rays_at_ends((a, b), half, directions, all);
+            count += free(&mut all[known..], met);
         }
-        let count = all.iter().map(|ray| ray.free.count_ones()).sum();
+        let crosses = grounds.has_thin(&reach(half, all));
         let reach = open_reach(all, half);
         prices.clear();
         let free = all.iter().enumerate().filter(|(_, ray)| ray.free != 0);
@@ -210,20 +222,13 @@ fn open_reach(rays: &[Ray], half: Vec2) -> Rect {
 }
 
 /// What all places of a label lie in.
-fn reach(label: &Label, half: Vec2, rays: &[Ray]) -> Rect {
-    let farthest = DISTANCES[DISTANCES.len() - 1];
-    match label.anchor {
-        Anchor::Point(p, radius) => {
-            let beside = half * 2.0 + Vec2::new(radius + farthest, radius + farthest);
-            Rect { min: p - beside, max: p + beside }
-        }
-        Anchor::Line(..) => {
-            let mut reach = Rect::NOTHING;
-            // the parts near to the ends are behind the others
-            rays.iter().rev().take(4).for_each(|ray| reach.add(ray.middle(farthest)));
-            Rect { min: reach.min - half, max: reach.max + half }
-        }
+fn reach(half: Vec2, rays: &[Ray]) -> Rect {
+    let mut reach = Rect::NOTHING;
+    for ray in rays {
+        reach.add(ray.middle(0.0));
+        reach.add(ray.middle(DISTANCES[DISTANCES.len() - 1]));
     }
+    Rect { min: reach.min - half, max: reach.max + half }
 }
 
 /// The rays of a label: around its point, or to both sides of its line.
@@ -232,10 +237,7 @@ fn find_rays(label: &Label, half: Vec2, directions: &Directions, rays: &mut Vec<
     let away = best.unwrap_or(Vec2::new(0.707, -0.707));
     let turned =
         |weight: f64, direction: Vec2| weight * libm::atan2(away.cross(direction).abs(), away.dot(direction));
-    let to_middle = |direction: Vec2| {
-        let largest = direction.x.abs().max(direction.y.abs());
-        Vec2::new(half.x * direction.x / largest, half.y * direction.y / largest)
-    };
+    let to_middle = |direction: Vec2| to_middle(half, direction);
     let free = 0;
     match label.anchor {
         Anchor::Point(p, radius) => {
@@ -259,6 +261,23 @@ fn find_rays(label: &Label, half: Vec2, directions: &Directions, rays: &mut Vec<
             }
         }
     }
+}
+
+/// The rays around the ends of a line.
+fn find_rays_at_ends((a, b): (Vec2, Vec2), half: Vec2, directions: &Directions, rays: &mut Vec<Ray>) {
+    for from in [b, a] {
+        for direction in directions.0.into_iter().step_by(EVERY) {
+            let order = (rays.len(), false);
+            let to_middle = to_middle(half, direction);
+            rays.push(Ray { from, direction, to_middle, turned: 0.0, extra: AT_END, free: 0, order });
+        }
+    }
+}
+
+/// From the side or the corner of a box to its middle.
+fn to_middle(half: Vec2, direction: Vec2) -> Vec2 {
+    let largest = direction.x.abs().max(direction.y.abs());
+    Vec2::new(half.x * direction.x / largest, half.y * direction.y / largest)
 }
 
 // Who is in the way of a place.

@@ -24,10 +24,10 @@ const LETTERS: f64 = 4.0;
 /// Images that are one, mm.
 const SAME: f64 = 0.06;
 /// Forces that have room on a usual sheet, and from one image to the nearest for half of them where there are more, mm.
-const USUAL: usize = 10;
-const BETWEEN: f64 = 12.0;
+const USUAL: usize = 8;
+const BETWEEN: f64 = 16.0;
 /// How many times as large as usual the plan is, at most.
-const MOST: f64 = 3.0;
+const MOST: f64 = 4.0;
 /// No sheet is so large, mm: what is farther off has no place on it, beside images that are together in one point but for rounding.
 const FARTHEST: f64 = 1e4;
 /// What is nearer to a bar lies on it, mm.

@@ -1,8 +1,8 @@
 //! What runs between wheels that have places, seen from the front: teeth where wheels meet, belts and ropes, racks.
 
 use super::{LinkId, Sketch};
-use crate::symbol::gear::{MODULE, held, rack, row};
-use assur_drawing::{Drawing, Style};
+use crate::symbol::gear::{MODULE, belt, held, rack, row};
+use assur_drawing::Drawing;
 use assur_math::math::Vec2;
 use assur_model::model::{PairKind, Rate, Transmission, TransmissionKind, Wheel};
 use std::f64::consts::{PI, TAU};
@@ -17,7 +17,8 @@ impl<'a> Sketch<'a, '_> {
             match (t.kind, wheels.as_slice()) {
                 (TransmissionKind::Mesh, [a, b]) => self.teeth(drawing, a, b, &|_| true),
                 (TransmissionKind::Belt | TransmissionKind::Chain | TransmissionKind::Rope, [a, b]) => {
-                    self.belt(drawing, t, a, b);
+                    let disc = |wheel: &Wheel| (self.centre(wheel), self.frame.length(wheel.radius));
+                    belt(drawing, disc(a), disc(b), crossed(t, a.link, b.link));
                 }
                 (TransmissionKind::Rack, [wheel]) => self.rack(drawing, t, wheel),
                 _ => {}
@@ -79,25 +80,6 @@ impl<'a> Sketch<'a, '_> {
         }
     }
 
-    /// The tangents of two wheels, crossed where they turn against each other.
-    fn belt(&self, drawing: &mut Drawing, t: &Transmission, a: &Wheel, b: &Wheel) {
-        let (c_a, c_b) = (self.centre(a), self.centre(b));
-        let [r_a, r_b] = [a, b].map(|w| self.frame.length(w.radius));
-        let apart = (c_b - c_a).norm();
-        let Some(along) = (c_b - c_a).unit() else { return };
-        let crossed = crossed(t, a.link, b.link);
-        let cos = if crossed { (r_a + r_b) / apart } else { (r_a - r_b) / apart };
-        if cos.abs() >= 1.0 {
-            return;
-        }
-        let sin = (1.0 - cos * cos).sqrt();
-        for side in [-1.0, 1.0] {
-            let normal = along * cos + along.perp() * (side * sin);
-            let end = if crossed { c_b - normal * r_b } else { c_b + normal * r_b };
-            drawing.line(Style::Medium, c_a + normal * r_a, end);
-        }
-    }
-
     /// The toothed line under a wheel.
     fn rack(&self, drawing: &mut Drawing, t: &Transmission, wheel: &Wheel) {
         let Some((at, along)) = self.rack_line(t) else { return };
@@ -129,7 +111,7 @@ impl<'a> Sketch<'a, '_> {
 }
 
 /// Whether two wheels of a belt turn against each other.
-fn crossed(t: &Transmission, a: LinkId, b: LinkId) -> bool {
+pub fn crossed(t: &Transmission, a: LinkId, b: LinkId) -> bool {
     let term = |link: LinkId| {
         let law = t.laws.first()?;
         law.terms.iter().find(|(r, _)| *r == Rate::Turn(link)).map(|t| t.1)

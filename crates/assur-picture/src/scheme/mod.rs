@@ -20,6 +20,7 @@ mod weld;
 pub use axial::axial;
 pub use curvature::curvature;
 pub use dimension::{Dimension, Measured};
+pub use mesh::crossed;
 pub use profile::Freed;
 
 use crate::paper::{Frame, Paper, Scaled, Scales};

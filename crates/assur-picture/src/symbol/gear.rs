@@ -29,6 +29,11 @@ pub fn row(drawing: &mut Drawing, centre: Vec2, radius: f64, about: f64, module:
 const RACK: f64 = 8.0;
 const ALONG: f64 = 40.0;
 
+/// Half the length of the rack of a wheel.
+pub fn reach(radius: f64) -> f64 {
+    radius.min(ALONG) + RACK
+}
+
 /// A rack whose pitch line touches the pitch circle of a wheel on a side, with teeth where the wheel has any.
 pub fn rack(
     drawing: &mut Drawing,
@@ -38,7 +43,7 @@ pub fn rack(
     fixed: bool,
 ) {
     let (touch, along) = (centre + side * radius, side.perp());
-    let reach = radius.min(ALONG) + RACK;
+    let reach = reach(radius);
     let (from, to) = (touch - along * reach, touch + along * reach);
     drawing.line(Style::Medium, from, to);
     if let Some(teeth) = teeth {
@@ -55,6 +60,22 @@ pub fn rack(
     }
     if fixed {
         super::hinge::hatch(drawing, from, to, side);
+    }
+}
+
+/// The tangents of two wheels, crossed where these turn against each other.
+pub fn belt(drawing: &mut Drawing, (c_a, r_a): (Vec2, f64), (c_b, r_b): (Vec2, f64), crossed: bool) {
+    let apart = (c_b - c_a).norm();
+    let Some(along) = (c_b - c_a).unit() else { return };
+    let cos = if crossed { (r_a + r_b) / apart } else { (r_a - r_b) / apart };
+    if cos.abs() >= 1.0 {
+        return;
+    }
+    let sin = (1.0 - cos * cos).sqrt();
+    for side in [-1.0, 1.0] {
+        let normal = along * cos + along.perp() * (side * sin);
+        let end = if crossed { c_b - normal * r_b } else { c_b + normal * r_b };
+        drawing.line(Style::Medium, c_a + normal * r_a, end);
     }
 }
 

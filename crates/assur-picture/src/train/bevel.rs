@@ -1,7 +1,7 @@
 //! Bevel wheels in the section: cones towards the place where their axes meet; the axis of a planet stands upright.
 
-use super::layout::{Drawn, LEAST, Layout};
-use super::{NAME, bearing_across};
+use super::layout::{Drawn, LEAST, Layout, Shaft};
+use super::{HOLLOW, NAME, bearing_across};
 use crate::symbol::hinge;
 use assur_drawing::{Drawing, Label, Style, Text};
 use assur_math::math::Vec2;
@@ -14,6 +14,8 @@ const GAP: f64 = 0.55;
 const STEP: f64 = 9.0;
 /// How far an upright axis goes beyond its wheels.
 const BEYOND: f64 = 5.0;
+/// How far the pin of a planet goes down.
+const PIN: f64 = 14.0;
 
 /// Two bevel wheels, the one with the upright axis second.
 #[derive(Clone, Copy, Debug)]
@@ -125,14 +127,17 @@ pub fn wheel(drawing: &mut Drawing, drawn: &Drawn, own: &Wheel, (apex, upright):
     drawing.label(Label::at(Text::name(&own.name), NAME, paper(ends[1]), 0.6).towards(towards).ranked(3));
 }
 
-/// An upright axis: of a planet the arm of its carrier, on which it turns.
-pub fn axis(drawing: &mut Drawing, (x, axis): (f64, f64), top: f64, carried: bool) {
+/// An upright axis: of a planet a pin in the frame of its carrier, which goes around the wheels to its own shaft.
+pub fn axis(drawing: &mut Drawing, (x, axis): (f64, f64), top: f64, carrier: Option<&Shaft>) {
     let at = |level: f64| Vec2::new(x, -level);
-    if carried {
-        drawing.line(Style::Link, at(axis), at(top));
+    if let Some(frame) = carrier.and_then(|carrier| carrier.frame) {
+        let over = |level: f64| Vec2::new(frame, -level);
+        drawing.line(Style::Link, at((top - PIN).max(axis + 2.0)), at(top));
+        drawing.line(Style::Link, at(top), over(top));
+        drawing.line(Style::Link, over(top), over(axis + HOLLOW));
         for side in [-1.6, 1.6] {
             let beside = Vec2::new(side, 0.0);
-            drawing.line(Style::Medium, at(top) + beside, at(top - BEYOND + 1.0) + beside);
+            drawing.line(Style::Medium, at(top - 1.2) + beside, at(top - BEYOND + 0.4) + beside);
         }
     } else {
         drawing.line(Style::Link, at(top - BEYOND), at(top + 2.0 * BEYOND));

@@ -2,12 +2,14 @@
 
 use super::layout::{Drawn, Layout, Run, Shaft};
 use super::rack::{Rack, racks};
+use super::rope::{self, Rope};
+use super::worm;
 use crate::scene::Scene;
 use crate::symbol::gear::{MODULE, held, row};
 use crate::symbol::{arrow, gear, hinge};
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, Mechanism, PairKind, TransmissionKind};
+use assur_model::model::{LinkId, Mechanism, PairKind, Transmission, TransmissionKind};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// From the section to the front view.
@@ -21,39 +23,75 @@ const TOUCH: f64 = 0.05;
 const NAME: f64 = 3.6;
 const LETTERS: f64 = 4.0;
 
-/// The front view, where all wheels mesh, have their sizes and fit together.
-pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
-    let mechanism = scene.mechanism();
-    if !exists(mechanism, layout) {
-        return;
+/// The front view, where wheels mesh, have their sizes and fit together, and of all that ropes and worms run on. Puts what has
+/// no place in section into it: shafts of worms, sliders on ropes. These are what it returns.
+pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) -> (Vec<Shaft>, Vec<(LinkId, Vec2)>) {
+    let shown = shown(scene.mechanism(), layout);
+    let mut weights = Vec::new();
+    if shown.is_empty() {
+        return (Vec::new(), weights);
     }
-    let widest = layout.wheels.iter().map(|w| w.radius).fold(0.0, f64::max);
-    let front = Front { scene, layout, x: drawing.extent().max.x + BESIDE + widest };
+    let has_ropes = kinds(scene.mechanism()).any(|t| t.kind == TransmissionKind::Rope);
+    let left = drawing.extent().max.x + BESIDE;
+    let front = if has_ropes { hoist(scene, layout, shown, left) } else { stack(scene, layout, shown, left) };
+    let (front, ropes) = front;
     front.axes(drawing);
-    layout.wheels.iter().for_each(|wheel| front.wheel(drawing, wheel));
-    layout.runs.iter().for_each(|run| front.teeth(drawing, run));
-    racks(mechanism, layout).iter().for_each(|rack| front.rack(drawing, rack));
-    layout.shafts.iter().for_each(|shaft| front.shaft(drawing, shaft));
-    layout.shafts.iter().for_each(|shaft| front.turn(drawing, shaft));
+    front.shown.iter().for_each(|i| front.wheel(drawing, &layout.wheels[*i]));
+    layout.runs.iter().filter(|run| front.shows(run)).for_each(|run| front.run(drawing, run));
+    racks(scene.mechanism(), layout).iter().for_each(|rack| front.rack(drawing, rack));
+    front.shafts().for_each(|shaft| front.shaft(drawing, shaft));
+    front.shafts().for_each(|shaft| front.turn(drawing, shaft));
     drawing.end();
+    let discs = |i: usize| (front.centre(&layout.wheels[i]).x, layout.wheels[i].radius);
+    let bounds = front.bounds();
+    for rope in ropes {
+        rope.draw(drawing, (front.origin.y, bounds.0, bounds.1), (&discs, &mut weights));
+    }
+    let worms = worm::placed(scene.mechanism(), layout, |wheel| front.centre(wheel));
+    worms.iter().for_each(|(_, thread)| worm::thread(drawing, *thread));
+    (worms.into_iter().map(|w| w.0).collect(), weights)
 }
 
-fn exists(mechanism: &Mechanism, layout: &Layout) -> bool {
-    let meshes = |kind: &PairKind| match kind {
-        PairKind::Transmission(t) => matches!(t.kind, TransmissionKind::Mesh | TransmissionKind::Rack),
-        _ => true,
-    };
+fn kinds(mechanism: &Mechanism) -> impl Iterator<Item = &Transmission> {
+    mechanism.pairs.iter().filter_map(|pair| match &pair.kind {
+        PairKind::Transmission(t) => Some(t),
+        _ => None,
+    })
+}
+
+/// The wheels of the view.
+fn shown(mechanism: &Mechanism, layout: &Layout) -> Vec<usize> {
+    use TransmissionKind as Kind;
     let touches = |run: &Run| {
         let [a, b] = run.wheels.map(|i| &layout.wheels[i]);
         let apart = (centre_level(mechanism, a) - centre_level(mechanism, b)).abs();
         let wanted = if run.internal { (a.radius - b.radius).abs() } else { a.radius + b.radius };
-        (apart - wanted).abs() < TOUCH
+        run.apart || (apart - wanted).abs() < TOUCH
     };
     let racks = racks(mechanism, layout);
     let is_rack = |link: &LinkId| racks.iter().any(|rack| rack.link == *link);
-    let all = mechanism.pairs.iter().all(|p| meshes(&p.kind)) && layout.sliders.iter().all(|s| is_rack(&s.0));
-    let some = !(layout.runs.is_empty() && racks.is_empty()) && layout.wheels.len() <= MOST;
-    all && some && layout.scale(mechanism).is_some() && layout.runs.iter().all(touches)
+    let runs = layout.runs.iter().all(|run| run.cones.is_none() && touches(run));
+    let all = runs && layout.wheels.len() <= MOST && layout.sliders.iter().all(|s| is_rack(&s.0));
+    let hangs = kinds(mechanism).any(|t| matches!(t.kind, Kind::Rope | Kind::Worm));
+    let plain =
+        kinds(mechanism).all(|t| matches!(t.kind, Kind::Mesh | Kind::Rack | Kind::Belt | Kind::Chain));
+    let some = !(layout.runs.is_empty() && racks.is_empty());
+    let has_planets = layout.shafts.iter().any(|s| s.on != LinkId::GROUND);
+    if all && (hangs && !has_planets || !hangs && plain && some && layout.scale(mechanism).is_some()) {
+        return (0..layout.wheels.len()).collect();
+    }
+    // what hangs on ropes and what worms turn is seen from the front alone
+    let mut wheels: Vec<usize> = Vec::new();
+    for t in kinds(mechanism) {
+        match t.kind {
+            Kind::Rope => wheels.extend(rope::wheels(mechanism, layout, t)),
+            Kind::Worm => wheels.extend(worm::wheel(mechanism, layout, t)),
+            _ => {}
+        }
+    }
+    wheels.sort_unstable();
+    wheels.dedup();
+    wheels
 }
 
 /// The height of the axis of a wheel: of a ring of the ground that of the wheel in it tells it.
@@ -64,37 +102,115 @@ fn centre_level(mechanism: &Mechanism, wheel: &Drawn) -> f64 {
     }
 }
 
+/// Axes above each other, at the heights that they have in section.
+fn stack<'a, 's>(
+    scene: &'s Scene<'a>,
+    layout: &'s Layout,
+    shown: Vec<usize>,
+    left: f64,
+) -> (Front<'a, 's>, Vec<Rope<'s>>) {
+    let widest = shown.iter().map(|i| layout.wheels[*i].radius).fold(0.0, f64::max);
+    let origin = Vec2::new(left + widest, 0.0);
+    (Front { scene, layout, shown, origin, row: Vec2::new(0.0, -1.0) }, Vec::new())
+}
+
+/// Axes beside each other, so that ropes hang freely: in that order of two in which fewer parts pass before other wheels.
+fn hoist<'a, 's>(
+    scene: &'s Scene<'a>,
+    layout: &'s Layout,
+    shown: Vec<usize>,
+    left: f64,
+) -> (Front<'a, 's>, Vec<Rope<'s>>) {
+    let mechanism = scene.mechanism();
+    let one = |way: f64| {
+        let mut front =
+            Front { scene, layout, shown: shown.clone(), origin: Vec2::zero(), row: Vec2::new(way, 0.0) };
+        let least = |front: &Front<'_, '_>, ropes: &[Rope<'_>]| {
+            let discs =
+                front.shown.iter().map(|i| front.centre(&layout.wheels[*i]).x - layout.wheels[*i].radius);
+            discs.chain(ropes.iter().map(Rope::left)).fold(f64::INFINITY, f64::min)
+        };
+        let ropes = |front: &Front<'_, '_>| {
+            rope::ropes(mechanism, layout, &|i| (front.centre(&layout.wheels[i]).x, layout.wheels[i].radius))
+        };
+        let shift = least(&front, &ropes(&front));
+        front.origin = Vec2::new(left - shift, 0.0);
+        let ropes = ropes(&front);
+        let discs: Vec<(f64, f64)> = front
+            .shown
+            .iter()
+            .map(|i| (front.centre(&layout.wheels[*i]).x, layout.wheels[*i].radius))
+            .collect();
+        let own = |i: usize| (front.centre(&layout.wheels[i]).x, layout.wheels[i].radius);
+        let crossed: usize = ropes.iter().map(|rope| rope.crossed(&discs, &own)).sum();
+        // the farther apart weights hang, the better
+        let spread = ropes.iter().map(Rope::right).fold(0.0, f64::max)
+            - ropes.iter().map(Rope::left).fold(f64::MAX, f64::min);
+        (crossed, -spread, front, ropes)
+    };
+    let (there, back) = (one(1.0), one(-1.0));
+    let best = if (back.0, back.1) < (there.0, there.1) { back } else { there };
+    (best.2, best.3)
+}
+
 struct Front<'a, 's> {
     scene: &'s Scene<'a>,
     layout: &'s Layout,
-    x: f64,
+    /// Indices of drawn wheels.
+    shown: Vec<usize>,
+    /// Where an axis of level 0 is, and the direction in which levels grow.
+    origin: Vec2,
+    row: Vec2,
 }
 
 impl Front<'_, '_> {
     fn at(&self, level: f64) -> Vec2 {
-        Vec2::new(self.x, -level)
+        self.origin + self.row * level
     }
 
     fn centre(&self, wheel: &Drawn) -> Vec2 {
         self.at(centre_level(self.scene.mechanism(), wheel))
     }
 
+    fn shows(&self, run: &Run) -> bool {
+        run.wheels.iter().all(|wheel| self.shown.contains(wheel))
+    }
+
+    /// Shafts with a wheel in the view, and those that carry or turn on them.
+    fn shafts(&self) -> impl Iterator<Item = &Shaft> {
+        let wheels = &self.scene.mechanism().wheels;
+        let has =
+            move |link: LinkId| self.shown.iter().any(|i| wheels[self.layout.wheels[*i].wheel].link == link);
+        let carries = move |link: LinkId| self.layout.shafts.iter().any(|s| s.on == link && has(s.link));
+        self.layout.shafts.iter().filter(move |shaft| has(shaft.link) || carries(shaft.link))
+    }
+
+    fn circles(&self) -> impl Iterator<Item = (Vec2, f64)> {
+        self.shown.iter().map(|i| (self.centre(&self.layout.wheels[*i]), self.layout.wheels[*i].radius))
+    }
+
+    /// The greatest and the least height of all wheels.
+    fn bounds(&self) -> (f64, f64) {
+        let top = self.circles().map(|(c, r)| c.y - r).fold(f64::MAX, f64::min);
+        (top, self.circles().map(|(c, r)| c.y + r).fold(f64::MIN, f64::max))
+    }
+
     /// The line of all axes, and one across for each that does not move.
     fn axes(&self, drawing: &mut Drawing) {
-        let circles = || self.layout.wheels.iter().map(|w| (self.centre(w).y, w.radius));
-        let top = circles().map(|(y, r)| y - r).fold(f64::MAX, f64::min);
-        let bottom = circles().map(|(y, r)| y + r).fold(f64::MIN, f64::max);
-        let end = |y: f64| Vec2::new(self.x, y);
-        drawing.line(Style::Axis, end(top - BEYOND), end(bottom + BEYOND));
+        let ends = self.circles().map(|(c, r)| ((c - self.origin).dot(self.row), r));
+        let ends: Vec<(f64, f64)> = ends.collect();
+        let from = ends.iter().map(|(s, r)| s - r).fold(f64::MAX, f64::min);
+        let to = ends.iter().map(|(s, r)| s + r).fold(f64::MIN, f64::max);
+        drawing.line(Style::Axis, self.at(to + BEYOND), self.at(from - BEYOND));
         let mut done: Vec<f64> = Vec::new();
-        for shaft in self.layout.shafts.iter().filter(|s| s.on == LinkId::GROUND) {
+        for shaft in self.shafts().filter(|s| s.on == LinkId::GROUND) {
             if done.iter().any(|level| (level - shaft.level).abs() < TOUCH) {
                 continue;
             }
             done.push(shaft.level);
+            let own = ends.iter().filter(|(s, _)| (s - shaft.level).abs() < TOUCH);
+            let reach = self.row.perp() * (own.map(|(_, r)| *r).fold(0.0, f64::max) + BEYOND);
             let at = self.at(shaft.level);
-            let own = circles().filter(|(y, _)| (y - at.y).abs() < TOUCH);
-            let reach = Vec2::new(own.map(|(_, r)| r).fold(0.0, f64::max) + BEYOND, 0.0);
             drawing.line(Style::Axis, at - reach, at + reach);
         }
     }
@@ -113,18 +229,31 @@ impl Front<'_, '_> {
         drawing.label(label.towards(-side).ranked(3));
     }
 
-    fn teeth(&self, drawing: &mut Drawing, run: &Run) {
+    fn run(&self, drawing: &mut Drawing, run: &Run) {
         let [a, b] = run.wheels.map(|i| &self.layout.wheels[i]);
+        let (c_a, c_b) = (self.centre(a), self.centre(b));
+        if run.apart {
+            gear::belt(drawing, (c_a, a.radius), (c_b, b.radius), run.crossed);
+            return;
+        }
         let own = &self.scene.mechanism().wheels;
         let Some(z) = own[a.wheel].teeth.filter(|_| own[b.wheel].teeth.is_some()) else { return };
         let module = (2.0 * a.radius / z).max(MODULE);
         drawing.begin("mesh", &own[a.wheel].name);
         for (wheel, other, shift) in [(a, b, 0.0), (b, a, 0.5)] {
-            let (centre, towards) = (self.centre(wheel), self.centre(other).y - self.centre(wheel).y);
+            let centre = self.centre(wheel);
             let is_ring = run.internal && wheel.radius > other.radius;
-            let down = if run.internal && !is_ring { towards < 0.0 } else { towards > 0.0 };
-            let about = if down { FRAC_PI_2 } else { -FRAC_PI_2 };
-            row(drawing, centre, wheel.radius, about, module, shift, if is_ring { -1.0 } else { 1.0 });
+            let towards = self.centre(other) - centre;
+            let towards = if run.internal && !is_ring { -towards } else { towards };
+            row(
+                drawing,
+                centre,
+                wheel.radius,
+                towards.angle(),
+                module,
+                shift,
+                if is_ring { -1.0 } else { 1.0 },
+            );
         }
     }
 
@@ -140,8 +269,8 @@ impl Front<'_, '_> {
             row(drawing, centre, radius, side.angle(), module, 0.0, 1.0);
         }
         let text = Text::upright(self.scene.link_label(rack.link));
-        let end = centre + side * radius + side.perp() * radius;
-        drawing.label(Label::at(text, NAME, end, 1.0).towards(side).ranked(3));
+        let end = centre + side * radius + side.perp() * gear::reach(radius);
+        drawing.label(Label::at(text, NAME, end, 1.0).towards(side.perp()).ranked(3));
     }
 
     /// The end of a shaft; of one on a carrier with the arm that carries it.

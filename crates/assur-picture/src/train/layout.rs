@@ -1,6 +1,7 @@
 //! Where shafts, wheels and sliders are in the section. Levels grow upwards, mm; y of paper is their negative.
 
 use super::bevel::{self, Cones};
+use super::worm;
 use crate::scene::Scene;
 use assur_drawing::Scale;
 use assur_math::math::Vec2;
@@ -14,6 +15,9 @@ pub const COLUMN: f64 = 22.0;
 /// What a shaft is longer than its wheels, on the side of its bearing and on the other.
 const LONG: f64 = 15.0;
 const SHORT: f64 = 4.5;
+/// From a ring to the disc that joins it to its shaft, and from bevel wheels to the frame of their carrier.
+pub const BELL: f64 = COLUMN / 2.0 + 4.5;
+const FRAME: f64 = 10.0;
 /// From the end of a shaft to that of another on the same axis.
 const BEHIND: f64 = 12.5;
 /// Between two wheels of a belt, and between shafts that nothing joins.
@@ -32,6 +36,10 @@ pub struct Shaft {
     pub right: bool,
     /// Its axis stands upright here, from this height; the level is its top.
     pub upright: Option<(f64, f64)>,
+    /// It is hollow: another turns in it.
+    pub hollow: bool,
+    /// The frame of a carrier of bevel planets begins at this axis.
+    pub frame: Option<f64>,
 }
 
 /// A wheel in the section.
@@ -56,8 +64,27 @@ pub struct Layout {
     pub wheels: Vec<Drawn>,
     /// Sliders with the middle of their blocks, on paper.
     pub sliders: Vec<(LinkId, Vec2)>,
+    /// Those that are nuts: they move along their spindles.
+    pub nuts: Vec<LinkId>,
     /// What runs on what.
     pub runs: Vec<Run>,
+}
+
+/// From the free end of a shaft to the middle of a spindle.
+const SPINDLE: f64 = 10.0;
+
+impl Shaft {
+    /// A shaft that has no place yet.
+    pub const fn new(link: LinkId, on: LinkId) -> Self {
+        let (right, upright, hollow, frame) = (false, None, false, None);
+        Self { link, on, level: 0.0, ends: (0.0, 0.0), right, upright, hollow, frame }
+    }
+
+    /// The middle of the spindle at its free end, on paper.
+    pub fn spindle(&self) -> Vec2 {
+        let x = if self.right { self.ends.0 - SPINDLE } else { self.ends.1 + SPINDLE };
+        Vec2::new(x, -self.level)
+    }
 }
 
 /// Two wheels that run on each other.
@@ -67,8 +94,9 @@ pub struct Run {
     pub wheels: [usize; 2],
     /// One lies within the other.
     pub internal: bool,
-    /// A belt or a chain joins them.
+    /// A belt or a chain joins them, and whether it is crossed.
     pub apart: bool,
+    pub crossed: bool,
     pub cones: Option<Cones>,
 }
 
@@ -79,7 +107,7 @@ impl Layout {
         let drawn: Vec<usize> = (0..mechanism.wheels.len())
             .filter(|i| {
                 let wheel = &mechanism.wheels[*i];
-                !scene.is_placed(wheel.link) || wheel.centre.is_none()
+                (!scene.is_placed(wheel.link) || wheel.centre.is_none()) && !worm::is_worm(mechanism, *i)
             })
             .collect();
         let runs = runs(mechanism, &drawn);
@@ -165,7 +193,8 @@ impl Layout {
             let first = (0..levels.len()).filter(free).min_by_key(|i| (carrier(*i).is_some(), *i));
             let Some(first) = first else { return levels };
             let highest = levels.iter().flatten().copied().fold(f64::NEG_INFINITY, f64::max);
-            next = if highest.is_finite() { highest + 2.0 * LARGEST + GAP } else { next };
+            let apart = if self.wheels.is_empty() { 0.0 } else { 2.0 * LARGEST };
+            next = if highest.is_finite() { highest + apart + GAP } else { next };
             levels[first] = Some(next);
         }
     }
@@ -183,59 +212,99 @@ impl Layout {
         }
     }
 
-    /// Begins and ends of the shafts; the first on an axis has its bearing on the left, others on the right.
+    /// Begins and ends of the shafts; the first on an axis has its bearing on the left, others on the right. Hollow ones come
+    /// first: others end beyond them.
     fn ends(&mut self, mechanism: &Mechanism) {
-        let mut used: Vec<(f64, f64, f64)> = Vec::new();
-        let widest = self.wheels.iter().map(|w| w.x).fold(0.0, f64::max);
-        for i in 0..self.shafts.len() {
-            let shaft = self.shafts[i].clone();
-            let own = |w: &&Drawn| mechanism.wheels[w.wheel].link == shaft.link;
-            let of_planets = |w: &&Drawn| {
-                let link = mechanism.wheels[w.wheel].link;
-                self.shafts.iter().any(|s| s.link == link && s.on == shaft.link)
-            };
-            let xs: Vec<f64> = self.wheels.iter().filter(own).map(|w| w.x).collect();
-            let arm = |w: &Drawn| if w.cone.is_some() { w.x } else { w.x + COLUMN / 2.0 };
-            let arms: Vec<f64> = self.wheels.iter().filter(of_planets).map(arm).collect();
-            let bell = self.wheels.iter().filter(own).any(|w| w.ring_at.is_some());
-            let all = xs.iter().map(|x| if bell { x + 8.0 } else { *x }).chain(arms.iter().copied());
-            let (low, high) = all.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
-            let (low, high) = if low > high { (widest + COLUMN, widest + COLUMN) } else { (low, high) };
-            let planet = shaft.on != LinkId::GROUND;
-            let clash = |from: f64, to: f64| {
-                used.iter().any(|(l, a, b)| (l - shaft.level).abs() < 4.0 && from < *b + 1.0 && *a < to + 1.0)
-            };
-            let left = (low - LONG, high + if arms.is_empty() { SHORT } else { 0.0 });
-            let right = (low - if arms.is_empty() && !bell { SHORT } else { 0.0 }, high + LONG);
-            let far = self.runs.iter().filter_map(|run| run.cones).any(|cones| {
-                cones.side == Bevel::Far
-                    && mechanism.wheels[self.wheels[cones.lying].wheel].link == shaft.link
-            });
-            let is_right = !planet && (bell || far || !arms.is_empty() || clash(left.0, left.1));
-            self.shafts[i].right = is_right;
-            self.shafts[i].ends = if let Some((x, _)) = shaft.upright {
-                (x, x)
-            } else if planet {
-                (low - SHORT, high + COLUMN / 2.0)
-            } else if is_right {
-                // bearings on one axis are behind each other
-                let near = |end: f64| {
-                    let here = used.iter().filter(|u| (u.0 - shaft.level).abs() < 4.0);
-                    here.map(|u| u.2).filter(|e| (e - end).abs() < BEHIND).fold(f64::MIN, f64::max)
-                };
-                let mut end = right.1;
-                while near(end) > f64::MIN {
-                    end = near(end) + BEHIND;
-                }
-                (right.0, end)
-            } else {
-                left
-            };
-            used.push((shaft.level, self.shafts[i].ends.0, self.shafts[i].ends.1));
+        let link_of = |wheel: &Drawn| mechanism.wheels[wheel.wheel].link;
+        let carries = |own: &Shaft, upright: bool| {
+            self.shafts.iter().any(|s| s.on == own.link && s.upright.is_some() == upright)
+        };
+        let bell = |own: &Shaft| self.wheels.iter().any(|w| link_of(w) == own.link && w.ring_at.is_some());
+        let holds = |own: &Shaft| {
+            let inside = |s: &Shaft| s.link != own.link && carries(s, false) && same(s.level, own.level);
+            carries(own, true) || bell(own) && self.shafts.iter().any(inside)
+        };
+        let hollow: Vec<bool> = self.shafts.iter().map(holds).collect();
+        let bells: Vec<bool> = self.shafts.iter().map(bell).collect();
+        let mut order: Vec<usize> = (0..self.shafts.len()).collect();
+        order.sort_by_key(|i| !hollow[*i]);
+        let mut used: Vec<usize> = Vec::new();
+        for i in order {
+            self.shafts[i].hollow = hollow[i];
+            self.frame(mechanism, i);
+            let (ends, right) = self.ends_of(mechanism, i, bells[i], &used);
+            (self.shafts[i].ends, self.shafts[i].right) = (ends, right);
+            used.push(i);
         }
     }
 
-    /// Sliders hang below the wheels, side by side.
+    /// Where the frame of a carrier of bevel planets goes down to its axis: beyond the wheels, on the side of its own.
+    fn frame(&mut self, mechanism: &Mechanism, i: usize) {
+        let link = self.shafts[i].link;
+        let link_of = |wheel: &Drawn| mechanism.wheels[wheel.wheel].link;
+        let planets: Vec<LinkId> =
+            self.shafts.iter().filter(|s| s.on == link && s.upright.is_some()).map(|s| s.link).collect();
+        let cones: Vec<Cones> = self.runs.iter().filter_map(|run| run.cones).collect();
+        let beside = cones.iter().filter(|c| planets.contains(&link_of(&self.wheels[c.upright])));
+        let xs = beside.map(|c| self.wheels[c.lying].x);
+        let (low, high) = xs.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+        if low > high {
+            return;
+        }
+        let own = self.wheels.iter().filter(|w| link_of(w) == link).map(|w| w.x).fold(f64::MAX, f64::min);
+        self.shafts[i].frame = Some(if own < low { low - FRAME } else { high + FRAME });
+    }
+
+    fn ends_of(&self, mechanism: &Mechanism, i: usize, bell: bool, used: &[usize]) -> ((f64, f64), bool) {
+        let shaft = &self.shafts[i];
+        if let Some((x, _)) = shaft.upright {
+            return ((x, x), false);
+        }
+        let link_of = |wheel: &Drawn| mechanism.wheels[wheel.wheel].link;
+        let widest = self.wheels.iter().map(|w| w.x).fold(0.0, f64::max);
+        let own = |w: &&Drawn| link_of(w) == shaft.link;
+        let of_planets = |w: &&Drawn| {
+            w.cone.is_none() && self.shafts.iter().any(|s| s.link == link_of(w) && s.on == shaft.link)
+        };
+        let reach = if bell { BELL } else { 0.0 };
+        let xs = self.wheels.iter().filter(own).map(|w| w.x + reach);
+        let arms: Vec<f64> = self.wheels.iter().filter(of_planets).map(|w| w.x + COLUMN / 2.0).collect();
+        let all = xs.chain(arms.iter().copied()).chain(shaft.frame);
+        let (low, high) = all.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+        let (low, high) = if low > high { (widest + COLUMN, widest + COLUMN) } else { (low, high) };
+        if shaft.on != LinkId::GROUND {
+            return ((low - SHORT, high + COLUMN / 2.0), false);
+        }
+        let here = || used.iter().map(|u| &self.shafts[*u]).filter(|u| same(u.level, shaft.level));
+        let clash = |(from, to): (f64, f64)| {
+            here().filter(|u| !u.hollow).any(|u| from < u.ends.1 + 1.0 && u.ends.0 < to + 1.0)
+        };
+        let short = |on: bool| if on { SHORT } else { 0.0 };
+        let free = arms.is_empty() && shaft.frame.is_none();
+        // in a hollow shaft, and beyond its bearing
+        let through = here().filter(|u| u.hollow && u.ends.1 <= low + 1.0).map(|u| u.ends.0 - BEHIND);
+        let left = ((low - LONG).min(through.fold(f64::MAX, f64::min)), high + short(free));
+        let far = self
+            .runs
+            .iter()
+            .filter_map(|run| run.cones)
+            .any(|cones| cones.side == Bevel::Far && link_of(&self.wheels[cones.lying]) == shaft.link);
+        let frame_left = shaft.frame.is_some_and(|x| x > low);
+        let is_right = !frame_left && (bell || far || !free || clash(left));
+        if !is_right {
+            return (left, false);
+        }
+        let near =
+            |end: f64| here().map(|u| u.ends.1).filter(|e| (e - end).abs() < BEHIND).fold(f64::MIN, f64::max);
+        let around = here().filter(|u| u.hollow && u.ends.0 >= low - 1.0).map(|u| u.ends.1 + BEHIND);
+        let mut end = around.fold(high + LONG, f64::max);
+        while near(end) > f64::MIN {
+            end = near(end) + BEHIND;
+        }
+        ((low - short(free && !bell), end), true)
+    }
+
+    /// Racks below their wheels, nuts on their spindles; others side by side. Those on ropes are seen from the front.
     fn place_sliders(&mut self, mechanism: &Mechanism) {
         let wheels = self.wheels.iter().map(|w| w.level - w.radius);
         let lowest = wheels.chain(self.shafts.iter().map(|s| s.level - 6.0)).fold(0.0, f64::min);
@@ -245,32 +314,30 @@ impl Layout {
             PairKind::Prismatic(g) => Some(g.slider),
             _ => None,
         });
-        for (i, link) in sliders.enumerate() {
-            // a rack is below its wheel
+        let mut free = 0.0;
+        for link in sliders {
+            let own = |kind: TransmissionKind| {
+                mechanism.pairs.iter().find_map(|pair| match &pair.kind {
+                    PairKind::Transmission(t) if t.kind == kind && t.links.contains(&link) => Some(t),
+                    _ => None,
+                })
+            };
             let racks = super::rack::racks(mechanism, self);
-            if let Some(at) = racks.iter().find(|rack| rack.link == link).map(super::rack::Rack::middle) {
-                self.sliders.push((link, at));
+            let rack = racks.iter().find(|rack| rack.link == link).map(super::rack::Rack::middle);
+            let nut = own(TransmissionKind::Screw)
+                .and_then(|t| self.shafts.iter().find(|s| t.links.contains(&s.link)).map(Shaft::spindle));
+            if rack.is_none() && nut.is_none() && own(TransmissionKind::Rope).is_some() {
                 continue;
             }
-            let below = self.rope_wheel(mechanism, link).map_or(start + COLUMN * i as f64, |w| w.x + 3.5);
-            let taken = |x: f64| self.sliders.iter().any(|(_, at)| (at.x - x).abs() < 14.0);
-            let x = (0..).map(|n| below + 15.0 * f64::from(n)).find(|x| !taken(*x)).unwrap_or(below);
-            self.sliders.push((link, Vec2::new(x, -lowest + 14.0)));
+            let at = rack.or(nut).unwrap_or_else(|| {
+                free += 1.0;
+                Vec2::new(start + COLUMN * (free - 1.0), -lowest + 14.0)
+            });
+            if nut.is_some() {
+                self.nuts.push(link);
+            }
+            self.sliders.push((link, at));
         }
-    }
-
-    /// The wheel from which the rope of a slider hangs.
-    fn rope_wheel(&self, mechanism: &Mechanism, slider: LinkId) -> Option<&Drawn> {
-        mechanism.pairs.iter().find_map(|pair| {
-            let PairKind::Transmission(t) = &pair.kind else { return None };
-            let name = &mechanism.link(slider).name;
-            let hangs = t.kind == TransmissionKind::Rope && t.ends.len() == 2 && t.ends.contains(name);
-            let ends = t.ends.iter().filter(|_| hangs);
-            ends.filter_map(|end| {
-                wheel_named(mechanism, end.trim_start_matches("over(").trim_end_matches(')'))
-            })
-            .find_map(|wheel| self.wheel(wheel))
-        })
     }
 
     /// The wheel of an index of the mechanism.
@@ -279,14 +346,19 @@ impl Layout {
     }
 }
 
+/// Whether two levels are one axis.
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() < 4.0
+}
+
 fn shafts(mechanism: &Mechanism) -> Vec<Shaft> {
     let open = mechanism.pairs.iter().filter(|p| p.bearing == Some(Bearing::Open));
     let shafts = open.filter_map(|p| match &p.kind {
         PairKind::Revolute(pins) => Some((pins.first()?.link, pins.last()?.link)),
         _ => None,
     });
-    let ends = (0.0, 0.0);
-    shafts.map(|(on, link)| Shaft { link, on, level: 0.0, ends, right: false, upright: None }).collect()
+    let shafts = shafts.filter(|(_, link)| !worm::is_across(mechanism, *link));
+    shafts.map(|(on, link)| Shaft::new(link, on)).collect()
 }
 
 /// Shafts that a clutch joins.
@@ -309,7 +381,7 @@ fn runs(mechanism: &Mechanism, drawn: &[usize]) -> Vec<Run> {
     for pair in &mechanism.pairs {
         let PairKind::Transmission(t) = &pair.kind else { continue };
         let apart = matches!(t.kind, TransmissionKind::Belt | TransmissionKind::Chain);
-        if !apart && !matches!(t.kind, TransmissionKind::Mesh | TransmissionKind::Worm) {
+        if !apart && t.kind != TransmissionKind::Mesh {
             continue;
         }
         let [first, second] = t.ends.as_slice() else { continue };
@@ -318,7 +390,8 @@ fn runs(mechanism: &Mechanism, drawn: &[usize]) -> Vec<Run> {
             let links = [a, b].map(|i| mechanism.wheels[drawn[i]].link);
             let cones = bevel::cones(t, [a, b], links);
             let internal = t.kind == TransmissionKind::Mesh && cones.is_none() && is_internal(t, links);
-            runs.push(Run { wheels: [a, b], internal, apart, cones });
+            let crossed = apart && crate::scheme::crossed(t, links[0], links[1]);
+            runs.push(Run { wheels: [a, b], internal, apart, crossed, cones });
         }
     }
     runs

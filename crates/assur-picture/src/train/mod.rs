@@ -6,6 +6,7 @@ mod layout;
 mod rack;
 mod rope;
 mod wheels;
+mod worm;
 
 use crate::figures::TURNING;
 use crate::scene::Scene;
@@ -18,9 +19,13 @@ use layout::{Layout, Shaft};
 use std::f64::consts::FRAC_PI_2;
 
 const NAME: f64 = 3.8;
+/// Size of what is said of a rope, a belt, a worm.
+const SMALL: f64 = 3.3;
 const LETTERS: f64 = 4.2;
 /// Half the length of a bearing, and its distance from the shaft.
 const BEARING: Vec2 = Vec2::new(3.0, 1.6);
+/// Half the width of a hollow shaft.
+const HOLLOW: f64 = 1.7;
 /// From the end of a shaft to its bearing.
 const TO_BEARING: f64 = 6.0;
 /// Radius and angle of the arrow of a turning shaft.
@@ -45,20 +50,22 @@ pub fn train(scene: &Scene<'_>) -> Result<Drawing, Diagnosis> {
         )
         .help("draw the `scheme`, or declare shafts: `shaft I { wheel a teeth 20 }`"));
     }
-    let layout = Layout::of(scene);
+    let mut layout = Layout::of(scene);
     let mechanism = scene.mechanism();
     let title =
         format!("{}: train in section{}", crate::words::title(scene), crate::words::at_position(scene));
     let mut drawing = Drawing::new(&crate::words::id(scene, "train"), title, said(scene));
-    for shaft in &layout.shafts {
-        drawing.begin("link", &mechanism.link(shaft.link).name);
-        draw_shaft(scene, &layout, shaft, &mut drawing);
-        drawing.end();
-    }
+    let in_section = layout.shafts.len();
+    shafts(scene, &layout, 0, &mut drawing);
     wheels::draw(scene, &layout, &mut drawing);
+    sliders(scene, &layout, 0, &mut drawing);
     wheels::transmissions(scene, &layout, &mut drawing);
-    sliders(scene, &layout, &mut drawing);
-    front::draw(scene, &layout, &mut drawing);
+    let beside = layout.sliders.len();
+    let (across, hung) = front::draw(scene, &layout, &mut drawing);
+    layout.shafts.extend(across);
+    layout.sliders.extend(hung);
+    shafts(scene, &layout, in_section, &mut drawing);
+    sliders(scene, &layout, beside, &mut drawing);
     efforts(scene, &layout, &mut drawing);
     match layout.scale(mechanism) {
         Some(scale) => {
@@ -98,22 +105,38 @@ fn said(scene: &Scene<'_>) -> String {
     said
 }
 
+/// The shafts from one on.
+fn shafts(scene: &Scene<'_>, layout: &Layout, from: usize, drawing: &mut Drawing) {
+    for shaft in &layout.shafts[from..] {
+        drawing.begin("link", &scene.mechanism().link(shaft.link).name);
+        draw_shaft(scene, layout, shaft, drawing);
+        drawing.end();
+    }
+}
+
 /// A shaft with its bearing and its name; of one on a carrier the arm of the carrier ends at it.
 fn draw_shaft(scene: &Scene<'_>, layout: &Layout, shaft: &Shaft, drawing: &mut Drawing) {
     let at = |x: f64| Vec2::new(x, -shaft.level);
     let (from, to) = shaft.ends;
     if let Some(upright) = shaft.upright {
-        bevel::axis(drawing, upright, shaft.level, shaft.on != LinkId::GROUND);
+        let carrier = layout.shafts.iter().find(|s| s.link == shaft.on);
+        bevel::axis(drawing, upright, shaft.level, carrier);
         let text = Text::upright(scene.link_label(shaft.link));
         let towards = Vec2::new(0.3, -1.0);
         drawing.label(Label::at(text, NAME, at(to), 0.6).towards(towards).ranked(2));
         return;
     }
-    drawing.line(Style::Link, at(from), at(to));
+    let gap = Vec2::new(0.0, if shaft.hollow { HOLLOW } else { 0.0 });
+    // a bell and a frame end at their own side of it
+    let from = if shaft.hollow { shaft.frame.map_or(from, |x| x.min(from)) } else { from };
+    drawing.line(Style::Link, at(from) - gap, at(to) - gap);
+    if shaft.hollow {
+        drawing.line(Style::Link, at(from) + gap, at(to) + gap);
+    }
     let end = if shaft.right { to } else { from };
     if shaft.on == LinkId::GROUND {
         let middle = if shaft.right { to - TO_BEARING } else { from + TO_BEARING };
-        bearing(drawing, at(middle));
+        bearing(drawing, at(middle), if shaft.hollow { HOLLOW } else { 0.0 });
     } else if let Some(carrier) = layout.shafts.iter().find(|s| s.link == shaft.on) {
         // the arm, from the axis of the carrier
         drawing.line(Style::Link, at(to), Vec2::new(to, -carrier.level));
@@ -129,9 +152,10 @@ fn draw_shaft(scene: &Scene<'_>, layout: &Layout, shaft: &Shaft, drawing: &mut D
     drawing.label(Label::at(text, NAME, at(end), 0.6).towards(out).ranked(2));
 }
 
-fn bearing(drawing: &mut Drawing, at: Vec2) {
+/// A bearing of a shaft that is so thick.
+fn bearing(drawing: &mut Drawing, at: Vec2, thick: f64) {
     for side in [-1.0, 1.0] {
-        let middle = at + Vec2::new(0.0, side * BEARING.y);
+        let middle = at + Vec2::new(0.0, side * (BEARING.y + thick));
         let line = Vec2::new(BEARING.x, 0.0);
         drawing.line(Style::Medium, middle - line, middle + line);
         hinge::hatch(drawing, middle - line, middle + line, Vec2::new(0.0, side));
@@ -148,14 +172,22 @@ fn bearing_across(drawing: &mut Drawing, at: Vec2) {
     }
 }
 
-fn sliders(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
-    for (link, at) in &layout.sliders {
+/// The blocks of sliders from one on; that of a nut on a guide, which keeps it from turning.
+fn sliders(scene: &Scene<'_>, layout: &Layout, from: usize, drawing: &mut Drawing) {
+    for (link, at) in &layout.sliders[from..] {
         drawing.begin("link", &scene.mechanism().link(*link).name);
         let corner = |x: f64, y: f64| *at + Vec2::new(x * BLOCK.x, y * BLOCK.y);
         let corners = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
         drawing.mark(Style::Block, Shape::polygon(corners));
         let text = Text::upright(scene.link_label(*link));
-        drawing.label(Label::at(text, NAME, *at, BLOCK.x).towards(Vec2::new(1.0, 0.0)).ranked(2));
+        let is_nut = layout.nuts.contains(link);
+        if is_nut {
+            let (middle, half) = (*at + Vec2::new(0.0, BLOCK.y + 0.8), Vec2::new(2.0 * BLOCK.x, 0.0));
+            drawing.line(Style::Medium, middle - half, middle + half);
+            hinge::hatch(drawing, middle - half, middle + half, Vec2::new(0.0, 1.0));
+        }
+        let towards = if is_nut { Vec2::new(0.0, -1.0) } else { Vec2::new(1.0, 0.0) };
+        drawing.label(Label::at(text, NAME, *at, BLOCK.x).towards(towards).ranked(2));
         drawing.end();
     }
 }
@@ -179,9 +211,16 @@ impl Arrows<'_> {
             let top = at - Vec2::new(0.0, TURN.0);
             Label::at(name, LETTERS, top, 0.5).towards(Vec2::new(0.0, -1.0))
         } else if let Some((_, at)) = self.layout.sliders.iter().find(|s| s.0 == link) {
-            let way = if positive { Vec2::new(0.0, -1.0) } else { Vec2::new(0.0, 1.0) };
-            // beside the rope
-            let from = *at + Vec2::new(2.2 * (count + 1) as f64, way.y * (BLOCK.y + 0.4));
+            // along its spindle, else along the rope: what a wheel that turns counter-clockwise pays out goes down
+            let is_nut = self.layout.nuts.contains(&link);
+            let way = if is_nut { Vec2::new(1.0, 0.0) } else { Vec2::new(0.0, 1.0) };
+            let way = if positive { way } else { -way };
+            let beside = 2.2 * (count + 1) as f64;
+            let from = if is_nut {
+                *at + Vec2::new(way.x * (BLOCK.x + 0.4), -BLOCK.y - beside)
+            } else {
+                *at + Vec2::new(beside, way.y * (BLOCK.y + 0.4))
+            };
             drawing.mark(style, Shape::Arrow(from, from + way * 11.0));
             Label::along(name, LETTERS, from + way * 5.0, from + way * 12.0)
         } else {

@@ -1,10 +1,10 @@
 //! Wheels in section, and what runs between them.
 
-use super::layout::{Drawn, Layout, wheel_named};
-use super::{NAME, bevel, rack, rope};
+use super::layout::{BELL, Drawn, Layout, wheel_named};
+use super::{HOLLOW, NAME, SMALL, bevel, rack, worm};
 use crate::scene::Scene;
 use crate::symbol::hinge;
-use assur_drawing::{Drawing, Label, Shape, Style, Text};
+use assur_drawing::{Drawing, Label, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Mechanism, PairKind, Transmission, TransmissionKind};
 
@@ -12,8 +12,10 @@ use assur_model::model::{LinkId, Mechanism, PairKind, Transmission, Transmission
 const FACE: f64 = 3.5;
 /// Half the gap between the faces of two wheels that mesh.
 const GAP: f64 = 0.55;
-/// How far a ring goes beyond its teeth, and beside them.
-const RING: Vec2 = Vec2::new(8.0, 4.5);
+/// Half the length of a spindle.
+const SCREW: f64 = 10.0;
+/// How far a ring goes beyond its teeth.
+const RING: f64 = 4.5;
 
 pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
     for drawn in &layout.wheels {
@@ -24,6 +26,7 @@ pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
             drawing.end();
             continue;
         }
+        let is_hollow = layout.shafts.iter().any(|s| s.link == wheel.link && s.hollow);
         let face = |drawing: &mut Drawing, level: f64| {
             let at = Vec2::new(drawn.x, -level);
             drawing.line(Style::Link, at - Vec2::new(FACE, 0.0), at + Vec2::new(FACE, 0.0));
@@ -31,13 +34,20 @@ pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
         let top = match drawn.ring_at {
             Some(touch) => {
                 face(drawing, touch + GAP);
-                ring(drawing, drawn, touch + GAP, wheel.link);
+                let foot = drawn.level + if is_hollow { HOLLOW } else { 0.0 };
+                ring(drawing, drawn.x, (touch + GAP, foot), wheel.link);
                 touch + GAP
             }
             None => {
                 let reach = drawn.radius - GAP;
                 let (low, high) = (drawn.level - reach, drawn.level + reach);
-                drawing.line(Style::Link, Vec2::new(drawn.x, -low), Vec2::new(drawn.x, -high));
+                let at = |level: f64| Vec2::new(drawn.x, -level);
+                if is_hollow {
+                    drawing.line(Style::Link, at(low), at(drawn.level - HOLLOW));
+                    drawing.line(Style::Link, at(drawn.level + HOLLOW), at(high));
+                } else {
+                    drawing.line(Style::Link, at(low), at(high));
+                }
                 face(drawing, low);
                 face(drawing, high);
                 high
@@ -51,17 +61,17 @@ pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
 }
 
 /// The rim of a ring: hatched where it is of the ground, else a bell down to its shaft.
-fn ring(drawing: &mut Drawing, drawn: &Drawn, touch: f64, link: LinkId) {
-    let (x, top) = (drawn.x, touch + RING.y);
+fn ring(drawing: &mut Drawing, x: f64, (touch, foot): (f64, f64), link: LinkId) {
+    let top = touch + RING;
     drawing.line(Style::Link, Vec2::new(x, -touch), Vec2::new(x, -top));
     if link == LinkId::GROUND {
         let (a, b) = (Vec2::new(x - 6.0, -top), Vec2::new(x + 6.0, -top));
         drawing.line(Style::Medium, a, b);
         hinge::hatch(drawing, a, b, Vec2::new(0.0, -1.0));
     } else {
-        let (corner, foot) = (Vec2::new(x + RING.x, -top), Vec2::new(x + RING.x, -drawn.level));
+        let corner = Vec2::new(x + BELL, -top);
         drawing.line(Style::Link, Vec2::new(x, -top), corner);
-        drawing.line(Style::Link, corner, foot);
+        drawing.line(Style::Link, corner, Vec2::new(x + BELL, -foot));
     }
 }
 
@@ -75,9 +85,8 @@ pub fn transmissions(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) 
         }
         drawing.begin("pair", &pair.name);
         let middle = match t.kind {
-            TransmissionKind::Mesh => None,
+            TransmissionKind::Mesh | TransmissionKind::Rope => None,
             TransmissionKind::Belt | TransmissionKind::Chain => belt(mechanism, layout, t, drawing),
-            TransmissionKind::Rope => rope::draw(mechanism, layout, t, (FACE, GAP), drawing),
             TransmissionKind::Rack => rack(scene, layout, t, drawing),
             TransmissionKind::Worm => worm(mechanism, layout, t, drawing),
             TransmissionKind::Screw => screw(layout, t, drawing),
@@ -85,7 +94,7 @@ pub fn transmissions(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) 
         };
         if let Some(at) = middle {
             let words = format!("{} ({})", pair.name, t.kind.word());
-            drawing.label(Label::at(Text::upright(&words), 3.3, at, 0.6).ranked(5));
+            drawing.label(Label::at(Text::upright(&words), SMALL, at, 0.6).ranked(5));
         }
         drawing.end();
     }
@@ -117,52 +126,21 @@ fn rack(scene: &Scene<'_>, layout: &Layout, t: &Transmission, drawing: &mut Draw
     Some(own.middle())
 }
 
-/// The screw of a worm across its wheel.
+/// A worm above its wheel, from its end; of one on a shaft with other wheels the shaft leads to it.
 fn worm(mechanism: &Mechanism, layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
-    let wheel = t.ends.iter().find_map(|end| of_end(mechanism, layout, end));
-    let shaft = layout.shafts.iter().find(|s| t.links.contains(&s.link));
-    let at = match (wheel, shaft) {
-        (Some(w), _) => Vec2::new(w.x, -(w.level - w.radius - 3.5)),
-        (None, Some(s)) => Vec2::new(s.ends.1 + 8.0, -s.level),
-        (None, None) => return None,
-    };
-    spindle(drawing, at, 7.0);
-    // the worm's own shaft leads to it
-    for link in &t.links {
-        let own = layout
-            .shafts
-            .iter()
-            .find(|s| s.link == *link && wheel.is_none_or(|w| mechanism.wheels[w.wheel].link != *link));
-        if let Some(shaft) = own {
-            let end = Vec2::new(if shaft.right { shaft.ends.0 } else { shaft.ends.1 }, -shaft.level);
-            drawing.line(Style::Axis, end, at);
-        }
-    }
-    Some(at + Vec2::new(7.0, 0.0))
-}
-
-/// A spindle with its nut.
-fn screw(layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
-    let shaft = layout.shafts.iter().find(|s| t.links.contains(&s.link))?;
-    let end = if shaft.right { shaft.ends.0 } else { shaft.ends.1 };
-    let way = if shaft.right { -1.0 } else { 1.0 };
-    let at = Vec2::new(end + way * 10.0, -shaft.level);
-    spindle(drawing, at, 10.0);
-    if let Some((_, block)) = layout.sliders.iter().find(|(link, _)| t.links.contains(link)) {
-        drawing.line(Style::Axis, at, *block);
+    let at = worm::section(drawing, &layout.wheels[worm::wheel(mechanism, layout, t)?]);
+    if let Some(shaft) = layout.shafts.iter().find(|s| Some(&s.link) == t.links.first()) {
+        let end = Vec2::new(if shaft.right { shaft.ends.0 } else { shaft.ends.1 }, -shaft.level);
+        drawing.line(Style::Axis, end, at);
     }
     Some(at)
 }
 
-/// A line with the turns of a thread.
-fn spindle(drawing: &mut Drawing, at: Vec2, half: f64) {
-    let count = 8;
-    let point = |i: i32| {
-        let x = at.x - half + 2.0 * half * f64::from(i) / f64::from(count);
-        Vec2::new(x, at.y + if i % 2 == 0 { 2.2 } else { -2.2 })
-    };
-    drawing.mark(Style::Medium, Shape::Lines { points: (0..=count).map(point).collect(), closed: false });
-    drawing.line(Style::Medium, at - Vec2::new(half, 0.0), at + Vec2::new(half, 0.0));
+/// A spindle with its nut on it.
+fn screw(layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
+    let shaft = layout.shafts.iter().find(|s| t.links.contains(&s.link))?;
+    worm::spindle(drawing, shaft.spindle(), SCREW);
+    Some(shaft.spindle() + Vec2::new(SCREW, 0.0))
 }
 
 /// Two discs that face each other.
