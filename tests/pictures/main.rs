@@ -16,6 +16,7 @@ mod extreme;
 mod frames;
 mod freed;
 mod leaders;
+mod looks;
 mod mutated;
 mod numbers;
 mod over_sweeps;

@@ -22,6 +22,7 @@ mod scheme;
 mod shape;
 mod symbol;
 mod train;
+mod wedge;
 mod wittenbauer;
 mod wording;
 mod words;

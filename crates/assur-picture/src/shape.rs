@@ -20,6 +20,8 @@ pub enum Form {
     Block,
     /// A block on the link of the guide, through which the other slides.
     Sleeve,
+    /// The face of a wedge on a line of the other link, or of the ground.
+    Face,
 }
 
 /// The points of a link that matter, in its frame.
@@ -31,6 +33,10 @@ pub struct LinkShape {
     pub attached: Vec<Vec2>,
     /// Lines on it along which a block or a pin moves: a point, a direction, and how far it is needed.
     pub rails: Vec<Rail>,
+    /// The corners of a wedge.
+    pub wedge: Vec<Vec2>,
+    /// What of its points is no place of a mass: the corners of a link with at most one joint; none where a face says what it is.
+    pub corners: Vec<Vec2>,
 }
 
 /// A line of a link.
@@ -106,6 +112,12 @@ pub fn shapes(scene: &Scene<'_>) -> Vec<LinkShape> {
         }
     }
     attach(scene, &mut shapes);
+    corners(scene, &mut shapes);
+    for (i, shape) in shapes.iter_mut().enumerate().skip(1) {
+        if scene.is_placed(LinkId::at(i)) {
+            shape.wedge = crate::wedge::corners(scene, LinkId::at(i)).unwrap_or_default();
+        }
+    }
     rails(scene, &mut shapes);
     shapes
 }
@@ -151,6 +163,28 @@ fn attach(scene: &Scene<'_>, shapes: &mut [LinkShape]) {
     }
 }
 
+/// The points of links that are not places of masses, and by which a link has a shape.
+fn corners(scene: &Scene<'_>, shapes: &mut [LinkShape]) {
+    let mechanism = scene.mechanism();
+    let has_face = |link: LinkId| {
+        mechanism.pairs.iter().any(|pair| match &pair.kind {
+            PairKind::Contact { first, second, .. } => {
+                [first, second].iter().any(|p| p.link == link && !matches!(p.shape, ProfileShape::Point(_)))
+            }
+            _ => false,
+        })
+    };
+    for (i, link) in mechanism.links.iter().enumerate().skip(1) {
+        if has_face(LinkId::at(i)) {
+            continue;
+        }
+        let masses = link.mass_parts.iter().map(|part| part.own.centre).chain(link.mass.map(|m| m.centre));
+        let masses: Vec<Vec2> = masses.collect();
+        let own = link.points.iter().map(|point| point.at);
+        shapes[i].corners = own.filter(|at| masses.iter().all(|m| (*m - *at).norm() > 1e-12)).collect();
+    }
+}
+
 fn rails(scene: &Scene<'_>, shapes: &mut [LinkShape]) {
     for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
         let id = PairId::at(i);
@@ -167,7 +201,8 @@ fn rails(scene: &Scene<'_>, shapes: &mut [LinkShape]) {
                 let (least, greatest) = scene.way(id);
                 match form(scene, shapes, g) {
                     Form::Rail => {}
-                    Form::FixedSleeve | Form::Block => {
+                    Form::Face | Form::Block if shapes[g.guide.index()].is_wedge() => {}
+                    Form::FixedSleeve | Form::Block | Form::Face => {
                         let rail =
                             Rail { at: g.through, along: g.along, way: (least, greatest), slot: false };
                         shapes[g.guide.index()].rails.push(rail);
@@ -187,6 +222,12 @@ fn rails(scene: &Scene<'_>, shapes: &mut [LinkShape]) {
 
 /// How a prismatic pair is drawn.
 pub fn form(scene: &Scene<'_>, shapes: &[LinkShape], g: &Guide) -> Form {
+    if shapes[g.slider.index()].is_wedge() {
+        return Form::Face;
+    }
+    if shapes[g.guide.index()].is_wedge() {
+        return if g.slider == LinkId::GROUND { Form::Face } else { Form::Block };
+    }
     if g.guide == LinkId::GROUND {
         return Form::Rail;
     }
@@ -206,10 +247,14 @@ pub fn form(scene: &Scene<'_>, shapes: &[LinkShape], g: &Guide) -> Form {
 }
 
 impl LinkShape {
+    pub const fn is_wedge(&self) -> bool {
+        !self.wedge.is_empty()
+    }
+
     /// Points of the link that the picture must contain, in ground axes.
     pub fn extent(&self, scene: &Scene<'_>, link: LinkId, bounds: &mut Rect) {
         let body = scene.body(link);
-        for at in self.joints.iter().chain(&self.attached) {
+        for at in self.joints.iter().chain(&self.attached).chain(&self.wedge) {
             bounds.add(body.position(*at));
         }
         for rail in &self.rails {
@@ -229,9 +274,22 @@ impl LinkShape {
                 joints.push(joint);
             }
         }
-        if self.rails.is_empty() {
+        if self.is_wedge() {
+            outline.plates.push(self.wedge.iter().map(on_paper).collect());
+        } else if self.rails.is_empty() {
             let beside: Vec<Vec2> = self.attached.iter().map(on_paper).collect();
-            spanned(&joints, &beside, &mut outline);
+            let corners: Vec<Vec2> =
+                joints.iter().copied().chain(self.corners.iter().map(on_paper)).collect();
+            let is_plate = joints.len() < 2
+                && farthest(&corners).is_some_and(|(a, b)| {
+                    let along = (b - a).unit().unwrap_or(Vec2::new(1.0, 0.0));
+                    corners.iter().any(|at| (*at - a).cross(along).abs() > IN_LINE)
+                });
+            if is_plate {
+                outline.plates.push(hull(&corners));
+            } else {
+                spanned(&joints, &beside, &mut outline);
+            }
         } else {
             self.with_rails(frame, place, &joints, &mut outline);
         }

@@ -6,12 +6,14 @@ use crate::shape::{Form, SLOT_END, form};
 use crate::symbol::{cylinder, guide, hinge, spring};
 use assur_drawing::{Drawing, Label, Rect, Segment, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{Guide, PairId, PairKind};
+use assur_model::model::{Guide, PairId, PairKind, Spring, TransmissionKind};
 
 /// How far a rail goes beyond all places of its block, mm.
 const BEYOND: f64 = 9.0;
 /// From a follower's highest place to the guide of its rod, and the length of that guide.
 const ROD: (f64, f64) = (13.0, 7.0);
+/// From a rod to a spring beside its guide.
+const SPRING: f64 = 7.0;
 /// Half the part of a bar that passes over a hinge in its middle.
 const OVER: f64 = 3.5;
 /// A point that is nearer to the end of a bar is its end, mm.
@@ -49,7 +51,10 @@ impl<'a> Sketch<'a, '_> {
     /// Rails of the ground with their axes.
     pub(super) fn rails(&self, drawing: &mut Drawing) {
         for (id, name, g, form) in self.guides() {
-            if form != Form::Rail || self.follower(g).is_some() {
+            if form == Form::Face {
+                self.wall(drawing, id, name, g);
+            }
+            if form != Form::Rail || self.follower(g).is_some() || self.rolls(g) {
                 continue;
             }
             drawing.begin("pair", name);
@@ -65,6 +70,56 @@ impl<'a> Sketch<'a, '_> {
             self.ground_number(drawing, end);
             drawing.end();
         }
+    }
+
+    /// The line of the ground along which a wedge slides, hatched on the side where the wedge is not.
+    fn wall(&self, drawing: &mut Drawing, id: PairId, name: &str, g: &Guide) {
+        let (wedge, sign) = if g.guide == LinkId::GROUND { (g.slider, 1.0) } else { (g.guide, -1.0) };
+        let (at, along) = if sign > 0.0 { (g.through, g.along) } else { (g.point, g.direction) };
+        if g.guide != LinkId::GROUND && g.slider != LinkId::GROUND {
+            return;
+        }
+        let (at, along) = (self.frame.point(at), crate::inset::flipped(along));
+        let corners: Vec<Vec2> =
+            self.shapes[wedge.index()].wedge.iter().map(|c| self.on_paper(wedge, *c)).collect();
+        let (mut from, mut to, mut off) = (f64::MAX, f64::MIN, 0.0);
+        for corner in &corners {
+            let d = *corner - at;
+            off += along.cross(d);
+            if along.cross(d).abs() < 0.1 {
+                (from, to) = (from.min(d.dot(along)), to.max(d.dot(along)));
+            }
+        }
+        // at all its places
+        let (least, greatest) = self.scene.way(id);
+        let here = (self.on_paper(g.slider, g.point) - self.on_paper(g.guide, g.through)).dot(along) * sign;
+        let ways = [least, greatest].map(|s| self.frame.length(s) - here);
+        let (from, to) =
+            (from + ways[0].min(ways[1]).min(0.0) - BEYOND, to + ways[0].max(ways[1]).max(0.0) + BEYOND);
+        let side = if off > 0.0 { -along.perp() } else { along.perp() };
+        drawing.begin("pair", name);
+        drawing.line(Style::Medium, at + along * from, at + along * to);
+        hinge::hatch(drawing, at + along * from, at + along * to, side);
+        self.ground_number(drawing, at + along * to + side * 3.0);
+        drawing.end();
+    }
+
+    /// Whether a slider is what the axis of a wheel on the ground is on: the ground under the wheel says where it goes.
+    fn rolls(&self, g: &Guide) -> bool {
+        let mechanism = self.scene.mechanism();
+        let on_ground = mechanism.pairs.iter().filter_map(|pair| match &pair.kind {
+            PairKind::Transmission(t) if t.kind == TransmissionKind::Rack => Some(t),
+            _ => None,
+        });
+        let wheels = on_ground.filter(|t| t.links.contains(&LinkId::GROUND));
+        let wheels: Vec<LinkId> = wheels.flat_map(|t| t.links.iter().copied()).collect();
+        mechanism.pairs.iter().any(|pair| match &pair.kind {
+            PairKind::Revolute(pins) => {
+                pins.iter().any(|pin| pin.link == g.slider)
+                    && pins.iter().any(|pin| pin.link != LinkId::GROUND && wheels.contains(&pin.link))
+            }
+            _ => false,
+        })
     }
 
     /// The ends of a block along its guide, from its point: longer where mass centre or loads are beside it on the guide.
@@ -96,6 +151,7 @@ impl<'a> Sketch<'a, '_> {
                     let middle = slider + along * ((ends.0 + ends.1) / 2.0);
                     self.blocks.push((g.slider, middle, along, half));
                 }
+                Form::Face => {}
                 Form::Block | Form::FixedSleeve => {
                     self.sleeve(drawing, g.slider, slider, along);
                 }
@@ -175,7 +231,7 @@ impl<'a> Sketch<'a, '_> {
         }
     }
 
-    pub(super) fn cylinders(&self, drawing: &mut Drawing) {
+    pub(super) fn cylinders(&mut self, drawing: &mut Drawing) {
         for (i, pair) in self.scene.mechanism().pairs.iter().enumerate() {
             let PairKind::Cylinder { from, to, .. } = &pair.kind else { continue };
             drawing.begin("pair", &pair.name);
@@ -185,6 +241,7 @@ impl<'a> Sketch<'a, '_> {
             for (pin, at) in [from, to].into_iter().zip(ends) {
                 if pin.link == LinkId::GROUND {
                     hinge::support(drawing, at);
+                    self.ground_point(drawing, pin.at);
                 }
                 hinge::moving(drawing, at);
             }
@@ -194,20 +251,54 @@ impl<'a> Sketch<'a, '_> {
         }
     }
 
-    pub(super) fn springs(&self, drawing: &mut Drawing) {
+    pub(super) fn springs(&mut self, drawing: &mut Drawing) {
         for item in &self.scene.mechanism().springs {
-            let [a, b] = [item.from, item.to].map(|(link, at)| self.on_paper(link, at));
+            let ends = [item.from, item.to].map(|(link, at)| self.on_paper(link, at));
+            let aside = self.aside(item);
+            let [a, b] = ends.map(|end| end + aside);
             drawing.begin("spring", &item.name);
-            spring::spring(drawing, a, b);
-            if item.from.0 == LinkId::GROUND {
-                hinge::support(drawing, a);
+            for ((end, moved), (link, _)) in ends.into_iter().zip([a, b]).zip([item.from, item.to]) {
+                if link != LinkId::GROUND && aside != Vec2::zero() {
+                    drawing.line(Style::Medium, end, moved);
+                }
             }
-            if item.to.0 == LinkId::GROUND {
-                hinge::support(drawing, b);
+            spring::spring(drawing, a, b);
+            for ((link, at), end) in [item.from, item.to].into_iter().zip([a, b]) {
+                if link == LinkId::GROUND {
+                    hinge::support(drawing, end);
+                    if aside == Vec2::zero() {
+                        self.ground_point(drawing, at);
+                    }
+                }
             }
             drawing.label(Label::along(Text::name(&item.name), super::link::POINT, a, b).ranked(3));
             drawing.end();
         }
+    }
+
+    /// The name of a point of the ground at which a cylinder or a spring is held.
+    fn ground_point(&mut self, drawing: &mut Drawing, at: Vec2) {
+        let points = &self.scene.mechanism().link(LinkId::GROUND).points;
+        let Some(point) = points.iter().find(|point| (point.at - at).norm() < 1e-12) else { return };
+        let place = self.frame.point(at);
+        if !any_near(&self.labelled, place, 0.4) {
+            self.labelled.push(place);
+            let label = Label::at(Text::name(&point.name), super::link::POINT, place, hinge::RADIUS);
+            drawing.label(label.towards(Vec2::new(-1.0, -0.3)).ranked(3));
+        }
+    }
+
+    /// How far a spring is drawn beside its place: it is not to run through the guide of a rod along which it acts.
+    fn aside(&self, item: &Spring) -> Vec2 {
+        let [a, b] = [item.from, item.to].map(|(link, at)| self.on_paper(link, at));
+        let on = |(_, from, to): &(LinkId, Vec2, Vec2)| {
+            let along = (*to - *from).unit()?;
+            let is_on = [a, b].iter().all(|end| along.cross(*end - *from).abs() < 0.5);
+            let (low, high) = ((a - *from).dot(along), (b - *from).dot(along));
+            let shared = low.max(high).min((*to - *from).norm()) - low.min(high).max(0.0);
+            (is_on && shared > 1.0).then(|| -guide::below(along) * SPRING)
+        };
+        self.rods.iter().find_map(on).unwrap_or(Vec2::zero())
     }
 
     /// Hinges, with the bars in whose middle they are drawn over them.

@@ -5,15 +5,22 @@ use crate::paper::Frame;
 use crate::scene::Scene;
 use crate::shape::LinkShape;
 use crate::symbol::{hinge, mass};
-use assur_drawing::{Drawing, Rect, Shape, Style};
+use assur_drawing::{Drawing, Label, Rect, Shape, Style, Text};
 use assur_math::element::cam::Cam;
 use assur_math::math::Vec2;
-use assur_model::model::{CamContact, LinkId, PairId, PairKind, Profile, ProfileShape, Wheel};
+use assur_model::model::{
+    CamContact, LinkId, PairId, PairKind, Profile, ProfileShape, TransmissionKind, Wheel,
+};
 
 /// How far a flat face goes beyond its contact, mm.
 const FACE: f64 = 7.0;
+/// The same of the ground.
+const GROUND: f64 = 16.0;
 /// A circle of less than this is a roller, mm.
 const LEAST: f64 = 0.6;
+/// Size of the names of wheels, and where on their circles they are best.
+const NAME: f64 = 3.4;
+const DIAGONAL: Vec2 = Vec2::new(0.707, -0.707);
 /// Steps of a cam's profile.
 const STEPS: u32 = 360;
 
@@ -110,9 +117,16 @@ impl Sketch<'_, '_> {
         for wheel in front(self.scene).filter(|wheel| wanted(wheel.link)) {
             let Some(centre) = wheel.centre else { continue };
             drawing.begin("wheel", &wheel.name);
-            let at = self.on_paper(wheel.link, centre);
-            drawing
-                .mark(Style::Medium, Shape::Circle { centre: at, radius: self.frame.length(wheel.radius) });
+            let (centre, radius) = (self.on_paper(wheel.link, centre), self.frame.length(wheel.radius));
+            // a pitch circle is thin, the rim of a pulley or of a wheel that rolls is not
+            let meshes = self.scene.mechanism().pairs.iter().any(|pair| match &pair.kind {
+                PairKind::Transmission(t) => t.kind == TransmissionKind::Mesh && t.ends.contains(&wheel.name),
+                _ => false,
+            });
+            let style = if meshes { Style::Thin } else { Style::Medium };
+            drawing.mark(style, Shape::Circle { centre, radius });
+            let label = Label::at(Text::name(&wheel.name), NAME, centre + DIAGONAL * radius, 0.3);
+            drawing.label(label.towards(DIAGONAL).ranked(5));
             drawing.end();
         }
     }
@@ -201,7 +215,7 @@ impl Sketch<'_, '_> {
             }
         }
         if profile.link == LinkId::GROUND {
-            let (a, b) = (start + along_paper * (from - FACE), start + along_paper * (to + FACE));
+            let (a, b) = (start + along_paper * (from - GROUND), start + along_paper * (to + GROUND));
             drawing.line(Style::Link, a, b);
             hinge::hatch(drawing, a, b, crate::symbol::guide::below(along_paper));
             return;
