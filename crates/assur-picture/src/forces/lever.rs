@@ -26,6 +26,8 @@ const SAME: f64 = 0.06;
 /// Forces that have room on a usual sheet, and from one image to the nearest for half of them where there are more, mm.
 const USUAL: usize = 8;
 const BETWEEN: f64 = 16.0;
+/// The most forces of which a plan can be read.
+const READABLE: usize = 60;
 /// How many times as large as usual the plan is, at most.
 const MOST: f64 = 4.0;
 /// No sheet is so large, mm: what is farther off has no place on it, beside images that are together in one point but for rounding.
@@ -64,6 +66,9 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     let mut forces: Vec<&Force> = terms.iter().flat_map(|term| &term.forces).collect();
     let most = forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
     forces.retain(|f| f.force.norm() > ROUNDING * most);
+    if forces.len() > READABLE {
+        return Err(crowded(forces.len()));
+    }
     let mut bounds = Rect::NOTHING;
     bounds.add(Vec2::zero());
     nodes.nodes.iter().for_each(|n| bounds.add(turned(scene, n.velocity(scene))));
@@ -103,6 +108,12 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     let open = terms.iter().filter(|t| t.open && t.power.abs() > ROUNDING * largest);
     without_arrows(&mut drawing, open.map(|t| &t.name));
     Ok(drawing)
+}
+
+fn crowded(count: usize) -> Diagnosis {
+    let message = format!("{count} forces act at once: of more than {READABLE} a lever cannot be read");
+    Diagnosis::error("mech::picture::crowded", message)
+        .help("draw `forces`, each body alone; `find powers` lists the power of every load")
 }
 
 /// The frame of the plan, larger where many forces act at images that are close together.

@@ -36,7 +36,7 @@ struct Sides {
     resultants: Vec<(Text, usize, usize)>,
 }
 
-/// The polygon of a part; none where it has one force alone.
+/// The polygon of a part; none where it has one force alone, or two and nothing else.
 ///
 /// # Errors
 /// A scale is wanted that does not fit.
@@ -47,7 +47,8 @@ pub fn draw(
     paper: &Paper,
 ) -> Result<Option<Drawing>, Diagnosis> {
     let Sides { sides, resultants } = sides(scene, part, free);
-    if sides.len() < 2 {
+    // two forces are opposite on one line: they close without a picture
+    if sides.len() < 2 || sides.len() == 2 && part.links.len() == 1 && free.couples.is_empty() {
         return Ok(None);
     }
     let mut corners = vec![Vec2::zero()];

@@ -316,6 +316,7 @@ pub const CODES: &[Code] = codes! {
     "picture" / "no_sweep",
     "picture" / "no_quantity",
     "picture" / "no_flywheel",
+    "picture" / "crowded",
     "picture" / "no_axial",
     "picture" / "no_curvature",
     "picture" / "no_fourier",
