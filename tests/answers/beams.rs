@@ -299,3 +299,33 @@ fn a_slider_presses_on_its_guide_at_both_contacts() {
     let found = values(cart, &["max(internal(beam).M)", "internal(beam, 4 m).M"].map(str::to_owned));
     found.into_iter().for_each(|found| near(found, 9e3, 1e4, cart));
 }
+
+#[test]
+fn a_couple_acts_at_its_point() {
+    let mut state = 97;
+    for _ in 0..100 {
+        let (length, share) = (within(&mut state, 2.0, 8.0), within(&mut state, 0.1, 0.9));
+        let (couple, at) = (within(&mut state, -20.0, 20.0), share * length);
+        let text = format!(
+            "ground {{ A (0, 0); line floor through A along 0 deg }}\nlink beam {{ A (0, 0); D ({at} m, 0); B ({length} m, 0) }}\n\
+             revolute A: ground - beam\nslot B: beam.B - ground.floor\ntorque M0 on beam at D = {couple}e3 N*m\n"
+        );
+        let names = [
+            format!("internal(beam, {} m).M", at * 0.999_999),
+            format!("internal(beam, {} m).M", at * 1.000_001),
+            format!("internal(beam, {} m).Q", at * 0.5),
+            "max(internal(beam).M)".to_owned(),
+            "min(internal(beam).M)".to_owned(),
+        ];
+        let found = values(&text, &names);
+        // the left support is M0/l upwards: M rises by M0 x/l, and drops by M0 at D
+        let slope = couple * 1e3 / length;
+        let (before, behind) = (slope * at, slope * at - couple * 1e3);
+        let scale = couple.abs() * 1e3;
+        near(found[0], before * 0.999_999, scale, &text);
+        near(found[1], behind + slope * at * 1e-6, scale, &text);
+        near(found[2], slope, scale, &text);
+        near(found[3], before.max(behind), scale, &text);
+        near(found[4], before.min(behind), scale, &text);
+    }
+}

@@ -270,12 +270,6 @@ const CASES: &[Case] = &[
         "",
         &[Whole("force on rocker = P @ 0 deg", "force on rocker at E = P @ 0 deg")],
     ),
-    near(
-        "messages/106-torque-at-point",
-        &["mech::geometry::load_form"],
-        "",
-        &[Whole("torque on rocker at C = 12 N*m cw", "torque on rocker = 12 N*m cw")],
-    ),
     near("messages/107-balance-missing", UNKNOWN, "", &[Line("balance force Fg on piston at C along 0 deg")]),
     near(
         "messages/111-balance-name-taken",

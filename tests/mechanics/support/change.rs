@@ -237,7 +237,7 @@ impl Change {
                     *value = Expr::number(number(value) * self.force());
                     *on = self.link(*on);
                 }
-                LoadKind::Torque { on, value, against_motion } => {
+                LoadKind::Torque { on, value, against_motion, .. } => {
                     let factor = if *against_motion { self.torque().abs() } else { self.torque() };
                     *value = Expr::number(number(value) * factor);
                     *on = self.link(*on);

@@ -85,6 +85,7 @@ impl Draft {
                 },
                 4 | 5 => LoadKind::Torque {
                     on,
+                    at: None,
                     value: Expr::number(self.random.within(1.0, 10.0)),
                     against_motion: self.random.chance(0.3),
                 },

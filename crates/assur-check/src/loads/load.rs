@@ -250,7 +250,12 @@ pub(crate) fn whole_link(cx: &mut Context<'_>, at: Option<&document::Place>, lin
         Some(document::Place::Point(name)) => name.span,
         Some(document::Place::Ground(expr)) => expr.span,
     };
-    form(cx, "a torque acts on a whole link".into(), &format!("write it without a point: `{line}`"), span);
+    form(
+        cx,
+        "a torque acts on a whole link".into(),
+        &format!("name a point of the link, or none: `{line}`"),
+        span,
+    );
     None
 }
 
@@ -258,7 +263,13 @@ fn torque(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::
     let on = moving(cx, link, "a torque");
     let name = load.name.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
     let line = format!("torque {name}on {} = {}", link.node, torque_text(load));
-    whole_link(cx, at, &line)?;
+    let at = match at {
+        Some(document::Place::Point(point)) => Some(cx.point(on?, point)?),
+        other => {
+            whole_link(cx, other, &line)?;
+            None
+        }
+    };
     if let Some(frame) = &load.frame {
         form(cx, "a torque has no direction in the plane".into(), "leave `in` out", frame.span);
         return None;
@@ -270,7 +281,7 @@ fn torque(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::
         return None;
     }
     let value = turned(value?, load);
-    Some(LoadKind::Torque { on: on?, value, against_motion: load.against_motion.is_some() })
+    Some(LoadKind::Torque { on: on?, at, value, against_motion: load.against_motion.is_some() })
 }
 
 /// The value of a torque as written, with what comes after it.
@@ -436,6 +447,6 @@ pub(crate) fn brake(cx: &mut Context<'_>, brake: &Brake, span: Span) -> Option<m
     let on = moving(cx, &brake.on, "a brake");
     let properties = read(cx, "a brake", &brake.properties, BRAKE)?;
     let value = Expr::number(friction_torque(cx, &brake.name, &properties)?);
-    let kind = LoadKind::Torque { on: on?, value, against_motion: true };
+    let kind = LoadKind::Torque { on: on?, at: None, value, against_motion: true };
     Some(model::Load { name: Some(brake.name.node.clone()), span, kind, pin: None, spread: None, when: None })
 }

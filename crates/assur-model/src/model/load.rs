@@ -85,6 +85,8 @@ pub enum LoadKind {
     Torque {
         /// The link it acts on.
         on: LinkId,
+        /// Where on it, m, where that is said: forces inside the link depend on it, nothing else does.
+        at: Option<Vec2>,
         value: Expr,
         /// `value` is a magnitude that acts against the angular velocity.
         against_motion: bool,

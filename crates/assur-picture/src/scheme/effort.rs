@@ -221,9 +221,9 @@ impl Sketch<'_, '_> {
                         self.push(drawing, Style::Force, at, along, length, force);
                     }
                 }
-                (LoadKind::Torque { on, .. }, Value::Scalar(m)) if m != 0.0 && m.is_finite() => {
+                (LoadKind::Torque { on, at, .. }, Value::Scalar(m)) if m != 0.0 && m.is_finite() => {
                     let couple = self.with_couple(couple, m.abs());
-                    self.couple(drawing, Style::Force, *on, m > 0.0, couple);
+                    self.couple(drawing, Style::Force, (*on, *at), m > 0.0, couple);
                     named.push(name);
                 }
                 (LoadKind::InPair { pair, .. }, Value::Scalar(x)) if x != 0.0 && x.is_finite() => {
@@ -270,7 +270,9 @@ impl Sketch<'_, '_> {
             for place in balance.kind.places() {
                 let name = self.with_effort(Text::name(&balance.name), i, place);
                 match place {
-                    BalanceKind::Torque(link) => self.couple(drawing, Style::Unknown, *link, true, name),
+                    BalanceKind::Torque(link) => {
+                        self.couple(drawing, Style::Unknown, (*link, None), true, name)
+                    }
                     BalanceKind::Force { on, .. } => {
                         if let (Some((at, along)), true) =
                             (scene.view().balance_line(place), scene.is_placed(*on))
@@ -321,11 +323,19 @@ impl Sketch<'_, '_> {
     }
 
     /// A couple on a link.
-    fn couple(&mut self, drawing: &mut Drawing, style: Style, link: LinkId, ccw: bool, name: Text) {
+    fn couple(
+        &mut self,
+        drawing: &mut Drawing,
+        style: Style,
+        (link, at): (LinkId, Option<Vec2>),
+        ccw: bool,
+        name: Text,
+    ) {
         if !self.scene.is_placed(link) {
             return;
         }
-        let Some(at) = self.pivot(link) else { return };
+        let at = at.map(|at| self.on_paper(link, at)).or_else(|| self.pivot(link));
+        let Some(at) = at else { return };
         let middle = self.scene.body(link).u.angle() - COUPLE.1;
         self.arc(drawing, style, at, middle, ccw, name);
     }

@@ -118,7 +118,12 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects, steps: &mut Vec<Loa
                 frame: frame.map(|f| f.index()),
             },
             (
-                LoadKind::Torque { on, value: Expr::Constant(Value::Scalar(torque)), against_motion: false },
+                LoadKind::Torque {
+                    on,
+                    value: Expr::Constant(Value::Scalar(torque)),
+                    against_motion: false,
+                    ..
+                },
                 None,
             ) => LoadStep::Torque { load: id, body: on.index(), torque: *torque },
             _ => LoadStep::Evaluated(id),

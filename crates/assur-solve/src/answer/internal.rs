@@ -7,7 +7,7 @@ use super::pose_answers::PoseAnswers;
 use super::sizes::is_zero;
 use crate::math::Vec2;
 use crate::model::{
-    AlongLink, Cut, Internal, InternalPart, LinkId, LoadId, MassPart, MassShape, PairId, Query,
+    AlongLink, Cut, Internal, InternalPart, LinkId, LoadId, LoadKind, MassPart, MassShape, PairId, Query,
 };
 use crate::plan::LoadStep;
 use crate::position::{Action, Origin};
@@ -279,6 +279,11 @@ impl PoseAnswers<'_> {
         let (body, own) = (self.body(link), self.mechanism.link(link));
         let force = self.along_axis(link, action.force);
         let at = own.on_axis((action.at - body.p).turned_back(body.u));
+        if let Origin::Load(id) = action.from
+            && let LoadKind::Torque { at: Some(at), .. } = self.mechanism.loads[id.index()].kind
+        {
+            return Acting::At { place: own.on_axis(at), force, couple: action.couple };
+        }
         if let Origin::Load(id) = action.from
             && let Some(spread) = self.mechanism.loads[id.index()].spread
         {

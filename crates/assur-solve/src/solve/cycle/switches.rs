@@ -154,7 +154,7 @@ impl<'a> Switches<'a> {
                     self.add(difference(&number(Query::Omega(second)), &number(Query::Omega(first))));
                 }
             }
-            LoadKind::Torque { on, value, against_motion } => {
+            LoadKind::Torque { on, value, against_motion, .. } => {
                 self.expr(value);
                 if *against_motion {
                     self.add(number(Query::Omega(*on)));
