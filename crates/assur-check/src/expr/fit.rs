@@ -157,6 +157,14 @@ impl Context<'_> {
     }
 }
 
+/// `4 kN @ (a - 90 deg)`, where an angle is added to `4 kN @ a`.
+pub fn direction_of_two(verb: &str, left: &Expr, right: &Expr, ty: Type) -> Option<String> {
+    let (ExprKind::Polar(size, angle), Type::Number(d)) = (&left.kind, ty) else { return None };
+    let sign = if verb == "subtracted" { '-' } else { '+' };
+    let (size, angle, other) = (written(size)?, written(angle)?, written(right)?);
+    (d.known() == Dimension::ANGLE).then(|| format!("write `{size} @ ({angle} {sign} {other})`"))
+}
+
 /// `0.9*stroke(G)`, where a travel is compared with a number.
 fn part_of_stroke(left: &Expr, right: &Expr) -> Option<String> {
     let (ExprKind::Call { function, args }, ExprKind::Number(number)) = (&left.kind, &right.kind) else {

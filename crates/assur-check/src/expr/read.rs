@@ -2,7 +2,7 @@
 
 use crate::expr::{
     context::{Context, undefined},
-    fit::unit_mismatch,
+    fit::{direction_of_two, unit_mismatch},
     results::Sign,
 };
 use crate::statements::written::written;
@@ -255,7 +255,8 @@ impl Context<'_> {
         };
         if unified.is_none() {
             let left = if a_span == first.span { first } else { operand };
-            let help = self.correct_operands(a.ty, b.ty, left, operand);
+            let help = direction_of_two(verb, left, operand, b.ty)
+                .or_else(|| self.correct_operands(a.ty, b.ty, left, operand));
             self.error(wrong_operands(verb, &a.ty.phrase(), &b.ty.phrase(), a_span, b_span, help));
         }
         unified
