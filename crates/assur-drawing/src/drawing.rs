@@ -7,6 +7,7 @@ use crate::outside;
 use crate::placement::{self, Later};
 use crate::style::Style;
 use crate::text::Text;
+use crate::wrap::wrapped;
 use assur_math::math::Vec2;
 
 /// White around the drawing, mm.
@@ -14,6 +15,8 @@ const MARGIN: f64 = 3.0;
 /// From the drawing to the first line below it, and from line to line.
 const ABOVE: f64 = 7.5;
 const LINE: f64 = 6.0;
+/// Lines below a narrower drawing are so long, mm.
+const NARROWEST: f64 = 70.0;
 /// From a text to the bar behind it.
 const GAP: f64 = 4.0;
 /// Size of letters below the drawing.
@@ -162,6 +165,9 @@ impl Drawing {
             .collect();
         placed.iter().for_each(|p| bounds.join(&p.bounds));
         let left = bounds.min.x;
+        let width = bounds.size().x.max(NARROWEST);
+        self.captions =
+            std::mem::take(&mut self.captions).into_iter().flat_map(|c| c.wrapped(width)).collect();
         let mut lines = Vec::with_capacity(self.captions.len());
         let mut y = bounds.max.y + ABOVE;
         for caption in &self.captions {
@@ -174,6 +180,14 @@ impl Drawing {
 }
 
 impl Caption {
+    /// Its lines; one with a bar is one.
+    fn wrapped(self, width: f64) -> Vec<Self> {
+        if self.bar.is_some() {
+            return vec![self];
+        }
+        wrapped(&self.text, CAPTION, width).into_iter().map(|text| Self { text, bar: None }).collect()
+    }
+
     /// Where its bar begins, after the begin of the line.
     pub(crate) fn bar_at(&self) -> f64 {
         self.text.bounds(CAPTION).max.x + GAP

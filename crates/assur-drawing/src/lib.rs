@@ -18,6 +18,7 @@ mod style;
 mod svg;
 mod text;
 mod widths;
+mod wrap;
 
 pub use drawing::{Caption, Drawing, Group, Placed, Sheet};
 pub use geometry::{Rect, Segment};

@@ -141,7 +141,12 @@ pub fn loaded(mechanism: &Mechanism, rubs: &[PairFriction], efforts: &[f64]) -> 
         match rub.kind {
             Kind::Hinge => {
                 for (on, value) in [(rub.on, x), (rub.from, -x)] {
-                    load(LoadKind::Torque { on, value: Expr::number(value), against_motion: false });
+                    load(LoadKind::Torque {
+                        on,
+                        at: None,
+                        value: Expr::number(value),
+                        against_motion: false,
+                    });
                 }
             }
             Kind::Along(_) | Kind::Ends(..) => {

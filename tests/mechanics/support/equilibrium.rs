@@ -329,7 +329,7 @@ impl System<'_> {
                     out[on.index()].add(Wrench::at(p, v * (-number(value) / v.norm())));
                 }
             }
-            LoadKind::Torque { on, value, against_motion } => {
+            LoadKind::Torque { on, value, against_motion, .. } => {
                 let omega = self.rates[on.index()].omega;
                 let sign = match *against_motion {
                     false => 1.0,

@@ -205,7 +205,7 @@ impl Arrows<'_> {
         let label = if let Some(shaft) = self.layout.shafts.iter().find(|s| s.link == link) {
             let (end, inward) =
                 if shaft.right { (shaft.ends.1 - 1.5, -1.0) } else { (shaft.ends.0 + 1.5, 1.0) };
-            let inside = if count == 0 { 0.0 } else { 9.0 + 3.5 * count as f64 };
+            let inside = if count == 0 { 0.0 } else { 5.0 + 7.5 * count as f64 };
             let at = Vec2::new(end + inward * inside, -shaft.level);
             arrow::turn(drawing, style, at, TURN.0, (FRAC_PI_2, TURN.1), positive);
             let top = at - Vec2::new(0.0, TURN.0);
