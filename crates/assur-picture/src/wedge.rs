@@ -50,6 +50,19 @@ pub fn corners(scene: &Scene<'_>, link: LinkId) -> Option<Vec<Vec2>> {
     }
 }
 
+/// The middle of what the faces of two links share of a line, in ground axes; none where neither is a wedge.
+pub fn middle(scene: &Scene<'_>, links: [LinkId; 2], (at, along): (Vec2, Vec2)) -> Option<Vec2> {
+    let size = assur_solve::solve::extent(&scene.model);
+    let shared = links.into_iter().filter_map(|link| {
+        let corners = corners(scene, link)?.into_iter().map(|corner| scene.at(link, corner) - at);
+        let on_line = corners.filter(|d| along.cross(*d).abs() < 1e-6 * size).map(|d| d.dot(along));
+        let (from, to) = on_line.fold((f64::MAX, f64::MIN), |(a, b), s| (a.min(s), b.max(s)));
+        (from < to).then_some((from, to))
+    });
+    let (from, to) = shared.reduce(|(a, b), (c, d)| (a.max(c), b.min(d)))?;
+    Some(at + along * ((from + to) / 2.0))
+}
+
 fn face(g: &Guide, link: LinkId, (least, greatest): (f64, f64)) -> Face {
     let grounded = g.guide == LinkId::GROUND || g.slider == LinkId::GROUND;
     if g.guide == link {

@@ -22,6 +22,8 @@ pub struct Force {
     pub pair: Option<PairId>,
     /// It is looked for: an unknown effort, or a reaction that no group before has found.
     pub sought: bool,
+    /// It presses on a face: its arrow ends there.
+    pub presses: bool,
 }
 
 /// A couple on a part.
@@ -98,12 +100,44 @@ impl FreeBody {
         }
         // the shifts stand for their couples
         self.couples.retain(|c| !open(c.pair));
+        if self.on_faces(scene, part, open) {
+            return;
+        }
         let about = centre(scene, part.links[0]);
         let turning = self.forces.iter().map(|f| (f.at - about).cross(f.force));
         let moment: f64 = turning.chain(self.couples.iter().map(|c| c.moment)).sum();
         for force in self.forces.iter_mut().filter(|f| open(f.pair)) {
             force.at += force.force.perp() * (moment / sum);
         }
+    }
+
+    /// Puts the reactions on a wedge where they meet its faces, if all lines of action may go through one point.
+    fn on_faces(&mut self, scene: &Scene<'_>, part: &Part, open: impl Fn(Option<PairId>) -> bool) -> bool {
+        let [link] = part.links[..] else { return false };
+        let Some(corners) = crate::wedge::corners(scene, link) else { return false };
+        let known: Vec<&Force> = self.forces.iter().filter(|f| !open(f.pair)).collect();
+        if !self.couples.is_empty() || known.len() > 1 {
+            return false;
+        }
+        let corners: Vec<Vec2> = corners.into_iter().map(|corner| scene.at(link, corner)).collect();
+        let middle = corners.iter().fold(Vec2::zero(), |sum, c| sum + *c) * (1.0 / corners.len() as f64);
+        let meet = match known.first() {
+            Some(load) => match load.force.unit() {
+                Some(along) => load.at + along * (middle - load.at).dot(along),
+                None => middle,
+            },
+            None => middle,
+        };
+        for force in self.forces.iter_mut().filter(|f| open(f.pair)) {
+            let Some((at, along)) = force.pair.and_then(|pair| face(scene, pair)) else { return false };
+            let across = force.force.cross(along);
+            if across == 0.0 {
+                return false;
+            }
+            force.at = meet + force.force * ((at - meet).cross(along) / across);
+            force.presses = (middle - force.at).dot(force.force) > 0.0;
+        }
+        true
     }
 
     /// Without what is rounding; none where something is not known.
@@ -124,7 +158,8 @@ impl FreeBody {
         let (pair, sought) = (None, matches!(action.from, Origin::Effort(_)));
         let Action { from, at, force, couple, .. } = *action;
         if force != Vec2::zero() {
-            self.forces.push(Force { name: letters(scene, from, on, true), on, at, force, pair, sought });
+            let name = letters(scene, from, on, true);
+            self.forces.push(Force { name, on, at, force, pair, sought, presses: false });
         }
         if couple != 0.0 {
             let at = if force == Vec2::zero() { centre(scene, on) } else { at };
@@ -163,7 +198,7 @@ impl FreeBody {
         let about = if force == Vec2::zero() { centre(scene, on) } else { at };
         let whose = couple_name(pair, &name);
         self.couples.push(Couple { name: whose, on, at: about, moment: couple, pair: Some(id), sought });
-        Some(Force { name, on, at, force, pair: Some(id), sought })
+        Some(Force { name, on, at, force, pair: Some(id), sought, presses: false })
     }
 }
 
@@ -228,6 +263,14 @@ fn found_before(scene: &Scene<'_>, link: LinkId, than: LinkId) -> bool {
     let place =
         |l: LinkId| groups.iter().position(|g| g.bodies.contains(&scene.model.structure.replaced.body_of(l)));
     link != LinkId::GROUND && matches!((place(link), place(than)), (Some(a), Some(b)) if a < b)
+}
+
+/// The line along which two links slide on each other.
+fn face(scene: &Scene<'_>, pair: PairId) -> Option<(Vec2, Vec2)> {
+    match &scene.mechanism().pair(pair).kind {
+        PairKind::Prismatic(g) => Some((scene.at(g.guide, g.through), g.along.turned(scene.body(g.guide).u))),
+        _ => None,
+    }
 }
 
 /// The point at which a pair acts on a link.

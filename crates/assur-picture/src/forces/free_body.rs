@@ -173,7 +173,8 @@ fn lines_at(outlines: &[(LinkId, Outline)], at: Vec2) -> Vec<Vec2> {
 fn blocks(scene: &Scene<'_>, drawing: &mut Drawing, frame: &Frame, part: &Part) {
     for pair in &scene.mechanism().pairs {
         let PairKind::Prismatic(g) = &pair.kind else { continue };
-        if part.links.contains(&g.slider) {
+        let is_wedge = |link: LinkId| crate::wedge::corners(scene, link).is_some();
+        if part.links.contains(&g.slider) && !is_wedge(g.slider) {
             let along = flipped(g.along.turned(scene.body(g.guide).u));
             let at = frame.point(scene.at(g.slider, g.point));
             let half = if g.guide == LinkId::GROUND { guide::BLOCK } else { guide::SLEEVE };
@@ -195,8 +196,11 @@ fn cylinders(scene: &Scene<'_>, drawing: &mut Drawing, frame: &Frame, part: &Par
     }
 }
 
+/// A force with its name and its place; whether its arrow ends there.
+type Arrow = (Text, Vec2, Vec2, Style, bool);
+
 /// What is drawn as arrows: unknown reactions of hinges in their two parts.
-fn arrows(scene: &Scene<'_>, part: &Part, free: &FreeBody) -> Vec<(Text, Vec2, Vec2, Style)> {
+fn arrows(scene: &Scene<'_>, part: &Part, free: &FreeBody) -> Vec<Arrow> {
     let mut all = Vec::new();
     for force in &free.forces {
         let style = if force.sought { Style::Unknown } else { Style::Force };
@@ -207,22 +211,23 @@ fn arrows(scene: &Scene<'_>, part: &Part, free: &FreeBody) -> Vec<(Text, Vec2, V
                     let index = name.runs.pop();
                     name = name.raised(kind);
                     name.runs.extend(index);
-                    all.push((name, force.at, value, style));
+                    all.push((name, force.at, value, style, false));
                 }
             }
-            None => all.push((force.name.clone(), force.at, force.force, style)),
+            None => all.push((force.name.clone(), force.at, force.force, style, force.presses)),
         }
     }
     all
 }
 
-fn vectors(drawing: &mut Drawing, frame: &Frame, arrows: &[(Text, Vec2, Vec2, Style)]) {
+fn vectors(drawing: &mut Drawing, frame: &Frame, arrows: &[Arrow]) {
     let largest = arrows.iter().map(|a| a.2.norm()).fold(0.0, f64::max);
     let mut lines = arrow::OnLines::default();
-    for (name, at, force, style) in arrows {
+    for (name, at, force, style, presses) in arrows {
         let Some(along) = flipped(*force).unit().filter(|_| force.norm() > 1e-9 * largest) else { continue };
         let length = ARROW.0 + ARROW.1 * force.norm() / largest;
-        let from = lines.begin(frame.point(*at), along, length);
+        let at = frame.point(*at);
+        let from = if *presses { at - along * length } else { lines.begin(at, along, length) };
         drawing.begin("vector", &name.plain());
         drawing.mark(*style, Shape::Arrow(from, from + along * length));
         let label =

@@ -7,7 +7,7 @@ use crate::figures::{FORCE, MOMENT, plain};
 use crate::inset::{Inset, flipped, freest, wrapped};
 use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
-use crate::scheme::{Freed, efforts, length_scale};
+use crate::scheme::{Freed, efforts, length_scale, walls};
 use crate::shape::{Outline, shapes};
 use crate::symbol::{arrow, guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text, on_circle};
@@ -71,8 +71,10 @@ pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> 
     links.iter().for_each(|link| all[link.index()].extent(scene, *link, &mut bounds));
     profiles.extent(scene, &mut bounds);
     let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
-    let mut picture =
-        Picture { scene, frame, drawing: empty(scene, &frictions), outlines: Vec::new(), taken: Vec::new() };
+    let wedges = links.iter().copied().filter(|link| all[link.index()].is_wedge()).collect();
+    let mut drawing = empty(scene, &frictions);
+    walls(scene, &all, &frame, &mut drawing);
+    let mut picture = Picture { scene, frame, drawing, outlines: Vec::new(), wedges, taken: Vec::new() };
     for &link in &links {
         let body = scene.body(link);
         let outline = all[link.index()].outline(&picture.frame, &|at| body.position(at));
@@ -114,6 +116,7 @@ struct Picture<'a, 's> {
     frame: Frame,
     drawing: Drawing,
     outlines: Vec<(LinkId, Outline)>,
+    wedges: Vec<LinkId>,
     /// Where arrows begin, and arcs with their radii.
     taken: Vec<(Vec2, Vec2)>,
 }
@@ -125,6 +128,7 @@ impl Picture<'_, '_> {
             if let PairKind::Prismatic(g) = &pair.kind
                 && self.scene.is_placed(g.slider)
                 && self.scene.is_placed(g.guide)
+                && ![g.slider, g.guide].iter().any(|link| self.wedges.contains(link))
             {
                 let along = flipped(g.along.turned(self.scene.body(g.guide).u));
                 let at = self.frame.point(self.scene.at(g.slider, g.point));
@@ -273,7 +277,9 @@ impl Picture<'_, '_> {
         match &self.scene.mechanism().pair(pair).kind {
             PairKind::Prismatic(g) => {
                 let along = g.along.turned(self.scene.body(g.guide).u);
-                Some((self.scene.at(g.slider, g.point), along.perp()))
+                let at = self.scene.at(g.slider, g.point);
+                let middle = crate::wedge::middle(self.scene, [g.slider, g.guide], (at, along));
+                Some((middle.unwrap_or(at), along.perp()))
             }
             _ => self.scene.view().contact_normal(pair),
         }

@@ -71,7 +71,7 @@ fn put(scene: &Scene<'_>, nodes: &Nodes, act: &Action, terms: &mut Vec<Term>) {
 /// A force of the lever; of an image the drawing asks only for the body.
 fn acting(act: &Action, name: Text, at: Vec2, force: Vec2) -> Force {
     let sought = matches!(act.from, Origin::Effort(_));
-    Force { name, on: LinkId::at(act.on), at, force, pair: None, sought }
+    Force { name, on: LinkId::at(act.on), at, force, pair: None, sought, presses: false }
 }
 
 /// Whether it is from teeth that meet: two opposite forces at one image.

@@ -155,6 +155,11 @@ pub fn described(scene: &Scene<'_>, wanted: &Scheme, mut drawing: Drawing) -> Dr
     drawing
 }
 
+/// The lines of the ground along which wedges slide.
+pub fn walls(scene: &Scene<'_>, shapes: &[LinkShape], frame: &Frame, drawing: &mut Drawing) {
+    Sketch::new(scene, shapes, frame).walls(drawing);
+}
+
 /// Loads and unknown efforts alone, beside what begins at places in directions already.
 pub fn efforts(scene: &Scene<'_>, frame: &Frame, taken: Vec<(Vec2, Vec2)>, drawing: &mut Drawing) {
     let shapes = shapes(scene);
@@ -305,6 +310,7 @@ impl<'a, 's> Sketch<'a, 's> {
     /// From the back to the front.
     fn draw(&mut self, drawing: &mut Drawing, wanted: &Scheme) {
         self.rails(drawing);
+        self.walls(drawing);
         self.mass_shapes(drawing);
         self.wheels(|_| true, drawing);
         self.meshes(drawing);

@@ -48,12 +48,16 @@ impl<'a> Sketch<'a, '_> {
         })
     }
 
+    /// Lines of the ground along which wedges slide.
+    pub(super) fn walls(&self, drawing: &mut Drawing) {
+        for (id, name, g, _) in self.guides().filter(|guide| guide.3 == Form::Face) {
+            self.wall(drawing, id, name, g);
+        }
+    }
+
     /// Rails of the ground with their axes.
     pub(super) fn rails(&self, drawing: &mut Drawing) {
         for (id, name, g, form) in self.guides() {
-            if form == Form::Face {
-                self.wall(drawing, id, name, g);
-            }
             if form != Form::Rail || self.follower(g).is_some() || self.rolls(g) {
                 continue;
             }
