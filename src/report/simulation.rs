@@ -193,6 +193,8 @@ pub(super) fn why(mechanism: &Mechanism, report: &SimulationReport) -> Option<St
         // what held up the other method is said
         None => return None,
         _ if report.method == Method::Radau => return None,
+        // drives say the whole motion
+        Some(NotByEnergy::Coordinates(0)) => return None,
         Some(NotByEnergy::Coordinates(count)) => format!("{count} coordinates are free"),
         Some(NotByEnergy::Drive(target)) => {
             format!("`drive {}` moves", coordinates(mechanism, &[target]).collect::<String>())

@@ -18,7 +18,7 @@ pub enum Output {
     /// One file: one picture.
     File(PathBuf),
     /// One page with all pictures, until it is written: a file, or standard output.
-    Page(Option<PathBuf>, RefCell<String>),
+    Page(Option<PathBuf>, RefCell<Gallery>),
     /// Files in a folder.
     Folder(PathBuf, Option<DrawFormat>),
 }
@@ -34,7 +34,7 @@ impl Output {
         let named = name.filter(|name| *name != "-");
         let ending = named.and_then(DrawFormat::of_ending);
         let format = wanted.or(ending);
-        let page = || RefCell::new(String::new());
+        let page = || RefCell::new(Gallery::default());
         let place = named.unwrap_or("standard output");
         if let (Some(name), Some(wanted)) = (named, wanted)
             && ending.map_or(wanted == DrawFormat::Html, |ending| ending != wanted)
@@ -100,7 +100,7 @@ impl Output {
                 _ => Err(one_only(&path.display().to_string())),
             },
             Self::Page(_, body) => {
-                body.borrow_mut().extend(pages.iter().map(|page| page.text.as_str()));
+                body.borrow_mut().add(pages);
                 Ok(String::new())
             }
             Self::Folder(folder, _) => {
@@ -145,10 +145,11 @@ impl Output {
     pub fn finish(&self, language: Language, theme: Theme) -> Result<(), CliError> {
         let Self::Page(path, body) = self else { return Ok(()) };
         let body = body.borrow();
-        if body.is_empty() {
+        if body.chapters.is_empty() {
             return Ok(());
         }
         let (code, title) = (language.code(), phrase(language, "Pictures"));
+        let body = body.html(&title);
         let page = format!(
             "<!doctype html>\n<html lang=\"{code}\">\n{HEAD}<title>{title}</title>\n<style>\n{}{STYLE}{}</style>\n</head>\n<body>\n{body}{FOOT}",
             paper(theme),
@@ -162,6 +163,59 @@ impl Output {
                 sink.finish().map(|_| ())
             }
         }
+    }
+}
+
+/// The pictures of a page, by the folders of their files.
+#[derive(Default)]
+pub struct Gallery {
+    chapters: Vec<Chapter>,
+}
+
+struct Chapter {
+    /// The folder; empty where the files are in none.
+    name: String,
+    figures: String,
+    count: usize,
+}
+
+impl Gallery {
+    fn add(&mut self, pages: &[Page]) {
+        for page in pages {
+            let known = self.chapters.iter_mut().find(|chapter| chapter.name == page.chapter);
+            let chapter = if let Some(known) = known {
+                known
+            } else {
+                let name = page.chapter.clone();
+                self.chapters.push(Chapter { name, figures: String::new(), count: 0 });
+                let last = self.chapters.len() - 1;
+                &mut self.chapters[last]
+            };
+            chapter.figures += &page.text;
+            chapter.count += 1;
+        }
+    }
+
+    /// With contents where there are several chapters.
+    fn html(&self, title: &str) -> String {
+        let mut html = String::new();
+        let several = self.chapters.len() > 1;
+        if several {
+            html += &format!("<h1>{title}</h1>\n<nav><ul>\n");
+            for (i, Chapter { name, count, .. }) in self.chapters.iter().enumerate() {
+                let name = escaped(if name.is_empty() { "." } else { name });
+                html += &format!("<li><a href=\"#chapter-{}\">{name}</a> ({count})</li>\n", i + 1);
+            }
+            html += "</ul></nav>\n";
+        }
+        for (i, Chapter { name, figures, .. }) in self.chapters.iter().enumerate() {
+            if several {
+                let name = escaped(if name.is_empty() { "." } else { name });
+                html += &format!("<h2 id=\"chapter-{}\">{name}</h2>\n", i + 1);
+            }
+            html += &format!("<div class=\"pictures\">\n{figures}</div>\n");
+        }
+        html
     }
 }
 
@@ -184,9 +238,12 @@ const HEAD: &str = "<head>
 <meta name=\"viewport\" content=\"width=device-width\">
 ";
 const STYLE: &str = "body{margin:1rem;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",serif}
-figure{margin:0 0 2rem;break-inside:avoid}figcaption{margin-bottom:.5rem}
+figure{margin:0;break-inside:avoid}figcaption{margin-bottom:.5rem}
 figure svg{max-width:100%;height:auto}
+.pictures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,23rem),1fr));gap:2rem 1.5rem;align-items:start}
+nav ul{columns:14rem;padding:0;list-style:none}h2{break-after:avoid}
 @media screen{figure{content-visibility:auto}}
+@media print{.pictures{grid-template-columns:1fr 1fr}}
 ";
 const FOOT: &str = "</body>\n</html>\n";
 

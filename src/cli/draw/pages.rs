@@ -19,6 +19,8 @@ use assur_worked::{Language, drawing_in, phrase};
 pub struct Page {
     /// Of its file, without its ending.
     pub name: String,
+    /// The folder of the file that is drawn.
+    pub chapter: String,
     pub text: String,
     pub ending: &'static str,
 }
@@ -140,7 +142,7 @@ impl Pages<'_, '_> {
             } else {
                 (assur_picture::animation(scene, options, theme, &language)?, "html")
             };
-            return Ok(vec![Page { name: name.to_owned(), text, ending }]);
+            return Ok(vec![Page { name: name.to_owned(), chapter: self.chapter(), text, ending }]);
         }
         Ok(self.numbered(name, assur_picture::draw(kind, scene, options)?))
     }
@@ -168,6 +170,12 @@ impl Pages<'_, '_> {
         if self.row.name.is_empty() { stem } else { format!("{stem}-row-{}", self.row.name) }
     }
 
+    /// The folder of the file, without the way to it.
+    fn chapter(&self) -> String {
+        let mut folders = self.source.name.rsplit(['/', '\\']).skip(1);
+        folders.next().filter(|folder| !matches!(*folder, "." | "..")).unwrap_or_default().to_owned()
+    }
+
     /// Pictures of one kind and one position as text, numbered where there are several.
     fn numbered(&self, name: &str, drawings: Vec<assur_drawing::Drawing>) -> Vec<Page> {
         let theme: Theme = self.drawing.args.theme.into();
@@ -186,7 +194,7 @@ impl Pages<'_, '_> {
             }
             let sheet = drawing.placed();
             let text = if self.drawing.output.is_page() { output::figure(&sheet) } else { sheet.svg(theme) };
-            Page { name, text, ending: "svg" }
+            Page { name, chapter: self.chapter(), text, ending: "svg" }
         });
         pages.collect()
     }

@@ -157,12 +157,20 @@ impl Context<'_> {
     }
 }
 
-/// `4 kN @ (a - 90 deg)`, where an angle is added to `4 kN @ a`.
-pub fn direction_of_two(verb: &str, left: &Expr, right: &Expr, ty: Type) -> Option<String> {
-    let (ExprKind::Polar(size, angle), Type::Number(d)) = (&left.kind, ty) else { return None };
+/// `4 kN @ (a - 90 deg)`, where an angle is added to `4 kN @ a`; `(F + 10 N) @ 90 deg`, where `10 N @ 90 deg` is added to a number.
+pub fn direction_of_two(verb: &str, left: (&Expr, Type), right: (&Expr, Type)) -> Option<String> {
     let sign = if verb == "subtracted" { '-' } else { '+' };
-    let (size, angle, other) = (written(size)?, written(angle)?, written(right)?);
-    (d.known() == Dimension::ANGLE).then(|| format!("write `{size} @ ({angle} {sign} {other})`"))
+    match (&left.0.kind, left.1, &right.0.kind, right.1) {
+        (ExprKind::Polar(size, angle), _, _, Type::Number(d)) if d.known() == Dimension::ANGLE => {
+            let (size, angle, other) = (written(size)?, written(angle)?, written(right.0)?);
+            Some(format!("write `{size} @ ({angle} {sign} {other})`"))
+        }
+        (_, Type::Number(a), ExprKind::Polar(size, angle), Type::Vector(b)) if a.unify(b).is_some() => {
+            let (first, size, angle) = (written(left.0)?, written(size)?, written(angle)?);
+            Some(format!("write `({first} {sign} {size}) @ {angle}`"))
+        }
+        _ => None,
+    }
 }
 
 /// `0.9*stroke(G)`, where a travel is compared with a number.

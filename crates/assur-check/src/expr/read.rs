@@ -255,7 +255,7 @@ impl Context<'_> {
         };
         if unified.is_none() {
             let left = if a_span == first.span { first } else { operand };
-            let help = direction_of_two(verb, left, operand, b.ty)
+            let help = direction_of_two(verb, (left, a.ty), (operand, b.ty))
                 .or_else(|| self.correct_operands(a.ty, b.ty, left, operand));
             self.error(wrong_operands(verb, &a.ty.phrase(), &b.ty.phrase(), a_span, b_span, help));
         }

@@ -24,6 +24,8 @@ const SMALL: f64 = 3.8;
 /// Length of the longest arrow of a load per length, mm, and the number of gaps between its arrows.
 const PER_LENGTH: f64 = 7.0;
 const SPREAD: u8 = 6;
+/// From a link to where the line over these arrows would be without them.
+const ABOVE: f64 = 1.0;
 /// Arrows from one point are at least as far apart, mm.
 const BESIDE: f64 = 1.9;
 
@@ -161,25 +163,28 @@ impl Sketch<'_, '_> {
         }
     }
 
-    /// Arrows of a load per length along its segment, without names: the resultant has it.
-    fn spread(&self, drawing: &mut Drawing, on: LinkId, spread: &Spread, resultant: Vec2) {
+    /// Arrows of a load per length onto its segment, under a line with its name.
+    fn spread(&self, drawing: &mut Drawing, on: LinkId, spread: &Spread, resultant: Vec2, name: Text) {
         let ends = spread.ends(resultant).map(flipped);
         let longest = ends[0].norm().max(ends[1].norm());
+        let mut tails = Vec::new();
         for i in 0..=SPREAD {
             let s = f64::from(i) / f64::from(SPREAD);
             let per_length = ends[0] * (1.0 - s) + ends[1] * s;
+            let at = self.on_paper(on, spread.from + (spread.to - spread.from) * s);
             let Some(along) = per_length.unit().filter(|_| per_length.norm() > 0.05 * longest) else {
+                tails.push(at);
                 continue;
             };
-            let at = self.on_paper(on, spread.from + (spread.to - spread.from) * s);
-            let from = at + along * self.clear(at, along);
-            arrow::straight(
-                drawing,
-                Style::Force,
-                from,
-                from + along * (PER_LENGTH * per_length.norm() / longest),
-            );
+            let tip = at - along * self.clear(at, -along);
+            let tail = at - along * (ABOVE + PER_LENGTH * per_length.norm() / longest);
+            tails.push(tail);
+            arrow::straight(drawing, Style::Force, tail, tip);
         }
+        let [first, last] = [tails[0], tails[tails.len() - 1]];
+        drawing.mark(Style::Medium, Shape::Lines { points: tails, closed: false });
+        let away = -flipped(resultant).unit().unwrap_or(Vec2::new(0.0, 1.0));
+        drawing.label(Label::along(name, LETTERS, first, last).towards(away).ranked(2));
     }
 
     /// The slider's point and the direction of the guide on paper.
@@ -215,10 +220,10 @@ impl Sketch<'_, '_> {
                         let (length, force) =
                             (self.arrow(f.norm(), LENGTH), self.with_force(force, f.norm()));
                         named.push(spoken(&name, &force));
-                        if let Some(spread) = &load.spread {
-                            self.spread(drawing, *on, spread, f);
+                        match &load.spread {
+                            Some(spread) => self.spread(drawing, *on, spread, f, force),
+                            None => self.push(drawing, Style::Force, at, along, length, force),
                         }
-                        self.push(drawing, Style::Force, at, along, length, force);
                     }
                 }
                 (LoadKind::Torque { on, at, .. }, Value::Scalar(m)) if m != 0.0 && m.is_finite() => {
