@@ -3,7 +3,7 @@
 use crate::expr::{Expr, Sign};
 use crate::node::Node;
 use crate::number::{Figures, shortest, with_digits};
-use crate::quantity::{Name, Quantity};
+use crate::quantity::{FEWEST, Name, Quantity};
 use crate::unit::Unit;
 
 /// The letters of a name.
@@ -69,7 +69,12 @@ impl Layer {
     }
 
     fn leaf(self, q: &Quantity, first: bool) -> Node {
-        let Some(digits) = self.digits else { return name_node(&q.name) };
+        let digits = match self.digits {
+            Some(digits) => digits,
+            // a number among letters
+            None if q.name.letter.is_empty() => FEWEST,
+            None => return name_node(&q.name),
+        };
         let figures = q.figures(digits);
         let negative = figures.negative;
         let node = if q.unit == Unit::Angle { Node::Degrees(figures) } else { Node::Number(figures) };

@@ -21,5 +21,5 @@ pub use node::Node;
 pub use number::{Figures, with_decimals, with_digits};
 pub use print::{latex, latex_lines, mathml, mathml_lines, text, text_lines, typst, typst_lines, unit_latex};
 pub use quantity::Name;
-pub use quantity::{Quantity, quantity};
+pub use quantity::{Quantity, quantity, rounded};
 pub use unit::{Unit, unit_words};

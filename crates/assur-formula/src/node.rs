@@ -67,6 +67,30 @@ impl Node {
         }
     }
 
+    /// How far it reaches above and below the middle of a line, in letters.
+    #[must_use]
+    pub fn reach(&self) -> [f64; 2] {
+        self.reach_in(1.0)
+    }
+
+    /// The same, of a fraction whose sides have letters of this size.
+    fn reach_in(&self, sides: f64) -> [f64; 2] {
+        const BAR: f64 = 0.1;
+        const SMALLER: f64 = 0.7;
+        match self {
+            Self::Row(parts) => {
+                let higher = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
+                parts.iter().map(|part| part.reach_in(sides)).fold([0.5; 2], higher)
+            }
+            Self::Fraction(a, b) => {
+                [a, b].map(|side| sides * side.reach_in(SMALLER).iter().sum::<f64>() + BAR)
+            }
+            Self::Power(x, _) => [x.reach_in(sides)[0] + BAR, x.reach_in(sides)[1]],
+            Self::Root(x) | Self::Bars(x) | Self::Brackets(x) | Self::Function(_, x) => x.reach_in(sides),
+            _ => [0.5; 2],
+        }
+    }
+
     /// Its width in figures.
     #[must_use]
     pub fn width(&self) -> f64 {
@@ -87,7 +111,7 @@ impl Node {
             Self::Power(x, _) => x.width() + 0.8,
             Self::Root(x) => x.width() + 1.8,
             Self::Bars(x) | Self::Brackets(x) => x.width() + 1.6,
-            Self::Function(name, x) => 0.9 * letters(name) + 0.4 + x.width(),
+            Self::Function(name, x) => 0.9 * letters(name) + 0.6 + x.width(),
             Self::Unit(unit) => 0.9 * letters(unit) + 0.5,
             Self::Words(words) => letters(words),
         }

@@ -52,10 +52,16 @@ pub fn quantity(name: Name, value: f64, unit: Unit) -> Expr {
     Expr::Leaf(Arc::new(Quantity { name, value, unit, scale: value.abs(), given: false, rounding: 0.0 }))
 }
 
+/// A number without letters, with as many digits as its equation needs.
+#[must_use]
+pub fn rounded(value: f64) -> Expr {
+    quantity(Name::default(), value, Unit::One)
+}
+
 // The digits of an equation: as few as let it balance from what is printed.
 
 /// The digits that leaves start with, and the most of them.
-const FEWEST: usize = 5;
+pub(crate) const FEWEST: usize = 5;
 const MOST: usize = 9;
 /// How far the evaluated side may miss the printed result, in units of its last digit.
 const MISS: f64 = 0.98;

@@ -4,7 +4,7 @@
 use crate::angle::Angle;
 use crate::course::Derivation;
 use crate::forces::quantity_name;
-use assur_formula::{Expr, Function as Of, Name, Unit};
+use assur_formula::{Expr, Function as Of, Name, Unit, rounded, with_digits};
 use assur_math::math::{Between, SAME, Vec2};
 use assur_model::model::{
     Axis, BinaryOp, Curve, CurvePart, Expr as E, Function, LinkId, PairId, PairKind, PointRef, Query, Value,
@@ -76,9 +76,9 @@ impl Derivation<'_> {
             let turns = self.degrees_in_letters(argument);
             let scale = if turns.is_some() { 180.0 / std::f64::consts::PI } else { 1.0 };
             let x = turns.or_else(|| self.in_letters(argument))?;
-            let [begin, end] = [after - 1, after].map(|i| (number(scale * rows[i]), number(values[i])));
-            let slope = (end.1 - begin.1.clone()) / (end.0 - begin.0.clone());
-            return Some(begin.1 + slope * (x - begin.0));
+            let [begin, end] = [after - 1, after].map(|i| (scale * rows[i], values[i]));
+            let slope = (end.1 - begin.1) / (end.0 - begin.0);
+            return Some(number(begin.1) + read(slope) * (x - read(begin.0)));
         }
         Some(self.given(quantity_name(&curve.name), curve.function.value(x), Unit::One))
     }
@@ -334,6 +334,15 @@ impl Derivation<'_> {
         let name = self.point_name(other.index(), at);
         self.under(order, link.index(), &name, &here)
     }
+}
+
+/// A number that the file does not have as it is: of few digits as they are, else rounded.
+fn read(x: f64) -> Expr {
+    if x < 0.0 {
+        return -read(-x);
+    }
+    let short = with_digits(x, 5).value();
+    if (x - short).abs() <= f64::EPSILON * x { number(x) } else { rounded(x) }
 }
 
 /// A constant of the file.

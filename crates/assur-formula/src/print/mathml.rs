@@ -45,9 +45,23 @@ fn row(node: &Node, out: &mut String) {
     *out += "</mrow>";
 }
 
+/// The space before and after the name of a function.
+const THIN: &str = "<mspace width=\"0.17em\"/>";
+
 fn write(node: &Node, out: &mut String) {
     match node {
-        Node::Row(parts) => parts.iter().for_each(|part| write(part, out)),
+        Node::Row(parts) => {
+            for (i, part) in parts.iter().enumerate() {
+                let is_function = |at: Option<usize>| {
+                    at.and_then(|at| parts.get(at)).is_some_and(|part| matches!(part, Node::Function(..)))
+                };
+                write(part, out);
+                if matches!(part, Node::Times) && (is_function(i.checked_sub(1)) || is_function(Some(i + 1)))
+                {
+                    *out += THIN;
+                }
+            }
+        }
         Node::Letter { letter, sub, sup, arrow, power } => {
             let number = power.to_string();
             letters(letter, sub, if *power > 1 { &number } else { sup }, *arrow, out);
@@ -58,7 +72,7 @@ fn write(node: &Node, out: &mut String) {
             number(figures, out);
             *out += "<mo>°</mo></mrow>";
         }
-        Node::Pi => *out += "<mi>π</mi>",
+        Node::Pi => *out += "<mi mathvariant=\"normal\">π</mi>",
         Node::Operator(sign) => *out += &format!("<mo>{sign}</mo>"),
         Node::Minus => *out += "<mo form=\"prefix\">−</mo>",
         Node::Times => *out += "<mo>\u{2062}</mo>",
@@ -82,19 +96,25 @@ fn write(node: &Node, out: &mut String) {
         Node::Bars(x) => fenced('|', x, '|', out),
         Node::Brackets(x) => fenced('(', x, ')', out),
         Node::Function(name, x) => {
-            *out += &format!("<mrow><mi>{name}</mi><mo>\u{2061}</mo>");
+            *out += &format!("<mrow><mi mathvariant=\"normal\">{name}</mi><mo>\u{2061}</mo>");
+            if !matches!(**x, Node::Brackets(_)) {
+                *out += THIN;
+            }
             row(x, out);
             *out += "</mrow>";
         }
-        Node::Unit(unit) => *out += &format!("<mtext>\u{202f}{unit}</mtext>"),
+        Node::Unit(unit) => *out += &format!("<mtext>\u{a0}{unit}</mtext>"),
         Node::Words(words) => *out += &format!("<mtext>{}</mtext>", escaped(words)),
     }
 }
 
+/// What is between signs that are as tall as it; the page stretches them, whatever fonts there are.
 fn fenced(open: char, x: &Node, close: char, out: &mut String) {
-    *out += &format!("<mrow><mo>{open}</mo>");
+    let tall = 1.9 * x.reach().into_iter().fold(0.0, f64::max);
+    let own = if tall > 1.3 { format!(" class=\"tall\" style=\"--tall:{tall:.1}\"") } else { String::new() };
+    *out += &format!("<mrow><mo{own}>{open}</mo>");
     row(x, out);
-    *out += &format!("<mo>{close}</mo></mrow>");
+    *out += &format!("<mo{own}>{close}</mo></mrow>");
 }
 
 fn number(figures: &Figures, out: &mut String) {

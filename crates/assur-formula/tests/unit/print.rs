@@ -1,4 +1,7 @@
-use assur_formula::{Equation, Expr, Lines, Name, Unit, latex_lines, mathml_lines, quantity, typst_lines};
+use assur_formula::{
+    Equation, Expr, Function, Lines, Name, Unit, latex_lines, mathml_lines, quantity, rounded, text_lines,
+    typst_lines,
+};
 
 fn lines() -> Lines {
     let omega = quantity(Name::new("ω", "2"), -3.0193, Unit::AngularVelocity);
@@ -20,7 +23,32 @@ fn mathml() {
     let page = mathml_lines(&lines());
     assert!(page.starts_with("<math displaystyle=\"true\"><mrow><msubsup><mi>a</mi>"), "{page}");
     assert!(page.contains("<msubsup><mi>ω</mi><mn>2</mn><mn>2</mn></msubsup>"), "{page}");
-    assert!(page.contains("<mn>2.7349</mn><mtext>\u{202f}m/s²</mtext>"), "{page}");
+    assert!(page.contains("<mn>2.7349</mn><mtext>\u{a0}m/s²</mtext>"), "{page}");
+}
+
+#[test]
+fn functions_are_set_apart_and_brackets_are_as_tall_as_what_they_hold() {
+    let [phi, a, b] = ["φ", "a", "b"].map(|letter| quantity(Name::new(letter, ""), 2.0, Unit::Angle));
+    let of = |right: Expr| {
+        mathml_lines(&Equation::new(Name::new("x", ""), right.value(), Unit::One, right).lines())
+    };
+    let thin = "<mspace width=\"0.17em\"/>";
+    let cosine = of(a.clone() * phi.cos());
+    assert!(
+        cosine.contains(&format!("<mo>\u{2062}</mo>{thin}<mrow><mi mathvariant=\"normal\">cos</mi>")),
+        "{cosine}"
+    );
+    assert!(cosine.contains(&format!("<mo>\u{2061}</mo>{thin}<mrow><mi>φ</mi></mrow>")), "{cosine}");
+    let ratio = of((a / b).of(Function::Arctan));
+    assert!(ratio.contains("<mo class=\"tall\" style=\"--tall:2.1\">(</mo>"), "{ratio}");
+}
+
+#[test]
+fn a_number_without_letters_is_rounded_among_letters_and_balances() {
+    let omega = quantity(Name::new("ω", ""), 7.216_77, Unit::AngularVelocity);
+    let right = Expr::Int(80) - rounded(80.0 / 157.079_632_68) * omega;
+    let lines = Equation::new(Name::new("M", ""), right.value(), Unit::Torque, right).lines();
+    assert_eq!(text_lines(&lines), "M = 80 − 0.50930 ω = 80 − 0.50930·7.2168 = 76.325 N·m");
 }
 
 #[test]

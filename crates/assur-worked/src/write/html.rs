@@ -253,9 +253,15 @@ th{font-weight:600}td.n{text-align:right}
 table.vec{border:0;white-space:nowrap}.tab{overflow-x:auto}
 table.vec th,table.vec td{border:0;padding:.15em .35em;text-align:center}
 table.vec th{color:var(--soft);font-weight:400;text-align:right}
-.eq{margin:.3em 0;padding:.25em 0 .35em 2em;overflow-x:auto;overflow-y:hidden}
+.eq{margin:.15em 0;padding:.4em 0 .62em 2em;overflow-x:auto;overflow-y:hidden}
 mtd{text-align:left;padding:.15em .1em}mtd.l{text-align:right}
-math{font-size:1.02em;font-family:\"STIX Two Math\",\"Latin Modern Math\",\"Cambria Math\",math}
+math{font-size:1.02em;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",\"Noto Serif\",\"DejaVu Serif\",serif}
+mi{text-transform:none;font-style:italic}mi[mathvariant=normal]{font-style:normal}
+@supports (text-transform:math-auto) and (not (-moz-appearance:none)){
+mo.tall{transform:scaleY(var(--tall))}mfrac mo.tall{transform:scaleY(calc(.75*var(--tall)))}mfrac{margin:0 .08em}mfrac>*{padding:.08em 0}msub,msup,msubsup{margin-right:-.1em}
+msqrt{display:inline-block;position:relative;padding:.1em .12em 0 .62em;margin:0 .12em}
+msqrt::before{content:\"\";position:absolute;left:0;top:0;bottom:0;width:.6em;background:currentColor;print-color-adjust:exact;clip-path:polygon(0 62%,18% 55%,48% 88%,92% 0,100% 0,100% .07em,97% .07em,52% 100%,42% 100%,16% 64%,2% 67%)}
+msqrt::after{content:\"\";position:absolute;left:.59em;right:0;top:0;border-top:.065em solid}}
 figure{margin:1.2em 0;max-width:100%;overflow-x:auto}
 figure svg{max-width:100%;height:auto;display:block}
 figcaption{color:var(--soft);font-size:.93em;margin-top:.4em}
