@@ -13,13 +13,24 @@ use std::sync::Arc;
 
 /// A question of a file in words and letters; none where it is neither.
 pub fn asked(mechanism: &Mechanism, written: &str, language: Language) -> Option<Line> {
+    let item = parsed(written)?;
+    Writer { mechanism, language }.words(&item)
+}
+
+/// What the file writes, in letters; none where it has words.
+pub fn written_in_letters(mechanism: &Mechanism, written: &str, language: Language) -> Option<Line> {
+    let item = parsed(written)?;
+    Writer { mechanism, language }.in_letters(&item)
+}
+
+fn parsed(written: &str) -> Option<Expr> {
     let (document, _) = assur_syntax::parse(&Source::new("", format!("mech 1\nfind {written}\n")));
-    let items = document.statements.iter().find_map(|statement| match &statement.node {
-        Statement::Find(find) => Some(&find.items),
+    let items = document.statements.into_iter().find_map(|statement| match statement.node {
+        Statement::Find(find) => Some(find.items),
         _ => None,
     })?;
-    let [item] = items.as_slice() else { return None };
-    Writer { mechanism, language }.words(&item.value)
+    let [item] = <[_; 1]>::try_from(items).ok()?;
+    Some(item.value)
 }
 
 struct Writer<'a> {
@@ -91,6 +102,18 @@ impl Writer<'_> {
             return Some(say(self.language, words, &[]));
         }
         Some(say(self.language, FunctionWords::of(&format!("={name}"), 1)?, &[self.letters(&arg.value)?]))
+    }
+
+    /// Letters alone; a curve of the file with its argument after it.
+    fn in_letters(&self, expr: &Expr) -> Option<Line> {
+        let ExprKind::Call { function, args } = &expr.kind else { return self.letters(expr) };
+        match args.as_slice() {
+            [at] if Builtin::named(&function.node).is_none() => {
+                let curve = vec![Inline::Math(name_node(&quantity_name(&function.node))), text("(")];
+                Some([curve, self.in_letters(&at.value)?, vec![text(")")]].concat())
+            }
+            _ => self.letters(expr),
+        }
     }
 
     fn letters(&self, expr: &Expr) -> Option<Line> {

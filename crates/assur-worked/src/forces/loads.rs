@@ -2,6 +2,7 @@
 
 use super::holding::stop_of;
 use super::{Couple, Force, is_load};
+use crate::asked_formula::written_in_letters;
 use crate::course::{Derivation, cell, joined};
 use crate::document::text;
 use crate::expressions::length;
@@ -60,7 +61,8 @@ impl Derivation<'_> {
         let statement = self.scene.text.get(load.span.start..load.span.end).unwrap_or_default();
         let written = statement.split_once('=').map_or(statement, |(_, value)| value);
         let words = written.split_whitespace().collect::<Vec<_>>().join(" ");
-        self.say(Message::LoadHere, &[of(&name), vec![text(words)]]);
+        let letters = written_in_letters(self.scene.mechanism(), &words, self.language);
+        self.say(Message::LoadHere, &[of(&name), letters.unwrap_or_else(|| vec![text(words)])]);
         match self.size_in_letters(load.value(), size) {
             // what varies is nothing here
             Some(right) if right.is_constant() => self.given(name, size, unit),
