@@ -3,12 +3,13 @@
 
 use crate::pipeline::Solved;
 use crate::report::document::{Align, Block as Printed, Section, Table as Rows};
-use crate::report::{self, AccuracyShown, PrintedDigits};
+use crate::report::{self, AccuracyShown, OF_CYCLE, OF_MOTION, PrintedDigits};
 use assur_drawing::Theme;
 use assur_formula::unit_words;
+use assur_model::model::Mechanism;
 use assur_picture::{Kind, Options, Scene, draw};
 use assur_text::source::Source;
-use assur_worked::{Block, Figure, Inline, Language, Table, drawing_in, localised};
+use assur_worked::{Block, Figure, Inline, Language, Table, drawing_in, localised, written_in_letters};
 
 /// The most rows of a table that are printed; of longer ones some over all of it.
 const ROWS: usize = 37;
@@ -23,19 +24,47 @@ pub fn blocks(source: &Source, solved: &Solved, scene: Option<&Scene<'_>>, langu
     let kept = |section: &&Section| {
         let heading = section.heading.as_str();
         let of_position = ["Answers", "Reactions", "Friction"].iter().any(|h| heading.starts_with(h));
-        let repeated = heading.starts_with("Structure") || heading.starts_with("Accuracy");
+        let repeated = ["Structure", "Accuracy", "Events"].iter().any(|h| heading.starts_with(h));
         scene.is_none() || !(repeated || one && of_position)
     };
     let mut blocks: Vec<Block> = report.sections.iter().filter(kept).flat_map(|s| section(s, ROWS)).collect();
+    // the table of results has what is of all positions
+    blocks.retain(|block| scene.is_none() || !is_of_all(block));
     let published = super::published::section(&solved.outcomes);
     blocks.extend(published.iter().flat_map(|s| section(s, usize::MAX)));
-    let mut blocks: Vec<Block> = localised(language, blocks).into_iter().map(with_units).collect();
+    let blocks = localised(language, blocks).into_iter().map(with_units);
+    let mechanism = &solved.compiled.mechanism;
+    let mut blocks: Vec<Block> = blocks.map(|block| with_letters(block, mechanism, language)).collect();
     for picture in scene.into_iter().flat_map(|scene| PICTURES.map(|kind| pictures(scene, kind, language))) {
         if !picture.is_empty() {
             blocks.push(Block::Figures(picture));
         }
     }
     blocks
+}
+
+/// Whether a table has numbers of the whole cycle or motion.
+fn is_of_all(block: &Block) -> bool {
+    let Block::Table(table) = block else { return false };
+    let first = table.headers.first().and_then(|head| head.first());
+    matches!(first, Some(Inline::Text(words)) if [OF_MOTION, OF_CYCLE].contains(&words.as_str()))
+}
+
+/// Headers that name what is asked for, in letters.
+fn with_letters(block: Block, mechanism: &Mechanism, language: Language) -> Block {
+    let Block::Table(table) = block else { return block };
+    let header = |line: Vec<Inline>| {
+        let [Inline::Text(words)] = line.as_slice() else { return line };
+        let (name, unit) =
+            words.rsplit_once(" [").map_or((&**words, None), |(name, unit)| (name, Some(unit)));
+        if !mechanism.finds.iter().any(|find| find.name == name) {
+            return line;
+        }
+        let Some(mut letters) = written_in_letters(mechanism, name, language) else { return line };
+        letters.extend(unit.map(|unit| Inline::Text(format!(" [{unit}"))));
+        letters
+    };
+    Block::Table(Table { headers: table.headers.into_iter().map(header).collect(), ..table })
 }
 
 /// Units of a table as formulas have them.
@@ -97,7 +126,21 @@ fn section(section: &Section, most: usize) -> Vec<Block> {
     blocks
 }
 
+/// A table without columns that have nothing, as that of events at the printed instants.
 fn table(rows: &Rows, most: usize) -> Table {
+    let empty = |i: usize| {
+        !rows.rows.is_empty() && rows.rows.iter().all(|row| row.get(i).is_none_or(String::is_empty))
+    };
+    let kept: Vec<usize> = (0..rows.columns.len()).filter(|i| !empty(*i)).collect();
+    let rows = &Rows {
+        columns: kept.iter().map(|i| rows.columns[*i].clone()).collect(),
+        rows: rows
+            .rows
+            .iter()
+            .map(|row| kept.iter().filter_map(|i| row.get(*i).cloned()).collect())
+            .collect(),
+        keys: rows.keys,
+    };
     let text = |words: &String| vec![Inline::Text(words.replace('-', "−"))];
     let plain = |words: &String| vec![Inline::Text(words.clone())];
     let numbers = rows.columns.iter().enumerate().filter(|(_, c)| c.align != Align::Left).map(|(i, _)| i);

@@ -7,7 +7,7 @@ use assur_solve::solve::Pose;
 use assur_syntax as syntax;
 use assur_text::diagnostic::{Diagnosis, Problems};
 use assur_text::source::Source;
-use assur_worked::{Block, Document, Inline, Language, Part, design, worked_from};
+use assur_worked::{Block, Document, Figure, Inline, Language, Part, design, worked_from};
 
 impl Handout<'_> {
     /// The worked solution: these parts of it, or all. `found` is what was wrong in the text.
@@ -53,13 +53,15 @@ pub fn document(
     Ok(document)
 }
 
-/// Blocks without the figures that are there already: the scheme of a train is its section.
+/// Blocks without the figures that are there already: the scheme of a train is its section, a motion begins with its plot.
 fn without_repeated(there: &[Block], more: Vec<Block>) -> Vec<Block> {
-    let shown =
-        |svg: &str| there.iter().any(|b| matches!(b, Block::Figures(f) if f.iter().any(|f| f.svg == svg)));
+    let is_same = |one: &Figure, two: &Figure| one.svg == two.svg || one.name == "plot" && two.name == "plot";
+    let shown = |figure: &Figure| {
+        there.iter().any(|b| matches!(b, Block::Figures(all) if all.iter().any(|one| is_same(one, figure))))
+    };
     let left = |block| match block {
         Block::Figures(mut figures) => {
-            figures.retain(|figure| !shown(&figure.svg));
+            figures.retain(|figure| !shown(figure));
             (!figures.is_empty()).then_some(Block::Figures(figures))
         }
         block => Some(block),

@@ -47,6 +47,7 @@ pub use element::full as full_table;
 pub use mobility::groups_in_order;
 pub use page::Page;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
+pub use results::{OF_CYCLE, OF_MOTION};
 pub use row_numbers::{NumberField, NumberRows};
 pub use run_tradeoff::{of_run_study, run_study_json};
 pub use tradeoff::{Extent, of_study, study_json};

@@ -14,6 +14,10 @@ use assur_text::units::{Dimension, significant};
 /// Digits that remain after the conversion from SI into the author's unit: 30 deg remain 30 deg.
 const FULL: usize = 15;
 
+/// What the tables are of that have numbers of all poses.
+pub const OF_MOTION: &str = "over the whole motion";
+pub const OF_CYCLE: &str = "for the whole cycle";
+
 /// Answers, and the poses that have none.
 pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     let mut section = Section::new("Answers");
@@ -28,7 +32,7 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     } else {
         section.table(of_a_sweep(answers, scale, &poses, &quantities));
         let moves = answers.model.mechanism.simulation.is_some();
-        let header = if moves { "over the whole motion" } else { "for the whole cycle" };
+        let header = if moves { OF_MOTION } else { OF_CYCLE };
         let whole = answers.quantities_without_pose();
         section.table(of_one_pose(answers, scale, header.to_owned(), &whole));
     }

@@ -88,7 +88,8 @@ const OF_RUNS: [&str; 4] = ["time", "count", "work", "friction_work"];
 
 /// The table of results.
 fn results(blocks: &[Block]) -> Option<&Table> {
-    let mut tables = blocks.iter().filter_map(|b| if let Block::Table(t) = b { Some(t) } else { None });
+    // that of a motion comes after its extremes
+    let mut tables = blocks.iter().rev().filter_map(|b| if let Block::Table(t) = b { Some(t) } else { None });
     tables.find(|table| table.headers.first().is_some_and(|h| words(h) == "Quantity"))
 }
 
@@ -106,13 +107,14 @@ fn answers_have_the_letters_of_their_steps() {
         let Ok(page) = document(source, &read, solved, Language::English, (None, &[])) else { continue };
         let Some(table) = results(&page.blocks) else { continue };
         let lettered = table.headers.len() == 4;
-        for row in &table.rows {
-            let asked = words(&row[0]);
+        let finds = &solved.compiled.mechanism.finds;
+        let asked = finds.iter().filter(|find| matches!(find.kind, FindKind::Value { .. }));
+        // the questions come first, in their order, then all reactions
+        for (find, row) in asked.zip(&table.rows) {
+            let asked = &find.name;
             let has = lettered && !row[1].is_empty();
             with += usize::from(has);
-            let finds = &solved.compiled.mechanism.finds;
-            let find = finds.iter().find(|find| find.name == asked).map(|find| &find.kind);
-            let of_position = matches!(find, Some(FindKind::Value { poseless: false, .. }));
+            let of_position = matches!(find.kind, FindKind::Value { poseless: false, .. });
             let of_run = OF_RUNS.iter().any(|word| asked.starts_with(&format!("{word}(")));
             let value = words(&row[row.len() - 2]);
             let is_truth = ["true", "false"].contains(&value);

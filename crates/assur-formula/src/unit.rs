@@ -31,6 +31,10 @@ pub enum Unit {
     MassLength,
     /// 1/m
     PerLength,
+    /// kg/m
+    MassPerLength,
+    /// 1/m²
+    PerArea,
     /// N
     Force,
     /// N·m
@@ -61,6 +65,8 @@ impl Unit {
             Self::Length => "m",
             Self::MassLength => "kg·m",
             Self::PerLength => "1/m",
+            Self::MassPerLength => "kg/m",
+            Self::PerArea => "1/m²",
             Self::Area => "m²",
             Self::Angle => "°",
             Self::Velocity => "m/s",

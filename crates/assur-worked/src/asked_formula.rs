@@ -3,10 +3,12 @@
 use crate::document::{Inline, Line, text};
 use crate::forces::quantity_name;
 use crate::sheet::printed_unit;
-use crate::words::{FunctionWords, Language, QuestionMessage, say};
+use crate::words::{FunctionWords, Language, QuestionMessage, RunMessage, say};
 use assur_formula::{Expr as Formula, Function, Name, Node, Quantity, Sign, Unit, letters, name_node};
 use assur_model::model::Mechanism;
-use assur_syntax::document::{Arg, BinaryOp, Expr, ExprKind, Number, Statement, UnaryOp};
+use assur_syntax::document::{
+    Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, PassingSense, Statement, UnaryOp,
+};
 use assur_text::language::Function as Builtin;
 use assur_text::source::Source;
 use std::sync::Arc;
@@ -31,6 +33,26 @@ fn parsed(written: &str) -> Option<Expr> {
     })?;
     let [item] = <[_; 1]>::try_from(items).ok()?;
     Some(item.value)
+}
+
+/// What an event is: a number that passes a value, or a condition that becomes true; none where it has words of its own.
+pub fn passing_in_letters(mechanism: &Mechanism, statement: &str, language: Language) -> Option<Line> {
+    let (document, _) = assur_syntax::parse(&Source::new("", format!("mech 1\n{statement}\n")));
+    let passing = document.statements.into_iter().find_map(|statement| match statement.node {
+        Statement::Event(event) => Some(event.passing),
+        Statement::Until(until) => Some(until.passing),
+        _ => None,
+    })?;
+    let writer = Writer { mechanism, language };
+    let Some(value) = &passing.value else {
+        return Some(say(language, RunMessage::Becomes, &[writer.condition(&passing.what)?]));
+    };
+    let line = [writer.in_letters(&passing.what)?, vec![text(" = ")], writer.in_letters(value)?].concat();
+    Some(match passing.way.map(|way| way.node) {
+        Some(PassingSense::Rising) => say(language, RunMessage::Rises, &[line]),
+        Some(PassingSense::Falling) => say(language, RunMessage::Falls, &[line]),
+        None => line,
+    })
 }
 
 struct Writer<'a> {
@@ -102,6 +124,23 @@ impl Writer<'_> {
             return Some(say(self.language, words, &[]));
         }
         Some(say(self.language, FunctionWords::of(&format!("={name}"), 1)?, &[self.letters(&arg.value)?]))
+    }
+
+    /// Numbers that are compared.
+    fn condition(&self, expr: &Expr) -> Option<Line> {
+        let ExprKind::Compare(first, rest) = &expr.kind else { return self.words(expr) };
+        let mut line = self.in_letters(first)?;
+        for (op, next) in rest {
+            let sign = match op.node {
+                CompareOp::Less => " < ",
+                CompareOp::LessOrEqual => " ≤ ",
+                CompareOp::Greater => " > ",
+                CompareOp::GreaterOrEqual => " ≥ ",
+            };
+            line.push(text(sign));
+            line.extend(self.in_letters(next)?);
+        }
+        Some(line)
     }
 
     /// Letters alone; a curve of the file with its argument after it.

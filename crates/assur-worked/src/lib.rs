@@ -17,6 +17,7 @@ mod jerks;
 mod letters;
 mod localised;
 mod motion;
+mod overview;
 mod pictures;
 mod points;
 mod problem;
@@ -32,12 +33,14 @@ mod words;
 mod worked;
 mod write;
 
+pub use asked_formula::written_in_letters;
 pub use course::Counts;
 pub use design::{Page, design};
 pub use document::{Block, Document, Figure, Inline, Table, Term};
 pub use forces::quantity_name;
 pub use formulas::Formula;
 pub use localised::{drawing_in, localised};
+pub use questions::question;
 pub use results::unit_of;
 pub use sheet::{
     Exercise, GivenRow, SheetQuestion, Variants, asks_for_positions, given, in_letters, key, sheet,

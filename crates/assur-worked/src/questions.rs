@@ -17,6 +17,17 @@ pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Lin
     each.enumerate().flat_map(|(i, item)| (i > 0).then(|| text("; ")).into_iter().chain(item)).collect()
 }
 
+/// What one question is, without its letters and its unit.
+pub fn question(mechanism: &Mechanism, source: &str, find: &Find, language: Language) -> Line {
+    Asking { mechanism, language }.named(find, source, false)
+}
+
+/// A reaction among all of them.
+pub fn question_of_reaction(mechanism: &Mechanism, pair: PairId, on: LinkId, language: Language) -> Line {
+    let asking = Asking { mechanism, language };
+    asking.say(QuestionMessage::Reaction, &[asking.pair(pair), asking.link(on)])
+}
+
 struct Asking<'a> {
     mechanism: &'a Mechanism,
     language: Language,
@@ -25,16 +36,27 @@ struct Asking<'a> {
 impl Asking<'_> {
     /// The letters of a question, what it is, and its unit.
     fn item(&self, find: &Find, source: &str) -> Line {
+        let mut line = self.named(find, source, true);
+        if let FindKind::Value { display, .. } = &find.kind
+            && !display.unit.is_empty()
+        {
+            line.push(text(format!(", {}", crate::sheet::printed_unit(&display.unit).trim_start())));
+        }
+        line
+    }
+
+    /// What a question is, after the letters that it has of its own.
+    fn named(&self, find: &Find, source: &str, with_letters: bool) -> Line {
         let written = source.get(find.span.start..find.span.end).unwrap_or(&find.name);
-        let (expr, unit) = match &find.kind {
+        let expr = match &find.kind {
             FindKind::Reactions => return self.say(QuestionMessage::Reactions, &[]),
             FindKind::Table(_) => return self.table(written),
-            FindKind::Value { expr, display, .. } => (expr, &display.unit),
+            FindKind::Value { expr, .. } => expr,
         };
         let named = written.split_once('=').map(|(name, _)| name.trim()).filter(|name| *name == find.name);
         let mut line = Vec::new();
         let words = self.expr(expr);
-        if let Some(name) = named {
+        if let Some(name) = named.filter(|_| with_letters) {
             line.push(Inline::Math(name_node(&quantity_name(name))));
             line.push(text(" – "));
         }
@@ -45,9 +67,6 @@ impl Asking<'_> {
                 let words = crate::asked_formula::asked(self.mechanism, &formula, self.language);
                 line.extend(words.unwrap_or_else(|| vec![text(formula.replace('*', "·"))]));
             }
-        }
-        if !unit.is_empty() {
-            line.push(text(format!(", {}", crate::sheet::printed_unit(unit).trim_start())));
         }
         line
     }

@@ -2,7 +2,8 @@
 
 use crate::course::Derivation;
 use crate::document::{Inline, Line, Table, text};
-use crate::words::{Message, phrase};
+use crate::questions::{question, question_of_reaction};
+use crate::words::{Message, RunMessage, phrase};
 use assur_formula::{Node, Quantity, Unit, name_node, unit_words};
 use assur_math::math::{SAME, Vec2};
 use assur_model::model::{Display, FindKind, PairId, PairKind, Value};
@@ -13,6 +14,10 @@ const DIGITS: usize = 5;
 impl Derivation<'_> {
     /// The table of results.
     pub fn results(&mut self) {
+        if self.scene.mechanism().simulation.is_some() {
+            let instant = self.instant(self.state().motion.time);
+            self.say(RunMessage::ResultsAt, &[instant]);
+        }
         let headers = [Message::Quantity, Message::Letters, Message::Value, Message::Unit];
         let headers = headers.map(|m| vec![text(self.words(m))]);
         let mut table = Table { headers: headers.into(), numbers: vec![2], ..Table::default() };
@@ -27,7 +32,8 @@ impl Derivation<'_> {
                         let own = self.symbol(&find.name, expr, value).or(answered);
                         let letters = own.or_else(|| self.of_design(value, display).filter(|_| *poseless));
                         let letters = letters.map(Inline::Math);
-                        self.row(&mut table, &find.name, letters.into_iter().collect(), value, display);
+                        let asked = question(mechanism, self.scene.text, find, self.language);
+                        self.row(&mut table, asked, letters.into_iter().collect(), value, display);
                     }
                 }
                 FindKind::Reactions => reactions = true,
@@ -49,7 +55,8 @@ impl Derivation<'_> {
                     }
                     let letters = name_node(&self.reaction_name(from.index(), on.index()).arrow());
                     let letters = vec![Inline::Math(letters)];
-                    self.row(&mut table, &pair.name, letters, Value::Vector(force), &display);
+                    let asked = question_of_reaction(mechanism, PairId::at(i), *on, self.language);
+                    self.row(&mut table, asked, letters, Value::Vector(force), &display);
                 }
             }
         }
@@ -71,7 +78,7 @@ impl Derivation<'_> {
         derived.chain(&self.design_values).find(|q| is_it(q)).map(|found| name_node(&found.name))
     }
 
-    fn row(&self, table: &mut Table, name: &str, letters: Line, value: Value, display: &Display) {
+    fn row(&self, table: &mut Table, asked: Line, letters: Line, value: Value, display: &Display) {
         let large = self.scene.greatest.in_unit(display);
         let clear = |x: f64| if x.abs() <= 1e-11 * large { 0.0 } else { x };
         let figure = |x: f64| significant(clear(x), DIGITS).replace('-', "−");
@@ -83,12 +90,7 @@ impl Derivation<'_> {
             }
             Value::Bool(truth) => phrase(self.language, &truth.to_string()),
         };
-        table.rows.push(vec![
-            vec![text(name)],
-            letters,
-            vec![text(written)],
-            vec![text(unit_words(&display.unit))],
-        ]);
+        table.rows.push(vec![asked, letters, vec![text(written)], vec![text(unit_words(&display.unit))]]);
     }
 }
 

@@ -89,6 +89,7 @@ pub fn worked_from(
     let begin = |course: &Derivation<'_>, part: Part, sections: &mut Vec<(Part, usize)>| {
         sections.push((part, course.blocks.len()));
     };
+    let mut given_at = 0;
     for part in PARTS {
         begin(&course, part, &mut sections);
         if part == Part::Structure {
@@ -102,6 +103,10 @@ pub fn worked_from(
             course.asked_besides();
         }
         course.part(part);
+        if part == Part::Problem {
+            given_at = course.blocks.len();
+            course.overview();
+        }
     }
     let unused = course.prune();
     course.say_nothing_follows(&unused);
@@ -113,10 +118,16 @@ pub fn worked_from(
         if !parts.is_empty() && !parts.contains(part) {
             continue;
         }
-        let kept = (*start..end).filter(|i| !unused.contains(i));
-        blocks.extend(kept.map(|i| course.blocks[i].clone()));
+        let kept = |from: usize, to: usize| {
+            let kept = (from..to).filter(|i| !unused.contains(i));
+            kept.map(|i| course.blocks[i].clone()).collect::<Vec<_>>()
+        };
         if *part == Part::Problem {
+            blocks.extend(kept(*start, given_at));
             blocks.extend(given.iter().cloned());
+            blocks.extend(kept(given_at, end));
+        } else {
+            blocks.extend(kept(*start, end));
         }
     }
     if language.letters().comma {

@@ -142,7 +142,12 @@ fn letters(letter: &str, sub: &str, sup: &str, arrow: bool, out: &mut String) {
     if arrow {
         *out += "<mover>";
     }
-    let slanted = if is_single(letter) { "" } else { " mathvariant=\"italic\"" };
+    let slanted = match letter.starts_with(|c: char| c.is_ascii_digit() || c == '−') {
+        // a number with its unit
+        true => " mathvariant=\"normal\"",
+        false if is_single(letter) => "",
+        false => " mathvariant=\"italic\"",
+    };
     *out += &format!("<mi{slanted}>{}</mi>", escaped(letter));
     if arrow {
         *out += "<mo stretchy=\"false\">→</mo></mover>";

@@ -84,7 +84,9 @@ pub struct Motion<S = f64> {
     pub touches: Vec<(Vec2, Vec2)>,
     /// The instant of a motion under loads, s.
     pub time: f64,
-    /// Works since the first instant of such a motion, J.
+    /// The work of all loads since the first instant of such a motion, J.
+    pub work: f64,
+    /// Works that are asked for, since then, J.
     pub works: Vec<f64>,
     /// Efforts of closed stops along their coordinates, N or N m.
     pub stops: Vec<f64>,
@@ -115,6 +117,7 @@ impl<S: Scalar + Default> Motion<S> {
             certificates: vec![0.0; groups],
             touches: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.cam_contacts],
             time: 0.0,
+            work: 0.0,
             works: Vec::new(),
             stops: Vec::new(),
             grips: Vec::new(),
@@ -136,6 +139,7 @@ impl Motion {
             certificates,
             touches,
             time,
+            work,
             works,
             stops,
             grips,
@@ -149,7 +153,7 @@ impl Motion {
         self.conditions.clone_from(conditions);
         self.certificates.clone_from(certificates);
         self.touches.clone_from(touches);
-        (self.time, self.open) = (*time, *open);
+        (self.time, self.work, self.open) = (*time, *work, *open);
         self.works.clone_from(works);
         self.stops.clone_from(stops);
         self.grips.clone_from(grips);

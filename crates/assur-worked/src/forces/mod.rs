@@ -14,6 +14,7 @@ mod lost;
 mod planets;
 mod prp;
 mod reduced;
+mod reduced_motion;
 mod rpp;
 mod rpr;
 mod rrp;

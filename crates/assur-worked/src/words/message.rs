@@ -28,7 +28,7 @@ messages! {
         Structure Positions Velocities Accelerations Inertia Reactions Check Results Given Value Quantity
         Letters Unit Pair Links Kind Class Group OuterPairs InnerPairs Revolute Prismatic Slot Contact
         Cylinder Transmission Lower Higher Driven FreeLink Train Triad General DrivenLegs Between SchemeAt
-        VelocityPlan AccelerationPlan Freed Polygon Lever Conventions MobilityIs Replaced Passive Formula
+        PlotOfMotion VelocityPlan AccelerationPlan Freed Polygon Lever Conventions MobilityIs Replaced Passive Formula
         ForceOrder GroupOf LinkOf DrivenAngle DrivenRate SenseOnly FreeCoordinate Uniform Triangle LeftOf
         RightOf Projected OnGuide AcrossGuide AlongGuide Slotted SlottedThrough Covered TwoGuides TwoSlides
         BetweenGuides Guide Found TurnsCounterClockwise TurnsClockwise DoesNotTurn MotionStated AllTogether
@@ -78,7 +78,8 @@ messages! {
 messages! {
     /// Motions under loads.
     RunMessage of "run" {
-        Run EnergyHere Reduced ReducedMotion EnergyOfRun EventsOfRun EventsOfSweep Event Instants RunMethod ByEnergy
+        Run SeePlot OneInstant ResultsAt AtBegin Least Greatest AtEnd WhatHappens EndsRun Meets Leaves Held Slides Rises Falls Becomes
+        AtInstant EnergyHere Transfers AccelerationHere Reduced ReducedLoad Slope ReducedMotion WorkHere EnergyOfRun EventsOfRun EventsOfSweep Event Instants RunMethod ByEnergy
         ReducedSeveral EnergyReduced
     }
 }

@@ -12,7 +12,9 @@ pub(crate) struct Instant {
     pub time: f64,
     /// Their rates and accelerations.
     pub rates: Vec<DriveInput>,
-    /// Works since the first instant, J.
+    /// The work of all loads since the first instant, J.
+    pub work: f64,
+    /// Works since then, J.
     pub works: Vec<f64>,
     /// What closed stops bear.
     pub stops: Vec<f64>,
@@ -25,7 +27,7 @@ pub(crate) struct Instant {
 impl Instant {
     /// Sets instant, rates and accelerations.
     pub fn set(&self, motion: &mut Motion) {
-        motion.time = self.time;
+        (motion.time, motion.work) = (self.time, self.work);
         motion.works.clone_from(&self.works);
         motion.stops.clone_from(&self.stops);
         motion.grips.clone_from(&self.grips);

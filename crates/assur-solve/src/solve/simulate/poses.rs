@@ -91,6 +91,7 @@ impl Trajectory {
             Instant {
                 time,
                 rates,
+                work: self.records.work.get(index).copied().unwrap_or(f64::NAN),
                 works: self.records.works(index).to_vec(),
                 stops: self.records.stops(index).to_vec(),
                 grips: self.records.grips(index).to_vec(),

@@ -47,6 +47,8 @@ pub(crate) struct Records {
     pub origins: Vec<Origin>,
     /// Coordinates, rates and accelerations: three times `order` numbers each.
     pub numbers: Vec<f64>,
+    /// The work of all loads up to each instant, J.
+    pub work: Vec<f64>,
     /// Works, as many numbers each as are asked for.
     pub works: Vec<f64>,
     /// What is zero but for rounding of each of them over the whole run, J.
@@ -203,6 +205,7 @@ impl Recorder {
         records.assemblies.push(equations.assemblies());
         let nothing = nothing(&self.sizes, &self.powers, time - method.previous_t());
         let known = |(work, nothing): (&f64, f64)| if work.abs() <= nothing { 0.0 } else { *work };
+        records.work.push(self.y[2 * n]);
         records.works.extend(self.y[2 * n + 1..].iter().zip(nothing).map(known));
         records.stops.extend_from_slice(&equations.trial.motion.stops);
         records.grips.push(equations.grips());
