@@ -164,7 +164,7 @@ impl<'a> Derivation<'a> {
     }
 
     /// A sentence that holds for all groups: it is said with the first.
-    pub fn say_once(&mut self, message: Message) {
+    pub fn say_once(&mut self, message: impl Sentence) {
         let line = Block::Paragraph(if self.shown { say(self.language, message, &[]) } else { Line::new() });
         if !self.blocks.contains(&line) {
             self.blocks.push(line);

@@ -22,7 +22,7 @@ impl Derivation<'_> {
         }
         let senses = &self.state().forces.senses;
         let moving: Vec<usize> = (0..elements.len()).filter(|i| senses[elements[*i].0] != 0.0).collect();
-        self.say(FrictionMessage::FrictionSteps, &[]);
+        self.say_once(FrictionMessage::FrictionSteps);
         self.table(self.table_of_steps(elements, &moving, steps));
         let last = |i: &usize| {
             let (slot, element) = &elements[*i];

@@ -82,10 +82,11 @@ impl Derivation<'_> {
                 .cloned()
                 .partition(|f| f.caption == self.caption(Message::Freed, &f.name.replace(' ', ", ")));
             self.cite(Message::SeeFreed, &freed);
+            self.figures(freed);
             self.polygon = polygons.first().map(|f| f.caption.clone());
             let derived = self.with_parts(group, |course| course.force_step(index, step));
             self.counts.forces[usize::from(!derived)] += 1;
-            self.figures(shown);
+            self.figures(polygons);
         }
         self.welds();
         self.cuts();

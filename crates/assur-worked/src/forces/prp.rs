@@ -14,7 +14,7 @@ impl Derivation<'_> {
         let pins = [inner.pin, pin(&inner.second_pin)];
         let both = [self.way(&ways[0]), self.way(&ways[1])];
         let sums = [self.sum_of(&bodies[..1]), self.sum_of(&bodies[1..])];
-        self.say(Message::Determinate, &[]);
+        self.say_once(Message::Determinate);
         let point = self.point_name(bodies[0], pins[0]);
         self.say(Message::EachAlongGuide, &[vec![text(point)]]);
         let (p, q) = (&both[0].0, &both[1].0);

@@ -17,7 +17,7 @@ impl Derivation<'_> {
         let (way, d_2) = self.way(guide);
         let at = (self.moved(guide.slider).position(guide.point) - self.moved(two).p)
             .turned_back(self.moved(two).u);
-        self.say(Message::Determinate, &[]);
+        self.say_once(Message::Determinate);
         let sums = self.sum_of(&[two]);
         let sine = way.minus(&line).sin();
         let sign = if inner.body == two { 1.0 } else { -1.0 };

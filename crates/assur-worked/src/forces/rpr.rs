@@ -14,7 +14,7 @@ impl Derivation<'_> {
         let pins = [pin(&one.pin), pin(&two.pin)];
         let labels = [self.label(one.body), self.label(two.body)];
         let (way, d) = self.way(guide);
-        self.say(Message::Determinate, &[]);
+        self.say_once(Message::Determinate);
         let point = self.point_name(two.body, pins[1]);
         self.say(Message::MomentsOfLink, &[vec![text(&*labels[1])], vec![text(&*point)]]);
         let second = self.moment_about(two.body, pins[1]);

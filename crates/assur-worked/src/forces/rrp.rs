@@ -23,7 +23,7 @@ impl Derivation<'_> {
         let bodies = [outer.body, guide.body];
         let (from, end) = (pin(&outer.pin), inner.pin);
         let at = pin(&inner.second_pin);
-        self.say(Message::Determinate, &[]);
+        self.say_once(Message::Determinate);
         let (name, tangential) = self.tangential(outer, end);
         let psi = self.line_of(outer.body, from, end).1;
         let (way, d) = self.way(guide);

@@ -39,7 +39,7 @@ impl Derivation<'_> {
         let bodies = [one.body, two.body];
         let pins = [pin(&one.pin), pin(&two.pin)];
         let ends = [inner.pin, pin(&inner.second_pin)];
-        self.say(Message::Determinate, &[]);
+        self.say_once(Message::Determinate);
         let (n1, t1) = self.tangential(one, ends[0]);
         let (n2, t2) = self.tangential(two, ends[1]);
         let lines = [0, 1].map(|i| self.line_of(bodies[i], pins[i], ends[i]).1);

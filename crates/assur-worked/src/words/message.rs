@@ -32,7 +32,7 @@ messages! {
         ForceOrder GroupOf LinkOf DrivenAngle DrivenRate SenseOnly FreeCoordinate Uniform Triangle LeftOf
         RightOf Projected OnGuide AcrossGuide AlongGuide Slotted SlottedThrough Covered TwoGuides TwoSlides
         BetweenGuides Guide Found TurnsCounterClockwise TurnsClockwise DoesNotTurn MotionStated AllTogether
-        ThreeLegs NewtonSearched NewtonFollowed Step NewtonLeft NewtonShift NewtonTurn NewtonMatrix
+        ThreeLegs NewtonSearched NewtonFollowed Step NewtonLeft NewtonFirst NewtonStarts NewtonPart NewtonMatrix
         NewtonSolution ForcesStated NotAccurateHere InertiaArm RestOfLoads Determinate TwoForces
         MomentsOfLink PolygonCloses InnerPair SumAlongGuide SumAcrossGuide SumOfLink ThroughPoint
         CoupleOfGuide EachAlongGuide CouplesOpen BalanceTurn BalanceShift ForceAlongLine ForceAgainstLine
