@@ -14,3 +14,5 @@ draw examples/shaper/shaper-a.mech work -o docs/pictures/shaper-work.svg
 draw examples/flywheel/engine.mech hodograph rod.S -o docs/pictures/engine-hodograph.svg
 draw examples/contacts/geneva-turns.mech --pose 1 -o docs/pictures/geneva.svg
 draw examples/trains/planetary-gearbox.mech train -o docs/pictures/planetary-gearbox.svg
+draw examples/trains/two-stage-hoist.mech train -o docs/pictures/two-stage-hoist.svg
+draw examples/friction/wedges-forward.mech friction -o docs/pictures/wedges-friction.svg

@@ -360,5 +360,5 @@ fn the_pictures_of_the_documents_are_of_now() {
         assert!(out.stdout == there, "{file} is not what is drawn: run docs/pictures.sh");
         count += 1;
     }
-    assert_eq!(count, 11);
+    assert_eq!(count, 13);
 }
