@@ -11,10 +11,9 @@ use assur_model::model::{
 };
 
 /// The questions of a file, one after another.
-pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Line {
+pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Vec<Line> {
     let asking = Asking { mechanism, language };
-    let each = mechanism.finds.iter().map(|find| asking.item(find, source));
-    each.enumerate().flat_map(|(i, item)| (i > 0).then(|| text("; ")).into_iter().chain(item)).collect()
+    mechanism.finds.iter().map(|find| asking.item(find, source)).collect()
 }
 
 /// What one question is, without its letters and its unit.
