@@ -88,3 +88,39 @@ fn the_tangents_of_wittenbauer_are_those_of_the_answer() {
         drawing.description
     );
 }
+
+#[test]
+fn polar_diagrams_have_a_light_vector_every_ten_degrees() {
+    let text = "mech 1\ngravity 9.81 m/s^2\nground { A (0, 0); line guide through A along 0 deg }\n\
+                link crank A-B 100 mm\nlink rod B-C 300 mm { S (100 mm, 0); mass 2 kg at S; inertia 0.02 kg*m^2 }\n\
+                link piston { C (0, 0) }\nrevolute A: ground - crank\nrevolute B: crank - rod\nrevolute C: rod - piston\n\
+                prismatic D: piston.C - ground.guide\nassemble C ahead of B\n\
+                drive crank = 0 deg .. 360 deg in 12 steps at 30 rad/s\nbalance torque M on crank\nfind reaction(B, rod)\n";
+    let (source, solved) = solved("slider.mech", text).expect("a solution");
+    let sheet = sheets(&source, &solved, Kind::Polar).remove(0);
+    let curve: Vec<Vec<Vec2>> = sheet
+        .drawing
+        .marks
+        .iter()
+        .filter(|m| m.style == Style::Unknown)
+        .filter_map(|m| if let Shape::Lines { points, .. } = &m.shape { Some(points.clone()) } else { None })
+        .collect();
+    let ends: Vec<Vec2> = sheet
+        .drawing
+        .marks
+        .iter()
+        .filter(|m| m.style == Style::Ghost)
+        .filter_map(|m| if let Shape::Line(_, end) = m.shape { Some(end) } else { None })
+        .collect();
+    assert_eq!(ends.len(), 36);
+    for end in ends {
+        let near = curve.iter().flat_map(|line| line.windows(2)).map(|pair| {
+            let (a, b) = (pair[0], pair[1]);
+            let share = ((end - a).dot(b - a) / (b - a).dot(b - a)).clamp(0.0, 1.0);
+            (a + (b - a) * share - end).norm()
+        });
+        assert!(near.fold(f64::INFINITY, f64::min) < 0.05, "{end:?} is off the curve");
+    }
+    let labels: Vec<String> = sheet.placed.iter().map(|p| p.label.text.plain()).collect();
+    assert!(labels.contains(&"90°".to_owned()) && !labels.contains(&"100°".to_owned()), "{labels:?}");
+}

@@ -1,9 +1,10 @@
 //! Vectors over the sweep by the curve of their ends: the hodograph of a point's velocity, the polar diagram of a reaction.
 
-use crate::diagram::thinned;
+use crate::diagram::{drive_axis, printed, thinned};
 use crate::figures::{FORCE, VELOCITY, cleared, rounding};
 use crate::paper::{Frame, Paper, Scaled};
 use crate::scene::Scene;
+use crate::symbol::mass;
 use crate::{error, no_diagram, words};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
@@ -13,8 +14,12 @@ use assur_text::diagnostic::Diagnosis;
 
 /// Points of the curve over the sweep.
 const PARTS: f64 = 480.0;
-/// The most vectors that are drawn.
+/// The most vectors at poses.
 const MOST: usize = 12;
+/// From vector to vector of a drive that turns, from number to number, and a turn, degrees.
+const STEP: f64 = 10.0;
+const NUMBERED: f64 = 30.0;
+const TURN: f64 = 360.0;
 /// Axes beyond the curve, mm.
 const BEYOND: f64 = 6.0;
 /// Sizes of numbers of poses and of names.
@@ -183,15 +188,17 @@ fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], paper: &Paper) -> Result<Vec<
         .map_err(|cause| no_diagram::no_sweep(scene, what, &cause))?;
     let mut drawings = Vec::new();
     for (swept, found) in all.iter().zip(found) {
-        let lines: Vec<Vec<Vec2>> = match found.as_deref() {
+        let (lines, turn): (Vec<Vec<Vec2>>, Vec<(f64, Vec2)>) = match found.as_deref() {
             Ok([x, y]) => {
                 let pairs = x.points(PARTS).into_iter().zip(y.points(PARTS));
-                vec![pairs.map(|(x, y)| Vec2::new(x.1, y.1)).collect()]
+                let course: Vec<(f64, Vec2)> = pairs.map(|(x, y)| (x.0, Vec2::new(x.1, y.1))).collect();
+                (vec![course.iter().map(|point| point.1).collect()], course)
             }
-            _ => over_poses(scene, &swept.query),
+            _ => (over_poses(scene, &swept.query), Vec::new()),
         };
         if lines.iter().any(|line| line.len() > 1) {
-            drawings.push(picture(scene, of, swept, &lines, paper)?);
+            let rays = by_degrees(scene, &turn).unwrap_or_else(|| by_poses(scene, &swept.query));
+            drawings.push(picture(scene, of, swept, (&lines, &rays), paper)?);
         }
     }
     if drawings.is_empty() {
@@ -234,7 +241,7 @@ fn picture(
     scene: &Scene<'_>,
     of: Of,
     swept: &Swept,
-    lines: &[Vec<Vec2>],
+    (lines, rays): (&[Vec<Vec2>], &[Ray]),
     paper: &Paper,
 ) -> Result<Drawing, Diagnosis> {
     let (what, kind, unit, dimension) = match of {
@@ -262,11 +269,11 @@ fn picture(
     let scaled = if of == Of::Velocity { Scaled::Velocity } else { Scaled::Force };
     let frame = paper.plan(scaled, &bounds, paper.size * 0.2)?;
     axes(&mut drawing, &frame, &bounds);
-    let (thin, thick, role) = match of {
-        Of::Velocity => (Style::VelocityPart, Style::Velocity, Role::Blue),
-        Of::Reaction => (Style::UnknownPart, Style::Unknown, Role::Green),
+    let (thick, role) = match of {
+        Of::Velocity => (Style::Velocity, Role::Blue),
+        Of::Reaction => (Style::Unknown, Role::Green),
     };
-    vectors(scene, &mut drawing, &frame, (thin, role), swept);
+    vectors(&mut drawing, &frame, role, (swept, rays));
     drawing.begin("curve", &swept.plain);
     for line in lines {
         let points = thinned(&line.iter().map(|v| frame.point(*v)).collect::<Vec<_>>());
@@ -281,7 +288,8 @@ fn picture(
     if let Some(scale) = frame.scale {
         let symbol = if of == Of::Velocity { "v" } else { "F" };
         let text = Text::italic("μ").and(symbol, true, Level::Sub);
-        drawing.caption(text.and(&format!(" = {} ({unit})/mm", scale.text()), false, Level::Base));
+        let unit = if unit.contains('/') { format!("({unit})") } else { unit.to_owned() };
+        drawing.caption(text.and(&format!(" = {} {unit}/mm", scale.text()), false, Level::Base));
         drawing.description += &format!(" Scale {} {unit} per mm.", scale.text());
     } else {
         drawing.caption(Text::upright("The vector is zero over the whole sweep."));
@@ -303,37 +311,82 @@ fn axes(drawing: &mut Drawing, frame: &Frame, bounds: &Rect) {
     drawing.end();
 }
 
-/// Vectors at poses, evenly over the sweep, with the poses' names; the longest with the letter.
-fn vectors(
-    scene: &Scene<'_>,
-    drawing: &mut Drawing,
-    frame: &Frame,
-    (style, role): (Style, Role),
-    swept: &Swept,
-) {
+/// A vector that is drawn, with what is at its end.
+struct Ray {
+    at: Vec2,
+    words: String,
+}
+
+/// Vectors every ten degrees of a drive that turns, with numbers every thirty, or twice that over two turns; none where it
+/// does not turn so far.
+fn by_degrees(scene: &Scene<'_>, course: &[(f64, Vec2)]) -> Option<Vec<Ray>> {
+    let along = drive_axis(scene);
+    let (first, last) = (course.first()?, course.last()?);
+    let [from, to] = [first, last].map(|point| printed(&along, point.0));
+    let (from, wide) = (from.min(to), (to - from).abs());
+    let turns = (wide / TURN - 1e-9).ceil();
+    if along.unit != "deg" || wide < NUMBERED || turns > 2.0 {
+        return None;
+    }
+    let begin = (from / (STEP * turns) - 1e-9).ceil();
+    // the last is the first of the next turn
+    let whole = (wide / TURN - turns).abs() < 1e-9;
+    let end = ((from + wide) / (STEP * turns) + 1e-9).floor() - if whole { 1.0 } else { 0.0 };
+    let mut rays = Vec::new();
+    let mut i = begin;
+    while i <= end {
+        let degrees = i * STEP * turns + 0.0;
+        let at = between(course, |drive| printed(&along, drive), degrees)?;
+        let named = (i * STEP / NUMBERED - (i * STEP / NUMBERED).round()).abs() < 1e-9;
+        let words = if named { format!("{degrees:.0}°").replace('-', "−") } else { String::new() };
+        rays.push(Ray { at, words });
+        i += 1.0;
+    }
+    Some(rays)
+}
+
+/// The vector at a value of the drive, between two points of its course.
+fn between(course: &[(f64, Vec2)], printed: impl Fn(f64) -> f64, at: f64) -> Option<Vec2> {
+    let slack = 1e-6;
+    course.windows(2).find_map(|pair| {
+        let [(a, v), (b, w)] = [pair[0], pair[1]].map(|(drive, v)| (printed(drive), v));
+        let inside = at >= a.min(b) - slack && at <= a.max(b) + slack;
+        let share = if a == b { 0.0 } else { ((at - a) / (b - a)).clamp(0.0, 1.0) };
+        inside.then(|| v + (w - v) * share)
+    })
+}
+
+/// Vectors at poses, evenly over the sweep, with the names of the poses.
+fn by_poses(scene: &Scene<'_>, query: &Query) -> Vec<Ray> {
     let all: Vec<&Pose> = poses(scene).collect();
     let step = all.len().div_ceil(MOST).max(1);
-    let shown = all.iter().step_by(step).filter_map(|pose| Some((pose, at(scene, pose, &swept.query)?)));
-    let shown: Vec<(&&Pose, Vec2)> = shown.collect();
-    let longest = shown.iter().map(|(_, v)| v.norm()).fold(0.0, f64::max);
+    let shown = all.iter().step_by(step);
+    shown.filter_map(|pose| Some(Ray { at: at(scene, pose, query)?, words: pose.name.clone() })).collect()
+}
+
+/// Light vectors; the longest with the letter.
+fn vectors(drawing: &mut Drawing, frame: &Frame, role: Role, (swept, rays): (&Swept, &[Ray])) {
+    let longest = rays.iter().map(|ray| ray.at.norm()).fold(0.0, f64::max);
     let mut named = false;
     let origin = frame.point(Vec2::zero());
     let mut taken: Vec<Vec2> = Vec::new();
-    for (pose, v) in shown {
-        let end = frame.point(v);
+    for ray in rays {
+        let end = frame.point(ray.at);
         if (end - origin).norm() < 1.0 {
             continue;
         }
-        drawing.begin("vector", &format!("{} at pose {}", swept.plain, pose.name));
-        drawing.mark(style, Shape::Arrow(origin, end));
-        // one number where several poses share a vector
-        if taken.iter().all(|other| (*other - end).norm() > 0.8) {
-            let label = Label::at(Text::upright(&pose.name), NUMBERS, end, 0.6).towards(end - origin);
+        drawing.begin("vector", &format!("{} {}", swept.plain, ray.words));
+        drawing.line(Style::Ghost, origin, end);
+        // one number where several share a vector
+        if !ray.words.is_empty() && taken.iter().all(|other| (*other - end).norm() > 0.8) {
+            mass::point(drawing, end);
+            let label = Label::at(Text::upright(&ray.words), NUMBERS, end, 0.6).towards(end - origin);
             drawing.label(label.ranked(4));
             taken.push(end);
         }
-        if !named && v.norm() >= longest * (1.0 - 1e-9) {
+        if !named && ray.at.norm() >= longest * (1.0 - 1e-9) {
             named = true;
+            drawing.mark(Style::Thin, Shape::Arrow(origin, end));
             let label = Label::along(swept.letter.clone(), NAMES, origin, end);
             drawing.label(label.coloured(role).ranked(1));
         }

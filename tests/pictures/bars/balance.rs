@@ -111,7 +111,7 @@ pub fn free_body(sheet: &Sheet) -> Option<String> {
 /// What is wrong with a lever: its arrows have the moments that it says.
 pub fn lever(sheet: &Sheet) -> Option<String> {
     let text = &sheet.drawing.description;
-    let (acting, rest) = text.split_once("Moments about the pole, N·m/s: ")?;
+    let (acting, rest) = text.split_once("Moments about the pole, W: ")?;
     let (terms, _) = rest.split_once(" Their sum is ")?;
     let m = scale(sheet)?;
     let mut said = Said::of(acting);

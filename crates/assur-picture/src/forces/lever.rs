@@ -91,7 +91,7 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> {
     let title =
         format!("{}: Zhukovsky’s lever{}", crate::words::title(scene), crate::words::at_position(scene));
     let description = format!(
-        "The plan of velocities turned by 90 degrees, with the forces. Forces: {}. Moments about the pole, N·m/s: {}. Their sum is {share:.0e} of the largest.",
+        "The plan of velocities turned by 90 degrees, with the forces. Forces: {}. Moments about the pole, W: {}. Their sum is {share:.0e} of the largest.",
         acting.join(", "),
         said.join(", ")
     );
@@ -268,19 +268,16 @@ fn captions(drawing: &mut Drawing, frame: &Frame, pole: &str, terms: &[(Text, f6
         let text = Text::italic("μ").and("v", true, Level::Sub);
         drawing.caption(text.and(&format!(" = {} (m/s)/mm", scale.text()), false, Level::Base));
     }
-    for (row, line) in terms.chunks(4).enumerate() {
-        let mut text = if row == 0 {
-            let sum = Text::upright("Σ").and("M", true, Level::Base).and(pole, true, Level::Sub);
-            sum.and(" = 0, in N·m/s:  ", false, Level::Base)
-        } else {
-            Text::default()
-        };
-        for (i, (name, power)) in line.iter().enumerate() {
-            let lead = if i > 0 { ",  " } else { "" };
-            text = text.and(lead, false, Level::Base);
-            text.runs.extend(name.runs.iter().cloned());
-            text = text.and(&format!(": {}", plain(*power)), false, Level::Base);
-        }
-        drawing.caption(text);
+    if terms.is_empty() {
+        return;
     }
+    let sum = Text::upright("Σ").and("M", true, Level::Base).and(pole, true, Level::Sub);
+    let mut text = sum.and(" = 0, W:  ", false, Level::Base);
+    for (i, (name, power)) in terms.iter().enumerate() {
+        let lead = if i > 0 { ",  " } else { "" };
+        text = text.and(lead, false, Level::Base);
+        text.runs.extend(name.runs.iter().cloned());
+        text = text.and(&format!(": {}", plain(*power)), false, Level::Base);
+    }
+    drawing.caption(text);
 }
