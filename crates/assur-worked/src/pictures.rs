@@ -5,13 +5,10 @@ use crate::document::Figure;
 use crate::localised::drawing_in;
 use crate::words::{Language, Message};
 use assur_drawing::{Drawing, Theme};
-use assur_math::math::Vec2;
 use assur_picture::{Kind, Options, draw};
 
 /// What A4 has between the margins, mm.
 const PAPER: f64 = 182.0;
-/// The height of the scheme of a sheet, which leaves room for the tasks on its page, mm.
-const SHEET: f64 = 72.0;
 /// How often a picture is drawn with less space, and how much less than what it seems to need.
 const TRIES: u8 = 4;
 const LESS: f64 = 0.96;
@@ -24,14 +21,14 @@ impl Derivation<'_> {
         drawings.map(figure).collect()
     }
 
-    /// The scheme without anything that is found: loads against the motion show its sense.
+    /// The scheme without anything that is found: loads against the motion show its sense, so that none is drawn with these.
     pub fn blank_scheme(&self) -> Vec<Figure> {
         let against = self.scene.mechanism().loads.iter().any(assur_model::model::Load::is_against_motion);
         let mut options = Options::default();
         if against {
             options.scheme.loads = assur_picture::Loads::WithoutAgainst;
         }
-        let size = Vec2::new(options.scheme.size.x, SHEET);
+        let size = options.scheme.size;
         let mut made = |smaller: f64| {
             (options.scheme.size, options.scheme.grows) = (size * smaller, smaller >= 1.0);
             let mut drawing = draw(Kind::Scheme, &self.scene, &options).ok()?.into_iter().next()?;
