@@ -34,8 +34,6 @@ pub enum Block {
     /// A heading of the second level or below.
     Heading(u8, String),
     Paragraph(Line),
-    /// Numbered items.
-    List(Vec<Line>),
     /// A remark in softer print.
     Remark(Line),
     Equation(Lines),
@@ -74,8 +72,6 @@ pub struct Figure {
 
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
-    /// What its reader fills in, above the title: parts of a line.
-    pub head: Vec<String>,
     pub title: String,
     /// The language of its sentences.
     pub language: &'static str,
@@ -140,7 +136,6 @@ impl Block {
         match self {
             Self::Equation(lines) => Self::Equation(lines.with_commas()),
             Self::Paragraph(line) => Self::Paragraph(line_with_commas(line)),
-            Self::List(items) => Self::List(items.into_iter().map(line_with_commas).collect()),
             Self::Remark(line) => Self::Remark(line_with_commas(line)),
             Self::Table(table) => {
                 let rows = table.rows.into_iter().map(|row| row.into_iter().map(line_with_commas).collect());

@@ -26,7 +26,7 @@ impl Derivation<'_> {
         let against = self.scene.mechanism().loads.iter().any(assur_model::model::Load::is_against_motion);
         let mut options = Options::default();
         if against {
-            options.scheme.loads = assur_picture::Loads::WithoutAgainst;
+            options.scheme.loads = assur_picture::Loads::None;
         }
         let size = options.scheme.size;
         let mut made = |smaller: f64| {

@@ -11,9 +11,10 @@ use assur_model::model::{
 };
 
 /// The questions of a file, one after another.
-pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Vec<Line> {
+pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Line {
     let asking = Asking { mechanism, language };
-    mechanism.finds.iter().map(|find| asking.item(find, source)).collect()
+    let each = mechanism.finds.iter().map(|find| asking.item(find, source));
+    each.enumerate().flat_map(|(i, item)| (i > 0).then(|| text("; ")).into_iter().chain(item)).collect()
 }
 
 /// What one question is, without its letters and its unit.

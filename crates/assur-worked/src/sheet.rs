@@ -3,6 +3,7 @@
 use crate::course::{Derivation, plain};
 use crate::document::{Block, Document, Inline, Line, Table, text};
 use crate::forces::quantity_name;
+use crate::problem::two_abreast;
 use crate::questions::questions;
 use crate::words::{Language, Message, say};
 use crate::worked::{given_rows, without_empty};
@@ -93,10 +94,9 @@ pub struct Exercise<'a> {
 pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Variants>) -> Document {
     let words = |message: Message| plain(&say(language, message, &[]));
     let remark = |message: Message| Block::Remark(say(language, message, &[]));
-    let heading = |message: Message| Block::Heading(3, words(message));
-    let sentence = |message: Message, words: &str| say(language, message, &[vec![text(words)]]);
-    let head = plain(&sentence(Message::SheetHead, exercise.row.as_deref().unwrap_or("____")));
-    let mut blocks = Vec::new();
+    let heading = |message: Message| Block::Heading(2, words(message));
+    let of = |message: Message, words: &str| Block::Remark(say(language, message, &[vec![text(words)]]));
+    let mut blocks = vec![of(Message::SheetHead, exercise.row.as_deref().unwrap_or("____"))];
     let notes = exercise.notes_without();
     if !notes.is_empty() {
         blocks.push(Block::Paragraph(vec![text(notes)]));
@@ -104,22 +104,19 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
     // a scheme would show where counterweights are, which is asked
     let drawn = exercise.scene.zip(exercise.shown).filter(|_| exercise.mechanism.counterweights.is_empty());
     if let Some((scene, shown)) = drawn {
-        let mut scheme = Derivation::new(shown, language).blank_scheme();
+        let scheme = Derivation::new(shown, language).blank_scheme();
         if !scheme.is_empty() {
-            // there is no other figure
-            scheme.iter_mut().for_each(|figure| figure.caption.clear());
             blocks.push(Block::Figures(scheme));
-            blocks.extend(
-                variants.as_ref().map(|v| Block::Paragraph(sentence(Message::DrawnFor, &v.drawn_for))),
-            );
+            blocks.extend(variants.as_ref().map(|v| of(Message::DrawnFor, &v.drawn_for)));
         }
         if shown.pose.name != scene.pose.name || shown.pose.drives != scene.pose.drives {
             blocks.push(remark(Message::OtherPose));
         }
     }
+    blocks.push(heading(Message::Given));
     blocks.extend(exercise.given(language));
     if let Some(Variants { columns, rows, drawn_for, in_text }) = variants {
-        let (columns, rows) = numbered(columns, rows);
+        blocks.push(heading(Message::Variants));
         let header = |(name, unit): &(String, String)| match name.as_str() {
             "variant" => say(language, Message::Variant, &[]),
             name if unit.is_empty() => vec![Inline::Math(name_node(&quantity_name(name)))],
@@ -130,10 +127,10 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
         };
         let headers = columns.iter().map(header).collect();
         blocks.push(Block::Table(Table { headers, ..table(Vec::new(), rows) }));
-        blocks.extend(in_text.then(|| Block::Paragraph(sentence(Message::TextOf, &drawn_for))));
+        blocks.extend(in_text.then(|| of(Message::TextOf, &drawn_for)));
     }
     blocks.push(heading(Message::Find));
-    blocks.push(Block::List(questions(exercise.mechanism, exercise.text, language)));
+    blocks.push(Block::Paragraph(questions(exercise.mechanism, exercise.text, language)));
     blocks.push(heading(Message::Answers));
     let positions = exercise.positions_without();
     let several = positions.len() > 1 && positions.len() <= MOST_LINES;
@@ -154,21 +151,7 @@ pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Varia
     }
     let headers = headers(true);
     blocks.extend(in_parts(&[], &headers, &[blank(headers.len())]));
-    let head = head.split("   ").map(str::to_owned).collect();
-    Document { head, ..document(exercise, language, without_empty(blocks)) }
-}
-
-/// With the numbers of the variants where no column names them.
-fn numbered(
-    columns: Vec<(String, String)>,
-    rows: Vec<Vec<String>>,
-) -> (Vec<(String, String)>, Vec<Vec<String>>) {
-    if columns.iter().any(|(name, _)| name == "variant") {
-        return (columns, rows);
-    }
-    let first = std::iter::once(("variant".to_owned(), String::new()));
-    let rows = rows.into_iter().zip(1..).map(|(row, n): (_, usize)| [vec![n.to_string()], row].concat());
-    (first.chain(columns).collect(), rows.collect())
+    document(exercise, language, without_empty(blocks))
 }
 
 /// The key of a problem: the answers of every row and position, with four digits. `rows` begin with the name of the row and of the position.
@@ -214,7 +197,6 @@ fn document(exercise: &Exercise<'_>, language: Language, blocks: Vec<Block>) -> 
     let comma = language.letters().comma;
     let blocks = blocks.into_iter().map(|b| if comma { b.with_commas() } else { b });
     Document {
-        head: Vec::new(),
         title: if title.is_empty() { exercise.file.to_owned() } else { title.clone() },
         language: language.code(),
         labels: language.labels(),
@@ -342,18 +324,8 @@ impl Exercise<'_> {
             self.others.iter().filter(of_name).all(|other| other.contains(row))
         };
         rows.retain(is_same);
-        if rows.is_empty() {
-            return Vec::new();
-        }
-        let mut line = vec![Inline::Strong(format!("{}: ", plain(&say(language, Message::Given, &[]))))];
-        for (i, [name, value]) in rows.into_iter().enumerate() {
-            line.extend((i > 0).then(|| text("; ")));
-            line.extend(name);
-            line.push(text(" = "));
-            line.extend(value);
-        }
-        line.push(text("."));
-        vec![Block::Paragraph(line)]
+        let headers = [Message::Given, Message::Value].map(|m| say(language, m, &[]));
+        two_abreast(headers, rows).into_iter().map(Block::Table).collect()
     }
 
     /// Whether a row says where a counterweight is.

@@ -201,14 +201,11 @@ impl Sketch<'_, '_> {
         }
     }
 
-    /// Loads as they act now, and weights; those against the motion where they are wanted.
-    pub(super) fn loads(&mut self, drawing: &mut Drawing, against_motion: bool) {
+    /// Loads as they act now, and weights.
+    pub(super) fn loads(&mut self, drawing: &mut Drawing) {
         let scene = self.scene;
         let mut named = Vec::new();
         for (i, load) in scene.mechanism().loads.iter().enumerate() {
-            if load.is_against_motion() && !against_motion {
-                continue;
-            }
             let name = scene.load_words(load).unwrap_or_default();
             drawing.begin("load", &name);
             let value = scene.view().query(&Query::Load(LoadId::at(i)));

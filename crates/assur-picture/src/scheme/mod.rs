@@ -41,8 +41,6 @@ pub enum Loads {
     All,
     /// Not the unknown efforts.
     Given,
-    /// Not those against the motion, whose direction tells of it.
-    WithoutAgainst,
     None,
 }
 
@@ -167,7 +165,7 @@ pub fn efforts(scene: &Scene<'_>, frame: &Frame, taken: Vec<(Vec2, Vec2)>, drawi
     let shapes = shapes(scene);
     let mut sketch = Sketch::new(scene, &shapes, frame);
     sketch.taken = taken;
-    sketch.loads(drawing, true);
+    sketch.loads(drawing);
     sketch.balances(drawing);
     drawing.description += &sketch.said;
 }
@@ -332,9 +330,9 @@ impl<'a, 's> Sketch<'a, 's> {
         self.numbers(drawing);
         self.drives(drawing);
         if wanted.loads != Loads::None {
-            self.loads(drawing, wanted.loads != Loads::WithoutAgainst);
+            self.loads(drawing);
         }
-        if matches!(wanted.loads, Loads::All | Loads::WithoutAgainst) {
+        if wanted.loads == Loads::All {
             self.balances(drawing);
         }
         self.dimensions(drawing, &wanted.dimensions);

@@ -12,10 +12,8 @@ pub fn html(document: &Document) -> String {
     let title = escaped(&document.title);
     let _ = write!(
         out,
-        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body{}>\n<main>\n{}<h1>{title}</h1>\n",
-        document.language,
-        if document.head.is_empty() { "" } else { " class=\"sheet\"" },
-        head(document),
+        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n",
+        document.language
     );
     contents(document, &mut out);
     let mut count = Counted::default();
@@ -24,15 +22,6 @@ pub fn html(document: &Document) -> String {
     }
     out.push_str("</main>\n</body>\n</html>\n");
     out
-}
-
-/// What its reader fills in, above the title.
-fn head(document: &Document) -> String {
-    if document.head.is_empty() {
-        return String::new();
-    }
-    let parts: String = document.head.iter().map(|part| format!("<span>{}</span>", escaped(part))).collect();
-    format!("<p class=\"head\">{parts}</p>\n")
 }
 
 #[derive(Default)]
@@ -68,10 +57,6 @@ fn write_block(document: &Document, block: &Block, count: &mut Counted, out: &mu
         }
         Block::Heading(level, words) => writeln!(out, "<h{level}>{}</h{level}>", escaped(words)),
         Block::Paragraph(line) => writeln!(out, "<p>{}</p>", inline(line)),
-        Block::List(items) => {
-            let items: String = items.iter().map(|item| format!("<li>{}</li>\n", inline(item))).collect();
-            writeln!(out, "<ol class=\"items\">\n{items}</ol>")
-        }
         Block::Remark(line) => writeln!(out, "<p class=\"soft\">{}</p>", inline(line)),
         Block::Equation(lines) => {
             let [begin, end] = fitted("", lines.fit());
@@ -242,13 +227,9 @@ fn write_figures(document: &Document, figures: &[Figure], count: &mut Counted, o
         let class = if matches!(figure.name.as_str(), "plot" | "work") { " class=\"free\"" } else { "" };
         let _ = write!(
             out,
-            "<figure id=\"f{n}\"{class}>\n{}{}</figure>\n",
+            "<figure id=\"f{n}\"{class}>\n{}<figcaption>{label} {n}. {}</figcaption></figure>\n",
             figure.svg.trim_start(),
-            if figure.caption.is_empty() {
-                String::new()
-            } else {
-                format!("<figcaption>{label} {n}. {}</figcaption>", escaped(&figure.caption))
-            }
+            escaped(&figure.caption)
         );
     }
     if figures.len() > 1 {
@@ -284,8 +265,6 @@ msqrt::after{content:\"\";position:absolute;left:.59em;right:0;top:0;border-top:
 figure{margin:1.2em 0;max-width:100%;overflow-x:auto}
 figure svg{max-width:100%;height:auto;display:block}
 figcaption{color:var(--soft);font-size:.93em;margin-top:.4em}
-.head{display:flex;flex-wrap:wrap;justify-content:space-between;gap:.2em 2em;border-bottom:1px solid var(--ink);padding-bottom:.3em}
-.sheet h1{font-size:1.35rem;margin:.6em 0 .3em}.items{margin:.3em 0;padding-left:2em}
 .two{display:flex;flex-wrap:wrap;gap:.5rem 2.5rem;align-items:end}.two figure{margin:.8em 0}
 nav ol{columns:2;padding-left:1.2em}a{color:var(--acc);text-decoration:none}
 @media(max-width:34rem){.eq{padding-left:.4em}nav ol{columns:1}}

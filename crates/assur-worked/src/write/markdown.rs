@@ -6,9 +6,7 @@ use assur_formula::{latex, latex_lines, name_node};
 /// The document, and the names of its pictures' files with their contents.
 #[must_use]
 pub fn markdown(document: &Document, stem: &str) -> (String, Vec<(String, String)>) {
-    let head = document.head.join("   ");
-    let mut out = if head.is_empty() { head } else { format!("{}\n\n", escaped(&head)) };
-    out += &format!("# {}\n", escaped(&document.title));
+    let mut out = format!("# {}\n", escaped(&document.title));
     let mut files = Vec::new();
     for block in &document.blocks {
         out.push('\n');
@@ -17,11 +15,6 @@ pub fn markdown(document: &Document, stem: &str) -> (String, Vec<(String, String
                 out += &format!("{} {}\n", "#".repeat(usize::from(*level)), escaped(words));
             }
             Block::Paragraph(line) | Block::Remark(line) => out += &format!("{}\n", inline(line)),
-            Block::List(items) => {
-                for (i, item) in items.iter().enumerate() {
-                    out += &format!("{}. {}\n", i + 1, inline(item));
-                }
-            }
             Block::Equation(lines) => out += &format!("$$\n{}\n$$\n", latex_lines(lines)),
             Block::Table(table) => out += &table_text(table),
             Block::Vectors(terms) => out += &vectors(document, terms),
@@ -30,10 +23,7 @@ pub fn markdown(document: &Document, stem: &str) -> (String, Vec<(String, String
                     let name = format!("{stem}-{}.svg", files.len() + 1);
                     let caption = escaped(&figure.caption);
                     let label = document.labels.figure;
-                    out += &format!("![{caption}]({name})\n");
-                    if !caption.is_empty() {
-                        out += &format!("\n{label} {}. {caption}\n", files.len() + 1);
-                    }
+                    out += &format!("![{caption}]({name})\n\n{label} {}. {caption}\n", files.len() + 1);
                     files.push((name, figure.svg.clone()));
                 }
             }

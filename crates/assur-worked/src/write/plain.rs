@@ -6,9 +6,7 @@ use assur_formula::{name_node, text as formula, text_lines};
 /// The document as text; pictures are named alone.
 #[must_use]
 pub fn text(document: &Document) -> String {
-    let head = document.head.join("   ");
-    let mut out = if head.is_empty() { head } else { format!("{head}\n\n") };
-    out += &format!("{}\n{}\n", document.title, "=".repeat(width(&document.title)));
+    let mut out = format!("{}\n{}\n", document.title, "=".repeat(width(&document.title)));
     let mut figures = 0;
     let mut after_equation = false;
     for block in &document.blocks {
@@ -26,11 +24,6 @@ pub fn text(document: &Document) -> String {
                 }
             }
             Block::Paragraph(line) | Block::Remark(line) => out += &wrapped(&inline(line)),
-            Block::List(items) => {
-                for (i, item) in items.iter().enumerate() {
-                    out += &wrapped(&format!("{}. {}", i + 1, inline(item)));
-                }
-            }
             Block::Equation(lines) => {
                 for line in text_lines(lines).lines() {
                     out += &format!("    {line}\n");
@@ -41,12 +34,7 @@ pub fn text(document: &Document) -> String {
             Block::Figures(all) => {
                 for figure in all {
                     figures += 1;
-                    let caption = if figure.caption.is_empty() {
-                        String::new()
-                    } else {
-                        format!(". {}", figure.caption)
-                    };
-                    out += &format!("[{} {figures}{caption}]\n", document.labels.figure);
+                    out += &format!("[{} {figures}. {}]\n", document.labels.figure, figure.caption);
                 }
             }
         }

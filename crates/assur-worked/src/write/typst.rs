@@ -7,15 +7,11 @@ use assur_formula::{name_node, typst as formula, typst_lines};
 #[must_use]
 pub fn typst(document: &Document, stem: &str) -> (String, Vec<(String, String)>) {
     let mut out = format!(
-        "#set document(title: \"{}\")\n#set page(paper: \"a4\", margin: (x: 14mm, y: 16mm))\n#set text(lang: \"{}\", size: 10.5pt)\n#show table.cell.where(y: 0): strong\n\n",
+        "#set document(title: \"{}\")\n#set page(paper: \"a4\", margin: (x: 14mm, y: 16mm))\n#set text(lang: \"{}\", size: 10.5pt)\n#show table.cell.where(y: 0): strong\n\n= {}\n",
         document.title.replace('\\', "").replace('"', "'"),
         document.language,
+        escaped(&document.title)
     );
-    if !document.head.is_empty() {
-        let parts: Vec<String> = document.head.iter().map(|part| escaped(part)).collect();
-        out += &format!("{}\n\n#line(length: 100%)\n\n", parts.join(" #h(1fr) "));
-    }
-    out += &format!("= {}\n", escaped(&document.title));
     let mut files = Vec::new();
     for block in &document.blocks {
         out.push('\n');
@@ -24,11 +20,6 @@ pub fn typst(document: &Document, stem: &str) -> (String, Vec<(String, String)>)
                 out += &format!("{} {}\n", "=".repeat(usize::from(*level)), escaped(words));
             }
             Block::Paragraph(line) => out += &format!("{}\n", inline(line)),
-            Block::List(items) => {
-                for item in items {
-                    out += &format!("+ {}\n", inline(item));
-                }
-            }
             Block::Remark(line) => out += &format!("#text(fill: luma(35%))[{}]\n", inline(line)),
             Block::Equation(lines) => out += &format!("$ {} $\n", typst_lines(lines).trim_end()),
             Block::Table(table) => out += &table_text(table),
@@ -37,9 +28,7 @@ pub fn typst(document: &Document, stem: &str) -> (String, Vec<(String, String)>)
                 for figure in figures {
                     let name = format!("{stem}-{}.svg", files.len() + 1);
                     let caption = escaped(&figure.caption);
-                    let caption =
-                        if caption.is_empty() { caption } else { format!(", caption: [{caption}]") };
-                    out += &format!("#figure(image(\"{name}\"){caption})\n");
+                    out += &format!("#figure(image(\"{name}\"), caption: [{caption}])\n");
                     files.push((name, figure.svg.clone()));
                 }
             }
