@@ -12,7 +12,8 @@ use crate::handout::{Handout, Row, Sheets};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
-use assur_worked::{Document, html, markdown, text, typst};
+use assur_worked::{Document, html, html_of_several, markdown, text, typst};
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -44,7 +45,11 @@ pub fn run(args: &Report, screen: &Screen) -> Status {
             of_file(&Report { out: Some(out), made_up: true, ..args.clone() }, format, source, screen)
         });
     }
+    let one_page = args.sheet || args.key;
     match out {
+        Some(_) if inputs.len() > 1 && one_page && !args.per_row && format == ReportFormat::Html => {
+            return chapter(args, inputs, screen);
+        }
         Some(name) if inputs.len() > 1 => return refused(CliError::OneReport { name: name.to_owned() }),
         None if inputs.len() > 1 && format == ReportFormat::Html => {
             return refused(CliError::OneReport { name: "standard output".to_owned() });
@@ -52,6 +57,47 @@ pub fn run(args: &Report, screen: &Screen) -> Status {
         _ => {}
     }
     for_each_input(inputs, &mut Printer::new(screen, "\n"), |source, _| of_file(args, format, source, screen))
+}
+
+/// The sheets or keys of several files on one page, each on new paper; only where all are there.
+fn chapter(args: &Report, inputs: Vec<Result<Input, CliError>>, screen: &Screen) -> Status {
+    let made: RefCell<Vec<Document>> = RefCell::default();
+    let status = for_each_input(inputs, &mut Printer::new(screen, "\n"), |source, _| {
+        let (document, problems) = document_of(args, source);
+        made.borrow_mut().extend(document);
+        reply(Ok(String::new()), &problems, source, screen)
+    });
+    let documents = made.into_inner();
+    if status != Status::Fine || documents.is_empty() {
+        return status;
+    }
+    let name = args.out.as_deref().unwrap_or_default();
+    match Sink::page(Path::new(name)).and_then(|sink| file(sink, &html_of_several(&documents))) {
+        Ok(()) => status,
+        Err(error) => {
+            screen.complain(&complaint(error, screen));
+            Status::Unusable
+        }
+    }
+}
+
+/// What documents of a file are made of, and what is wrong in its text.
+fn handout<'a>(args: &'a Report, source: &'a Source) -> (Handout<'a>, Problems) {
+    let (read, found) = syntax::parse(source);
+    let (read, language) = (Arc::new(read), args.language.into());
+    (Handout::new(source, read, args.overrides(), language, args.pose.as_deref()), found)
+}
+
+/// The document of a file, and what is wrong in it.
+fn document_of(args: &Report, source: &Source) -> (Option<Document>, Problems) {
+    let (handout, found) = handout(args, source);
+    if args.key {
+        Sheets::of(&handout, found).key()
+    } else if args.sheet {
+        Sheets::of(&handout, found).for_all()
+    } else {
+        handout.worked(found, &args.steps)
+    }
 }
 
 /// The names of the files of a folder by those of the problems: without their folders where these tell none apart.
@@ -83,18 +129,12 @@ fn folder_names(inputs: &[Result<Input, CliError>]) -> BTreeMap<String, String> 
 }
 
 fn of_file(args: &Report, format: ReportFormat, source: &Source, screen: &Screen) -> Reply {
-    let (read, found) = syntax::parse(source);
-    let handout =
-        Handout::new(source, Arc::new(read), args.overrides(), args.language.into(), args.pose.as_deref());
-    let out = args.out.as_deref();
-    let (made, problems) = if args.key || args.sheet && !args.per_row {
-        let sheets = Sheets::of(&handout, found);
-        if args.key { sheets.key() } else { sheets.for_all() }
-    } else if args.sheet {
+    if args.per_row {
+        let (handout, found) = handout(args, source);
         return each(args, format, Sheets::of(&handout, found), screen);
-    } else {
-        handout.worked(found, &args.steps)
-    };
+    }
+    let (made, problems) = document_of(args, source);
+    let out = args.out.as_deref();
     let written = made.map_or(Ok(String::new()), |document| written(args, format, document, out));
     reply(written, &problems, source, screen)
 }

@@ -25,7 +25,7 @@ fn part<'t>(page: &'t str, from: &str, to: &str) -> &'t str {
 fn a_train_by_teeth_has_no_radii() {
     let sheet = report(TRAIN, &["--sheet"]);
     let given = part(&sheet, "Given", "Find");
-    for value in ["z_s    24", "z_p    30", "z_r    84", "40 N·m", "94.248 rad/s"] {
+    for value in ["z_s = 24", "z_p = 30", "z_r = 84", "40 N·m", "94.248 rad/s"] {
         assert!(given.contains(value), "{value}: {given}");
     }
     let page = report(TRAIN, &[]);
@@ -79,7 +79,7 @@ fn a_sheet_for_all_says_whose_values_it_has() {
         "A crank of r = 80 mm turns at n = 500 rpm",
         "The scheme is drawn for variant 1 (A1).",
         "The values in the text are those of variant 1 (A1).",
-        "v – velocity of C, x component, m/s; a – acceleration of C, x component, m/s²;",
+        "1. v – velocity of C, x component, m/s\n2. a – acceleration of C, x component, m/s²\n",
     ] {
         assert!(sheet.contains(words), "{words}: {sheet}");
     }
@@ -97,7 +97,7 @@ fn places_of_the_position_are_not_given() {
     let sheet = report(text, &["--sheet"]);
     let given = part(&sheet, "Given", "Find");
     let words = given.split_whitespace().collect::<Vec<_>>().join(" ");
-    for value in ["x_F3 0.08 m", "y_F3 0.2 m", "F_3 134.16 N", "l_BD 300 mm"] {
+    for value in ["x_F3 = 0.08 m", "y_F3 = 0.2 m", "F_3 = 134.16 N", "l_BD = 300 mm"] {
         assert!(words.contains(value), "{value}: {given}");
     }
     assert!(!given.contains("P1") && !given.contains("P2"), "{given}");
@@ -170,6 +170,17 @@ fn folders_of_problems_become_folders_of_sheets() {
     assert_eq!((out.status, out.stderr.as_str()), (0, ""));
     assert_eq!(names("rows").len(), 8);
     assert_eq!(names("rows")[1], "a-2-A2.html");
+    // a chapter on one page, each sheet on new paper
+    let out = assur(&folder, &["report", "set", "--sheet", "-o", "chapter.html"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let page = folder.read("chapter.html");
+    assert_eq!((page.matches("<main class=\"sheet\">").count(), page.matches("<html").count()), (3, 1));
+    assert!(page.contains(".sheet+.sheet{break-before:page"), "{page}");
+    let ids: Vec<&str> =
+        page.split("<figure id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert_eq!(ids.len(), ids.iter().collect::<std::collections::BTreeSet<_>>().len(), "{ids:?}");
+    let out = assur(&folder, &["report", "set", "--sheet", "-o", "chapter.md"]);
+    assert_eq!(out.status, 2, "pictures of several have no place");
     let out = assur(&folder, &["report", "set", "--sheet", "-o", "set/a.mech/x"]);
     assert_eq!(out.status, 2);
 }

@@ -4,7 +4,7 @@ use crate::document::{Inline, Line, text};
 use crate::forces::quantity_name;
 use crate::sheet::printed_unit;
 use crate::words::{FunctionWords, Language, QuestionMessage, RunMessage, say};
-use assur_formula::{Expr as Formula, Function, Name, Node, Quantity, Sign, Unit, letters, name_node};
+use assur_formula::{Expr as Formula, Function, Name, Node, Quantity, Sign, Unit, name_node};
 use assur_model::model::Mechanism;
 use assur_syntax::document::{
     Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, PassingSense, Statement, UnaryOp,
@@ -13,10 +13,31 @@ use assur_text::language::Function as Builtin;
 use assur_text::source::Source;
 use std::sync::Arc;
 
+/// Signs of a letter; more are a word.
+const LETTER: usize = 2;
+
 /// A question of a file in words and letters; none where it is neither.
 pub fn asked(mechanism: &Mechanism, written: &str, language: Language) -> Option<Line> {
     let item = parsed(written)?;
     Writer { mechanism, language }.words(&item)
+}
+
+/// The letters of one quantity, or of its size: what a column of answers is headed with.
+pub fn letters(mechanism: &Mechanism, written: &str, language: Language) -> Option<Node> {
+    let (item, writer) = (parsed(written)?, Writer { mechanism, language });
+    let formula = match &item.kind {
+        ExprKind::Name(name) if !writer.is_value(name) => return None,
+        _ => writer.formula(&item)?,
+    };
+    let is_name = |formula: &Formula| match formula {
+        Formula::Leaf(own) => own.name.letter.chars().count() <= LETTER,
+        _ => false,
+    };
+    let short = match &formula {
+        Formula::Abs(of) => is_name(of),
+        formula => is_name(formula),
+    };
+    short.then(|| assur_formula::letters(&formula))
 }
 
 /// What the file writes, in letters; none where it has words.
@@ -73,7 +94,9 @@ impl Writer<'_> {
                 }
                 _ => self.letters(expr),
             },
-            ExprKind::Name(name) if self.is_thing(name) => Some(vec![text(&**name)]),
+            ExprKind::Name(name) if self.is_thing(name) => {
+                Some(vec![text(self.number(name).unwrap_or(name))])
+            }
             _ => self.letters(expr),
         }
     }
@@ -99,7 +122,7 @@ impl Writer<'_> {
                 line.push(text(")"));
                 Some(line)
             }
-            _ => Some(vec![Inline::Math(dotted(letters(&formula)))]),
+            _ => Some(vec![Inline::Math(dotted(assur_formula::letters(&formula)))]),
         }
     }
 
@@ -156,7 +179,7 @@ impl Writer<'_> {
     }
 
     fn letters(&self, expr: &Expr) -> Option<Line> {
-        Some(vec![Inline::Math(dotted(letters(&self.formula(expr)?)))])
+        Some(vec![Inline::Math(dotted(assur_formula::letters(&self.formula(expr)?)))])
     }
 
     /// Whether a name is one of a link, a pair, a point or another part, which is set as it is.
@@ -249,7 +272,11 @@ impl Writer<'_> {
             "acceleration" => "a",
             "jerk" => "j",
             "angular_jerk" => "ζ",
+            "position" => "r",
+            "relative_velocity" => "v",
+            "relative_acceleration" => "a",
             "displacement" => "s",
+            "axial" => "N",
             "reaction" => "R",
             "normal" => "N",
             "moment" => "M",
@@ -263,13 +290,16 @@ impl Writer<'_> {
         Some(leaf(Name::new(letter, &parts?.join(","))))
     }
 
+    /// The number of a link.
+    fn number(&self, name: &str) -> Option<&str> {
+        let number = self.mechanism.links.iter().find(|link| link.name == name)?.number.as_deref();
+        number.or((name == "ground").then_some("0"))
+    }
+
     /// An argument as an index: of a link its number.
     fn index(&self, expr: &Expr) -> Option<String> {
         match &expr.kind {
-            ExprKind::Name(name) => {
-                let link = self.mechanism.links.iter().find(|link| link.name == *name);
-                Some(link.and_then(|link| link.number.clone()).unwrap_or_else(|| name.clone()))
-            }
+            ExprKind::Name(name) => Some(self.number(name).unwrap_or(name).to_owned()),
             ExprKind::Member(_, point) => Some(point.node.clone()),
             _ => match self.formula(expr)? {
                 Formula::Leaf(own) => Some(format!("{}{}", own.name.letter, own.name.sub)),

@@ -38,6 +38,12 @@ pub enum Block {
     Remark(Line),
     Equation(Lines),
     Table(Table),
+    /// A table whose cells are filled in by hand.
+    Form(Table),
+    /// Numbered items.
+    List(Vec<Line>),
+    /// Room to write in, with a heading.
+    Room(String),
     /// A vector equation with what is known of its terms.
     Vectors(Vec<Term>),
     /// Figures next to each other.
@@ -73,6 +79,8 @@ pub struct Figure {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     pub title: String,
+    /// What is to be filled in above the title.
+    pub fields: Vec<String>,
     /// The language of its sentences.
     pub language: &'static str,
     /// The words that writers need: contents, figure, rows of vector equations.
@@ -84,9 +92,20 @@ pub struct Document {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Labels {
     pub contents: &'static str,
+    /// None where figures have no numbers.
     pub figure: &'static str,
     /// Equation, magnitude, direction
     pub rows: [&'static str; 3],
+}
+
+impl Labels {
+    /// What stands below a figure: its number, where figures have one, and its caption.
+    pub(crate) fn below(&self, number: usize, caption: &str) -> String {
+        match self.figure {
+            "" => caption.to_owned(),
+            label => format!("{label} {number}. {caption}"),
+        }
+    }
 }
 
 impl Document {
@@ -137,6 +156,7 @@ impl Block {
             Self::Equation(lines) => Self::Equation(lines.with_commas()),
             Self::Paragraph(line) => Self::Paragraph(line_with_commas(line)),
             Self::Remark(line) => Self::Remark(line_with_commas(line)),
+            Self::List(items) => Self::List(items.into_iter().map(line_with_commas).collect()),
             Self::Table(table) => {
                 let rows = table.rows.into_iter().map(|row| row.into_iter().map(line_with_commas).collect());
                 Self::Table(Table { rows: rows.collect(), ..table })
@@ -149,7 +169,7 @@ impl Block {
                 };
                 Self::Vectors(terms.into_iter().map(of).collect())
             }
-            Self::Heading(..) | Self::Figures(_) => self,
+            Self::Heading(..) | Self::Figures(_) | Self::Form(_) | Self::Room(_) => self,
         }
     }
 }

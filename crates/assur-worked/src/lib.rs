@@ -47,4 +47,4 @@ pub use sheet::{
 };
 pub use words::{Language, Sentence, TutorialMessage, phrase};
 pub use worked::{Part, Size, Worked, worked, worked_from};
-pub use write::{html, markdown, text, typst, typst_escaped};
+pub use write::{html, html_of_several, markdown, text, typst, typst_escaped};

@@ -5,10 +5,13 @@ use crate::document::Figure;
 use crate::localised::drawing_in;
 use crate::words::{Language, Message};
 use assur_drawing::{Drawing, Theme};
+use assur_math::math::Vec2;
 use assur_picture::{Kind, Options, draw};
 
 /// What A4 has between the margins, mm.
 const PAPER: f64 = 182.0;
+/// What a mechanism takes on a sheet, mm: the rest of the page is for the problem.
+const SHEET: Vec2 = Vec2 { x: 176.0, y: 66.0 };
 /// How often a picture is drawn with less space, and how much less than what it seems to need.
 const TRIES: u8 = 4;
 const LESS: f64 = 0.96;
@@ -21,13 +24,11 @@ impl Derivation<'_> {
         drawings.map(figure).collect()
     }
 
-    /// The scheme without anything that is found: loads against the motion show its sense, so that none is drawn with these.
-    pub fn blank_scheme(&self) -> Vec<Figure> {
-        let against = self.scene.mechanism().loads.iter().any(assur_model::model::Load::is_against_motion);
+    /// The scheme of a sheet, with unknown efforts in their positive sense; with loads against the motion where its sense is no question.
+    pub fn blank_scheme(&self, with_senses: bool) -> Vec<Figure> {
         let mut options = Options::default();
-        if against {
-            options.scheme.loads = assur_picture::Loads::None;
-        }
+        options.scheme.against_motion = with_senses;
+        options.scheme.size = SHEET;
         let size = options.scheme.size;
         let mut made = |smaller: f64| {
             (options.scheme.size, options.scheme.grows) = (size * smaller, smaller >= 1.0);

@@ -1,9 +1,10 @@
 //! What a file asks for, in words and letters.
 
+use crate::asked_formula::letters;
 use crate::document::{Inline, Line, text};
 use crate::forces::quantity_name;
 use crate::words::{FunctionWords, Language, QuestionMessage, say};
-use assur_formula::name_node;
+use assur_formula::{Node, name_node};
 use assur_math::math::{SAME, Vec2};
 use assur_model::model::{
     Axis, BalanceKind, CycleFunction, Expr, Find, FindKind, FlywheelPart, Function, LinkId, Mechanism,
@@ -11,10 +12,26 @@ use assur_model::model::{
 };
 
 /// The questions of a file, one after another.
-pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Line {
+pub fn questions(mechanism: &Mechanism, source: &str, language: Language) -> Vec<Line> {
     let asking = Asking { mechanism, language };
-    let each = mechanism.finds.iter().map(|find| asking.item(find, source));
-    each.enumerate().flat_map(|(i, item)| (i > 0).then(|| text("; ")).into_iter().chain(item)).collect()
+    mechanism.finds.iter().map(|find| asking.item(find, source)).collect()
+}
+
+/// The letters of a question: those of its name, else of what it is; none where it has only words.
+pub fn letters_of(mechanism: &Mechanism, find: &Find, source: &str, language: Language) -> Option<Node> {
+    let written = written(find, source);
+    let named = named(find, written);
+    let own = named.and_then(|name| letters(mechanism, name, language));
+    own.or_else(|| letters(mechanism, &formula(written, named), language))
+}
+
+fn written<'a>(find: &'a Find, source: &'a str) -> &'a str {
+    source.get(find.span.start..find.span.end).unwrap_or(&find.name)
+}
+
+/// The name that the author gave it.
+fn named<'a>(find: &Find, written: &'a str) -> Option<&'a str> {
+    written.split_once('=').map(|(name, _)| name.trim()).filter(|name| *name == find.name)
 }
 
 /// What one question is, without its letters and its unit.
@@ -45,19 +62,25 @@ impl Asking<'_> {
         line
     }
 
-    /// What a question is, after the letters that it has of its own.
+    /// What a question is, after the letters that it has.
     fn named(&self, find: &Find, source: &str, with_letters: bool) -> Line {
-        let written = source.get(find.span.start..find.span.end).unwrap_or(&find.name);
+        let written = written(find, source);
         let expr = match &find.kind {
             FindKind::Reactions => return self.say(QuestionMessage::Reactions, &[]),
             FindKind::Table(_) => return self.table(written),
             FindKind::Value { expr, .. } => expr,
         };
-        let named = written.split_once('=').map(|(name, _)| name.trim()).filter(|name| *name == find.name);
+        let named = named(find, written);
         let mut line = Vec::new();
         let words = self.expr(expr);
-        if let Some(name) = named.filter(|_| with_letters) {
-            line.push(Inline::Math(name_node(&quantity_name(name))));
+        // what is only a formula needs no letters but its name's
+        let letters = match named {
+            _ if !with_letters => None,
+            None if words.is_none() => None,
+            _ => letters_of(self.mechanism, find, source, self.language).map(Inline::Math),
+        };
+        if let Some(letters) = letters.filter(|l| words.as_ref().is_none_or(|words| !words.contains(l))) {
+            line.push(letters);
             line.push(text(" – "));
         }
         match words {
@@ -223,7 +246,8 @@ impl Asking<'_> {
     }
 
     fn link(&self, id: LinkId) -> Line {
-        vec![text(&*self.mechanism.link(id).name)]
+        let link = self.mechanism.link(id);
+        vec![text(link.number.clone().unwrap_or_else(|| link.name.clone()))]
     }
 
     fn pair(&self, id: PairId) -> Line {

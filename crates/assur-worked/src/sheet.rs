@@ -1,10 +1,10 @@
 //! Exercise sheets without answers, and their keys.
 
+use crate::asked_formula::letters;
 use crate::course::{Derivation, plain};
 use crate::document::{Block, Document, Inline, Line, Table, text};
 use crate::forces::quantity_name;
-use crate::problem::two_abreast;
-use crate::questions::questions;
+use crate::questions::{letters_of, questions};
 use crate::words::{Language, Message, say};
 use crate::worked::{given_rows, without_empty};
 use assur_formula::{Name, name_node};
@@ -93,65 +93,63 @@ pub struct Exercise<'a> {
 #[must_use]
 pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Variants>) -> Document {
     let words = |message: Message| plain(&say(language, message, &[]));
-    let remark = |message: Message| Block::Remark(say(language, message, &[]));
     let heading = |message: Message| Block::Heading(2, words(message));
-    let of = |message: Message, words: &str| Block::Remark(say(language, message, &[vec![text(words)]]));
-    let mut blocks = vec![of(Message::SheetHead, exercise.row.as_deref().unwrap_or("____"))];
+    let mut blocks = Vec::new();
     let notes = exercise.notes_without();
     if !notes.is_empty() {
         blocks.push(Block::Paragraph(vec![text(notes)]));
     }
-    // a scheme would show where counterweights are, which is asked
-    let drawn = exercise.scene.zip(exercise.shown).filter(|_| exercise.mechanism.counterweights.is_empty());
-    if let Some((scene, shown)) = drawn {
-        let scheme = Derivation::new(shown, language).blank_scheme();
-        if !scheme.is_empty() {
-            blocks.push(Block::Figures(scheme));
-            blocks.extend(variants.as_ref().map(|v| of(Message::DrawnFor, &v.drawn_for)));
-        }
-        if shown.pose.name != scene.pose.name || shown.pose.drives != scene.pose.drives {
-            blocks.push(remark(Message::OtherPose));
-        }
-    }
+    blocks.extend(exercise.scheme(language, variants.as_ref()));
     blocks.push(heading(Message::Given));
     blocks.extend(exercise.given(language));
-    if let Some(Variants { columns, rows, drawn_for, in_text }) = variants {
+    if let Some(variants) = variants {
         blocks.push(heading(Message::Variants));
-        let header = |(name, unit): &(String, String)| match name.as_str() {
-            "variant" => say(language, Message::Variant, &[]),
-            name if unit.is_empty() => vec![Inline::Math(name_node(&quantity_name(name)))],
-            name => {
-                let unit = format!(", {}", printed_unit(unit).trim_start());
-                vec![Inline::Math(name_node(&quantity_name(name))), text(unit)]
-            }
-        };
-        let headers = columns.iter().map(header).collect();
-        blocks.push(Block::Table(Table { headers, ..table(Vec::new(), rows) }));
-        blocks.extend(in_text.then(|| of(Message::TextOf, &drawn_for)));
+        blocks.extend(table_of(variants, language));
     }
     blocks.push(heading(Message::Find));
-    blocks.push(Block::Paragraph(questions(exercise.mechanism, exercise.text, language)));
+    blocks.push(Block::List(questions(exercise.mechanism, exercise.text, language)));
     blocks.push(heading(Message::Answers));
-    let positions = exercise.positions_without();
-    let several = positions.len() > 1 && positions.len() <= MOST_LINES;
-    let headers = |whole: bool| -> Vec<String> {
-        exercise
-            .asked
-            .iter()
-            .filter(|a| !several || a.whole == whole)
-            .flat_map(SheetQuestion::headers)
-            .collect()
+    blocks.extend(exercise.answers(language));
+    let mut blocks = without_empty(blocks);
+    blocks.push(Block::Room(words(Message::Solution)));
+    let variant = vec![text(exercise.row.as_deref().unwrap_or("____"))];
+    let head = plain(&say(language, Message::SheetHead, &[variant]));
+    let mut sheet = document(exercise, language, blocks);
+    sheet.fields = head.split("   ").map(str::to_owned).collect();
+    // one picture needs no number
+    sheet.labels.figure = "";
+    sheet
+}
+
+/// The table of all variants, each with its number.
+fn table_of(Variants { columns, mut rows, drawn_for, in_text }: Variants, language: Language) -> Vec<Block> {
+    let header = |(name, unit): &(String, String)| match name.as_str() {
+        "variant" => say(language, Message::Variant, &[]),
+        name => with_unit(Inline::Math(name_node(&quantity_name(name))), unit),
     };
-    let blank = |count: usize| vec![String::from("\u{2003}"); count];
-    if several {
-        let headers = headers(false);
-        let row = |name: &String| [vec![name.clone()], blank(headers.len())].concat();
-        let rows: Vec<Vec<String>> = positions.into_iter().map(row).collect();
-        blocks.extend(in_parts(&[words(Message::Position)], &headers, &rows));
+    let mut headers: Vec<Line> = columns.iter().map(header).collect();
+    for cell in rows.iter_mut().flatten() {
+        if cell.parse::<f64>().is_ok() {
+            *cell = cell.replace('-', "−");
+        }
     }
-    let headers = headers(true);
-    blocks.extend(in_parts(&[], &headers, &[blank(headers.len())]));
-    document(exercise, language, without_empty(blocks))
+    if columns.iter().all(|(name, _)| name != "variant") {
+        headers.insert(0, say(language, Message::Variant, &[]));
+        rows.iter_mut().enumerate().for_each(|(i, row)| row.insert(0, (i + 1).to_string()));
+    }
+    let mut blocks = vec![Block::Table(Table { headers, ..table(Vec::new(), rows) })];
+    let of_text = || Block::Remark(say(language, Message::TextOf, &[vec![text(drawn_for)]]));
+    blocks.extend(in_text.then(of_text));
+    blocks
+}
+
+/// Letters with a unit behind them.
+fn with_unit(letters: Inline, unit: &str) -> Line {
+    let mut line = vec![letters];
+    if !unit.is_empty() {
+        line.push(text(format!(", {}", printed_unit(unit).trim_start())));
+    }
+    line
 }
 
 /// The key of a problem: the answers of every row and position, with four digits. `rows` begin with the name of the row and of the position.
@@ -176,6 +174,16 @@ pub fn key(
     document(exercise, language, blocks)
 }
 
+/// Empty cells under headers, beside the names of their rows, in several parts where there are many.
+fn forms(lead: &[Line], headers: &[Line], rows: &[Vec<String>]) -> Vec<Block> {
+    let part = |headers: &[Line]| {
+        let empty = vec!["\u{2003}".to_owned(); headers.len()];
+        let rows = rows.iter().map(|row| [row.as_slice(), &empty].concat()).collect();
+        Block::Form(Table { headers: [lead, headers].concat(), ..table(Vec::new(), rows) })
+    };
+    headers.chunks(IN_PART).map(part).collect()
+}
+
 /// A wide table in parts, each with the columns that name its rows.
 fn in_parts(lead: &[String], headers: &[String], rows: &[Vec<String>]) -> Vec<Block> {
     let first = lead.len();
@@ -197,6 +205,7 @@ fn document(exercise: &Exercise<'_>, language: Language, blocks: Vec<Block>) -> 
     let comma = language.letters().comma;
     let blocks = blocks.into_iter().map(|b| if comma { b.with_commas() } else { b });
     Document {
+        fields: Vec::new(),
         title: if title.is_empty() { exercise.file.to_owned() } else { title.clone() },
         language: language.code(),
         labels: language.labels(),
@@ -228,6 +237,28 @@ pub fn asks_for_positions(mechanism: &Mechanism) -> bool {
         }
     }
     positions
+}
+
+/// Whether a file asks how something moves: a load against the motion shows its sense.
+fn asks_for_motion(mechanism: &Mechanism) -> bool {
+    let mut motion = false;
+    for find in &mechanism.finds {
+        let FindKind::Value { expr, .. } = &find.kind else { continue };
+        crate::prune::queries(mechanism, expr, &mut |query| {
+            motion |= matches!(
+                query,
+                Query::Velocity(_)
+                    | Query::Omega(_)
+                    | Query::RelativeVelocity(_)
+                    | Query::Sliding(_)
+                    | Query::Position(_)
+                    | Query::Angle(_)
+                    | Query::Displacement(_)
+                    | Query::LinkDirection(_)
+            );
+        });
+    }
+    motion
 }
 
 impl SheetQuestion {
@@ -324,8 +355,70 @@ impl Exercise<'_> {
             self.others.iter().filter(of_name).all(|other| other.contains(row))
         };
         rows.retain(is_same);
-        let headers = [Message::Given, Message::Value].map(|m| say(language, m, &[]));
-        two_abreast(headers, rows).into_iter().map(Block::Table).collect()
+        let one = |[name, value]: GivenRow| {
+            let value = plain(&value).replace(' ', "\u{a0}");
+            [vec![text("; ")], name, vec![text(format!("\u{a0}= {value}"))]].concat()
+        };
+        let line: Line = rows.into_iter().flat_map(one).skip(1).collect();
+        if line.is_empty() { Vec::new() } else { vec![Block::Paragraph(line)] }
+    }
+
+    /// The scheme, where it tells nothing that is asked for.
+    fn scheme(&self, language: Language, variants: Option<&Variants>) -> Vec<Block> {
+        // a scheme would show where counterweights are, which is asked
+        let drawn = self.scene.zip(self.shown).filter(|_| self.mechanism.counterweights.is_empty());
+        let Some((scene, shown)) = drawn else { return Vec::new() };
+        let elsewhere = shown.pose.name != scene.pose.name || shown.pose.drives != scene.pose.drives;
+        let senses = !elsewhere && !asks_for_motion(self.mechanism);
+        let mut scheme = Derivation::new(shown, language).blank_scheme(senses);
+        if let Some(Variants { drawn_for, .. }) = variants {
+            let caption = plain(&say(language, Message::DrawnFor, &[vec![text(drawn_for)]]));
+            scheme.iter_mut().for_each(|figure| figure.caption.clone_from(&caption));
+        }
+        let mut blocks = vec![Block::Figures(scheme)];
+        blocks.retain(|block| !matches!(block, Block::Figures(figures) if figures.is_empty()));
+        if elsewhere {
+            blocks.push(Block::Remark(say(language, Message::OtherPose, &[])));
+        }
+        blocks
+    }
+
+    /// Cells for the answers, by position where there are several.
+    fn answers(&self, language: Language) -> Vec<Block> {
+        let positions = self.positions_without();
+        let several = positions.len() > 1 && positions.len() <= MOST_LINES;
+        let headers = |whole: bool| -> Vec<Line> {
+            let asked = self.asked.iter().filter(|a| self.is_question(a) && (!several || a.whole == whole));
+            asked.flat_map(|asked| self.headers(asked, language)).collect()
+        };
+        let mut blocks = Vec::new();
+        if several {
+            let rows: Vec<Vec<String>> = positions.into_iter().map(|name| vec![name.clone()]).collect();
+            blocks.extend(forms(&[say(language, Message::Position, &[])], &headers(false), &rows));
+        }
+        blocks.extend(forms(&[], &headers(true), &[Vec::new()]));
+        blocks
+    }
+
+    /// Whether a file asks for an answer, by its name or with all others of its kind.
+    fn is_question(&self, asked: &SheetQuestion) -> bool {
+        let finds = &self.mechanism.finds;
+        finds.iter().any(|find| find.name == asked.name || !matches!(find.kind, FindKind::Value { .. }))
+    }
+
+    /// The letters of a question with its unit, by component; the number of the question where it has none.
+    fn headers(&self, asked: &SheetQuestion, language: Language) -> Vec<Line> {
+        let number = self.mechanism.finds.iter().position(|find| find.name == asked.name);
+        let find = number.map(|i| &self.mechanism.finds[i]).filter(|_| !asked.vector);
+        let own = || letters_of(self.mechanism, find?, self.text, language);
+        let parts: &[&str] = if asked.vector { &[".x", ".y"] } else { &[""] };
+        let header = |part: &&str| {
+            let written = format!("{}{part}", asked.name);
+            let words = || number.map_or_else(|| written.clone(), |i| format!("({}){part}", i + 1));
+            let letters = own().or_else(|| letters(self.mechanism, &written, language));
+            with_unit(letters.map_or_else(|| text(words()), Inline::Math), &asked.unit)
+        };
+        parts.iter().map(header).collect()
     }
 
     /// Whether a row says where a counterweight is.

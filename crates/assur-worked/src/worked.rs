@@ -135,6 +135,7 @@ pub fn worked_from(
     }
     let title = if scene.mechanism().title.is_empty() { scene.file } else { &scene.mechanism().title };
     let document = Document {
+        fields: Vec::new(),
         title: title.to_owned(),
         language: language.code(),
         labels: language.labels(),

@@ -26,7 +26,8 @@ pub struct Report {
     /// 5 loads and inertia forces, 6 reactions and balance, 7 check, 8 results [default: all]
     #[arg(long, value_name = "PARTS", value_delimiter = ',', value_parser = part)]
     pub steps: Vec<Part>,
-    /// Write an exercise sheet instead: statement, scheme, given values, variants, what to find, an empty table; no answer
+    /// Write an exercise sheet instead: statement, scheme, given values, variants, what to find, cells for answers; no answer.
+    /// Of several files one page, if OUT is an .html
     #[arg(long, conflicts_with_all = ["key", "steps"])]
     pub sheet: bool,
     /// Write the key of the sheet instead: the answers of every row of variants, with four digits

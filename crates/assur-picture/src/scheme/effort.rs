@@ -6,7 +6,7 @@ use crate::symbol::{arrow, guide, hinge};
 use assur_drawing::{Drawing, Label, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{
-    Axis, BalanceKind, Drive, DriveTarget, LoadId, LoadKind, PairId, PairKind, Query, Spread, Value,
+    Axis, BalanceKind, Drive, DriveTarget, Load, LoadId, LoadKind, PairId, PairKind, Query, Spread, Value,
 };
 use std::f64::consts::TAU;
 
@@ -202,10 +202,11 @@ impl Sketch<'_, '_> {
     }
 
     /// Loads as they act now, and weights.
-    pub(super) fn loads(&mut self, drawing: &mut Drawing) {
+    pub(super) fn loads(&mut self, drawing: &mut Drawing, against_motion: bool) {
         let scene = self.scene;
         let mut named = Vec::new();
-        for (i, load) in scene.mechanism().loads.iter().enumerate() {
+        let shown = |load: &Load| against_motion || !load.is_against_motion();
+        for (i, load) in scene.mechanism().loads.iter().enumerate().filter(|(_, load)| shown(load)) {
             let name = scene.load_words(load).unwrap_or_default();
             drawing.begin("load", &name);
             let value = scene.view().query(&Query::Load(LoadId::at(i)));

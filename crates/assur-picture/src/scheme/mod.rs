@@ -70,6 +70,8 @@ impl Shows {
 #[derive(Clone, Debug)]
 pub struct Scheme {
     pub loads: Loads,
+    /// Loads against the motion, which show its sense, are among them.
+    pub against_motion: bool,
     /// The most that the mechanism takes, mm.
     pub size: Vec2,
     /// It may take more where many pairs need the room.
@@ -92,7 +94,18 @@ impl Default for Scheme {
         let (ghosts, paths, numbers, dimensions) = (0, Vec::new(), false, Vec::new());
         let (size, scales) = (Vec2::new(180.0, 120.0), Scales::default());
         let shows = Shows::Links;
-        Self { loads: Loads::All, size, grows: true, scales, ghosts, paths, numbers, shows, dimensions }
+        Self {
+            loads: Loads::All,
+            against_motion: true,
+            size,
+            grows: true,
+            scales,
+            ghosts,
+            paths,
+            numbers,
+            shows,
+            dimensions,
+        }
     }
 }
 
@@ -165,7 +178,7 @@ pub fn efforts(scene: &Scene<'_>, frame: &Frame, taken: Vec<(Vec2, Vec2)>, drawi
     let shapes = shapes(scene);
     let mut sketch = Sketch::new(scene, &shapes, frame);
     sketch.taken = taken;
-    sketch.loads(drawing);
+    sketch.loads(drawing, true);
     sketch.balances(drawing);
     drawing.description += &sketch.said;
 }
@@ -330,7 +343,7 @@ impl<'a, 's> Sketch<'a, 's> {
         self.numbers(drawing);
         self.drives(drawing);
         if wanted.loads != Loads::None {
-            self.loads(drawing);
+            self.loads(drawing, wanted.against_motion);
         }
         if wanted.loads == Loads::All {
             self.balances(drawing);

@@ -38,7 +38,7 @@ messages! {
         CoupleOfGuide EachAlongGuide CouplesOpen BalanceTurn BalanceShift ForceAlongLine ForceAgainstLine
         NoEffort ActsCounterClockwise ActsClockwise VirtualPower PowerOpen Residuals OpenSizes SweepStated
         TrainPlaces LawsOfTrain LawsTogether Eliminated LawOf TrainForces MemberGives MembersGive SheetHead
-        DrawnFor TextOf OtherPose Variants Variant Find Answers KeyHead Position TogetherForces
+        DrawnFor TextOf OtherPose Variants Variant Find Answers Solution KeyHead Position TogetherForces
         EquilibriumOf Closes AskedFor AskedOfGuides AskedOfForces NoForces NothingActs SeeScheme SeePlan
         SeeFreed SeePolygon SeeLever Rates LoadHere LoadResultant InsideLink CoupleOnFirst EquationsTogether SolutionIs RatesTogether
         PowerFlows TeethPress BearingsOf TrainPowers CarrierLocked CarrierTurns SumOfBoth WillisParts

@@ -8,20 +8,44 @@ use std::fmt::Write;
 /// The document as a page.
 #[must_use]
 pub fn html(document: &Document) -> String {
+    html_of_several(std::slice::from_ref(document))
+}
+
+/// Documents one after another on one page, each sheet on new paper.
+#[must_use]
+pub fn html_of_several(documents: &[Document]) -> String {
+    let Some(first) = documents.first() else { return String::new() };
     let mut out = String::new();
-    let title = escaped(&document.title);
+    let title = escaped(&first.title);
     let _ = write!(
         out,
-        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n",
-        document.language
+        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n",
+        first.language
     );
-    contents(document, &mut out);
     let mut count = Counted::default();
-    for block in &document.blocks {
-        write_block(document, block, &mut count, &mut out);
+    for document in documents {
+        write_main(document, &mut count, &mut out);
     }
-    out.push_str("</main>\n</body>\n</html>\n");
+    out.push_str("</body>\n</html>\n");
     out
+}
+
+fn write_main(document: &Document, count: &mut Counted, out: &mut String) {
+    if document.fields.is_empty() {
+        out.push_str("<main>\n");
+    } else {
+        out.push_str("<main class=\"sheet\">\n<header>");
+        for field in &document.fields {
+            let _ = write!(out, "<span>{}</span>", escaped(field));
+        }
+        out.push_str("</header>\n");
+    }
+    let _ = writeln!(out, "<h1>{}</h1>", escaped(&document.title));
+    contents(document, out);
+    for block in &document.blocks {
+        write_block(document, block, count, out);
+    }
+    out.push_str("</main>\n");
 }
 
 #[derive(Default)]
@@ -67,10 +91,27 @@ fn write_block(document: &Document, block: &Block, count: &mut Counted, out: &mu
             for part in parts_of(table) {
                 let [begin, end] = fitted("tab", LINE / width_of(&part).max(LINE));
                 out.push_str(&begin);
-                write_table(&part, out);
+                let class = if part.rows.len() > LONG { "long" } else { "" };
+                write_table(&part, class, out);
                 let _ = writeln!(out, "{end}");
             }
             Ok(())
+        }
+        Block::Form(table) => {
+            let [begin, end] = fitted("tab", LINE / width_of(table).max(LINE));
+            out.push_str(&begin);
+            let class = if table.rows.len() > FULL { "form long" } else { "form" };
+            write_table(table, class, out);
+            writeln!(out, "{end}")
+        }
+        Block::List(items) => {
+            let items: String = items.iter().map(|item| format!("<li>{}</li>", inline(item))).collect();
+            writeln!(out, "<ol>{items}</ol>")
+        }
+        Block::Room(words) => {
+            count.sections += 1;
+            let n = count.sections;
+            writeln!(out, "<section class=\"room\"><h2 id=\"s{n}\">{}</h2></section>", escaped(words))
         }
         Block::Vectors(terms) => {
             vectors(document, terms, out);
@@ -99,8 +140,9 @@ fn fitted(class: &str, fit: f64) -> [String; 2] {
 const LINE: f64 = 94.0;
 const BETWEEN: f64 = 3.0;
 const LEAST: f64 = 0.45;
-/// More rows than this are a long table.
+/// More rows than this are a long table, and a form with low cells.
 const LONG: usize = 12;
+const FULL: usize = 6;
 
 /// How wide a column is, in signs.
 fn column_of(table: &Table, column: usize) -> f64 {
@@ -160,9 +202,9 @@ fn inline(line: &Line) -> String {
     line.iter().map(part).collect()
 }
 
-fn write_table(table: &Table, out: &mut String) {
-    // on paper a long one may go on with the next page
-    let class = if table.rows.len() > LONG { " class=\"long\"" } else { "" };
+/// A long one may go on with the next page on paper.
+fn write_table(table: &Table, class: &str, out: &mut String) {
+    let class = if class.is_empty() { String::new() } else { format!(" class=\"{class}\"") };
     let _ = write!(out, "<table{class}><thead><tr>");
     for header in &table.headers {
         let _ = write!(out, "<th scope=\"col\">{}</th>", inline(header));
@@ -222,14 +264,13 @@ fn write_figures(document: &Document, figures: &[Figure], count: &mut Counted, o
     for figure in figures {
         count.figures += 1;
         let n = count.figures;
-        let label = document.labels.figure;
         // diagrams have axes, and no scale that paper keeps
         let class = if matches!(figure.name.as_str(), "plot" | "work") { " class=\"free\"" } else { "" };
         let _ = write!(
             out,
-            "<figure id=\"f{n}\"{class}>\n{}<figcaption>{label} {n}. {}</figcaption></figure>\n",
+            "<figure id=\"f{n}\"{class}>\n{}<figcaption>{}</figcaption></figure>\n",
             figure.svg.trim_start(),
-            escaped(&figure.caption)
+            escaped(&document.labels.below(n, &figure.caption))
         );
     }
     if figures.len() > 1 {
@@ -264,6 +305,11 @@ msqrt::before{content:\"\";position:absolute;left:0;top:0;bottom:0;width:.6em;ba
 msqrt::after{content:\"\";position:absolute;left:.59em;right:0;top:0;border-top:.065em solid}}
 figure{margin:1.2em 0;max-width:100%;overflow-x:auto}
 figure svg{max-width:100%;height:auto;display:block}
+.sheet header{display:flex;justify-content:space-between;flex-wrap:wrap;gap:.2em 1.5em;border-bottom:1px solid var(--ink);padding-bottom:.35em;font-size:.95em}
+.sheet h1{font-size:1.4rem;margin:.5em 0 .3em}.sheet h2{font-size:1.08rem;border:0;padding:0;margin:.9em 0 .2em}
+.sheet ol{margin:.2em 0 .6em;padding-left:1.7em}.sheet li{margin:.15em 0}.sheet figure{margin:.5em 0}.sheet table{margin:.4em 0 .7em}
+.sheet th,.sheet td{text-align:center}.form{width:100%}.form td{height:2.3em}.form.long td{height:1.5em}
+.room{min-height:14rem}main+main{margin-top:3rem}
 figcaption{color:var(--soft);font-size:.93em;margin-top:.4em}
 .two{display:flex;flex-wrap:wrap;gap:.5rem 2.5rem;align-items:end}.two figure{margin:.8em 0}
 nav ol{columns:2;padding-left:1.2em}a{color:var(--acc);text-decoration:none}
@@ -272,5 +318,5 @@ nav ol{columns:2;padding-left:1.2em}a{color:var(--acc);text-decoration:none}
 h2,h3{break-after:avoid}figure,table,.eq{break-inside:avoid}.eq,.tab,figure{overflow:visible}
 .long{break-inside:auto}.eq.long{margin:0;padding:0 0 0 2em}tr{break-inside:avoid}
 table.vec{white-space:nowrap;font-size:.88em}h2{margin-top:1.2em}td,th{padding:.12em .6em}nav{display:none}.two{display:block;orphans:1;widows:1;word-spacing:2.5rem}.two figure{display:inline-block;vertical-align:bottom;word-spacing:normal}
-.fit{font-size:calc(1em*var(--fit))}.free svg{max-height:118mm}@page{size:A4;margin:16mm 14mm}body{font-size:10.5pt;max-width:none;padding:0}}
+.fit{font-size:calc(1em*var(--fit))}.free svg{max-height:118mm}.sheet h1{font-size:14pt}.room{min-height:14mm;break-inside:avoid}.sheet+.sheet{break-before:page;margin:0}@page{size:A4;margin:16mm 14mm}body{font-size:10.5pt;max-width:none;padding:0}}
 ";

@@ -7,6 +7,9 @@ use assur_formula::{latex, latex_lines, name_node};
 #[must_use]
 pub fn markdown(document: &Document, stem: &str) -> (String, Vec<(String, String)>) {
     let mut out = format!("# {}\n", escaped(&document.title));
+    if !document.fields.is_empty() {
+        out += &format!("\n{}\n", escaped(&document.fields.join("   ")));
+    }
     let mut files = Vec::new();
     for block in &document.blocks {
         out.push('\n');
@@ -16,14 +19,16 @@ pub fn markdown(document: &Document, stem: &str) -> (String, Vec<(String, String
             }
             Block::Paragraph(line) | Block::Remark(line) => out += &format!("{}\n", inline(line)),
             Block::Equation(lines) => out += &format!("$$\n{}\n$$\n", latex_lines(lines)),
-            Block::Table(table) => out += &table_text(table),
+            Block::Table(table) | Block::Form(table) => out += &table_text(table),
+            Block::List(items) => items.iter().for_each(|item| out += &format!("1. {}\n", inline(item))),
+            Block::Room(words) => out += &format!("## {}\n", escaped(words)),
             Block::Vectors(terms) => out += &vectors(document, terms),
             Block::Figures(figures) => {
                 for figure in figures {
                     let name = format!("{stem}-{}.svg", files.len() + 1);
                     let caption = escaped(&figure.caption);
-                    let label = document.labels.figure;
-                    out += &format!("![{caption}]({name})\n\n{label} {}. {caption}\n", files.len() + 1);
+                    let below = document.labels.below(files.len() + 1, &caption);
+                    out += &format!("![{caption}]({name})\n\n{below}\n");
                     files.push((name, figure.svg.clone()));
                 }
             }

@@ -7,6 +7,9 @@ use assur_formula::{name_node, text as formula, text_lines};
 #[must_use]
 pub fn text(document: &Document) -> String {
     let mut out = format!("{}\n{}\n", document.title, "=".repeat(width(&document.title)));
+    if !document.fields.is_empty() {
+        out += &format!("\n{}", wrapped(&document.fields.join(" ")));
+    }
     let mut figures = 0;
     let mut after_equation = false;
     for block in &document.blocks {
@@ -29,12 +32,17 @@ pub fn text(document: &Document) -> String {
                     out += &format!("    {line}\n");
                 }
             }
-            Block::Table(table) => out += &table_text(table),
+            Block::Table(table) | Block::Form(table) => out += &table_text(table),
+            Block::List(items) => {
+                let numbered = items.iter().enumerate();
+                numbered.for_each(|(i, item)| out += &wrapped(&format!("{}. {}", i + 1, inline(item))));
+            }
+            Block::Room(words) => out += &format!("{words}\n"),
             Block::Vectors(terms) => out += &vectors(document, terms),
             Block::Figures(all) => {
                 for figure in all {
                     figures += 1;
-                    out += &format!("[{} {figures}. {}]\n", document.labels.figure, figure.caption);
+                    out += &format!("[{}]\n", document.labels.below(figures, &figure.caption));
                 }
             }
         }

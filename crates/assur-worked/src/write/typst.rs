@@ -6,8 +6,10 @@ use assur_formula::{name_node, typst as formula, typst_lines};
 /// The document, and the names of its pictures' files with their contents.
 #[must_use]
 pub fn typst(document: &Document, stem: &str) -> (String, Vec<(String, String)>) {
+    let fields = document.fields.iter().map(|field| escaped(field)).collect::<Vec<_>>().join(" #h(1fr) ");
+    let fields = if fields.is_empty() { fields } else { format!("{fields}\n\n") };
     let mut out = format!(
-        "#set document(title: \"{}\")\n#set page(paper: \"a4\", margin: (x: 14mm, y: 16mm))\n#set text(lang: \"{}\", size: 10.5pt)\n#show table.cell.where(y: 0): strong\n\n= {}\n",
+        "#set document(title: \"{}\")\n#set page(paper: \"a4\", margin: (x: 14mm, y: 16mm))\n#set text(lang: \"{}\", size: 10.5pt)\n#show table.cell.where(y: 0): strong\n\n{fields}= {}\n",
         document.title.replace('\\', "").replace('"', "'"),
         document.language,
         escaped(&document.title)
@@ -22,7 +24,9 @@ pub fn typst(document: &Document, stem: &str) -> (String, Vec<(String, String)>)
             Block::Paragraph(line) => out += &format!("{}\n", inline(line)),
             Block::Remark(line) => out += &format!("#text(fill: luma(35%))[{}]\n", inline(line)),
             Block::Equation(lines) => out += &format!("$ {} $\n", typst_lines(lines).trim_end()),
-            Block::Table(table) => out += &table_text(table),
+            Block::Table(table) | Block::Form(table) => out += &table_text(table),
+            Block::List(items) => items.iter().for_each(|item| out += &format!("+ {}\n", inline(item))),
+            Block::Room(words) => out += &format!("== {}\n#v(1fr)\n", escaped(words)),
             Block::Vectors(terms) => out += &vectors(document, terms),
             Block::Figures(figures) => {
                 for figure in figures {
