@@ -77,7 +77,7 @@ impl Derivation<'_> {
         }
         let unit = vec![text(crate::sheet::printed_unit(&time.unit).trim_start().to_owned())];
         let heads = [RunMessage::AtBegin, RunMessage::Least, RunMessage::Greatest, RunMessage::AtEnd];
-        let heads = heads.map(|head| say(self.language, head, &[unit.clone()]));
+        let heads = heads.map(|head| say(self.language, head, std::slice::from_ref(&unit)));
         let quantity = vec![text(self.words(Message::Quantity))];
         self.table(Table {
             headers: std::iter::once(quantity).chain(heads).collect(),
