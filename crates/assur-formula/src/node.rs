@@ -35,6 +35,8 @@ pub enum Node {
     Root(Box<Node>),
     Bars(Box<Node>),
     Brackets(Box<Node>),
+    /// A bracket whose other one is on another line, or the stroke of a fraction that goes over lines.
+    Fence(&'static str),
     /// A function with what it is of.
     Function(&'static str, Box<Node>),
     /// A unit after a number.
@@ -107,6 +109,7 @@ impl Node {
             Self::Minus => 1.4,
             Self::Times => 0.3,
             Self::Dot => 1.0,
+            Self::Fence(_) => 0.8,
             Self::Fraction(a, b) => a.width().max(b.width()) + 0.6,
             Self::Power(x, _) => x.width() + 0.8,
             Self::Root(x) => x.width() + 1.8,

@@ -52,6 +52,7 @@ fn write(node: &Node, out: &mut String) {
             *out += "^{\\circ}";
         }
         Node::Pi => *out += "\\pi ",
+        Node::Fence(sign) => *out += sign,
         Node::Operator(sign) => {
             *out += match *sign {
                 "−" => " - ",

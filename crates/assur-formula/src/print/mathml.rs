@@ -77,6 +77,7 @@ fn write(node: &Node, out: &mut String) {
         Node::Minus => *out += "<mo form=\"prefix\">−</mo>",
         Node::Times => *out += "<mo>\u{2062}</mo>",
         Node::Dot => *out += "<mo>·</mo>",
+        Node::Fence(sign) => *out += &format!("<mo stretchy=\"false\">{sign}</mo>"),
         Node::Fraction(a, b) => {
             *out += "<mfrac>";
             row(a, out);

@@ -71,6 +71,7 @@ fn write(node: &Node, out: &mut String) {
             out.push('°');
         }
         Node::Pi => out.push('π'),
+        Node::Fence(sign) => out.push_str(sign),
         Node::Operator(sign) => {
             out.push(' ');
             out.push_str(sign);

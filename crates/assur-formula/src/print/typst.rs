@@ -52,6 +52,8 @@ fn write(node: &Node, out: &mut String) {
             *out = out.trim_end().to_owned() + " degree ";
         }
         Node::Pi => *out += "pi ",
+        // not as a pair that grows
+        Node::Fence(sign) => *out += &format!("\\{sign} "),
         Node::Operator(sign) => {
             *out += match *sign {
                 "−" => "- ",

@@ -52,6 +52,19 @@ fn a_number_without_letters_is_rounded_among_letters_and_balances() {
 }
 
 #[test]
+fn what_is_too_wide_for_a_line_opens_its_brackets_and_its_fraction() {
+    let letters = ["a", "b", "c", "d", "e", "f", "g", "h", "i", "j"];
+    let sum = Expr::sum(letters.map(|letter| quantity(Name::new(letter, ""), 1.234_56, Unit::Length)));
+    let below = quantity(Name::new("k", ""), 2.5, Unit::Length);
+    let right = Expr::Int(2) * sum.clone() * sum / below;
+    let lines = Equation::new(Name::new("x", ""), right.value(), Unit::Length, right).lines();
+    assert!(lines.fit() == 1.0 && lines.rows.len() > 3, "{lines:?}");
+    let text = text_lines(&lines);
+    let brackets = |sign| text.matches(sign).count();
+    assert!(brackets('(') == brackets(')') && text.contains(")/2.5000"), "{text}");
+}
+
+#[test]
 fn typst() {
     let words = typst_lines(&lines());
     assert!(words.contains("a_\"CB\"^\"n\"  & = ω_\"2\"^2 thin l_\"BC\""), "{words}");
