@@ -22,4 +22,4 @@ pub use number::{Figures, with_decimals, with_digits};
 pub use print::{latex, latex_lines, mathml, mathml_lines, text, text_lines, typst, typst_lines, unit_latex};
 pub use quantity::Name;
 pub use quantity::{Quantity, quantity, rounded};
-pub use unit::{Unit, unit_words};
+pub use unit::{Unit, cyrillic, unit_words};

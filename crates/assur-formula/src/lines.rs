@@ -126,7 +126,10 @@ fn open(node: Node, room: f64, goes_on: bool, out: &mut Vec<Node>) {
             within("(", *above, ")", room, out);
             out.push(Node::Fence("/"));
             match *below {
-                Node::Row(_) => within("(", *below, ")", room, out),
+                Node::Row(parts) if parts.len() > 1 => {
+                    let whole = Node::Brackets(Box::new(Node::Row(parts)));
+                    open(whole, room, false, out);
+                }
                 one => open(one, room, false, out),
             }
             if goes_on {

@@ -1,6 +1,7 @@
 //! How a formula is laid out, before any format.
 
 use crate::number::Figures;
+use crate::unit::cyrillic;
 
 /// A part of a line.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,7 +51,7 @@ impl Node {
         Self::Row(Vec::new())
     }
 
-    /// With decimals behind a comma.
+    /// With decimals behind a comma, and units in Cyrillic letters.
     #[must_use]
     pub fn with_commas(self) -> Self {
         let comma = |figures: Figures| Figures { digits: figures.digits.replace('.', ","), ..figures };
@@ -65,6 +66,7 @@ impl Node {
             Self::Bars(x) => Self::Bars(inner(x)),
             Self::Brackets(x) => Self::Brackets(inner(x)),
             Self::Function(name, x) => Self::Function(name, inner(x)),
+            Self::Unit(unit) => Self::Unit(cyrillic(unit)),
             other => other,
         }
     }

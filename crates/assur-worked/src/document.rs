@@ -1,6 +1,6 @@
 //! A worked solution before any format: headings, sentences, equations, tables, figures.
 
-use assur_formula::{Lines, Name, Node, name_node};
+use assur_formula::{Lines, Name, Node, cyrillic, name_node};
 
 /// A part of a line of text.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,6 +94,8 @@ pub struct Labels {
     pub contents: &'static str,
     /// None where figures have no numbers.
     pub figure: &'static str,
+    /// The same in a sentence, before the number.
+    pub cited: &'static str,
     /// Equation, magnitude, direction
     pub rows: [&'static str; 3],
 }
@@ -113,7 +115,7 @@ impl Document {
     #[must_use]
     pub fn without_figures(mut self) -> Self {
         self.blocks.retain(|block| !matches!(block, Block::Figures(_)));
-        self.blocks = cited(self.blocks, self.labels.figure);
+        self.blocks = cited(self.blocks, self.labels.cited);
         self
     }
 }
@@ -129,7 +131,8 @@ pub fn cited(mut blocks: Vec<Block>, label: &str) -> Vec<Block> {
             let Inline::Figure(reference) = part else { return true };
             let Some(at) = captions.iter().position(|c| *c == reference.caption) else { return false };
             reference.number = at + 1;
-            reference.words = format!("{label}\u{a0}{}", at + 1);
+            let apart = if label.is_ascii() || label.ends_with('.') { "\u{a0}" } else { "" };
+            reference.words = format!("{label}{apart}{}", at + 1);
             true
         })
     });
@@ -150,7 +153,7 @@ pub fn against(vector: &str, point: &str) -> Line {
 }
 
 impl Block {
-    /// With decimals behind a comma.
+    /// With decimals behind a comma, and units in Cyrillic letters.
     pub fn with_commas(self) -> Self {
         match self {
             Self::Equation(lines) => Self::Equation(lines.with_commas()),
@@ -158,12 +161,13 @@ impl Block {
             Self::Remark(line) => Self::Remark(line_with_commas(line)),
             Self::List(items) => Self::List(items.into_iter().map(line_with_commas).collect()),
             Self::Table(table) => {
-                let rows = table.rows.into_iter().map(|row| row.into_iter().map(line_with_commas).collect());
+                let cell = |line| line_with_commas(line).into_iter().map(with_unit).collect();
+                let rows = table.rows.into_iter().map(|row| row.into_iter().map(cell).collect());
                 Self::Table(Table { rows: rows.collect(), ..table })
             }
             Self::Vectors(terms) => {
                 let of = |term: Term| Term {
-                    magnitude: line_with_commas(term.magnitude),
+                    magnitude: line_with_commas(term.magnitude).into_iter().map(with_unit).collect(),
                     direction: line_with_commas(term.direction),
                     ..term
                 };
@@ -181,6 +185,16 @@ fn line_with_commas(line: Line) -> Line {
         Inline::Math(node) => Inline::Math(node.with_commas()),
     };
     line.into_iter().map(part).collect()
+}
+
+/// A cell that is a number with its unit, that in Cyrillic letters.
+fn with_unit(part: Inline) -> Inline {
+    let Inline::Text(words) = &part else { return part };
+    let is_number = |x: &str| x.starts_with(|c: char| c.is_ascii_digit() || "−(".contains(c));
+    match words.rsplit_once(' ') {
+        Some((number, unit)) if is_number(number) => Inline::Text(format!("{number} {}", cyrillic(unit))),
+        _ => part,
+    }
 }
 
 /// Points between two figures become commas.

@@ -71,11 +71,11 @@ impl Derivation<'_> {
             let mut name = question(self.scene.mechanism(), self.scene.text, find, self.language);
             let unit = crate::sheet::printed_unit(&display.unit);
             if !unit.is_empty() {
-                name.push(text(format!(", {}", unit.trim_start())));
+                name.push(text(format!(", {}", self.language.unit(unit.trim_start()))));
             }
             rows.push(vec![name, value(first.1), at(course.least), at(course.greatest), value(last.1)]);
         }
-        let unit = vec![text(crate::sheet::printed_unit(&time.unit).trim_start().to_owned())];
+        let unit = vec![text(self.language.unit(crate::sheet::printed_unit(&time.unit).trim_start()))];
         let heads = [RunMessage::AtBegin, RunMessage::Least, RunMessage::Greatest, RunMessage::AtEnd];
         let heads = heads.map(|head| say(self.language, head, std::slice::from_ref(&unit)));
         let quantity = vec![text(self.words(Message::Quantity))];

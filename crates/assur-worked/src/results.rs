@@ -90,7 +90,12 @@ impl Derivation<'_> {
             }
             Value::Bool(truth) => phrase(self.language, &truth.to_string()),
         };
-        table.rows.push(vec![asked, letters, vec![text(written)], vec![text(unit_words(&display.unit))]]);
+        table.rows.push(vec![
+            asked,
+            letters,
+            vec![text(written)],
+            vec![text(self.language.unit(&unit_words(&display.unit)))],
+        ]);
     }
 }
 

@@ -2,12 +2,21 @@
 
 use crate::course::Derivation;
 use crate::document::{Block, Line, Table, letter, text};
-use crate::words::{Letters, Message};
+use crate::words::{Language, Letters, Message, say};
 use assur_formula::{Figures, Lines, Name, Node, name_node};
 use assur_model::model::PairKind;
 use assur_model::structure::{BodyOrigin, Group, GroupKind};
 
 impl Derivation<'_> {
+    /// The class of a group, by its number.
+    fn class_of(&self, number: &str) -> String {
+        crate::course::plain(&say(
+            self.language,
+            Message::ClassOf,
+            &[vec![text(numeral(self.language, number))]],
+        ))
+    }
+
     /// The section on structure.
     pub fn structure_section(&mut self) {
         let heading = self.words(Message::Structure);
@@ -150,7 +159,7 @@ impl Derivation<'_> {
             let rest = 3 * figure(n) - 2 * figure(p) - laws;
             let less = if laws > 0 { format!(" − {laws}") } else { String::new() };
             let driven = if group.efforts.is_empty() {
-                self.words(Message::Class) + " " + group.class_name() + ", "
+                self.class_of(group.class_name()) + ", "
             } else {
                 String::new()
             };
@@ -185,6 +194,7 @@ impl Derivation<'_> {
         let motion = written(&structure.motion, true);
         let forces = written(&structure.forces, false);
         let line: Line = vec![crate::document::Inline::Strong(motion)];
+        let class = numeral(self.language, class);
         self.say(Message::Formula, &[line, vec![text(class)]]);
         let sorted = |groups: &[Group]| {
             let mut bodies: Vec<Vec<usize>> =
@@ -206,4 +216,12 @@ fn subscript(number: usize) -> String {
         .bytes()
         .map(|digit| char::from_u32(0x2080 + u32::from(digit - b'0')).unwrap_or('?'))
         .collect()
+}
+
+/// The number of a class: in Chinese one sign.
+fn numeral(language: Language, number: &str) -> String {
+    const SIGNS: [(&str, &str); 6] =
+        [("I", "Ⅰ"), ("II", "Ⅱ"), ("III", "Ⅲ"), ("IV", "Ⅳ"), ("V", "Ⅴ"), ("VI", "Ⅵ")];
+    let sign = SIGNS.iter().find(|(own, _)| language == Language::Chinese && *own == number);
+    sign.map_or(number, |(_, sign)| sign).to_owned()
 }

@@ -139,7 +139,7 @@ pub fn worked_from(
         title: title.to_owned(),
         language: language.code(),
         labels: language.labels(),
-        blocks: numbered(without_empty(cited(blocks, language.labels().figure))),
+        blocks: numbered(without_empty(cited(blocks, language.labels().cited))),
     };
     let Derivation { equations, disagreements, counts, .. } = course;
     let equations = equations.into_iter().map(|(_, equation)| equation).collect();

@@ -26,7 +26,7 @@ messages! {
     /// Structure, motion, forces, headings.
     Message of "words" {
         Structure Positions Velocities Accelerations Inertia Reactions Check Results Given Value Quantity
-        Letters Unit Pair Links Kind Class Group OuterPairs InnerPairs Revolute Prismatic Slot Contact
+        Letters Unit Pair Links Kind Class ClassOf Group OuterPairs InnerPairs Revolute Prismatic Slot Contact
         Cylinder Transmission Lower Higher Driven FreeLink Train Triad General DrivenLegs Between SchemeAt
         PlotOfMotion VelocityPlan AccelerationPlan Freed Polygon Lever Conventions MobilityIs Replaced Passive Formula
         ForceOrder GroupOf LinkOf DrivenAngle DrivenRate SenseOnly FreeCoordinate Uniform Triangle LeftOf

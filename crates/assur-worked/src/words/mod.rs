@@ -8,6 +8,7 @@ pub use message::{DesignMessage, FrictionMessage, FunctionWords, Message, Questi
 pub use phrase::{known, phrase, title};
 
 use crate::document::{Inline, Labels, Line};
+use assur_formula::cyrillic;
 use message::text;
 
 /// A language of sentences.
@@ -35,8 +36,14 @@ impl Language {
         Labels {
             contents: of("contents"),
             figure: of("figure"),
+            cited: of("cited"),
             rows: ["equation", "magnitude", "direction"].map(of),
         }
+    }
+
+    /// A unit as it writes it.
+    pub(crate) fn unit(self, unit: &str) -> String {
+        if self.letters().comma { cyrillic(unit).to_owned() } else { unit.to_owned() }
     }
 
     /// The letters of its courses.
