@@ -105,7 +105,7 @@ impl Set {
         match self.unit {
             Unit::Angle => result.push(Node::Degrees(self.result)),
             Unit::One => result.push(Node::Number(self.result)),
-            unit => result.extend([Node::Number(self.result), Node::Unit(unit.text())]),
+            unit => result.extend([Node::Number(self.result), Node::Unit(unit.text().to_owned())]),
         }
         let side = |node: Node| Node::Row(vec![Node::Operator("="), node]);
         let mut sides: Vec<Node> = self.letters.into_iter().chain(self.numbers).map(side).collect();

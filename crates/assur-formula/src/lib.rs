@@ -1,6 +1,7 @@
 //! Formulas as trees, built once: printed as letters, as numbers and as a result, in text, LaTeX, MathML and Typst. A leaf has
 //! its value from outside; nothing is solved here.
 
+mod cyrillic;
 mod equation;
 mod evaluate;
 mod expr;
@@ -13,6 +14,7 @@ mod print;
 mod quantity;
 mod unit;
 
+pub use cyrillic::{cyrillic, units_in_cyrillic};
 pub use equation::{Equation, Set};
 pub use expr::{Expr, Function, Sign};
 pub use lay::{letters, name_node};
@@ -22,4 +24,4 @@ pub use number::{Figures, with_decimals, with_digits};
 pub use print::{latex, latex_lines, mathml, mathml_lines, text, text_lines, typst, typst_lines, unit_latex};
 pub use quantity::Name;
 pub use quantity::{Quantity, quantity, rounded};
-pub use unit::{Unit, cyrillic, unit_words};
+pub use unit::{Unit, unit_words};

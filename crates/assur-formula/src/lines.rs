@@ -88,7 +88,7 @@ fn pieces(row: Vec<Node>) -> Vec<Vec<Node>> {
     while let Some(node) = row.next() {
         let before_sum = matches!(row.peek(), Some(Node::Brackets(_) | Node::Fence("(")));
         let breaks = match node {
-            Node::Operator("+" | "−") | Node::Dot => true,
+            Node::Operator("+" | "−") | Node::Dot | Node::Fence("/") => true,
             Node::Times => before_sum,
             _ => false,
         };
@@ -141,6 +141,12 @@ fn open(node: Node, room: f64, goes_on: bool, out: &mut Vec<Node>) {
 }
 
 fn within(begin: &'static str, inner: Node, end: &'static str, room: f64, out: &mut Vec<Node>) {
+    if inner.width() <= room {
+        // what is one factor needs no brackets
+        let is_one = !matches!(inner, Node::Row(_) | Node::Fraction(..));
+        out.push(if is_one { inner } else { Node::Brackets(Box::new(inner)) });
+        return;
+    }
     out.push(Node::Fence(begin));
     open(inner, room, false, out);
     out.push(Node::Fence(end));

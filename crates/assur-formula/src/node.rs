@@ -1,7 +1,7 @@
 //! How a formula is laid out, before any format.
 
+use crate::cyrillic::cyrillic;
 use crate::number::Figures;
-use crate::unit::cyrillic;
 
 /// A part of a line.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +41,7 @@ pub enum Node {
     /// A function with what it is of.
     Function(&'static str, Box<Node>),
     /// A unit after a number.
-    Unit(&'static str),
+    Unit(String),
     Words(String),
 }
 
@@ -66,7 +66,7 @@ impl Node {
             Self::Bars(x) => Self::Bars(inner(x)),
             Self::Brackets(x) => Self::Brackets(inner(x)),
             Self::Function(name, x) => Self::Function(name, inner(x)),
-            Self::Unit(unit) => Self::Unit(cyrillic(unit)),
+            Self::Unit(unit) => Self::Unit(cyrillic(&unit).unwrap_or(unit)),
             other => other,
         }
     }

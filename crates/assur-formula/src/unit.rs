@@ -91,44 +91,6 @@ impl Unit {
     }
 }
 
-/// A unit in Cyrillic letters; as it is where it has none.
-#[must_use]
-pub fn cyrillic(unit: &str) -> &str {
-    const UNITS: [(&str, &str); 30] = [
-        ("m", "м"),
-        ("mm", "мм"),
-        ("cm", "см"),
-        ("m²", "м²"),
-        ("1/m", "1/м"),
-        ("1/m²", "1/м²"),
-        ("m/s", "м/с"),
-        ("mm/s", "мм/с"),
-        ("m/s²", "м/с²"),
-        ("m/s³", "м/с³"),
-        ("rad", "рад"),
-        ("rad/s", "рад/с"),
-        ("rad/s²", "рад/с²"),
-        ("rad/s³", "рад/с³"),
-        ("rpm", "об/мин"),
-        ("s", "с"),
-        ("kg", "кг"),
-        ("kg·m", "кг·м"),
-        ("kg/m", "кг/м"),
-        ("kg·m²", "кг·м²"),
-        ("kg/m³", "кг/м³"),
-        ("N", "Н"),
-        ("kN", "кН"),
-        ("N·m", "Н·м"),
-        ("N/m", "Н/м"),
-        ("N·s/m", "Н·с/м"),
-        ("W", "Вт"),
-        ("kW", "кВт"),
-        ("J", "Дж"),
-        ("deg", "°"),
-    ];
-    UNITS.iter().find(|(latin, _)| *latin == unit).map_or(unit, |(_, own)| own)
-}
-
 /// A unit of a file as formulas have it: `kg*m^2` is kg·m².
 #[must_use]
 pub fn unit_words(unit: &str) -> String {

@@ -331,7 +331,7 @@ fn stated(q: &Quantity) -> Lines {
     } else if q.unit == Unit::One {
         row.push(Node::Number(figures));
     } else {
-        row.extend([Node::Number(figures), Node::Unit(q.unit.text())]);
+        row.extend([Node::Number(figures), Node::Unit(q.unit.text().to_owned())]);
     }
     Lines { left: name_node(&q.name), rows: vec![(Node::Row(row), false)] }
 }

@@ -1,6 +1,6 @@
 //! A worked solution before any format: headings, sentences, equations, tables, figures.
 
-use assur_formula::{Lines, Name, Node, cyrillic, name_node};
+use assur_formula::{Lines, Name, Node, name_node, units_in_cyrillic};
 
 /// A part of a line of text.
 #[derive(Clone, Debug, PartialEq)]
@@ -161,13 +161,13 @@ impl Block {
             Self::Remark(line) => Self::Remark(line_with_commas(line)),
             Self::List(items) => Self::List(items.into_iter().map(line_with_commas).collect()),
             Self::Table(table) => {
-                let cell = |line| line_with_commas(line).into_iter().map(with_unit).collect();
-                let rows = table.rows.into_iter().map(|row| row.into_iter().map(cell).collect());
-                Self::Table(Table { rows: rows.collect(), ..table })
+                let rows = table.rows.into_iter().map(|row| row.into_iter().map(line_with_commas).collect());
+                let headers = table.headers.into_iter().map(line_with_commas).collect();
+                Self::Table(Table { headers, rows: rows.collect(), ..table })
             }
             Self::Vectors(terms) => {
                 let of = |term: Term| Term {
-                    magnitude: line_with_commas(term.magnitude).into_iter().map(with_unit).collect(),
+                    magnitude: line_with_commas(term.magnitude),
                     direction: line_with_commas(term.direction),
                     ..term
                 };
@@ -180,21 +180,11 @@ impl Block {
 
 fn line_with_commas(line: Line) -> Line {
     let part = |part: Inline| match part {
-        Inline::Text(words) => Inline::Text(commas(&words)),
+        Inline::Text(words) => Inline::Text(units_in_cyrillic(&commas(&words))),
         Inline::Strong(_) | Inline::Figure(_) => part,
         Inline::Math(node) => Inline::Math(node.with_commas()),
     };
     line.into_iter().map(part).collect()
-}
-
-/// A cell that is a number with its unit, that in Cyrillic letters.
-fn with_unit(part: Inline) -> Inline {
-    let Inline::Text(words) = &part else { return part };
-    let is_number = |x: &str| x.starts_with(|c: char| c.is_ascii_digit() || "−(".contains(c));
-    match words.rsplit_once(' ') {
-        Some((number, unit)) if is_number(number) => Inline::Text(format!("{number} {}", cyrillic(unit))),
-        _ => part,
-    }
 }
 
 /// Points between two figures become commas.

@@ -3,6 +3,7 @@
 use crate::document::{Block, Inline, Line, Table, commas};
 use crate::words::{Language, known, phrase, title};
 use assur_drawing::{Drawing, Level, Run, Text};
+use assur_formula::units_in_cyrillic;
 use assur_model::model::Mechanism;
 use assur_picture::Wording;
 
@@ -37,7 +38,9 @@ pub fn drawing_in(language: Language, mechanism: &Mechanism, mut drawing: Drawin
     if language == Language::English {
         return drawing;
     }
-    let figures = |words: String| if language.letters().comma { commas(&words) } else { words };
+    let figures = |words: String| {
+        if language.letters().comma { units_in_cyrillic(&commas(&words)) } else { words }
+    };
     drawing.title = figures(title(language, &drawing.title));
     drawing.description = figures(said_in(language, &drawing.description));
     if drawing.description.is_empty() {
@@ -125,7 +128,12 @@ fn relabel(language: Language, mechanism: &Mechanism, text: &mut Text) {
         }
     }
     if letters.comma {
-        text.runs.iter_mut().for_each(|run| run.letters = commas(&run.letters));
+        for run in &mut text.runs {
+            run.letters = commas(&run.letters);
+            if !run.italic && run.level == Level::Base {
+                run.letters = units_in_cyrillic(&run.letters);
+            }
+        }
     }
 }
 

@@ -90,6 +90,10 @@ fn number(figures: &Figures, out: &mut String) {
 #[must_use]
 pub fn unit_latex(unit: &str) -> String {
     let body = unit.replace('·', "\\cdot ").replace('²', "^2").replace('³', "^3").replace('°', "^{\\circ}");
+    // letters outside of Latin are no letters of formulas
+    if unit.chars().any(|c| c.is_alphabetic() && !c.is_ascii()) {
+        return format!("\\text{{{unit}}}");
+    }
     format!("\\mathrm{{{body}}}")
 }
 

@@ -71,6 +71,8 @@ fn write(node: &Node, out: &mut String) {
             out.push('°');
         }
         Node::Pi => out.push('π'),
+        Node::Fence("/") if !out.is_empty() => out.push_str(" / "),
+        Node::Fence("/") => out.push_str("/ "),
         Node::Fence(sign) => out.push_str(sign),
         Node::Operator(sign) => {
             out.push(' ');

@@ -61,7 +61,7 @@ fn what_is_too_wide_for_a_line_opens_its_brackets_and_its_fraction() {
     assert!(lines.fit() == 1.0 && lines.rows.len() > 3, "{lines:?}");
     let text = text_lines(&lines);
     let brackets = |sign| text.matches(sign).count();
-    assert!(brackets('(') == brackets(')') && text.contains(")/2.5000"), "{text}");
+    assert!(brackets('(') == brackets(')') && text.contains(") / 2.5000"), "{text}");
 }
 
 #[test]
@@ -74,4 +74,19 @@ fn typst() {
 fn commas() {
     assert!(mathml_lines(&lines().with_commas()).contains("<mn>2,7349</mn>"));
     assert!(latex_lines(&lines().with_commas()).contains("2{,}7349"));
+}
+
+#[test]
+fn units_are_in_cyrillic_where_they_are_units() {
+    let of = assur_formula::units_in_cyrillic;
+    assert_eq!(of("0,1 m"), "0,1 м");
+    assert_eq!(of("0,04 kg·m²; 9,81 m/s²"), "0,04 кг·м²; 9,81 м/с²");
+    assert_eq!(of(", rad/s"), ", рад/с");
+    assert_eq!(of(" [N·m]"), " [Н·м]");
+    assert_eq!(of("1500 rpm"), "1500 об/мин");
+    // names are no units
+    assert_eq!(of("звено m"), "звено m");
+    assert_eq!(of("Fb [N]"), "Fb [N]");
+    assert_eq!(of("3 rods"), "3 rods");
+    assert_eq!(of("2 N_x"), "2 N_x");
 }

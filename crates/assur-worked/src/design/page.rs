@@ -89,7 +89,7 @@ impl Page {
         match unit {
             Unit::Angle => row.push(Node::Degrees(figures)),
             Unit::One => row.push(Node::Number(figures)),
-            unit => row.extend([Node::Number(figures), Node::Unit(unit.text())]),
+            unit => row.extend([Node::Number(figures), Node::Unit(unit.text().to_owned())]),
         }
         self.blocks
             .push(Block::Equation(Lines { left: name_node(&q.name), rows: vec![(Node::Row(row), false)] }));

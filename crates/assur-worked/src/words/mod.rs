@@ -43,7 +43,7 @@ impl Language {
 
     /// A unit as it writes it.
     pub(crate) fn unit(self, unit: &str) -> String {
-        if self.letters().comma { cyrillic(unit).to_owned() } else { unit.to_owned() }
+        if self.letters().comma { cyrillic(unit).unwrap_or_else(|| unit.to_owned()) } else { unit.to_owned() }
     }
 
     /// The letters of its courses.
