@@ -12,6 +12,8 @@ use assur_text::units::Dimension;
 /// Width and height of a panel, mm, from one to the next, and the height of the link above them.
 const SIZE: Vec2 = Vec2 { x: 130.0, y: 30.0 };
 const BETWEEN: f64 = 12.0;
+/// Height of a panel in which all is zero, mm.
+const ZERO: f64 = 8.0;
 const LINK: f64 = 16.0;
 /// Parts into which a piece of a curve is divided.
 const PARTS: u16 = 24;
@@ -38,8 +40,7 @@ fn of_link(scene: &Scene<'_>, link: LinkId) -> Drawing {
     let mut top = LINK;
     for part in InternalPart::ALL {
         let below = (part == InternalPart::Moment).then(|| with_unit(Text::italic("x"), "", &along.unit));
-        curve(scene, &mut drawing, (link, part), (top, x, below));
-        top += SIZE.y + BETWEEN;
+        top += curve(scene, &mut drawing, (link, part), (top, x, below)) + BETWEEN;
     }
     points(scene, &mut drawing, link, x);
     drawing
@@ -62,13 +63,13 @@ fn points(scene: &Scene<'_>, drawing: &mut Drawing, link: LinkId, x: Axis) {
     drawing.end();
 }
 
-/// One of the forces along a link, with its extremes.
+/// One of the forces along a link, with its extremes; the height of its panel.
 fn curve(
     scene: &Scene<'_>,
     drawing: &mut Drawing,
     (link, part): (LinkId, InternalPart),
     (top, x, below): (f64, Axis, Option<Text>),
-) {
+) -> f64 {
     let (mechanism, view) = (scene.mechanism(), scene.view());
     let along = mechanism.display_of(Dimension::LENGTH);
     let dimension = if part == InternalPart::Moment { Dimension::TORQUE } else { Dimension::FORCE };
@@ -82,7 +83,9 @@ fn curve(
     };
     let extremes = [false, true].map(|greatest| (answer(greatest, true), answer(greatest, false)));
     let [least, greatest] = extremes.map(|(_, value)| printed(&display, value));
-    let panel = Panel { top, size: SIZE, x, y: Axis::around(least.min(0.0), greatest.max(0.0), 4.0) };
+    let y = Axis::around(least.min(0.0), greatest.max(0.0), 4.0);
+    let height = if y.is_of_nothing() { ZERO } else { SIZE.y };
+    let panel = Panel { top, size: Vec2::new(SIZE.x, height), x, y };
     panel.draw(drawing, with_unit(Text::italic(part.name()), &panel.y.power_text(), &display.unit), below);
     drawing.begin("curve", part.name());
     let points = curve_points(scene, link, part).into_iter();
@@ -100,6 +103,7 @@ fn curve(
         format!("{} at {}", scene.value_text(&display, value), scene.value_text(&along, place))
     });
     drawing.description += &format!("{}: least {}, greatest {}. ", part.name(), said[0], said[1]);
+    height
 }
 
 /// Places and values, piece by piece; where something acts at a place both sides of it.

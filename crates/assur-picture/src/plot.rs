@@ -15,6 +15,10 @@ use assur_text::diagnostic::Diagnosis;
 /// Width of a panel, mm, and the height of one, two and more.
 const WIDTH: f64 = 150.0;
 const HEIGHTS: [f64; 3] = [75.0, 50.0, 36.0];
+/// Height of a panel in which all is zero, mm.
+const ZERO: f64 = 12.0;
+/// A curve that changes by less than this part of its value is flat.
+const FLAT: f64 = 1e-4;
 /// From panel to panel, and for a line of names above one.
 const BETWEEN: f64 = 11.0;
 const LEGEND: f64 = 5.5;
@@ -196,7 +200,10 @@ fn panels(
         let range = group.shown.iter().map(|(_, c)| c.range());
         let (least, most) =
             range.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), (c, d)| (a.min(c), b.max(d)));
+        // what hardly changes is a flat line
+        let most = if is_flat(least, most) { least } else { most };
         let y = Axis::around(printed(group.display, least), printed(group.display, most), STEPS[of_count]);
+        let height = if y.is_of_nothing() { ZERO } else { height };
         let panel = Panel { top, size: Vec2::new(WIDTH, height), x, y };
         let below = is_last.then(|| with_unit(drive_label(scene), "", &along.unit));
         panel.draw(drawing, heading(group, &y), below);
@@ -217,6 +224,11 @@ fn panels(
         top += height + BETWEEN;
     }
     (along, x)
+}
+
+/// Whether numbers between these two are one.
+fn is_flat(least: f64, most: f64) -> bool {
+    most - least < FLAT * most.abs().max(least.abs())
 }
 
 /// The title of the vertical axis: name and unit of one curve, the unit alone of several.
@@ -256,7 +268,20 @@ fn extremes(
     (along, display): (&Display, &Display),
     style: Style,
 ) {
-    if !curve.changes() {
+    let (low, high) = curve.range();
+    if is_flat(low, high) {
+        // its value, over its middle
+        let line = curve.lines.iter().max_by_key(|line| line.len());
+        if let Some((x, y)) = line.and_then(|line| line.get(line.len() / 2)) {
+            let at = panel.at(printed(along, *x), printed(display, *y));
+            let text = Text::upright(&scene.value_text(display, *y));
+            drawing.label(
+                Label::at(text, 3.0, at, 0.5)
+                    .towards(Vec2::new(0.0, -1.0))
+                    .coloured(style.text_role())
+                    .ranked(3),
+            );
+        }
         return;
     }
     let large = largest(curve);
@@ -282,7 +307,7 @@ fn said(scene: &Scene<'_>, item: &Item, curve: &Curve, along: &Display) -> Strin
     let large = largest(curve);
     let value = |y: f64| scene.value_text(&item.display, cleared(y, large));
     match (curve.least, curve.greatest) {
-        (Some((x_1, y_1)), Some((x_2, y_2))) if curve.changes() => format!(
+        (Some((x_1, y_1)), Some((x_2, y_2))) if !is_flat(y_1, y_2) => format!(
             "{}: least {} at {}, greatest {} at {}. ",
             item.plain,
             value(y_1),

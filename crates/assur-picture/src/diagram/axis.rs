@@ -37,12 +37,23 @@ impl Axis {
             (from, to) = (from.min(0.0), to.max(0.0));
         }
         if to - from <= f64::MIN_POSITIVE {
-            (from, to) = (-1.0, 1.0);
+            return Self::of_nothing();
         }
         let (step, decimals) = round_step((to - from) / parts);
         let least = (from / step + 1e-6).floor() * step;
         let greatest = (to / step - 1e-6).ceil() * step;
         Self { from: least, to: greatest, step, decimals, power: 0 }.with_power()
+    }
+
+    /// An axis with zero alone.
+    const fn of_nothing() -> Self {
+        Self { from: -1.0, to: 1.0, step: 2.0, decimals: 0, power: 0 }
+    }
+
+    /// Whether there is nothing on it but zero.
+    #[must_use]
+    pub fn is_of_nothing(&self) -> bool {
+        self.step > self.to - self.from - f64::EPSILON
     }
 
     /// An axis from one number to another and not beyond.

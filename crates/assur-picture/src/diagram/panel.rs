@@ -176,12 +176,6 @@ impl Curve {
             near(x_1, x_2).then_some(y_1 + (y_2 - y_1) * part)
         })
     }
-
-    #[must_use]
-    pub fn changes(&self) -> bool {
-        let (least, greatest) = self.range();
-        greatest - least > 1e-9 * greatest.abs().max(least.abs())
-    }
 }
 
 /// A number at the positions of the sweep, joined by lines.
