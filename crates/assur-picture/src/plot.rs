@@ -228,7 +228,7 @@ fn panels(
 
 /// Whether numbers between these two are one.
 fn is_flat(least: f64, most: f64) -> bool {
-    most - least < FLAT * most.abs().max(least.abs())
+    most - least <= FLAT * most.abs().max(least.abs())
 }
 
 /// The title of the vertical axis: name and unit of one curve, the unit alone of several.
