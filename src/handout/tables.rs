@@ -32,9 +32,10 @@ pub fn blocks(source: &Source, solved: &Solved, scene: Option<&Scene<'_>>, langu
     blocks.retain(|block| scene.is_none() || !is_of_all(block));
     let published = super::published::section(&solved.outcomes);
     blocks.extend(published.iter().flat_map(|s| section(s, usize::MAX)));
-    let blocks = localised(language, blocks).into_iter().map(with_units);
+    let blocks = localised(language, blocks.into_iter().map(|block| with_units(block, language)).collect());
     let mechanism = &solved.compiled.mechanism;
-    let mut blocks: Vec<Block> = blocks.map(|block| with_letters(block, mechanism, language)).collect();
+    let blocks = blocks.into_iter().map(|block| with_letters(block, mechanism, language));
+    let mut blocks: Vec<Block> = blocks.collect();
     for picture in scene.into_iter().flat_map(|scene| PICTURES.map(|kind| pictures(scene, kind, language))) {
         if !picture.is_empty() {
             blocks.push(Block::Figures(picture));
@@ -68,7 +69,7 @@ fn with_letters(block: Block, mechanism: &Mechanism, language: Language) -> Bloc
 }
 
 /// Units of a table as formulas have them.
-fn with_units(block: Block) -> Block {
+fn with_units(block: Block, language: Language) -> Block {
     let line = |words: &dyn Fn(&str) -> String, line: Vec<Inline>| -> Vec<Inline> {
         let part = |part: Inline| match part {
             Inline::Text(own) => Inline::Text(words(&own)),
@@ -77,9 +78,19 @@ fn with_units(block: Block) -> Block {
         line.into_iter().map(part).collect()
     };
     let Block::Table(table) = block else { return block };
+    let is_unit =
+        |header: &Vec<Inline>| matches!(header.as_slice(), [Inline::Text(words)] if words == "unit");
+    let units = table.headers.iter().position(is_unit);
+    let cell = |(i, cell): (usize, Vec<Inline>)| {
+        if Some(i) == units {
+            line(&|unit| language.unit(&unit_words(unit)), cell)
+        } else {
+            line(&of_cell, cell)
+        }
+    };
+    let rows = table.rows.into_iter().map(|row| row.into_iter().enumerate().map(cell).collect()).collect();
     let headers = table.headers.into_iter().map(|cell| line(&in_brackets, cell)).collect();
-    let rows = table.rows.into_iter().map(|row| row.into_iter().map(|cell| line(&of_cell, cell)).collect());
-    Block::Table(Table { headers, rows: rows.collect(), numbers: table.numbers })
+    Block::Table(Table { headers, rows, numbers: table.numbers })
 }
 
 /// `M [N*m]` → M [N·m]
@@ -90,7 +101,7 @@ fn in_brackets(header: &str) -> String {
     }
 }
 
-/// A unit, or a number with its unit: all that letters, `*`, `/` and powers make.
+/// A number with its unit: all that letters, `*`, `/` and powers make.
 fn of_cell(words: &str) -> String {
     let is_unit = |unit: &str| {
         !unit.is_empty()
@@ -100,7 +111,6 @@ fn of_cell(words: &str) -> String {
     };
     let is_number = |x: &str| x.starts_with(|c: char| c.is_ascii_digit() || "−(-".contains(c));
     match words.rsplit_once(' ') {
-        None if is_unit(words) => unit_words(words),
         Some((number, unit)) if is_number(number) && is_unit(unit) => {
             format!("{number} {}", unit_words(unit))
         }

@@ -25,6 +25,16 @@ fn plots_over_time_show_events_and_extremes() {
     assert!(svg.contains("rest, back") && svg.contains("over time"), "{svg}");
 }
 
+/// t = 4 s ln(1 + 50/12): the steps before, at which the angle is the same to five digits, are not taken for it.
+#[test]
+fn an_extreme_stands_where_the_curve_turns_not_where_a_step_ends() {
+    let text = include_str!("../../examples/simulation/brake.mech");
+    let Some((source, solved)) = solved("brake.mech", text) else { panic!("the rotor stops") };
+    let plot = sheets(&source, &solved, Kind::Plot);
+    let said = &plot[0].drawing.description;
+    assert!(said.contains("greatest 38.57 rev at 6.569 s"), "{said}");
+}
+
 /// An answer between the file's two instants.
 #[test]
 fn a_motion_with_two_instants_has_smooth_curves() {

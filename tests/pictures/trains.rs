@@ -169,3 +169,35 @@ fn no_wheel_crosses_the_shaft_within_a_hollow_one() {
         }
     }
 }
+
+#[test]
+fn a_rope_hangs_from_its_idler_without_any_wheel() {
+    let sheet = train("slider A\nslider B\nrope a: A - over(C) - B\ndrive A at 1 m/s");
+    let rope = of(&sheet, "pair", "a");
+    let (centre, radius) = circles(&rope)[0];
+    for (name, side) in [("A", -1.0), ("B", 1.0)] {
+        let at = block(&sheet, name);
+        assert!(
+            ((at.x - centre.x) * side - radius).abs() < 1e-9 && at.y > centre.y + radius,
+            "{name}: {at:?}"
+        );
+    }
+    assert!(arrow(&sheet, "drive", "A").y > 0.0, "y of paper is down");
+}
+
+#[test]
+fn a_rope_between_two_wheels_touches_both() {
+    let sheet = train(
+        "shaft I { wheel w1 radius 0.2 m }\nshaft II { wheel w2 radius 0.1 m }\nrope a: w1 - w2\ndrive I at 2 rad/s",
+    );
+    let rope = of(&sheet, "pair", "a");
+    let parts: Vec<(Vec2, Vec2)> = lines(&rope).collect();
+    assert_eq!(parts.len(), 1);
+    let (from, to) = parts[0];
+    for (name, end) in [("w1", from), ("w2", to)] {
+        let (centre, radius) = circles(&of(&sheet, "wheel", name))[0];
+        assert!(((end - centre).norm() - radius).abs() < 1e-9, "{name}: {end:?}");
+        assert!((end - centre).dot(to - from).abs() < 1e-9, "{name}: a tangent");
+        assert!(end.y < centre.y, "both turn in one sense: above both");
+    }
+}

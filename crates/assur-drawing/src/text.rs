@@ -33,6 +33,8 @@ pub struct Run {
     /// Slanted: quantities and points.
     pub italic: bool,
     pub level: Level,
+    /// A unit, as languages write it.
+    pub unit: bool,
 }
 
 /// A text of one line.
@@ -81,8 +83,15 @@ impl Text {
 
     fn run(mut self, letters: &str, italic: bool, level: Level) -> Self {
         if !letters.is_empty() {
-            self.runs.push(Run { letters: clean(letters), italic, level });
+            self.runs.push(Run { letters: clean(letters), italic, level, unit: false });
         }
+        self
+    }
+
+    /// With a unit of its own: one behind a number needs no mark.
+    #[must_use]
+    pub fn unit(mut self, unit: &str) -> Self {
+        self.runs.push(Run { letters: clean(unit), italic: false, level: Level::Base, unit: true });
         self
     }
 

@@ -62,28 +62,53 @@ pub fn cyrillic(unit: &str) -> Option<String> {
     (out != unit).then_some(out)
 }
 
-/// A text with the units behind numbers in Cyrillic, and those behind a comma or alone.
+/// A text with its units in Cyrillic: those behind numbers, and one that it begins with behind a blank, a comma or a bracket, as
+/// behind a name.
 #[must_use]
 pub fn units_in_cyrillic(words: &str) -> String {
     let mut out = String::new();
     let mut rest = words;
+    let mut in_unit = false;
     while let Some(at) = rest.find(|c: char| c.is_ascii_alphabetic() || c == 'µ') {
         let (before, from) = rest.split_at(at);
         let end =
             from.find(|c: char| !(c.is_alphanumeric() || "·/*^²³⁴⁻¹µ".contains(c))).unwrap_or(from.len());
         let (word, behind) = from.split_at(end);
         out += before;
-        let lead = out.trim_end_matches([' ', '\u{a0}', '(']);
-        // behind a number, as in "1/m"; alone, or alone in brackets
-        let alone = lead.trim().is_empty() || lead.trim() == "[";
-        let stands = alone || lead.ends_with(|c: char| c.is_ascii_digit() || ",/".contains(c));
+        // behind a number, as in "1/m" and "°/s", or in "(m/s)/mm"; else a name may be meant
+        let goes_on = in_unit && before == ")/";
+        let stands = goes_on || begins(&out) || behind_number(&out);
         let whole =
             !behind.starts_with(['_', '\'', '=']) && !out.ends_with(|c: char| c.is_alphabetic() || c == '.');
-        match cyrillic(word).filter(|_| stands && whole) {
-            Some(unit) => out += &unit,
-            None => out += word,
-        }
+        let unit = cyrillic(word).filter(|_| stands && whole);
+        in_unit = unit.is_some();
+        out += unit.as_deref().unwrap_or(word);
         rest = behind;
     }
     out + rest
+}
+
+/// Whether all that stands before is a blank, a comma or a bracket.
+fn begins(before: &str) -> bool {
+    !before.is_empty() && before.chars().all(|c| c.is_whitespace() || ",[(°/".contains(c))
+}
+
+fn behind_number(before: &str) -> bool {
+    let lead = before.trim_end_matches([' ', '\u{a0}', '(']);
+    let lead = lead.strip_suffix('/').unwrap_or(lead).trim_end_matches('°').trim_end();
+    let word = lead.rsplit([' ', '\u{a0}', '(']).next().unwrap_or_default();
+    word.ends_with(|c: char| c.is_ascii_digit() || "²³⁴⁵⁶⁹".contains(c))
+        && word.chars().all(|c| c == 'e' || !c.is_alphabetic())
+}
+
+/// A header with its unit in Cyrillic: what stands behind its last comma or in its last bracket.
+#[must_use]
+pub fn header_in_cyrillic(header: &str) -> String {
+    let tail = header.rfind([',', '[']).map_or(0, |at| at + 1);
+    let (name, unit) = header.split_at(tail);
+    let inner = unit.trim_matches([' ', ']']);
+    match cyrillic(inner).filter(|_| tail > 0) {
+        Some(own) => format!("{name}{}", unit.replacen(inner, &own, 1)),
+        None => units_in_cyrillic(header),
+    }
 }

@@ -14,7 +14,7 @@ mod print;
 mod quantity;
 mod unit;
 
-pub use cyrillic::{cyrillic, units_in_cyrillic};
+pub use cyrillic::{cyrillic, header_in_cyrillic, units_in_cyrillic};
 pub use equation::{Equation, Set};
 pub use expr::{Expr, Function, Sign};
 pub use lay::{letters, name_node};

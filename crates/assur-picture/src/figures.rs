@@ -58,6 +58,12 @@ pub fn value_text(display: &Display, si: f64) -> String {
 }
 
 impl Scene<'_> {
+    /// What is no greater than this, SI, is rounding of a quantity of a dimension.
+    #[must_use]
+    pub fn rounding(&self, dimension: [i8; 4]) -> f64 {
+        rounding(self.greatest.in_si(dimension))
+    }
+
     /// Five digits with a true minus; 0 for what is rounding.
     pub(crate) fn figure(&self, si: f64, dimension: [i8; 4]) -> String {
         plain(cleared(si, self.greatest.in_si(dimension)))

@@ -3,7 +3,7 @@
 use crate::diagram::{
     Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, over_poses, printed, scaled, with_unit,
 };
-use crate::figures::{cleared, rounding, unit_text};
+use crate::figures::{cleared, unit_text};
 use crate::scene::{Scene, marked_events};
 use crate::{no_diagram, words};
 use assur_drawing::{CURVES, Drawing, Label, Shape, Style, Text};
@@ -110,14 +110,12 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Dia
 
 /// The curves of items, with the places of every event.
 fn curves(scene: &Scene<'_>, items: &[Item]) -> Result<(Vec<Curve>, Vec<Vec<f64>>), Diagnosis> {
-    let small = |item: &Item| rounding(scene.greatest.in_si(item.display.dimension));
+    let small = |item: &Item| scene.rounding(item.display.dimension);
     let exprs: Vec<(Expr, f64)> = items.iter().map(|item| (item.expr.clone(), small(item))).collect();
     match over_time(&scene.model, scene.solution, &exprs) {
         Ok(None) => {}
         Ok(Some(OverTime { courses, events })) => {
-            let large = |item: &Item| scene.greatest.in_si(item.display.dimension);
-            let curves = courses.into_iter().zip(items);
-            return Ok((curves.map(|(course, item)| Curve::in_time(course, large(item))).collect(), events));
+            return Ok((courses.into_iter().map(Curve::in_time).collect(), events));
         }
         // as the file itself does not
         Err(_) => return Err(no_diagram::no_quantity(scene, "the motion does not begin")),
@@ -236,7 +234,7 @@ fn heading(group: &Group<'_>, y: &Axis) -> Text {
     let unit = &group.display.unit;
     match group.shown.as_slice() {
         [(item, _)] => with_unit(item.name.clone(), &y.power_text(), unit),
-        _ => Text::upright(&format!("{}{}", y.power_text(), unit_text(unit))),
+        _ => Text::upright(&y.power_text()).unit(&unit_text(unit)),
     }
 }
 

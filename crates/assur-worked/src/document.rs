@@ -1,6 +1,6 @@
 //! A worked solution before any format: headings, sentences, equations, tables, figures.
 
-use assur_formula::{Lines, Name, Node, name_node, units_in_cyrillic};
+use assur_formula::{Lines, Name, Node, header_in_cyrillic, name_node, units_in_cyrillic};
 
 /// A part of a line of text.
 #[derive(Clone, Debug, PartialEq)]
@@ -162,7 +162,12 @@ impl Block {
             Self::List(items) => Self::List(items.into_iter().map(line_with_commas).collect()),
             Self::Table(table) => {
                 let rows = table.rows.into_iter().map(|row| row.into_iter().map(line_with_commas).collect());
-                let headers = table.headers.into_iter().map(line_with_commas).collect();
+                let header = |part: Inline| match part {
+                    Inline::Text(words) => Inline::Text(header_in_cyrillic(&commas(&words))),
+                    part => part_with_commas(part),
+                };
+                let headers = table.headers.into_iter().map(|line| line.into_iter().map(header).collect());
+                let headers = headers.collect();
                 Self::Table(Table { headers, rows: rows.collect(), ..table })
             }
             Self::Vectors(terms) => {
@@ -179,12 +184,15 @@ impl Block {
 }
 
 fn line_with_commas(line: Line) -> Line {
-    let part = |part: Inline| match part {
+    line.into_iter().map(part_with_commas).collect()
+}
+
+fn part_with_commas(part: Inline) -> Inline {
+    match part {
         Inline::Text(words) => Inline::Text(units_in_cyrillic(&commas(&words))),
         Inline::Strong(_) | Inline::Figure(_) => part,
         Inline::Math(node) => Inline::Math(node.with_commas()),
-    };
-    line.into_iter().map(part).collect()
+    }
 }
 
 /// Points between two figures become commas.

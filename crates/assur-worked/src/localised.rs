@@ -130,7 +130,9 @@ fn relabel(language: Language, mechanism: &Mechanism, text: &mut Text) {
     if letters.comma {
         for run in &mut text.runs {
             run.letters = commas(&run.letters);
-            if !run.italic && run.level == Level::Base {
+            if run.unit {
+                run.letters = language.unit(&run.letters);
+            } else if !run.italic && run.level == Level::Base {
                 run.letters = units_in_cyrillic(&run.letters);
             }
         }

@@ -51,18 +51,17 @@ impl Derivation<'_> {
             })
             .filter(|(_, expr, _)| matches!(self.scene.view().value(expr), Value::Scalar(_)))
             .collect();
-        let exprs: Vec<(Expr, f64)> = asked.iter().map(|(_, expr, _)| ((*expr).clone(), 0.0)).collect();
+        let with_rounding = |(_, expr, display): &(&Find, &Expr, &Display)| {
+            ((*expr).clone(), self.scene.rounding(display.dimension))
+        };
+        let exprs: Vec<(Expr, f64)> = asked.iter().map(with_rounding).collect();
         let Ok(Some(found)) = over_time(&self.scene.model, self.scene.solution, &exprs) else { return };
         let time = self.scene.mechanism().display_of(Dimension::TIME);
         let mut rows = Vec::new();
         for ((find, _, display), course) in asked.into_iter().zip(found.courses) {
             let points = || course.lines.iter().flatten();
             let (Some(first), Some(last)) = (points().next(), points().next_back()) else { continue };
-            let large = points().fold(0.0_f64, |most, point| most.max(point.1.abs()));
-            let value = |x: f64| {
-                let x = if x.abs() <= 1e-7 * large { 0.0 } else { x };
-                vec![text(with_digits(display.of_si(x), DIGITS).text())]
-            };
+            let value = |x: f64| vec![text(with_digits(display.of_si(x), DIGITS).text())];
             let at = |(t, x): (f64, f64)| {
                 let mut cell = value(x);
                 cell.push(text(format!(" ({})", with_digits(time.of_si(t), DIGITS).text())));

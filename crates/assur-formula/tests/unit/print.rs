@@ -84,9 +84,24 @@ fn units_are_in_cyrillic_where_they_are_units() {
     assert_eq!(of(", rad/s"), ", рад/с");
     assert_eq!(of(" [N·m]"), " [Н·м]");
     assert_eq!(of("1500 rpm"), "1500 об/мин");
+    assert_eq!(of(" = 0,1 (m/s²)/mm"), " = 0,1 (м/с²)/мм");
+    assert_eq!(of("10³ N·m"), "10³ Н·м");
+    assert_eq!(of("0 °/s"), "0 °/с");
+    assert_eq!(of(", °/s"), ", °/с");
+    assert_eq!(of("= 7,8e−12 N"), "= 7,8e−12 Н");
+    assert_eq!(of("1/m"), "1/м");
+    let header = assur_formula::header_in_cyrillic;
+    assert_eq!(header("M_r, N·m"), "M_r, Н·м");
+    assert_eq!(header("N [kN]"), "N [кН]");
+    assert_eq!(header("N"), "N");
     // names are no units
     assert_eq!(of("звено m"), "звено m");
-    assert_eq!(of("Fb [N]"), "Fb [N]");
+    assert_eq!(of("N"), "N");
+    assert_eq!(of("A, N"), "A, N");
+    assert_eq!(of("N–K"), "N–K");
+    assert_eq!(of("t1–b1–t2"), "t1–b1–t2");
+    assert_eq!(of("2, N"), "2, N");
+    assert_eq!(of("link t1 N"), "link t1 N");
     assert_eq!(of("3 rods"), "3 rods");
     assert_eq!(of("2 N_x"), "2 N_x");
 }

@@ -1,7 +1,7 @@
 //! A panel: two axes with ticks and grid, and what is drawn in it.
 
 use super::axis::Axis;
-use crate::figures::{cleared, unit_text};
+use crate::figures::unit_text;
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Label, Level, Shape, Style, Text};
 use assur_math::math::Vec2;
@@ -149,12 +149,10 @@ impl Curve {
         Self { lines, least: Some(course.least), greatest: Some(course.greatest) }
     }
 
-    /// Over a motion under loads; what is rounding beside what its numbers are large against is 0.
+    /// Over a motion under loads.
     #[must_use]
-    pub fn in_time(mut course: TimeCourse, large: f64) -> Self {
-        course.lines.iter_mut().flatten().for_each(|point| point.1 = cleared(point.1, large));
-        let known =
-            |(x, y): (f64, f64)| Some((x, cleared(y, large))).filter(|_| x.is_finite() && y.is_finite());
+    pub fn in_time(course: TimeCourse) -> Self {
+        let known = |(x, y): (f64, f64)| (x.is_finite() && y.is_finite()).then_some((x, y));
         Self { least: known(course.least), greatest: known(course.greatest), lines: course.lines }
     }
 

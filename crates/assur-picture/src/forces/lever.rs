@@ -272,7 +272,7 @@ fn captions(drawing: &mut Drawing, frame: &Frame, pole: &str, terms: &[(Text, f6
         return;
     }
     let sum = Text::upright("Σ").and("M", true, Level::Base).and(pole, true, Level::Sub);
-    let mut text = sum.and(" = 0, W:  ", false, Level::Base);
+    let mut text = sum.and(" = 0 (W):  ", false, Level::Base);
     for (i, (name, power)) in terms.iter().enumerate() {
         let lead = if i > 0 { ",  " } else { "" };
         text = text.and(lead, false, Level::Base);

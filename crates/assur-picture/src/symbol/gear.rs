@@ -63,19 +63,30 @@ pub fn rack(
     }
 }
 
-/// The tangents of two wheels, crossed where these turn against each other.
-pub fn belt(drawing: &mut Drawing, (c_a, r_a): (Vec2, f64), (c_b, r_b): (Vec2, f64), crossed: bool) {
-    let apart = (c_b - c_a).norm();
-    let Some(along) = (c_b - c_a).unit() else { return };
-    let cos = if crossed { (r_a + r_b) / apart } else { (r_a - r_b) / apart };
+/// The tangents of two wheels, crossed where these turn against each other; none where one wheel is in the other.
+pub fn tangents(
+    (c_a, r_a): (Vec2, f64),
+    (c_b, r_b): (Vec2, f64),
+    crossed: bool,
+) -> Option<[(Vec2, Vec2); 2]> {
+    let along = (c_b - c_a).unit()?;
+    let cos = (if crossed { r_a + r_b } else { r_a - r_b }) / (c_b - c_a).norm();
     if cos.abs() >= 1.0 {
-        return;
+        return None;
     }
     let sin = (1.0 - cos * cos).sqrt();
-    for side in [-1.0, 1.0] {
+    let one = |side: f64| {
         let normal = along * cos + along.perp() * (side * sin);
         let end = if crossed { c_b - normal * r_b } else { c_b + normal * r_b };
-        drawing.line(Style::Medium, c_a + normal * r_a, end);
+        (c_a + normal * r_a, end)
+    };
+    Some([one(-1.0), one(1.0)])
+}
+
+/// A belt on two wheels.
+pub fn belt(drawing: &mut Drawing, a: (Vec2, f64), b: (Vec2, f64), crossed: bool) {
+    for (from, to) in tangents(a, b, crossed).into_iter().flatten() {
+        drawing.line(Style::Medium, from, to);
     }
 }
 

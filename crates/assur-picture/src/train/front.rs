@@ -27,12 +27,12 @@ const LETTERS: f64 = 4.0;
 /// no place in section into it: shafts of worms, sliders on ropes. These are what it returns.
 pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) -> (Vec<Shaft>, Vec<(LinkId, Vec2)>) {
     let shown = shown(scene.mechanism(), layout);
+    let has_ropes = kinds(scene.mechanism()).any(|t| t.kind == TransmissionKind::Rope);
     let mut weights = Vec::new();
-    if shown.is_empty() {
+    if shown.is_empty() && !has_ropes {
         return (Vec::new(), weights);
     }
-    let has_ropes = kinds(scene.mechanism()).any(|t| t.kind == TransmissionKind::Rope);
-    let left = drawing.extent().max.x + BESIDE;
+    let left = drawing.extent().max.x.max(0.0) + BESIDE;
     let front = if has_ropes { hoist(scene, layout, shown, left) } else { stack(scene, layout, shown, left) };
     let (front, ropes) = front;
     front.axes(drawing);
@@ -42,9 +42,9 @@ pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) -> (Vec<S
     front.shafts().for_each(|shaft| front.shaft(drawing, shaft));
     front.shafts().for_each(|shaft| front.turn(drawing, shaft));
     drawing.end();
-    let discs = |i: usize| (front.centre(&layout.wheels[i]).x, layout.wheels[i].radius);
     let bounds = front.bounds();
     for rope in ropes {
+        let discs = |i: usize| front.disc(i);
         rope.draw(drawing, (front.origin.y, bounds.0, bounds.1), (&discs, &mut weights));
     }
     let worms = worm::placed(scene.mechanism(), layout, |wheel| front.centre(wheel));
@@ -80,7 +80,7 @@ fn shown(mechanism: &Mechanism, layout: &Layout) -> Vec<usize> {
     if all && (hangs && !has_planets || !hangs && plain && some && layout.scale(mechanism).is_some()) {
         return (0..layout.wheels.len()).collect();
     }
-    // what hangs on ropes and what worms turn is seen from the front alone
+    // what ropes carry and what worms turn is seen from the front alone
     let mut wheels: Vec<usize> = Vec::new();
     for t in kinds(mechanism) {
         match t.kind {
@@ -125,24 +125,18 @@ fn hoist<'a, 's>(
     let one = |way: f64| {
         let mut front =
             Front { scene, layout, shown: shown.clone(), origin: Vec2::zero(), row: Vec2::new(way, 0.0) };
-        let least = |front: &Front<'_, '_>, ropes: &[Rope<'_>]| {
-            let discs =
-                front.shown.iter().map(|i| front.centre(&layout.wheels[*i]).x - layout.wheels[*i].radius);
-            discs.chain(ropes.iter().map(Rope::left)).fold(f64::INFINITY, f64::min)
+        let ropes = |front: &Front<'_, '_>| rope::ropes(mechanism, layout, &|i| front.disc(i));
+        let discs = |front: &Front<'_, '_>| -> Vec<(f64, f64)> {
+            front.shown.iter().map(|i| front.disc(*i)).collect()
         };
-        let ropes = |front: &Front<'_, '_>| {
-            rope::ropes(mechanism, layout, &|i| (front.centre(&layout.wheels[i]).x, layout.wheels[i].radius))
-        };
-        let shift = least(&front, &ropes(&front));
+        let shift = discs(&front)
+            .into_iter()
+            .map(|(x, radius)| x - radius)
+            .chain(ropes(&front).iter().map(Rope::left))
+            .fold(f64::INFINITY, f64::min);
         front.origin = Vec2::new(left - shift, 0.0);
-        let ropes = ropes(&front);
-        let discs: Vec<(f64, f64)> = front
-            .shown
-            .iter()
-            .map(|i| (front.centre(&layout.wheels[*i]).x, layout.wheels[*i].radius))
-            .collect();
-        let own = |i: usize| (front.centre(&layout.wheels[i]).x, layout.wheels[i].radius);
-        let crossed: usize = ropes.iter().map(|rope| rope.crossed(&discs, &own)).sum();
+        let (ropes, discs) = (ropes(&front), discs(&front));
+        let crossed: usize = ropes.iter().map(|rope| rope.crossed(&discs, &|i| front.disc(i))).sum();
         // the farther apart weights hang, the better
         let spread = ropes.iter().map(Rope::right).fold(0.0, f64::max)
             - ropes.iter().map(Rope::left).fold(f64::MAX, f64::min);
@@ -172,6 +166,12 @@ impl Front<'_, '_> {
         self.at(centre_level(self.scene.mechanism(), wheel))
     }
 
+    /// The abscissa of the middle of a drawn wheel, and its radius.
+    fn disc(&self, i: usize) -> (f64, f64) {
+        let wheel = &self.layout.wheels[i];
+        (self.centre(wheel).x, wheel.radius)
+    }
+
     fn shows(&self, run: &Run) -> bool {
         run.wheels.iter().all(|wheel| self.shown.contains(wheel))
     }
@@ -189,8 +189,11 @@ impl Front<'_, '_> {
         self.shown.iter().map(|i| (self.centre(&self.layout.wheels[*i]), self.layout.wheels[*i].radius))
     }
 
-    /// The greatest and the least height of all wheels.
+    /// The greatest and the least height of all wheels, without one that of the axes.
     fn bounds(&self) -> (f64, f64) {
+        if self.shown.is_empty() {
+            return (self.origin.y, self.origin.y);
+        }
         let top = self.circles().map(|(c, r)| c.y - r).fold(f64::MAX, f64::min);
         (top, self.circles().map(|(c, r)| c.y + r).fold(f64::MIN, f64::max))
     }
@@ -199,6 +202,9 @@ impl Front<'_, '_> {
     fn axes(&self, drawing: &mut Drawing) {
         let ends = self.circles().map(|(c, r)| ((c - self.origin).dot(self.row), r));
         let ends: Vec<(f64, f64)> = ends.collect();
+        if ends.is_empty() {
+            return;
+        }
         let from = ends.iter().map(|(s, r)| s - r).fold(f64::MAX, f64::min);
         let to = ends.iter().map(|(s, r)| s + r).fold(f64::MIN, f64::max);
         drawing.line(Style::Axis, self.at(to + BEYOND), self.at(from - BEYOND));

@@ -38,10 +38,10 @@ pub fn has_train(scene: &Scene<'_>) -> bool {
     (1..scene.mechanism().links.len()).any(|i| !scene.is_placed(LinkId::at(i)))
 }
 
-/// The section of all shafts without a place.
+/// The section of all shafts without a place, and their front view.
 ///
 /// # Errors
-/// There are none.
+/// Where all links have places.
 pub fn train(scene: &Scene<'_>) -> Result<Drawing, Diagnosis> {
     if !has_train(scene) {
         return Err(Diagnosis::error(

@@ -2,14 +2,14 @@
 
 use super::layout::{Layout, wheel_named};
 use super::{BLOCK, NAME, SMALL};
-use crate::symbol::hinge;
+use crate::symbol::{gear, hinge};
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Mechanism, PairKind, Rate, Transmission, TransmissionKind};
 
 /// Radius of a pulley or an idler, where no two parts of a rope give it.
 const PULLEY: f64 = 4.0;
-/// From idlers to all wheels, and from these to what hangs on a rope.
+/// From idlers to all wheels, and from these to what ropes carry.
 const ABOVE: f64 = 11.0;
 const BELOW: f64 = 13.0;
 /// From an idler to the next one, and between a pulley and its weight.
@@ -48,6 +48,7 @@ impl Station {
 pub struct Rope<'l> {
     name: &'l str,
     stations: Vec<Station>,
+    sides: Vec<f64>,
     /// The abscissa of each upright part; none of one that lies between two pulleys or two wheels.
     parts: Vec<Option<f64>>,
     pulleys: Vec<Option<(f64, f64)>>,
@@ -121,8 +122,9 @@ impl<'l> Rope<'l> {
                 parts[i] = None;
             }
         }
-        let mut rope = Self { name, pulleys: vec![None; stations.len()], stations, parts };
-        if rope.parts.iter().all(Option::is_none) && !rope.parts.is_empty() {
+        let mut rope = Self { name, pulleys: vec![None; stations.len()], stations, sides, parts };
+        let without = rope.stations.iter().all(|s| !matches!(s, Station::Wheel(_)));
+        if without && !rope.parts.is_empty() {
             let right = (0..layout.wheels.len()).map(discs).map(|(x, r)| x + r).fold(0.0, f64::max);
             rope.parts[0] = Some(right + BESIDE);
         }
@@ -134,12 +136,12 @@ impl<'l> Rope<'l> {
             Some((discs(*own).0, same.map(|i| discs(i).1).fold(0.0, f64::max)))
         };
         let reaches: Vec<Option<(f64, f64)>> = rope.stations.iter().map(largest).collect();
-        rope.spread(&sides, &reaches);
+        rope.spread(&reaches);
         rope
     }
 
     /// From the parts at wheels to those behind pulleys, away from the wheel.
-    fn spread(&mut self, sides: &[f64], reaches: &[Option<(f64, f64)>]) {
+    fn spread(&mut self, reaches: &[Option<(f64, f64)>]) {
         let count = self.stations.len();
         for forward in [true, false] {
             let (mut outwards, mut beyond) = (1.0, None);
@@ -147,7 +149,7 @@ impl<'l> Rope<'l> {
                 let i = if forward { step } else { count - 1 - step };
                 if matches!(self.stations[i], Station::Wheel(_)) {
                     let behind = forward && i > 0 && i + 1 < count;
-                    outwards = if behind { -sides[i] } else { sides[i] };
+                    outwards = if behind { -self.sides[i] } else { self.sides[i] };
                     beyond = reaches[i].map(|(x, radius)| x + outwards * (radius + 4.0));
                 }
                 if self.stations[i].is_pulley() {
@@ -169,8 +171,10 @@ impl<'l> Rope<'l> {
             (Some(a), Some(b)) => Some(((a + b) / 2.0, (a - b).abs() / 2.0)),
             (Some(x), None) => {
                 // past the largest wheel on the axis
+                let carries = |other: usize| matches!(self.stations[other], Station::Slider(_));
+                let least = if carries(before) && carries(after) { NEAR / 2.0 + 0.5 } else { PULLEY };
                 let radius =
-                    beyond.map_or(PULLEY, |far| ((far - x) * outwards / 2.0).clamp(PULLEY, 3.0 * PULLEY));
+                    beyond.map_or(least, |far| ((far - x) * outwards / 2.0).clamp(PULLEY, 3.0 * PULLEY));
                 Some((x + outwards * radius, radius))
             }
             (None, _) if flat(self, before) => {
@@ -238,7 +242,9 @@ impl<'l> Rope<'l> {
         for (i, part) in self.parts.iter().enumerate() {
             let ends = match part {
                 Some(x) => [i, i + 1].map(|end| Vec2::new(*x, height(end))),
-                None => [i, i + 1].map(|end| self.flat(end, height(end), discs)),
+                None => self
+                    .between(i, axis, discs)
+                    .unwrap_or_else(|| [i, i + 1].map(|end| self.flat(end, height(end), discs))),
             };
             drawing.line(Style::Medium, ends[0], ends[1]);
             let length = (ends[1] - ends[0]).norm();
@@ -293,6 +299,18 @@ impl<'l> Rope<'l> {
             let Some(x) = part.copied().flatten() else { return };
             fixed(drawing, Vec2::new(x, y));
         }
+    }
+
+    /// A part between two wheels, above or between them as they turn.
+    fn between(&self, i: usize, axis: f64, discs: &Discs<'_>) -> Option<[Vec2; 2]> {
+        let (Station::Wheel(a), Station::Wheel(b)) = (&self.stations[i], &self.stations[i + 1]) else {
+            return None;
+        };
+        let circle = |wheel: usize| (Vec2::new(discs(wheel).0, axis), discs(wheel).1);
+        let leaves = if i == 0 { self.sides[i] } else { -self.sides[i] };
+        let tangents = gear::tangents(circle(*a), circle(*b), leaves * self.sides[i + 1] > 0.0)?;
+        let (from, to) = tangents.into_iter().min_by(|one, other| one.0.y.total_cmp(&other.0.y))?;
+        Some([from, to])
     }
 
     /// Where a part that lies begins: on top of an idler or a wheel, below a movable pulley.

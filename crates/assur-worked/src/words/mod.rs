@@ -42,7 +42,8 @@ impl Language {
     }
 
     /// A unit as it writes it.
-    pub(crate) fn unit(self, unit: &str) -> String {
+    #[must_use]
+    pub fn unit(self, unit: &str) -> String {
         if self.letters().comma { cyrillic(unit).unwrap_or_else(|| unit.to_owned()) } else { unit.to_owned() }
     }
 

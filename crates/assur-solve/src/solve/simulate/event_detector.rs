@@ -44,8 +44,6 @@ pub(super) struct EventDetector<'m> {
     pub(super) places: Extremes,
     /// What series of functions may leave off, of the greatest value.
     pub(super) smooth: f64,
-    /// Of extremes that differ by no more than this part of the greatest value the first counts.
-    pub same: f64,
     /// Functions are drawn: their series are kept, and events that change nothing are not looked for.
     pub drawn: bool,
     /// Functions are not taken, and events that change nothing are not looked for.
@@ -106,7 +104,6 @@ impl<'m> EventDetector<'m> {
             comes_again,
             places: Extremes::new(),
             smooth: SMOOTH.max(OF_TOLERANCE * tolerance),
-            same: 0.0,
             drawn: false,
             bare: false,
             times: vec![Vec::new(); count],
@@ -128,7 +125,6 @@ impl<'m> EventDetector<'m> {
     /// Functions are found as it takes to draw them.
     pub fn draw(&mut self, drawn: &Drawn<'_>) {
         self.drawn = true;
-        self.same = drawn.same;
         self.smooth = self.smooth.max(drawn.smooth);
         for (function, rounding) in self.functions.iter_mut().zip(drawn.roundings) {
             function.rounding = *rounding;

@@ -53,8 +53,6 @@ pub(super) struct Function<'m> {
     lost: Option<f64>,
     /// The extreme is one of a part that does not change.
     stays: bool,
-    /// Extremes that were as good as the greatest, in order, where the first of them counts: when, s, and how great.
-    near: Vec<(f64, f64)>,
     /// What its series may leave off, however small it is: where it is drawn a part of what is seen, otherwise what is zero of it
     /// but for rounding.
     pub(super) rounding: f64,
@@ -86,7 +84,6 @@ impl<'m> Function<'m> {
             left_off: 0.0,
             lost: None,
             stays: false,
-            near: Vec::new(),
             rounding: 0.0,
             course: Vec::new(),
         }
@@ -122,8 +119,8 @@ impl Function<'_> {
         })
     }
 
-    /// Takes a part of a step; of extremes that differ by no more than this part of the greatest value the first counts.
-    fn take(&mut self, series: &Short, values: &[f64; PLACES], same: f64, drawn: bool) {
+    /// Takes a part of a step.
+    fn take(&mut self, series: &Short, values: &[f64; PLACES], drawn: bool) {
         self.lasted += series.to - series.from;
         self.greatest = self.greatest.max(greatest(values));
         let nothing = if drawn { 0.0 } else { self.rounding };
@@ -134,31 +131,17 @@ impl Function<'_> {
             self.left_off = self.left_off.max(left_off);
             return;
         };
-        let apart = same * self.greatest;
-        if most_possible(sign, series) < sign * self.value - apart {
+        if most_possible(sign, series) < sign * self.value {
             return;
         }
         let stays = varies(series) <= rounding;
         extremes(series, values, |t, x| {
-            if apart > 0.0 && sign * x > sign * self.value - apart {
-                self.near.push((t, x));
-            }
             // of what does not change the first instant counts
             let by = if stays || self.stays { rounding } else { 0.0 };
             if sign * x > sign * self.value + by {
                 (self.value, self.at, self.left_off, self.stays) = (x, t, left_off, stays);
             }
         });
-    }
-}
-
-impl Function<'_> {
-    /// Where the extreme is, s: the first that differs by no more than this part of the greatest value.
-    fn first(&self, same: f64) -> f64 {
-        let sign = self.sign().unwrap_or(1.0);
-        let as_good = |(_, x): &&(f64, f64)| sign * x >= sign * self.value - same * self.greatest;
-        let times = self.near.iter().filter(as_good).map(|(t, _)| *t);
-        times.fold(self.at, f64::min)
     }
 }
 
@@ -263,7 +246,7 @@ impl EventDetector<'_> {
                     if function.lost.is_some() {
                         continue;
                     }
-                    function.take(series, values, self.same, self.drawn);
+                    function.take(series, values, self.drawn);
                     if self.drawn && function.source == f {
                         function.course.push(*series);
                     }
@@ -371,7 +354,7 @@ impl EventDetector<'_> {
             let (found, lost) = (value(f), f.lost);
             // of what is zero everywhere the first instant counts
             let nothing = !self.drawn && f.greatest <= f.rounding;
-            let at = if nothing { self.begin } else { f.first(self.same) };
+            let at = if nothing { self.begin } else { f.at };
             if f.cycle.how == CycleFunction::Argmax {
                 let value = if nothing && !found.is_nan() { at } else { found };
                 return OverRun { value, scale: end - self.begin, at, rounding: 0.0, lost };

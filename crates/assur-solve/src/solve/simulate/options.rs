@@ -27,8 +27,6 @@ pub struct IntegrationOptions<'c> {
 /// How functions are found that are drawn. Events that change nothing are known then, and not looked for.
 #[derive(Clone, Copy)]
 pub struct Drawn<'c> {
-    /// Of extremes that differ by no more than this part of the greatest value the first counts.
-    pub same: f64,
     /// What series may leave off, of the greatest value.
     pub smooth: f64,
     /// What they may leave off of each function, however small it is.

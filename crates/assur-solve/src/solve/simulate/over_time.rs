@@ -1,5 +1,6 @@
 //! Numbers over a motion under loads as they run, for pictures.
 
+use super::functions::OverRun;
 use super::options::{Drawn, IntegrationOptions};
 use super::trajectory::trajectory;
 use crate::math::lobatto::Short;
@@ -18,7 +19,7 @@ const WITHIN: f64 = 1e-6;
 /// What series leave off of that.
 const SMOOTH: f64 = 0.1 * WITHIN;
 
-/// Numbers that differ by less, relative to the greatest, are the same; extremes of one run.
+/// Numbers that differ by less, relative to the greatest, are the same; extremes of one run, of which the first is told.
 const ROUNDING: f64 = 1e-12;
 const SAME: f64 = 1e-5;
 
@@ -71,25 +72,42 @@ impl TimeCourse {
         self.lines.iter().flatten().fold(0.0_f64, |most, point| most.max(point.1.abs()))
     }
 
-    /// With 0 for what series leave off.
-    fn cleared(mut self) -> Self {
-        let small = SMOOTH * self.most();
-        self.lines
-            .iter_mut()
-            .flatten()
-            .filter(|point| point.1.abs() <= small)
-            .for_each(|point| point.1 = 0.0);
+    /// With 0 for what is no greater than this.
+    fn cleared(mut self, small: f64) -> Self {
+        let numbers = self.lines.iter_mut().flatten().chain([&mut self.least, &mut self.greatest]);
+        numbers.filter(|point| point.1.abs() <= small).for_each(|point| point.1 = 0.0);
         self
     }
 
-    /// An extreme where it stands, or at the first instant that has it but for rounding.
-    fn at_once(&self, time: f64, value: f64) -> (f64, f64) {
-        let points = || self.lines.iter().flatten();
+    /// The first instant at which the series have an extreme that is as good as the one found but for what is small.
+    fn first(&self, series: &[Short], small: f64, (sign, found): (f64, &OverRun)) -> (f64, f64) {
         let most = self.most();
-        let value = if value.abs() <= SMOOTH * most { 0.0 } else { value };
-        let first = points().find(|point| (point.1 - value).abs() <= ROUNDING * most);
-        first.filter(|point| point.0 < time).copied().unwrap_or((time, value))
+        // numbers from −small to small are 0
+        let same = (2.0 * small).max(SAME * most);
+        let turns = turns(series, ROUNDING * most);
+        let rises = |i: usize| i == 0 || sign * turns[i - 1].1 < sign * turns[i].1;
+        let falls = |i: usize| i + 1 == turns.len() || sign * turns[i + 1].1 < sign * turns[i].1;
+        let as_good = |i: &usize| sign * turns[*i].1 >= sign * found.value - same;
+        let stays = (0..turns.len()).all(|i| as_good(&i));
+        let first = (0..turns.len()).filter(as_good).find(|&i| stays || rises(i) && falls(i));
+        (first.map_or(found.at, |i| turns[i].0), found.value)
     }
+}
+
+/// Where series begin, turn and end, s, and what they are there; of what stays but for rounding the first instant.
+fn turns(series: &[Short], rounding: f64) -> Vec<(f64, f64)> {
+    let mut all: Vec<(f64, f64)> = Vec::new();
+    let mut add = |t: f64, x: f64| {
+        if x.is_finite() && all.last().is_none_or(|last| (last.1 - x).abs() > rounding) {
+            all.push((t, x));
+        }
+    };
+    for part in series {
+        add(part.from, part.value(part.from));
+        part.turns(&mut add);
+        add(part.to, part.value(part.to));
+    }
+    all
 }
 
 /// Numbers over the motion of a solved file, each with what is rounding of it: one run more, as accurate as is seen. Of a file without
@@ -123,18 +141,19 @@ pub fn over_time(
     let start = first_state(solution).filter(|_| simulation.steady.is_none());
     let looser = (WITHIN / solved.within).max(1.0);
     let alone = Some(solved.tolerance * looser);
-    let drawn = Some(Drawn { same: SAME, smooth: SMOOTH, roundings: &roundings, start });
+    let drawn = Some(Drawn { smooth: SMOOTH, roundings: &roundings, start });
     let conduct = IntegrationOptions { alone, drawn, ..IntegrationOptions::default() };
     let statics = &solution.statics;
     let first = Sweep::of(&model, statics).at(0).drives;
     let found = trajectory(&model, statics, &Rates::of(&model, statics), &first, &simulation, &conduct)?;
     let length = found.report.end - found.from;
     let pairs = found.courses.chunks_exact(2).zip(found.functions.chunks_exact(2));
-    let courses = pairs.map(|(series, extremes)| {
-        let course = TimeCourse::through(&series[0], length).cleared();
-        let [least, greatest] =
-            [&extremes[0], &extremes[1]].map(|found| course.at_once(found.at, found.value));
-        TimeCourse { least, greatest, ..course }
+    let courses = pairs.zip(exprs).map(|((series, extremes), (_, rounding))| {
+        let course = TimeCourse::through(&series[0], length);
+        let small = rounding.max(SMOOTH * course.most());
+        let [least, greatest] = [(-1.0, &extremes[0]), (1.0, &extremes[1])]
+            .map(|extreme| course.first(&series[0], small, extreme));
+        TimeCourse { least, greatest, ..course }.cleared(small)
     });
     Ok(Some(OverTime { courses: courses.collect(), events: solved.events.clone() }))
 }
