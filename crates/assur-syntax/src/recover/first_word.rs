@@ -242,8 +242,13 @@ const OF_A_RUN: &[&str] =
 /// Words that ask for a drawing.
 const DRAWINGS: &[&str] = &["plot", "draw", "graph", "chart", "animate", "figure"];
 
+/// Words for points, which have no statement.
+const POINTS: &[&str] = &["point", "points", "node", "nodes", "coordinates"];
+
 fn unknown(case: &Case<'_>, word: &str) -> Diagnosis {
-    let help = if DRAWINGS.contains(&word) {
+    let help = if POINTS.contains(&word) {
+        "a point is declared in the braces of its link, as in: ground { O (0, 0); D (300 mm, 0) }".into()
+    } else if DRAWINGS.contains(&word) {
         let asked = case.slice.get(word.len()..).unwrap_or_default().trim();
         let find = format!("find {asked}");
         let find = if case.reads(&find) { format!("`{find}`") } else { "`find …`".to_owned() };

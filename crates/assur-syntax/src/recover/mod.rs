@@ -8,6 +8,7 @@ mod commas;
 mod first_word;
 mod harmonic;
 mod meant;
+mod of_pair;
 mod phrase;
 mod range;
 mod separator;
@@ -40,6 +41,7 @@ fn explain(case: &Case<'_>) -> Option<Diagnosis> {
         .or_else(|| separator::statements(case))
         .or_else(|| range::explain(case))
         .or_else(|| swap::of_without_brackets(case))
+        .or_else(|| of_pair::explain(case))
         .or_else(|| meant::explain(case))
         .or_else(|| case::explain(case))
         .or_else(|| phrase::explain(case))
