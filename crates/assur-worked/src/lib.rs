@@ -17,6 +17,7 @@ mod jerks;
 mod letters;
 mod localised;
 mod motion;
+mod notation;
 mod overview;
 mod pictures;
 mod points;

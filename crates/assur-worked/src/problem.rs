@@ -24,6 +24,7 @@ impl Derivation<'_> {
         let headers = [Message::Given, Message::Value].map(|m| vec![text(self.words(m))]);
         let mut blocks: Vec<Block> = two_abreast(headers, rows).into_iter().map(Block::Table).collect();
         blocks.push(Block::Remark(say(self.language, Message::Conventions, &[])));
+        blocks.extend(self.notation());
         let taken: Vec<Arc<Quantity>> =
             self.used_values().into_iter().filter(|q| self.is_assumed(q)).collect();
         if !taken.is_empty() {

@@ -169,7 +169,7 @@ impl Derivation<'_> {
                 vec![text(pairs(false))],
                 vec![text(pairs(true))],
                 vec![text(format!("{driven}{}", self.group_kind(group)))],
-                vec![text(format!("3·{n} − 2·{p}{less} = {rest}"))],
+                vec![text(format!("3·{n} − 2·{p}{less} = {rest}").replace(' ', "\u{a0}"))],
             ]);
         }
         self.table(table);
@@ -185,7 +185,11 @@ impl Derivation<'_> {
                 dependent += usize::from(group.efforts.is_empty());
                 let number =
                     if numbered && group.efforts.is_empty() { subscript(dependent) } else { String::new() };
-                format!("{}{number}({ground}{})", group.class_name(), labels.join(", "))
+                format!(
+                    "{}{number}({ground}{})",
+                    numeral(self.language, group.class_name()),
+                    labels.join(", ")
+                )
             });
             parts.collect::<Vec<_>>().join(" → ")
         };

@@ -10,10 +10,11 @@ enum Element {
 pub fn equations(page: &str) -> Vec<String> {
     // those that may break on paper too
     let bodies = page.split("<div class=\"eq").skip(1).filter_map(|rest| {
-        let body = rest.strip_prefix("\"><math").or_else(|| rest.strip_prefix(" long\"><math"))?;
-        body.split_once("</math>")
+        let body = rest.strip_prefix("\">").or_else(|| rest.strip_prefix(" long\">"))?;
+        // several lines are in a grid of their own
+        body.strip_prefix("<div class=\"rows\">").unwrap_or(body).split_once("</div>")
     });
-    bodies.map(|(body, _)| infix(&format!("<math{body}</math>"))).collect()
+    bodies.map(|(body, _)| infix(body)).collect()
 }
 
 /// One formula as infix.

@@ -13,30 +13,48 @@ pub fn mathml(node: &Node) -> String {
     out + "</math>"
 }
 
+/// An equation: a formula for each side, so that a narrow screen may break before one; several lines stand in a grid of two
+/// columns, `rows`, of which `on` goes on with a side.
 #[must_use]
 pub fn mathml_lines(lines: &Lines) -> String {
-    let mut out = "<math displaystyle=\"true\">".to_owned();
+    let mut out = String::new();
     if let [(only, _)] = lines.rows.as_slice() {
-        out += "<mrow>";
-        write(&lines.left, &mut out);
-        write(only, &mut out);
-        out += "</mrow></math>";
+        sides(Some(&lines.left), only, &mut out);
         return out;
     }
-    out += "<mtable>";
+    out += "<div class=\"rows\">";
     for (i, (line, goes_on)) in lines.rows.iter().enumerate() {
-        out += "<mtr><mtd class=\"l\">";
+        out += "<span>";
         if i == 0 {
-            row(&lines.left, &mut out);
+            sides(None, &lines.left, &mut out);
         }
-        out += "</mtd><mtd><mstyle displaystyle=\"true\"><mrow>";
-        if *goes_on {
-            out += "<mspace width=\"1.5em\"/>";
-        }
-        write(line, &mut out);
-        out += "</mrow></mstyle></mtd></mtr>";
+        out += if *goes_on { "</span><span class=\"on\">" } else { "</span><span>" };
+        sides(None, line, &mut out);
+        out += "</span>";
     }
-    out + "</mtable></math>"
+    out + "</div>"
+}
+
+/// A line as formulas that begin with its sides.
+fn sides(left: Option<&Node>, line: &Node, out: &mut String) {
+    let sides = match line {
+        Node::Row(sides) if sides.iter().all(is_side) => sides.as_slice(),
+        whole => std::slice::from_ref(whole),
+    };
+    for (i, side) in sides.iter().enumerate() {
+        *out += if i > 0 { "<wbr/>" } else { "" };
+        *out += "<math displaystyle=\"true\"><mrow>";
+        if let Some(left) = left.filter(|_| i == 0) {
+            write(left, out);
+        }
+        write(side, out);
+        *out += "</mrow></math>";
+    }
+}
+
+/// What begins with a sign of equality.
+fn is_side(node: &Node) -> bool {
+    matches!(node, Node::Row(parts) if matches!(parts.first(), Some(Node::Operator("=" | "≈"))))
 }
 
 fn row(node: &Node, out: &mut String) {

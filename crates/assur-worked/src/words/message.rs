@@ -55,6 +55,14 @@ messages! {
 }
 
 messages! {
+    /// What the letters of equations stand for.
+    SymbolMessage of "symbols" {
+        Symbols Coordinates Distance Slide LinkAngle LineAngle TriangleAngle OwnAngle Velocity AngularVelocity Acceleration
+        Parts AngularAcceleration Mass Inertia Weight InertiaForce InertiaCouple InertiaArm KnownForces Reaction Radius Teeth Stiffness Damping FrictionCoefficient Power Efficiency KineticEnergy ReducedInertia ReducedTorque
+    }
+}
+
+messages! {
     /// Friction: its sense, its steps, what holds, what is lost.
     FrictionMessage of "friction" {
         FrictionFirst FrictionLaws PairStill PairHeld PairHeldByBalance ClutchSlips ContactPoint RestsOnStop HoldTurn

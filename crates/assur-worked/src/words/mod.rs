@@ -4,7 +4,9 @@ mod message;
 mod phrase;
 
 pub use message::TutorialMessage;
-pub use message::{DesignMessage, FrictionMessage, FunctionWords, Message, QuestionMessage, RunMessage};
+pub use message::{
+    DesignMessage, FrictionMessage, FunctionWords, Message, QuestionMessage, RunMessage, SymbolMessage,
+};
 pub use phrase::{known, phrase, title};
 
 use crate::document::{Inline, Labels, Line};

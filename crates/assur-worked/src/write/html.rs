@@ -295,7 +295,7 @@ table.vec{border:0;white-space:nowrap}.tab{overflow-x:auto}
 table.vec th,table.vec td{border:0;padding:.15em .35em;text-align:center}
 table.vec th{color:var(--soft);font-weight:400;text-align:right}
 .eq{margin:.15em 0;padding:.4em 0 .62em 2em;overflow-x:auto;overflow-y:hidden}
-mtd{text-align:left;padding:.15em .1em}mtd.l{text-align:right}
+.rows{display:grid;grid-template-columns:auto 1fr;align-items:baseline;gap:.3em .1em}.rows .on{padding-left:1.5em}.rows span{text-indent:0}.eq math{padding:.1em 0}
 math{font-size:1.02em;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",\"Noto Serif\",\"DejaVu Serif\",serif}
 mi{text-transform:none;font-style:italic}mi[mathvariant=normal]{font-style:normal}
 @supports (text-transform:math-auto) and (not (-moz-appearance:none)){
@@ -313,7 +313,7 @@ figure svg{max-width:100%;height:auto;display:block}
 figcaption{color:var(--soft);font-size:.93em;margin-top:.4em}
 .two{display:flex;flex-wrap:wrap;gap:.5rem 2.5rem;align-items:end}.two figure{margin:.8em 0}
 nav ol{columns:2;padding-left:1.2em}a{color:var(--acc);text-decoration:none}
-@media(max-width:34rem){.eq{padding-left:.4em}nav ol{columns:1}}
+@media(max-width:34rem){.eq{padding-left:1.6em;text-indent:-1.2em}.eq math{text-indent:0}nav ol{columns:1}table{font-size:.88em}th,td{padding:.25em .35em}}
 @media print{:root{--ink:#000;--soft:#444;--pap:#fff;--line:#aaa;--acc:#000}
 h2,h3{break-after:avoid}figure,table,.eq{break-inside:avoid}.eq,.tab,figure{overflow:visible}
 .long{break-inside:auto}.eq.long{margin:0;padding:0 0 0 2em}tr{break-inside:avoid}
