@@ -9,7 +9,7 @@ use crate::words;
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
 use assur_math::element::cam::{Cam, CamPoint, Follower, Quantity, Shape as End};
 use assur_math::math::Vec2;
-use assur_model::model::{CamContact, LinkId, PlateCam};
+use assur_model::model::{CamContact, LinkId, Pair, PairKind, PlateCam};
 use assur_text::diagnostic::Diagnosis;
 
 /// What symbols and labels take beside the cam, mm.
@@ -156,6 +156,9 @@ impl Sketch<'_, '_> {
             Follower::Oscillating { .. } => {
                 hinge::support(drawing, base);
                 hinge::moving(drawing, base);
+                if let Some(contact) = self.placed.contact {
+                    self.pivot(drawing, contact.follower, base);
+                }
             }
             Follower::Translating { .. } => {
                 let along = flipped(self.placed.direction(Vec2::new(1.0, 0.0)));
@@ -192,6 +195,7 @@ impl Sketch<'_, '_> {
         drawing.label(Label::at(letter, NAMES, top, 0.6).coloured(Role::Blue).ranked(2));
         drawing.end();
         if let Some(disk) = disk {
+            self.pivot(drawing, disk, centre);
             self.number(drawing, disk, centre, 9.0);
         }
     }
@@ -207,6 +211,10 @@ impl Sketch<'_, '_> {
         drawing.mark(Style::Solid, Shape::Circle { centre: touch, radius: 0.6 });
         for (end, side) in [(from, -1.0), (to, 1.0)] {
             drawing.label(Label::at(Text::italic("n"), NAMES, end, 0.4).towards(normal * side).ranked(3));
+        }
+        if let Some(contact) = self.placed.contact {
+            let name = Text::name(&self.subject.mechanism.pair(contact.pair).name);
+            drawing.label(Label::at(name, NAMES, touch, 1.0).ranked(4));
         }
         drawing.begin("vector", "v");
         // the way on which the normal pushes
@@ -236,6 +244,18 @@ impl Sketch<'_, '_> {
                 let arm = self.placed.at.tip - Vec2::new(pivot_distance, 0.0);
                 flipped(self.placed.direction(arm.perp())).unit().unwrap_or(Vec2::new(0.0, -1.0))
             }
+        }
+    }
+
+    /// The name of the hinge in which a link turns on the one that cam and follower stand on.
+    fn pivot(&self, drawing: &mut Drawing, link: LinkId, at: Vec2) {
+        let Some(contact) = self.placed.contact else { return };
+        let joins = |pair: &&Pair| {
+            let links = pair.kind.links();
+            matches!(pair.kind, PairKind::Revolute(_)) && links.contains(&link) && links.contains(&contact.frame)
+        };
+        if let Some(pair) = self.subject.mechanism.pairs.iter().find(joins) {
+            drawing.label(Label::at(Text::name(&pair.name), NAMES, at, 1.6).ranked(3));
         }
     }
 
