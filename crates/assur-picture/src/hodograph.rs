@@ -108,7 +108,7 @@ pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawin
 }
 
 /// The questions in the items of `find`, each once, with the name of the item.
-fn asked(mechanism: &Mechanism, visit: &mut impl FnMut(&Query, &str)) {
+pub fn asked(mechanism: &Mechanism, visit: &mut impl FnMut(&Query, &str)) {
     let mut done: Vec<Query> = Vec::new();
     for find in &mechanism.finds {
         let FindKind::Value { expr, .. } = &find.kind else { continue };

@@ -17,7 +17,7 @@ use crate::inset::wrapped;
 use crate::kind::Options;
 use crate::paper::Frame;
 use crate::scene::Scene;
-use crate::scheme::{Loads, Scheme, captioned, described, frame_of_all, scheme_in};
+use crate::scheme::{Loads, Scheme, Traced, asked, captioned, described, frame_of_all, scheme_in};
 use crate::shape::{LinkShape, shapes};
 use crate::wording::Wording;
 use crate::{error, no_diagram, words};
@@ -84,6 +84,8 @@ struct Drawn {
     wanted: Scheme,
     shapes: Vec<LinkShape>,
     frame: Frame,
+    /// Points that are asked for, with their paths.
+    traced: Vec<Traced>,
 }
 
 impl Drawn {
@@ -95,7 +97,7 @@ impl Drawn {
         if frame.scale.is_none() {
             return Err(error::nothing_placed(scene, "an animation shows links that move"));
         }
-        Ok(Self { wanted, shapes, frame })
+        Ok(Self { wanted, shapes, frame, traced: asked(scene) })
     }
 
     fn first(&self, scene: &Scene<'_>) -> Drawing {
@@ -105,7 +107,7 @@ impl Drawn {
     }
 
     fn other(&self, scene: &Scene<'_>) -> Drawing {
-        scheme_in(scene, &self.wanted, &self.shapes, &self.frame)
+        scheme_in(scene, &self.wanted, &self.shapes, &self.frame, &self.traced)
     }
 
     /// Frames, of which the first is the first.

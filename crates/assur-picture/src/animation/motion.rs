@@ -65,10 +65,11 @@ pub fn motion(
     if let Some(kind) = options.shown.filter(|kind| !arrows.iter().any(|one| one.kind == kind.name())) {
         return Err(kind.missing(scene));
     }
-    let mut markup = animated.sheet.svg(theme);
+    let mut markup = String::from("<div class=\"motion\"><div class=\"motion-parts\"><div>\n");
+    markup.push_str(&animated.sheet.svg(theme));
     markup.push_str(&bar(&animated, &arrows, wording));
     let first = escaped(&said(&columns, 0, wording.decimal()));
-    let _ = writeln!(markup, "<output class=\"motion-values\">{first}</output>");
+    let _ = writeln!(markup, "<output class=\"motion-values\">{first}</output></div>");
     let mut along = None;
     if let Some((drawing, curves)) = diagram {
         let sheet = wording.drawing(scene.mechanism(), drawing).placed();
@@ -77,9 +78,14 @@ pub fn motion(
             "<path class=\"motion-cursor\" fill=\"none\" stroke=\"#b84a00\" stroke-width=\".35\" visibility=\"hidden\" d=\"M0 {top}V{}\"/>\n</svg>",
             number(sheet.bounds.max.y)
         );
-        markup.push_str(&sheet.svg(theme).replacen("</svg>", &cursor, 1));
+        let _ = writeln!(
+            markup,
+            "<div class=\"motion-plot\">\n{}</div>",
+            sheet.svg(theme).replacen("</svg>", &cursor, 1)
+        );
         along = Some(places(&animated.frames, &curves));
     }
+    markup.push_str("</div></div>\n");
     let moved = &animated.moved;
     let mut all = Distinct::default();
     let bodies = moved.bodies.iter().map(|b| body(b, &mut all)).collect();

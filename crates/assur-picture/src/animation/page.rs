@@ -15,7 +15,7 @@ pub const PLAYER_STYLE: &str = include_str!("player.css");
 
 const STYLE: &str = ":root{color-scheme:light dark}
 body{margin:0 auto;max-width:200mm;padding:1rem;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",serif;background:#fff;color:#111}
-h1{font-size:1.4rem}svg{width:100%;height:auto;max-height:80vh;display:block}
+body:has(.motion-plot){max-width:340mm}h1{font-size:1.4rem}svg{width:100%;height:auto;max-height:80vh;display:block}
 [data-missing]{display:none}
 @media (prefers-color-scheme:dark){body{background:#16181c;color:#ececec}}
 @media print{body{background:#fff;color:#000}}

@@ -252,7 +252,9 @@ impl Sketch<'_, '_> {
         let Some(contact) = self.placed.contact else { return };
         let joins = |pair: &&Pair| {
             let links = pair.kind.links();
-            matches!(pair.kind, PairKind::Revolute(_)) && links.contains(&link) && links.contains(&contact.frame)
+            matches!(pair.kind, PairKind::Revolute(_))
+                && links.contains(&link)
+                && links.contains(&contact.frame)
         };
         if let Some(pair) = self.subject.mechanism.pairs.iter().find(joins) {
             drawing.label(Label::at(Text::name(&pair.name), NAMES, at, 1.6).ranked(3));

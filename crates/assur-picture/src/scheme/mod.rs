@@ -22,6 +22,7 @@ pub use curvature::curvature;
 pub use dimension::{Dimension, Measured};
 pub use mesh::crossed;
 pub use profile::Freed;
+pub use ways::{Traced, asked};
 
 use crate::paper::{Frame, Paper, Scaled, Scales};
 use crate::scene::Scene;
@@ -155,9 +156,15 @@ pub fn frame_of_all(scenes: &[Scene<'_>], shapes: &[LinkShape], space: &Paper) -
     Paper { size: paper(&bounds, size), ..*space }.frame(Scaled::Length, &bounds, AROUND)
 }
 
-/// The scheme of a position where others have their places too, without words and scales.
-pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, shapes: &[LinkShape], frame: &Frame) -> Drawing {
-    drawn(scene, wanted, shapes, frame, (&[], &[]), None)
+/// The scheme of a position where others have their places too, without words and scales; with the paths of points.
+pub fn scheme_in(
+    scene: &Scene<'_>,
+    wanted: &Scheme,
+    shapes: &[LinkShape],
+    frame: &Frame,
+    traced: &[Traced],
+) -> Drawing {
+    drawn(scene, wanted, shapes, frame, (traced, &[]), None)
 }
 
 /// With its title and what it shows.
@@ -188,7 +195,7 @@ fn drawn(
     wanted: &Scheme,
     shapes: &[LinkShape],
     frame: &Frame,
-    (traced, circles): (&[ways::Traced], &[curvature::Circle]),
+    (traced, circles): (&[Traced], &[curvature::Circle]),
     forces: Option<Scale>,
 ) -> Drawing {
     let mut drawing = Drawing::new(&words::id(scene, wanted.shows.words()[0]), String::new(), String::new());

@@ -2,10 +2,11 @@
 
 use super::{LinkId, Scheme, Sketch};
 use crate::error;
+use crate::hodograph::asked as asked_queries;
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Label, Rect, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{DriveTarget, PairKind};
+use assur_model::model::{DriveTarget, PairKind, PointRef, Query};
 use assur_solve::solve::{Pose, State};
 use assur_text::diagnostic::Diagnosis;
 
@@ -14,6 +15,9 @@ const HINGE: f64 = 0.7;
 const POINT: f64 = 0.55;
 /// Size of the numbers of poses.
 const NUMBER: f64 = 3.1;
+
+/// How far from a line a path is that bends, as a part of its length.
+const STRAIGHT: f64 = 1e-3;
 
 /// A point whose path is drawn.
 pub struct Traced {
@@ -40,6 +44,39 @@ pub fn traced(scene: &Scene<'_>, wanted: &Scheme) -> Result<Vec<Traced>, Diagnos
         return Err(error::no_way(scene));
     }
     Ok(traced)
+}
+
+/// The points whose positions, velocities or accelerations the file asks for, each once, where their paths bend.
+pub fn asked(scene: &Scene<'_>) -> Vec<Traced> {
+    let mechanism = scene.mechanism();
+    let mut traced: Vec<Traced> = Vec::new();
+    asked_queries(mechanism, &mut |query, name| {
+        let (Query::Position(point) | Query::Velocity(point) | Query::Acceleration(point)) = query else {
+            return;
+        };
+        let PointRef::Fixed(link, at) = *point else { return };
+        let again = traced.iter().any(|own| own.link == link && own.at == at);
+        if link == LinkId::GROUND || !scene.is_placed(link) || again {
+            return;
+        }
+        let own = mechanism.link(link).points.iter().find(|p| p.at == at);
+        let name =
+            own.map_or_else(|| name.to_owned(), |p| format!("{}.{}", mechanism.link(link).name, p.name));
+        let point = Traced { link, at, name };
+        let places: Vec<Vec2> = path(scene, &point).flatten().collect();
+        if bends(&places) {
+            traced.push(point);
+        }
+    });
+    traced
+}
+
+/// Whether places are not on one line.
+fn bends(places: &[Vec2]) -> bool {
+    let Some(first) = places.first() else { return false };
+    let far = places.iter().map(|at| *at - *first).max_by(|a, b| a.norm().total_cmp(&b.norm()));
+    let Some(far) = far.filter(|far| far.norm() > 0.0) else { return false };
+    places.iter().any(|at| (*at - *first).cross(far).abs() > STRAIGHT * far.norm() * far.norm())
 }
 
 fn named(scene: &Scene<'_>, name: &str) -> Option<Traced> {
@@ -72,10 +109,11 @@ fn crank_end(scene: &Scene<'_>) -> Option<(LinkId, Vec2)> {
     ((far - pivot).norm() > 0.0).then_some((link, far))
 }
 
-/// Positions of a path in the ground's axes; `None` where the mechanism does not close.
+/// Positions of a path in the ground's axes, over the way of the drive or of all positions; `None` where the mechanism does not close.
 fn path<'p>(scene: &Scene<'p>, traced: &'p Traced) -> impl Iterator<Item = Option<Vec2>> + use<'p> {
     let place = |state: &State, traced: &Traced| state.motion.bodies[traced.link.index()].position(traced.at);
-    scene.turn.iter().map(move |pose| pose.outcome.as_ref().ok().map(|s| place(&s.state, traced)))
+    let poses = if scene.turn.is_empty() { &scene.solution.poses } else { scene.turn };
+    poses.iter().map(move |pose| pose.outcome.as_ref().ok().map(|s| place(&s.state, traced)))
 }
 
 /// What paths and other poses take, m.
