@@ -261,3 +261,23 @@ fn an_animation_plays_in_the_sense_of_its_drive() {
         }
     }
 }
+
+#[test]
+fn a_train_turns_as_its_speeds_say() {
+    // Willis with 24, 18 and 60 teeth, the ring at rest: ω_H = 24/84 ω_S, ω_P = (1 − 60/18) ω_H
+    let text = "mech 1\nshaft S { wheel sun teeth 24 module 2 mm }\nshaft H\nshaft P on H { wheel p teeth 18 }\n\
+         ground { wheel ring teeth 60 }\nmesh sp: sun - p\nmesh pr: p - ring { internal }\ndrive S at 7 rad/s\nfind omega(P)\n";
+    let (source, solved) = solved("train", text).expect("it is solved");
+    let moving = Moving::of(&crate::drawn::animated(&source, &solved).expect("it moves"));
+    let last = moving.count() - 1;
+    let turned = |body: &Vec<f64>| body.get(4).map(|k| moving.columns[*k as usize][last]);
+    let mut turns: Vec<f64> = moving.bodies.iter().filter_map(turned).collect();
+    turns.sort_by(f64::total_cmp);
+    let sun = turns[0];
+    // y of paper is down: counter-clockwise is negative
+    let [carrier, planet] = [2.0 / 7.0, 2.0 / 7.0 * (1.0 - 60.0 / 18.0)].map(|ratio| sun * ratio);
+    for wanted in [carrier, planet] {
+        assert!(turns.iter().any(|turn| (turn - wanted).abs() < 2.0), "{wanted} of {turns:?}");
+    }
+    assert!(sun < 0.0 && planet > 0.0, "{turns:?}");
+}

@@ -6,6 +6,7 @@ mod motion;
 mod moved;
 mod page;
 mod smil;
+mod train;
 mod values;
 
 pub use arrows::ArrowKind;
@@ -125,9 +126,16 @@ impl Drawn {
 /// There is no way to go.
 pub fn still(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Diagnosis> {
     let ways = scene.all_ways();
-    let frames = frames(&Scene { ways: &ways, ..*scene }, options)?;
-    let mut first =
-        described(&frames[0], &options.scheme, Drawn::of(scene, &frames, options)?.first(&frames[0]));
+    let scene = &Scene { ways: &ways, ..*scene };
+    let (frames, first) = match train::turning(scene, options) {
+        Some((frames, schemes)) => (frames, schemes.into_iter().next().unwrap_or_default()),
+        None => {
+            let frames = frames(scene, options)?;
+            let first = Drawn::of(scene, &frames, options)?.first(&frames[0]);
+            (frames, first)
+        }
+    };
+    let mut first = described(&frames[0], &options.scheme, first);
     first.id = words::id(scene, "animation");
     Ok(first)
 }
@@ -137,8 +145,8 @@ struct Animated<'a> {
     title: String,
     frames: Vec<Scene<'a>>,
     sheet: Sheet,
-    /// Where the ground's axes lie on it.
-    paper: Frame,
+    /// Where the ground's axes lie on it; nowhere in a train without places.
+    paper: Option<Frame>,
     moved: Moved,
     /// Labels that give way to others.
     faded: Vec<Faded>,
@@ -146,9 +154,18 @@ struct Animated<'a> {
 
 impl<'a> Animated<'a> {
     fn of(scene: &Scene<'a>, options: &Options, wording: &dyn Wording) -> Result<Self, Diagnosis> {
-        let frames = frames(scene, options)?;
-        let drawn = Drawn::of(scene, &frames, options)?;
-        let (schemes, moved) = moving_marks(&frames, &drawn);
+        let (frames, paper, (schemes, moved)) = match train::turning(scene, options) {
+            Some((frames, schemes)) => {
+                let moved = Moved::of(&schemes);
+                (frames, None, (schemes, moved))
+            }
+            None => {
+                let frames = frames(scene, options)?;
+                let drawn = Drawn::of(scene, &frames, options)?;
+                let moving = moving_marks(&frames, &drawn);
+                (frames, Some(drawn.frame), moving)
+            }
+        };
         let mut room = Rect::NOTHING;
         schemes.iter().for_each(|scheme| room.join(&scheme.extent()));
         let others = schemes.iter().step_by(schemes.len().div_ceil(LOOKED_AT));
@@ -170,7 +187,7 @@ impl<'a> Animated<'a> {
             let moves = sheet.moved[1][label.label].take().map_or_else(String::new, |class| class + " ");
             sheet.moved[1][label.label] = Some(format!("{moves}v{i}"));
         }
-        Ok(Self { title, frames, sheet, paper: drawn.frame, moved, faded })
+        Ok(Self { title, frames, sheet, paper, moved, faded })
     }
 }
 

@@ -58,9 +58,9 @@ pub fn motion(
     let animated = Animated::of(scene, options, wording)?;
     let diagram = plot(scene, &[]).ok();
     let columns = columns(&animated.frames, diagram.as_ref().map(|(_, curves)| curves));
-    let arrows = match options.arrows {
-        true => arrows(&animated.frames, &animated.paper, wording.decimal()),
-        false => Vec::new(),
+    let arrows = match &animated.paper {
+        Some(paper) if options.arrows => arrows(&animated.frames, paper, wording.decimal()),
+        _ => Vec::new(),
     };
     if let Some(kind) = options.shown.filter(|kind| !arrows.iter().any(|one| one.kind == kind.name())) {
         return Err(kind.missing(scene));

@@ -52,6 +52,38 @@ pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) -> (Vec<S
     (worms.into_iter().map(|w| w.0).collect(), weights)
 }
 
+/// The front view of a train of wheels alone, for all its frames.
+pub struct FrontView {
+    layout: Layout,
+    shown: Vec<usize>,
+}
+
+impl FrontView {
+    /// None where the view does not show all of the train, or where ropes, racks or worms move beside the wheels.
+    pub fn of(scene: &Scene<'_>) -> Option<Self> {
+        let layout = Layout::of(scene);
+        let shown = shown(scene.mechanism(), &layout);
+        let wheels = |t: &Transmission| {
+            matches!(t.kind, TransmissionKind::Mesh | TransmissionKind::Belt | TransmissionKind::Chain)
+        };
+        let all = shown.len() == layout.wheels.len() && kinds(scene.mechanism()).all(wheels);
+        (all && !shown.is_empty()).then_some(Self { layout, shown })
+    }
+
+    /// The view where each link has turned by an angle, rad.
+    pub fn turned(&self, scene: &Scene<'_>, angles: Vec<f64>) -> Drawing {
+        let mut drawing = Drawing::new(&crate::words::id(scene, "train"), String::new(), String::new());
+        let (mut front, _) = stack(scene, &self.layout, self.shown.clone(), 0.0);
+        front.angles = angles;
+        front.axes(&mut drawing);
+        front.shown.iter().for_each(|i| front.wheel(&mut drawing, &self.layout.wheels[*i]));
+        self.layout.runs.iter().for_each(|run| front.run(&mut drawing, run));
+        front.shafts().for_each(|shaft| front.shaft(&mut drawing, shaft));
+        drawing.end();
+        drawing
+    }
+}
+
 fn kinds(mechanism: &Mechanism) -> impl Iterator<Item = &Transmission> {
     mechanism.pairs.iter().filter_map(|pair| match &pair.kind {
         PairKind::Transmission(t) => Some(t),
@@ -111,7 +143,7 @@ fn stack<'a, 's>(
 ) -> (Front<'a, 's>, Vec<Rope<'s>>) {
     let widest = shown.iter().map(|i| layout.wheels[*i].radius).fold(0.0, f64::max);
     let origin = Vec2::new(left + widest, 0.0);
-    (Front { scene, layout, shown, origin, row: Vec2::new(0.0, -1.0) }, Vec::new())
+    (Front { scene, layout, shown, origin, row: Vec2::new(0.0, -1.0), angles: Vec::new() }, Vec::new())
 }
 
 /// Axes beside each other, so that ropes hang freely: in that order of two in which fewer parts pass before other wheels.
@@ -123,8 +155,14 @@ fn hoist<'a, 's>(
 ) -> (Front<'a, 's>, Vec<Rope<'s>>) {
     let mechanism = scene.mechanism();
     let one = |way: f64| {
-        let mut front =
-            Front { scene, layout, shown: shown.clone(), origin: Vec2::zero(), row: Vec2::new(way, 0.0) };
+        let mut front = Front {
+            scene,
+            layout,
+            shown: shown.clone(),
+            origin: Vec2::zero(),
+            row: Vec2::new(way, 0.0),
+            angles: Vec::new(),
+        };
         let ropes = |front: &Front<'_, '_>| rope::ropes(mechanism, layout, &|i| front.disc(i));
         let discs = |front: &Front<'_, '_>| -> Vec<(f64, f64)> {
             front.shown.iter().map(|i| front.disc(*i)).collect()
@@ -155,6 +193,8 @@ struct Front<'a, 's> {
     /// Where an axis of level 0 is, and the direction in which levels grow.
     origin: Vec2,
     row: Vec2,
+    /// By how much each link has turned, rad; none where the train stands still.
+    angles: Vec<f64>,
 }
 
 impl Front<'_, '_> {
@@ -163,7 +203,20 @@ impl Front<'_, '_> {
     }
 
     fn centre(&self, wheel: &Drawn) -> Vec2 {
-        self.at(centre_level(self.scene.mechanism(), wheel))
+        let mechanism = self.scene.mechanism();
+        self.carried(mechanism.wheels[wheel.wheel].link, self.at(centre_level(mechanism, wheel)))
+    }
+
+    fn angle(&self, link: LinkId) -> f64 {
+        self.angles.get(link.index()).copied().unwrap_or(0.0)
+    }
+
+    /// A place on the axis of a link where the carrier of the link has turned; y of paper is down.
+    fn carried(&self, link: LinkId, place: Vec2) -> Vec2 {
+        let shaft = self.layout.shafts.iter().find(|shaft| shaft.link == link);
+        let Some(carrier) = shaft.and_then(|shaft| self.carrier(shaft)) else { return place };
+        let axis = self.at(carrier.level);
+        axis + (place - axis).turned(Vec2::direction(-self.angle(carrier.link)))
     }
 
     /// The abscissa of the middle of a drawn wheel, and its radius.
@@ -200,8 +253,9 @@ impl Front<'_, '_> {
 
     /// The line of all axes, and one across for each that does not move.
     fn axes(&self, drawing: &mut Drawing) {
-        let ends = self.circles().map(|(c, r)| ((c - self.origin).dot(self.row), r));
-        let ends: Vec<(f64, f64)> = ends.collect();
+        let mechanism = self.scene.mechanism();
+        let wheels = self.shown.iter().map(|i| &self.layout.wheels[*i]);
+        let ends: Vec<(f64, f64)> = wheels.map(|w| (centre_level(mechanism, w), w.radius)).collect();
         if ends.is_empty() {
             return;
         }
@@ -228,6 +282,11 @@ impl Front<'_, '_> {
         drawing.mark(Style::Medium, Shape::Circle { centre, radius });
         if own.link == LinkId::GROUND {
             (0..3).for_each(|third| held(drawing, centre, radius, FRAC_PI_2 + TAU * f64::from(third) / 3.0));
+        } else if !self.angles.is_empty() {
+            for quarter in 0..4 {
+                let spoke = Vec2::direction(FRAC_PI_2 * f64::from(quarter) - self.angle(own.link));
+                drawing.line(Style::Thin, centre, centre + spoke * radius);
+            }
         }
         // beside the teeth, which are above and below
         let side = Vec2::new(0.8, if wheel.ring_at.is_some() { -0.6 } else { 0.6 });
@@ -251,16 +310,28 @@ impl Front<'_, '_> {
             let is_ring = run.internal && wheel.radius > other.radius;
             let towards = self.centre(other) - centre;
             let towards = if run.internal && !is_ring { -towards } else { towards };
+            let turned = self.before_centres(own[wheel.wheel].link, own[other.wheel].link);
+            let shift = shift + turned * wheel.radius / (PI * module);
             row(
                 drawing,
                 centre,
                 wheel.radius,
                 towards.angle(),
                 module,
-                shift,
+                shift - (shift - 0.25).round(),
                 if is_ring { -1.0 } else { 1.0 },
             );
         }
+    }
+
+    /// By how much a wheel has turned less than the line from its centre to that of another.
+    fn before_centres(&self, link: LinkId, other: LinkId) -> f64 {
+        let carrier = |link: LinkId| {
+            let shaft = self.layout.shafts.iter().find(|shaft| shaft.link == link)?;
+            self.carrier(shaft).map(|carrier| carrier.link)
+        };
+        let line = carrier(link).or_else(|| carrier(other)).map_or(0.0, |carrier| self.angle(carrier));
+        line - self.angle(link)
     }
 
     fn rack(&self, drawing: &mut Drawing, rack: &Rack<'_>) {
@@ -281,7 +352,7 @@ impl Front<'_, '_> {
 
     /// The end of a shaft; of one on a carrier with the arm that carries it.
     fn shaft(&self, drawing: &mut Drawing, shaft: &Shaft) {
-        let at = self.at(shaft.level);
+        let at = self.carried(shaft.link, self.at(shaft.level));
         drawing.begin("link", &self.scene.mechanism().link(shaft.link).name);
         if let Some(carrier) = self.carrier(shaft) {
             drawing.line(Style::Link, self.at(carrier.level), at);

@@ -8,6 +8,8 @@ mod rope;
 mod wheels;
 mod worm;
 
+pub use front::FrontView;
+
 use crate::figures::TURNING;
 use crate::scene::Scene;
 use crate::symbol::{arrow, hinge};
