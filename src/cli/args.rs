@@ -14,7 +14,9 @@ pub use pages::Fmt;
 #[cfg(feature = "lsp")]
 pub use pages::Lsp;
 pub(in crate::cli) use pages::ending;
-pub use pages::{Completions, Explain, Help, Info, InfoFormat, Man, New, Preview, StartKind};
+pub use pages::{
+    Card, CardFormat, Completions, Explain, Help, Info, InfoFormat, Man, Mcp, New, Preview, StartKind,
+};
 pub use report::{Report, ReportFormat};
 
 use std::ffi::OsString;

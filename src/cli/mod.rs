@@ -5,6 +5,7 @@ pub mod args;
 #[cfg(feature = "arrow")]
 mod arrow;
 mod batch;
+mod card;
 mod check;
 mod draw;
 mod error;
@@ -16,6 +17,7 @@ mod help;
 mod info;
 #[cfg(feature = "lsp")]
 mod lsp;
+mod mcp;
 mod motion;
 mod new;
 mod preview;
@@ -74,6 +76,8 @@ pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::New(args) => new::run(&args, &screen),
         #[cfg(feature = "lsp")]
         Command::Lsp(_) => lsp::run(&screen),
+        Command::Mcp(_) => mcp::run(&screen),
+        Command::Card(args) => card::run(&args, &screen),
         Command::Completions(args) => info::completions(&args, &screen),
         Command::Man(args) => info::manual(&args, &screen),
         Command::Info(args) => info::run(&args, &screen),

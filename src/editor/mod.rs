@@ -26,7 +26,7 @@ pub use hints::{Earlier, Hint, HintKind};
 pub use hover::Hover;
 pub use lenses::{Action, Lens};
 pub use names::{Declaration, Names};
-pub use results::{GoesOn, Results};
+pub use results::{GoesOn, Results, solve_while};
 pub use shown::{Declared, PageParts};
 pub use signature::Signature;
 pub use symbols::{Symbol, SymbolKind, symbols};

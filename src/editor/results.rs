@@ -3,7 +3,7 @@
 use super::Analysis;
 use super::lenses::in_words;
 use crate::exercise::{Outcome, mismatches};
-use crate::pipeline::{Sink, Solved, compile_document, is_long, solve, solve_each};
+use crate::pipeline::{Compiled, Sink, Solved, compile_document, is_long, solve, solve_each};
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, PrintedDigits};
 use assur_check::Overrides;
@@ -57,15 +57,17 @@ impl Analysis {
         let none = Overrides::none();
         let (compiled, _) = compile_document(&self.source, &self.document, Problems::new(), &none);
         let compiled = compiled?;
-        let (solved, problems) = if is_long(&compiled.model()) {
-            solve(compiled)
-        } else {
-            solve_each(compiled, &mut Watched { goes_on, watch: &|_, _| goes_on() })
-        };
+        let (solved, problems) =
+            if is_long(&compiled.model()) { solve(compiled) } else { solve_while(compiled, goes_on) };
         // the keys of variants are those of their rows
         let with_rows = self.document.statements.iter().any(|s| matches!(s.node, Statement::Variants(_)));
         goes_on().then(|| Results::of(solved.ok(), problems, with_rows))
     }
+}
+
+/// Solves a text, position after position, as long as it is to go on.
+pub fn solve_while(compiled: Compiled, goes_on: &GoesOn<'_>) -> (Result<Solved, Compiled>, Problems) {
+    solve_each(compiled, &mut Watched { goes_on, watch: &|_, _| goes_on() })
 }
 
 /// Keeps the positions as long as it is to go on.

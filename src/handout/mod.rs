@@ -2,6 +2,7 @@
 //! program's.
 
 mod answers;
+mod base64;
 mod pictures;
 mod published;
 mod sheets;
@@ -11,6 +12,7 @@ mod texts;
 mod worked;
 
 pub use answers::{csv_row, json, json_of_row, poses, solution};
+pub use base64::base64;
 pub use pictures::Pictured;
 pub use sheets::{Row, Sheets};
 pub use worked::document;

@@ -8,7 +8,7 @@ use assur_text::units::significant;
 const DIGITS: usize = 10;
 
 /// The functions by subject.
-const SUBJECTS: [(FunctionGroup, &str); 12] = [
+pub const SUBJECTS: [(FunctionGroup, &str); 12] = [
     (FunctionGroup::Math, "Mathematics"),
     (FunctionGroup::Motion, "Motion"),
     (FunctionGroup::Force, "Forces"),

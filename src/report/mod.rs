@@ -7,6 +7,7 @@ mod answers;
 #[cfg(feature = "arrow")]
 pub mod arrow;
 mod brief;
+pub mod card;
 mod columns;
 mod cost;
 pub mod csv;

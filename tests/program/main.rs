@@ -1,6 +1,7 @@
 //! The program as run from a shell.
 
 mod accuracy;
+mod agents;
 #[cfg(feature = "arrow")]
 mod arrow;
 mod batch;

@@ -6,8 +6,8 @@ use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 #[cfg(feature = "lsp")]
 use super::Lsp;
 use super::{
-    Accuracy, Batch, Check, Completions, Draw, Explain, Fmt, Grade, Help, Info, Man, New, Preview, Profile,
-    Report, Solve, Test,
+    Accuracy, Batch, Card, Check, Completions, Draw, Explain, Fmt, Grade, Help, Info, Man, Mcp, New, Preview,
+    Profile, Report, Solve, Test,
 };
 
 /// Subcommands from their names, words and sentences.
@@ -81,6 +81,8 @@ commands! {
     Fmt "fmt" "Put files in the one style: blanks, empty lines, columns";
     New "new" "Write a file to start from";
     #[cfg(feature = "lsp")] Lsp "lsp" "Answer an editor by the language server protocol on standard input and output";
+    Mcp "mcp" "Answer an agent by the model context protocol on standard input and output";
+    Card "card" "Print the language on one page, for language models and people in a hurry";
     Completions "completions" "Print the script that completes the command line in a shell";
     Man "man" "Print the manual page of the program or of a command, in roff";
     Info "info" "Show the version of the program, its features and the formats that it reads and writes";

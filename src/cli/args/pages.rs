@@ -68,6 +68,30 @@ pub enum InfoFormat {
     Json,
 }
 
+/// Arguments of `card`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Card {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = CardFormat::Markdown)]
+    pub format: CardFormat,
+    /// Print `llms.txt`: what a language model reads first
+    #[arg(long, conflicts_with = "format")]
+    pub llms: bool,
+}
+
+/// A form of the card.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CardFormat {
+    /// A page to read
+    Markdown,
+    /// Statements, functions and files as one object
+    Json,
+}
+
+/// Arguments of `mcp`.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub struct Mcp {}
+
 /// Arguments of `completions`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Completions {

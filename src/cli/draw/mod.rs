@@ -5,6 +5,8 @@ pub use output::file_name;
 mod pages;
 #[cfg(feature = "png")]
 mod png;
+#[cfg(feature = "png")]
+pub use png::png;
 mod rows;
 
 use super::args::{Draw, Picture};
