@@ -100,7 +100,7 @@ impl Dxf {
             c if c.is_ascii_alphanumeric() || c == '-' => c.to_ascii_uppercase().to_string(),
             c => greek_name(c).map_or_else(|| "_".to_owned(), str::to_ascii_uppercase),
         };
-        let base: String = of.chars().map(allowed).collect();
+        let base: String = if of.is_empty() { "_".to_owned() } else { of.chars().map(allowed).collect() };
         let numbered = |i: usize| {
             let number = if i == 1 { String::new() } else { format!("_{i}") };
             format!("{}{number}", &base[..base.len().min(LONGEST_NAME - number.len())])

@@ -13,7 +13,7 @@ use std::fmt::{Display, Formatter, Result, Write};
 
 /// The longest part of an arc that is one curve, and the largest circle of four curves: both are off by less than 0.01 mm.
 const PART: f64 = PI / 4.0;
-const LARGEST: f64 = 30.0;
+const LARGEST: f64 = 20.0;
 /// Letters from this size on are the size of the document's text, mm.
 const USUAL: f64 = 3.75;
 /// Points on a line of the file.
@@ -30,8 +30,9 @@ const COLOURS: [(Role, &str); 9] = [
     (Role::BlueTint, "BlueTint"),
     (Role::VermilionTint, "VermilionTint"),
 ];
-/// A letter that is not in ASCII, where the engine has it.
-const LETTER: &str = "\\providecommand\\assurletter[1]{\\ifdefined\\Uchar\\Uchar\"#1 \\else?\\fi}\n";
+/// A letter that is not in ASCII, by its number for LuaTeX and by its bytes for pdfTeX, where the document has it.
+const LETTER: &str = "\\providecommand\\assurletter[2]{\\ifdefined\\Uchar\\Uchar\"#1 \\else\\ifcsname \
+                      u8:\\detokenize{#2}\\endcsname#2\\else?\\fi\\fi}\n";
 
 impl Sheet {
     /// The sheet as a picture to be read by a document with `\usepackage{tikz}`.
@@ -72,8 +73,8 @@ impl Sheet {
         let size = self.bounds.size();
         format!(
             "\\documentclass{{article}}\n\\usepackage[paperwidth={}mm, paperheight={}mm, margin=0mm]{{geometry}}\n\
-             \\usepackage{{tikz}}\n\\pagestyle{{empty}}\n\\hfuzz=1pt\n\\vfuzz=1pt\n\\begin{{document}}\n\\noindent\n{}\
-             \\end{{document}}\n",
+             \\usepackage{{tikz}}\n\\pagestyle{{empty}}\n\\begin{{document}}\n\\noindent\\vbox to\\textheight{{\\hbox to\\textwidth{{%\n{}\
+             \\hss}}\\vss}}\n\\end{{document}}\n",
             Decimal(size.x),
             Decimal(size.y),
             self.tikz(theme)
@@ -364,7 +365,8 @@ fn word(out: &mut String, c: char) {
         (c, _) if c.is_ascii_graphic() || c == ' ' => out.push(c),
         (c, _) if c.is_control() => {}
         (c, _) => {
-            let _ = write!(out, "\\assurletter{{{:04X}}}", u32::from(c));
+            let bytes: String = c.to_string().bytes().map(|b| format!("^^{b:02x}")).collect();
+            let _ = write!(out, "\\assurletter{{{:04X}}}{{{bytes}}}", u32::from(c));
         }
     }
 }
