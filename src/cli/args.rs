@@ -299,10 +299,10 @@ pub struct Profile {
     /// Name of the cam, if the file has several
     #[arg(long, value_name = "NAME")]
     pub cam: Option<String>,
-    /// Number of steps of the cam angle [default: 360; of a drawing so many that it is within 10 um]
+    /// Number of steps of the cam angle [default: 360; of a drawing as many as keep it within 10 um]
     #[arg(long, value_parser = clap::value_parser!(u32).range(3..=i64::from(MOST_STEPS)))]
     pub steps: Option<u32>,
-    /// As many steps as keep the distance from the curve to the lines between its points within this length, e.g. 1um
+    /// Maximum distance from the curve to the lines between its points, e.g. 1um; sets the number of steps
     #[arg(long, value_name = "LENGTH", conflicts_with = "steps", value_parser = length)]
     pub within: Option<f64>,
     /// Output format

@@ -18,6 +18,7 @@ mod rules;
 mod scale;
 mod style;
 mod svg;
+mod tex;
 mod text;
 mod tikz;
 mod widths;

@@ -1,4 +1,5 @@
 use assur_math::element::cam::{Cam, Follower, Law, Program, Shape};
+use assur_math::math::Vec2;
 use std::f64::consts::PI;
 
 fn cam() -> Cam {
@@ -27,7 +28,7 @@ fn steps_keep_the_chord_error() {
 fn the_error_is_that_of_chords_of_a_circle() {
     let follower = Follower::Translating { shape: Shape::Knife, offset: 0.0 };
     let round = Cam::new(0.05, false, follower, Program::new(&[])).expect("a disc");
-    let exact = 0.05 * (1.0 - (PI / 36.0).cos());
+    let exact = 0.05 * (1.0 - Vec2::direction(PI / 36.0).x);
     assert!((round.chord_error(36) - exact).abs() < 1e-12);
     assert_eq!(round.pitch_curve(36), None);
 }
