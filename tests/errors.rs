@@ -9,7 +9,7 @@ use assur::internals::diagnostic::{Diagnosis, Problems, Style, render};
 use assur::internals::drawing::Scale;
 use assur::internals::exercise::grade::{Rules, Sheet, grade};
 use assur::internals::exercise::table::{Fault, Lines, Table};
-use assur::internals::picture::{KINDS, Options, Scaled, Scene};
+use assur::internals::picture::{KINDS, Options, Scaled, Scene, true_size};
 use assur::internals::source::Source;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::Path;
@@ -69,7 +69,7 @@ fn said(source: &Source, stage: &str) -> String {
 }
 
 /// What is said about the pictures of a text, of all kinds; a first line `// --pose 9` names the position, `// --path crank.B`
-/// a point, `// --length 0.0001` the scale.
+/// a point, `// --length 0.0001` the scale, `// --true-size` true size.
 fn drawn(source: &Source) -> Problems {
     let (solved, mut problems) = assur::internals::pipeline::solve_drawn(source, &Overrides::none(), &KINDS);
     let Some(solved) = solved else { return problems };
@@ -86,6 +86,10 @@ fn drawn(source: &Source) -> Problems {
     match Scene::of(solved.compiled.model(), &solved.solution, file, name) {
         Ok(scene) => {
             let scene = Scene { turn: &turn, ..scene };
+            if option("// --true-size").is_some() {
+                problems.extend(true_size(&scene, &options.scheme).err());
+                return problems;
+            }
             // what a first line names is of the scheme
             let of_all = options.scheme.paths.is_empty() && scale.is_none();
             let kinds = if of_all { &KINDS[..] } else { &KINDS[..1] };

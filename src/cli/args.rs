@@ -25,7 +25,9 @@ use clap::{Args as _, FromArgMatches, Parser, ValueEnum};
 
 use crate::exercise::grade::{Credit, Points, Submissions};
 use assur_check::Overrides;
+use assur_math::element::cam::MOST_STEPS;
 use assur_solve::solve::Method;
+use assur_text::units::{Dimension, lookup};
 use format::table_or;
 
 /// Solves planar mechanism problems written as text.
@@ -299,12 +301,26 @@ pub struct Profile {
     /// Name of the cam, if the file has several
     #[arg(long, value_name = "NAME")]
     pub cam: Option<String>,
-    /// Number of steps of the cam angle
-    #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(3..=36_000))]
-    pub steps: u32,
+    /// Number of steps of the cam angle [default: 360; of a drawing as many as keep it within 10 um]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(3..=i64::from(MOST_STEPS)))]
+    pub steps: Option<u32>,
+    /// Maximum distance from the curve to the lines between its points, e.g. 1um; sets the number of steps
+    #[arg(long, value_name = "LENGTH", conflicts_with = "steps", value_parser = length)]
+    pub within: Option<f64>,
     /// Output format
     #[arg(long, value_name = "FORMAT", default_value = "csv", value_parser = table_or(DRAWINGS))]
     pub format: Format,
+}
+
+/// A length with its unit, m.
+fn length(text: &str) -> Result<f64, String> {
+    let example = || "write a length above 0 with its unit, e.g. 1um or 0.01mm".to_owned();
+    let text = text.trim();
+    let unit = text.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.eE".contains(c));
+    let number: f64 = text[..text.len() - unit.len()].parse().map_err(|_| example())?;
+    let unit =
+        lookup(unit.trim()).ok().filter(|unit| unit.dimension == Dimension::LENGTH).ok_or_else(example)?;
+    Some(unit.to_si(number)).filter(|x| x.is_finite() && *x > 0.0).ok_or_else(example)
 }
 
 /// When to use colours.

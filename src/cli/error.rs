@@ -66,8 +66,12 @@ pub enum CliError {
     OneRange,
     /// Several pictures, one place.
     #[error("`{name}` can contain one picture only, but there are several")]
-    #[diagnostic(help("write them to a folder: `-o pictures/`"))]
-    OnePicture { name: String },
+    #[diagnostic(help("write them to a folder: `-o pictures/{format}`"))]
+    OnePicture {
+        name: String,
+        /// ` --format dxf`, where a folder needs that.
+        format: String,
+    },
     /// A format that the name of the output is not of.
     #[error("`{name}` is no name of a {ending} file")]
     #[diagnostic(help(
@@ -148,6 +152,10 @@ pub enum CliError {
         #[help]
         help: String,
     },
+    /// A cam that takes too many steps.
+    #[error("`{name}` needs more than {most} steps to be so accurate: with {most} its error is {reached} µm")]
+    #[diagnostic(help("give `--within` a greater length"))]
+    TooManySteps { name: String, most: u32, reached: String },
     /// Results that cannot be written.
     #[error("`{name}` cannot be written: {why}")]
     #[diagnostic(help("the existing file was not changed"))]

@@ -6,20 +6,24 @@ use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use crate::report;
 use crate::report::document::{Report, Section, Table};
+use assur_math::element::cam::MOST_STEPS;
 use assur_model::model::{CAM_PARTS, Mechanism, PlateCam};
 use assur_text::source::Source;
+
+/// Steps of a table, and how far the curves of a drawing are from the lines between their points, m.
+const STEPS: u32 = 360;
+const DRAWN_WITHIN: f64 = 10e-6;
 
 /// Prints the profile of a cam for other programs.
 pub fn run(args: &Profile, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
     for_each_file(&args.problem.files, screen, "", |source, _| {
         let (mechanism, mut problems) = crate::pipeline::check_source(source, &overrides);
-        let results = match mechanism.as_ref().map(|m| (m, chosen(m, args.cam.as_deref()))) {
-            Some((mechanism, Ok(plate))) => match args.format {
-                Format::Dxf => report::element::dxf(plate, args.steps as usize),
+        let results = match mechanism.as_ref().map(|m| (m, wanted(args, m))) {
+            Some((mechanism, Ok((plate, steps)))) => match args.format {
+                Format::Dxf => report::element::dxf(plate, steps),
                 format => {
-                    let steps = args.steps as usize;
-                    let table = plate.table(&CAM_PARTS, steps, |d| mechanism.display_of(d));
+                    let table = plate.table(&CAM_PARTS, steps as usize, |d| mechanism.display_of(d));
                     let table = report::full_table(&table);
                     match format {
                         Format::Csv => report::csv::render(&table),
@@ -35,6 +39,27 @@ pub fn run(args: &Profile, screen: &Screen) -> Status {
         };
         Reply::new(results, &problems, source, screen)
     })
+}
+
+/// The cam that is wanted, and its steps.
+fn wanted<'m>(args: &Profile, mechanism: &'m Mechanism) -> Result<(&'m PlateCam, u32), CliError> {
+    let plate = chosen(mechanism, args.cam.as_deref())?;
+    Ok((plate, steps(args, plate)?))
+}
+
+/// How many steps a cam has: those that are wanted, or those of a wanted error; a drawing has one of its own.
+fn steps(args: &Profile, plate: &PlateCam) -> Result<u32, CliError> {
+    match (args.steps, args.within) {
+        (Some(steps), _) => Ok(steps),
+        (None, Some(error)) => plate.cam.steps_within(error).ok_or_else(|| {
+            let reached = format!("{:.1e}", plate.cam.chord_error(MOST_STEPS) * 1e6);
+            CliError::TooManySteps { name: plate.name.clone(), most: MOST_STEPS, reached }
+        }),
+        (None, None) if args.format == Format::Dxf => {
+            Ok(plate.cam.steps_within(DRAWN_WITHIN).unwrap_or(MOST_STEPS))
+        }
+        (None, None) => Ok(STEPS),
+    }
 }
 
 /// A page with the profile.

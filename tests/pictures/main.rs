@@ -22,6 +22,7 @@ mod numbers;
 mod over_sweeps;
 mod over_time;
 mod random;
+mod read_back;
 mod scenes;
 #[path = "../share/mod.rs"]
 mod share;

@@ -362,3 +362,46 @@ fn the_pictures_of_the_documents_are_of_now() {
     }
     assert_eq!(count, 13);
 }
+
+#[test]
+fn drawings_for_other_programs_hold_one_picture() {
+    let folder = Folder::new("draw-other").with("a.mech", &one());
+    for (format, begin) in [("dxf", "  0\r\nSECTION"), ("tikz", "% "), ("tex", "\\documentclass{article}")] {
+        let name = format!("a.{format}");
+        let out = assur(&folder, &["draw", "a.mech", "-o", &name]);
+        assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+        assert!(folder.read(&name).starts_with(begin), "{}", folder.read(&name));
+        let out = assur(&folder, &["draw", "a.mech", "--format", format]);
+        assert_eq!((out.status, out.stdout), (0, folder.read(&name)));
+        let out = assur(&folder, &["draw", "a.mech", "scheme", "velocities", "-o", &name]);
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+        let help = format!("`-o pictures/ --format {format}`");
+        assert!(out.stderr.contains("one picture only") && out.stderr.contains(&help), "{}", out.stderr);
+        let both = ["draw", "a.mech", "scheme", "velocities", "animation", "-o", "out", "--format", format];
+        assert_eq!(assur(&folder, &both).status, 0);
+        assert_eq!(folder.read(&format!("out/a-scheme.{format}")), folder.read(&name));
+        // what moves elsewhere is still here
+        assert!(folder.read(&format!("out/a-animation.{format}")).starts_with(begin));
+    }
+    let missing = assur(&folder, &["draw", "a.mech", "-o", "none/a.dxf"]);
+    assert_eq!((missing.status, missing.stdout.as_str()), (2, ""));
+}
+
+#[test]
+fn true_size_is_for_schemes_in_dxf() {
+    let folder = Folder::new("draw-true-size").with("a.mech", &one());
+    let out = assur(&folder, &["draw", "a.mech", "-o", "a.dxf", "--true-size"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(!folder.read("a.dxf").contains("TEXT\r\n"), "{}", folder.read("a.dxf"));
+    for (words, said) in [
+        (&["-o", "a.svg"][..], "`--true-size` changes no picture"),
+        (&["velocities", "-o", "a.dxf"], "`--true-size` changes no picture"),
+        (&["-o", "a.dxf", "--ghosts", "3"], "cannot be used with"),
+    ] {
+        let out = assur(&folder, &[&["draw", "a.mech", "--true-size"], words].concat());
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{words:?}");
+        assert!(out.stderr.contains(said), "{words:?}: {}", out.stderr);
+    }
+    let out = assur(&folder, &["draw", "a.mech", "-o", "a.dxf", "--theme", "dark"]);
+    assert!(out.status == 2 && out.stderr.contains("`--theme` changes no picture"), "{}", out.stderr);
+}

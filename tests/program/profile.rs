@@ -29,8 +29,30 @@ fn a_profile_is_printed_in_every_format() {
     let lines: Vec<&str> = dxf.stdout.lines().collect();
     assert_eq!(lines.len() % 2, 0, "codes and values");
     assert_eq!(lines.iter().filter(|l| **l == "VERTEX").count(), 24, "profile and pitch curve");
-    assert!(lines.windows(2).any(|l| l[0].trim() == "40" && l[1] == "50.000000000"), "the base circle");
+    assert!(lines.windows(2).any(|l| l[0].trim() == "40" && l[1] == "50.0"), "the base circle");
     assert_eq!(lines[lines.len() - 1], "EOF");
+    let vertices = |words: &[&str]| {
+        let dxf = assur(&folder, &[&["profile", "a.mech", "--format", "dxf"], words].concat());
+        assert_eq!((dxf.status, dxf.stderr.as_str()), (0, ""), "{words:?}");
+        dxf.stdout.lines().filter(|line| *line == "VERTEX").count()
+    };
+    let (usual, fine) = (vertices(&[]), vertices(&["--within", "0.1 um"]));
+    assert_eq!((usual, vertices(&["--within", "10µm"])), (vertices(&["--within", "0.01mm"]), usual));
+    assert!((9.0..11.0).contains(&(fine as f64 / usual as f64)), "{fine} of {usual}");
+    let csv = assur(&folder, &["profile", "a.mech", "--within", "1 mm"]);
+    assert!((30..200).contains(&csv.stdout.lines().count()), "{}", csv.stdout.lines().count());
+    let out = assur(&folder, &["profile", "a.mech", "--within", "1e-9 um"]);
+    assert_eq!((out.status, out.stdout.as_str()), (1, ""));
+    assert!(out.stderr.contains("needs more than 36000 steps"), "{}", out.stderr);
+    for wrong in [
+        &["--within", "1"][..],
+        &["--within", "-1um"],
+        &["--within", "1 kg"],
+        &["--within", "1um", "--steps", "9"],
+    ] {
+        let out = assur(&folder, &[&["profile", "a.mech"], wrong].concat());
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{wrong:?}");
+    }
     let unclear = assur(&folder, &["profile", "two.mech"]);
     assert_eq!(unclear.status, 1);
     assert!(unclear.stderr.contains("`plate`, `other`"), "{}", unclear.stderr);

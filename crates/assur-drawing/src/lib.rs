@@ -1,12 +1,14 @@
-//! Pictures without mechanics: marks in millimetres of paper, x to the right and y down, labels that never overlap, SVG.
+//! Pictures without mechanics: marks in millimetres of paper, x to the right and y down, labels that never overlap; SVG, DXF, TikZ.
 
 mod board;
 mod clearance;
 mod drawing;
+mod dxf;
 mod geometry;
 mod grid;
 mod ground;
 mod label;
+mod lettering;
 mod mark;
 mod number;
 mod outside;
@@ -16,15 +18,19 @@ mod rules;
 mod scale;
 mod style;
 mod svg;
+mod tex;
 mod text;
+mod tikz;
 mod widths;
 mod wrap;
 
 pub use drawing::{Caption, Drawing, Group, Placed, Sheet};
+pub use dxf::{Dxf, Pen};
 pub use geometry::{Rect, Segment};
 pub use grid::touches;
 pub use label::{Anchor, Label};
 pub use label::{Palette, Role, Theme};
+pub use lettering::Lettering;
 pub use mark::{Mark, Obstacle, Shape, on_circle};
 pub use number::{Number, number};
 pub use placement::Later;

@@ -164,6 +164,15 @@ impl Shape {
         }
     }
 
+    /// Whether it has a place: all its numbers are finite.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        let mut finite = true;
+        let is = |p: Vec2| p.x.is_finite() && p.y.is_finite();
+        self.each_segment(|segment| finite &= is(segment.a) && is(segment.b));
+        finite
+    }
+
     /// Its box, without the width of its stroke.
     #[must_use]
     pub fn bounds(&self) -> Rect {

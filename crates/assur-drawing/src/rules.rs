@@ -126,15 +126,21 @@ fn shape_of_strokes(out: &mut String, style: Style) {
     if paint.opacity < 1.0 {
         let _ = write!(out, "opacity:{};", number(paint.opacity));
     }
-    if matches!(
-        style,
-        Style::Link | Style::Pulled | Style::Pushed | Style::Plate | Style::Block | Style::Medium
-    ) {
-        out.push_str("stroke-linejoin:round;");
-    }
-    if matches!(style, Style::Link | Style::Pulled | Style::Pushed) {
-        out.push_str("stroke-linecap:round;");
-    }
+    let Ends { round_joins, round_caps } = ends(style);
+    out.push_str(if round_joins { "stroke-linejoin:round;" } else { "" });
+    out.push_str(if round_caps { "stroke-linecap:round;" } else { "" });
+}
+
+/// How the lines of a stroke meet and end.
+pub struct Ends {
+    pub round_joins: bool,
+    pub round_caps: bool,
+}
+
+pub const fn ends(style: Style) -> Ends {
+    let round_caps = matches!(style, Style::Link | Style::Pulled | Style::Pushed);
+    let round_joins = round_caps || matches!(style, Style::Plate | Style::Block | Style::Medium);
+    Ends { round_joins, round_caps }
 }
 
 /// The class of texts in a colour.

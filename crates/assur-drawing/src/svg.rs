@@ -76,7 +76,7 @@ impl Sheet {
             number(size.x),
             number(size.y)
         );
-        self.marks(&mut out);
+        self.groups(&mut out);
         for (i, placed) in self.placed.iter().enumerate() {
             within(&mut out, self.moved[1].get(i), |out| self.label(out, placed));
         }
@@ -102,7 +102,7 @@ impl Sheet {
         );
     }
 
-    fn marks(&self, out: &mut String) {
+    fn groups(&self, out: &mut String) {
         let mut open = 0;
         for (i, mark) in self.drawing.marks.iter().enumerate() {
             if mark.group != open {

@@ -135,7 +135,7 @@ impl Text {
         let described =
             described(&letters).filter(|_| index.is_empty()).map(|(l, i)| (l.to_owned(), i.to_owned()));
         let (letters, index) = described.unwrap_or((letters, index));
-        let letters = greek(&letters).map_or(letters, str::to_owned);
+        let letters = greek(&letters).unwrap_or(letters);
         let mut text =
             Self::default().and(&letters, true, Level::Base).and(&primes, false, Level::Base).lowered(&index);
         text.full = full;
@@ -212,6 +212,11 @@ impl Text {
 const DIGITS: &str = "0123456789−";
 const RAISED_DIGITS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
 
+/// The digit or the minus that a raised one is.
+pub(crate) fn lowered(raised: char) -> Option<char> {
+    DIGITS.chars().nth(RAISED_DIGITS.chars().position(|r| r == raised)?)
+}
+
 /// What is before the first exponent that fonts have no signs for, its digits, and what is behind.
 fn exponent(letters: &str) -> Option<(&str, String, &str)> {
     let is_raised = |c: char| RAISED_DIGITS.contains(c);
@@ -221,8 +226,7 @@ fn exponent(letters: &str) -> Option<(&str, String, &str)> {
         let length = letters[start..].find(|c| !is_raised(c)).unwrap_or(letters.len() - start);
         let (exponent, behind) = letters[start..].split_at(length);
         if exponent.chars().any(|c| !matches!(c, '¹' | '²' | '³')) {
-            let digit = |c: char| DIGITS.chars().nth(RAISED_DIGITS.chars().position(|r| r == c)?);
-            return Some((&letters[..start], exponent.chars().filter_map(digit).collect(), behind));
+            return Some((&letters[..start], exponent.chars().filter_map(lowered).collect(), behind));
         }
         from = start + length;
     }
@@ -294,38 +298,49 @@ fn described(letters: &str) -> Option<(&str, &str)> {
     (small && greek(letters).is_none()).then_some((&letters[..first.len_utf8()], rest))
 }
 
+/// Greek letters by their names.
+const GREEK: [(&str, char); 29] = [
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("epsilon", 'ε'),
+    ("zeta", 'ζ'),
+    ("eta", 'η'),
+    ("theta", 'θ'),
+    ("iota", 'ι'),
+    ("kappa", 'κ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("nu", 'ν'),
+    ("xi", 'ξ'),
+    ("pi", 'π'),
+    ("rho", 'ρ'),
+    ("sigma", 'σ'),
+    ("tau", 'τ'),
+    ("phi", 'φ'),
+    ("chi", 'χ'),
+    ("psi", 'ψ'),
+    ("omega", 'ω'),
+    ("Gamma", 'Γ'),
+    ("Delta", 'Δ'),
+    ("Theta", 'Θ'),
+    ("Lambda", 'Λ'),
+    ("Phi", 'Φ'),
+    ("Psi", 'Ψ'),
+    ("Omega", 'Ω'),
+];
+
 /// The letter of a word.
-fn greek(word: &str) -> Option<&'static str> {
-    Some(match word {
-        "alpha" => "α",
-        "beta" => "β",
-        "gamma" => "γ",
-        "delta" => "δ",
-        "epsilon" => "ε",
-        "zeta" => "ζ",
-        "eta" => "η",
-        "theta" => "θ",
-        "iota" => "ι",
-        "kappa" => "κ",
-        "lambda" => "λ",
-        "mu" => "μ",
-        "nu" => "ν",
-        "xi" => "ξ",
-        "pi" => "π",
-        "rho" => "ρ",
-        "sigma" => "σ",
-        "tau" => "τ",
-        "phi" => "φ",
-        "chi" => "χ",
-        "psi" => "ψ",
-        "omega" => "ω",
-        "Gamma" => "Γ",
-        "Delta" => "Δ",
-        "Theta" => "Θ",
-        "Lambda" => "Λ",
-        "Phi" => "Φ",
-        "Psi" => "Ψ",
-        "Omega" => "Ω",
-        _ => return None,
-    })
+fn greek(word: &str) -> Option<String> {
+    GREEK.iter().find(|(name, _)| *name == word).map(|(_, letter)| letter.to_string())
+}
+
+/// Greek letters that pictures have without a name for them in files.
+const MORE: [(&str, char); 5] =
+    [("Sigma", 'Σ'), ("Pi", 'Π'), ("Xi", 'Ξ'), ("Upsilon", 'Υ'), ("upsilon", 'υ')];
+
+/// The name of a Greek letter.
+pub(crate) fn greek_name(letter: char) -> Option<&'static str> {
+    GREEK.iter().chain(&MORE).find(|(_, own)| *own == letter).map(|(name, _)| *name)
 }

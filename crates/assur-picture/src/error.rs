@@ -61,6 +61,17 @@ pub(crate) fn nothing_placed(scene: &Scene<'_>, needs: &'static str) -> Diagnosi
         )
 }
 
+/// No link has a place at which it could be drawn in its own size.
+pub(crate) fn no_true_size(scene: &Scene<'_>) -> Diagnosis {
+    let link = scene.mechanism().links.get(1);
+    Diagnosis::error(
+        "mech::picture::no_true_size",
+        "there is no mechanism to draw in true size: no link has a position",
+    )
+    .label(link.map(|link| link.span), "has no position")
+    .help("leave `--true-size` out: the section of the train has no millimetres of its own")
+}
+
 /// No drive has a speed; the help writes one behind the first.
 pub(crate) fn no_speed(scene: &Scene<'_>, what: &'static str) -> Diagnosis {
     let mechanism = scene.mechanism();

@@ -35,5 +35,5 @@ pub use paper::Frame;
 pub use paper::{Paper, SCALED, Scaled, Scales};
 pub use scene::Scene;
 pub use scene::reaction_index;
-pub use scheme::{Dimension, Loads, Measured, Scheme, scheme};
+pub use scheme::{Dimension, Loads, Measured, Scheme, scheme, true_size};
 pub use wording::Wording;

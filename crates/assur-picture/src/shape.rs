@@ -409,7 +409,7 @@ fn farthest(points: &[Vec2]) -> Option<(Vec2, Vec2)> {
 }
 
 /// The convex hull, after Andrew.
-fn hull(points: &[Vec2]) -> Vec<Vec2> {
+pub fn hull(points: &[Vec2]) -> Vec<Vec2> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     let half = |points: &mut dyn Iterator<Item = Vec2>| {

@@ -16,8 +16,8 @@ pub struct Draw {
     /// [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
-    /// Write one picture to this file (.svg, .png), all to this page (.html), or to files in this folder (created only when
-    /// complete) [default: standard output]
+    /// Write one picture to this file (.svg, .png, .dxf, .tikz, .tex), all to this page (.html), or to files in this folder
+    /// (created only when complete) [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,
     /// Format: of the picture on standard output, or of all files in the folder OUT; html is a page with all pictures
@@ -39,6 +39,9 @@ pub struct Draw {
     /// Show the numbers of loads and efforts next to them, and arrows of forces in proportion
     #[arg(long)]
     pub numbers: bool,
+    /// Draw a DXF in the millimetres of the mechanism: joints, axes, circles, profiles and paths, without symbols
+    #[arg(long, conflicts_with_all = ["ghosts", "dimensions", "numbers", "loads", "size", "scale"])]
+    pub true_size: bool,
     /// Number of frames of an animation [default: up to 400]
     #[arg(long, value_name = "N", value_parser = frames)]
     pub frames: Option<usize>,
@@ -121,6 +124,7 @@ impl Draw {
             (self.loads != LoadsArg::All, "--loads"),
             (self.dimensions, "--dimensions"),
             (self.numbers, "--numbers"),
+            (self.true_size, "--true-size"),
         ];
         let given = scheme_options.into_iter().filter(|(is_given, _)| *is_given);
         let of_scheme = || given.clone().find_map(|(_, option)| of(option, &|kind| kind == Kind::Scheme));
@@ -178,13 +182,19 @@ pub enum DrawFormat {
     Html,
     /// Pixels, in builds with the feature png
     Png,
+    /// A drawing for CAD: DXF R12
+    Dxf,
+    /// A picture for a LaTeX document
+    Tikz,
+    /// A LaTeX document with the picture
+    Tex,
 }
 
 impl DrawFormat {
     /// That of the ending of a name.
     #[must_use]
     pub fn of_ending(name: &str) -> Option<Self> {
-        [Self::Svg, Self::Html, Self::Png].into_iter().find(|format| name.ends_with(format.ending()))
+        Self::value_variants().iter().copied().find(|format| name.ends_with(format.ending()))
     }
 
     /// The ending of its files.
@@ -194,6 +204,9 @@ impl DrawFormat {
             Self::Svg => ".svg",
             Self::Html => ".html",
             Self::Png => ".png",
+            Self::Dxf => ".dxf",
+            Self::Tikz => ".tikz",
+            Self::Tex => ".tex",
         }
     }
 }

@@ -9,7 +9,7 @@ mod png;
 pub use png::png;
 mod rows;
 
-use super::args::{Draw, Picture};
+use super::args::{Draw, DrawFormat, Picture};
 use super::error::CliError;
 use super::files;
 use super::motion::MotionProgress;
@@ -45,6 +45,10 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
             return Status::Unusable;
         }
     };
+    if let Some(error) = output.without_effect(args) {
+        screen.complain(&complaint(error, screen));
+        return Status::Unusable;
+    }
     let overrides = args.overrides();
     let drawing = Drawing { args, screen, pictures, overrides, output, several: inputs.len() > 1 };
     let status = for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source));
@@ -137,6 +141,8 @@ impl Drawing<'_> {
 }
 
 /// An output that cannot hold several pictures.
-fn one_only(name: &str) -> CliError {
-    CliError::OnePicture { name: name.to_owned() }
+fn one_only(name: &str, format: Option<DrawFormat>) -> CliError {
+    let other = format.filter(|format| *format != DrawFormat::Svg);
+    let format = other.map(|format| format!(" --format {}", format.ending().trim_start_matches('.')));
+    CliError::OnePicture { name: name.to_owned(), format: format.unwrap_or_default() }
 }

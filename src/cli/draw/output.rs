@@ -2,7 +2,7 @@
 
 use super::one_only;
 use super::pages::Page;
-use crate::cli::args::DrawFormat;
+use crate::cli::args::{Draw, DrawFormat, ThemeArg};
 use crate::cli::error::CliError;
 use crate::cli::files::made_folder;
 use crate::cli::sink::Sink;
@@ -24,7 +24,7 @@ pub enum Output {
 }
 
 impl Output {
-    /// What `-o` names, in a format; a name that ends in `.svg`, `.png` or `.html` is a file, any other a folder.
+    /// What `-o` names, in a format; a name that ends as a format does is a file, any other a folder.
     pub fn of(
         name: Option<&str>,
         wanted: Option<DrawFormat>,
@@ -50,7 +50,7 @@ impl Output {
             (None, format) if one => Ok(Self::Stdout(format)),
             (Some(path), format) if ending.is_none() => Ok(Self::Folder(path, format)),
             (Some(path), _) if one => Ok(Self::File(path)),
-            _ => Err(one_only(place)),
+            (_, format) => Err(one_only(place, format)),
         }
     }
 
@@ -68,9 +68,41 @@ impl Output {
         self.format() == Some(DrawFormat::Svg)
     }
 
-    /// Whether nothing moves in it: a page of all pictures, or pixels.
+    /// Whether nothing moves in it: a page of all pictures, pixels, a drawing for another program.
     pub fn is_still(&self) -> bool {
-        matches!(self, Self::Page(..)) || self.format() == Some(DrawFormat::Png)
+        matches!(self, Self::Page(..))
+            || !matches!(self.format(), None | Some(DrawFormat::Svg | DrawFormat::Html))
+    }
+
+    /// Whether it is pixels.
+    #[cfg(feature = "png")]
+    fn is_pixels(&self) -> bool {
+        self.format() == Some(DrawFormat::Png)
+    }
+
+    /// A sheet in its format, and the ending of its file; pixels are made of SVG.
+    pub fn text(&self, sheet: &Sheet, theme: Theme) -> (String, &'static str) {
+        match self.format() {
+            None | Some(DrawFormat::Svg) => (sheet.svg(theme), "svg"),
+            Some(DrawFormat::Png) => (sheet.svg(theme), "png"),
+            Some(DrawFormat::Html) => (figure(sheet), "html"),
+            Some(DrawFormat::Dxf) => (sheet.dxf(), "dxf"),
+            Some(DrawFormat::Tikz) => (sheet.tikz(theme), "tikz"),
+            Some(DrawFormat::Tex) => (sheet.tex(theme), "tex"),
+        }
+    }
+
+    /// The first option that changes nothing in this format.
+    pub fn without_effect(&self, args: &Draw) -> Option<CliError> {
+        let is_dxf = self.format() == Some(DrawFormat::Dxf);
+        let (option, help) = match (is_dxf, args.true_size, args.theme) {
+            (false, true, _) => ("--true-size", "it is for DXF: `-o NAME.dxf`, or `--format dxf`"),
+            (true, _, theme) if theme != ThemeArg::Auto => {
+                ("--theme", "the colours of DXF are those of its layers")
+            }
+            _ => return None,
+        };
+        Some(CliError::NoEffect { option: option.to_owned(), help: help.to_owned() })
     }
 
     /// Whether it holds one picture.
@@ -84,20 +116,20 @@ impl Output {
             _ if pages.is_empty() => Ok(String::new()),
             Self::Stdout(_) => match pages {
                 #[cfg(feature = "png")]
-                [page] if self.is_still() => {
+                [page] if self.is_pixels() => {
                     let mut sink = Sink::stdout();
                     sink.write(super::png::png(&page.text, "standard output")?)?;
                     sink.finish().map(|_| String::new())
                 }
                 [page] => Ok(page.text.clone()),
-                _ => Err(one_only("standard output")),
+                _ => Err(one_only("standard output", self.format())),
             },
             Self::File(path) => match pages {
                 [page] => {
                     let bytes = self.bytes(page, &path.display().to_string())?;
                     written(Sink::page(path)?, &bytes).map(|()| String::new())
                 }
-                _ => Err(one_only(&path.display().to_string())),
+                _ => Err(one_only(&path.display().to_string(), self.format())),
             },
             Self::Page(_, body) => {
                 body.borrow_mut().add(pages);
@@ -106,8 +138,7 @@ impl Output {
             Self::Folder(folder, _) => {
                 made_folder(folder)?;
                 for page in pages {
-                    let ending = if self.is_still() { "png" } else { page.ending };
-                    let path = folder.join(format!("{}.{ending}", page.name));
+                    let path = folder.join(format!("{}.{}", page.name, page.ending));
                     let bytes = self.bytes(page, &path.display().to_string())?;
                     written(Sink::made_up(&path)?, &bytes)?;
                 }
@@ -119,7 +150,7 @@ impl Output {
     /// A picture as it is written.
     #[cfg(feature = "png")]
     fn bytes<'p>(&self, page: &'p Page, name: &str) -> Result<Cow<'p, [u8]>, CliError> {
-        if self.is_still() {
+        if self.is_pixels() {
             return super::png::png(&page.text, name).map(Cow::Owned);
         }
         Ok(Cow::Borrowed(page.text.as_bytes()))
@@ -134,11 +165,6 @@ impl Output {
     )]
     fn bytes<'p>(&self, page: &'p Page, _name: &str) -> Result<Cow<'p, [u8]>, CliError> {
         Ok(Cow::Borrowed(page.text.as_bytes()))
-    }
-
-    /// Whether it is one page with all pictures.
-    pub const fn is_page(&self) -> bool {
-        matches!(self, Self::Page(..))
     }
 
     /// Writes the page in a language, where there is one with pictures.
@@ -220,7 +246,7 @@ impl Gallery {
 }
 
 /// A picture of a page, which has the rules for all: a browser lays out only those that are seen, and leaves room for the others.
-pub fn figure(sheet: &Sheet) -> String {
+fn figure(sheet: &Sheet) -> String {
     let title = escaped(&sheet.drawing.title);
     let room = (sheet.bounds.size().y + CAPTION).ceil();
     format!(

@@ -144,6 +144,9 @@ impl Pages<'_, '_> {
             };
             return Ok(vec![Page { name: name.to_owned(), chapter: self.chapter(), text, ending }]);
         }
+        if kind == Kind::Scheme && self.drawing.args.true_size {
+            return Ok(self.numbered(name, vec![assur_picture::true_size(scene, &options.scheme)?]));
+        }
         Ok(self.numbered(name, assur_picture::draw(kind, scene, options)?))
     }
 
@@ -193,8 +196,8 @@ impl Pages<'_, '_> {
                 drawing.title += &format!(", {}", phrase(language, words));
             }
             let sheet = drawing.placed();
-            let text = if self.drawing.output.is_page() { output::figure(&sheet) } else { sheet.svg(theme) };
-            Page { name, chapter: self.chapter(), text, ending: "svg" }
+            let (text, ending) = self.drawing.output.text(&sheet, theme);
+            Page { name, chapter: self.chapter(), text, ending }
         });
         pages.collect()
     }

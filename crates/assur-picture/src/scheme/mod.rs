@@ -14,6 +14,7 @@ mod numbers;
 mod pair;
 mod profile;
 mod room;
+mod true_size;
 mod ways;
 mod weld;
 
@@ -22,6 +23,7 @@ pub use curvature::curvature;
 pub use dimension::{Dimension, Measured};
 pub use mesh::crossed;
 pub use profile::Freed;
+pub use true_size::true_size;
 pub use ways::{Traced, asked};
 
 use crate::paper::{Frame, Paper, Scaled, Scales};

@@ -104,7 +104,7 @@ impl Freed<'_> {
 }
 
 /// The wheels whose place and size are known.
-fn front<'a>(scene: &Scene<'a>) -> impl Iterator<Item = &'a Wheel> {
+pub(super) fn front<'a>(scene: &Scene<'a>) -> impl Iterator<Item = &'a Wheel> {
     let mechanism = scene.mechanism();
     let open = |wheel: &Wheel| mechanism.open_sizes.iter().any(|o| o.wheel == wheel.name);
     let placed: Vec<bool> = (0..mechanism.links.len()).map(|i| scene.is_placed(LinkId::at(i))).collect();

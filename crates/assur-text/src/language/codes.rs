@@ -328,6 +328,7 @@ pub const CODES: &[Code] = codes! {
     "picture" / "no_point",
     "picture" / "no_way",
     "picture" / "no_scale",
+    "picture" / "no_true_size",
     // tables beside a file
     "table" / "header",
     "table" / "empty",

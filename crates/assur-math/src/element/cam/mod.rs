@@ -5,6 +5,7 @@ mod design;
 mod fault;
 mod flank;
 mod law;
+mod outline;
 mod point;
 mod program;
 
@@ -12,6 +13,7 @@ pub use design::Cam;
 pub use fault::{Fault, Misfit};
 pub use flank::{Flank, Reached};
 pub use law::{Jet, Law};
+pub use outline::MOST_STEPS;
 pub use point::{CamPoint, Quantity};
 pub use point::{Follower, Shape};
 pub use program::{Part, Phase, Program};

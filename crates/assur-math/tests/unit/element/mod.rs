@@ -2,3 +2,4 @@
 
 mod involute;
 mod law;
+mod outline;

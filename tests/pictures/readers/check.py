@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+"""Reads DXF and TikZ pictures back with other programs.
+
+    pip install ezdxf pypdf
+    apt-get install --no-install-recommends texlive-latex-base texlive-pictures texlive-luatex
+    tests/pictures/readers/check.py
+
+draws all pictures of twelve examples, of every kind, and their schemes in true size, with the program that ASSUR names (target/release/assur).
+ezdxf finds nothing to mend in any DXF, and its points are those of the SVG, as far as that has digits. pdflatex and lualatex
+compile every TikZ picture without a warning, and the paths of the PDF are those of the DXF within 0.01 mm. Every format has the
+same bytes in a second run. Exits with 1 where anything is wrong.
+"""
+
+import concurrent.futures
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import ezdxf
+import pypdf
+from pypdf.generic import ContentStream
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+ASSUR = os.environ.get("ASSUR", str(ROOT / "target/release/assur"))
+EXAMPLES = ["kinetostatics/six-bar", "friction/four-bar", "flywheel/engine", "cams/lever", "trains/planetary-gearbox",
+            "drives/cylinder-lift", "masses/rotor-in-four-planes", "harmonics/piston", "beams/beam-with-overhang",
+            "motion/curvature-four-bar", "trusses/roof-of-seven-bars", "equilibrium/bar-upright"]
+# what SVG has of digits, and what is allowed of a PDF, mm
+SVG, PDF = 0.015, 0.01
+# points per millimetre
+POINT = 72 / 25.4
+FAULT = re.compile(r"Warning|Overfull|Underfull|Missing character|^!", re.MULTILINE)
+
+
+def draw(*words):
+    done = subprocess.run([ASSUR, "draw", *map(str, words)], capture_output=True, text=True, cwd=ROOT)
+    return done.returncode
+
+
+class Dxf:
+    """The points of a drawing in order, and its circles."""
+
+    def __init__(self, path):
+        document = ezdxf.readfile(path)
+        audit = document.audit()
+        self.faults = [str(e.message) for e in audit.errors + audit.fixes]
+        self.points, self.rounds, self.count = [], [], 0
+        layers = {layer.dxf.name for layer in document.layers}
+        for e in document.modelspace():
+            self.count += 1
+            if e.dxf.layer not in layers:
+                self.faults.append(f"the layer {e.dxf.layer} is not declared")
+            if e.dxf.color != 256:
+                self.faults.append(f"a {e.dxftype()} has a colour of its own")
+            self.read(e)
+
+    def read(self, e):
+        kind = e.dxftype()
+        if kind == "LINE":
+            self.points += [e.dxf.start, e.dxf.end]
+        elif kind == "POLYLINE":
+            self.points += [v.dxf.location for v in e.vertices]
+        elif kind == "SOLID":
+            self.points += [e.dxf.vtx0, e.dxf.vtx1, e.dxf.vtx2]
+        elif kind == "CIRCLE":
+            self.rounds.append((e.dxf.center, e.dxf.radius))
+        elif kind == "ARC":
+            self.rounds.append((e.dxf.center, e.dxf.radius))
+            self.points += [e.start_point, e.end_point]
+        elif kind == "POINT":
+            self.points.append(e.dxf.location)
+        elif kind != "TEXT":
+            self.faults.append(f"{kind} is not expected")
+
+
+class Near:
+    """Points by their places."""
+
+    def __init__(self, points, cell=0.05):
+        self.cell, self.cells = cell, {}
+        for x, y in points:
+            self.cells.setdefault((round(x / cell), round(y / cell)), []).append((x, y))
+
+    def distance(self, x, y):
+        i, j = round(x / self.cell), round(y / self.cell)
+        near = [p for a in (-1, 0, 1) for b in (-1, 0, 1) for p in self.cells.get((i + a, j + b), [])]
+        return min((math.hypot(x - p[0], y - p[1]) for p in near), default=self.cell)
+
+
+def svg(text):
+    """Ends of lines and of parts of paths, middles of circles; y up."""
+    number = r"-?[\d.]+"
+    points = []
+    for x1, y1, x2, y2 in re.findall(rf'<line [^>]*x1="({number})" y1="({number})" x2="({number})" y2="({number})"', text):
+        points += [(x1, y1), (x2, y2)]
+    for path in re.findall(r'<path [^>]*d="([^"]*)"', text):
+        for command, rest in re.findall(r"([MLA])([^MLAZ]*)", path):
+            points.append(rest.split()[-2:])
+    for x, y, w, h in re.findall(rf'<rect class="n0" x="({number})" y="({number})" width="({number})" height="({number})"', text):
+        points += [(float(x) + a * float(w), float(y) + b * float(h)) for a in (0, 1) for b in (0, 1)]
+    points += re.findall(rf'<circle [^>]*cx="({number})" cy="({number})"', text)
+    return [(float(x), -float(y)) for x, y in points]
+
+
+def pdf(path, box):
+    """Points of the paths of a page and the curves between them, mm with the origin of the drawing, y up."""
+    [page] = pypdf.PdfReader(path).pages
+    height = float(page.mediabox.height)
+    matrix, stack, points, curves, at = (1, 0, 0, 1, 0, 0), [], [], [], None
+
+    def place(x, y):
+        a, b, c, d, e, f = matrix
+        x, y = a * x + c * y + e, b * x + d * y + f
+        return x / POINT + box[0], (y - height) / POINT + box[1]
+
+    for operands, operator in ContentStream(page.get_contents(), page.pdf).operations:
+        numbers = [float(x) for x in operands] if operator in (b"cm", b"m", b"l", b"c", b"re") else []
+        if operator == b"q":
+            stack.append(matrix)
+        elif operator == b"Q":
+            matrix = stack.pop()
+        elif operator == b"cm":
+            a, b, c, d, e, f = numbers
+            m = matrix
+            matrix = (a * m[0] + b * m[2], a * m[1] + b * m[3], c * m[0] + d * m[2], c * m[1] + d * m[3],
+                      e * m[0] + f * m[2] + m[4], e * m[1] + f * m[3] + m[5])
+        elif operator in (b"m", b"l"):
+            at = place(*numbers)
+            points.append(at)
+        elif operator == b"c":
+            ends = [at] + [place(*numbers[i:i + 2]) for i in (0, 2, 4)]
+            curves.append(ends)
+            at = ends[3]
+            points.append(at)
+        elif operator == b"re":
+            x, y, w, h = numbers
+            points += [place(x, y), place(x + w, y), place(x, y + h), place(x + w, y + h)]
+    return points, curves, (float(page.mediabox.width) / POINT, height / POINT)
+
+
+def off_circles(curves, rounds):
+    """How far curves are from the circles that they are parts of."""
+    worst = 0.0
+    for a, b, c, d in curves:
+        for t in (0.0, 0.25, 0.5):
+            s = 1 - t
+            x, y = (s**3 * a[i] + 3 * s * s * t * b[i] + 3 * s * t * t * c[i] + t**3 * d[i] for i in (0, 1))
+            worst = max(worst, min((abs(math.hypot(x - m.x, y - m.y) - r) for m, r in rounds), default=math.inf))
+    return worst
+
+
+def picture(name, folder):
+    """What is wrong with a picture in its formats, and how far points are off in SVG and PDF, mm."""
+    dxf = Dxf(folder / f"{name}.dxf")
+    faults = list(dxf.faults)
+    text = (folder / f"{name}.tex").read_text()
+    # left, top, right, bottom
+    box = [float(x) for x in re.search(r"boundingbox \(([^)]*)\) rectangle \(([^)]*)\)", text).expand(r"\1,\2").split(",")]
+    # an animation moves in SVG
+    own = [] if name.endswith("-animation") else svg((folder / f"{name}.svg").read_text())
+    middles = [(m.x, m.y) for m, _ in dxf.rounds]
+    ends = [(p.x, p.y) for p in dxf.points]
+    known, shown = Near(ends + middles), Near(own)
+    in_svg = max([shown.distance(*p) for p in ends if own] + [known.distance(*p) for p in own], default=0.0)
+    faults += [f"a point is {in_svg:.4f} mm off that of the SVG"] if in_svg > SVG else []
+    in_pdf = 0.0
+    faults += [] if text.isascii() else ["TikZ is not ASCII"]
+    for engine in ["pdflatex", "lualatex"]:
+        where = folder / engine
+        where.mkdir(exist_ok=True)
+        command = [engine, "-interaction=nonstopmode", f"-output-directory={where}", folder / f"{name}.tex"]
+        done = subprocess.run(command, capture_output=True, cwd=folder)
+        log = (where / f"{name}.log").read_text(errors="replace")
+        said = FAULT.findall(log)
+        if done.returncode or said:
+            faults.append(f"{engine}: {done.returncode} {said[:3]}")
+            continue
+        points, curves, size = pdf(where / f"{name}.pdf", box)
+        there = Near(points)
+        off = max([there.distance(*p) for p in ends], default=0.0)
+        off = max(off, off_circles(curves, dxf.rounds), abs(size[0] - box[2] + box[0]), abs(size[1] - box[1] + box[3]))
+        faults += [f"{engine}: a path is {off:.4f} mm off"] if off > PDF else []
+        in_pdf = max(in_pdf, off)
+    return faults, in_svg, in_pdf, dxf.count
+
+
+def main():
+    faults, worst, entities = [], [0.0, 0.0], 0
+    with tempfile.TemporaryDirectory() as root, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        root, wanted = pathlib.Path(root), []
+        for example in EXAMPLES:
+            folder, again = root / example.replace("/", "-"), root / "again" / example.replace("/", "-")
+            source = ROOT / f"examples/{example}.mech"
+            for into in [folder, again]:
+                for form in ["svg", "dxf", "tex", "tikz"]:
+                    draw(source, "--all", "-o", into, "--format", form)
+                draw(source, "-o", into / "true-size.dxf", "--true-size")
+            for path in sorted(folder.iterdir()):
+                if path.read_bytes() != (again / path.name).read_bytes():
+                    faults.append(f"{example}: {path.name} differs in a second run")
+            if (folder / "true-size.dxf").exists():
+                faults += [f"{example}: true size: {fault}" for fault in Dxf(folder / "true-size.dxf").faults]
+            wanted += [(path.stem, folder) for path in sorted(folder.glob("*.tex"))]
+        for (name, _), found in zip(wanted, pool.map(lambda of: picture(*of), wanted)):
+            faults += [f"{name}: {fault}" for fault in found[0]]
+            worst = [max(worst[0], found[1]), max(worst[1], found[2])]
+            entities += found[3]
+    print("\n".join(faults), end="\n" if faults else "")
+    print(f"{len(wanted)} pictures of {len(EXAMPLES)} examples, {entities} entities of DXF: at most {worst[0]:.4f} mm off "
+          f"SVG, {worst[1]:.4f} mm between DXF and PDF; {len(faults)} faults")
+    return 1 if faults or not wanted else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
