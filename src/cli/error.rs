@@ -106,13 +106,14 @@ pub enum CliError {
     #[error("`{name}` has no table of variants")]
     #[diagnostic(help("name one: `--variants TABLE.csv`, or write `variants {{ … }}` into the file"))]
     NoTable { name: String },
-    /// A build without pixels.
-    #[cfg(not(feature = "png"))]
-    #[error("`{name}` cannot be written: this build of assur draws no PNG")]
+    /// A build without a kind of picture.
+    #[error(
+        "`{name}` cannot be written: it takes the feature `{feature}`, which this build of assur does not have"
+    )]
     #[diagnostic(help(
-        "write `.svg` or `.html`, or install assur with PNG: `cargo install assur --features png`"
+        "write `.svg` or `.html`, or install assur with it: `cargo install assur --features {feature}`"
     ))]
-    NoPng { name: String },
+    NotInBuild { name: String, feature: &'static str },
     /// A build without files of columns.
     #[error("`{name}` takes the feature `{feature}`, which this build of assur does not have")]
     #[diagnostic(help(

@@ -16,10 +16,11 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
 /// The features that a build may have.
-const FEATURES: [(&str, bool); 4] = [
+const FEATURES: [(&str, bool); 5] = [
     ("arrow", cfg!(feature = "arrow")),
     ("lsp", cfg!(feature = "lsp")),
     ("parquet", cfg!(feature = "parquet")),
+    ("pdf", cfg!(feature = "pdf")),
     ("png", cfg!(feature = "png")),
 ];
 
@@ -101,7 +102,9 @@ fn names(values: &[impl ValueEnum]) -> Vec<String> {
 
 /// Pixels are of builds with that feature.
 fn drawn() -> Vec<String> {
-    values::<DrawFormat>().into_iter().filter(|name| name != "png" || cfg!(feature = "png")).collect()
+    let is_there = |format: &&DrawFormat| format.missing_feature().is_none();
+    let formats = DrawFormat::value_variants().iter().filter(is_there);
+    formats.map(|format| format.ending().trim_start_matches('.').to_owned()).collect()
 }
 
 /// The folder of documents that an installation has next to the program.

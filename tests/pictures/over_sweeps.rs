@@ -133,8 +133,7 @@ fn an_animation_shows_the_paths_of_points_that_are_asked_for() {
     for (find, has_path) in
         [("find velocity(P)", true), ("find angle(rocker), position(P)", true), ("find angle(rocker)", false)]
     {
-        let (source, solved) =
-            solved("paths.mech", &format!("{linkage}{find}\n")).expect("a solution");
+        let (source, solved) = solved("paths.mech", &format!("{linkage}{find}\n")).expect("a solution");
         let page = animated(&source, &solved).expect("it moves");
         assert_eq!(page.contains("<g class=\"path\" data-name=\"coupler.P\">"), has_path, "{find}");
     }

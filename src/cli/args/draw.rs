@@ -16,7 +16,7 @@ pub struct Draw {
     /// [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
-    /// Write one picture to this file (.svg, .png, .dxf, .tikz, .tex), all to this page (.html), or to files in this folder
+    /// Write one picture to this file (.svg, .png, .pdf, .dxf, .tikz, .tex), all to this page (.html), or to files in this folder
     /// (created only when complete) [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,
@@ -182,6 +182,8 @@ pub enum DrawFormat {
     Html,
     /// Pixels, in builds with the feature png
     Png,
+    /// A page of the size of the drawing, in builds with the feature pdf
+    Pdf,
     /// A drawing for CAD: DXF R12
     Dxf,
     /// A picture for a LaTeX document
@@ -197,6 +199,16 @@ impl DrawFormat {
         Self::value_variants().iter().copied().find(|format| name.ends_with(format.ending()))
     }
 
+    /// The feature that it needs and that this build does not have.
+    #[must_use]
+    pub const fn missing_feature(self) -> Option<&'static str> {
+        match self {
+            Self::Png if !cfg!(feature = "png") => Some("png"),
+            Self::Pdf if !cfg!(feature = "pdf") => Some("pdf"),
+            _ => None,
+        }
+    }
+
     /// The ending of its files.
     #[must_use]
     pub const fn ending(self) -> &'static str {
@@ -204,6 +216,7 @@ impl DrawFormat {
             Self::Svg => ".svg",
             Self::Html => ".html",
             Self::Png => ".png",
+            Self::Pdf => ".pdf",
             Self::Dxf => ".dxf",
             Self::Tikz => ".tikz",
             Self::Tex => ".tex",

@@ -3,6 +3,8 @@
 mod output;
 pub use output::file_name;
 mod pages;
+#[cfg(feature = "pdf")]
+mod pdf;
 #[cfg(feature = "png")]
 mod png;
 #[cfg(feature = "png")]

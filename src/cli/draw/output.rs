@@ -41,9 +41,8 @@ impl Output {
         {
             return Err(CliError::OtherFormat { name: name.to_owned(), ending: wanted.ending() });
         }
-        #[cfg(not(feature = "png"))]
-        if format == Some(DrawFormat::Png) {
-            return Err(CliError::NoPng { name: place.to_owned() });
+        if let Some(feature) = format.and_then(DrawFormat::missing_feature) {
+            return Err(CliError::NotInBuild { name: place.to_owned(), feature });
         }
         match (named.map(PathBuf::from), format) {
             (path, Some(DrawFormat::Html)) if !(one && animation) => Ok(Self::Page(path, page())),
@@ -74,17 +73,12 @@ impl Output {
             || !matches!(self.format(), None | Some(DrawFormat::Svg | DrawFormat::Html))
     }
 
-    /// Whether it is pixels.
-    #[cfg(feature = "png")]
-    fn is_pixels(&self) -> bool {
-        self.format() == Some(DrawFormat::Png)
-    }
-
     /// A sheet in its format, and the ending of its file; pixels are made of SVG.
     pub fn text(&self, sheet: &Sheet, theme: Theme) -> (String, &'static str) {
         match self.format() {
             None | Some(DrawFormat::Svg) => (sheet.svg(theme), "svg"),
             Some(DrawFormat::Png) => (sheet.svg(theme), "png"),
+            Some(DrawFormat::Pdf) => (sheet.svg(theme), "pdf"),
             Some(DrawFormat::Html) => (figure(sheet), "html"),
             Some(DrawFormat::Dxf) => (sheet.dxf(), "dxf"),
             Some(DrawFormat::Tikz) => (sheet.tikz(theme), "tikz"),
@@ -115,10 +109,9 @@ impl Output {
         match self {
             _ if pages.is_empty() => Ok(String::new()),
             Self::Stdout(_) => match pages {
-                #[cfg(feature = "png")]
-                [page] if self.is_pixels() => {
+                [page] if matches!(self.format(), Some(DrawFormat::Png | DrawFormat::Pdf)) => {
                     let mut sink = Sink::stdout();
-                    sink.write(super::png::png(&page.text, "standard output")?)?;
+                    sink.write(&self.bytes(page, "standard output")?)?;
                     sink.finish().map(|_| String::new())
                 }
                 [page] => Ok(page.text.clone()),
@@ -148,23 +141,22 @@ impl Output {
     }
 
     /// A picture as it is written.
-    #[cfg(feature = "png")]
-    fn bytes<'p>(&self, page: &'p Page, name: &str) -> Result<Cow<'p, [u8]>, CliError> {
-        if self.is_pixels() {
-            return super::png::png(&page.text, name).map(Cow::Owned);
-        }
-        Ok(Cow::Borrowed(page.text.as_bytes()))
-    }
-
-    /// A picture as it is written.
-    #[cfg(not(feature = "png"))]
-    #[allow(
-        clippy::unnecessary_wraps,
-        clippy::unused_self,
-        reason = "a build with `png` draws pixels, which may fail"
+    #[cfg_attr(
+        not(feature = "png"),
+        allow(
+            clippy::unnecessary_wraps,
+            unused_variables,
+            reason = "a build with `png` draws pixels, which may fail"
+        )
     )]
-    fn bytes<'p>(&self, page: &'p Page, _name: &str) -> Result<Cow<'p, [u8]>, CliError> {
-        Ok(Cow::Borrowed(page.text.as_bytes()))
+    fn bytes<'p>(&self, page: &'p Page, name: &str) -> Result<Cow<'p, [u8]>, CliError> {
+        match self.format() {
+            #[cfg(feature = "png")]
+            Some(DrawFormat::Png) => super::png::png(&page.text, name).map(Cow::Owned),
+            #[cfg(feature = "pdf")]
+            Some(DrawFormat::Pdf) => super::pdf::pdf(&page.text, name).map(Cow::Owned),
+            _ => Ok(Cow::Borrowed(page.text.as_bytes())),
+        }
     }
 
     /// Writes the page in a language, where there is one with pictures.

@@ -13,9 +13,8 @@ const DENSITY: [u8; 21] =
 /// Its place: behind the signature and the head.
 const HEAD: usize = 33;
 
-/// A picture in pixels.
-pub fn png(svg: &str, name: &str) -> Result<Vec<u8>, CliError> {
-    let fail = |why: String| CliError::NotCreated { name: name.to_owned(), why };
+/// An SVG with its texts set in a font of the system.
+pub fn tree(svg: &str, name: &str) -> Result<Tree, CliError> {
     let mut options = Options::default();
     let fonts = options.fontdb_mut();
     fonts.load_system_fonts();
@@ -25,7 +24,14 @@ pub fn png(svg: &str, name: &str) -> Result<Vec<u8>, CliError> {
         return Err(CliError::NoFont { name: name.to_owned(), families });
     };
     fonts.set_serif_family(family);
-    let tree = Tree::from_str(svg, &options).map_err(|error| fail(error.to_string()))?;
+    Tree::from_str(svg, &options)
+        .map_err(|error| CliError::NotCreated { name: name.to_owned(), why: error.to_string() })
+}
+
+/// A picture in pixels.
+pub fn png(svg: &str, name: &str) -> Result<Vec<u8>, CliError> {
+    let fail = |why: String| CliError::NotCreated { name: name.to_owned(), why };
+    let tree = tree(svg, name)?;
     let factor = INCH[1] / INCH[0];
     let size = tree.size().to_int_size().scale_by(factor).ok_or_else(|| fail("it has no size".to_owned()))?;
     let mut pixels =
