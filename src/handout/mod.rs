@@ -2,6 +2,7 @@
 //! program's.
 
 mod answers;
+pub mod course;
 mod pictures;
 mod published;
 mod sheets;

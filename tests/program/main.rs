@@ -5,6 +5,7 @@ mod accuracy;
 mod arrow;
 mod batch;
 mod cli;
+mod course;
 mod draw;
 mod draw_png;
 mod fix;

@@ -120,10 +120,7 @@ impl Marker<'_> {
     }
 
     pub(super) fn number(&self, place: usize) -> Option<f64> {
-        match self.key.rows[self.index].entries[place] {
-            Entry::Number(x) => Some(x),
-            _ => None,
-        }
+        self.key.rows[self.index].entries[place].number()
     }
 
     /// The other component of the same vector.

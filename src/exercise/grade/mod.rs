@@ -17,4 +17,4 @@ pub use mark::{GradedRow, Known, Mark, NotCounted, Part, Sum, Verdict};
 pub use regions::{Piece, Region, pieces, regions};
 pub use rules::{Credit, Points, Rules, Submissions};
 pub use sheet::cut;
-pub use sheet::{NAMES, Quantity, Sheet};
+pub use sheet::{Entry, NAMES, Quantity, Sheet};
