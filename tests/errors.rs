@@ -109,9 +109,11 @@ fn drawn(source: &Source) -> Problems {
 fn asked(source: &Source) -> Problems {
     let first = source.text.lines().next().unwrap_or_default();
     let option = |word: &str| first.strip_prefix("// course ").and_then(|line| line.strip_prefix(word));
-    let mut rules = Rules::default();
-    rules.credit = Credit::read(option("--credit ").unwrap_or_default()).unwrap_or_default();
-    rules.points = Points::read(option("--points ").unwrap_or_default()).unwrap_or_default();
+    let rules = Rules {
+        credit: Credit::read(option("--credit ").unwrap_or_default()).unwrap_or_default(),
+        points: Points::read(option("--points ").unwrap_or_default()).unwrap_or_default(),
+        ..Rules::default()
+    };
     if let Err(error) = checked_credit(&rules.credit) {
         return Problems::of([error]);
     }
@@ -136,9 +138,10 @@ fn asked(source: &Source) -> Problems {
             picture: Picture::None,
         };
         if let Some(quiz) = quiz {
-            problems.extend(
-                quiz.verdicts.iter().map(|name| CourseError::VerdictIsNoNumber { name: name.clone() }),
-            );
+            problems.extend(quiz.verdicts.iter().map(|name| CourseError::VerdictIsNoNumber {
+                file: source.name.clone(),
+                name: name.clone(),
+            }));
             match moodle.questions(&quiz, &|_| Ok::<_, CourseError>(Vec::new())) {
                 Ok(questions) => all.extend(questions.into_iter().map(|one| (row.clone(), one))),
                 Err(error) => problems.push(error),

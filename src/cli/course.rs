@@ -145,7 +145,11 @@ fn warn(pieces: &[Piece<'_>], screen: &Screen) {
     for piece in pieces {
         let source = &piece.exercise.source;
         let new = piece.verdicts.iter().filter(|name| said.insert((&source.name, (*name).clone())));
-        let found = Problems::of(new.map(|name| CourseError::VerdictIsNoNumber { name: name.clone() }));
+        let found =
+            Problems::of(new.map(|name| CourseError::VerdictIsNoNumber {
+                file: source.name.clone(),
+                name: name.clone(),
+            }));
         screen.complain(&screen.diagnostics(&found, source));
     }
 }

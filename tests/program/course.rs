@@ -164,7 +164,8 @@ impl Random {
 
 /// An answer to a quantity with this key among others, in its unit.
 fn answer(random: &mut Random, key: f64, others: &[f64], degrees: bool, options: &[moodle::Option]) -> f64 {
-    const FACTORS: [f64; 10] = [1000.0, 57.295_78, 9.549_297, 6.283_185, 9.81, 60.0, 10.0, 100.0, 1e6, 2.0];
+    const FACTORS: [f64; 10] =
+        [1000.0, 57.295_78, 9.549_297, std::f64::consts::TAU, 9.81, 60.0, 10.0, 100.0, 1e6, 2.0];
     let near = 1.0 + 0.07 * (random.next() - 0.5);
     let sign = random.of(&[1.0, 1.0, -1.0]);
     let turn = if degrees { 180.0 } else { std::f64::consts::PI };
@@ -176,7 +177,7 @@ fn answer(random: &mut Random, key: f64, others: &[f64], degrees: bool, options:
         4 if !others.is_empty() => sign * random.of(others) * near,
         5 => sign * key.hypot(others.first().copied().unwrap_or(0.0)) * near,
         6 => random.of(&[key + turn, turn - key, key - 2.0 * turn, key + 2.0 * turn]) * near,
-        7 => sign * 10_f64.powf(random.next() * 10.0 - 4.0),
+        7 => sign * (1.0 + 9.0 * random.next()) * 10_f64.powi((random.next() * 10.0) as i32 - 4),
         _ => {
             // beside a border
             let at = (random.next() * options.len() as f64) as usize % options.len();
@@ -468,6 +469,30 @@ fn a_text_of_the_author_is_no_gap_and_no_markup() {
     let text = all[0].said("questiontext");
     assert!(text.contains("&lt;b&gt;fast&lt;/b&gt; &amp; &#123;7:NM:=987654:13#ha&#125; ]]&gt;"), "{text}");
     assert!(gaps(text).0.len() > 6);
+}
+
+#[test]
+fn pixels_are_900_wide_or_refused() {
+    let folder = Folder::new("course-pixels").with("a.mech", MIXED);
+    let args =
+        ["course", "moodle", "a.mech", "--row", "A1", "--pose", "1", "--steps", "none", "--picture", "png"];
+    let said = assur(&folder, &args);
+    if said.stderr.contains("no font for its letters") {
+        // a machine without fonts
+        return;
+    }
+    if cfg!(feature = "png") {
+        assert_eq!((said.status, said.stderr.as_str()), (0, ""));
+        let all = questions(&said.stdout);
+        let file = all[0].one("questiontext").one("file");
+        assert_eq!(file.attribute("name"), "a-A1.png");
+        let png = bytes(&file.text);
+        assert_eq!(&png[1..4], b"PNG");
+        assert_eq!(u32::from_be_bytes(png[16..20].try_into().unwrap()), 900);
+    } else {
+        assert_eq!((said.status, said.stdout.as_str()), (2, ""));
+        assert!(said.stderr.contains("mech::course::no_pixels"), "{}", said.stderr);
+    }
 }
 
 #[test]

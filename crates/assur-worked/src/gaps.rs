@@ -1,7 +1,7 @@
 //! An exercise as a question with gaps: what a sheet shows, and a gap in place of every cell.
 
 use crate::course::plain;
-use crate::document::{Block, Document, Line};
+use crate::document::{Block, Document, Line, commas};
 use crate::questions::questions;
 use crate::sheet::{Exercise, document};
 use crate::words::{Language, Message, say};
@@ -92,6 +92,7 @@ pub fn verdict(language: Language, slip: Option<&str>) -> String {
         Some(slip) => crate::words::phrase(language, slip),
         None => plain(&say(language, Message::AnswerIsRight, &[])),
     };
+    let words = if language.letters().comma { commas(&words) } else { words };
     let mut letters = words.chars();
     let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
     let end = match language {

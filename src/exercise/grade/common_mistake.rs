@@ -130,11 +130,12 @@ impl CommonMistake {
         }
     }
 
-    /// How common it is: the least number is the commonest. Two slips at once are rare.
+    /// How common it is: the least number is the commonest. Two slips at once, or two prefixes, are rare.
     #[must_use]
     pub fn rank(&self) -> usize {
         let place = SLIPS.iter().position(|name| *name == self.name()).unwrap_or(SLIPS.len());
-        place + if self.has_other_sign() { SLIPS.len() } else { 0 }
+        let two = matches!(self, Self::Factor { factor, .. } if factor.max(1.0 / factor) > 1e5);
+        place + SLIPS.len() * (usize::from(self.has_other_sign()) + usize::from(two))
     }
 
     /// What it is, in words.

@@ -16,6 +16,8 @@ const NEAR: f64 = 3.0;
 const SAME: f64 = 1e-12;
 /// A piece narrower than this part of its middle holds no number that anybody writes.
 const NARROW: f64 = 1e-5;
+/// What writing an end with six digits may move it by.
+const MOVED: f64 = 1e-6;
 
 /// An interval with its ends, SI, and what an answer in it means.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,9 +61,12 @@ pub fn regions(key: &Sheet, row: usize, quantity: usize, rules: &Rules) -> Vec<R
     marker.number(quantity).map_or_else(Vec::new, |key| marker.regions(quantity, key).collect())
 }
 
-impl Marker<'_> {
-    /// Slips of a place with its key, in the order in which they are looked for.
-    const ORDER: [fn(&Self, usize, f64) -> Vec<Region>; 6] = [
+/// Regions of one kind, for a place with its key.
+type Kind<'k> = fn(&Marker<'k>, usize, f64) -> Vec<Region>;
+
+impl<'k> Marker<'k> {
+    /// Slips in the order in which they are looked for.
+    const ORDER: [Kind<'k>; 6] = [
         Self::of_angle,
         Self::of_sign,
         Self::of_factors,
@@ -240,12 +245,14 @@ fn again(region: &Region, reach: f64) -> Vec<f64> {
     all
 }
 
-/// What is left of an interval without others.
+/// What is left of an interval without others: a little less, since what is written with some digits moves by a part of its greatest.
 fn left(ends: [f64; 2], taken: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> + use<> {
+    let shy = MOVED * ends[0].abs().max(ends[1].abs());
     let mut parts = vec![ends];
     for [from, to] in taken.iter().filter(|t| t[0] <= ends[1] && ends[0] <= t[1]) {
-        let without =
-            |[a, b]: [f64; 2]| [[a, b.min(*from)], [a.max(*to), b]].into_iter().filter(|[a, b]| a < b);
+        let without = |[a, b]: [f64; 2]| {
+            [[a, b.min(from - shy)], [a.max(to + shy), b]].into_iter().filter(|[a, b]| a < b)
+        };
         parts = parts.into_iter().flat_map(without).collect();
     }
     parts.into_iter().filter(|[a, b]| b - a > NARROW * a.abs().max(b.abs()))

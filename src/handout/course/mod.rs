@@ -52,19 +52,19 @@ pub enum CourseError {
     #[error("this build draws no PNG")]
     #[diagnostic(code(mech::course::no_pixels), help("--picture svg, or a build with --features png"))]
     NoPixels,
-    #[error("`{name}` is a verdict, not a number: it is left out")]
+    #[error("`{name}` of `{file}` is a verdict, not a number: it is left out")]
     #[diagnostic(
         code(mech::course::verdict_is_no_number),
         severity(Warning),
         help("ask for a number as well, such as an efficiency")
     )]
-    VerdictIsNoNumber { name: String },
-    #[error("a question has {MOST_GAPS} gaps at most, this has {count}")]
+    VerdictIsNoNumber { file: String, name: String },
+    #[error("`{file}` asks for {count} numbers in one question, and {MOST_GAPS} are the most")]
     #[diagnostic(
         code(mech::course::too_many_gaps),
         help("ask at one position by --pose NAME, or leave questions out by --points NAME=0")
     )]
-    TooManyGaps { count: usize },
+    TooManyGaps { file: String, count: usize },
     #[error("the points {points} are not in the ratio of whole numbers up to 100")]
     #[diagnostic(code(mech::course::points_not_whole), help("write whole numbers, e.g. --points Mb=2,F_A=1"))]
     PointsNotWhole { points: String },
@@ -148,13 +148,12 @@ impl Sheets<'_> {
         let scored = scored(made, gaps, options.rules, language);
         let (gaps, names) = scored.map_err(|fault| problems.push(*fault.1)).ok()?;
         let count = gaps.len();
-        if count == 0 {
-            problems.push(CourseError::NothingAsked { file: self.handout.source.name.clone() });
-        }
-        if count > MOST_GAPS {
-            problems.push(CourseError::TooManyGaps { count });
-        }
         if count == 0 || count > MOST_GAPS {
+            let file = self.handout.source.name.clone();
+            problems.push(match count {
+                0 => CourseError::NothingAsked { file },
+                count => CourseError::TooManyGaps { file, count },
+            });
             return None;
         }
         let solution = self.solution(made, options);
