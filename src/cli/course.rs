@@ -60,6 +60,9 @@ struct Exercise {
 struct Piece<'a> {
     exercise: &'a Exercise,
     rows: &'a [ChosenRow],
+    /// What was found in its rows.
+    problems: Problems,
+    /// An error that has no place in the text.
     reply: Reply,
     questions: Vec<(String, Question)>,
     /// The names of what is asked.
@@ -109,9 +112,8 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
         .flat_map(|exercise| exercise.rows.chunks(PIECE).map(move |rows| Piece::of(exercise, rows)))
         .collect();
     Threads::new(args.threads).each(&mut pieces, |(_, piece)| piece.fill(args, &rules, screen));
-    for piece in &pieces {
-        screen.complain(&piece.reply.diagnostics);
-        status = status.max(piece.reply.status);
+    for pieces in pieces.chunk_by(|a, b| a.exercise.name == b.exercise.name) {
+        status = status.max(reported(pieces, screen));
     }
     let known: Vec<&str> = pieces.iter().flat_map(|p| p.names.iter().map(String::as_str)).collect();
     if let Some((name, help)) = rules.points.unknown_in(&known).filter(|_| !known.is_empty()) {
@@ -137,6 +139,20 @@ fn put(args: &Course, text: &str) -> Result<bool, CliError> {
     };
     sink.write(text)?;
     sink.finish()
+}
+
+/// Says what was found in the rows of a problem, no more than is wanted.
+fn reported(pieces: &[Piece<'_>], screen: &Screen) -> Status {
+    let Some(first) = pieces.first() else { return Status::Fine };
+    let mut problems = Problems::new();
+    for piece in pieces {
+        let is_known = problems.has(NOTHING_ASKED) && piece.problems.has(NOTHING_ASKED);
+        problems.append(if is_known { Problems::new() } else { piece.problems.clone() });
+    }
+    let reply = Reply::new(String::new(), &problems, &first.exercise.source, screen);
+    screen.complain(&reply.diagnostics);
+    pieces.iter().for_each(|piece| screen.complain(&piece.reply.diagnostics));
+    pieces.iter().map(|piece| piece.reply.status).fold(reply.status, Status::max)
 }
 
 /// Questions without a number, once per problem.
@@ -200,8 +216,15 @@ fn rows_of(rows: &[ChosenRow]) -> Vec<Row> {
 
 impl<'a> Piece<'a> {
     fn of(exercise: &'a Exercise, rows: &'a [ChosenRow]) -> Self {
-        let (questions, verdicts) = (Vec::new(), Vec::new());
-        Self { exercise, rows, reply: Reply::default(), questions, names: BTreeSet::new(), verdicts }
+        Self {
+            exercise,
+            rows,
+            problems: Problems::new(),
+            reply: Reply::default(),
+            questions: Vec::new(),
+            names: BTreeSet::new(),
+            verdicts: Vec::new(),
+        }
     }
 
     /// Makes the questions of its rows. A row that cannot be solved is reported and left out.
@@ -213,12 +236,12 @@ impl<'a> Piece<'a> {
         let rows = rows_of(self.rows);
         let options =
             QuizOptions { rules, steps: &args.steps, pictures: Picture::from(args.picture) != Picture::None };
-        let mut problems = Problems::new();
         let mut failed = None;
         let mut at = self.rows.iter();
         let exercise = self.exercise;
         let (questions, names, verdicts) = (&mut self.questions, &mut self.names, &mut self.verdicts);
-        let mut reply = guarded(source, screen, |source| {
+        let problems = &mut self.problems;
+        let mut reply = guarded(source, screen, |_| {
             Sheets::of_rows(&handout, Vec::new()).quizzes(&rows, options, |_, quiz, mut found| {
                 let Some(row) = at.next() else { return false };
                 if let Some(quiz) = quiz {
@@ -238,7 +261,7 @@ impl<'a> Piece<'a> {
                 }
                 failed.is_none()
             });
-            Reply::new(String::new(), &problems, source, screen)
+            Reply::default()
         });
         if let Some(error) = failed {
             reply.diagnostics += &complaint(error, screen);
