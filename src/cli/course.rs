@@ -85,28 +85,8 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
     }
     args.variants.iter().for_each(|name| files::keep(Path::new(name)));
     let inputs = files::expand(&args.files);
-    let names = folder_names(&inputs);
     let parent = args.category.clone().unwrap_or_else(|| folder_of(&args.files, &inputs));
-    let mut status = Status::Fine;
-    let mut exercises: Vec<Exercise> = Vec::new();
-    for (number, input) in (1..).zip(inputs) {
-        let read = input.and_then(Input::read);
-        let exercise = read.map(|source| {
-            let name = names.get(&source.name).cloned().unwrap_or_else(|| "problem".to_owned());
-            exercise(args, (source, name, number), screen)
-        });
-        match exercise {
-            Ok(Ok(exercise)) => exercises.push(exercise),
-            Ok(Err(reply)) => {
-                screen.complain(&reply.diagnostics);
-                status = status.max(reply.status);
-            }
-            Err(error) => {
-                screen.complain(&complaint(error, screen));
-                status = Status::Unusable;
-            }
-        }
-    }
+    let (exercises, mut status) = exercises(args, inputs, screen);
     let mut pieces: Vec<Piece<'_>> = exercises
         .iter()
         .flat_map(|exercise| exercise.rows.chunks(PIECE).map(move |rows| Piece::of(exercise, rows)))
@@ -130,6 +110,30 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
             put(args, &text).map(|whole| status.max(Status::printed(whole)))
         }
     }
+}
+
+/// The problems of all inputs; what is wrong with the others is reported.
+fn exercises(
+    args: &Course,
+    inputs: Vec<Result<Input, CliError>>,
+    screen: &Screen,
+) -> (Vec<Exercise>, Status) {
+    let names = folder_names(&inputs);
+    let (mut exercises, mut status) = (Vec::new(), Status::Fine);
+    for (number, input) in (1..).zip(inputs) {
+        let exercise = input.and_then(Input::read).map(|source| {
+            let name = names.get(&source.name).cloned().unwrap_or_else(|| "problem".to_owned());
+            exercise(args, (source, name, number), screen)
+        });
+        match exercise.unwrap_or_else(|error| Err(Reply::unusable(error, screen))) {
+            Ok(exercise) => exercises.push(exercise),
+            Err(reply) => {
+                screen.complain(&reply.diagnostics);
+                status = status.max(reply.status);
+            }
+        }
+    }
+    (exercises, status)
 }
 
 fn put(args: &Course, text: &str) -> Result<bool, CliError> {

@@ -47,6 +47,13 @@ pub struct Moodle<'a> {
     pub picture: Picture,
 }
 
+/// A text of a question, with its files.
+#[derive(Default)]
+struct Part {
+    html: String,
+    files: String,
+}
+
 /// A question as it is written.
 #[derive(Clone, Debug)]
 pub struct Question {
@@ -159,36 +166,22 @@ impl Moodle<'_> {
         quiz: &Quiz,
         encode: &dyn Fn(&str) -> Result<Vec<u8>, E>,
     ) -> Result<Vec<Question>, E> {
-        let stem = format!("{}-{}", self.file, self.row);
-        let stem = cut_id(&stem).replace('@', "-");
-        let html = |document: &Document, stem: &str| -> Result<(String, String), E> {
-            let ending = if self.picture == Picture::Png { "png" } else { "svg" };
-            let (html, pictures) =
-                fragment(document, PicturePlace { before: "@@PLUGINFILE@@/", stem, ending });
-            let mut files = String::new();
-            for (name, svg) in pictures {
-                let bytes = base64(&encode(&svg)?);
-                let _ =
-                    writeln!(files, "<file name=\"{name}\" path=\"/\" encoding=\"base64\">{bytes}</file>");
-            }
-            Ok((html, files))
-        };
+        let stem = cut_id(&format!("{}-{}", self.file, self.row)).replace('@', "-");
         let solution = match &quiz.solution {
-            Some(solution) => html(solution, &format!("{stem}-solution"))?,
-            None => Default::default(),
+            Some(solution) => self.part(solution, &format!("{stem}-solution"), encode)?,
+            None => Part::default(),
         };
+        let mut sheet = self.part(&quiz.sheet, &stem, encode)?;
         if !self.one_per_answer {
-            let (text, files) = html(&quiz.sheet, &stem)?;
-            let text = without_braces(&text) + &gaps(quiz)?;
-            return Ok(vec![self.question("cloze", "", (text, files), &solution, None)]);
+            sheet.html = without_braces(&sheet.html) + &gaps(quiz)?;
+            return Ok(vec![self.question("cloze", "", [&sheet, &solution], None)]);
         }
         let mut all: Vec<Question> = Vec::new();
         for gap in &quiz.gaps {
-            let (text, files) = html(&asking(quiz, gap), &stem)?;
             let how = how_to_answer(quiz.language, !gap.unit.text.is_empty());
-            let text = format!("{text}<p>{}</p>", escaped(&how));
-            let answer = numerical(quiz, gap);
-            let mut question = self.question("numerical", &answer, (text, files), &solution, Some(gap));
+            sheet.html = self.html(&asking(quiz, gap), &stem).0 + &format!("<p>{}</p>", escaped(&how));
+            let mut question =
+                self.question("numerical", &numerical(quiz, gap), [&sheet, &solution], Some(gap));
             if all.iter().any(|other| other.id == question.id) {
                 // names that differ in signs alone
                 let apart = cut_id(&format!("{}-{:08x}", question.id, sum_of(&gap.gap.name)));
@@ -200,12 +193,32 @@ impl Moodle<'_> {
         Ok(all)
     }
 
+    /// A document, and its pictures by their names.
+    fn html(&self, document: &Document, stem: &str) -> (String, Vec<(String, String)>) {
+        let ending = if self.picture == Picture::Png { "png" } else { "svg" };
+        fragment(document, PicturePlace { before: "@@PLUGINFILE@@/", stem, ending })
+    }
+
+    fn part<E>(
+        &self,
+        document: &Document,
+        stem: &str,
+        encode: &dyn Fn(&str) -> Result<Vec<u8>, E>,
+    ) -> Result<Part, E> {
+        let (html, pictures) = self.html(document, stem);
+        let mut files = String::new();
+        for (name, svg) in pictures {
+            let bytes = base64(&encode(&svg)?);
+            let _ = writeln!(files, "<file name=\"{name}\" path=\"/\" encoding=\"base64\">{bytes}</file>");
+        }
+        Ok(Part { html, files })
+    }
+
     fn question(
         &self,
         kind: &str,
         answer: &str,
-        (text, files): (String, String),
-        (solution, pictures): &(String, String),
+        [sheet, solution]: [&Part; 2],
         gap: Option<&QuizGap>,
     ) -> Question {
         let name = gap.map(|gap| gap.gap.name.as_str());
@@ -223,12 +236,14 @@ impl Moodle<'_> {
         let id = cut_id(&id);
         let xml = format!(
             "<question type=\"{kind}\">\n<name><text>{}</text></name>\n\
-             <questiontext format=\"html\"><text>{}</text>\n{files}</questiontext>\n\
-             <generalfeedback format=\"html\"><text>{}</text>\n{pictures}</generalfeedback>\n\
+             <questiontext format=\"html\"><text>{}</text>\n{}</questiontext>\n\
+             <generalfeedback format=\"html\"><text>{}</text>\n{}</generalfeedback>\n\
              <penalty>0.3333333</penalty>\n<hidden>0</hidden>\n{}{answer}</question>\n",
             escaped(&title),
-            cdata(&text),
-            cdata(solution),
+            cdata(&sheet.html),
+            sheet.files,
+            cdata(&solution.html),
+            solution.files,
             id_line(&id),
         );
         Question { id, xml }
