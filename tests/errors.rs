@@ -7,10 +7,15 @@ mod folder;
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Diagnosis, Problems, Style, render};
 use assur::internals::drawing::Scale;
-use assur::internals::exercise::grade::{Rules, Sheet, grade};
+use assur::internals::exercise::grade::{Credit, Points, Rules, Sheet, grade};
 use assur::internals::exercise::table::{Fault, Lines, Table};
+use assur::internals::handout::course::{
+    Chapter, CourseError, Moodle, Picture, QuizOptions, Steps, checked_credit, page,
+};
+use assur::internals::handout::{Handout, Sheets};
 use assur::internals::picture::{KINDS, Options, Scaled, Scene, true_size};
 use assur::internals::source::Source;
+use assur::internals::worked::Language;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::Path;
 
@@ -48,6 +53,9 @@ fn said(source: &Source, stage: &str) -> String {
     }
     if let Some(shown) = beside(source) {
         return shown;
+    }
+    if stage == "course" {
+        return render(&asked(source), source, Style::PLAIN);
     }
     let set = source.text.lines().next().and_then(|line| line.strip_prefix("// --set ")?.split_once('='));
     let values = set.into_iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
@@ -98,6 +106,54 @@ fn drawn(source: &Source) -> Problems {
         }
         Err(missing) => problems.push(missing),
     }
+    problems
+}
+
+/// What is said about a question for a course; a first line `// course --credit sign=0.37` gives an option.
+fn asked(source: &Source) -> Problems {
+    let first = source.text.lines().next().unwrap_or_default();
+    let option = |word: &str| first.strip_prefix("// course ").and_then(|line| line.strip_prefix(word));
+    let rules = Rules {
+        credit: Credit::read(option("--credit ").unwrap_or_default()).unwrap_or_default(),
+        points: Points::read(option("--points ").unwrap_or_default()).unwrap_or_default(),
+        ..Rules::default()
+    };
+    if let Err(error) = checked_credit(&rules.credit) {
+        return Problems::of([error]);
+    }
+    if option("--picture png").is_some() {
+        return Problems::of([CourseError::NoPixels]);
+    }
+    let (document, found) = assur::internals::syntax::parse(source);
+    let handout = Handout::new(source, document.into(), Overrides::none(), Language::English, None);
+    let sheets = Sheets::of(&handout, found);
+    let options = QuizOptions { rules: &rules, steps: &Steps::None, pictures: false };
+    let (mut problems, mut all) = (sheets.problems.clone(), Vec::new());
+    sheets.quizzes(&sheets.rows, options, |row, quiz, found| {
+        problems.append(found);
+        let row = row.name();
+        let moodle = Moodle {
+            file: "a",
+            title: "A",
+            row: &row,
+            several: true,
+            pose: None,
+            one_per_answer: false,
+            picture: Picture::None,
+        };
+        if let Some(quiz) = quiz {
+            problems.extend(quiz.verdicts.iter().map(|name| CourseError::VerdictIsNoNumber {
+                file: source.name.clone(),
+                name: name.clone(),
+            }));
+            match moodle.questions(&quiz, &|_| Ok::<_, CourseError>(Vec::new())) {
+                Ok(questions) => all.extend(questions.into_iter().map(|one| (row.clone(), one))),
+                Err(error) => problems.push(error),
+            }
+        }
+        true
+    });
+    problems.extend(page("week 3", [Chapter { file: "a", title: "A", questions: &all }]).err());
     problems
 }
 

@@ -7,6 +7,7 @@ mod arrow;
 mod batch;
 mod card;
 mod check;
+mod course;
 mod draw;
 mod error;
 mod explain;
@@ -34,6 +35,7 @@ mod stream;
 mod test;
 #[doc(hidden)]
 pub mod threads;
+mod variant_rows;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -65,6 +67,7 @@ pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Solve(args) => solve::run(&args, &screen),
         Command::Test(args) => test::run(&args, &screen),
         Command::Batch(args) => batch::run(&args, &screen),
+        Command::Course(args) => course::run(&args, &screen),
         Command::Grade(args) => grade::run(&args, &screen),
         Command::Accuracy(args) => accuracy::run(&args, &screen),
         Command::Profile(args) => profile::run(&args, &screen),

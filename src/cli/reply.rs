@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::error::CliError;
 use super::files::{self, Input};
 use super::screen::Screen;
-use assur_text::diagnostic::Problems;
+use assur_text::diagnostic::{Problem, Problems};
 use assur_text::source::Source;
 
 /// Errors of `--set`.
@@ -63,7 +63,7 @@ impl Reply {
 }
 
 /// An error that has no place in a text.
-pub fn complaint(error: CliError, screen: &Screen) -> String {
+pub fn complaint(error: impl Problem, screen: &Screen) -> String {
     let mut problems = Problems::new();
     problems.push(error);
     screen.diagnostics(&problems, &Source::new("", ""))

@@ -101,7 +101,7 @@ fn document_of(args: &Report, source: &Source) -> (Option<Document>, Problems) {
 }
 
 /// The names of the files of a folder by those of the problems: without their folders where these tell none apart.
-fn folder_names(inputs: &[Result<Input, CliError>]) -> BTreeMap<String, String> {
+pub(in crate::cli) fn folder_names(inputs: &[Result<Input, CliError>]) -> BTreeMap<String, String> {
     let paths = inputs.iter().flatten().filter_map(|input| match input {
         Input::File(path) => Some(path),
         Input::Stdin => None,

@@ -3,6 +3,7 @@
 
 mod answers;
 mod base64;
+pub mod course;
 mod pictures;
 mod published;
 mod sheets;

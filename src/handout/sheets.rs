@@ -44,6 +44,13 @@ pub struct Row {
     overrides: Overrides,
 }
 
+/// A row as an exercise, solved with all that pictures show, and the answers to what it asks.
+pub(super) struct Made<'m> {
+    pub exercise: &'m Exercise<'m>,
+    pub drawn: &'m Solved,
+    pub answers: &'m Answers<'m>,
+}
+
 /// What a sheet is for: all rows, with their table, or one.
 #[derive(Clone, Copy)]
 enum Of<'r> {
@@ -52,8 +59,14 @@ enum Of<'r> {
 }
 
 impl Row {
+    #[must_use]
+    pub const fn new(number: usize, label: Option<String>, overrides: Overrides) -> Self {
+        Self { number, label, overrides }
+    }
+
     /// Its name, or its number.
-    fn name(&self) -> String {
+    #[must_use]
+    pub fn name(&self) -> String {
         self.label.clone().unwrap_or_else(|| self.number.to_string())
     }
 
@@ -95,6 +108,14 @@ impl<'a> Sheets<'a> {
         (!rows.is_empty()).then_some(rows)
     }
 
+    /// Of a file with these rows.
+    #[must_use]
+    pub fn of_rows(handout: &'a Handout<'a>, rows: Vec<Row>) -> Self {
+        let text = &handout.source.text;
+        let (used, written) = (used(text), numbers(text));
+        Self { handout, rows, problems: Problems::new(), used, written }
+    }
+
     /// One sheet, with the table of all variants.
     #[must_use]
     pub fn for_all(self) -> (Option<Document>, Problems) {
@@ -103,7 +124,15 @@ impl<'a> Sheets<'a> {
             return (None, problems);
         };
         let (compiled, found) = self.compiled_for_all(first);
-        let document = self.sheet(compiled, found, &mut problems, Of::All(&self.rows));
+        let table = check::table(&self.handout.document);
+        let variants = || {
+            let (columns, rows) = self.variants()?;
+            let in_text = self.handout.document.notes.iter().any(|note| names_a_column(&note.node, table));
+            Some(Variants { columns, rows, drawn_for: first.words(), in_text })
+        };
+        let sheet =
+            |made: &Made<'_>, _: &mut Problems| Some(sheet(made.exercise, self.handout.language, variants()));
+        let document = self.made(compiled, found, &mut problems, Of::All(&self.rows), sheet);
         (document, problems)
     }
 
@@ -114,8 +143,27 @@ impl<'a> Sheets<'a> {
         pipeline::compile_document(self.handout.source, &for_all, Problems::new(), &first.overrides)
     }
 
+    /// The title for all rows; none where the file has none, or cannot be compiled.
+    #[must_use]
+    pub fn title(&self) -> Option<String> {
+        let compiled = self.compiled_for_all(self.rows.first()?).0?;
+        Some(compiled.mechanism.title).filter(|title| !title.is_empty())
+    }
+
     /// The sheets of rows, one after another, each with what is wrong in it, until `goes_on` says no.
-    pub fn each(&self, rows: &[Row], mut goes_on: impl FnMut(&Row, Option<Document>, Problems) -> bool) {
+    pub fn each(&self, rows: &[Row], goes_on: impl FnMut(&Row, Option<Document>, Problems) -> bool) {
+        let sheet =
+            |made: &Made<'_>, _: &mut Problems| Some(sheet(made.exercise, self.handout.language, None));
+        self.each_made(rows, sheet, goes_on);
+    }
+
+    /// What is made of rows, one after another, each with what is wrong in it, until `goes_on` says no.
+    pub(super) fn each_made<T>(
+        &self,
+        rows: &[Row],
+        make: impl Fn(&Made<'_>, &mut Problems) -> Option<T>,
+        mut goes_on: impl FnMut(&Row, Option<T>, Problems) -> bool,
+    ) {
         let has_table = check::table(&self.handout.document).is_some();
         let values = Overrides { values: self.handout.overrides.values.clone(), ..Overrides::none() };
         let mut solver = VariantSolver::new(&self.handout.document, &values);
@@ -126,8 +174,9 @@ impl<'a> Sheets<'a> {
                 _ => self.compiled(&row.overrides),
             };
             let mut problems = Problems::new();
-            let document = self.sheet(compiled, found, &mut problems, Of::Row(has_table.then_some(row)));
-            if !goes_on(row, document, problems) {
+            let of = Of::Row(has_table.then_some(row));
+            let made = self.made(compiled, found, &mut problems, of, &make);
+            if !goes_on(row, made, problems) {
                 break;
             }
         }
@@ -148,14 +197,15 @@ impl<'a> Sheets<'a> {
         pipeline::compile_document(self.handout.source, &self.handout.document, Problems::new(), overrides)
     }
 
-    /// The sheet of a compiled row, with the table of all variants or without it.
-    fn sheet(
+    /// What is made of a compiled row, for all rows or for it alone.
+    fn made<T>(
         &self,
         compiled: Option<Compiled>,
         found: Problems,
         problems: &mut Problems,
         of: Of<'_>,
-    ) -> Option<Document> {
+        make: impl FnOnce(&Made<'_>, &mut Problems) -> Option<T>,
+    ) -> Option<T> {
         problems.append(found);
         let compiled = compiled.filter(|_| !problems.has_errors())?;
         let drawn = pipeline::planned_to_draw(compiled.clone(), &KINDS);
@@ -203,12 +253,7 @@ impl<'a> Sheets<'a> {
             others: &self.given_of(rows.get(1..).unwrap_or_default()),
             row: if let Of::Row(row) = of { row.map(Row::words) } else { None },
         };
-        let variants = rows.first().and_then(|first| {
-            let (columns, rows) = self.variants()?;
-            let in_text = self.handout.document.notes.iter().any(|note| names_a_column(&note.node, table));
-            Some(Variants { columns, rows, drawn_for: first.words(), in_text })
-        });
-        Some(sheet(&exercise, self.handout.language, variants))
+        make(&Made { exercise: &exercise, drawn: &solved, answers: &answers }, problems)
     }
 
     /// The position that is named, or the first; none where the file has none.

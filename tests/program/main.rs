@@ -6,6 +6,7 @@ mod agents;
 mod arrow;
 mod batch;
 mod cli;
+mod course;
 mod draw;
 mod draw_png;
 mod fix;

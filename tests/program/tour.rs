@@ -119,7 +119,7 @@ fn commands_of_pages_run() {
     let folder = crate::run::Folder::new("pages");
     std::os::unix::fs::symlink(root.join("examples"), folder.path("examples")).expect("a link");
     let mut count = 0;
-    for page in ["tour", "pictures", "report", "teaching", "simulation", "commands"] {
+    for page in ["tour", "pictures", "report", "teaching", "courses", "simulation", "commands"] {
         let text = std::fs::read_to_string(root.join(format!("docs/{page}.md"))).expect("a page");
         for command in commands(&text) {
             let out = crate::run::assur(&folder, &command.iter().map(String::as_str).collect::<Vec<_>>());

@@ -37,5 +37,5 @@ pub use placement::Later;
 pub use rules::{FAMILIES, page_rules};
 pub use scale::{SERIES, Scale, plain, round_length};
 pub use style::{CURVES, Paint, STYLES, Style};
-pub use svg::{escaped, mark_svg};
+pub use svg::{escaped, in_light, mark_svg};
 pub use text::{Level, Run, Set, Text};

@@ -12,6 +12,8 @@ pub const FAMILIES: [&str; 5] =
     ["Times New Roman", "Tinos", "Liberation Serif", "Nimbus Roman", "TeX Gyre Termes"];
 /// The same as a rule.
 const FAMILY: &str = r#""Times New Roman",Tinos,"Liberation Serif","Nimbus Roman","TeX Gyre Termes",serif"#;
+/// What begins the rules for readers who prefer dark pages.
+pub const DARK: &str = "@media (prefers-color-scheme:dark){";
 const COLOURS: [Role; 4] = [Role::Grey, Role::Blue, Role::Vermilion, Role::Green];
 
 /// The kinds of stroke of a sheet, those that have arrows' heads, and the colours of its texts.
@@ -61,7 +63,7 @@ impl Used {
         };
         self.in_palette(out, &first, true);
         if theme == Theme::Auto {
-            out.push_str("@media (prefers-color-scheme:dark){");
+            out.push_str(DARK);
             self.in_palette(out, &Palette::DARK, false);
             out.push_str("}\n@media print{");
             self.in_palette(out, &Palette::PRINT, false);

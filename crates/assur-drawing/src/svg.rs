@@ -4,7 +4,7 @@ use crate::drawing::{CAPTION, Placed, Sheet};
 use crate::label::{Role, Theme};
 use crate::mark::{Mark, Shape, on_circle};
 use crate::number::number;
-use crate::rules::{Used, text_class};
+use crate::rules::{DARK, Used, text_class};
 use crate::style::Style;
 use crate::text::Text;
 use assur_math::math::Vec2;
@@ -20,6 +20,14 @@ pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     escape(&mut out, text);
     out
+}
+
+/// A picture of [`Theme::Auto`] in its light colours alone, for a page that is never dark.
+#[must_use]
+pub fn in_light(svg: &str) -> String {
+    let parts =
+        svg.split_once(DARK).and_then(|(before, after)| Some((before, after.split_once("</style>")?.1)));
+    parts.map_or_else(|| svg.to_owned(), |(before, after)| format!("{before}</style>{after}"))
 }
 
 /// A name as an id of a document: names of files and links may have any signs.

@@ -13,6 +13,7 @@ mod document;
 mod expressions;
 mod forces;
 mod formulas;
+mod gaps;
 mod jerks;
 mod letters;
 mod localised;
@@ -40,12 +41,16 @@ pub use design::{Page, design};
 pub use document::{Block, Document, Figure, Inline, Table, Term};
 pub use forces::quantity_name;
 pub use formulas::Formula;
+pub use gaps::{Gap, GapSheet, gaps, how_to_answer, verdict, without_pictures};
 pub use localised::{drawing_in, localised};
 pub use questions::question;
 pub use results::unit_of;
 pub use sheet::{
-    Exercise, GivenRow, SheetQuestion, Variants, asks_for_positions, given, in_letters, key, sheet,
+    Exercise, GivenRow, SheetQuestion, Variants, asks_for_positions, given, in_letters, key, printed_unit,
+    sheet,
 };
 pub use words::{Language, Sentence, TutorialMessage, phrase};
 pub use worked::{Part, Size, Worked, worked, worked_from};
-pub use write::{html, html_of_several, markdown, text, typst, typst_escaped};
+pub use write::{
+    PicturePlace, fragment, html, html_of_several, inline, markdown, text, typst, typst_escaped,
+};

@@ -94,12 +94,7 @@ pub struct Exercise<'a> {
 pub fn sheet(exercise: &Exercise<'_>, language: Language, variants: Option<Variants>) -> Document {
     let words = |message: Message| plain(&say(language, message, &[]));
     let heading = |message: Message| Block::Heading(2, words(message));
-    let mut blocks = Vec::new();
-    let notes = exercise.notes_without();
-    if !notes.is_empty() {
-        blocks.push(Block::Paragraph(vec![text(notes)]));
-    }
-    blocks.extend(exercise.scheme(language, variants.as_ref()));
+    let mut blocks = exercise.statement(language, variants.as_ref());
     blocks.push(heading(Message::Given));
     blocks.extend(exercise.given(language));
     if let Some(variants) = variants {
@@ -200,7 +195,7 @@ fn in_parts(lead: &[String], headers: &[String], rows: &[Vec<String>]) -> Vec<Bl
     (0..headers.len()).step_by(IN_PART).map(part).collect()
 }
 
-fn document(exercise: &Exercise<'_>, language: Language, blocks: Vec<Block>) -> Document {
+pub(crate) fn document(exercise: &Exercise<'_>, language: Language, blocks: Vec<Block>) -> Document {
     let title = &exercise.mechanism.title;
     let comma = language.letters().comma;
     let blocks = blocks.into_iter().map(|b| if comma { b.with_commas() } else { b });
@@ -304,6 +299,17 @@ impl SheetQuestion {
 }
 
 impl Exercise<'_> {
+    /// The text and the scheme, without what they would give away.
+    pub(crate) fn statement(&self, language: Language, variants: Option<&Variants>) -> Vec<Block> {
+        let mut blocks = Vec::new();
+        let notes = self.notes_without();
+        if !notes.is_empty() {
+            blocks.push(Block::Paragraph(vec![text(notes)]));
+        }
+        blocks.extend(self.scheme(language, variants));
+        blocks
+    }
+
     /// The text of the problem without the sentences that have an answer in them.
     fn notes_without(&self) -> String {
         let notes = self.mechanism.notes.join(" ");
@@ -323,7 +329,7 @@ impl Exercise<'_> {
     }
 
     /// The positions without those whose names are answers: the end of the period that is asked for.
-    fn positions_without(&self) -> Vec<&String> {
+    pub(crate) fn positions_without(&self) -> Vec<&String> {
         let is = |value: f64, name: &str| name.parse().is_ok_and(|x: f64| x != 0.0 && is_near(x, value));
         let is_answer = |name: &str| self.asked.iter().any(|a| a.values().iter().any(|x| is(*x, name)));
         let moves = self.mechanism.simulation.is_some();
@@ -331,7 +337,7 @@ impl Exercise<'_> {
     }
 
     /// The given values: those that the solution uses, then those that the file names besides.
-    fn given(&self, language: Language) -> Vec<Block> {
+    pub(crate) fn given(&self, language: Language) -> Vec<Block> {
         let is_answer = |x: f64| self.is_answer(x);
         let mut shown = Vec::new();
         let mut rows =
@@ -401,24 +407,37 @@ impl Exercise<'_> {
     }
 
     /// Whether a file asks for an answer, by its name or with all others of its kind.
-    fn is_question(&self, asked: &SheetQuestion) -> bool {
+    pub(crate) fn is_question(&self, asked: &SheetQuestion) -> bool {
         let finds = &self.mechanism.finds;
         finds.iter().any(|find| find.name == asked.name || !matches!(find.kind, FindKind::Value { .. }))
     }
 
-    /// The letters of a question with its unit, by component; the number of the question where it has none.
+    /// The letters of a question with its unit, by component.
     fn headers(&self, asked: &SheetQuestion, language: Language) -> Vec<Line> {
+        let with_unit = |(_, letters, _): (String, Line, Option<usize>)| {
+            letters.into_iter().flat_map(|letters| with_unit(letters, &asked.unit)).collect()
+        };
+        self.letters(asked, language).into_iter().map(with_unit).collect()
+    }
+
+    /// The name of a question by component, with its letters, or its number where it has none, and its place.
+    pub(crate) fn letters(
+        &self,
+        asked: &SheetQuestion,
+        language: Language,
+    ) -> Vec<(String, Line, Option<usize>)> {
         let number = self.mechanism.finds.iter().position(|find| find.name == asked.name);
         let find = number.map(|i| &self.mechanism.finds[i]).filter(|_| !asked.vector);
         let own = || letters_of(self.mechanism, find?, self.text, language);
         let parts: &[&str] = if asked.vector { &[".x", ".y"] } else { &[""] };
-        let header = |part: &&str| {
+        let of = |part: &&str| {
             let written = format!("{}{part}", asked.name);
             let words = || number.map_or_else(|| written.clone(), |i| format!("({}){part}", i + 1));
             let letters = own().or_else(|| letters(self.mechanism, &written, language));
-            with_unit(letters.map_or_else(|| text(words()), Inline::Math), &asked.unit)
+            let line = vec![letters.map_or_else(|| text(words()), Inline::Math)];
+            (written, line, number)
         };
-        parts.iter().map(header).collect()
+        parts.iter().map(of).collect()
     }
 
     /// Whether a row says where a counterweight is.
@@ -441,8 +460,9 @@ impl Exercise<'_> {
     }
 }
 
-/// A unit as it is printed.
-pub(crate) fn printed_unit(unit: &str) -> String {
+/// A unit as it is printed, after a blank where it needs one.
+#[must_use]
+pub fn printed_unit(unit: &str) -> String {
     match unit {
         "" => String::new(),
         "deg" => "°".to_owned(),

@@ -6,8 +6,8 @@ use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 #[cfg(feature = "lsp")]
 use super::Lsp;
 use super::{
-    Accuracy, Batch, Card, Check, Completions, Draw, Explain, Fmt, Grade, Help, Info, Man, Mcp, New, Preview,
-    Profile, Report, Solve, Test,
+    Accuracy, Batch, Card, Check, Completions, Course, Draw, Explain, Fmt, Grade, Help, Info, Man, Mcp, New,
+    Preview, Profile, Report, Solve, Test,
 };
 
 /// Subcommands from their names, words and sentences.
@@ -72,6 +72,7 @@ commands! {
     Test "test" "Compare the results with the file's `expect` lines";
     Batch "batch" "Solve once per row of a table of variants, in parallel";
     Grade "grade" "Grade answers by an answer key";
+    Course "course" "Write an exercise set as questions of a learning platform";
     Accuracy "accuracy" "Show the time that accuracy costs: every accuracy setting, timed on this machine";
     Profile "profile" "Print the profile of a cam, for other programs";
     Draw "draw" "Draw a mechanism: its scheme and what the course draws next to it, as SVG";

@@ -136,7 +136,7 @@ fn is_folder(name: &str) -> bool {
     path.is_dir() || path.extension().is_none() || name.ends_with('/')
 }
 
-fn part(text: &str) -> Result<Part, String> {
+pub(super) fn part(text: &str) -> Result<Part, String> {
     text.trim()
         .parse()
         .ok()

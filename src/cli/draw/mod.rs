@@ -8,8 +8,7 @@ mod pdf;
 #[cfg(feature = "png")]
 mod png;
 #[cfg(feature = "png")]
-pub use png::png;
-mod rows;
+pub use png::png_of_width;
 
 use super::args::{Draw, DrawFormat, Picture};
 use super::error::CliError;
@@ -17,6 +16,7 @@ use super::files;
 use super::motion::MotionProgress;
 use super::reply::{Printer, Reply, Status, complaint, for_each_input};
 use super::screen::Screen;
+use super::variant_rows::{ChosenRow, Refused, RowsWanted, chosen_rows};
 use crate::pipeline;
 use assur_check::Overrides;
 use assur_picture::{ArrowKind, Kind};
@@ -27,7 +27,6 @@ use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use output::Output;
 use pages::{Page, Pages};
-use rows::{DrawnRow, Refused};
 use std::sync::Arc;
 
 /// Draws pictures of solved problems.
@@ -81,9 +80,13 @@ impl Drawing<'_> {
         let (document, mut found) = syntax::parse(source);
         let document = Arc::new(document);
         let rows = if found.has_errors() {
-            Ok(vec![DrawnRow::as_written(self.overrides.clone(), std::mem::take(&mut found))])
+            Ok(vec![ChosenRow::as_written(self.overrides.clone(), std::mem::take(&mut found))])
         } else {
-            rows::drawn(self.args, source, &document)
+            {
+                let args = self.args;
+                let wanted = RowsWanted { variants: args.variants.as_deref(), row: &args.row, all: false };
+                chosen_rows(wanted, &self.overrides, source, &document)
+            }
         };
         let rows = match rows {
             Ok(rows) => rows,
@@ -114,7 +117,7 @@ impl Drawing<'_> {
     }
 
     /// The pictures of a file with a row of variants, and what was found.
-    fn of_row(&self, source: &Source, document: &Arc<Document>, mut row: DrawnRow) -> (Vec<Page>, Problems) {
+    fn of_row(&self, source: &Source, document: &Arc<Document>, mut row: ChosenRow) -> (Vec<Page>, Problems) {
         let mut kinds: Vec<Kind> = self.pictures.iter().map(|picture| picture.kind).collect();
         kinds.extend(self.args.arrows.map(|arrows| ArrowKind::from(arrows).kind()));
         if self.args.numbers {

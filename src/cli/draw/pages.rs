@@ -1,7 +1,7 @@
 //! The pictures of a solved file, as text.
 
-use super::rows::DrawnRow;
 use super::{Drawing, output};
+use crate::cli::variant_rows::ChosenRow;
 use crate::cli::{args::Picture, error::CliError};
 use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
@@ -34,7 +34,7 @@ pub struct Pages<'d, 'a> {
     pub document: &'d Document,
     pub solved: &'d Solved,
     /// The row of variants.
-    pub row: &'d DrawnRow,
+    pub row: &'d ChosenRow,
 }
 
 /// Positions in small steps, for paths and other poses and for an animation.

@@ -3,7 +3,9 @@
 use crate::cli::error::CliError;
 use assur_drawing::FAMILIES;
 use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::fontdb::Database;
 use resvg::usvg::{Options, Tree};
+use std::sync::{Arc, OnceLock};
 
 /// Pixels per inch: those of the document, and those of the picture.
 const INCH: [f32; 2] = [96.0, 300.0];
@@ -13,11 +15,21 @@ const DENSITY: [u8; 21] =
 /// Its place: behind the signature and the head.
 const HEAD: usize = 33;
 
+/// The fonts of the system, read once.
+fn fonts() -> Arc<Database> {
+    static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
+    let read = || {
+        let mut fonts = Database::new();
+        fonts.load_system_fonts();
+        Arc::new(fonts)
+    };
+    Arc::clone(FONTS.get_or_init(read))
+}
+
 /// An SVG with its texts set in a font of the system.
 pub fn tree(svg: &str, name: &str) -> Result<Tree, CliError> {
-    let mut options = Options::default();
+    let mut options = Options { fontdb: fonts(), ..Options::default() };
     let fonts = options.fontdb_mut();
-    fonts.load_system_fonts();
     let installed = |family: &str| fonts.faces().any(|face| face.families.iter().any(|(n, _)| n == family));
     let Some(family) = FAMILIES.into_iter().find(|family| installed(family)) else {
         let families = FAMILIES.join(", ");
@@ -30,14 +42,25 @@ pub fn tree(svg: &str, name: &str) -> Result<Tree, CliError> {
 
 /// A picture in pixels.
 pub fn png(svg: &str, name: &str) -> Result<Vec<u8>, CliError> {
+    drawn(svg, name, None)
+}
+
+/// The same of a width in pixels.
+pub fn png_of_width(svg: &str, width: u32) -> Result<Vec<u8>, CliError> {
+    drawn(svg, "the picture", Some(width))
+}
+
+fn drawn(svg: &str, name: &str, width: Option<u32>) -> Result<Vec<u8>, CliError> {
     let fail = |why: String| CliError::NotCreated { name: name.to_owned(), why };
     let tree = tree(svg, name)?;
-    let factor = INCH[1] / INCH[0];
+    let factor = width.map_or(INCH[1] / INCH[0], |width| width as f32 / tree.size().width());
     let size = tree.size().to_int_size().scale_by(factor).ok_or_else(|| fail("it has no size".to_owned()))?;
     let mut pixels =
         Pixmap::new(size.width(), size.height()).ok_or_else(|| fail("it is too large".to_owned()))?;
     resvg::render(&tree, Transform::from_scale(factor, factor), &mut pixels.as_mut());
     let mut bytes = pixels.encode_png().map_err(|error| fail(error.to_string()))?;
-    bytes.splice(HEAD..HEAD, DENSITY);
+    if width.is_none() {
+        bytes.splice(HEAD..HEAD, DENSITY);
+    }
     Ok(bytes)
 }

@@ -21,6 +21,9 @@ const LONGEST_TEXT: usize = 256 << 10;
 const ROWS: u64 = 100;
 const POSES: usize = 50;
 const LONGEST_SVG: usize = 200 << 10;
+/// Pixels of a picture across.
+#[cfg(feature = "png")]
+const WIDTH: u32 = 900;
 /// What messages call the text.
 const NAME: &str = "text.mech";
 
@@ -385,7 +388,7 @@ fn picture(svg: String, pixels: bool) -> Result<Value, String> {
 
 #[cfg(feature = "png")]
 fn pixels_of(svg: &str) -> Result<Value, String> {
-    let bytes = crate::cli::draw::png(svg, NAME).map_err(|error| error.to_string())?;
+    let bytes = crate::cli::draw::png_of_width(svg, WIDTH).map_err(|error| error.to_string())?;
     Ok(json!({ "type": "image", "mimeType": "image/png", "data": crate::handout::base64(&bytes) }))
 }
 

@@ -1,5 +1,6 @@
 //! The usual slips: what a wrong answer would be right for.
 
+use assur_text::units::Dimension;
 use std::f64::consts::{PI, TAU};
 
 /// What was probably done wrong.
@@ -79,20 +80,12 @@ pub const SLIPS: [&str; 13] = [
     "close",
 ];
 
-/// The factor by which an answer differs from the key, the sign aside: of those that fit the nearest. `off` says how far
-/// a number is from the key, where that is near.
-pub(super) fn factor(given: f64, off: &dyn Fn(f64) -> Option<f64>) -> Option<CommonMistake> {
-    let signs = [(1.0, false), (-1.0, true)];
-    let mut nearest: Option<(f64, CommonMistake)> = None;
-    for (value, cause) in FACTORS {
-        for ((sign, wrong), factor) in signs.into_iter().flat_map(|s| [(s, value), (s, 1.0 / value)]) {
-            let Some(off) = off(sign * given / factor) else { continue };
-            if nearest.as_ref().is_none_or(|(least, _)| off < *least) {
-                nearest = Some((off, CommonMistake::Factor { factor, cause, sign: wrong }));
-            }
-        }
-    }
-    nearest.map(|(_, slip)| slip)
+/// All factors, with their signs, and their slips.
+pub(super) fn factors() -> impl Iterator<Item = (f64, CommonMistake)> {
+    FACTORS.into_iter().flat_map(|(value, cause)| {
+        let both = [(value, 1.0), (1.0 / value, 1.0), (value, -1.0), (1.0 / value, -1.0)];
+        both.map(|(factor, sign)| (sign * factor, CommonMistake::Factor { factor, cause, sign: sign < 0.0 }))
+    })
 }
 
 impl CommonMistake {
@@ -117,6 +110,32 @@ impl CommonMistake {
     #[must_use]
     pub const fn has_other_sign(&self) -> bool {
         matches!(self, Self::Factor { sign: true, .. } | Self::OtherQuantity { sign: true, .. })
+    }
+
+    /// Whether it can be meant of a quantity: degrees of angles, weights of masses, prefixes of what has a unit.
+    #[must_use]
+    pub fn fits(&self, dimension: Dimension) -> bool {
+        let Self::Factor { factor, cause, .. } = self else { return true };
+        let large = factor.max(1.0 / factor);
+        let is = |value: f64| (large - value).abs() < 1e-6 * value;
+        let per_time = dimension.time < 0 && dimension.mass == 0;
+        let turning = dimension == Dimension::ANGLE || per_time && dimension.length == 0;
+        match cause.name {
+            "weight" => [Dimension::FORCE, Dimension::TORQUE, Dimension::MASS].contains(&dimension),
+            "unit" if is(60.0) => per_time,
+            "unit" if is(30.0 / PI) => turning && per_time,
+            "unit" if is(180.0 / PI) || is(TAU) => turning,
+            "unit" => !dimension.is_dimensionless(),
+            _ => true,
+        }
+    }
+
+    /// How common it is: the least number is the commonest. Two slips at once, or two prefixes, are rare.
+    #[must_use]
+    pub fn rank(&self) -> usize {
+        let place = SLIPS.iter().position(|name| *name == self.name()).unwrap_or(SLIPS.len());
+        let two = matches!(self, Self::Factor { factor, .. } if factor.max(1.0 / factor) > 1e5);
+        place + SLIPS.len() * (usize::from(self.has_other_sign()) + usize::from(two))
     }
 
     /// What it is, in words.

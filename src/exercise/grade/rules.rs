@@ -84,7 +84,14 @@ impl Points {
     /// A name that is not one of the key's quantities, and what may be meant.
     #[must_use]
     pub fn unknown(&self, key: &Sheet) -> Option<(&str, String)> {
-        let names = || key.quantities.iter().map(|q| q.name.as_str());
+        let names: Vec<&str> = key.quantities.iter().map(|q| q.name.as_str()).collect();
+        self.unknown_in(&names)
+    }
+
+    /// A name that is none of these, and what may be meant.
+    #[must_use]
+    pub fn unknown_in(&self, names: &[&str]) -> Option<(&str, String)> {
+        let names = || names.iter().copied();
         let (name, _) = self.0.iter().find(|(name, _)| name != OTHERS && names().all(|n| n != name))?;
         let help = match did_you_mean(name, names()).first() {
             Some(near) => format!("did you mean `{near}`?"),
@@ -96,7 +103,7 @@ impl Points {
     }
 
     /// The points of a quantity in a row of the key: those given by name, else by `*`, else in the key, else 1.
-    pub(super) fn of(&self, key: &Sheet, row: &SheetRow, place: usize) -> f64 {
+    pub(crate) fn of(&self, key: &Sheet, row: &SheetRow, place: usize) -> f64 {
         let named = |wanted: &str| self.0.iter().find(|(name, _)| name == wanted).map(|(_, points)| *points);
         let of_file = |file: Option<&String>| key.points.iter().find(|p| p.file.as_ref() == file);
         let in_key =
@@ -136,7 +143,7 @@ impl Credit {
     }
 
     /// The part of the points for a slip; two slips at once get the product.
-    pub(super) fn of(&self, slip: &CommonMistake) -> f64 {
+    pub(crate) fn of(&self, slip: &CommonMistake) -> f64 {
         let of = |wanted: &str| self.0.iter().find(|(name, _)| name == wanted).map_or(0.0, |(_, part)| *part);
         of(slip.name()) * if slip.has_other_sign() { of("sign") } else { 1.0 }
     }

@@ -380,6 +380,14 @@ impl Unread {
 }
 
 impl Entry {
+    /// The number that stands there, SI.
+    pub const fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(x) => Some(*x),
+            _ => None,
+        }
+    }
+
     /// Reads a cell: a number, in the column's unit or in one of its own; true or false; nothing.
     pub(super) fn read(text: &str, unit: &Unit) -> Self {
         match text {

@@ -329,6 +329,14 @@ pub const CODES: &[Code] = codes! {
     "picture" / "no_way",
     "picture" / "no_scale",
     "picture" / "no_true_size",
+    // courses
+    "course" / "nothing_asked",
+    "course" / "verdict_is_no_number",
+    "course" / "too_many_gaps",
+    "course" / "points_not_whole",
+    "course" / "part_not_allowed",
+    "course" / "same_idnumber",
+    "course" / "no_pixels",
     // tables beside a file
     "table" / "header",
     "table" / "empty",

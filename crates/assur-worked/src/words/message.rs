@@ -47,6 +47,7 @@ messages! {
         CylinderLength LoadRests PlaceOpen CoupleAtSlider ByFormulas AskedBesides
         Jerks AskedForJerks SeveralMasses MethodOfJoints JointOf WholeTruss
         AxialForces SeeAxial EquilibriumAngle Weld NoPair WeldedTo WeldHolds
+        HowToAnswer HowToAnswerWithUnit PicturesLeftOut AnswerIsRight
     }
     equations after {
         SumAlongGuide SumAcrossGuide SumOfLink MomentsOfLink MemberGives MembersGive AcrossGuide AlongGuide

@@ -1,6 +1,5 @@
-//! Rows of variants that are drawn: of a table in a file of its own, or of the table in the problem.
+//! Rows of variants that the command line names: of a table in a file of its own, or of the table in the problem.
 
-use crate::cli::args::Draw;
 use crate::cli::batch::open_table;
 use crate::cli::error::CliError;
 use crate::exercise::table::{Fault, Lines, TableError};
@@ -16,9 +15,20 @@ const CHUNK: usize = 1000;
 /// Names of rows in a help.
 const MOST: usize = 12;
 
-/// What is drawn of a file: it as written, or with a row of variants.
+/// Which rows are wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct RowsWanted<'a> {
+    /// The name of a table of its own.
+    pub variants: Option<&'a str>,
+    /// Names or numbers of rows.
+    pub row: &'a [String],
+    /// Without names all rows of the file's own table; else the file as written.
+    pub all: bool,
+}
+
+/// What is taken of a file: it as written, or with a row of variants.
 #[derive(Default)]
-pub struct DrawnRow {
+pub struct ChosenRow {
     /// The values from outside.
     pub overrides: Overrides,
     /// `row 3 (r = 120 mm)`; empty where no row is.
@@ -31,7 +41,7 @@ pub struct DrawnRow {
     pub problems: Problems,
 }
 
-impl DrawnRow {
+impl ChosenRow {
     /// The file as written, of which this was found on reading.
     pub fn as_written(overrides: Overrides, problems: Problems) -> Self {
         Self { overrides, problems, ..Self::default() }
@@ -62,22 +72,29 @@ impl From<Fault> for Refused {
     }
 }
 
-/// What is drawn of a document: the rows that are named, else all of a table in a file of its own, else it as written.
-pub fn drawn(args: &Draw, source: &Source, document: &Document) -> Result<Vec<DrawnRow>, Refused> {
-    let overrides = args.overrides();
-    let rows = match &args.variants {
-        Some(name) => of_table(name, document, &overrides, source)?,
-        None if args.row.is_empty() => return Ok(vec![DrawnRow::as_written(overrides, Problems::new())]),
-        None => own(document, &overrides, source)?,
+/// What is taken of a document: the rows that are named, else all of a table in a file of its own, else it as written.
+pub fn chosen_rows(
+    wanted: RowsWanted<'_>,
+    overrides: &Overrides,
+    source: &Source,
+    document: &Document,
+) -> Result<Vec<ChosenRow>, Refused> {
+    let all = wanted.all && check::table(document).is_some();
+    let rows = match wanted.variants {
+        Some(name) => of_table(name, document, overrides, source)?,
+        None if wanted.row.is_empty() && !all => {
+            return Ok(vec![ChosenRow::as_written(overrides.clone(), Problems::new())]);
+        }
+        None => own(document, overrides, source)?,
     };
-    let chosen = if args.row.is_empty() { (0..rows.len()).collect() } else { chosen(&args.row, &rows)? };
+    let chosen = if wanted.row.is_empty() { (0..rows.len()).collect() } else { chosen(wanted.row, &rows)? };
     let drawn = chosen.into_iter().map(|i| {
         let FileRow { row, label, span } = rows[i].clone();
         let words = row_words(i + 1, label.as_deref(), &row.words());
         let name = label.unwrap_or_else(|| (i + 1).to_string());
         let overrides = Overrides { values: overrides.values.clone(), row };
-        let span = args.variants.is_none().then_some(span);
-        DrawnRow { overrides, words, name, span, ..DrawnRow::default() }
+        let span = wanted.variants.is_none().then_some(span);
+        ChosenRow { overrides, words, name, span, problems: Problems::new() }
     });
     Ok(drawn.collect())
 }

@@ -1,0 +1,282 @@
+//! Rows of variants as questions for a learning platform: what is shown, gaps with what answers mean, the worked solution.
+
+mod moodle;
+mod units;
+
+pub use moodle::{Chapter, Moodle, Picture, Question, checked_credit, page};
+use units::accepted;
+
+use super::Sheets;
+use super::sheets::{Made, Row};
+use super::worked::document;
+use crate::exercise::grade::{Entry, Piece, Quantity, Rules, Sheet, pieces, regions};
+use crate::exercise::table::Fault;
+use crate::report::Answers;
+use crate::report::rows::{AnswerColumns, FULL, write_text};
+use assur_model::model::Value;
+use assur_solve::solve::Pose;
+use assur_text::diagnostic::{Problem, Problems};
+use assur_text::source::Source;
+use assur_text::units::{Unit, significant};
+use assur_worked::{
+    Block, Document, Gap, GapSheet, Language, Part, gaps, printed_unit, verdict, without_pictures,
+};
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// Gaps of one question at the most.
+const MOST_GAPS: usize = 40;
+/// Intervals of a gap at the most, the right ones aside.
+const MOST_SLIPS: usize = 24;
+/// The pictures of a solution take no more, bytes.
+const MOST_PICTURES: usize = 60_000;
+/// Digits of a drive.
+const DIGITS: usize = 6;
+
+/// Why there is no question.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum CourseError {
+    #[error("Moodle knows 0.4 and 0.3333333 as parts of a mark, not {part}")]
+    #[diagnostic(code(mech::course::part_not_allowed))]
+    PartNotAllowed {
+        part: f64,
+        #[help]
+        help: String,
+    },
+    #[error("`{file}` asks for nothing that has a number")]
+    #[diagnostic(code(mech::course::nothing_asked), help("add `find …`"))]
+    NothingAsked { file: String },
+    #[error("two rows are named `{row}` in the category `{category}`")]
+    #[diagnostic(code(mech::course::same_idnumber), help("name the rows apart, or give --category"))]
+    SameIdNumber { row: String, category: String },
+    #[error("this build draws no PNG")]
+    #[diagnostic(code(mech::course::no_pixels), help("--picture svg, or a build with --features png"))]
+    NoPixels,
+    #[error("`{name}` of `{file}` is a verdict, not a number: it is left out")]
+    #[diagnostic(
+        code(mech::course::verdict_is_no_number),
+        severity(Warning),
+        help("ask for a number as well, such as an efficiency")
+    )]
+    VerdictIsNoNumber { file: String, name: String },
+    #[error("`{file}` asks for {count} numbers in one question, and {MOST_GAPS} are the most")]
+    #[diagnostic(
+        code(mech::course::too_many_gaps),
+        help("ask at one position by --pose NAME, or leave questions out by --points NAME=0")
+    )]
+    TooManyGaps { file: String, count: usize },
+    #[error("the points {points} are not in the ratio of whole numbers up to 100")]
+    #[diagnostic(code(mech::course::points_not_whole), help("write whole numbers, e.g. --points Mb=2,F_A=1"))]
+    PointsNotWhole { points: String },
+}
+
+impl Problem for CourseError {}
+
+/// Which parts of the worked solution are shown after the answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Steps {
+    /// All, with pictures.
+    All,
+    /// These, without pictures.
+    Parts(Vec<Part>),
+    None,
+}
+
+/// How questions are made.
+#[derive(Clone, Copy, Debug)]
+pub struct QuizOptions<'a> {
+    pub rules: &'a Rules,
+    pub steps: &'a Steps,
+    pub pictures: bool,
+}
+
+/// An interval in the unit of a gap, and what is said of an answer in it.
+#[derive(Clone, Debug)]
+pub struct Interval {
+    pub middle: f64,
+    pub half: f64,
+    pub words: String,
+    /// The part of the points that it gets.
+    pub part: f64,
+}
+
+/// A gap with its points.
+#[derive(Clone, Debug)]
+pub struct QuizGap {
+    pub gap: Gap,
+    pub unit: Unit,
+    /// All units that the file has for this kind of quantity.
+    pub units: Vec<Unit>,
+    pub points: f64,
+    /// The right one first; the first that holds an answer counts.
+    pub intervals: Vec<Interval>,
+}
+
+/// A row as a question.
+#[derive(Clone, Debug)]
+pub struct Quiz {
+    pub language: Language,
+    /// Statement, scheme, given values, and the list of questions last.
+    pub sheet: Document,
+    pub gaps: Vec<QuizGap>,
+    /// The worked solution.
+    pub solution: Option<Document>,
+    /// The names that points can have.
+    pub names: Vec<String>,
+    /// Questions without a number, which are left out.
+    pub verdicts: Vec<String>,
+}
+
+impl Sheets<'_> {
+    /// Rows as questions, one after another, each with what is wrong in it, until `goes_on` says no.
+    pub fn quizzes(
+        &self,
+        rows: &[Row],
+        options: QuizOptions<'_>,
+        goes_on: impl FnMut(&Row, Option<Quiz>, Problems) -> bool,
+    ) {
+        self.each_made(rows, |made, problems| self.quiz(made, options, problems), goes_on);
+    }
+
+    fn quiz(&self, made: &Made<'_>, options: QuizOptions<'_>, problems: &mut Problems) -> Option<Quiz> {
+        let language = self.handout.language;
+        let GapSheet { document: mut sheet, gaps, verdicts } = gaps(made.exercise, language);
+        if !options.pictures {
+            // a remark is about the picture
+            sheet.blocks.retain(|block| !matches!(block, Block::Figures(_) | Block::Remark(_)));
+        }
+        let scored = scored(made, gaps, options.rules, language);
+        let (gaps, names) = scored.map_err(|fault| problems.push(*fault.1)).ok()?;
+        let count = gaps.len();
+        if count == 0 || count > MOST_GAPS {
+            let file = self.handout.source.name.clone();
+            problems.push(match count {
+                0 => CourseError::NothingAsked { file },
+                count => CourseError::TooManyGaps { file, count },
+            });
+            return None;
+        }
+        let solution = self.solution(made, options);
+        Some(Quiz { language, sheet, gaps, solution, names, verdicts })
+    }
+
+    fn solution(&self, made: &Made<'_>, options: QuizOptions<'_>) -> Option<Document> {
+        let parts: &[Part] = match options.steps {
+            Steps::None => return None,
+            Steps::All => &[],
+            Steps::Parts(parts) => parts,
+        };
+        let (handout, language) = (self.handout, self.handout.language);
+        let at = (handout.pose, parts);
+        let solution = document(handout.source, &handout.document, made.drawn, language, at).ok()?;
+        if !options.pictures || *options.steps != Steps::All {
+            return Some(solution.without_figures());
+        }
+        let size = |block: &Block| match block {
+            Block::Figures(figures) => figures.iter().map(|figure| figure.svg.len()).sum(),
+            _ => 0,
+        };
+        let is_large = solution.blocks.iter().map(size).sum::<usize>() > MOST_PICTURES;
+        Some(if is_large { without_pictures(solution, language) } else { solution })
+    }
+}
+
+/// Gaps with what the marker of `grade` says of their answers; those without a number or without points are left out.
+fn scored(
+    made: &Made<'_>,
+    gaps: Vec<Gap>,
+    rules: &Rules,
+    language: Language,
+) -> Result<(Vec<QuizGap>, Vec<String>), Fault> {
+    let shown = made.exercise.scene.map(|scene| scene.pose.name.as_str());
+    let pose_of = |gap: &Gap| {
+        let name = gap.position.as_ref().map(|[name, _]| name.as_str()).or(shown)?;
+        made.answers.poses().find(|pose| pose.name == name)
+    };
+    let mut poses: Vec<Option<&Pose>> = Vec::new();
+    let mut at = Vec::new();
+    for gap in &gaps {
+        let pose = pose_of(gap);
+        let known = poses.iter().position(|known| known.map(|p| &p.name) == pose.map(|p| &p.name));
+        at.push(known.unwrap_or(poses.len()));
+        poses.extend(known.is_none().then_some(pose));
+    }
+    if gaps.is_empty() {
+        return Ok(Default::default());
+    }
+    let key = key(made.answers, &poses)?;
+    let of = |(gap, row): (Gap, usize)| {
+        let place = key.quantities.iter().position(|quantity| quantity.name == gap.name)?;
+        let quantity = &key.quantities[place];
+        let points = rules.points.of(&key, key.rows.get(row)?, place);
+        let regions = regions(&key, row, place, rules);
+        let intervals = intervals(&pieces(&regions), quantity, rules, language);
+        let alike = key.quantities.iter().filter(|q| q.unit.dimension.fits(quantity.unit.dimension));
+        let units = alike.map(|q| q.unit.clone()).collect();
+        let is_asked = points > 0.0 && !intervals.is_empty();
+        is_asked.then(|| QuizGap { gap, unit: quantity.unit.clone(), units, points, intervals })
+    };
+    let names = key.quantities.iter().map(|q| q.name.clone()).collect();
+    let mut scored: Vec<QuizGap> = gaps.into_iter().zip(at).filter_map(of).collect();
+    let answers: Vec<f64> =
+        key.rows.iter().flat_map(|row| row.entries.iter().filter_map(Entry::number)).collect();
+    let drives: Vec<String> = poses.iter().map(|pose| drives_at(made.answers, *pose, &answers)).collect();
+    for gap in &mut scored {
+        let Some([name, words]) = &mut gap.gap.position else { continue };
+        let row = poses.iter().position(|pose| pose.is_some_and(|pose| pose.name == *name));
+        *words += row.and_then(|row| drives.get(row)).map_or("", String::as_str);
+    }
+    Ok((scored, names))
+}
+
+/// Where the drives are at a position: ` (crank = 50°)`. What is an answer is not shown.
+fn drives_at(answers: &Answers<'_>, pose: Option<&Pose>, hidden: &[f64]) -> String {
+    let mechanism = answers.model.mechanism;
+    let Some(pose) = pose.filter(|_| mechanism.simulation.is_none()) else { return String::new() };
+    let shown = mechanism.drives.iter().zip(&pose.drives).filter_map(|(drive, value)| {
+        let Some(Value::Scalar(x)) = value.value() else { return None };
+        let display = mechanism.drive_display(drive.target);
+        let figures = significant(display.of_si(x), DIGITS);
+        let is_hidden = hidden.iter().any(|answer| (answer - x).abs() <= 1e-9 * x.abs());
+        (!is_hidden).then(|| format!("{} = {figures}{}", drive.name, printed_unit(&display.unit)))
+    });
+    let shown: Vec<String> = shown.collect();
+    if shown.is_empty() { String::new() } else { format!(" ({})", shown.join(", ")) }
+}
+
+/// The answer key of a row as `assur batch --key` writes it, a line per position.
+fn key(answers: &Answers<'_>, poses: &[Option<&Pose>]) -> Result<Sheet, Fault> {
+    let columns = AnswerColumns::of(&answers.model);
+    let mut text = "row".to_owned();
+    for header in columns.headers(true) {
+        text.push(',');
+        write_text(&header, &mut text);
+    }
+    for (i, pose) in poses.iter().enumerate() {
+        text += &format!("\n{i}");
+        match pose {
+            Some(pose) => columns.write(answers, pose, FULL, true, &mut text),
+            None => columns.write_without_pose(answers, FULL, true, &mut text),
+        }
+    }
+    let unread = |error: std::io::Error| {
+        let empty = crate::exercise::table::TableError::Empty { what: "no key", span: None };
+        (Source::new("key", error.to_string()), Box::new(empty))
+    };
+    Sheet::read("key", text.as_bytes(), None).map_err(unread)?
+}
+
+/// Pieces in the unit of a quantity: the right ones, then the commonest slips that its dimension allows.
+fn intervals(pieces: &[Piece<'_>], of: &Quantity, rules: &Rules, language: Language) -> Vec<Interval> {
+    let fits = |piece: &&Piece<'_>| piece.slip.is_none_or(|slip| slip.fits(of.unit.dimension));
+    let mut kept: Vec<&Piece<'_>> = pieces.iter().filter(fits).collect();
+    kept.sort_by_key(|piece| piece.slip.map(|slip| slip.rank() + 1));
+    let right = kept.iter().take_while(|piece| piece.slip.is_none()).count();
+    let interval = |piece: &Piece<'_>| Interval {
+        middle: of.unit.from_si(piece.middle),
+        half: of.unit.from_si(piece.half),
+        words: verdict(language, piece.slip.map(|slip| slip.words()).as_deref()),
+        part: piece.slip.map_or(1.0, |slip| rules.credit.of(slip)),
+    };
+    kept.into_iter().take(right + MOST_SLIPS).map(interval).collect()
+}
