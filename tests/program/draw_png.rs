@@ -1,4 +1,4 @@
-//! Pictures as pixels, in builds with them and without.
+//! Pictures as pixels and as PDF, in builds with them and without.
 
 use crate::cli::GOOD;
 use crate::run::{Folder, assur};
@@ -47,4 +47,40 @@ fn a_png_has_the_size_of_its_picture() {
     assert!(bytes.len() > 4000, "{} bytes", bytes.len());
     let out = assur(&folder, &["draw", "a.mech", "scheme", "velocities", "-o", "b.png"]);
     assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+}
+
+#[cfg(not(feature = "pdf"))]
+#[test]
+fn a_build_without_pdf_says_so() {
+    let folder = Folder::new("no-pdf").with("a.mech", GOOD);
+    let out = assur(&folder, &["draw", "a.mech", "-o", "a.pdf"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("`cargo install assur --features pdf`"), "{}", out.stderr);
+    assert_eq!(folder.names(), ["a.mech"]);
+}
+
+#[cfg(feature = "pdf")]
+#[test]
+fn a_pdf_has_the_size_of_its_picture_and_is_the_same_each_time() {
+    let folder = Folder::new("pdf").with("a.mech", GOOD);
+    for name in ["a.pdf", "b.pdf"] {
+        let out = assur(&folder, &["draw", "a.mech", "velocities", "--pose", "2", "-o", name]);
+        if out.stderr.contains("no font for its letters") {
+            return;
+        }
+        assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    }
+    let read = |name: &str| std::fs::read(folder.path(name)).expect("a picture");
+    let bytes = read("a.pdf");
+    assert!(bytes.starts_with(b"%PDF-") && bytes == read("b.pdf"));
+    let svg = assur(&folder, &["draw", "a.mech", "velocities", "--pose", "2"]).stdout;
+    let width =
+        svg.split_once("width=\"").and_then(|(_, rest)| rest.split_once("mm")).map(|(width, _)| width);
+    let width: f64 = width.and_then(|width| width.parse().ok()).expect("a width");
+    let text = String::from_utf8_lossy(&bytes);
+    let page = text.split_once("/MediaBox").and_then(|(_, rest)| rest.split_once(']')).expect("a page").0;
+    let points: Vec<f64> = page.split(['[', ' ']).filter_map(|x| x.trim().parse().ok()).collect();
+    assert!((points[2] - width / 25.4 * 72.0).abs() < 0.1, "{width} mm are {points:?} points");
+    // fonts are in it
+    assert!(text.contains("/FontFile"), "no font");
 }
