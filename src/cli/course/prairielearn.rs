@@ -1,0 +1,69 @@
+//! `assur course prairielearn`: a folder per problem.
+
+use super::{Exercise, Failed, Piece, encoded};
+use crate::cli::args::{Course, PictureArg};
+use crate::cli::error::CliError;
+use crate::cli::files::made_folder;
+use crate::cli::folder_sink;
+use crate::cli::variant_rows::ChosenRow;
+use crate::handout::course::{Called, PrairieLearn, Quiz, Variant, question};
+use std::path::Path;
+
+/// What one question is at the most: rows, and bytes without pictures.
+const MOST_ROWS: usize = 500;
+const MOST_BYTES: usize = 2_000_000;
+
+/// Whether the options are those of PrairieLearn.
+///
+/// # Errors
+/// An option of Moodle, or no folder to write to.
+pub fn checked(args: &Course) -> Result<(), CliError> {
+    if args.one_per_answer {
+        return Err(CliError::NotOfPlatform { option: "--one-per-answer" });
+    }
+    match args.out.as_deref() {
+        None | Some("-") => Err(CliError::NoQuestionFolder),
+        Some(_) => Ok(()),
+    }
+}
+
+impl Exercise {
+    pub(super) fn variant(&self, args: &Course, row: &ChosenRow, quiz: &Quiz) -> Result<Variant, Failed> {
+        let ending = if args.picture == PictureArg::Png { "png" } else { "svg" };
+        let place = self.rows.iter().position(|other| std::ptr::eq(other, row)).map_or(1, |i| i + 1);
+        let of = PrairieLearn { ending, within: args.within };
+        of.variant(quiz, &place.to_string(), &|svg| encoded(args.picture, svg))
+    }
+}
+
+/// Writes the folders of all problems that have rows, each when it is complete.
+///
+/// # Errors
+/// A question that is too large, or a folder that cannot be written.
+pub(super) fn put(args: &Course, pieces: &[Piece<'_>], category: &str) -> Result<(), CliError> {
+    let Some(folder) = args.out.as_deref().map(Path::new) else { return Ok(()) };
+    let mut questions = Vec::new();
+    for pieces in pieces.chunk_by(|a, b| a.exercise.name == b.exercise.name) {
+        let Some(Exercise { name, title, .. }) = pieces.first().map(|piece| piece.exercise) else { continue };
+        let called = Called { file: name, title, category };
+        let rows: Vec<&Variant> = pieces.iter().flat_map(|piece| &piece.variants).collect();
+        let files = question(called, &rows);
+        let size = files.iter().find(|(name, _)| name == "server.py").map_or(0, |(_, bytes)| bytes.len());
+        if rows.len() > MOST_ROWS || size > MOST_BYTES {
+            return Err(CliError::TooLarge { name: name.clone(), rows: rows.len(), size: size / 1000 });
+        }
+        if !files.is_empty() {
+            questions.push((folder.join(called.folder()), called.uuid(), files));
+        }
+    }
+    if !questions.is_empty() {
+        made_folder(folder)?;
+    }
+    questions.iter().try_for_each(|(folder, uuid, files)| {
+        let is_own = std::fs::read_to_string(folder.join("info.json")).is_ok_and(|info| info.contains(uuid));
+        if folder.exists() && !is_own {
+            return Err(CliError::OtherQuestion { name: folder.display().to_string() });
+        }
+        folder_sink::put(folder, files)
+    })
+}
