@@ -6,6 +6,9 @@ use assur_text::units::significant;
 use assur_worked::{Block, Document, PicturePlace, fragment, how_to_answer, inline, printed_unit};
 use serde_json::{Map, Value, json};
 
+/// The last part that belongs to the question alone: inputs are shown with an answer too, and with what is said of it.
+const HOW: &str = "how";
+
 /// A part of a page.
 #[derive(Clone, Debug)]
 pub(super) struct Shown {
@@ -65,6 +68,7 @@ impl Template {
         gaps: impl Iterator<Item = (&'g QuizGap, &'g str, bool, u32)>,
         within: f64,
     ) {
+        self.add(HOW.to_owned(), format!("<p>{}</p>\n", escaped(&how_to_answer(quiz.language, true))));
         let mut position = &None;
         for (gap, name, is_plain, weight) in gaps {
             if gap.gap.position != *position {
@@ -87,7 +91,6 @@ impl Template {
             );
             self.shown.push(Shown { id: format!("gap {name}"), html, given: Some(format!("asked.{name}")) });
         }
-        self.add("how".to_owned(), format!("<p>{}</p>\n", escaped(&how_to_answer(quiz.language, true))));
     }
 }
 
@@ -144,7 +147,10 @@ pub(super) fn merged(rows: &[&[Shown]]) -> (String, Vec<Map<String, Value>>) {
                 }
             }
         }
+        if id == HOW {
+            page += "</pl-question-panel>\n";
+        }
     }
-    page += "</pl-question-panel>\n<pl-answer-panel>\n{{{params.solution}}}\n</pl-answer-panel>\n";
+    page += "<pl-answer-panel>\n{{{params.solution}}}\n</pl-answer-panel>\n";
     (page, params)
 }
