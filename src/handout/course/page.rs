@@ -34,7 +34,7 @@ impl Template {
             if let Block::Figures(figures) = block {
                 for figure in figures {
                     it.pictures.push(figure.svg.clone());
-                    it.picture(&sheet.title, &figure.caption);
+                    it.picture(&figure.caption);
                 }
                 continue;
             }
@@ -49,11 +49,10 @@ impl Template {
         self.shown.push(Shown { id, html, given: None });
     }
 
-    fn picture(&mut self, title: &str, caption: &str) {
+    fn picture(&mut self, caption: &str) {
         let name = format!("picture_{}", self.pictures.len());
         let html = format!(
-            "<pl-figure file-name=\"{{{{params.{name}}}}}\" alt=\"{}\"></pl-figure>\n",
-            attribute(title)
+            "<pl-figure file-name=\"{{{{params.{name}}}}}\" alt=\"{{{{params.title}}}}\"></pl-figure>\n"
         );
         self.shown.push(Shown { id: name.clone(), html, given: Some(name.clone()) });
         if !caption.is_empty() {
@@ -73,8 +72,9 @@ impl Template {
         for (gap, name, is_plain, weight) in gaps {
             if gap.gap.position != *position {
                 position = &gap.gap.position;
-                let [name, words] = position.clone().unwrap_or_default();
-                self.add(format!("position {name}"), format!("<h5>{}</h5>\n", escaped(&words)));
+                if let Some([name, words]) = position {
+                    self.add(format!("position {name}"), format!("<h5>{}</h5>\n", escaped(words)));
+                }
             }
             let label = attribute(&format!("{} =", inline(&gap.gap.letters)));
             let unit = printed_unit(&quiz.language.unit(&gap.unit.text));

@@ -82,7 +82,9 @@ impl PrairieLearn<'_> {
     ) -> Result<Variant, E> {
         let answers = answers(quiz)?;
         let asked = answers.iter().map(|answer| (answer.name.clone(), json!(1)));
-        let mut params: Map<String, Value> = Map::from_iter([("asked".to_owned(), asked.collect())]);
+        let mut params = Map::new();
+        params.insert("asked".to_owned(), asked.collect());
+        params.insert("title".to_owned(), json!(quiz.sheet.title));
         let mut template = Template::of(&quiz.sheet);
         let mut pictures = Vec::new();
         for (number, svg) in (1..).zip(std::mem::take(&mut template.pictures)) {
