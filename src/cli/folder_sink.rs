@@ -6,7 +6,7 @@ use std::io;
 use std::path::Path;
 use tempfile::Builder;
 
-/// Writes files to a folder beside its place, then puts it there; what was there before goes.
+/// Writes files to a temporary folder, then puts it in place; what was there before goes.
 ///
 /// # Errors
 /// It cannot be written; then what was there is still there.
@@ -19,9 +19,9 @@ pub fn put(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), CliError> {
 
 fn put_in(folder: &Path, files: &[(String, Vec<u8>)]) -> io::Result<()> {
     let parent = folder.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let beside = Builder::new().prefix(".assur-").suffix(".tmp").tempdir_in(parent)?;
-    // within it: a folder for one user alone would stay so
-    let (new, old) = (beside.path().join("new"), beside.path().join("old"));
+    let temporary = Builder::new().prefix(".assur-").suffix(".tmp").tempdir_in(parent)?;
+    // the temporary folder itself is for one user alone
+    let (new, old) = (temporary.path().join("new"), temporary.path().join("old"));
     for (name, bytes) in files {
         let path = new.join(name);
         fs::create_dir_all(path.parent().unwrap_or(&new))?;

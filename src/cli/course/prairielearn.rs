@@ -12,6 +12,8 @@ use std::path::Path;
 /// What one question is at the most: rows, and bytes without pictures.
 const MOST_ROWS: usize = 500;
 const MOST_BYTES: usize = 2_000_000;
+/// What is in the folder of a question.
+const PARTS: [&str; 5] = ["info.json", "question.html", "server.py", "clientFilesQuestion", "solutions"];
 
 /// Whether the options are those of PrairieLearn.
 ///
@@ -56,14 +58,22 @@ pub(super) fn put(args: &Course, pieces: &[Piece<'_>], category: &str) -> Result
             questions.push((folder.join(called.folder()), called.uuid(), files));
         }
     }
+    if let Some((taken, ..)) = questions.iter().find(|(folder, uuid, _)| !is_free(folder, uuid)) {
+        return Err(CliError::OtherQuestion { name: taken.display().to_string() });
+    }
     if !questions.is_empty() {
         made_folder(folder)?;
     }
-    questions.iter().try_for_each(|(folder, uuid, files)| {
-        let is_own = std::fs::read_to_string(folder.join("info.json")).is_ok_and(|info| info.contains(uuid));
-        if folder.exists() && !is_own {
-            return Err(CliError::OtherQuestion { name: folder.display().to_string() });
-        }
-        folder_sink::put(folder, files)
-    })
+    questions.iter().try_for_each(|(folder, _, files)| folder_sink::put(folder, files))
+}
+
+/// Whether nothing is lost where this question is put: there is none, or an export of the same question and nothing else.
+fn is_free(folder: &Path, uuid: &str) -> bool {
+    if std::fs::symlink_metadata(folder).is_err() {
+        return true;
+    }
+    let is_own = std::fs::read_to_string(folder.join("info.json")).is_ok_and(|info| info.contains(uuid));
+    let is_known = |name: &std::ffi::OsStr| PARTS.iter().any(|part| name == *part);
+    let entries = std::fs::read_dir(folder).into_iter().flatten();
+    is_own && entries.flatten().all(|entry| is_known(&entry.file_name()))
 }

@@ -100,7 +100,7 @@ fn attribute(text: &str) -> String {
 }
 
 /// Two braces next to each other would be read as the name of a parameter.
-fn unbraced(text: &str) -> String {
+pub(super) fn unbraced(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         if matches!(c, '{' | '}') && out.ends_with(c) {
@@ -143,7 +143,8 @@ pub(super) fn merged(rows: &[&[Shown]]) -> (String, Vec<Map<String, Value>>) {
                 let name = format!("text_{number}");
                 page += &format!("{{{{{{params.{name}}}}}}}\n");
                 for (params, shown) in params.iter_mut().zip(&all) {
-                    params.insert(name.clone(), json!(shown.map_or("", |it| it.html.as_str())));
+                    params
+                        .insert(name.clone(), json!(shown.map_or_else(String::new, |it| unbraced(&it.html))));
                 }
             }
         }

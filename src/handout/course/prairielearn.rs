@@ -1,7 +1,7 @@
 //! Questions as PrairieLearn reads them: a folder per problem, with all rows in its `server.py`.
 
 use super::moodle::{cut_id, sum_of, weights};
-use super::page::{Shown, Template};
+use super::page::{Shown, Template, merged, unbraced};
 use super::pint::in_pint;
 use super::uuid::uuid;
 use super::{CourseError, Interval, Quiz, QuizGap};
@@ -103,7 +103,8 @@ impl PrairieLearn<'_> {
     fn solution<E>(&self, quiz: &Quiz, encode: &dyn Fn(&str) -> Result<Vec<u8>, E>) -> Result<String, E> {
         let Some(solution) = &quiz.solution else { return Ok(String::new()) };
         let place = PicturePlace { before: "@", stem: "solution", ending: self.ending };
-        let (mut html, pictures) = fragment(solution, place);
+        let (html, pictures) = fragment(solution, place);
+        let mut html = unbraced(&html);
         let kind = if self.ending == "png" { "image/png" } else { "image/svg+xml" };
         for (name, svg) in pictures {
             let bytes = base64(&encode(&svg)?);
@@ -140,7 +141,7 @@ pub fn question(called: Called<'_>, rows: &[&Variant]) -> Vec<Part> {
         return Vec::new();
     }
     let shown: Vec<&[Shown]> = rows.iter().map(|row| row.shown.as_slice()).collect();
-    let (page, texts) = super::page::merged(&shown);
+    let (page, texts) = merged(&shown);
     let mut files = vec![
         ("info.json".to_owned(), info(called, rows.len()).into_bytes()),
         ("question.html".to_owned(), page.into_bytes()),

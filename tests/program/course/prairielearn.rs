@@ -125,7 +125,9 @@ fn a_thousand_seeds_give_every_row() {
     assert!(variants.iter().zip(&variants[2..]).all(|(one, next)| one == next), "a seed has the same row");
     let page = folder.read("q/a/question.html");
     for [params, answers] in variants[..2].iter().map(|one| [&one[0], &one[1]]) {
-        assert!(params["solution"].as_str().unwrap().contains("<h4>"));
+        let solution = params["solution"].as_str().unwrap();
+        assert!(solution.contains("<h4>") && solution.contains("src=\"data:image/svg+xml;base64,"));
+        assert!(!solution.contains("{{") && !solution.contains("\"@"), "braces would be read once more");
         let picture = params["picture_1"].as_str().unwrap();
         assert!(folder.read(&format!("q/a/clientFilesQuestion/{picture}")).starts_with("<svg"));
         let used = page.split("{{{params.").skip(1).filter_map(|rest| rest.split('}').next());
@@ -145,9 +147,16 @@ fn an_export_comes_again_as_it_was() {
     folder.write_bytes("q/a/clientFilesQuestion/old.svg", b"old");
     made(&folder, &["set", "--pose", "1", "--threads", "2"]);
     assert_eq!(once, files(Path::new(&folder.path("q"))));
+    let refused = || {
+        let said = assur(&folder, &["course", "prairielearn", "set", "--pose", "1", "-o", "q"]);
+        assert!(said.status == 2 && said.stderr.contains("is not replaced"), "{}", said.stderr);
+    };
+    folder.write_bytes("q/a/a.mech", MIXED.as_bytes());
+    refused();
+    assert_eq!(folder.read("q/a/a.mech"), MIXED);
+    std::fs::remove_file(folder.path("q/a/a.mech")).unwrap();
     folder.write_bytes("q/a/info.json", b"{}");
-    let said = assur(&folder, &["course", "prairielearn", "set", "--pose", "1", "-o", "q"]);
-    assert!(said.status == 2 && said.stderr.contains("is not replaced"), "{}", said.stderr);
+    refused();
     assert_eq!(folder.read("q/a/info.json"), "{}");
     assert_eq!(names(&folder.path("q")), ["a"]);
 }
