@@ -8,7 +8,7 @@ mod pages;
 mod report;
 
 pub use command::Command;
-pub use course::{Course, PictureArg};
+pub use course::{Course, PictureArg, Platform};
 pub use draw::{Draw, DrawFormat, LoadsArg, Picture, ThemeArg};
 pub use format::{COLUMNS, DRAWINGS, Format, STREAMS, TABLES};
 pub use pages::Batch;
@@ -98,6 +98,7 @@ Examples:
   assur grade key.csv answers.csv           grade answers
   assur grade key.csv answers.csv --points 'Mb=2,F_A=1' --credit sign=0.5
   assur course moodle homework -o quiz.xml  questions for Moodle, with worked solutions
+  assur course prairielearn homework -o questions
   assur fmt engine.mech                     blanks and columns in the one style
   assur fmt --check homework                what would change, as a diff
   assur explain mech::assembly::ambiguous   meaning of a diagnostic

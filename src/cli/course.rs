@@ -1,6 +1,8 @@
 //! `assur course`: an exercise set as questions of a learning platform.
 
-use super::args::{Course, PictureArg};
+mod prairielearn;
+
+use super::args::{Course, PictureArg, Platform};
 use super::error::CliError;
 use super::files::{self, Input};
 use super::reply::{Reply, Status, complaint, guarded, quiet_panics};
@@ -11,7 +13,7 @@ use super::threads::Threads;
 use super::variant_rows::{ChosenRow, Refused, RowsWanted, chosen_rows};
 use crate::exercise::grade::{Credit, Points, Rules};
 use crate::handout::course::{
-    Chapter, CourseError, Moodle, Picture, Question, Quiz, QuizOptions, checked_credit, page,
+    Chapter, CourseError, Moodle, Picture, Question, Quiz, QuizOptions, Variant, checked_credit, page,
 };
 use crate::handout::{Handout, Row, Sheets};
 use assur_check::Overrides;
@@ -65,6 +67,8 @@ struct Piece<'a> {
     /// An error that has no place in the text.
     reply: Reply,
     questions: Vec<(String, Question)>,
+    /// The same for PrairieLearn.
+    variants: Vec<Variant>,
     /// The names of what is asked.
     names: BTreeSet<String>,
     verdicts: Vec<String>,
@@ -78,7 +82,14 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
         ..Rules::default()
     };
     let no_pixels = args.picture == PictureArg::Png && !cfg!(feature = "png");
-    let refused = checked_credit(&rules.credit).err().or(no_pixels.then_some(CourseError::NoPixels));
+    let is_moodle = args.platform == Platform::Moodle;
+    if !is_moodle {
+        prairielearn::checked(args)?;
+    }
+    let refused = checked_credit(&rules.credit)
+        .err()
+        .filter(|_| is_moodle)
+        .or(no_pixels.then_some(CourseError::NoPixels));
     if let Some(error) = refused {
         screen.complain(&complaint(error, screen));
         return Ok(Status::Unusable);
@@ -98,6 +109,11 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
     let known: Vec<&str> = pieces.iter().flat_map(|p| p.names.iter().map(String::as_str)).collect();
     if let Some((name, help)) = rules.points.unknown_in(&known).filter(|_| !known.is_empty()) {
         return Err(CliError::NoQuantity { name: name.to_owned(), help });
+    }
+    if !is_moodle {
+        warn(&pieces, screen);
+        prairielearn::put(args, &pieces, &parent)?;
+        return Ok(status);
     }
     match quiz(&pieces, &parent) {
         Err(error) => {
@@ -226,6 +242,7 @@ impl<'a> Piece<'a> {
             problems: Problems::new(),
             reply: Reply::default(),
             questions: Vec::new(),
+            variants: Vec::new(),
             names: BTreeSet::new(),
             verdicts: Vec::new(),
         }
@@ -243,14 +260,23 @@ impl<'a> Piece<'a> {
         let mut failed = None;
         let mut at = self.rows.iter();
         let exercise = self.exercise;
-        let (questions, names, verdicts) = (&mut self.questions, &mut self.names, &mut self.verdicts);
+        let (questions, variants) = (&mut self.questions, &mut self.variants);
+        let (names, verdicts) = (&mut self.names, &mut self.verdicts);
         let problems = &mut self.problems;
         let mut reply = guarded(source, screen, |_| {
             Sheets::of_rows(&handout, Vec::new()).quizzes(&rows, options, |_, quiz, mut found| {
                 let Some(row) = at.next() else { return false };
                 if let Some(quiz) = quiz {
-                    match exercise.questions(args, row, &quiz) {
-                        Ok(new) => questions.extend(new.into_iter().map(|one| (row.name.clone(), one))),
+                    let made = match args.platform {
+                        Platform::Moodle => exercise.questions(args, row, &quiz).map(|new| {
+                            questions.extend(new.into_iter().map(|one| (row.name.clone(), one)));
+                        }),
+                        Platform::PrairieLearn => {
+                            exercise.variant(args, row, &quiz).map(|new| variants.push(new))
+                        }
+                    };
+                    match made {
+                        Ok(()) => {}
                         Err(Failed::Course(error)) => found.push(error),
                         Err(Failed::Cli(error)) => failed = Some(error),
                     }
@@ -303,7 +329,7 @@ impl Exercise {
     }
 }
 
-/// The bytes of a picture: a page of Moodle is never dark.
+/// The bytes of a picture: a page of a platform is never dark.
 fn encoded(picture: PictureArg, svg: &str) -> Result<Vec<u8>, Failed> {
     let light = in_light(svg);
     #[cfg(feature = "png")]

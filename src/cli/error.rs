@@ -102,6 +102,24 @@ pub enum CliError {
         /// How many there are.
         count: usize,
     },
+    /// Questions as folders.
+    #[error("questions of PrairieLearn are folders, and no folder is named")]
+    #[diagnostic(help("name one: `assur course prairielearn homework -o questions/`"))]
+    NoQuestionFolder,
+    /// An option of another platform.
+    #[error("`{option}` is an option of Moodle")]
+    #[diagnostic(help("leave it out: every answer of PrairieLearn has an input with a unit"))]
+    NotOfPlatform { option: &'static str },
+    /// A folder that would be replaced.
+    #[error("`{name}` is the folder of something else, and is not replaced")]
+    #[diagnostic(help(
+        "write the questions to another folder; a question is known by its file and its --category"
+    ))]
+    OtherQuestion { name: String },
+    /// A question that is too large.
+    #[error("the question of `{name}` has {rows} rows and {size} kB, and 500 rows and 2000 kB are the most")]
+    #[diagnostic(help("choose rows by --row, or leave pictures of solutions out by --steps 3,6"))]
+    TooLarge { name: String, rows: usize, size: usize },
     /// No table of variants.
     #[error("`{name}` has no table of variants")]
     #[diagnostic(help("name one: `--variants TABLE.csv`, or write `variants {{ … }}` into the file"))]

@@ -13,6 +13,7 @@ mod error;
 mod explain;
 mod files;
 mod fmt;
+mod folder_sink;
 mod grade;
 mod help;
 mod info;

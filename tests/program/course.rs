@@ -1,8 +1,9 @@
-//! `assur course moodle`: the file by the rules of Moodle, and its verdicts against those of `grade`.
+//! `assur course`: the file of Moodle by the rules of Moodle, and its verdicts against those of `grade`.
 
 #![allow(clippy::unwrap_used)] // a test that cannot write its files has failed
 
 mod moodle;
+mod prairielearn;
 
 use crate::run::{Folder, assur};
 use crate::share;

@@ -16,10 +16,10 @@ pub struct Course {
     /// Files, folders, globs, or `-` for standard input: one question per row of variants
     #[arg(required = true, value_name = "FILES")]
     pub files: Vec<String>,
-    /// Write the questions to this file (created only when complete) [default: standard output]
-    #[arg(short, long, value_name = "QUIZ.xml")]
+    /// Write the questions to this file [default: standard output]; of PrairieLearn to this folder (created only when complete)
+    #[arg(short, long, value_name = "OUTPUT")]
     pub out: Option<String>,
-    /// Write a numerical question with units for every answer, in place of one question with gaps
+    /// In Moodle: write a numerical question with units for every answer, in place of one question with gaps
     #[arg(long)]
     pub one_per_answer: bool,
     /// Category of the questions; each problem has its own below it [default: the folder's name]
@@ -65,6 +65,9 @@ pub struct Course {
 pub enum Platform {
     /// Moodle XML
     Moodle,
+    /// Folders of questions with all rows
+    #[value(name = "prairielearn")]
+    PrairieLearn,
 }
 
 /// Pictures of questions.

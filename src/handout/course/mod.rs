@@ -1,9 +1,14 @@
 //! Rows of variants as questions for a learning platform: what is shown, gaps with what answers mean, the worked solution.
 
 mod moodle;
+mod page;
+mod pint;
+mod prairielearn;
 mod units;
+mod uuid;
 
 pub use moodle::{Chapter, Moodle, Picture, Question, checked_credit, page};
+pub use prairielearn::{Called, Part as FilePart, PrairieLearn, Variant, question};
 use units::accepted;
 
 use super::Sheets;

@@ -143,7 +143,7 @@ fn percent(part: f64) -> Option<&'static str> {
 }
 
 /// Letters, figures, `-` and `@`; a long text ends in a sum of what is left out.
-fn cut_id(text: &str) -> String {
+pub(super) fn cut_id(text: &str) -> String {
     let plain: String = text.chars().map(|c| if c.is_alphanumeric() || c == '@' { c } else { '-' }).collect();
     if plain.chars().count() <= ID {
         return plain;
@@ -153,7 +153,7 @@ fn cut_id(text: &str) -> String {
 }
 
 /// FNV-1a, 32 bits.
-fn sum_of(text: &str) -> u32 {
+pub(super) fn sum_of(text: &str) -> u32 {
     text.bytes().fold(0x811c_9dc5, |sum, byte| (sum ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
@@ -294,7 +294,7 @@ fn in_gap(interval: &Interval) -> String {
 }
 
 /// Points as whole numbers, all times the least factor that makes them so.
-fn weights(gaps: &[QuizGap]) -> Result<Vec<u32>, CourseError> {
+pub(super) fn weights(gaps: &[QuizGap]) -> Result<Vec<u32>, CourseError> {
     let whole = |x: f64| {
         let near = x.round();
         let is = (x - near).abs() <= 1e-9 * near && (1.0..=1e6).contains(&near);
