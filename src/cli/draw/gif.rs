@@ -95,7 +95,15 @@ impl Colours {
     }
 
     fn nearest_of(&mut self, pixels: &[PremultipliedColorU8]) -> Vec<u8> {
-        pixels.iter().map(|pixel| self.nearest([pixel.red(), pixel.green(), pixel.blue()])).collect()
+        // most pixels are as the one before
+        let mut before = (PremultipliedColorU8::TRANSPARENT, SAME);
+        let of = |pixel: &PremultipliedColorU8| {
+            if *pixel != before.0 {
+                before = (*pixel, self.nearest([pixel.red(), pixel.green(), pixel.blue()]));
+            }
+            before.1
+        };
+        pixels.iter().map(of).collect()
     }
 
     fn nearest(&mut self, colour: [u8; 3]) -> u8 {
