@@ -78,9 +78,10 @@ fn frames_have_their_own_labels_and_shapes() {
     let hidden = |frame: &String| frame.matches("display=\"none\"").count();
     assert!(frames.iter().any(|frame| hidden(frame) > 0));
     assert!(frames.iter().any(|frame| hidden(frame) == 0));
-    let arc = |frame: &String| between(frame, "<g class=\"r0\">", "</g>").to_owned();
+    let arc = |frame: &String| between(frame, "<g class=\"r1\">", "</g>").to_owned();
     let arcs: std::collections::BTreeSet<String> = frames.iter().map(arc).collect();
-    assert!(arcs.len() > COUNT / 2 && !arcs.contains(""), "{arcs:?}");
+    // at an angle of zero there is none
+    assert!(arcs.len() > COUNT / 2, "{arcs:?}");
     for frame in &frames {
         crate::xml::check(frame).expect("it is well formed");
     }
