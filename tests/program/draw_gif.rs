@@ -117,9 +117,9 @@ mod with_gif {
         let solved: Solved = solve_drawn(&source, &Overrides::none(), &KINDS).0.expect("it is solved");
         let turn = turn_in(&solved.compiled, &solved.solution, count);
         let scene = Scene::of(solved.compiled.model(), &solved.solution, ("a.mech", text), None);
-        let scene = Scene { turn: &turn, ..scene.ok().expect("a position") };
+        let scene = Scene { turn: &turn, ..scene.expect("a position") };
         let options = Options { frames: Some(count), ..Options::default() };
-        let film = film(&scene, &options, Theme::Light, &Language::English).ok().expect("a film");
+        let film = film(&scene, &options, Theme::Light, &Language::English).expect("a film");
         assert_eq!(film.count(), count);
         let mut fonts = usvg::Options::default();
         fonts.fontdb_mut().load_system_fonts();
