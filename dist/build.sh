@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 profile=${PROFILE:-dist}
-features=${FEATURES:-parquet,pdf}
+features=${FEATURES:-parquet,pdf,gif}
 out=$PWD/target/artefacts
 tools=$PWD/target/python/tools
 version=$(sed -n '/^\[workspace.package\]/,/^$/s/^version = "\(.*\)"/\1/p' Cargo.toml)

@@ -132,6 +132,31 @@ pub enum CliError {
         "write `.svg` or `.html`, or install assur with it: `cargo install assur --features {feature}`"
     ))]
     NotInBuild { name: String, feature: &'static str },
+    /// A format of animations, another picture.
+    #[error("`{name}` cannot show the picture `{picture}`: {ending} is for animations")]
+    #[diagnostic(help("name the animation: `assur draw {file} animation {out}`"))]
+    NotAnimation {
+        name: String,
+        /// `.gif`
+        ending: &'static str,
+        /// The kind of picture.
+        picture: &'static str,
+        /// The name of the problem.
+        file: String,
+        /// `-o engine.gif`
+        out: String,
+    },
+    /// More frames in a time than readers show.
+    #[error("{frames} frames in {time} s are more than 50 in a second")]
+    #[diagnostic(help(
+        "many programs show them slowly: write `--frames {most}` or less, or a longer `--time`"
+    ))]
+    TooFast {
+        frames: usize,
+        /// In seconds.
+        time: f64,
+        most: u32,
+    },
     /// A build without files of columns.
     #[error("`{name}` takes the feature `{feature}`, which this build of assur does not have")]
     #[diagnostic(help(

@@ -16,8 +16,9 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 
 /// The features that a build may have.
-const FEATURES: [(&str, bool); 5] = [
+const FEATURES: [(&str, bool); 6] = [
     ("arrow", cfg!(feature = "arrow")),
+    ("gif", cfg!(feature = "gif")),
     ("lsp", cfg!(feature = "lsp")),
     ("parquet", cfg!(feature = "parquet")),
     ("pdf", cfg!(feature = "pdf")),

@@ -13,6 +13,7 @@ mod dimensioned;
 mod drawn;
 mod every_example;
 mod extreme;
+mod film;
 mod frames;
 mod freed;
 mod leaders;

@@ -8,6 +8,7 @@ mod batch;
 mod cli;
 mod course;
 mod draw;
+mod draw_gif;
 mod draw_png;
 mod fix;
 mod fmt;

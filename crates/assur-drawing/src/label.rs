@@ -133,6 +133,27 @@ impl Palette {
     pub const MONO: Self =
         Self(["#000", "#fff", "#555", "#000", "#000", "#000", "#f0f0f0", "#e8e8e8", "#d8d8d8"]);
 
+    /// The colours of a theme where nothing says what the reader prefers.
+    #[must_use]
+    pub const fn on_screen(theme: Theme) -> Self {
+        match theme {
+            Theme::Auto | Theme::Light => Self::LIGHT,
+            Theme::Dark => Self::DARK,
+            Theme::Mono => Self::MONO,
+        }
+    }
+
+    /// The colour of a role, as red, green and blue.
+    #[must_use]
+    pub fn rgb(&self, role: Role) -> [u8; 3] {
+        let digits = self.of(role).trim_start_matches('#');
+        let (each, twice) = if digits.len() == 3 { (1, 0x11) } else { (2, 1) };
+        [0, 1, 2].map(|i| {
+            let part = digits.get(i * each..(i + 1) * each).unwrap_or_default();
+            u8::from_str_radix(part, 16).unwrap_or_default() * twice
+        })
+    }
+
     /// The colour of a role.
     #[must_use]
     pub const fn of(&self, role: Role) -> &'static str {

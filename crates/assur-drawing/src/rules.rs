@@ -56,12 +56,7 @@ impl Used {
 
     /// Writes the rules of a theme.
     pub fn rules(&self, out: &mut String, theme: Theme) {
-        let first = match theme {
-            Theme::Auto | Theme::Light => Palette::LIGHT,
-            Theme::Dark => Palette::DARK,
-            Theme::Mono => Palette::MONO,
-        };
-        self.in_palette(out, &first, true);
+        self.in_palette(out, &Palette::on_screen(theme), true);
         if theme == Theme::Auto {
             out.push_str(DARK);
             self.in_palette(out, &Palette::DARK, false);

@@ -28,7 +28,7 @@ mod wording;
 mod words;
 mod work;
 
-pub use animation::{ArrowKind, Moving, PLAYER, PLAYER_STYLE, animation, motion, moving};
+pub use animation::{ArrowKind, Film, Moving, PLAYER, PLAYER_STYLE, animation, film, motion, moving};
 pub use cam::cams_alone;
 pub use kind::{KINDS, Kind, Options, draw};
 pub use paper::Frame;

@@ -8,6 +8,11 @@ use assur_drawing::{Scale, Theme};
 use assur_picture::{ArrowKind, KINDS, Kind, Loads, SCALED, Scaled};
 use clap::ValueEnum;
 
+/// Frames of a GIF or an APNG, its width in pixels, and its time in hundredths of a second.
+const FILM_FRAMES: usize = 48;
+const FILM_WIDTH: u16 = 640;
+const FILM_TIME: u32 = 600;
+
 /// Arguments of `draw`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Draw {
@@ -16,7 +21,7 @@ pub struct Draw {
     /// [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
-    /// Write one picture to this file (.svg, .png, .pdf, .dxf, .tikz, .tex), all to this page (.html), or to files in this folder
+    /// Write one picture to this file (.svg, .png, .pdf, .gif, .apng, .dxf, .tikz, .tex), all to this page (.html), or to files in this folder
     /// (created only when complete) [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,
@@ -42,9 +47,15 @@ pub struct Draw {
     /// Draw a DXF in the millimetres of the mechanism: joints, axes, circles, profiles and paths, without symbols
     #[arg(long, conflicts_with_all = ["ghosts", "dimensions", "numbers", "loads", "size", "scale"])]
     pub true_size: bool,
-    /// Number of frames of an animation [default: up to 400]
+    /// Number of frames of an animation [default: 48 in GIF and APNG, up to 400 in others]
     #[arg(long, value_name = "N", value_parser = frames)]
     pub frames: Option<usize>,
+    /// Width of a GIF or an APNG, pixels [default: 640]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u16).range(40..=4000))]
+    pub width: Option<u16>,
+    /// Time that a GIF or an APNG takes for all its frames [default: 6s]
+    #[arg(long, value_name = "TIME", value_parser = time)]
+    pub time: Option<Hundredths>,
     /// Arrows that the page of an animation shows first, in one scale over all frames
     #[arg(long, value_enum, value_name = "KIND")]
     pub arrows: Option<ArrowsArg>,
@@ -152,6 +163,24 @@ impl Draw {
             .or_else(of_numbers)
     }
 
+    /// The number of frames of an animation in a format, where there is one that is wanted.
+    #[must_use]
+    pub fn frames_in(&self, format: Option<DrawFormat>) -> Option<usize> {
+        self.frames.or_else(|| format.is_some_and(DrawFormat::is_film).then_some(FILM_FRAMES))
+    }
+
+    /// The width of a GIF or an APNG, pixels.
+    #[must_use]
+    pub fn film_width(&self) -> u16 {
+        self.width.unwrap_or(FILM_WIDTH)
+    }
+
+    /// The time of a GIF or an APNG.
+    #[must_use]
+    pub fn time_in_hundredths(&self) -> u32 {
+        self.time.map_or(FILM_TIME, |Hundredths(time)| time)
+    }
+
     /// The values from outside.
     #[must_use]
     pub fn overrides(&self) -> Overrides {
@@ -184,6 +213,10 @@ pub enum DrawFormat {
     Png,
     /// A page of the size of the drawing, in builds with the feature pdf
     Pdf,
+    /// An animation in about 30 colours, in builds with the feature gif
+    Gif,
+    /// An animation in true colour, in builds with the feature gif
+    Apng,
     /// A drawing for CAD: DXF R12
     Dxf,
     /// A picture for a LaTeX document
@@ -205,8 +238,21 @@ impl DrawFormat {
         match self {
             Self::Png if !cfg!(feature = "png") => Some("png"),
             Self::Pdf if !cfg!(feature = "pdf") => Some("pdf"),
+            Self::Gif | Self::Apng if !cfg!(feature = "gif") => Some("gif"),
             _ => None,
         }
+    }
+
+    /// Whether it has the frames of an animation, one after the other.
+    #[must_use]
+    pub const fn is_film(self) -> bool {
+        matches!(self, Self::Gif | Self::Apng)
+    }
+
+    /// Whether it is no text.
+    #[must_use]
+    pub const fn is_binary(self) -> bool {
+        matches!(self, Self::Png | Self::Pdf) || self.is_film()
     }
 
     /// The ending of its files.
@@ -217,6 +263,8 @@ impl DrawFormat {
             Self::Html => ".html",
             Self::Png => ".png",
             Self::Pdf => ".pdf",
+            Self::Gif => ".gif",
+            Self::Apng => ".apng",
             Self::Dxf => ".dxf",
             Self::Tikz => ".tikz",
             Self::Tex => ".tex",
@@ -315,6 +363,23 @@ fn scale(text: &str) -> Result<(Scaled, Scale), String> {
 fn frames(text: &str) -> Result<usize, String> {
     let count = text.parse::<usize>().ok().filter(|count| (2..=10_000).contains(count));
     count.ok_or_else(|| "write a number from 2 to 10000".to_owned())
+}
+
+/// A time in hundredths of a second.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hundredths(pub u32);
+
+fn time(text: &str) -> Result<Hundredths, String> {
+    let number = |text: &str| text.trim_end().parse::<f64>().ok();
+    let seconds = match text.strip_suffix("ms") {
+        Some(rest) => number(rest).map(|x| 0.001 * x),
+        None => text.strip_suffix('s').and_then(number),
+    };
+    let hundredths =
+        seconds.map(|seconds| (100.0 * seconds).round()).filter(|x| (10.0..=60_000.0).contains(x));
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // bounded
+    let time = hundredths.map(|x| Hundredths(x as u32));
+    time.ok_or_else(|| "write a time from 0.1s to 600s, e.g. 6s or 500ms".to_owned())
 }
 
 fn size(text: &str) -> Result<(f64, f64), String> {

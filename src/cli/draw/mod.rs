@@ -1,5 +1,12 @@
 //! `assur draw`
 
+#[cfg(feature = "gif")]
+mod apng;
+#[cfg(feature = "gif")]
+mod film;
+mod fitting;
+#[cfg(feature = "gif")]
+mod gif;
 mod output;
 pub use output::file_name;
 mod pages;
@@ -38,8 +45,7 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
     }
     let inputs = files::expand(&names);
     let one = inputs.len() == 1 && pictures.len() == 1;
-    let animation = matches!(pictures.as_slice(), [picture] if picture.kind == Kind::Animation);
-    let output = match Output::of(args.out.as_deref(), args.format, one, animation) {
+    let output = match Output::of(args, &pictures, one) {
         Ok(output) => output,
         Err(error) => {
             screen.complain(&complaint(error, screen));
@@ -110,7 +116,7 @@ impl Drawing<'_> {
             let diagnostics = format!("{} has no position to draw\n", source.name);
             return Reply { diagnostics, ..Reply::default() };
         }
-        match self.output.write(&pages) {
+        match self.output.write(&pages, self.args) {
             Ok(results) => Reply::new(results, &problems, source, self.screen),
             Err(error) => self.unusable(Reply::new(String::new(), &problems, source, self.screen), error),
         }

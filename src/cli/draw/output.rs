@@ -1,12 +1,13 @@
 //! Where pictures go: standard output, one file, one page with all, or files in a folder.
 
-use super::one_only;
 use super::pages::Page;
-use crate::cli::args::{Draw, DrawFormat, ThemeArg};
+use super::{fitting, one_only};
+use crate::cli::args::{Draw, DrawFormat, Picture};
 use crate::cli::error::CliError;
 use crate::cli::files::made_folder;
 use crate::cli::sink::Sink;
 use assur_drawing::{Sheet, Theme, escaped, page_rules};
+use assur_picture::Kind;
 use assur_worked::{Language, phrase};
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -25,13 +26,10 @@ pub enum Output {
 
 impl Output {
     /// What `-o` names, in a format; a name that ends as a format does is a file, any other a folder.
-    pub fn of(
-        name: Option<&str>,
-        wanted: Option<DrawFormat>,
-        one: bool,
-        animation: bool,
-    ) -> Result<Self, CliError> {
-        let named = name.filter(|name| *name != "-");
+    pub fn of(args: &Draw, pictures: &[Picture], one: bool) -> Result<Self, CliError> {
+        let wanted = args.format;
+        let animation = matches!(pictures, [picture] if picture.kind == Kind::Animation);
+        let named = args.out.as_deref().filter(|name| *name != "-");
         let ending = named.and_then(DrawFormat::of_ending);
         let format = wanted.or(ending);
         let page = || RefCell::new(Gallery::default());
@@ -44,6 +42,9 @@ impl Output {
         if let Some(feature) = format.and_then(DrawFormat::missing_feature) {
             return Err(CliError::NotInBuild { name: place.to_owned(), feature });
         }
+        if let Some(error) = format.and_then(|format| fitting::no_film(format, place, args, pictures)) {
+            return Err(error);
+        }
         match (named.map(PathBuf::from), format) {
             (path, Some(DrawFormat::Html)) if !(one && animation) => Ok(Self::Page(path, page())),
             (None, format) if one => Ok(Self::Stdout(format)),
@@ -54,7 +55,7 @@ impl Output {
     }
 
     /// Its format, where it is known.
-    fn format(&self) -> Option<DrawFormat> {
+    pub fn format(&self) -> Option<DrawFormat> {
         match self {
             Self::Stdout(format) | Self::Folder(_, format) => *format,
             Self::File(path) => DrawFormat::of_ending(&path.to_string_lossy()),
@@ -79,6 +80,8 @@ impl Output {
             None | Some(DrawFormat::Svg) => (sheet.svg(theme), "svg"),
             Some(DrawFormat::Png) => (sheet.svg(theme), "png"),
             Some(DrawFormat::Pdf) => (sheet.svg(theme), "pdf"),
+            Some(DrawFormat::Gif) => (sheet.svg(theme), "gif"),
+            Some(DrawFormat::Apng) => (sheet.svg(theme), "apng"),
             Some(DrawFormat::Html) => (figure(sheet), "html"),
             Some(DrawFormat::Dxf) => (sheet.dxf(), "dxf"),
             Some(DrawFormat::Tikz) => (sheet.tikz(theme), "tikz"),
@@ -88,15 +91,7 @@ impl Output {
 
     /// The first option that changes nothing in this format.
     pub fn without_effect(&self, args: &Draw) -> Option<CliError> {
-        let is_dxf = self.format() == Some(DrawFormat::Dxf);
-        let (option, help) = match (is_dxf, args.true_size, args.theme) {
-            (false, true, _) => ("--true-size", "it is for DXF: `-o NAME.dxf`, or `--format dxf`"),
-            (true, _, theme) if theme != ThemeArg::Auto => {
-                ("--theme", "the colours of DXF are those of its layers")
-            }
-            _ => return None,
-        };
-        Some(CliError::NoEffect { option: option.to_owned(), help: help.to_owned() })
+        fitting::without_effect(self.format(), args)
     }
 
     /// Whether it holds one picture.
@@ -105,13 +100,13 @@ impl Output {
     }
 
     /// Writes pictures; what goes to standard output as text is given back.
-    pub fn write(&self, pages: &[Page]) -> Result<String, CliError> {
+    pub fn write(&self, pages: &[Page], args: &Draw) -> Result<String, CliError> {
         match self {
             _ if pages.is_empty() => Ok(String::new()),
             Self::Stdout(_) => match pages {
-                [page] if matches!(self.format(), Some(DrawFormat::Png | DrawFormat::Pdf)) => {
+                [page] if self.format().is_some_and(DrawFormat::is_binary) => {
                     let mut sink = Sink::stdout();
-                    sink.write(&self.bytes(page, "standard output")?)?;
+                    sink.write(&self.bytes(page, args, "standard output")?)?;
                     sink.finish().map(|_| String::new())
                 }
                 [page] => Ok(page.text.clone()),
@@ -119,7 +114,7 @@ impl Output {
             },
             Self::File(path) => match pages {
                 [page] => {
-                    let bytes = self.bytes(page, &path.display().to_string())?;
+                    let bytes = self.bytes(page, args, &path.display().to_string())?;
                     written(Sink::page(path)?, &bytes).map(|()| String::new())
                 }
                 _ => Err(one_only(&path.display().to_string(), self.format())),
@@ -132,7 +127,7 @@ impl Output {
                 made_folder(folder)?;
                 for page in pages {
                     let path = folder.join(format!("{}.{}", page.name, page.ending));
-                    let bytes = self.bytes(page, &path.display().to_string())?;
+                    let bytes = self.bytes(page, args, &path.display().to_string())?;
                     written(Sink::made_up(&path)?, &bytes)?;
                 }
                 Ok(String::new())
@@ -142,14 +137,19 @@ impl Output {
 
     /// A picture as it is written.
     #[cfg_attr(
-        not(feature = "png"),
+        not(feature = "gif"),
         allow(
             clippy::unnecessary_wraps,
             unused_variables,
-            reason = "a build with `png` draws pixels, which may fail"
+            reason = "builds with features draw pixels, which may fail"
         )
     )]
-    fn bytes<'p>(&self, page: &'p Page, name: &str) -> Result<Cow<'p, [u8]>, CliError> {
+    fn bytes<'p>(&self, page: &'p Page, args: &Draw, name: &str) -> Result<Cow<'p, [u8]>, CliError> {
+        #[cfg(feature = "gif")]
+        if let Some(show) = super::film::Show::of(page, args, name) {
+            let is_gif = self.format() == Some(DrawFormat::Gif);
+            return if is_gif { super::gif::gif(&show) } else { super::apng::apng(&show) }.map(Cow::Owned);
+        }
         match self.format() {
             #[cfg(feature = "png")]
             Some(DrawFormat::Png) => super::png::png(&page.text, name).map(Cow::Owned),

@@ -1,6 +1,8 @@
 //! The pictures of a solved file, as text.
 
 use super::{Drawing, output};
+#[cfg(feature = "gif")]
+use crate::cli::args::DrawFormat;
 use crate::cli::variant_rows::ChosenRow;
 use crate::cli::{args::Picture, error::CliError};
 use crate::pipeline::{self, Solved};
@@ -23,6 +25,9 @@ pub struct Page {
     pub chapter: String,
     pub text: String,
     pub ending: &'static str,
+    /// The frames, where there is a picture of each.
+    #[cfg(feature = "gif")]
+    pub film: Option<assur_picture::Film>,
 }
 
 /// What pictures are made of.
@@ -86,13 +91,18 @@ impl Pages<'_, '_> {
         let animated = self.drawing.pictures.iter().any(|picture| picture.kind == Kind::Animation);
         let traced = args.ghosts > 0 || !args.path.is_empty();
         let turn = if traced { pipeline::turn(compiled, solution) } else { Vec::new() };
-        let (frames, arrows) = match args.frames {
+        let (frames, arrows) = match self.frames() {
             _ if !animated => (Vec::new(), false),
             count if args.arrows.is_some() => pipeline::turn_with_effects(compiled, solution, count),
             Some(count) => (pipeline::turn_in(compiled, solution, count), false),
             None => (pipeline::turn(compiled, solution), false),
         };
         Ways { turn, frames, arrows }
+    }
+
+    /// The number of frames that is wanted.
+    fn frames(&self) -> Option<usize> {
+        self.drawing.args.frames_in(self.drawing.output.format())
     }
 
     fn options(&self) -> Options {
@@ -112,7 +122,7 @@ impl Pages<'_, '_> {
         if let Some((width, height)) = args.size {
             scheme.size = Vec2::new(width, height);
         }
-        Options { scheme, frames: args.frames, shown: args.arrows.map(Into::into), ..Options::default() }
+        Options { scheme, frames: self.frames(), shown: args.arrows.map(Into::into), ..Options::default() }
     }
 
     /// The name of the file of a picture.
@@ -135,6 +145,10 @@ impl Pages<'_, '_> {
         options: &Options,
         name: &str,
     ) -> Result<Vec<Page>, Diagnosis> {
+        #[cfg(feature = "gif")]
+        if self.drawing.output.format().is_some_and(DrawFormat::is_film) {
+            return Ok(vec![self.film(scene, options, name)?]);
+        }
         if kind == Kind::Animation && !self.drawing.output.is_still() {
             let (theme, language) = (self.drawing.args.theme.into(), self.language());
             let (text, ending) = if self.drawing.output.is_picture() {
@@ -142,12 +156,37 @@ impl Pages<'_, '_> {
             } else {
                 (assur_picture::animation(scene, options, theme, &language)?, "html")
             };
-            return Ok(vec![Page { name: name.to_owned(), chapter: self.chapter(), text, ending }]);
+            return Ok(vec![self.page(name.to_owned(), text, ending)]);
         }
         if kind == Kind::Scheme && self.drawing.args.true_size {
             return Ok(self.numbered(name, vec![assur_picture::true_size(scene, &options.scheme)?]));
         }
         Ok(self.numbered(name, assur_picture::draw(kind, scene, options)?))
+    }
+
+    /// A picture as text.
+    fn page(&self, name: String, text: String, ending: &'static str) -> Page {
+        Page {
+            name,
+            chapter: self.chapter(),
+            text,
+            ending,
+            #[cfg(feature = "gif")]
+            film: None,
+        }
+    }
+
+    /// An animation as its frames.
+    #[cfg(feature = "gif")]
+    fn film(&self, scene: &Scene<'_>, options: &Options, name: &str) -> Result<Page, Diagnosis> {
+        let theme = match self.drawing.args.theme.into() {
+            // nothing in it follows the reader
+            Theme::Auto => Theme::Light,
+            theme => theme,
+        };
+        let film = assur_picture::film(scene, options, theme, &self.language())?;
+        let ending = self.drawing.output.format().map_or("", DrawFormat::ending).trim_start_matches('.');
+        Ok(Page { film: Some(film), ..self.page(name.to_owned(), String::new(), ending) })
     }
 
     /// The cams of a file that has no position.
@@ -197,7 +236,7 @@ impl Pages<'_, '_> {
             }
             let sheet = drawing.placed();
             let (text, ending) = self.drawing.output.text(&sheet, theme);
-            Page { name, chapter: self.chapter(), text, ending }
+            self.page(name, text, ending)
         });
         pages.collect()
     }

@@ -26,8 +26,8 @@ fn fonts() -> Arc<Database> {
     Arc::clone(FONTS.get_or_init(read))
 }
 
-/// An SVG with its texts set in a font of the system.
-pub fn tree(svg: &str, name: &str) -> Result<Tree, CliError> {
+/// How texts are set: in a font of the system.
+pub fn options(name: &str) -> Result<Options<'static>, CliError> {
     let mut options = Options { fontdb: fonts(), ..Options::default() };
     let fonts = options.fontdb_mut();
     let installed = |family: &str| fonts.faces().any(|face| face.families.iter().any(|(n, _)| n == family));
@@ -36,7 +36,12 @@ pub fn tree(svg: &str, name: &str) -> Result<Tree, CliError> {
         return Err(CliError::NoFont { name: name.to_owned(), families });
     };
     fonts.set_serif_family(family);
-    Tree::from_str(svg, &options)
+    Ok(options)
+}
+
+/// An SVG with its texts set.
+pub fn tree(svg: &str, name: &str) -> Result<Tree, CliError> {
+    Tree::from_str(svg, &options(name)?)
         .map_err(|error| CliError::NotCreated { name: name.to_owned(), why: error.to_string() })
 }
 

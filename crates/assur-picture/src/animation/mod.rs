@@ -2,6 +2,7 @@
 
 mod arrows;
 mod between;
+mod film;
 mod motion;
 mod moved;
 mod page;
@@ -10,6 +11,7 @@ mod train;
 mod values;
 
 pub use arrows::ArrowKind;
+pub use film::{Film, film};
 pub use motion::{Moving, motion};
 pub use page::{PLAYER, PLAYER_STYLE, animation};
 pub use smil::moving;

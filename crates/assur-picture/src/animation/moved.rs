@@ -50,12 +50,28 @@ impl Mover {
             Self::Redrawn(i) => format!("r{i}"),
         }
     }
+
+    /// That of the group of a class.
+    pub fn of_class(class: &str) -> Option<Self> {
+        let index = class.get(1..)?.parse().ok()?;
+        match class.get(..1)? {
+            "m" => Some(Self::Body(index)),
+            "f" => Some(Self::Follower(index)),
+            "r" => Some(Self::Redrawn(index)),
+            _ => None,
+        }
+    }
 }
 
 /// A mark that changes its shape, as text in each frame.
 pub struct Redrawn(Vec<String>);
 
 impl Redrawn {
+    /// The text of a frame.
+    pub fn text(&self, frame: usize) -> Option<&str> {
+        self.0.get(frame).map(String::as_str)
+    }
+
     /// The texts of every so many frames, each once, and which one each of these frames shows.
     pub fn distinct(&self, every: usize) -> (Vec<&str>, Vec<usize>) {
         let (mut known, mut places) = (Vec::new(), HashMap::new());
