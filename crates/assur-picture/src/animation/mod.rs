@@ -100,7 +100,13 @@ impl Drawn {
         if frame.scale.is_none() {
             return Err(error::nothing_placed(scene, "an animation shows links that move"));
         }
-        Ok(Self { wanted, shapes, frame, traced: asked(scene) })
+        let mut traced = asked(scene);
+        if options.frames.is_some() {
+            // of few frames the gap would be seen
+            let closed = is_turn(frames);
+            traced.iter_mut().for_each(|point| point.closed = closed);
+        }
+        Ok(Self { wanted, shapes, frame, traced })
     }
 
     fn first(&self, scene: &Scene<'_>) -> Drawing {

@@ -24,6 +24,8 @@ pub struct Traced {
     link: LinkId,
     at: Vec2,
     name: String,
+    /// The path ends where it begins, and its last position is left out.
+    pub closed: bool,
 }
 
 /// The points that are named, as `coupler.S2`; with other poses also the end of the driven link.
@@ -38,7 +40,7 @@ pub fn traced(scene: &Scene<'_>, wanted: &Scheme) -> Result<Vec<Traced>, Diagnos
     if wanted.ghosts > 0
         && let Some((link, at)) = crank_end(scene)
     {
-        traced.push(Traced { link, at, name: scene.mechanism().link(link).name.clone() });
+        traced.push(Traced { link, at, name: scene.mechanism().link(link).name.clone(), closed: false });
     }
     if (!traced.is_empty() || wanted.ghosts > 0) && scene.turn.is_empty() {
         return Err(error::no_way(scene));
@@ -62,7 +64,7 @@ pub fn asked(scene: &Scene<'_>) -> Vec<Traced> {
         let own = mechanism.link(link).points.iter().find(|p| p.at == at);
         let name =
             own.map_or_else(|| name.to_owned(), |p| format!("{}.{}", mechanism.link(link).name, p.name));
-        let point = Traced { link, at, name };
+        let point = Traced { link, at, name, closed: false };
         let places: Vec<Vec2> = path(scene, &point).flatten().collect();
         if bends(&places) {
             traced.push(point);
@@ -84,7 +86,7 @@ fn named(scene: &Scene<'_>, name: &str) -> Option<Traced> {
     let mechanism = scene.mechanism();
     let index = mechanism.links.iter().position(|l| l.name == link || l.number.as_deref() == Some(link))?;
     let at = mechanism.links[index].points.iter().find(|p| p.name == point)?.at;
-    Some(Traced { link: LinkId::at(index), at, name: name.to_owned() })
+    Some(Traced { link: LinkId::at(index), at, name: name.to_owned(), closed: false })
 }
 
 /// The joint of the driven link that is farthest from its hinge.
@@ -172,12 +174,13 @@ impl Sketch<'_, '_> {
         for point in traced {
             drawing.begin("path", &point.name);
             let mut line: Vec<Vec2> = Vec::new();
+            let closed = point.closed && path(self.scene, point).all(|at| at.is_some());
             for at in path(self.scene, point).chain([None]) {
                 match at {
                     Some(at) => line.push(self.frame.point(at)),
                     None if line.len() > 1 => {
                         let points = std::mem::take(&mut line);
-                        drawing.mark(Style::Way, Shape::Lines { points, closed: false });
+                        drawing.mark(Style::Way, Shape::Lines { points, closed });
                     }
                     None => line.clear(),
                 }
