@@ -113,22 +113,9 @@ pub(super) fn unbraced(text: &str) -> String {
 
 /// One page for all rows, and what each row adds to its parameters.
 pub(super) fn merged(rows: &[&[Shown]]) -> (String, Vec<Map<String, Value>>) {
-    let mut ids: Vec<&str> = Vec::new();
-    for row in rows {
-        let mut next = 0;
-        for shown in *row {
-            match ids.iter().position(|id| *id == shown.id) {
-                Some(place) => next = place + 1,
-                None => {
-                    ids.insert(next, &shown.id);
-                    next += 1;
-                }
-            }
-        }
-    }
     let mut params = vec![Map::new(); rows.len()];
     let mut page = "<pl-question-panel>\n".to_owned();
-    for (number, id) in (1..).zip(ids) {
+    for (number, id) in (1..).zip(ordered(rows)) {
         let all: Vec<Option<&Shown>> = rows.iter().map(|row| row.iter().find(|it| it.id == id)).collect();
         let Some(first) = all.iter().flatten().next() else { continue };
         let is_same = all.iter().flatten().all(|it| it.html == first.html);
@@ -154,4 +141,22 @@ pub(super) fn merged(rows: &[&[Shown]]) -> (String, Vec<Map<String, Value>>) {
     }
     page += "<pl-answer-panel>\n{{{params.solution}}}\n</pl-answer-panel>\n";
     (page, params)
+}
+
+/// The parts of all rows in the order of the page.
+fn ordered<'s>(rows: &[&'s [Shown]]) -> Vec<&'s str> {
+    let mut ids: Vec<&str> = Vec::new();
+    for row in rows {
+        let mut next = 0;
+        for shown in *row {
+            match ids.iter().position(|id| *id == shown.id) {
+                Some(place) => next = place + 1,
+                None => {
+                    ids.insert(next, &shown.id);
+                    next += 1;
+                }
+            }
+        }
+    }
+    ids
 }
