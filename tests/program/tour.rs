@@ -92,12 +92,13 @@ fn steps_that_pages_show_are_those_of_the_worked_solution() {
     assert_eq!(count, 2);
 }
 
-/// The commands of a page, without those that need files of the reader, a browser, or much time.
+/// The commands of a page, without those that need files of the reader, a browser, another build, or much time.
 fn commands(page: &str) -> Vec<Vec<String>> {
     let blocks = page.split("```sh\n").skip(1).filter_map(|part| part.split("```").next());
     let lines = blocks.flat_map(str::lines).filter_map(|line| line.strip_prefix("assur "));
-    let is_own =
-        |line: &&str| ["homework", "accuracy ", " answers.csv"].iter().all(|word| !line.contains(word));
+    let is_own = |line: &&str| {
+        ["homework", "accuracy ", " answers.csv", ".gif"].iter().all(|word| !line.contains(word))
+    };
     // parts in quotes are one word
     let words = |line: &str| {
         let parts = line.split(['"', '\'']).enumerate();

@@ -119,7 +119,7 @@ impl Colours {
     }
 }
 
-/// So many parts of ink, the others of paper.
+/// Parts of ink, the others of paper.
 fn mixture(ink: [u8; 3], paper: [u8; 3], part: u8) -> [u8; 3] {
     let (part, all) = (u16::from(part), u16::from(MIXTURES));
     std::array::from_fn(|i| {
