@@ -82,7 +82,9 @@ def test_every_example_is_the_programs_json(file: str, solved: dict[str, list[di
 def test_every_wrong_file_has_the_same_diagnostics(file: str, wrong: dict[str, list[dict]]) -> None:
     (document, *rows) = wrong[file]
     if rows or "variant" in document:
-        assert [d["code"] for d in assur.Problem((ROOT / file).read_text(), file).test()]
+        # what a course refuses may solve
+        found = [d["code"] for d in assur.Problem((ROOT / file).read_text(), file).test()]
+        assert found or file.startswith("tests/errors/course/")
         return
     if "poses" in document:
         assert list(assur.load(file).solve().diagnostics) == document["diagnostics"]
