@@ -220,3 +220,30 @@ fn broken_lines_never_lose_an_answer() {
     let pings = answers.iter().filter(|answer| answer["id"].as_u64().is_some_and(|id| id >= 100_000)).count();
     assert_eq!(pings, 100);
 }
+
+/// A hundred motions that take seconds each.
+fn long() -> Value {
+    let rows: String = (1..=100).map(|i| format!("  {i}\n")).collect();
+    let text = format!(
+        "mech 1\ngravity 9.81 m/s^2\ngiven k = 1\nground {{ O (0, 0) }}\nlink a O-A 1 m {{ mass 1 kg at A }}\n\
+         link b A-B 1 m {{ mass k * 1 kg at B }}\nrevolute O: ground - a\nrevolute A: a - b\nstart a = 10 deg at 0 rad/s\n\
+         start b = 20 deg at 0 rad/s\nsimulate 0 s .. 10000 s in 10 steps within 1e-12\nfind angle(a)\nvariants {{\n  k\n{rows}}}\n"
+    );
+    json!({ "text": text, "rows": 100 })
+}
+
+#[test]
+fn a_call_that_is_cancelled_or_takes_too_long_ends() {
+    let cancelled =
+        json!({ "jsonrpc": "2.0", "method": "notifications/cancelled", "params": { "requestId": 1 } });
+    let answers = served(&[
+        call(1, "solve", long()),
+        cancelled.to_string(),
+        call(2, "solve", long()),
+        request(3, "ping", json!({})),
+    ]);
+    let ids: Vec<Option<u64>> = answers.iter().map(|answer| answer["id"].as_u64()).collect();
+    assert_eq!(ids, [Some(2), Some(3)], "{answers:?}");
+    assert_eq!(answers[0]["result"]["isError"], true, "{}", answers[0]);
+    assert!(answers[0]["result"]["content"][0]["text"].as_str().is_some_and(|why| why.contains("5 s")));
+}

@@ -106,7 +106,7 @@ impl Dxf {
             format!("{}{number}", &base[..base.len().min(LONGEST_NAME - number.len())])
         };
         let is_free = |name: &String| self.layers.iter().all(|layer| layer.name != *name);
-        // one of so many is not taken
+        // of more names than layers one is free
         (1..=self.layers.len() + 1).map(numbered).find(is_free).unwrap_or(base)
     }
 

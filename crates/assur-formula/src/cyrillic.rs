@@ -101,7 +101,7 @@ fn behind_number(before: &str) -> bool {
         && word.chars().all(|c| c == 'e' || !c.is_alphabetic())
 }
 
-/// A header with its unit in Cyrillic: what stands behind its last comma or in its last bracket.
+/// A header with its unit in Cyrillic: what comes after its last comma or is in its last bracket.
 #[must_use]
 pub fn header_in_cyrillic(header: &str) -> String {
     let tail = header.rfind([',', '[']).map_or(0, |at| at + 1);

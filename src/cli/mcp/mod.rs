@@ -8,16 +8,19 @@ use super::reply::{Status, quiet_panics};
 use super::screen::Screen;
 use limits::{Alarm, TIME};
 use protocol::{LONGEST, answer, too_long, unreadable};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::collections::VecDeque;
 use std::io::{self, BufRead, IsTerminal, Read, Write};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How long past its time a call is waited for: what looks at the alarm between positions ends by itself.
 const GRACE: Duration = Duration::from_millis(500);
+
+/// Calls that run at once at the most: a picture is drawn to its end, even if nobody waits for it.
+const MOST_OPEN: usize = 4;
 
 /// What comes in.
 enum Event {
@@ -94,13 +97,17 @@ fn skip_line(input: &mut impl BufRead) {
 /// Answers one message after another. A call has a thread of its own, which is not waited for past its time.
 fn serve(sender: &Sender<Event>, receiver: &Receiver<Event>) -> io::Result<()> {
     let mut waiting: VecDeque<Event> = VecDeque::new();
-    let mut number = 0;
+    // `open` are the calls that run, with those that nobody waits for
+    let (mut number, mut open) = (0, 0);
     loop {
         let Some(event) = waiting.pop_front().or_else(|| receiver.recv().ok()) else { return Ok(()) };
         let message = match event {
             Event::End => return Ok(()),
             // of a call that nobody waits for
-            Event::Answer(..) => continue,
+            Event::Answer(..) => {
+                open -= 1;
+                continue;
+            }
             Event::TooLong => {
                 write(&too_long())?;
                 continue;
@@ -111,6 +118,18 @@ fn serve(sender: &Sender<Event>, receiver: &Receiver<Event>) -> io::Result<()> {
             }
             Event::Line(Ok(message)) => message,
         };
+        let is_cancelled =
+            |event: &Event| matches!(event, Event::Line(Ok(other)) if cancels(other, &message));
+        if waiting.iter().any(is_cancelled) {
+            continue;
+        }
+        if open >= MOST_OPEN {
+            let why = "calls that took too long still run: ask again in some seconds";
+            if let Some(answer) = refused(&message, why) {
+                write(&answer)?;
+            }
+            continue;
+        }
         number += 1;
         let alarm = Arc::new(Alarm::of_call());
         let (own, to, call) = (Arc::clone(&alarm), sender.clone(), message.clone());
@@ -121,7 +140,8 @@ fn serve(sender: &Sender<Event>, receiver: &Receiver<Event>) -> io::Result<()> {
         if spawned.is_err() {
             return Err(io::Error::other("no thread for a call"));
         }
-        if let Some(answer) = waited(receiver, &mut waiting, (number, &message), &alarm) {
+        open += 1;
+        if let Some(answer) = waited(receiver, &mut waiting, (number, &message), (&alarm, &mut open)) {
             write(&answer)?;
         }
     }
@@ -132,12 +152,17 @@ fn waited(
     receiver: &Receiver<Event>,
     waiting: &mut VecDeque<Event>,
     (number, message): (u64, &Value),
-    alarm: &Alarm,
+    (alarm, open): (&Alarm, &mut usize),
 ) -> Option<Value> {
+    // messages that come in meanwhile give it no more time
+    let end = Instant::now() + TIME + GRACE;
     loop {
-        match receiver.recv_timeout(TIME + GRACE) {
-            Ok(Event::Answer(of, answer)) if of == number => return answer,
-            Ok(Event::Answer(..)) => {}
+        match receiver.recv_timeout(end.saturating_duration_since(Instant::now())) {
+            Ok(Event::Answer(of, answer)) if of == number => {
+                *open -= 1;
+                return answer;
+            }
+            Ok(Event::Answer(..)) => *open -= 1,
             Ok(Event::Line(Ok(other))) if cancels(&other, message) => {
                 alarm.cancel();
                 return None;
@@ -145,15 +170,17 @@ fn waited(
             Ok(event) => waiting.push_back(event),
             Err(RecvTimeoutError::Timeout) => {
                 alarm.cancel();
-                let why = "this takes longer than 5 s here: `assur` on the command line has no limit";
-                let result =
-                    serde_json::json!({ "content": [{ "type": "text", "text": why }], "isError": true });
-                let id = message.get("id")?;
-                return Some(serde_json::json!({ "jsonrpc": "2.0", "id": id, "result": result }));
+                return refused(message, &tools::too_long());
             }
             Err(RecvTimeoutError::Disconnected) => return None,
         }
     }
+}
+
+/// The answer to a call that is not made, or not waited for.
+fn refused(message: &Value, why: &str) -> Option<Value> {
+    let result = json!({ "content": [{ "type": "text", "text": why }], "isError": true });
+    Some(json!({ "jsonrpc": "2.0", "id": message.get("id")?, "result": result }))
 }
 
 fn cancels(other: &Value, message: &Value) -> bool {

@@ -186,7 +186,7 @@ fn source(arguments: &Map<String, Value>) -> Source {
 }
 
 /// What a call answers that has taken too long.
-fn too_long() -> String {
+pub(super) fn too_long() -> String {
     "this takes longer than 5 s here: ask for fewer positions, or use `assur solve FILE`, which has no limit"
         .to_owned()
 }

@@ -19,7 +19,7 @@ const WITHIN: f64 = 1e-6;
 /// What series leave off of that.
 const SMOOTH: f64 = 0.1 * WITHIN;
 
-/// Numbers that differ by less, relative to the greatest, are the same; extremes of one run, of which the first is told.
+/// Numbers that differ by less, relative to the greatest, are the same; of several extremes the first is reported.
 const ROUNDING: f64 = 1e-12;
 const SAME: f64 = 1e-5;
 
