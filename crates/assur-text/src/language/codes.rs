@@ -20,7 +20,7 @@ macro_rules! codes {
 }
 
 /// All codes, in the order of the stages.
-pub const CODES: &[Code] = codes! {
+pub static CODES: &[Code] = codes! {
     // syntax
     "syntax" / "empty_file",
     "syntax" / "full_width",

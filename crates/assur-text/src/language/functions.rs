@@ -13,7 +13,7 @@ macro_rules! functions {
         }
 
         /// The table of functions.
-        pub const FUNCTIONS: &[FunctionRow] = &[$(FunctionRow {
+        pub static FUNCTIONS: &[FunctionRow] = &[$(FunctionRow {
             function: Function::$function,
             name: $name,
             group: FunctionGroup::$group,

@@ -13,7 +13,7 @@ macro_rules! kinds {
         }
 
         $(#[$of_table])*
-        pub const $table: &[Word] = &[$(Word { word: $word, means: $means, example: $example },)*];
+        pub static $table: &[Word] = &[$(Word { word: $word, means: $means, example: $example },)*];
 
         impl $kind {
             pub const ALL: &[Self] = &[$(Self::$variant),*];
@@ -82,7 +82,7 @@ pub struct Collection {
 }
 
 /// All words that ask for many answers at once.
-pub const COLLECTIONS: &[Collection] = &[
+pub static COLLECTIONS: &[Collection] = &[
     Collection::REACTIONS,
     Collection::POWERS,
     Collection::AXIAL,

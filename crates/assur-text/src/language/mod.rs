@@ -1,4 +1,5 @@
-//! The language as data: what the checker, suggestions, completions and the reference read.
+//! The language as data: what the checker, suggestions, completions and the reference read. Tables are statics: a constant would be copied to
+//! every place that reads it.
 
 mod codes;
 mod dimension;

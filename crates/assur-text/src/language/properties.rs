@@ -178,7 +178,7 @@ const WELD: &[Property] =
     &[row("angle", Any(Dimension::ANGLE), "angle 60 deg", "of the second link, less that of the first")];
 
 /// The properties of a brake.
-pub const BRAKE: &[Property] = &[
+pub static BRAKE: &[Property] = &[
     CAPACITY,
     PRESSED,
     FACE_FRICTION,
@@ -192,14 +192,14 @@ pub const BRAKE: &[Property] = &[
 ];
 
 /// The properties of a spring.
-pub const SPRING: &[Property] = &[
+pub static SPRING: &[Property] = &[
     row("stiffness", Positive(Dimension::STIFFNESS), "stiffness 4530 N/m", "force per elongation"),
     row("free_length", NotNegative(Dimension::LENGTH), "free_length 80 mm", "length without force"),
     row("damping", NotNegative(Dimension::DAMPING), "damping 20 N*s/m", "force per rate of elongation"),
 ];
 
 /// The properties of a stop.
-pub const STOP: &[Property] = &[row(
+pub static STOP: &[Property] = &[row(
     "restitution",
     NotNegative(Dimension::NUMBER),
     "restitution 0.7",
@@ -207,7 +207,7 @@ pub const STOP: &[Property] = &[row(
 )];
 
 /// The properties of a spring in a revolute pair.
-pub const TORSION_SPRING: &[Property] = &[
+pub static TORSION_SPRING: &[Property] = &[
     row("stiffness", Positive(Dimension::TORQUE), "stiffness 20 N*m/rad", "torque per angle"),
     row("free_angle", Any(Dimension::ANGLE), "free_angle 30 deg", "angle of the pair without torque"),
     row(
@@ -219,7 +219,7 @@ pub const TORSION_SPRING: &[Property] = &[
 ];
 
 /// The properties of a cam.
-pub const CAM: &[Property] = &[
+pub static CAM: &[Property] = &[
     row(
         "base_radius",
         Positive(Dimension::LENGTH),
@@ -235,7 +235,7 @@ pub const CAM: &[Property] = &[
 ];
 
 /// The properties of a follower.
-pub const FOLLOWER: &[Property] = &[
+pub static FOLLOWER: &[Property] = &[
     row("arm", Positive(Dimension::LENGTH), "arm 130 mm", "distance of its tip or roller from the pivot"),
     row(
         "pivot_distance",
@@ -250,14 +250,14 @@ pub const FOLLOWER: &[Property] = &[
 ];
 
 /// The properties of a counterweight.
-pub const COUNTERWEIGHT: &[Property] = &[
+pub static COUNTERWEIGHT: &[Property] = &[
     row("radius", Positive(Dimension::LENGTH), "radius 100 mm", "distance from the hinge; its mass is found"),
     row("mass", Positive(Dimension::MASS), "mass 180 kg", "its mass; its radius is found"),
     row("plane", Any(Dimension::LENGTH), "plane 100 mm", "its place along the axis"),
 ];
 
 /// The properties of the rim of a flywheel.
-pub const RIM: &[Property] = &[
+pub static RIM: &[Property] = &[
     row("diameter", Positive(Dimension::LENGTH), "diameter 0.5 m", "at which its mass is taken"),
     row(
         "weight_density",
@@ -275,7 +275,7 @@ pub const RIM: &[Property] = &[
 ];
 
 /// The properties of a flywheel.
-pub const FLYWHEEL: &[Property] = &[
+pub static FLYWHEEL: &[Property] = &[
     row(
         "fluctuation",
         Positive(Dimension::NUMBER),
@@ -320,7 +320,7 @@ pub const fn properties_of_pair(kind: JointKind) -> &'static [Property] {
 }
 
 /// All properties, by the word before their braces.
-pub const PROPERTIES: &[(&str, &[Property])] = &[
+pub static PROPERTIES: &[(&str, &[Property])] = &[
     ("revolute", REVOLUTE),
     ("prismatic", PRISMATIC),
     ("slot", SLOT),

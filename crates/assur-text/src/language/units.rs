@@ -26,7 +26,7 @@ const FT: f64 = 0.3048;
 const INCH: f64 = 0.0254;
 
 /// All units of one word without power.
-pub const UNITS: &[Symbol] = &[
+pub static UNITS: &[Symbol] = &[
     row("m", 1.0, Dimension::LENGTH, &["meter", "metre", "meters", "metres", "м"]),
     row("mm", 1e-3, Dimension::LENGTH, &["millimeter", "millimetre", "millimeters", "millimetres", "мм"]),
     row("um", 1e-6, Dimension::LENGTH, &["micron", "microns", "micrometer", "micrometre", "мкм"]),

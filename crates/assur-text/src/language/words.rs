@@ -35,7 +35,7 @@ pub enum Place {
 }
 
 /// All words by their places.
-pub const WORDS: &[(Place, &[Word])] = &[
+pub static WORDS: &[(Place, &[Word])] = &[
     (Place::Statement, STATEMENTS),
     (Place::Pair, PAIRS),
     (Place::Member, MEMBERS),
@@ -61,7 +61,7 @@ const fn small(word: &'static str, means: &'static str) -> Word {
 }
 
 /// The words that begin a statement, apart from pairs.
-pub const STATEMENTS: &[Word] = &[
+pub static STATEMENTS: &[Word] = &[
     row("mech", "the edition of the language", "mech 1"),
     row("mechanism", "the title", "mechanism \"Engine crank-slider\""),
     row("given", "a given value, which `--set` may replace", "given r = 100 mm"),
@@ -122,7 +122,7 @@ pub const STATEMENTS: &[Word] = &[
 ];
 
 /// The words that begin a member of a link, unless it is a point.
-pub const MEMBERS: &[Word] = &[
+pub static MEMBERS: &[Word] = &[
     row("line", "a directed line of the link", "line guide through A along 0 deg"),
     row("circle", "a circular profile", "circle roller centre D radius 15 mm"),
     row("profile", "the profile of a designed cam", "profile rim of plate centre O"),
@@ -134,7 +134,7 @@ pub const MEMBERS: &[Word] = &[
 ];
 
 /// The words that begin a member of a cam, unless it is a property.
-pub const CAM_MEMBERS: &[Word] = &[
+pub static CAM_MEMBERS: &[Word] = &[
     row("turning", "the sense in which the cam turns", "turning cw"),
     row("follower", "the follower", "follower translating roller { radius 15 mm }"),
     row("rise", "a phase of rising", "rise 60 deg through 18 deg parabolic"),
@@ -144,7 +144,7 @@ pub const CAM_MEMBERS: &[Word] = &[
 ];
 
 /// The connecting words, which are reserved.
-pub const CONNECTING: &[Word] = &[
+pub static CONNECTING: &[Word] = &[
     small("accelerating", "before the acceleration of a drive"),
     small("against", "before `motion`: opposite to the velocity"),
     small("along", "before a direction"),
@@ -173,7 +173,7 @@ pub const CONNECTING: &[Word] = &[
 ];
 
 /// How a mass is spread, and the sizes of its shape.
-pub const SHAPES: &[Word] = &[
+pub static SHAPES: &[Word] = &[
     row("rod", "along the line between two points", "mass 3 kg rod A to B"),
     row("disc", "between an inner radius, if any, and a radius", "mass 12 kg disc centre A radius 0.3 m"),
     row("ring", "along a circle", "mass 8 kg ring centre A radius 0.3 m"),
@@ -197,7 +197,7 @@ pub const SHAPES: &[Word] = &[
 ];
 
 /// Connecting words that are not reserved.
-pub const CONTEXTUAL: &[Word] = &[
+pub static CONTEXTUAL: &[Word] = &[
     small("about", "before the point that a moment of inertia is about"),
     small("ahead", "before `of`: further along the guide"),
     small("behind", "further back along the guide"),
