@@ -170,30 +170,26 @@ export const pages = {
   async "page: nothing sticks: too many steps, an endless run, ten megabytes, no module"() {
     const page = await open("", { text: STEPS, worker: ENDLESS });
     await ready(page);
-    const late = async (text) => {
+    // the sentence about the text before stays until the new one is read
+    const late = async (text, sentence) => {
       const begin = Date.now();
       await paste(page, text);
-      await page.waitForFunction(() => document.getElementById("strip").textContent !== "", null, { timeout: 12_000 });
-      const said = await page.locator("#strip").innerText();
+      await page.waitForFunction((wanted) => new RegExp(wanted).test(document.getElementById("strip").textContent), sentence, { timeout: 12_000 });
       const answered = Date.now();
       await paste(page, STEPS.replace("rod - slider", "rodd - slider"));
       await page.locator(".cm-lintRange-error").first().waitFor();
-      return [said, answered - begin, Date.now() - answered];
+      return [answered - begin, Date.now() - answered];
     };
-    const many = await late(STEPS.replace("36 steps", "1000000 steps"));
-    assert.match(many[0], /longer than 5 s|positions/);
-    const endless = await late(`// ENDLESS\n${STEPS}`);
-    assert.match(endless[0], /longer than 5 s/);
-    const huge = await late("// a line that is long enough to fill a text\n".repeat(230_000));
-    // a busy machine takes longer than the bars, which `npm run measure` prints
-    assert.ok(many[1] < 12_000 && endless[1] < 12_000 && huge[1] < 12_000, JSON.stringify([many, endless, huge]));
+    const many = await late(STEPS.replace("36 steps", "1000000 steps"), "longer than 5 s|positions");
+    const endless = await late(`// ENDLESS\n${STEPS}`, "longer than 5 s");
+    const huge = await late("// a line that is long enough to fill a text\n".repeat(230_000), "longer than");
     await closed(page);
     const without = await open("#x/first");
     await without.route("**/assur.wasm.gz", (route) => route.abort());
     await without.reload();
     await without.waitForFunction(() => document.getElementById("strip").textContent.includes("cannot be loaded"));
     await without.context().close();
-    return `sentences after ${many[1]}, ${endless[1]}, ${huge[1]} ms; the next key after ${many[2]}, ${endless[2]}, ${huge[2]} ms`;
+    return `sentences after ${many[0]}, ${endless[0]}, ${huge[0]} ms; the next key after ${many[1]}, ${endless[1]}, ${huge[1]} ms`;
   },
 
   async "page: markup is shown and never run: 50 tries"() {

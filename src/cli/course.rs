@@ -98,6 +98,9 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
     let inputs = files::expand(&args.files);
     let parent = args.category.clone().unwrap_or_else(|| folder_of(&args.files, &inputs));
     let (exercises, mut status) = exercises(args, inputs, screen);
+    if !is_moodle {
+        prairielearn::fit(&exercises)?;
+    }
     let mut pieces: Vec<Piece<'_>> = exercises
         .iter()
         .flat_map(|exercise| exercise.rows.chunks(PIECE).map(move |rows| Piece::of(exercise, rows)))

@@ -116,10 +116,14 @@ pub enum CliError {
         "write the questions to another folder; a question is known by its file and its --category"
     ))]
     OtherQuestion { name: String },
+    /// A question with too many rows.
+    #[error("the question of `{name}` has {rows} rows, and {most} are the most")]
+    #[diagnostic(help("choose rows by --row, or give a shorter table by --variants"))]
+    TooManyRows { name: String, rows: usize, most: usize },
     /// A question that is too large.
-    #[error("the question of `{name}` has {rows} rows and {size} kB, and 500 rows and 2000 kB are the most")]
-    #[diagnostic(help("choose rows by --row, or leave pictures of solutions out by --steps 3,6"))]
-    TooLarge { name: String, rows: usize, size: usize },
+    #[error("the `server.py` of `{name}` has {size} kB, and {most} kB are the most")]
+    #[diagnostic(help("choose rows by --row, or give a shorter table by --variants"))]
+    TooLarge { name: String, size: usize, most: usize },
     /// No table of variants.
     #[error("`{name}` has no table of variants")]
     #[diagnostic(help("name one: `--variants TABLE.csv`, or write `variants {{ … }}` into the file"))]

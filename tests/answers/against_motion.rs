@@ -116,3 +116,58 @@ find x = displacement(P), f = R.x, most = max(R.x)
         near(at(0, "most"), force, 1e-8 * force);
     }
 }
+
+/// With a load against the motion and no friction forces follow from accelerations, between the instants that are printed too.
+#[test]
+fn forces_beside_a_brake_are_known_between_the_instants() {
+    let drum = "\
+mech 1
+gravity 9.81 m/s^2
+shaft drum { wheel w radius 0.25 m; inertia 3.2 kg*m^2 }
+slider load { mass 60 kg }
+rope a: load - w
+brake Mf on drum { capacity 12 N*m }
+start drum = 0 deg at 0 rad/s
+simulate 0 s .. 2 s in 4 steps
+event taut: tension(a, load) = 100 N
+find most = max(tension(a, load)) as N, least = min(tension(a, load)) as N, mean = mean(tension(a, load)) as N
+";
+    // m g R = (I + m R²) α + M
+    let alpha = (60.0 * 9.81 * 0.25 - 12.0) / (3.2 + 60.0 * 0.0625);
+    for name in ["most", "least", "mean"] {
+        near(number(drum, 0, name), 60.0 * (9.81 - 0.25 * alpha), 1e-9);
+    }
+    let slider = "\
+mech 1
+gravity 9.81 m/s^2
+ground { A (0, 0); line guide through A along 0 deg }
+link crank A-B 0.1 m { S (0.05 m, 0); mass 1 kg at S; inertia 0.002 kg*m^2 }
+link rod B-C 0.35 m { S (0.15 m, 0); mass 2 kg at S; inertia 0.02 kg*m^2 }
+link piston { C (0, 0); mass 3 kg at C }
+revolute A: ground - crank
+revolute B: crank - rod
+revolute C: rod - piston
+prismatic D: piston.C - ground.guide
+torque M on crank = 12 N*m against motion
+assemble C ahead of B
+start crank = 80 deg at 60 rad/s
+simulate 0 s .. 0.3 s in 3000 steps
+event flips: normal(D, piston) = 0 N
+find N = normal(D, piston) as N, R = mag(reaction(A)) as N
+find most = max(normal(D, piston)) as N, least = min(normal(D, piston)) as N, strongest = max(mag(reaction(A))) as N, flip = time(flips) as s
+";
+    let solution = assur::solve(slider).unwrap_or_else(|error| panic!("{error}"));
+    let row = |name: &str| -> Vec<f64> {
+        solution.poses().iter().map(|pose| pose[name].number().unwrap()).collect()
+    };
+    let (normal, pull) = (row("N"), row("R"));
+    let greatest = |all: &[f64]| all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = -greatest(&normal.iter().map(|x| -x).collect::<Vec<_>>());
+    let found = |name: &str| solution.poses()[0][name].number().unwrap();
+    for (name, rows) in [("most", greatest(&normal)), ("least", least), ("strongest", greatest(&pull))] {
+        near(found(name), rows, 2e-4 * rows.abs());
+    }
+    let before = normal.windows(2).position(|pair| pair[0] * pair[1] < 0.0).unwrap();
+    let step = 0.3 / 3000.0;
+    near(found("flip"), (before as f64 + 0.5) * step, 1.5 * step);
+}

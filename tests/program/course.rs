@@ -375,6 +375,25 @@ fn without_variant(key: &str) -> String {
     key.lines().map(line).collect::<Vec<_>>().join("\n")
 }
 
+/// What is written in a picture, not where it is drawn.
+fn written_in(svg: &str) -> String {
+    let written = svg.split("<text").skip(1).filter_map(|part| part.split("</text>").next());
+    written.flat_map(|part| part.split('<').filter_map(|p| Some(p.split_once('>')?.1))).collect()
+}
+
+/// The numbers of a text, to four figures.
+fn numbers_of(seen: &str) -> BTreeSet<String> {
+    let number = |word: &str| word.trim_matches(['.', '-']).parse::<f64>().ok();
+    let words = seen.split(|c: char| !(c.is_ascii_digit() || c == '.'));
+    words.filter_map(number).map(|x| format!("{x:.3e}")).collect()
+}
+
+/// Whether an answer is among these numbers. A number of one or two figures is everywhere.
+fn is_told(answer: &str, numbers: &BTreeSet<String>) -> bool {
+    let is_telling = answer.chars().filter(char::is_ascii_digit).count() > 2;
+    is_telling && numbers.contains(&format!("{:.3e}", answer.parse::<f64>().unwrap().abs()))
+}
+
 /// The answers are in no text and no picture that a student sees first.
 #[test]
 fn no_answer_is_shown() {
@@ -383,26 +402,13 @@ fn no_answer_is_shown() {
     for question in questions(&made(&folder, &[SET])) {
         let (gaps, mut seen) = gaps(question.said("questiontext"));
         for file in question.one("questiontext").all("file") {
-            let svg = String::from_utf8(bytes(&file.text)).unwrap();
-            // what is written, not where it is drawn
-            let written = svg.split("<text").skip(1).filter_map(|part| part.split("</text>").next());
-            seen += &written
-                .flat_map(|part| part.split('<').filter_map(|p| Some(p.split_once('>')?.1)))
-                .collect::<String>();
+            seen += &written_in(&String::from_utf8(bytes(&file.text)).unwrap());
         }
-        let number = |word: &str| word.trim_matches(['.', '-']).parse::<f64>().ok();
-        let numbers: BTreeSet<String> = seen
-            .split(|c: char| !(c.is_ascii_digit() || c == '.'))
-            .filter_map(number)
-            .map(|x| format!("{x:.3e}"))
-            .collect();
+        let numbers = numbers_of(&seen);
         for gap in gaps {
             count += 1;
-            let key = gap.options[0].answer.abs();
-            // a number of one or two figures is everywhere
-            let is_telling = gap.options[0].text.chars().filter(char::is_ascii_digit).count() > 2;
-            if is_telling && numbers.contains(&format!("{key:.3e}")) {
-                wrong.push(format!("{}: {key}", question.said("name")));
+            if is_told(&gap.options[0].text, &numbers) {
+                wrong.push(format!("{}: {}", question.said("name"), gap.options[0].text));
             }
         }
     }

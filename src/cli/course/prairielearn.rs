@@ -9,7 +9,7 @@ use crate::cli::variant_rows::ChosenRow;
 use crate::handout::course::{Called, PrairieLearn, Quiz, Variant, question};
 use std::path::Path;
 
-/// What one question is at the most: rows, and bytes without pictures.
+/// What one question is at the most: rows, and bytes of the program with their table.
 const MOST_ROWS: usize = 500;
 const MOST_BYTES: usize = 2_000_000;
 /// What is in the folder of a question.
@@ -27,6 +27,15 @@ pub fn checked(args: &Course) -> Result<(), CliError> {
         None | Some("-") => Err(CliError::NoQuestionFolder),
         Some(_) => Ok(()),
     }
+}
+
+/// Whether the problems are small enough, before they are solved.
+///
+/// # Errors
+/// A problem with too many rows.
+pub(super) fn fit(exercises: &[Exercise]) -> Result<(), CliError> {
+    let Some(long) = exercises.iter().find(|exercise| exercise.rows.len() > MOST_ROWS) else { return Ok(()) };
+    Err(CliError::TooManyRows { name: long.name.clone(), rows: long.rows.len(), most: MOST_ROWS })
 }
 
 impl Exercise {
@@ -51,8 +60,9 @@ pub(super) fn put(args: &Course, pieces: &[Piece<'_>], category: &str) -> Result
         let rows: Vec<&Variant> = pieces.iter().flat_map(|piece| &piece.variants).collect();
         let files = question(called, &rows);
         let size = files.iter().find(|(name, _)| name == "server.py").map_or(0, |(_, bytes)| bytes.len());
-        if rows.len() > MOST_ROWS || size > MOST_BYTES {
-            return Err(CliError::TooLarge { name: name.clone(), rows: rows.len(), size: size / 1000 });
+        if size > MOST_BYTES {
+            let (name, size, most) = (name.clone(), size / 1000, MOST_BYTES / 1000);
+            return Err(CliError::TooLarge { name, size, most });
         }
         if !files.is_empty() {
             questions.push((folder.join(called.folder()), called.uuid(), files));

@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
-"""Reads DXF and TikZ pictures back with other programs.
+"""Reads DXF, TikZ and PDF pictures back with other programs.
 
     pip install ezdxf pypdf
-    apt-get install --no-install-recommends texlive-latex-base texlive-pictures texlive-luatex
+    apt-get install --no-install-recommends texlive-latex-base texlive-pictures texlive-luatex poppler-utils
     tests/pictures/readers/check.py
 
-draws all pictures of twelve examples, of every kind, and their schemes in true size, with the program that ASSUR names (target/release/assur).
-ezdxf finds nothing to mend in any DXF, and its points are those of the SVG, as far as that has digits. pdflatex and lualatex
-compile every TikZ picture without a warning, and the paths of the PDF are those of the DXF within 0.01 mm. Every format has the
-same bytes in a second run. Exits with 1 where anything is wrong.
+draws all pictures of twelve examples, of every kind, and their schemes in true size, with the program that ASSUR names (target/release/assur;
+it needs the feature `pdf`). ezdxf finds nothing to mend in any DXF, and its points are those of the SVG, as far as that has digits. pdflatex and
+lualatex compile every TikZ picture without a warning; the paths of these PDFs and of the program's own are those of the DXF within 0.01 mm.
+The program's own have all fonts within, and every label for poppler to find. Every format has the same bytes in a second run.
+Exits with 1 where anything is wrong.
 """
 
 import concurrent.futures
+import html
 import math
 import os
 import pathlib
@@ -19,6 +21,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import unicodedata
 
 import ezdxf
 import pypdf
@@ -153,6 +156,28 @@ def off_circles(curves, rounds):
     return worst
 
 
+def off_paths(path, box, dxf):
+    """How far the paths of a PDF are from those of the DXF, and its page from the picture, mm."""
+    points, curves, size = pdf(path, box)
+    there = Near(points)
+    off = max([there.distance(p.x, p.y) for p in dxf.points], default=0.0)
+    return max(off, off_circles(curves, dxf.rounds), abs(size[0] - box[2] + box[0]), abs(size[1] - box[1] + box[3]))
+
+
+def plain(text):
+    return "".join(unicodedata.normalize("NFKC", text).split())
+
+
+def lettering(path, text):
+    """What is wrong with fonts and labels of a PDF beside those of the SVG."""
+    fonts = subprocess.run(["pdffonts", path], capture_output=True, text=True, check=True).stdout.splitlines()[2:]
+    # name, kind, encoding, then yes or no: embedded, subset, with the table of its letters
+    faults = [f"a font is not embedded: {font}" for font in fonts if re.search(r" (yes|no) +(yes|no) +(yes|no) ", font)[1] != "yes"]
+    found = plain(subprocess.run(["pdftotext", "-raw", path, "-"], capture_output=True, text=True, check=True).stdout)
+    labels = [plain(html.unescape(re.sub(r"<[^>]*>", "", label))) for label in re.findall(r"<text[ >].*?</text>", text, re.DOTALL)]
+    return faults + [f"the label {label} is not found" for label in labels if label not in found]
+
+
 def picture(name, folder):
     """What is wrong with a picture in its formats, and how far points are off in SVG and PDF, mm."""
     dxf = Dxf(folder / f"{name}.dxf")
@@ -167,7 +192,7 @@ def picture(name, folder):
     known, shown = Near(ends + middles), Near(own)
     in_svg = max([shown.distance(*p) for p in ends if own] + [known.distance(*p) for p in own], default=0.0)
     faults += [f"a point is {in_svg:.4f} mm off that of the SVG"] if in_svg > SVG else []
-    in_pdf = 0.0
+    in_pdf = []
     faults += [] if text.isascii() else ["TikZ is not ASCII"]
     for engine in ["pdflatex", "lualatex"]:
         where = folder / engine
@@ -179,13 +204,12 @@ def picture(name, folder):
         if done.returncode or said:
             faults.append(f"{engine}: {done.returncode} {said[:3]}")
             continue
-        points, curves, size = pdf(where / f"{name}.pdf", box)
-        there = Near(points)
-        off = max([there.distance(*p) for p in ends], default=0.0)
-        off = max(off, off_circles(curves, dxf.rounds), abs(size[0] - box[2] + box[0]), abs(size[1] - box[1] + box[3]))
-        faults += [f"{engine}: a path is {off:.4f} mm off"] if off > PDF else []
-        in_pdf = max(in_pdf, off)
-    return faults, in_svg, in_pdf, dxf.count
+        in_pdf.append((off_paths(where / f"{name}.pdf", box, dxf), engine))
+    if own:
+        in_pdf.append((off_paths(folder / f"{name}.pdf", box, dxf), "PDF"))
+        faults += lettering(folder / f"{name}.pdf", (folder / f"{name}.svg").read_text())
+    faults += [f"{what}: a path is {off:.4f} mm off" for off, what in in_pdf if off > PDF]
+    return faults, in_svg, max(in_pdf)[0] if in_pdf else 0.0, dxf.count
 
 
 def main():
@@ -196,7 +220,7 @@ def main():
             folder, again = root / example.replace("/", "-"), root / "again" / example.replace("/", "-")
             source = ROOT / f"examples/{example}.mech"
             for into in [folder, again]:
-                for form in ["svg", "dxf", "tex", "tikz"]:
+                for form in ["svg", "dxf", "tex", "tikz", "pdf"]:
                     draw(source, "--all", "-o", into, "--format", form)
                 draw(source, "-o", into / "true-size.dxf", "--true-size")
             for path in sorted(folder.iterdir()):

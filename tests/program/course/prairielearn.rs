@@ -1,7 +1,8 @@
 //! `assur course prairielearn`: the files of a question, and its `server.py` by plain Python against `grade`.
 
 use super::{
-    KeyRow, MIXED, Random, SET, Said, Tally, answer, key_rows, marked, moodle, others, without_variant,
+    KeyRow, MIXED, Random, SET, Said, Tally, answer, is_told, key_rows, marked, moodle, numbers_of, others,
+    without_variant, written_in,
 };
 use crate::run::{Folder, assur};
 use crate::share;
@@ -182,6 +183,60 @@ fn what_cannot_be_a_variant_is_left_out_and_named() {
         assert!(said.stderr.contains(words), "{args:?}: {}", said.stderr);
     }
     assert!(!folder.names().contains(&"none".to_owned()));
+}
+
+/// A table that is too long is refused before any row is solved.
+#[test]
+fn a_table_has_at_most_500_rows() {
+    let row = |i: usize| format!("  R{i}, 80, {}\n", 500 + i);
+    let long = MIXED.replace("  A1, 80, 600\n", &(0..500).map(row).collect::<String>());
+    let folder = Folder::new("pl-long").with("a.mech", &long);
+    let run =
+        |args: &[&str]| assur(&folder, &[&["course", "prairielearn", "a.mech", "-o", "q"], args].concat());
+    let said = run(&["--pose", "1"]);
+    assert_eq!((said.status, folder.names().contains(&"q".to_owned())), (2, false));
+    assert!(
+        said.stderr.contains("the question of `a` has 501 rows, and 500 are the most"),
+        "{}",
+        said.stderr
+    );
+    let said = run(&["--pose", "1", "--row", "R3", "--row", "B_2"]);
+    assert_eq!((said.status, said.stderr.as_str()), (0, ""));
+}
+
+/// The answers of a variant are in no text and no picture that a student sees first, nor in a file that a student can fetch.
+#[test]
+fn no_answer_is_shown() {
+    let folder = Folder::new("pl-hidden");
+    made(&folder, &[SET]);
+    let (mut count, mut wrong) = (0, Vec::new());
+    for name in names(&folder.path("q")) {
+        let Some(all) = asked(&folder.path(&format!("q/{name}")), &json!("rows")) else { return };
+        let page = folder.read(&format!("q/{name}/question.html"));
+        let panel = page.split("<pl-answer-panel>").next().unwrap();
+        for row in all[0].as_array().unwrap() {
+            let mut seen = panel.to_owned();
+            for (param, value) in row["params"].as_object().unwrap() {
+                let Some(text) = value.as_str() else { continue };
+                seen += "\n";
+                seen += &if param.starts_with("picture_") {
+                    written_in(&folder.read(&format!("q/{name}/clientFilesQuestion/{text}")))
+                } else {
+                    text.to_owned()
+                };
+            }
+            let numbers = numbers_of(&seen);
+            for (answer, of) in row["answers"].as_object().unwrap() {
+                count += 1;
+                let right = of[0].as_str().map_or_else(|| of[0].to_string(), str::to_owned);
+                if is_told(right.split(' ').next().unwrap(), &numbers) {
+                    wrong.push(format!("{name}, {answer}: {right}"));
+                }
+            }
+        }
+    }
+    assert!(count > 200, "{count}");
+    assert_eq!(wrong, Vec::<String>::new());
 }
 
 /// PrairieLearn has every part of a mark, and weights.

@@ -121,6 +121,7 @@ fn force(
     let place = match at {
         Some(at) => on.and_then(|on| place(cx, on, at)),
         None => {
+            on?;
             no_place(cx, "an unknown force", link, example);
             return None;
         }

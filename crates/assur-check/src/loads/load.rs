@@ -3,7 +3,7 @@
 use super::pin::LoadedPin;
 use crate::expr::{context::Context, positive::Want, property::read};
 use crate::motion::drive::{Moves, coordinate, negated, on_moving};
-use crate::names::declared::ThingKind;
+use crate::names::{declared::ThingKind, suggestion::wrong_kind};
 use crate::output::behind;
 use crate::statements::written::written;
 use crate::trains::friction_torque::friction_torque;
@@ -11,7 +11,7 @@ use crate::values::format_value::format_value;
 use assur_model::model::{self, Expr, Level, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use assur_syntax::document::{self, Brake, Load, Name, Site, Statement, Turn};
 use assur_text::diagnostic::Diagnosis;
-use assur_text::language::BRAKE;
+use assur_text::language::{BRAKE, JointKind};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use std::f64::consts::PI;
@@ -168,7 +168,7 @@ fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::P
     let place = match at {
         Some(at) => on.and_then(|on| place(cx, on, at)),
         None => {
-            let example = example(cx, on, &link.node);
+            let example = example(cx, Some(on?), &link.node);
             let name = load.name.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
             let value = match written(&load.value.value) {
                 Some(value) if cx.is_vector(&load.value.value)? || load.against_motion.is_some() => value,
@@ -361,8 +361,21 @@ pub(crate) fn effort(
 
 /// A link that loads can act on.
 pub(crate) fn moving(cx: &mut Context<'_>, name: &Name, what: &str) -> Option<LinkId> {
+    named_pair(cx, name)?;
     let link = cx.link(name)?;
     on_moving(cx, link, name.span, what).map(|()| link)
+}
+
+/// Reports a pair where a link is due: a load between its links is written with another word.
+fn named_pair(cx: &mut Context<'_>, name: &Name) -> Option<()> {
+    use JointKind::{Cylinder, Prismatic, Revolute, Slot};
+    let Some(declared) = cx.names.things.get(&name.node) else { return Some(()) };
+    let ThingKind::Joint(Cylinder | Prismatic | Revolute | Slot) = declared.what else { return Some(()) };
+    cx.names.note_thing(name);
+    let (is, declared) = (cx.names.things[&name.node].what.phrase(), Some(cx.names.things[&name.node].span));
+    let help = format!("write `in {}` for what acts between its links", name.node);
+    cx.error(wrong_kind(&name.node, &is, "a link", name.span, declared, Some(help)));
+    None
 }
 
 /// The point of a link at which a force acts.

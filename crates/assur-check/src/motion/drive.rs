@@ -243,15 +243,22 @@ pub(crate) fn moves(cx: &Context<'_>, target: DriveTarget) -> Moves {
 }
 
 pub(super) fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bool {
-    let first = cx.builder.mech.drives.iter().find(|d| place::is_given(d, target)).map(|d| d.span);
-    let Some(first) = first else {
+    let first = cx.builder.mech.drives.iter().find(|d| place::is_given(d, target));
+    let Some((first, moves)) = first.map(|d| (d.span, d.free || d.sought.is_some())) else {
         return true;
+    };
+    let help = if moves {
+        "keep one of them: `equilibrium` is where it stays at rest, `start` is where a motion begins, and \
+         a `drive` gives the motion"
+            .to_owned()
+    } else {
+        format!("write several positions in one drive: `drive {name} = 10 deg, 55 deg, 80 deg`")
     };
     cx.error(
         Diagnosis::error("mech::geometry::driven_twice", format!("`{name}` is driven twice"))
             .primary(span, "driven again here")
             .label(first, "already driven here")
-            .help(format!("write several positions in one drive: `drive {name} = 10 deg, 55 deg, 80 deg`")),
+            .help(help),
     );
     false
 }

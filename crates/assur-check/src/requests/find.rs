@@ -13,7 +13,7 @@ use assur_syntax::document::{ExprKind, FindItem, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Collection;
 use assur_text::source::Span;
-use assur_text::units::{Unit, lookup};
+use assur_text::units::{Dimension, Unit, lookup};
 use indexmap::IndexMap;
 
 /// Enters all that is asked into the mechanism.
@@ -152,6 +152,12 @@ impl Context<'_> {
         let span = item.unit.as_ref().map_or(item.span, |u| u.span);
         let (found, help) = match t.ty {
             Type::Bool => ("a condition".to_owned(), Some("leave out `as …`".to_owned())),
+            ty if unit.dimension.fits(Dimension::FREQUENCY)
+                && ty.dimension().fits(Dimension::ANGULAR_VELOCITY) =>
+            {
+                let help = format!("divide by a turn: `{} / 360 deg as {}`", item.text, unit.text);
+                (phrase(ty.dimension()), Some(help))
+            }
             ty => {
                 let usual = self.values.usual_unit(ty.dimension());
                 (phrase(ty.dimension()), (!usual.is_empty()).then(|| format!("write `{usual}`")))

@@ -3,7 +3,8 @@
 use super::pose_answers::PoseAnswers;
 use super::sizes::Sizes;
 use crate::model::{
-    AlongLink, Cut, Internal, InternalPart, LinkId, LoadId, LoadKind, PairId, PairKind, Query,
+    AlongLink, Cut, Internal, InternalPart, LinkId, LoadId, LoadKind, Mechanism, PairId, PairKind, Query,
+    Rate,
 };
 use crate::plan::LoadStep;
 use crate::structure::{EffortKind, EffortSource};
@@ -24,6 +25,7 @@ impl Sizes {
 
     fn look_at_motion(&mut self, at: &PoseAnswers<'_>) {
         let bodies = &at.state.motion.bodies;
+        self.length = self.length.max(of_transmissions(at.mechanism));
         for (i, link) in at.mechanism.links.iter().enumerate() {
             let body = &bodies[LinkId::at(i).index()];
             let points = link.points.iter().map(|p| p.at).chain([crate::math::Vec2::zero()]);
@@ -77,6 +79,23 @@ impl Sizes {
         self.force = before.0.max(force);
         self.moment = before.1.max(moment + inertia_moment);
     }
+}
+
+/// Radii of wheels, and how far sliders go for a radian of what moves them, m: by these torques and forces go over into each other,
+/// however near to the origin all bodies are.
+fn of_transmissions(mechanism: &Mechanism) -> f64 {
+    let known = mechanism.wheels.iter().filter(|wheel| !wheel.open).map(|wheel| wheel.radius.abs());
+    let transmissions = mechanism.pairs.iter().filter_map(|pair| match &pair.kind {
+        PairKind::Transmission(transmission) => Some(transmission),
+        _ => None,
+    });
+    let travel = transmissions.flat_map(|transmission| &transmission.laws).flat_map(|law| {
+        let slides = law.terms.iter().filter(|term| matches!(term.0, Rate::Slide(_)));
+        let slide = slides.fold(0.0_f64, |most, term| most.max(term.1.abs()));
+        let turns = law.terms.iter().filter(|term| matches!(term.0, Rate::Turn(_)));
+        turns.filter(move |_| slide > 0.0).map(move |term| term.1.abs() / slide)
+    });
+    known.chain(travel).fold(0.0, f64::max)
 }
 
 impl PoseAnswers<'_> {

@@ -11,6 +11,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
     comma_between(case)
         .or_else(|| without_brackets(case))
         .or_else(|| foreign_operator(case))
+        .or_else(|| comma_for_accelerating(case))
         .or_else(|| needless_sign(case))
         .or_else(|| split_word(case))
         .or_else(|| digit_first(case))
@@ -110,6 +111,19 @@ fn foreign_operator(case: &Case<'_>) -> Option<Diagnosis> {
         case.span(start, found.len()),
         case.help(start, start + found.len(), wanted),
     ))
+}
+
+/// `drive crank = 30 deg at 12 rad/s, -40 rad/s^2`
+fn comma_for_accelerating(case: &Case<'_>) -> Option<Diagnosis> {
+    const WANTED: &str = "accelerating";
+    if case.token(0) != "drive" || case.token(case.fail) != "," {
+        return None;
+    }
+    let end = case.fail + 1;
+    let blank = if case.slice.get(end..)?.starts_with(' ') { "" } else { " " };
+    let new = format!(" {WANTED}{blank}");
+    let reads = case.reads(&case.with(case.fail, end, &new));
+    reads.then(|| instead(",", WANTED, case.span(case.fail, 1), case.help(case.fail, end, &new)))
 }
 
 /// `friction = 0.1` in braces

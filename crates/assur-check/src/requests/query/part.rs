@@ -3,10 +3,12 @@
 use crate::expr::context::Context;
 use crate::expr::positive::Want;
 use crate::expr::results::Call;
-use crate::motion::simulation::{statement, without_meaning};
+use crate::motion::simulation::{meaningless, statement, without_meaning};
+use crate::names::suggestion::wrong_kind;
+use crate::statements::written::text;
 use crate::values::format_value::format_value;
 use assur_model::model::{Bound, Expr as ModelExpr, Part, Query};
-use assur_syntax::document::{Expr, ExprKind};
+use assur_syntax::document::{Expr, ExprKind, Name};
 use assur_text::language::Function;
 use assur_text::units::Dimension;
 
@@ -17,8 +19,7 @@ impl Context<'_> {
             return Some((self.arguments(call, 1, 1)?[0], Part::default()));
         }
         if statement(self).is_none() {
-            // reports the name
-            self.arguments(call, 1, 1)?;
+            return self.no_part_of_sweep(call);
         }
         let (mut value, mut part) = (None, Part::default());
         for arg in call.args {
@@ -54,8 +55,33 @@ impl Context<'_> {
         Some((value, part))
     }
 
+    /// Reports the part of what is no motion under loads.
+    fn no_part_of_sweep<T>(&mut self, call: Call<'_>) -> Option<T> {
+        let ends = |name: &&Name| matches!(name.node.as_str(), "after" | "before");
+        let Some(end) = call.args.iter().filter_map(|arg| arg.name.as_ref()).find(ends) else {
+            // reports the name
+            self.arguments(call, 1, 1)?;
+            return None;
+        };
+        let what = format!("the bound `{}` of a part of the motion", end.node);
+        let drive = self.swept_drive().map_or_else(|| "crank".to_owned(), |drive| text(&drive.target));
+        let help = format!(
+            "let the drive go through that part alone, as in `drive {drive} = 0 deg .. 120 deg in 12 steps`, and \
+             leave `after` and `before` out"
+        );
+        self.error(meaningless(&what, "where the motion is given", &help, end.span));
+        None
+    }
+
     /// An instant that is known beforehand, or that of an event.
     fn bound(&mut self, expr: &Expr) -> Option<Bound> {
+        if let ExprKind::Name(name) = &expr.kind
+            && self.names.events.contains_key(name)
+        {
+            let help = format!("write `time({name})`");
+            self.error(wrong_kind(name, "an event", "an instant", expr.span, None, Some(help)));
+            return None;
+        }
         if let ExprKind::Call { function, .. } = &expr.kind
             && Function::named(&function.node) == Some(Function::Time)
         {

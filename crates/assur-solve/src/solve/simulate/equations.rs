@@ -203,17 +203,16 @@ impl<'a, 's> Equations<'a, 's> {
         let n = self.order();
         match self.mode {
             _ if !known || !deep || self.slipping.is_some() => {}
-            // where something rubs, accelerations and forces are there already
-            Some(Mode::Moving(_)) => {}
+            // where something rubs, accelerations and forces are there already; with loads against the motion alone there are no forces
+            Some(Mode::Moving(_)) if self.model.plan.effects.loses() => {}
+            Some(Mode::Moving(_)) => self.force(),
             Some(Mode::Resting) => {
                 self.take_held();
                 self.place(t, y, &dy[n..2 * n], None);
             }
             None => {
                 self.reduced.accelerate(&mut self.trial, &dy[n..2 * n]);
-                if self.model.plan.effects.forces {
-                    self.trial.run_loads_and_forces(self.model, &self.evaluated);
-                }
+                self.force();
             }
         }
         if known {
@@ -223,6 +222,13 @@ impl<'a, 's> Equations<'a, 's> {
         self.quiet = dy;
         self.forget();
         known
+    }
+
+    /// The forces, where the file asks for any.
+    fn force(&mut self) {
+        if self.model.plan.effects.forces {
+            self.trial.run_loads_and_forces(self.model, &self.evaluated);
+        }
     }
 
     /// Whether a state was evaluated last.
