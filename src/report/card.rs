@@ -30,10 +30,11 @@ pub fn page() -> String {
     section("Rules", include_str!("card/rules.md"));
     let files = FILES.map(|(what, text)| format!("{what}:\n\n```mech\n{}\n```\n", text.trim_end()));
     section("Files that solve", &files.join("\n"));
+    section("What is asked", include_str!("card/answers.md"));
     section("Statements", &lines(STATEMENTS));
     section("Pairs and transmissions", &lines(PAIRS));
     section("In the braces of a link", &lines(MEMBERS));
-    section("Shapes of masses", &inline(SHAPES));
+    section("Shapes of masses", &lines(SHAPES));
     section("In the braces of a cam", &lines(CAM_MEMBERS));
     section("Laws of cams", &inline(LAWS));
     section("Properties", &properties());

@@ -79,7 +79,9 @@ impl Rotor<'_> {
             let x = 10.0 + (WIDE - 20.0) * (part.plane - least) / (most - least);
             let up = -self.arm(part).y / radius * (HIGH - 4.0);
             let (foot, centre) = (Vec2::new(x, axis), Vec2::new(x, axis + up));
-            drawing.line(Style::Medium, foot, centre);
+            if up.abs() > MASS {
+                drawing.line(Style::Medium, foot, centre);
+            }
             drawing.mark(Style::Solid, Shape::Circle { centre, radius: MASS });
             let away = Vec2::new(0.0, if up > 0.0 { 1.0 } else { -1.0 });
             drawing.label(Label::at(self.name(part), LETTERS, centre, MASS).towards(away).ranked(2));

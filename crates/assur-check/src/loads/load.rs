@@ -373,7 +373,7 @@ fn named_pair(cx: &mut Context<'_>, name: &Name) -> Option<()> {
     let ThingKind::Joint(Cylinder | Prismatic | Revolute | Slot) = declared.what else { return Some(()) };
     cx.names.note_thing(name);
     let (is, declared) = (cx.names.things[&name.node].what.phrase(), Some(cx.names.things[&name.node].span));
-    let help = format!("write `in {}` for what acts between its links", name.node);
+    let help = format!("what acts between its links is `in {0}`, not `on {0}`", name.node);
     cx.error(wrong_kind(&name.node, &is, "a link", name.span, declared, Some(help)));
     None
 }
