@@ -182,7 +182,7 @@ export const pages = {
     };
     const many = await late(STEPS.replace("36 steps", "1000000 steps"), "longer than 5 s|positions");
     const endless = await late(`// ENDLESS\n${STEPS}`, "longer than 5 s");
-    const huge = await late("// a line that is long enough to fill a text\n".repeat(230_000), "longer than");
+    const huge = await late("// a line that is long enough to fill a text\n".repeat(230_000), "the file is empty");
     await closed(page);
     const without = await open("#x/first");
     await without.route("**/assur.wasm.gz", (route) => route.abort());
