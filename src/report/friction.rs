@@ -2,14 +2,14 @@
 
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
-use assur_model::model::{Display, Value};
+use assur_model::model::{Display, Find, FindKind, Value};
 use assur_solve::solve::{PairFriction, Pose, PoseAnswers, Solved};
 use assur_text::units::{Dimension, significant};
 
 /// Digits of coefficients and angles.
 const LAW_DIGITS: usize = 4;
 
-/// Friction of every pair at the one pose, or the power lost in each at every pose of a sweep.
+/// Friction of every pair at the one pose, or, where positions are asked for, the power lost in each at every pose of a sweep.
 pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     if !answers.model.plan.effects.friction {
         return;
@@ -29,9 +29,17 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
                 section.text(balance(answers, &view));
             }
         }
+        _ if asks_of_the_whole(answers) => {}
         _ => section.table(of_a_sweep(answers, &poses)),
     }
     report.section(section);
+}
+
+/// Whether nothing is asked of single positions: then nobody reads what each of them loses.
+fn asks_of_the_whole(answers: &Answers<'_>) -> bool {
+    let finds = &answers.model.mechanism.finds;
+    let of_whole = |find: &Find| matches!(find.kind, FindKind::Value { poseless: true, .. });
+    !finds.is_empty() && finds.iter().all(of_whole)
 }
 
 /// One row per pair and its two links.

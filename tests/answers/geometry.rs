@@ -259,3 +259,21 @@ fn pages_show_what_they_explain() {
         assert!(wrong > 0 && right > 0, "{code} has no examples");
     }
 }
+
+/// An unknown force along a line is the one along its angle; of the link itself it turns with the link. A quantity comes first.
+#[test]
+fn an_unknown_force_acts_along_a_line() {
+    let force = |direction: &str, given: &str| -> f64 {
+        let text = format!(
+            "{given}ground {{ A (0, 0); line slope through A along -20 deg }}\n\
+             link crank A-B 100 mm {{ line face through B along 70 deg }}\nrevolute A: ground - crank\n\
+             drive crank = 30 deg\ntorque on crank = 12 N*m\nbalance force P on crank at B along {direction}\nfind P as N\n"
+        );
+        let solution = assur::solve(text.as_str()).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        solution.poses()[0]["P"].number().unwrap()
+    };
+    assert_eq!(force("slope", ""), force("-20 deg", ""));
+    assert_eq!(force("face", ""), force("70 deg in crank", ""));
+    assert_eq!(force("slope", "given slope = 55 deg\n"), force("55 deg", ""));
+    assert!((force("face", "") + 12.0 / (0.1 * 70_f64.to_radians().sin())).abs() < 1e-9);
+}

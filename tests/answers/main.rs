@@ -5,6 +5,7 @@ mod against_motion;
 mod all_motion;
 mod arms;
 mod beams;
+mod between_instants;
 mod bevel;
 mod bonds;
 mod brakes;

@@ -10,8 +10,9 @@ use assur_math::math::Vec2;
 use assur_model::model;
 use assur_model::model::BalanceKind;
 use assur_syntax::document;
-use assur_syntax::document::{Balance, LoadKind, Name, Site, Statement};
+use assur_syntax::document::{Balance, Expr, ExprKind, LoadKind, Name, Site, Statement};
 use assur_text::diagnostic::Diagnosis;
+use assur_text::source::Spanned;
 
 /// Enters all unknown efforts into the mechanism.
 pub(crate) fn balances(cx: &mut Context<'_>) {
@@ -148,9 +149,30 @@ fn along(
         );
         return None;
     };
+    if let Some((along, frame)) = along_line(cx, balance, along, on) {
+        return Some(BalanceKind::Force { on, at, along, frame });
+    }
     let along = cx.scalar_constant(along, &Want::ANGLE, &format!("the direction of the force `{name}`"));
     let frame = frame(cx, balance.frame.as_ref());
     Some(BalanceKind::Force { on, at, along: Vec2::direction(along?), frame: frame? })
+}
+
+/// The direction of a line that is named in place of an angle, of the ground or of the link itself, with the link whose axes it is
+/// given in. Quantities come first.
+fn along_line(
+    cx: &mut Context<'_>,
+    balance: &Balance,
+    along: &Expr,
+    on: model::LinkId,
+) -> Option<(Vec2, Option<model::LinkId>)> {
+    let ExprKind::Name(name) = &along.kind else { return None };
+    if balance.frame.is_some() || cx.names.quantities.contains_key(name) {
+        return None;
+    }
+    let has = |link: &model::LinkId| cx.kind_inside(*link, name) == Some("line");
+    let link = [model::LinkId::GROUND, on].into_iter().find(has)?;
+    let line = cx.line(link, &Spanned::new(name.clone(), along.span))?;
+    Some((line.along, (link != model::LinkId::GROUND).then_some(link)))
 }
 
 /// Reports a direction where there can be none.

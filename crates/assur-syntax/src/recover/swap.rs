@@ -202,6 +202,7 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("counterclockwise", "ccw"),
     ("anticlockwise", "ccw"),
     ("along", "@"),
+    ("@", "along"),
     ("by", "in"),
     ("with", "at"),
     ("at", "@"),
