@@ -339,3 +339,16 @@ find angle(crank)
         assert!((-1e-3..0.05).contains(&ahead), "{instant}, not {touch}\n{words}\n{text}");
     }
 }
+
+/// Nothing is asked of the motion: it is a mechanism still.
+#[test]
+fn a_free_shaft_of_which_nothing_is_asked_is_solved() {
+    for line in [
+        "shaft drum { inertia 3 kg*m^2 }\nstart drum = 0 deg at 2 rad/s",
+        "slider drum { mass 3 kg }\nstart drum = 0 mm at 2 m/s",
+    ] {
+        let text = format!("{line}\nsimulate 0 s .. 2 s in 4 steps\nfind x = 3\n");
+        let solution = assur::solve(text.as_str()).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        assert_eq!(solution.poses()[0]["x"].number(), Some(3.0));
+    }
+}

@@ -29,7 +29,9 @@ impl Context<'_> {
         self.names.note_thing(name);
         let found = self.find_link(&name.node);
         if found.is_none() {
-            self.no_thing(name, "link", "a link", |kind| kind == ThingKind::Link);
+            self.no_thing(name, "link", "a link", |kind| {
+                matches!(kind, ThingKind::Link | ThingKind::Shaft | ThingKind::Slider)
+            });
         }
         found
     }

@@ -21,6 +21,11 @@ pub(crate) fn at_rest(cx: &mut Context<'_>) {
                 | Statement::Brake(_)
                 | Statement::Balance(_)
                 | Statement::Link(_)
+                | Statement::Start(_)
+                | Statement::Simulate(_)
+                | Statement::Equilibrium(_)
+                | Statement::Spring(_)
+                | Statement::Counterweight(_)
         )
     });
     let asks = has(|s| matches!(s, Statement::Find(_) | Statement::Expect(_)));
