@@ -375,8 +375,8 @@ export const pages = {
       }
       await page.waitForFunction(() => document.querySelectorAll("#pane-tutorial li.done").length === 6);
       await page.keyboard.press("Alt+1");
-      await ready(page, 2);
-      assert.match(await page.locator("#pane-answers").innerText(), /M/);
+      // texts on the way may have been solved, too
+      await page.waitForFunction(() => /M/.test(document.getElementById("pane-answers").innerText));
       await closed(page);
     }
   },
