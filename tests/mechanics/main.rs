@@ -3,6 +3,7 @@
 //! One module per subject: `cargo test --test mechanics friction`.
 
 mod cams;
+mod contact;
 mod friction;
 mod geared_chains;
 mod gears;

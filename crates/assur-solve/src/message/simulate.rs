@@ -348,10 +348,9 @@ fn rests_under(model: &Model<'_>, load: LoadId) -> Diagnosis {
 }
 
 fn nothing_free(model: &Model<'_>) -> Diagnosis {
-    let mut labels = rubbing(model, "rubs");
-    labels.extend(model.mechanism.stops.iter().map(|stop| label("bounds what is driven", stop.span)));
-    let what = "friction, losses of transmissions or a stop in a motion that drives give alone,".to_owned();
-    not_supported_yet(&what, labels)
+    let stops = model.mechanism.stops.iter();
+    let labels = stops.map(|stop| label("bounds what is driven", stop.span)).collect();
+    not_supported_yet("a stop in a motion that drives give alone", labels)
 }
 
 fn no_inertia(model: &Model<'_>, time: String) -> Diagnosis {

@@ -16,7 +16,7 @@ use crate::math::Lu;
 use crate::solve::failure::Halt;
 
 /// A sliding speed below this part of the greatest so far is none.
-const NONE: f64 = 1e-11;
+pub(super) const NONE: f64 = 1e-11;
 /// The same of the greatest speed of a body: this part of it counts as the sliding speed that is compared with.
 const AS_ONE: f64 = 1e-3;
 /// Friction at rest holds this much more: rounding.
@@ -31,6 +31,8 @@ pub(super) const SLOW: f64 = 1e-9;
 const MOST: usize = 6;
 /// Pairs whose speeds depend on those of others but for this part.
 const DEPENDS: f64 = 1e-9;
+/// What drives move has the sense of its speed after the first of these parts of the run after which it has one.
+const SHORTLY: [f64; 3] = [1e-9, 1e-6, 1e-3];
 /// What is chosen anew so often at one instant has no way on.
 const AGAIN: u32 = 40;
 
@@ -88,13 +90,47 @@ impl Equations<'_, '_> {
         self.reduced.run_motion(self.model.plan, &mut self.trial);
         let speeds = self.sliding_speeds(slipping);
         let stops = self.standing_stops(slipping, t, y);
-        let (open, let_go) = slipping.take_senses(&speeds);
+        let (mut open, let_go) = slipping.take_senses(&speeds);
+        self.take_driven(slipping, (t, y), &mut open);
         (slipping.rests, slipping.undetermined) = (false, false);
         self.find_way(slipping, (t, y), (&open, &stops))?;
         self.find_still(slipping, &[open, let_go].concat());
         self.find_kept(slipping, &stops);
         slipping.begun = true;
         self.stop_held(slipping, y)
+    }
+
+    /// Takes out of the open elements those that drives alone move: they have the sense of their speed shortly after.
+    fn take_driven(&mut self, slipping: &mut Slipping, (t, y): (f64, &[f64]), open: &mut Vec<usize>) {
+        for &element in &*open {
+            slipping.driven[element] = self.is_driven(element);
+        }
+        let (mut driven, others): (Vec<usize>, Vec<usize>) =
+            open.iter().partition(|element| slipping.driven[**element]);
+        *open = others;
+        driven.iter().for_each(|&element| slipping.senses[element] = 0.0);
+        for part in SHORTLY {
+            if driven.is_empty() {
+                break;
+            }
+            self.set_position(t + part * (self.last - self.from), y);
+            self.reduced.run_motion(self.model.plan, &mut self.trial);
+            let speeds = self.sliding_speeds(slipping);
+            driven.retain(|&element| {
+                let moves = speeds[element].abs() > NONE * slipping.fastest;
+                if moves {
+                    slipping.senses[element] = speeds[element].signum();
+                }
+                !moves
+            });
+        }
+    }
+
+    /// Whether drives alone move an element.
+    fn is_driven(&mut self, element: usize) -> bool {
+        let mut slopes = Vec::with_capacity(self.order());
+        self.slopes_of_element(element, &mut slopes);
+        slopes.iter().all(|slope| *slope == 0.0)
     }
 
     /// Sliding speeds of all elements in the state that was moved last; the greatest is kept, lengths over the extent.
@@ -238,17 +274,29 @@ impl Equations<'_, '_> {
         if let Some(element) = most.1 {
             return Ok(Judged::LetGo(element, -slipping.efforts[element].signum()));
         }
-        for (&element, &sense) in open.iter().zip(senses).filter(|(_, sense)| **sense != 0.0) {
-            let acceleration = DissipativeElement::of(plan, element).acceleration(&self.trial);
-            let mut slopes = Vec::with_capacity(self.order());
-            self.slopes_of_element(element, &mut slopes);
-            let unit: f64 =
-                slopes.iter().zip(&slipping.units).map(|(slope, unit)| (slope * unit).abs()).sum();
-            if acceleration * sense < -SLOW * unit * slipping.greatest {
+        for (&element, &sense) in open.iter().zip(senses) {
+            if slipping.held.contains(&element) {
+                continue;
+            }
+            let begins = self.begins(slipping, element);
+            if sense == 0.0 && begins != 0.0 {
+                // it depends on what is held and on drives, which move it
+                return Ok(Judged::LetGo(element, begins));
+            }
+            if begins * sense < 0.0 {
                 return Ok(Judged::Held(element));
             }
         }
         Ok(Judged::Fits)
+    }
+
+    /// The sense in which an element accelerates, where everything was evaluated; 0 for rounding.
+    fn begins(&mut self, slipping: &Slipping, element: usize) -> f64 {
+        let acceleration = DissipativeElement::of(self.model.plan, element).acceleration(&self.trial);
+        let mut slopes = Vec::with_capacity(self.order());
+        self.slopes_of_element(element, &mut slopes);
+        let unit: f64 = slopes.iter().zip(&slipping.units).map(|(slope, unit)| (slope * unit).abs()).sum();
+        if acceleration.abs() > SLOW * unit * slipping.greatest { acceleration.signum() } else { 0.0 }
     }
 
     /// Which of the elements that slide from rest are kept from it by those that are held: their friction is at its limit.
@@ -257,7 +305,8 @@ impl Equations<'_, '_> {
         let count = basis.len();
         slipping.still.fill(false);
         for &element in slow.iter().filter(|element| slipping.senses[**element] != 0.0) {
-            slipping.still[element] = !self.is_independent(element, &mut basis);
+            slipping.still[element] =
+                !self.is_independent(element, &mut basis) && self.begins(slipping, element) == 0.0;
             basis.truncate(count);
         }
     }
@@ -365,7 +414,7 @@ impl Slipping {
             let struck = std::mem::take(&mut self.struck[element]) && speed.abs() > NONE * self.fastest;
             let held = self.begun && self.senses[element] == 0.0 && !struck;
             self.before[element] = !self.begun || held || self.still[element];
-            if held && turns {
+            if held && turns && !self.driven[element] {
                 let_go.push(element);
                 self.senses[element] = -self.efforts[element].signum();
             } else if held || turns || self.still[element] || speed.abs() <= NONE * self.fastest {

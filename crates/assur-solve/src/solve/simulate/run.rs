@@ -392,8 +392,7 @@ const fn sum(a: Counts, b: Counts) -> Counts {
 
 /// Chooses how a coordinate that rubs begins.
 fn start(equations: &mut Equations<'_, '_>, first: f64, y: &mut [f64]) -> Result<(), Halt> {
-    let stops = !equations.model.mechanism.stops.is_empty();
-    if equations.order() == 0 && (stops || equations.model.plan.effects.loses()) {
+    if equations.order() == 0 && !equations.model.mechanism.stops.is_empty() {
         return Err(Halt::NothingFree);
     }
     if equations.mode.is_some() {

@@ -25,6 +25,8 @@ pub(super) struct Slipping {
     pub held: Vec<usize>,
     /// Elements at the limit of their friction that others keep from sliding.
     pub still: Vec<bool>,
+    /// Elements that drives alone move: never held, but at rest as long as their drives are.
+    pub driven: Vec<bool>,
     /// Elements that were held before.
     pub before: Vec<bool>,
     /// Efforts that hold, by element.
@@ -73,6 +75,7 @@ impl Slipping {
             senses: vec![0.0; count],
             held: Vec::new(),
             still: vec![false; count],
+            driven: vec![false; count],
             before: vec![true; count],
             efforts: vec![0.0; count],
             at_rest: DissipativeElement::all(model.plan).map(|rubs| greater_at_rest(still, rubs)).collect(),

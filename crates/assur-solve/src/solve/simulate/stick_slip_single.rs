@@ -5,6 +5,7 @@
 //! no acceleration is the answer, or several are (Painlevé), and the run ends.
 
 use super::dissipative::DissipativeElement;
+use super::drives::moves;
 use super::equations::Equations;
 use super::loads::all_parts;
 use super::sliding_sense::Mode;
@@ -279,17 +280,21 @@ impl Equations<'_, '_> {
         self.acting().any(|(_, load, _)| load.is_against_motion())
     }
 
-    /// Whether drives alone move nothing against each other that rubs: then all of it rests with the free coordinate.
+    /// Whether drives alone can move nothing against each other that rubs: then all of it rests with the free coordinate.
     pub fn rests_together(&mut self, t: f64, y: &[f64]) -> bool {
-        let speeds = |equations: &Self| {
+        let speeds = |equations: &mut Self| {
+            equations.trial.run_motion::<1>(equations.model.plan);
             let all = DissipativeElement::all(equations.model.plan);
             all.map(|rubs| rubs.speed(&equations.trial).abs()).fold(0.0, f64::max)
         };
         self.set_position(t, &[y[0], 1.0]);
-        self.trial.run_motion::<1>(self.model.plan);
         let moving = speeds(self);
         self.set_position(t, &[y[0], 0.0]);
-        self.trial.run_motion::<1>(self.model.plan);
+        for (input, drive) in self.trial.motion.inputs.iter_mut().zip(&self.model.mechanism.drives) {
+            if !drive.free && (drive.of_time || moves(input)) {
+                (input.rate, input.velocity) = (1.0, Vec2::new(1.0, 1.0));
+            }
+        }
         speeds(self) <= STILL * moving
     }
 }

@@ -1,5 +1,6 @@
 //! Where, within a step, what rubs comes to rest, turns, or is let go, and how the run goes on from there.
 
+use super::contact_modes::NONE;
 use super::depends::Kept;
 use super::dissipative::DissipativeElement;
 use super::equations::Equations;
@@ -254,6 +255,8 @@ impl Equations<'_, '_> {
                 f64::NAN
             } else if slipping.held.contains(&element) {
                 1.0 - self.part_held(&slipping, element)
+            } else if slipping.driven[element] {
+                1.0 - speeds[element].abs() / (NONE * slipping.fastest)
             } else {
                 f64::INFINITY
             };
