@@ -90,9 +90,13 @@ impl PoseAnswers<'_> {
             }
             Origin::Law(slot) => self.plan.laws.get(slot).map(|law| law.pair),
             Origin::Friction(i) => self.plan.friction.get(i).map(|element| element.pair),
-            Origin::Load(_) | Origin::Weight | Origin::Inertia | Origin::Spring(_) | Origin::Effort(_) => {
-                None
+            // the efforts of stops are the last loads
+            Origin::Load(load) => {
+                let stops = &self.mechanism.stops;
+                let first = self.mechanism.loads.len() - stops.len();
+                load.index().checked_sub(first).map(|stop| stops[stop].pair)
             }
+            Origin::Weight | Origin::Inertia | Origin::Spring(_) | Origin::Effort(_) => None,
         }
     }
 }

@@ -347,9 +347,37 @@ impl PoseAnswers<'_> {
         if self.shares_friction(pair) {
             return Vec2::new(f64::NAN, f64::NAN);
         }
-        let rubbing = self.friction_force(pair, link);
+        let rubbing = self.friction_force(pair, link) + self.stop_force(pair, link);
         self.slots(pair, link)
             .fold(rubbing, |sum, (slot, sign)| sum + self.state.forces.reactions[slot].force * sign)
+    }
+
+    /// What closed stops of a pair bear along its coordinate, N or N m.
+    fn stop_effort(&self, pair: PairId) -> f64 {
+        let stops = self.mechanism.stops.iter().zip(&self.state.motion.stops);
+        stops.filter(|(stop, _)| stop.pair == pair).map(|(_, effort)| effort).sum()
+    }
+
+    /// The force of closed stops on a link of a guide.
+    fn stop_force(&self, pair: PairId, link: LinkId) -> Vec2 {
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Prismatic(g) | PairKind::Slot(g) if !self.mechanism.stops.is_empty() => {
+                let sign = if link == g.slider { 1.0 } else { -1.0 };
+                self.line_of(pair, g) * (sign * self.stop_effort(pair))
+            }
+            _ => Vec2::zero(),
+        }
+    }
+
+    /// The torque of closed stops on a link of a hinge.
+    fn stop_torque(&self, pair: PairId, link: LinkId) -> f64 {
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Revolute(pins) if !self.mechanism.stops.is_empty() => {
+                let sign = if pins.first().is_some_and(|pin| pin.link == link) { -1.0 } else { 1.0 };
+                sign * self.stop_effort(pair)
+            }
+            _ => 0.0,
+        }
     }
 
     /// The couple on a link in a pair about the pair's reference point; NaN where it is not determined.
@@ -363,7 +391,7 @@ impl PoseAnswers<'_> {
         }
         let couples =
             self.slots(pair, link).map(|(slot, sign)| self.state.forces.reactions[slot].couple * sign);
-        couples.sum::<f64>() + self.friction_couple(pair, link)
+        couples.sum::<f64>() + self.friction_couple(pair, link) + self.stop_torque(pair, link)
     }
 
     /// Slots of reactions that act on a link in a pair, with their signs.
