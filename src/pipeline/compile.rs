@@ -137,8 +137,11 @@ fn compile_checked(
     plan_mechanism(mechanism, None, found, origin)
 }
 
+/// Errors of guides and bars may be those of a pair that is missing or too many.
+const FOLLOW: [&str; 2] = ["mech::geometry::no_guide", "mech::request::bends"];
+
 /// The defects of the structure, where the errors of the check all follow from them: names of a pair that is missing, and
-/// guides that no pair makes.
+/// those that may follow from any.
 fn structural_cause(
     source: &Source,
     document: &Document,
@@ -149,9 +152,12 @@ fn structural_cause(
     let mut structural = Problems::new();
     structural.extend(defects);
     let proposed = structural.views(source).iter().flat_map(proposed_names).collect::<Vec<_>>();
+    let pins = structural.views(source).iter().any(|d| proposed_lines(d).any(|l| l.starts_with("revolute ")));
     let follows = |d: &DiagnosticView| {
         d.severity != "error"
-            || d.code.as_deref() == Some("mech::geometry::no_guide")
+            || d.code.as_deref().is_some_and(|code| FOLLOW.contains(&code))
+            // wheels need a bearing
+            || pins && d.code.as_deref() == Some("mech::train::no_carrier")
             // a pair that is there and has an error is not missing
             || d.code.as_deref().is_some_and(|code| code.starts_with("mech::name::"))
                 && proposed.iter().any(|name| d.message.contains(&format!("`{name}`")))
@@ -161,8 +167,15 @@ fn structural_cause(
 
 /// The names of the pairs that a help proposes to add.
 fn proposed_names(defect: &DiagnosticView) -> Vec<String> {
-    let lines = defect.help.iter().flat_map(|help| help.lines()).filter(|line| line.starts_with("  "));
-    lines.filter_map(|line| Some(line.trim().split_once(':')?.0.split_once(' ')?.1.to_owned())).collect()
+    proposed_lines(defect)
+        .filter_map(|line| Some(line.split_once(':')?.0.split_once(' ')?.1.to_owned()))
+        .collect()
+}
+
+/// The lines that a help proposes to add.
+fn proposed_lines(defect: &DiagnosticView) -> impl Iterator<Item = &str> {
+    let lines = defect.help.iter().flat_map(|help| help.lines());
+    lines.filter(|line| line.starts_with("  ")).map(str::trim)
 }
 
 /// Structure and plan of a mechanism; the structure is known where another row of the same text has the same.

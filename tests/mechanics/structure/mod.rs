@@ -3,6 +3,8 @@
 
 mod cases;
 mod help;
+mod lines;
 mod linkage;
 mod oracle;
 mod random_linkages;
+mod surplus;

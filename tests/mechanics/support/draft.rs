@@ -161,6 +161,7 @@ impl Draft {
             point_name: "P".into(),
             point: self.local(slider, point),
             direction: self.axis(slider, direction),
+            own_line: None,
             guide: carrier,
             line_name: "l".into(),
             through: self.local(carrier, through),

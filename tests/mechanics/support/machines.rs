@@ -53,6 +53,7 @@ pub fn prismatic(m: &mut Mechanism, slider: LinkId, guide: LinkId, through: Vec2
         point_name: "C".into(),
         point: at(0.0, 0.0),
         direction: at(1.0, 0.0),
+        own_line: None,
         guide,
         line_name: "guide".into(),
         through,

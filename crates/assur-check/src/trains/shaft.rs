@@ -93,6 +93,7 @@ fn of_slider(cx: &mut Context<'_>, slider: &Slider, link: LinkId) {
         point_name: String::new(),
         point: ORIGIN,
         direction: AXIS,
+        own_line: None,
         guide: LinkId::GROUND,
         line_name: String::new(),
         through: ORIGIN,

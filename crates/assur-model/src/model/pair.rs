@@ -124,6 +124,8 @@ pub struct Guide {
     pub point: Vec2,
     /// Unit direction in the slider's frame that lies along the line (meaningless for a slot).
     pub direction: Vec2,
+    /// Name of the slider's own line, where two lines slide.
+    pub own_line: Option<String>,
     /// The link that carries the line.
     pub guide: LinkId,
     /// Name of the line.

@@ -53,7 +53,8 @@ pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId])
         for (i, candidate) in candidates.iter().enumerate() {
             let with = [chosen.as_slice(), std::slice::from_ref(&candidate.kind)].concat();
             let fit = trial.with(&with, &[]).fit();
-            if fit.surplus > defect.fit.surplus || fit.missing >= now.missing {
+            let helps = fit.surplus <= defect.fit.surplus && fit.missing < now.missing;
+            if !helps || !trial.agrees_with(&with) {
                 continue;
             }
             if fit.missing == 0 && chosen.is_empty() {
@@ -207,6 +208,7 @@ fn guide((slider, point_name, point): (LinkId, &str, Vec2), (guide, line): (Link
         point_name: point_name.to_owned(),
         point,
         direction: Vec2::new(1.0, 0.0),
+        own_line: None,
         guide,
         line_name: line.name.clone(),
         through: line.through,

@@ -4,6 +4,8 @@
 //! rows. Dependencies that share a condition form one overconstrained part. A freedom is left where a motion keeps all
 //! conditions. The total can agree with both present, so that the count 3n − 2P_L − P_H of the whole decides nothing.
 
+use std::collections::BTreeMap;
+
 use super::echelon::{Echelon, Number, row};
 use super::incidence::{Incidence, Owner};
 use super::joint::{BodyId, BodyOrigin, JointId, JointKind, Replaced};
@@ -108,7 +110,7 @@ impl Incidence {
         !self.is_freedom(3 * body.0)
     }
 
-    /// The dependencies between conditions, joined where they share one.
+    /// The dependencies between conditions, joined where they share one, or one of a pair.
     fn overconstrained(&self, replaced: &Replaced) -> Vec<Part> {
         let mut part_of: Vec<usize> = (0..self.rows.len()).collect();
         let mut is_dependent = vec![false; self.rows.len()];
@@ -123,6 +125,17 @@ impl Incidence {
                 part_of[own.max(with)] = own.min(with);
             }
             firsts.extend(first);
+        }
+        let pair = |condition: usize| match self.owners[condition] {
+            Owner::Joint(joint) => Some(replaced.joint(joint).pair),
+            Owner::Effort(_) | Owner::Passive => None,
+        };
+        let mut first = BTreeMap::new();
+        for condition in (0..self.rows.len()).filter(|c| is_dependent[*c]) {
+            let Some(pair) = pair(condition) else { continue };
+            let with = root(&part_of, *first.entry(pair).or_insert(condition));
+            let own = root(&part_of, condition);
+            part_of[own.max(with)] = own.min(with);
         }
         let mut parts: Vec<Vec<usize>> = vec![Vec::new(); self.rows.len()];
         for condition in (0..self.rows.len()).filter(|c| is_dependent[*c]) {

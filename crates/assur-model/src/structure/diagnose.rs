@@ -1,6 +1,7 @@
 //! What to report of conditions that do not match freedoms.
 
 use assur_text::diagnostic::{Diagnosis, Fix};
+
 use miette::LabeledSpan;
 
 use super::add_effort::{Adds, efforts_beside, missing_efforts};
@@ -8,17 +9,20 @@ use super::add_pair::{Missing, missing_meshes, missing_pairs};
 use super::count::Count;
 use super::defect::{Defect, Part};
 use super::effort::{Effort, EffortSource};
+use super::generic::Split;
 use super::joint::{BodyId, JointKind, Replaced};
-use super::leave_out::{Repair, links, one_of};
+use super::leave_out::{Repair, links, one_of, statement};
 use super::place;
 use super::repeated::repeated;
 use super::ring::locked;
 use super::roller::{MOST_LABELS, counted, label, listed, names, with_lines};
 use super::trial::Trial;
+use crate::math::Vec2;
 use crate::model::{
     DriveTarget, Expr, FrictionLimit, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value,
 };
 use crate::source::Span;
+use crate::units::significant;
 
 const MOST_PARTS: usize = 3;
 
@@ -72,6 +76,26 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Dia
             .help(help)
         }
     }
+}
+
+/// The totals agree, but a pin would bring two points of one link together.
+pub(super) fn of_split(mechanism: &Mechanism, replaced: &Replaced, split: Split) -> Diagnosis {
+    let pair = replaced.joint(split.joint).pair;
+    let links = replaced.links_of(split.body);
+    let name = |at: Vec2| {
+        let points = links.iter().flat_map(|l| mechanism.link(*l).points.iter().map(move |p| (*l, p)));
+        let found = points.into_iter().find(|(l, p)| replaced.place(*l, p.at).1 == at);
+        found
+            .map_or_else(|| "a point".to_owned(), |(l, p)| format!("`{}.{}`", mechanism.link(l).name, p.name))
+    };
+    let ([a, b], statement) = (split.points.map(name), statement(mechanism, pair));
+    let apart = significant(1e3 * (split.points[0] - split.points[1]).norm(), 6);
+    Diagnosis::error(
+        "mech::determinacy::unbalanced",
+        format!("{statement} cannot hold: it would bring {a} and {b}, {apart} mm apart, together"),
+    )
+    .label(mechanism.pair(pair).span, "joins them, by other pins")
+    .help(format!("join other points by {statement}"))
 }
 
 /// How many drives are declared, and starts where the motion follows from the loads.
@@ -165,16 +189,8 @@ fn sum(trial: Trial<'_>, part: &Part) -> String {
     }
     if !is_rigid(part) {
         let surplus = counted(part.surplus, "condition");
-        let is_wheels =
-            |p: &(PairId, usize)| matches!(trial.mechanism.pair(p.0).kind, PairKind::Transmission(_));
-        let why = match part.pairs.as_slice() {
-            [] => "two drives or starts give one coordinate",
-            pairs if pairs.iter().all(is_wheels) => {
-                "a ring of transmissions turns only where its ratios agree"
-            }
-            _ => "joints at one point repeat each other",
-        };
-        return format!("{names} have {surplus} too many at the marked joints: {why}");
+        let why = if part.pairs.is_empty() { ": two drives or starts give one coordinate" } else { "" };
+        return format!("{names} have {surplus} too many at the marked joints{why}");
     }
     if moving.len() == part.bodies.len() {
         return format!("{names} have {free} relative to each other and lose {taken} at the marked joints");
@@ -230,11 +246,6 @@ fn of_part(repair: Repair<'_>) -> String {
     }
     let changes = repair.changes();
     let own: usize = part.pairs.iter().map(|p| p.1).sum();
-    if part.freedoms > own && !changes.efforts.is_empty() {
-        let pairs = changes.pairs.iter().map(|c| &c.text);
-        let all: Vec<String> = pairs.chain(&changes.efforts).cloned().collect();
-        return format!("{sum}; leave out {}", one_of(&all));
-    }
     let mut ways = Vec::new();
     let least = changes.pairs.first().map_or(0, |c| c.unmoved);
     let (best, rest): (Vec<_>, Vec<_>) = changes.pairs.iter().partition(|c| c.unmoved == least);
@@ -254,7 +265,7 @@ fn of_part(repair: Repair<'_>) -> String {
         [one] => ways.push(format!("leave out link {one} with its pairs")),
         some => ways.push(format!("leave out one of the links {} with its pairs", one_of(some))),
     }
-    if ways.is_empty() {
+    if ways.is_empty() && changes.efforts.is_empty() {
         ways.extend(loosened(repair).or_else(|| together(repair)));
     }
     match (changes.efforts.as_slice(), ways.as_slice()) {
@@ -269,8 +280,11 @@ fn of_part(repair: Repair<'_>) -> String {
             }
         }
         (drives, ways) => {
-            let drives = format!("leave out {}", one_of(drives));
-            format!("{sum}; {}", listed(&[ways, &[drives]].concat(), "or"))
+            let drives = [format!("leave out {}", one_of(drives))];
+            // where another drive is left the machine still moves
+            let first = part.freedoms > own && trial.efforts.len() > 1;
+            let all = if first { [&drives, ways].concat() } else { [ways, &drives].concat() };
+            format!("{sum}; {}", listed(&all, "or"))
         }
     }
 }

@@ -1,6 +1,7 @@
 //! A mechanism at random dimensions in a random position: what its joints let move there they let move almost everywhere.
 //! Only what the text makes one stays one: a point of a link that several joints share is one point for all of them, and
-//! a line that several joints share has one direction.
+//! a line that several joints share has one direction. A pin that would bring two points of one link together holds nowhere: it has a
+//! place of its own.
 
 use std::collections::BTreeMap;
 
@@ -18,6 +19,17 @@ pub(super) struct Generic {
     directions: Vec<Vector>,
     /// A joint at each point of a link that has one.
     at: BTreeMap<Name, usize>,
+    /// Pins that would bring two points of one link together.
+    pub(super) split: Vec<Split>,
+}
+
+/// A pin that would bring two points of one link together: it cannot hold.
+#[derive(Clone, Copy)]
+pub(super) struct Split {
+    pub joint: JointId,
+    pub body: BodyId,
+    /// In the frame of the body, m.
+    pub points: [Vec2; 2],
 }
 
 /// A place of a body, or a line of it.
@@ -33,9 +45,7 @@ impl Generic {
                     // the profile of a designed cam moves on along the cam
                     let along_rim = members.iter().any(|m| replaced.bodies[m.0.0].on_rim);
                     let real = members.iter().filter(|m| is_link(replaced, m.0) && !along_rim);
-                    for (body, at) in real {
-                        points.join(i, (*body, bits(*at, Vec2::new(0.0, 0.0))));
-                    }
+                    points.pin(i, real.map(|(body, at)| (*body, bits(*at, Vec2::zero()))).collect());
                 }
                 JointKind::Prismatic { slider, guide, through, along, .. } => {
                     if is_link(replaced, *guide) && !replaced.bodies[slider.0].on_rim {
@@ -45,8 +55,8 @@ impl Generic {
                 JointKind::Weld { .. } | JointKind::Law(_) => {}
             }
         }
-        let (at, points) = (points.first.clone(), points.vectors(0));
-        Self { points, directions: directions.vectors(1 << 40), at }
+        let (at, split) = (points.first.clone(), std::mem::take(&mut points.split));
+        Self { points: points.vectors(0), directions: directions.vectors(1 << 40), at, split }
     }
 
     /// The place of a point of a link in the world.
@@ -84,11 +94,12 @@ struct Classes {
     first: BTreeMap<Name, usize>,
     /// Of every joint, one of its class before it, or itself.
     parent: Vec<usize>,
+    split: Vec<Split>,
 }
 
 impl Classes {
     fn new(joints: usize) -> Self {
-        Self { first: BTreeMap::new(), parent: (0..joints).collect() }
+        Self { first: BTreeMap::new(), parent: (0..joints).collect(), split: Vec::new() }
     }
 
     fn root(&self, mut at: usize) -> usize {
@@ -96,6 +107,21 @@ impl Classes {
             at = self.parent[at];
         }
         at
+    }
+
+    /// Puts a joint into the classes of its names, unless a body would have two of them in one.
+    fn pin(&mut self, joint: usize, names: Vec<Name>) {
+        let classes: Vec<usize> =
+            names.iter().filter_map(|n| self.first.get(n)).map(|j| self.root(*j)).collect();
+        let known = self.first.iter().filter(|(_, joint)| classes.contains(&self.root(**joint)));
+        let mut all: Vec<Name> = known.map(|(name, _)| *name).chain(names.iter().copied()).collect();
+        all.sort_unstable();
+        all.dedup();
+        let Some(two) = all.windows(2).find(|two| two[0].0 == two[1].0) else {
+            return names.into_iter().for_each(|name| self.join(joint, name));
+        };
+        let points = [two[0].1, two[1].1].map(|[x, y, ..]| Vec2::new(f64::from_bits(x), f64::from_bits(y)));
+        self.split.push(Split { joint: JointId(joint), body: two[0].0, points });
     }
 
     /// Puts a joint into the class of a name.

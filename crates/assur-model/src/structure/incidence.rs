@@ -4,7 +4,7 @@
 
 use super::echelon::{Number, Row, row};
 use super::effort::{Effort, EffortKind};
-use super::generic::{Generic, Vector};
+use super::generic::{Generic, Split, Vector};
 use super::joint::{BodyId, BodyRate, Joint, JointId, JointKind, Replaced};
 use super::matching::Condition;
 use crate::model::Axis;
@@ -69,6 +69,11 @@ impl Incidence {
             self.add_effort(replaced, i, effort);
         }
         self
+    }
+
+    /// The first pin that cannot hold.
+    pub(super) fn split(&self) -> Option<Split> {
+        self.generic.split.first().copied()
     }
 
     /// The number of columns, those of known bodies (in which no row has a coefficient) among them.

@@ -69,9 +69,10 @@ impl Repair<'_> {
         Changes { pairs: self.pairs(), slots: self.slots(), links: self.links(), efforts: self.efforts() }
     }
 
-    /// The part has no condition too many any more, and nothing is made loose.
+    /// The part has no condition too many any more, and nothing is made loose; or all is determined.
     fn is_sound(&self, now: Fit) -> bool {
-        now.surplus + self.part.surplus == self.defect.fit.surplus && now.missing == self.defect.fit.missing
+        let of_part = now.surplus + self.part.surplus == self.defect.fit.surplus;
+        now == Fit::default() || of_part && now.missing == self.defect.fit.missing
     }
 
     fn undriven_pairs(&self) -> impl Iterator<Item = PairId> + '_ {
@@ -121,8 +122,10 @@ impl Repair<'_> {
     /// Links without loads first: what acts on a link goes with it.
     fn links(&self) -> Vec<String> {
         let mechanism = self.trial.mechanism;
-        let tried = links(self.trial.replaced, &self.part.bodies)
-            .filter(|l| *l != LinkId::GROUND && !self.trial.replaced.has_parts())
+        let bodies = self.part.bodies.iter();
+        let tried = bodies
+            .flat_map(|body| self.trial.replaced.links_of(*body))
+            .filter(|l| *l != LinkId::GROUND)
             .take(self.trial.most_tried(MOST_TRIED))
             .filter(|&l| !drives_link(self.trial, l))
             .filter(|&l| self.is_sound(self.trial.without_links(&[l]).fit()));

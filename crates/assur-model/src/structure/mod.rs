@@ -17,6 +17,7 @@ mod group;
 mod incidence;
 mod joint;
 mod leave_out;
+mod lines;
 #[doc(hidden)]
 pub mod matching;
 mod place;
@@ -53,6 +54,7 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
     if !errors.is_empty() {
         return Err(errors);
     }
+    errors.extend(lines::contradiction(mechanism, &replaced));
     errors.extend(floating::floating(trial));
     errors.extend(roller::turned(mechanism, &replaced.passive));
     if !errors.is_empty() {
@@ -62,7 +64,10 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
     let joints = Incidence::of_joints(&replaced);
     let driven = joints.clone().with_efforts(&replaced, &drives);
     let motion = match decompose::decompose(&replaced, &driven, &drives, decompose::Side::Motion) {
-        Ok(groups) => groups,
+        Ok(groups) => match driven.split() {
+            Some(split) => return Err(vec![diagnose::of_split(mechanism, &replaced, split)]),
+            None => groups,
+        },
         Err(defect) => {
             return Err(vec![diagnose::of_motion(trial, &count, &defect)]);
         }
@@ -111,6 +116,7 @@ impl Structure {
         let replaced = replace::replace(mechanism);
         // a roller that turns freely may have got what turns it
         let sound = roller::turned(mechanism, &replaced.passive).is_empty();
+        let sound = sound && lines::contradiction(mechanism, &replaced).is_none();
         (sound && replaced.is_alike(&self.replaced)).then(|| Self { replaced, ..self.clone() })
     }
 }

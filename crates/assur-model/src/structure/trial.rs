@@ -3,6 +3,7 @@
 use super::effort::{self, Effort, EffortKind, EffortSource, X_AXES};
 use super::incidence::Incidence;
 use super::joint::{BodyOrigin, Joint, JointKind, Replaced};
+use super::lines;
 use super::replace;
 use super::replace::mark_chains;
 use crate::model::{DriveId, LinkId, Mechanism, PairId, PairKind};
@@ -54,7 +55,8 @@ impl Trial<'_> {
                     _ => remove_pairs(&mut replaced, &[PairId::at(i)]),
                 }
             }
-            replaced.bodies[link.index()].known = true;
+            let body = self.replaced.body_of(link);
+            replaced.bodies[body.0].known |= self.replaced.links_of(body).len() == 1;
         }
         self.after(replaced)
     }
@@ -85,12 +87,22 @@ impl Trial<'_> {
         (efforts.len() == self.efforts.len()).then(|| Incidence::new(&replaced, &efforts))
     }
 
-    /// Adds pairs, and drives or unknown efforts.
-    pub(super) fn with(&self, pairs: &[PairKind], kinds: &[EffortKind]) -> Incidence {
+    /// Whether added pairs lay no lines on each other that cannot be parallel.
+    pub(super) fn agrees_with(&self, pairs: &[PairKind]) -> bool {
+        lines::agree(self.mechanism, &self.replaced_with(pairs))
+    }
+
+    fn replaced_with(&self, pairs: &[PairKind]) -> Replaced {
         let mut replaced = self.replaced.clone();
         for (i, kind) in pairs.iter().enumerate() {
             replaced.add_pair(PairId::at(self.mechanism.pairs.len() + i), kind);
         }
+        replaced
+    }
+
+    /// Adds pairs, and drives or unknown efforts.
+    pub(super) fn with(&self, pairs: &[PairKind], kinds: &[EffortKind]) -> Incidence {
+        let mut replaced = self.replaced_with(pairs);
         mark_chains(&mut replaced);
         let mut efforts = self.efforts.to_vec();
         // where it would be declared makes no difference

@@ -17,6 +17,7 @@ impl PoseAnswers<'_> {
                 point_name: String::new(),
                 point: Vec2::zero(),
                 direction: Vec2::new(1.0, 0.0),
+                own_line: None,
                 guide: *barrel,
                 line_name: String::new(),
                 through: Vec2::zero(),

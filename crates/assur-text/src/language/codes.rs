@@ -239,6 +239,7 @@ pub static CODES: &[Code] = codes! {
     "determinacy" / "immobile",
     "determinacy" / "repeated",
     "determinacy" / "unbalanced",
+    "determinacy" / "not_parallel",
     "determinacy" / "efforts",
     "determinacy" / "not_a_group",
     "determinacy" / "part_of_larger",
