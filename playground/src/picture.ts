@@ -31,12 +31,27 @@ export class Picture {
     this.end();
     this.declared = moving.declared;
     this.root.innerHTML = moving.markup;
+    this.room();
     if (moving.motion === null) return;
     const motion = { ...moving.motion, shown: moving.motion.arrows.some((one) => one.kind === arrows) ? arrows : null };
     const { moved, show } = this.hooks;
     this.played = player(this.root, motion, { moved, show, clicked: (name, kind) => this.clicked(name, kind) }, this.root);
     this.played.at(part);
     if (playing) this.played.play(true);
+  }
+
+  /** Picture and plot side by side are of one height, and values that once needed a line keep it: nothing jumps while it moves. */
+  private room(): void {
+    const parts = this.root.querySelector<HTMLElement>(".motion-parts"), values = this.root.querySelector<HTMLElement>(".motion-values");
+    const shapes = [...this.root.querySelectorAll("svg")].map(({ viewBox: { baseVal } }) => `minmax(0,${(baseVal.width / baseVal.height).toFixed(3)}fr)`);
+    parts?.style.setProperty("--columns", shapes.join(" "));
+    let width = 0;
+    const sized = new ResizeObserver(([{ contentRect: now }]) => {
+      if (!values?.isConnected) return sized.disconnect();
+      values.style.minHeight = now.width === width ? `${now.height}px` : "";
+      width = now.width;
+    });
+    if (values) sized.observe(values);
   }
 
   /** One position, before its motion is there: the picture in place of the one that moves. */
