@@ -27,7 +27,8 @@ export class Gallery {
 
   constructor(
     private readonly store: Store,
-    private readonly chosen: (example: Example) => void,
+    private readonly texts: () => string[],
+    private readonly chosen: (text: string, hash?: string) => void,
   ) {}
 
   async open(): Promise<void> {
@@ -38,7 +39,8 @@ export class Gallery {
     this.dialog.replaceChildren(make("div", { class: "bar" }, search, close), said, list);
     this.dialog.showModal();
     try {
-      const all = await examples();
+      const own = this.texts().map((text) => ({ name: "", title: /"(.+)"/.exec(text)?.[1] ?? text.trim().slice(0, 60), chapter: word(language, "texts"), picture: null, text }));
+      const all = [...own, ...(await examples())];
       const show = () => {
         const wanted = search.value.trim().toLowerCase();
         const found = wanted === "" ? [] : all.filter((one) => `${one.name} ${one.title} ${one.text}`.toLowerCase().includes(wanted));
@@ -60,8 +62,8 @@ export class Gallery {
   }
 
   private button(example: Example): HTMLElement {
-    const words = [make("b", {}, example.title), make("small", { class: "soft" }, example.name)];
+    const { name, title, text } = example, words = [make("b", {}, title), make("small", { class: "soft" }, name || text.trim().split("\n").at(-1)!.slice(0, 60))];
     const picture = example.picture ? [make("img", { src: example.picture, alt: "", loading: "lazy" })] : [];
-    return make("button", { class: "card", onclick: () => (this.dialog.close(), this.chosen(example)) }, ...picture, ...words);
+    return make("button", { class: "card", onclick: () => (this.dialog.close(), this.chosen(text, name === "" ? undefined : `#x/${name}`)) }, ...picture, ...words);
   }
 }

@@ -15,13 +15,14 @@ import { addressOfWorker, module } from "./parts";
 import { Panes } from "./panes";
 import { Picture } from "./picture";
 import { Store, kept } from "./state";
+import { KEPT, aside, texts } from "./texts";
 import { Lesson } from "./tutorial";
 import { LANGUAGES, preferred, word, type Language, type Word } from "./words";
 
 /** From the last key to the whole motion; until the last good picture is grey; from a rest of the slider to what shows one position; ms. */
 const WHOLE = 150, GREY = 300, REST = 250;
-/** The longest text that is kept between visits, and that is opened. */
-const KEPT = 200_000, LONGEST = 1 << 20;
+/** The longest text that is opened. */
+const LONGEST = 1 << 20;
 
 const query = new URLSearchParams(location.search);
 const embedded = query.has("embed");
@@ -71,44 +72,47 @@ const panes = new Panes(store, asked, {
 const lesson = new Lesson(store, asked, {
   append: (lines) => own.append(lines),
   leave() {
-    kept.set("tutorial", own.text());
-    restore();
+    keep();
+    if (before !== null) own.replace(before);
+    before = null;
+    store.set({ tab: "answers" });
   },
 });
 
-/** What was the author's before an example, a link or the tutorial took its place. */
-let mine: string | null = null;
-/** The text is the author's: it is kept. */
-let isMine = true;
+/** The text that the page put into the editor; any other is the author's. */
+let given = "";
+/** What the tutorial took the place of, while it is open. */
+let before: string | null = null;
 
+/** Keeps what was written: the tutorial's, or the author's. */
 function keep(): void {
   const text = own.text();
-  if (document.body.dataset.lesson !== undefined) kept.set("tutorial", text);
-  else if (isMine && !embedded && text.length < KEPT) kept.set("text", text);
+  if (before !== null) kept.set("tutorial", text);
+  else if (!embedded && text !== given && text.length < KEPT) kept.set("text", text);
 }
 
-/** Another text; that of the author can be had back. */
-function take(text: string): void {
-  if (isMine) mine = own.text();
-  isMine = false;
+/** Another text, with its address, or one of the author's, which has none. What the author has written is set aside. */
+function take(text: string, hash?: string): void {
+  keep();
+  const last = before ?? own.text();
+  before = null;
+  aside(last === given ? "" : last, hash === undefined ? text : "");
+  given = hash === undefined ? "" : text;
   own.replace(text);
-  isMine = true;
-  find("mine").hidden = mine === null || mine === text;
+  keep();
+  history.replaceState(null, "", location.pathname + location.search + (hash ?? ""));
+  find("mine").hidden = hash === undefined || texts().length === 0;
 }
 
 function restore(): void {
-  delete document.body.dataset.lesson;
-  const text = mine ?? kept.get("text") ?? first;
-  mine = null;
-  find("mine").hidden = true;
-  own.replace(text);
+  take(texts()[0] ?? first);
   store.set({ tab: "answers" });
 }
 
 function startLesson(): void {
-  if (document.body.dataset.lesson === undefined) {
-    mine = own.text();
-    document.body.dataset.lesson = "";
+  if (before === null) {
+    keep();
+    before = own.text();
     own.replace(kept.get("tutorial") ?? "");
     picture.others([], "");
     store.set({ shown: 0, old: false });
@@ -250,16 +254,14 @@ function connect(compiled: WebAssembly.Module): void {
 }
 
 /** The text of the address, else that of the last visit, else the first example. */
-async function begin(): Promise<string> {
+async function begin(last: string | null): Promise<string> {
   const link = await decode(location.hash), notice = find("notice");
-  const last = kept.get("text");
+  notice.textContent = "";
   if (link.kind === "text") {
-    mine = last;
     if (link.version !== VERSION) notice.textContent = say("version", link.version, VERSION);
     return link.text;
   }
   if (link.kind === "example") {
-    mine = last;
     const found = (await examples().catch(() => [])).find((one) => one.name === link.name);
     if (!found) notice.textContent = say("missing");
     return found?.text ?? "";
@@ -269,12 +271,17 @@ async function begin(): Promise<string> {
   return "";
 }
 
+/** The page is at an address; what was written meanwhile is the author's. */
+async function arrive(takes: () => boolean): Promise<void> {
+  keep();
+  const last = embedded ? null : kept.get("text");
+  if (last !== null) aside(last);
+  const text = await begin(last);
+  if (takes()) take(text, text === last ? undefined : location.hash);
+}
+
 function controls(): void {
-  const gallery = new Gallery(store, (example) => {
-    delete document.body.dataset.lesson;
-    take(example.text);
-    history.replaceState(null, "", `#x/${example.name}`);
-  });
+  const gallery = new Gallery(store, texts, take);
   const actions: Record<string, () => void> = {
     examples: () => void gallery.open(),
     tutorial: startLesson,
@@ -362,10 +369,9 @@ async function start(): Promise<void> {
     if (now.language !== before.language || now === before) named();
   });
   const loads = module().then((compiled) => ({ compiled }), (why: unknown) => ({ failed: reason(why) }));
-  const text = await begin();
-  // what was written meanwhile is the author's
-  if (own.text() === "") own.replace(text);
-  find("mine").hidden = mine === null;
+  await arrive(() => own.text() === "");
+  addEventListener("pagehide", keep);
+  addEventListener("hashchange", () => void arrive(() => true));
   const loaded = await loads;
   if ("failed" in loaded) return store.set({ failed: loaded.failed });
   connect(loaded.compiled);

@@ -46,6 +46,7 @@ const WORDS = {
   search: ["Search all examples", "Поиск по всем примерам", "搜索全部示例"],
   found: ["{} found", "найдено: {}", "找到 {} 个"],
   missing: ["There is no example of this name.", "Примера с таким именем нет.", "没有这个名称的示例。"],
+  texts: ["My texts", "Мои тексты", "我的文本"],
   mine: ["Back to my text", "К моему тексту", "回到我的文本"],
   broken: [
     "This link is not complete: its text cannot be read. The address is kept, so that you can copy it.",

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { buildSync } from "esbuild";
 
 const made = buildSync({ entryPoints: [new URL("../src/link.ts", import.meta.url).pathname], bundle: true, format: "esm", write: false });
-const { encode, decode } = await import(`data:text/javascript;base64,${Buffer.from(made.outputFiles[0].contents).toString("base64")}`);
+export const { encode, decode } = await import(`data:text/javascript;base64,${Buffer.from(made.outputFiles[0].contents).toString("base64")}`);
 
 /** Numbers that look random and are the same every time. */
 function random(seed) {

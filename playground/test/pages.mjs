@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { chromium } from "playwright-core";
 import { serve } from "../serve.mjs";
-import { broken } from "./links.mjs";
+import { broken, encode } from "./links.mjs";
 
 const DIST = new URL("../dist/", import.meta.url);
 const PROGRAM = process.env.CHROMIUM ?? "/usr/bin/chromium";
@@ -32,7 +32,7 @@ async function open(hash = "", { size = [1280, 800], text, worker, slow, ...more
   }
   if (slow !== undefined) await page.route("**/assur.wasm.gz", async (route) => (await new Promise((then) => setTimeout(then, slow)), route.continue()));
   if (text !== undefined) await page.addInitScript((own) => localStorage.getItem("assur-text") === null && localStorage.setItem("assur-text", own), text);
-  await page.goto(hash.startsWith("file:") ? hash : site.address + hash);
+  await page.goto(/^(file|about):/.test(hash) ? hash : site.address + hash);
   return page;
 }
 
@@ -269,6 +269,65 @@ export const pages = {
     assert.equal(await page.evaluate(() => document.body.dataset.ready), undefined);
     await paste(page, STEPS);
     await ready(page);
+    assert.equal(await typed(page), STEPS);
+    await closed(page);
+  },
+
+  async "page: what the author wrote is kept when an example, a link or the tutorial takes its place"() {
+    const page = await open("", { text: STEPS });
+    await ready(page);
+    const mine = STEPS.replace("My crank-slider", "Mine"), link = await encode(STEPS.replace("My crank-slider", "Of a friend"), "0.1.0");
+    const example = async (name) => {
+      await page.keyboard.press("Control+k");
+      await page.locator("#gallery small").getByText(name, { exact: true }).click();
+    };
+    const shows = (text) => page.waitForFunction((part) => document.querySelector(".cm-content").innerText.includes(part), text);
+    await paste(page, mine);
+    // at once, before anything is kept
+    await example("crank-slider");
+    await example("first");
+    assert.ok(await page.locator("#mine").isVisible());
+    await page.reload();
+    await ready(page);
+    await page.locator("#mine").click();
+    assert.equal(await typed(page), mine);
+    assert.ok(!page.url().includes("#"), "the address of the example is gone");
+    await page.reload();
+    await ready(page);
+    assert.equal(await typed(page), mine);
+    // an example that was changed takes no place of the older text, and is a text of the author's
+    await example("crank-slider");
+    await paste(page, STEPS.replace("My crank-slider", "Changed"));
+    await page.evaluate((hash) => (location.hash = hash), link);
+    await shows("Of a friend");
+    await page.keyboard.press("Control+k");
+    assert.deepEqual(await page.locator("#gallery section", { hasText: "My texts" }).locator("b").allInnerTexts(), ["Changed", "Mine"]);
+    await page.locator("#gallery b").getByText("Mine", { exact: true }).click();
+    assert.equal(await typed(page), mine);
+    // the tutorial, and an example from there
+    await page.locator("#tutorial").click();
+    await paste(page, "mech 1\n");
+    await page.locator("#pane-tutorial button").last().click();
+    assert.equal(await typed(page), mine);
+    await page.locator("#tutorial").click();
+    await example("crank-slider");
+    await page.locator("#mine").click();
+    assert.equal(await typed(page), mine);
+    // a link that cannot be read hides nothing either
+    await page.goto(`${site.address}?#hello`);
+    await page.locator("#mine").click();
+    assert.equal(await typed(page), mine);
+    await closed(page);
+  },
+
+  async "page: without storage the author's text is there until the page ends"() {
+    const page = await open("about:blank");
+    await page.addInitScript(() => Object.defineProperty(window, "localStorage", { get: () => { throw new Error("refused"); } }));
+    await page.goto(site.address);
+    await ready(page);
+    await paste(page, STEPS);
+    await page.evaluate(() => (location.hash = "#x/crank-slider"));
+    await page.locator("#mine").click();
     assert.equal(await typed(page), STEPS);
     await closed(page);
   },
