@@ -92,10 +92,7 @@ export class Engine {
       this.hooks.busy(false);
     }
     if (late) this.hooks.late();
-    for (const message of messages) {
-      const text = JSON.stringify(message);
-      for (const handler of this.handlers) handler(text);
-    }
+    for (const message of messages) for (const handler of this.handlers) handler(message);
   }
 
   /** The module ended by an error of its own: its text is not solved again until it changes. */

@@ -1,10 +1,10 @@
 // What stands beside the text, as tabs: answers, worked solution, pictures, problems. Each is asked for when it is seen.
 
-import { reason, type Asked, type Block, type Report } from "./asked";
+import { reason, type Asked, type Block, type Report, type Table } from "./asked";
 import { find, make } from "./dom";
 import type { Fix } from "./lsp";
 import type { State, Store, Tab } from "./state";
-import { word } from "./words";
+import { word, type Language } from "./words";
 
 export interface Fixes {
   of(problem: State["problems"][number]): Promise<Fix[]>;
@@ -12,6 +12,8 @@ export interface Fixes {
   go(line: number, column: number): void;
 }
 
+/** How many rows of a table are drawn at first, and at once; how many more are drawn when they are wanted. */
+const ROWS = 200, MORE = 1000;
 const TABS: Tab[] = ["text", "answers", "worked", "pictures", "problems", "tutorial"];
 
 export class Panes {
@@ -78,7 +80,7 @@ export class Panes {
     }
     if (shown === 0 || this.drawn.get(tab) === key) return;
     this.drawn.set(tab, key);
-    if (tab === "answers" && this.report) this.panes.answers.replaceChildren(...sections(this.report));
+    if (tab === "answers" && this.report) this.panes.answers.replaceChildren(...sections(this.report, language));
     if (tab === "worked") void this.worked();
     if (tab === "pictures") void this.pictures();
   }
@@ -160,21 +162,35 @@ export class Panes {
   }
 }
 
-function sections(report: Report): Node[] {
+function sections(report: Report, language: Language): Node[] {
   const notes = report.notes.map((note) => make("p", {}, note));
-  return [...notes, ...report.sections.flatMap(({ heading, blocks }) => [make("h2", {}, heading), ...blocks.map(block)])];
+  return [...notes, ...report.sections.flatMap(({ heading, blocks }) => [make("h2", {}, heading), ...blocks.map((one) => block(one, language))])];
 }
 
-function block(one: Block): Node {
+function block(one: Block, language: Language): Node {
   if ("text" in one) return make("p", {}, one.text);
   if ("list" in one) return make("ul", {}, ...one.list.map((item) => make("li", {}, item)));
   if ("facts" in one) return make("dl", {}, ...one.facts.flatMap(([name, said]) => [make("dt", {}, name), make("dd", {}, said)]));
-  const { columns, rows } = one.table;
+  return table(one.table, language);
+}
+
+/** A table; of a long one the first rows, as a page with all of them answers no key for seconds. */
+function table({ columns, rows }: Table, language: Language): Node {
   const head = make("tr", {}, ...columns.map(({ header, align }) => make("th", { scope: "col", class: align }, header)));
-  const body = rows.map((row) =>
-    make("tr", {}, ...row.map((cell, i) => make("td", { class: columns[i]?.align ?? "left" }, ...decimals(cell, columns[i]?.align)))),
-  );
-  return make("div", { class: "table" }, make("table", {}, make("thead", {}, head), make("tbody", {}, ...body)));
+  const body = make("tbody", {}), shown = make("span", { class: "soft" }), more = make("button", { class: "plain" });
+  const draw = (end: number): void => {
+    const from = body.rows.length, next = rows.slice(from, Math.min(from + ROWS, end));
+    body.append(...next.map((row) => make("tr", {}, ...row.map((cell, i) => make("td", { class: columns[i]?.align ?? "left" }, ...decimals(cell, columns[i]?.align))))));
+    const count = body.rows.length, left = rows.length - count;
+    shown.textContent = word(language, "rows", count, rows.length);
+    more.textContent = word(language, "more", Math.min(MORE, left));
+    more.hidden = left === 0;
+    if ((more.disabled = count < Math.min(end, rows.length))) setTimeout(() => body.isConnected && draw(end));
+  };
+  draw(ROWS);
+  more.addEventListener("click", () => draw(body.rows.length + MORE));
+  const foot = rows.length > ROWS ? [make("div", { class: "rows" }, shown, more)] : [];
+  return make("div", { class: "table" }, make("table", {}, make("thead", {}, head), body), ...foot);
 }
 
 /** A number with its decimals apart, so that points stand below each other. */

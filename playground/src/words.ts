@@ -30,6 +30,8 @@ const WORDS = {
   go: ["Go to the line", "К строке", "转到该行"],
   old: ["Below is the last good picture.", "Ниже последний верный рисунок.", "下面是上一个正确的图。"],
   nothing: ["There are no answers yet.", "Ответов пока нет.", "还没有答案。"],
+  rows: ["{} of {} rows", "Строк: {} из {}", "{} / {} 行"],
+  more: ["Show {} more", "Показать ещё {}", "再显示 {} 行"],
   late: [
     "This takes longer than 5 s in the browser. `assur solve FILE` has no limit.",
     "Это длится в браузере больше 5 с. У команды `assur solve FILE` нет предела.",

@@ -11,7 +11,8 @@ export interface Start {
 
 /** What comes back. */
 export interface Reply {
-  messages: object[];
+  /** As texts: the page copies and reads a long one faster. */
+  messages: string[];
   /** A message of the page was answered; else this came from a pause. */
   answered: boolean;
   /** More comes by itself: a text is to be solved. */
@@ -65,7 +66,7 @@ function answer(message: string, answered: boolean, more: () => boolean, unsolve
   try {
     const messages = answers(exports, message);
     const again = more();
-    postMessage({ messages, answered, more: again, late: late || (!again && unsolved(messages)) } satisfies Reply);
+    postMessage({ messages: messages.map((one) => JSON.stringify(one)), answered, more: again, late: late || (!again && unsolved(messages)) } satisfies Reply);
   } catch (error) {
     // an error of the module ends it: its memory is not to be trusted any more
     exports = undefined;
