@@ -196,5 +196,5 @@ function table({ columns, rows }: Table, language: Language): Node {
 /** A number with its decimals apart, so that points stand below each other. */
 function decimals(cell: string, align: string | undefined): (Node | string)[] {
   const found = align === "decimal" ? /^(.*?)([.,].*)?$/.exec(cell) : null;
-  return found ? [make("span", { class: "whole" }, found[1]), make("span", { class: "part" }, found[2] ?? "")] : [cell];
+  return found ? [found[1], make("span", { class: "part" }, found[2] ?? "")] : [cell];
 }
