@@ -171,3 +171,19 @@ fn what_was_chosen_for_an_accuracy_is_said() {
     assert_eq!(value["accuracy"]["within"], 1e-9);
     assert!(out.stderr.contains("within 1e-9: greatest error of all rows "), "{}", out.stderr);
 }
+
+/// A structure without a drive stands in one position, which takes its time.
+#[test]
+fn the_time_of_a_file_without_a_drive_is_measured() {
+    let truss = "ground { A (0, 0); B (2 m, 0) }\nlink ab A-C 2 m\nlink cb B-C 2 m\nrevolute A: ground - ab\n\
+                 revolute B: ground - cb\nrevolute C: ab - cb\nassemble C left of A-B\n\
+                 force P on ab at C = 8 kN down\nfind axial(ab)\n";
+    let folder = Folder::new("no-drive").with("a.mech", truss);
+    let out = assur(&folder, &["accuracy", "a.mech", "--format", "json"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    let value: serde_json::Value = serde_json::from_str(&out.stdout).unwrap();
+    let settings = value["knobs"][0]["settings"].as_array().unwrap();
+    let found: Vec<f64> =
+        settings.iter().map(|row| row["microseconds"].as_f64().unwrap_or(f64::NAN)).collect();
+    assert!(found.len() == 2 && found.iter().all(|time| (1e-4..1e4).contains(time)), "{}", out.stdout);
+}

@@ -193,24 +193,25 @@ impl Measured<'_, '_> {
         let plan = self.model.plan;
         let mut state = State::<S>::closed(plan);
         let inputs: Vec<DriveInput<S>> = self.inputs.iter().map(DriveInput::in_scalar).collect();
-        let drives = plan.drives.max(1);
-        let mut got = Vec::new();
-        for (i, inputs) in inputs.chunks(drives).enumerate() {
+        let count = self.again.len();
+        let run = |i: usize, state: &mut State<S>| {
             state.branches.copy_from_slice(self.again.branches(i));
-            state.motion.inputs.copy_from_slice(inputs);
+            state.motion.inputs.copy_from_slice(&inputs[plan.drives * i..][..plan.drives]);
             state.run_closed(plan);
+        };
+        let mut got = Vec::new();
+        for i in 0..count {
+            run(i, &mut state);
             got.push(Answer::of(&state));
         }
         let error = errors(self.model, &self.scales, got.iter().zip(&self.exact));
         let all = micros(self.clock, || {
-            for (i, inputs) in inputs.chunks(drives).enumerate() {
-                state.branches.copy_from_slice(self.again.branches(i));
-                state.motion.inputs.copy_from_slice(inputs);
-                state.run_closed(plan);
+            for i in 0..count {
+                run(i, &mut state);
                 black_box(state.motion.open);
             }
         });
-        (all / got.len() as f64, error.greatest())
+        (all / count as f64, error.greatest())
     }
 }
 
