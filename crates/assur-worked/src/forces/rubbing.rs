@@ -82,7 +82,10 @@ impl Derivation<'_> {
                     .is_some_and(|(touched, _)| (touched - place).norm() <= self.tiny)
         };
         let element = *plan.friction.iter().find(touches)?;
-        if self.known_name(body, at).is_some() {
+        // how a body moves is known at its reference: there the contact follows from it
+        let is_reference =
+            self.bodies[body].as_ref().is_some_and(|known| (known.reference - at).norm() <= self.tiny);
+        if is_reference || self.known_name(body, at).is_some() {
             return None;
         }
         self.touching(&element)
