@@ -130,7 +130,7 @@ pub(super) fn pulls(answers: &Answers<'_>, solved: &Solved) -> Vec<Pull> {
 fn pull(view: &PoseAnswers<'_>, pair: PairId, part: usize) -> Option<Pull> {
     let PairKind::Transmission(t) = &view.mechanism.pair(pair).kind else { return None };
     let rope = t.kind == TransmissionKind::Rope;
-    let force = if rope { view.tension(pair, part) } else { view.tangential_force(pair) };
+    let force = if rope { view.tension(pair, part, None) } else { view.tangential_force(pair) };
     Some(Pull { pair, part, force, torques: torques(view, pair, t) })
 }
 

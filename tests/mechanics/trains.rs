@@ -414,3 +414,35 @@ fn losses_in_a_planetary_gear_count_relative_to_the_carrier() {
     close(got["M"], 500.0 / (1.0 + stage), 1e-12, text);
     close(got["e"], (1.0 + stage) / (1.0 + 60.0 / 24.0), 1e-12, text);
 }
+
+/// A rope with losses pulls at each end with the force of that end: the load with its own weight, the drum with more to raise it and
+/// with less to lower it.
+#[test]
+fn a_rope_with_losses_has_a_pull_at_each_end() {
+    let paths = [
+        ("rope r: P - w", "P", 1.0),
+        ("rope r: w - P", "P", 1.0),
+        ("rope r: P - over(c1) - over(c2) - w", "P", 1.0),
+        ("rope r: ground - under(P) - w", "ground", 2.0),
+    ];
+    let mut random = Random::new(11);
+    for (rope, end, parts) in paths {
+        for sense in [1.0, -1.0] {
+            let (radius, weight, eta) =
+                (random.within(0.1, 0.5), random.within(50.0, 500.0), random.within(0.3, 1.0));
+            let text = format!(
+                "shaft drum {{ wheel w radius {radius} m }}\nslider P\n{rope} {{ efficiency {eta} }}\n\
+                 drive drum at {} rad/s\nforce W on P = {weight} N\n\
+                 find load = tension(r, {end}), drum = tension(r, w), driven = tension(r), P = power(W), M = effort(drum)",
+                3.0 * sense
+            );
+            let got = answers(&text);
+            let (load, raised) = (weight / parts, got["P"] < 0.0);
+            let drum = if raised { load / eta } else { load * eta };
+            close(got["load"], load, 1e-12, &text);
+            close(got["drum"], drum, 1e-12, &text);
+            close(got["driven"], load.min(drum), 1e-12, &text);
+            close(got["M"].abs(), drum * radius, 1e-12, &text);
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! The iteration of friction as it is shown ends with the friction of the solver; friction at a place without a name.
+//! The iteration of friction as it is shown ends with the friction of the solver; friction at a place without a name; both pulls of a rope.
 
 use crate::examples::{Example, examples};
 use crate::made::{Tally, of_solved, solved};
@@ -55,5 +55,23 @@ fn friction_at_the_origin_of_a_link_is_derived() {
         tally.finish();
         let law = assur::internals::worked::text(&made.document).contains("f_K |R_ground,K| = ");
         assert!(law == speeds.is_some() && tally.reactions[0] > 0, "{text}");
+    }
+}
+
+/// The pulls at both ends of a rope with losses are derived, each with its own letters.
+#[test]
+fn a_rope_with_losses_shows_both_pulls() {
+    for (speed, driven) in [(3.0, "w"), (-3.0, "P")] {
+        let text = format!(
+            "mech 1\nshaft drum {{ wheel w radius 0.2 m }}\nslider P\nrope r: P - w {{ efficiency 0.8 }}\n\
+             force W on P = 100 N\ndrive drum at {speed} rad/s\nfind tension(r, P), tension(r, w), tension(r)\n"
+        );
+        let (source, solved) = solved("rope", &text).unwrap_or_else(|| panic!("{text}"));
+        let (made, condition) = of_solved(&source, &solved).unwrap_or_else(|| panic!("{text}"));
+        let mut tally = Tally::default();
+        tally.judge("rope", &made, condition);
+        tally.finish();
+        let page = assur::internals::worked::text(&made.document);
+        assert!(page.contains(&format!("F_r,{driven} = η_r F_r = ")), "{page}");
     }
 }

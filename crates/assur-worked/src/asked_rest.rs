@@ -146,7 +146,11 @@ impl Derivation<'_> {
                 }
                 Query::TangentialForce(own, on) => with_link("F", "t,", own, on),
                 Query::ToothForce(own, on) => with_link("F", "n,", own, on),
-                Query::Tension(own, _) => of_pair("F", "", own),
+                Query::Tension(own, _, end) => {
+                    let ends = &self.transmission(*own)?.ends;
+                    let end = if *end == Some(0) { ends.first() } else { ends.last() };
+                    Name::new("F", &format!("{},{}", pair(own), end?))
+                }
                 Query::TightSide(own) => of_pair("F", "1,", own),
                 Query::SlackSide(own) => of_pair("F", "2,", own),
                 Query::Capacity(own) => of_pair("F", "max,", own),

@@ -41,11 +41,10 @@ impl Derivation<'_> {
                 let words = self.scene.mechanism().pair(*pair).name.clone();
                 Some(tangential / self.given(Name::new("α", &words), degrees, Unit::Angle).cos())
             }
-            Query::Tension(pair, part) => {
-                let mut laws = self.laws_of(*pair);
-                let slot = laws.nth(*part)?;
-                drop(laws);
-                self.found.get(&self.law_name(slot).0).cloned()
+            Query::Tension(pair, part, end) => {
+                let slot = self.laws_of(*pair).nth(*part)?;
+                let found = self.found.get(&self.law_name(slot).0).cloned()?;
+                Some(end.map_or(Expr::Int(1), |end| self.side(slot, end)) * found)
             }
             Query::TightSide(pair) => self.pulls(*pair).map(|[tight, _]| tight),
             Query::SlackSide(pair) => self.pulls(*pair).map(|[_, slack]| slack),
@@ -198,7 +197,7 @@ impl Derivation<'_> {
         folded(&between, x)
     }
 
-    fn transmission(&self, pair: PairId) -> Option<&Transmission> {
+    pub(crate) fn transmission(&self, pair: PairId) -> Option<&Transmission> {
         match &self.scene.mechanism().pair(pair).kind {
             PairKind::Transmission(transmission) => Some(transmission),
             _ => None,

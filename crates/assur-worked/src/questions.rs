@@ -180,7 +180,7 @@ impl Asking<'_> {
             Query::TimeRatio(id) => (M::TimeRatio, vec![pair(id)]),
             Query::TangentialForce(id, _) => (M::TangentialForce, vec![pair(id)]),
             Query::ToothForce(id, _) => (M::ToothForce, vec![pair(id)]),
-            Query::Tension(id, _) => (M::Tension, vec![pair(id)]),
+            Query::Tension(id, ..) => (M::Tension, vec![pair(id)]),
             Query::TightSide(id) => (M::TightSide, vec![pair(id)]),
             Query::SlackSide(id) => (M::SlackSide, vec![pair(id)]),
             Query::Dead(id, _) => (M::DeadPosition, vec![pair(id)]),

@@ -381,3 +381,45 @@ fn belts_that_slip_pass_on_less_speed() {
         assert!(off < 1e-9, "seed {seed}: {off:e}\n{want:?}\n{got:?}\n{with}");
     }
 }
+
+/// A hoist with losses in its rope, raised, held and lowered by a constant torque: the pulls at both ends by the equations of the drum
+/// and of the load, at every instant and as extremes over the motion.
+#[test]
+fn a_rope_with_losses_has_a_pull_at_each_end() {
+    let (inertia, radius, mass, weight) = (0.5, 0.2, 10.0, 100.0);
+    for seed in 1..=many(10) {
+        let mut random = Random::new(seed);
+        let eta = random.within(0.4, 0.95);
+        // α by J α = M − F r, with F = (W + m α r)/η or η (W + m α r), where it has the sense of the motion
+        let alpha = |torque: f64, factor: f64| {
+            (torque - weight * radius * factor) / (inertia + mass * radius * radius * factor)
+        };
+        let [least, most] = [weight * radius * eta, weight * radius / eta];
+        for (torque, factor) in [
+            (random.within(1.1, 2.0) * most, Some(1.0 / eta)),
+            (least + random.within(0.1, 0.9) * (most - least), None),
+            (random.within(0.0, 0.9) * least, Some(eta)),
+        ] {
+            let alpha = factor.map_or(0.0, |factor| alpha(torque, factor));
+            let load = weight + mass * alpha * radius;
+            let drum = factor.map_or(torque / radius, |factor| load * factor);
+            let text = format!(
+                "mech 1\nshaft drum {{ wheel w radius {radius} m; inertia {inertia} kg*m^2 }}\n\
+                 slider L {{ mass {mass} kg }}\nrope r: L - w {{ efficiency {eta} }}\nforce W on L = {weight} N\n\
+                 torque M on drum = {} N*m\nstart drum = 0 deg\nsimulate 1 s in 3 steps\n\
+                 find load = tension(r, L), drum = tension(r, w)\n\
+                 find most = max(tension(r, w)), least = min(tension(r, w)), mean = mean(tension(r, L))\n",
+                -torque
+            );
+            let solution = assur::solve(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+            for pose in solution.poses() {
+                for (name, want) in
+                    [("load", load), ("drum", drum), ("most", drum), ("least", drum), ("mean", load)]
+                {
+                    let got = pose[name].number().unwrap_or(f64::NAN);
+                    assert!((got - want).abs() <= 1e-9 * want, "{name}: {got:e}, not {want:e}\n{text}");
+                }
+            }
+        }
+    }
+}

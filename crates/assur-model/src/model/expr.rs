@@ -289,8 +289,9 @@ pub enum Query {
     TangentialForce(PairId, Option<LinkId>),
     /// Force along the line of action of a mesh or rack, N, ≥ 0: what the driven side gets, or that on this link.
     ToothForce(PairId, Option<LinkId>),
-    /// Pull in a rope, N; that of this part of it, counted from 0.
-    Tension(PairId, usize),
+    /// Pull in a rope, N: that of this part of it, counted from 0, at its first end (0) or at its last (1); without an end
+    /// what the driven side gets.
+    Tension(PairId, usize, Option<usize>),
     /// Pull in the tight side of a belt, N.
     TightSide(PairId),
     /// Pull in its slack side, N.

@@ -182,7 +182,7 @@ impl PoseAnswers<'_> {
             Query::Dead(pair, which) => Value::Scalar(self.statics.dead(*pair, *which)),
             Query::TangentialForce(pair, on) => Value::Scalar(self.force_on(*pair, *on)),
             Query::ToothForce(pair, on) => Value::Scalar(self.tooth_force(*pair, *on)),
-            Query::Tension(pair, part) => Value::Scalar(self.tension(*pair, *part)),
+            Query::Tension(pair, part, end) => Value::Scalar(self.tension(*pair, *part, *end)),
             Query::TightSide(pair) => Value::Scalar(self.belt_pulls(*pair)[0]),
             Query::SlackSide(pair) => Value::Scalar(self.belt_pulls(*pair)[1]),
             Query::Capacity(pair) => Value::Scalar(self.capacity(*pair)),

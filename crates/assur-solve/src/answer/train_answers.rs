@@ -52,10 +52,13 @@ impl PoseAnswers<'_> {
         angle.map_or(f64::NAN, |a| self.force_on(pair, on) / libm::cos(a))
     }
 
-    /// Pull in one part of a rope, N; negative where it would have to push.
+    /// Pull in one part of a rope at one of its ends, N, or what the driven side gets; negative where it would have to push.
     #[must_use]
-    pub fn tension(&self, pair: PairId, part: usize) -> f64 {
-        self.laws(pair).nth(part).map_or(f64::NAN, |(slot, law)| self.pull(slot, law))
+    pub fn tension(&self, pair: PairId, part: usize, end: Option<usize>) -> f64 {
+        self.laws(pair).nth(part).map_or(f64::NAN, |(slot, law)| match end {
+            Some(end) => law.force * self.state.on_sides(law, slot)[end],
+            None => self.pull(slot, law),
+        })
     }
 
     /// Pulls in the tight and in the slack side of a belt, N: about its pretension, or the least with which it does not slip.

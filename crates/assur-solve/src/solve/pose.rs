@@ -192,7 +192,7 @@ impl Run<'_, '_> {
         for law in &self.model.plan.laws {
             let rope = matches!(&self.model.mechanism.pair(law.pair).kind,
                 PairKind::Transmission(t) if t.kind == TransmissionKind::Rope);
-            let tension = view.tension(law.pair, law.index);
+            let tension = view.tension(law.pair, law.index, None);
             if rope && tension < -1e-9 * greatest {
                 ropes.push((law.pair, tension));
             }

@@ -395,7 +395,7 @@ functions! {
     Tension "tension" Train "tension(a)" [form(
         &[arg("a", Takes::Rope), optional(arg("A", Takes::RopeEnd))],
         Number(Dimension::FORCE),
-        "pull in a rope; with A in its part that ends there",
+        "pull in a rope; with A at that end of it",
     )],
     TightSide "tight_side" Train "tight_side(b)" [form(
         &[arg("b", Takes::Pair)],

@@ -233,8 +233,8 @@ impl Context<'_> {
             self.not_of_this_pair(call, pair, Some(other_force(kind)));
             return None;
         }
-        let part = self.part_of_rope(call, pair, args.get(1).copied(), parts)?;
-        Some(number(Query::Tension(pair, part), Dimension::FORCE))
+        let (part, end) = self.part_of_rope(call, pair, args.get(1).copied(), parts)?;
+        Some(number(Query::Tension(pair, part, end), Dimension::FORCE))
     }
 
     /// An argument that names a transmission, and its kind.
@@ -247,20 +247,20 @@ impl Context<'_> {
         Some((pair, t.kind))
     }
 
-    /// Which part of a rope is meant: the one that ends at what is named.
+    /// Which part of a rope is meant, and which of its ends: what is named.
     fn part_of_rope(
         &mut self,
         call: Call<'_>,
         pair: PairId,
         end: Option<&Expr>,
         parts: usize,
-    ) -> Option<usize> {
+    ) -> Option<(usize, Option<usize>)> {
         let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else { return None };
         let outer = [t.ends.first().cloned()?, t.ends.last().cloned()?];
         let rope = self.builder.mech.pair(pair).name.clone();
         let Some(end) = end else {
             if parts == 1 {
-                return Some(0);
+                return Some((0, None));
             }
             let usage = format!("tension({rope}, {})` or `tension({rope}, {})", outer[0], outer[1]);
             let function = call.name.node.clone();
@@ -271,8 +271,8 @@ impl Context<'_> {
         self.note_names(end);
         let named = path(end).map(|p| p.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join("."));
         match named {
-            Some(name) if name == outer[0] => Some(0),
-            Some(name) if name == outer[1] => Some(parts - 1),
+            Some(name) if name == outer[0] => Some((0, Some(0))),
+            Some(name) if name == outer[1] => Some((parts - 1, Some(1))),
             _ => {
                 let wanted = format!("one end of the rope: `{}` or `{}`", outer[0], outer[1]);
                 self.wrong_argument(call, &wanted, end.span);

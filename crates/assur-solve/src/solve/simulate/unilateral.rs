@@ -94,7 +94,7 @@ impl Equations<'_, '_> {
                     .map(|(f, law)| (f.sides[0].abs() - f.sides[1].abs()) * (f.multiplier * law.force).abs());
                 lost.fold(f64::INFINITY, f64::min)
             }
-            _ => forces.map(|(_, law)| view.tension(pair, law.index)).fold(f64::INFINITY, f64::min),
+            _ => forces.map(|(_, law)| view.tension(pair, law.index, None)).fold(f64::INFINITY, f64::min),
         }
     }
 
