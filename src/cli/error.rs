@@ -133,7 +133,7 @@ pub enum CliError {
         "`{name}` cannot be written: it takes the feature `{feature}`, which this build of assur does not have"
     )]
     #[diagnostic(help(
-        "write `.svg` or `.html`, or install assur with it: `cargo install assur --features {feature}`"
+        "write `.svg` or `.html`, or install assur with it: `cargo install --path . --features {feature}`"
     ))]
     NotInBuild { name: String, feature: &'static str },
     /// A format of animations, another picture.
@@ -164,7 +164,7 @@ pub enum CliError {
     /// A build without files of columns.
     #[error("`{name}` takes the feature `{feature}`, which this build of assur does not have")]
     #[diagnostic(help(
-        "use comma-separated values, or install it: `cargo install assur --features {feature}`"
+        "use comma-separated values, or install it: `cargo install --path . --features {feature}`"
     ))]
     NoColumns { name: String, feature: &'static str },
     /// An answer key as a table of columns.

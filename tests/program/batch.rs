@@ -337,7 +337,7 @@ fn a_build_without_columns_says_so() {
     for args in [["--variants", "t.parquet"], ["--out", "a.parquet"]] {
         let said = assur(&folder, &[&["batch", "p.mech"][..], &args].concat());
         assert_eq!((said.status, said.stdout.as_str()), (2, ""), "{args:?}");
-        assert!(said.stderr.contains("`cargo install assur --features parquet`"), "{}", said.stderr);
+        assert!(said.stderr.contains("`cargo install --path . --features parquet`"), "{}", said.stderr);
     }
     assert_eq!(folder.names(), ["p.mech", "t.parquet"]);
 }

@@ -11,7 +11,7 @@ fn a_build_without_gif_says_so() {
         let out = assur(&folder, &["draw", "a.mech", "animation", "-o", name]);
         assert_eq!((out.status, out.stdout.as_str()), (2, ""));
         assert!(out.stderr.contains("takes the feature `gif`"), "{}", out.stderr);
-        assert!(out.stderr.contains("`cargo install assur --features gif`"), "{}", out.stderr);
+        assert!(out.stderr.contains("`cargo install --path . --features gif`"), "{}", out.stderr);
     }
     assert_eq!(folder.names(), ["a.mech"]);
 }

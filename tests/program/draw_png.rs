@@ -9,7 +9,7 @@ fn a_build_without_png_says_so() {
     let folder = Folder::new("no-png").with("a.mech", GOOD);
     let out = assur(&folder, &["draw", "a.mech", "-o", "a.png"]);
     assert_eq!((out.status, out.stdout.as_str()), (2, ""));
-    assert!(out.stderr.contains("`cargo install assur --features png`"), "{}", out.stderr);
+    assert!(out.stderr.contains("`cargo install --path . --features png`"), "{}", out.stderr);
     assert_eq!(folder.names(), ["a.mech"]);
 }
 
@@ -55,7 +55,7 @@ fn a_build_without_pdf_says_so() {
     let folder = Folder::new("no-pdf").with("a.mech", GOOD);
     let out = assur(&folder, &["draw", "a.mech", "-o", "a.pdf"]);
     assert_eq!((out.status, out.stdout.as_str()), (2, ""));
-    assert!(out.stderr.contains("`cargo install assur --features pdf`"), "{}", out.stderr);
+    assert!(out.stderr.contains("`cargo install --path . --features pdf`"), "{}", out.stderr);
     assert_eq!(folder.names(), ["a.mech"]);
 }
 

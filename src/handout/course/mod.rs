@@ -55,7 +55,10 @@ pub enum CourseError {
     #[diagnostic(code(mech::course::same_idnumber), help("name the rows apart, or give --category"))]
     SameIdNumber { row: String, category: String },
     #[error("this build draws no PNG")]
-    #[diagnostic(code(mech::course::no_pixels), help("--picture svg, or a build with --features png"))]
+    #[diagnostic(
+        code(mech::course::no_pixels),
+        help("write `--picture svg`, or install assur with it: `cargo install --path . --features png`")
+    )]
     NoPixels,
     #[error("`{name}` of `{file}` is a verdict, not a number: it is left out")]
     #[diagnostic(
