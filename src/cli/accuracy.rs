@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use super::args::{Accuracy, Format};
-use super::batch::end_at_once;
 use super::error::CliError;
 use super::files;
 use super::motion::MotionProgress;
@@ -26,9 +25,6 @@ use assur_text::source::Source;
 /// Prints what accuracy costs in time.
 pub fn run(args: &Accuracy, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
-    if args.plot.is_some() {
-        end_at_once();
-    }
     if let (Some(name), true) = (&args.plot, files::expand(&args.problem.files).len() > 1) {
         let name = name.clone();
         screen.complain(&complaint(CliError::OneDrawing { name }, screen));

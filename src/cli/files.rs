@@ -10,7 +10,7 @@ use globset::GlobBuilder;
 use ignore::WalkBuilder;
 
 use super::error::CliError;
-use super::sink::Sink;
+use super::sink::{Sink, unfinished};
 use assur_text::source::Source;
 
 const STDIN: &str = "-";
@@ -235,6 +235,7 @@ fn has_other_names(_: &std::fs::Metadata) -> bool {
 
 /// Writes over a file; what was in it comes back where that fails.
 fn in_place(path: &Path, text: &[u8]) -> io::Result<()> {
+    let _whole = unfinished();
     let before = std::fs::read(path)?;
     let file = File::options().write(true).open(path)?;
     let write = |bytes: &[u8]| -> io::Result<()> {

@@ -1,6 +1,8 @@
 //! Folders that are there only when complete.
 
 use super::error::CliError;
+use super::sink::unfinished;
+use super::stop::count_written;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -19,6 +21,8 @@ pub fn put(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), CliError> {
 
 fn put_in(folder: &Path, files: &[(String, Vec<u8>)]) -> io::Result<()> {
     let parent = folder.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    // a signal waits until it is there
+    let _whole = unfinished();
     let temporary = Builder::new().prefix(".assur-").suffix(".tmp").tempdir_in(parent)?;
     // the temporary folder itself is for one user alone
     let (new, old) = (temporary.path().join("new"), temporary.path().join("old"));
@@ -36,5 +40,5 @@ fn put_in(folder: &Path, files: &[(String, Vec<u8>)]) -> io::Result<()> {
     if done.is_err() && is_there {
         fs::rename(&old, folder)?;
     }
-    done
+    done.inspect(|()| count_written())
 }

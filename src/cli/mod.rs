@@ -32,6 +32,7 @@ pub mod report;
 pub mod screen;
 mod sink;
 mod solve;
+mod stop;
 mod stream;
 mod test;
 #[doc(hidden)]
@@ -62,7 +63,7 @@ pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
         }
     };
     let screen = Screen::new(&args);
-    batch::outlive_limits();
+    stop::outlive_limits();
     let status = match args.command {
         Command::Check(args) => check::run(&args, &screen),
         Command::Solve(args) => solve::run(&args, &screen),
@@ -88,5 +89,5 @@ pub fn status(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Help(args) => help::run(&args, &screen),
     };
     let status = if screen.is_heard() { status } else { Status::Unusable };
-    batch::signal().map_or(status as u8, |signal| 128 + signal)
+    stop::signal().map_or(status as u8, |signal| 128 + signal)
 }

@@ -1,10 +1,10 @@
 //! A motion under loads on its way: how far it is, on a terminal, and the signal that ends it. What it did until then is kept.
 
 use std::io::IsTerminal;
-use std::sync::{Mutex, Once, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::batch::{install, looks, signal};
+use super::stop::{install, looks, signal};
 use assur_model::model::Mechanism;
 use assur_text::source::shown_in_line;
 use assur_text::units::significant;
@@ -40,10 +40,8 @@ struct BarState {
 impl MotionProgress {
     /// Of a file that follows a motion; none of others.
     pub fn of(file: &str, mechanism: &Mechanism) -> Option<Self> {
-        static LISTENS: Once = Once::new();
         let simulation = mechanism.simulation.as_ref()?;
-        LISTENS.call_once(install);
-        looks(true);
+        install();
         Some(Self::from(file, simulation.from))
     }
 

@@ -141,7 +141,7 @@ pub fn for_each_input(
         printer.before |= printer.begun;
         printer.begun = false;
         // a motion was ended by it
-        if super::batch::signal().is_some() {
+        if super::stop::signal().is_some() {
             break;
         }
     }

@@ -7,6 +7,7 @@ use crate::cli::files::{self, Input};
 use crate::cli::reply::{Printer, Reply, Status, complaint, for_each_input};
 use crate::cli::screen::Screen;
 use crate::cli::sink::Sink;
+use crate::cli::stop::{count_written, want_written};
 use crate::cli::threads::Threads;
 use crate::handout::{Handout, Row, Sheets};
 use assur_syntax as syntax;
@@ -156,6 +157,7 @@ fn each(args: &Report, format: ReportFormat, sheets: Sheets<'_>, screen: &Screen
     let mut pieces: Vec<(&[Row], Problems, Option<CliError>)> =
         sheets.rows.chunks(PIECE).map(|rows| (rows, Problems::new(), None)).collect();
     if !sheets.problems.has_errors() {
+        want_written(sheets.rows.len());
         Threads::new(None).each(&mut pieces, |(_, (rows, problems, error))| {
             sheets.each(rows, |row, document, found| {
                 problems.append(found);
@@ -219,6 +221,7 @@ fn written(
         file(Sink::made_up(&path.with_file_name(picture))?, &svg)?;
     }
     file(if args.made_up || args.per_row { Sink::made_up(path)? } else { Sink::page(path)? }, &text)?;
+    count_written();
     Ok(String::new())
 }
 

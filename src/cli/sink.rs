@@ -9,22 +9,29 @@ use tempfile::{Builder, TempPath};
 
 use super::error::CliError;
 use super::files::is_input;
+use super::stop::listen;
 
 const BUFFER: usize = 1 << 18;
 
 /// Files that are not yet in their place.
+type Unfinished = MutexGuard<'static, Vec<PathBuf>>;
+
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+/// While it is held no signal ends the program; from the first time on a signal leaves no temporary file.
+pub fn unfinished() -> Unfinished {
+    listen();
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes what is not yet in its place, before the program ends.
-pub fn remove_unfinished() {
-    for path in unfinished().drain(..) {
+/// Removes what is not yet in its place, before the program ends. While it is held nothing new is begun.
+pub fn remove_unfinished() -> Unfinished {
+    let mut unfinished = unfinished();
+    for path in unfinished.drain(..) {
         // it may be in its place by now
         let _ = std::fs::remove_file(path);
     }
+    unfinished
 }
 
 enum Target {

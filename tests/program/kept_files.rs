@@ -236,3 +236,45 @@ fn a_name_is_never_markup() {
         assert!(!said.stdout.contains("onload=\"alert") && !said.stdout.contains("<bad>"), "{args:?}");
     }
 }
+
+/// A signal leaves no temporary file and no half file, and what is written is counted.
+#[test]
+fn a_signal_leaves_no_temporary_file() {
+    let mut rows = PUMP.replace("  90\n  110\n}\n", "");
+    (0..3000).for_each(|i| writeln!(rows, "  {}", 90.0 + f64::from(i) / 300.0).unwrap());
+    rows += "}\n";
+    let many =
+        |count: usize| (0..count).fold(Folder::new("signal"), |f, i| f.with(&format!("in/{i}.mech"), PUMP));
+    for (signal, status) in [("TERM", 143), ("HUP", 129), ("INT", 130)] {
+        let runs: [(&[&str], Folder, &str); 4] = [
+            (
+                &["report", "a.mech", "--sheet", "--per-row", "-o", "out/s.html"],
+                many(0).with("a.mech", &rows),
+                " of 3000 files written",
+            ),
+            (&["draw", "in", "--all", "-o", "out"], many(60), " files written"),
+            (&["report", "in", "-o", "out"], many(60), " files written"),
+            (&["course", "prairielearn", "in", "--pose", "1", "-o", "out"], many(400), " files written"),
+        ];
+        for (args, folder, words) in runs {
+            std::fs::create_dir(folder.path("out")).unwrap();
+            let child = run::start(&folder, args);
+            let names = || -> Vec<String> {
+                let entries = std::fs::read_dir(folder.path("out")).unwrap().flatten();
+                entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect()
+            };
+            let start = std::time::Instant::now();
+            while names().len() < 20 && start.elapsed().as_secs() < 20 {
+                std::thread::sleep(std::time::Duration::from_millis(1));
+            }
+            let id = child.id().to_string();
+            let sent = Command::new("kill").args([&format!("-{signal}"), &id]).status();
+            assert!(sent.is_ok_and(|status| status.success()), "{args:?}");
+            let said = run::end(child);
+            assert_eq!(said.status, status, "{args:?} {signal}: {}", said.stderr);
+            assert!(names().iter().all(|name| !name.contains(".tmp")), "{args:?} {signal}: {:?}", names());
+            let line = said.stderr.lines().last().unwrap_or_default();
+            assert!(line.starts_with("interrupted: ") && line.ends_with(words), "{args:?} {signal}: {line}");
+        }
+    }
+}

@@ -10,11 +10,11 @@ use super::super::error::CliError;
 use super::super::files::missing;
 use super::super::reply::Status;
 use super::super::screen::Screen;
+use super::super::stop;
 #[cfg(feature = "arrow")]
 use super::columns;
 use super::layout::{ERROR, EVENT};
 use super::rows::{Chunk, Rows};
-use super::stop;
 use crate::exercise::table::{Fault, Lines, Table};
 use crate::front::{RowLayout, digits_count};
 use crate::pipeline::VariantSolver;

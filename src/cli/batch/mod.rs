@@ -9,7 +9,6 @@ mod line;
 mod piece;
 mod rows;
 mod run;
-mod stop;
 
 use std::path::Path;
 
@@ -19,6 +18,7 @@ use super::files;
 use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
 use super::sink::{Sink, place};
+use super::stop;
 use assur_text::source::shown_in_line;
 use filled::Out;
 pub use job::open_table;
@@ -27,7 +27,6 @@ use layout::Layout;
 use run::Run;
 
 use run::Tally;
-pub use stop::{end_at_once, install, looks, outlive_limits, signal};
 
 /// Stack of a thread: that of the main thread.
 const STACK: usize = 8 << 20;
@@ -35,7 +34,7 @@ const STACK: usize = 8 << 20;
 /// Solves all rows of all files.
 pub fn run(args: &Batch, screen: &Screen) -> Status {
     quiet_panics();
-    install();
+    stop::install();
     let threads = args.threads.unwrap_or(0);
     let pool = || rayon::ThreadPoolBuilder::new().stack_size(STACK);
     // where no thread can be had, this one does the work

@@ -1,10 +1,10 @@
 //! Rows that one thread takes at a time.
 
+use super::super::stop;
 use super::filled::{Cited, Filled};
 use super::line::{RowMessages, RowWriter, write_row};
 use super::rows::Chunk;
 use super::run::Run;
-use super::stop;
 use crate::pipeline::VariantSolver;
 use rayon::prelude::*;
 use std::ops::Range;

@@ -1,12 +1,11 @@
 //! A file of a batch, solved row by row and written in order.
 
-use super::super::{args::Format, error::CliError, screen::Screen, sink::Sink};
+use super::super::{args::Format, error::CliError, screen::Screen, sink::Sink, stop};
 use super::filled::{Filled, Out};
 use super::job::{FIRST_CHUNK, Job, LARGEST_CHUNK, report, tell_fault};
 use super::layout::Layout;
 use super::line::RowMessages;
 use super::piece::SolverPool;
-use super::stop;
 use assur_solve::measure::accuracy::AchievedAccuracy;
 use assur_text::source::shown_in_line;
 use indexmap::IndexMap;

@@ -6,6 +6,7 @@ use crate::cli::args::{Draw, DrawFormat, Picture};
 use crate::cli::error::CliError;
 use crate::cli::files::made_folder;
 use crate::cli::sink::Sink;
+use crate::cli::stop::count_written;
 use assur_drawing::{Sheet, Theme, escaped, page_rules};
 use assur_picture::Kind;
 use assur_worked::{Language, phrase};
@@ -280,7 +281,7 @@ const fn paper(theme: Theme) -> &'static str {
 /// Writes a file, which appears only when complete.
 fn written(mut sink: Sink, text: &[u8]) -> Result<(), CliError> {
     sink.write(text)?;
-    sink.finish_page().map(|_| ())
+    sink.finish_page().map(|_| count_written())
 }
 
 /// A name without signs that file systems refuse.

@@ -7,10 +7,10 @@ mod pages;
 mod site;
 
 use super::args::Preview;
-use super::batch::end_at_once;
 use super::error::CliError;
 use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
+use super::stop::listen;
 use board::Board;
 use file::Followed;
 #[cfg(feature = "lsp")]
@@ -32,7 +32,7 @@ pub fn run(args: &Preview, screen: &Screen) -> Status {
 fn shown(args: &Preview, screen: &Screen) -> Result<Status, CliError> {
     let (file, source) = Followed::open(&args.file)?;
     quiet_panics();
-    end_at_once();
+    listen();
     let board = Arc::new(Board::new(&source.name));
     let address = Site::start(args.port.unwrap_or(0)).and_then(|site| site.add(&board));
     let address = address.map_err(|error| CliError::NotServed {
