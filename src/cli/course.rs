@@ -126,7 +126,8 @@ fn written(args: &Course, screen: &Screen) -> Result<Status, CliError> {
         Ok(None) => Ok(status),
         Ok(Some(text)) => {
             warn(&pieces, screen);
-            put(args, &text).map(|whole| status.max(Status::printed(whole)))
+            let all = status != Status::Unusable;
+            put(args, &text, all).map(|whole| status.max(Status::printed(whole)))
         }
     }
 }
@@ -155,13 +156,13 @@ fn exercises(
     (exercises, status)
 }
 
-fn put(args: &Course, text: &str) -> Result<bool, CliError> {
+fn put(args: &Course, text: &str, all: bool) -> Result<bool, CliError> {
     let mut sink = match args.out.as_deref().filter(|name| *name != "-") {
         Some(name) => Sink::file(Path::new(name))?,
         None => Sink::stdout(),
     };
     sink.write(text)?;
-    sink.finish()
+    sink.finish_of(all)
 }
 
 /// Says what was found in the rows of a problem, no more than is wanted.

@@ -240,6 +240,10 @@ pub enum CliError {
     #[error("`{name}` is both an input and the output")]
     #[diagnostic(help("write the results to another file"))]
     Overwrites { name: String },
+    /// Results that would take the place of those of more files.
+    #[error("a file is missing in the results: nothing is replaced")]
+    #[diagnostic(help("the results of the other files are kept in {kept}"))]
+    NotAll { kept: String },
     #[error("interrupted after {rows} rows")]
     #[diagnostic(help("{}", if kept.is_empty() { "all printed rows are complete".to_owned() }
         else { format!("the complete rows are kept in {kept}") }))]

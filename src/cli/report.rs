@@ -35,9 +35,6 @@ pub fn run(args: &Report, screen: &Screen) -> Status {
         return refused(CliError::ReportFormat { name: out.unwrap_or_default().to_owned() });
     };
     if let Some(folder) = args.folder() {
-        if let Err(error) = files::made_folder(folder) {
-            return refused(error);
-        }
         let names = folder_names(&inputs);
         return for_each_input(inputs, &mut Printer::new(screen, "\n"), |source, _| {
             let name = names.get(&source.name).map_or("report", String::as_str);
@@ -210,6 +207,9 @@ fn written(
         });
     };
     let path = Path::new(name);
+    if let (true, Some(folder)) = (args.made_up, path.parent()) {
+        files::made_folder(folder)?;
+    }
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
     let (text, pictures) = match format {
         ReportFormat::Html => (html(&document), Vec::new()),

@@ -188,6 +188,14 @@ impl Sink {
         Ok(read)
     }
 
+    /// Puts what was written in its place if all inputs could be read. Else what is there stays, and this is kept as `FILE.part`.
+    pub fn finish_of(self, all: bool) -> Result<bool, CliError> {
+        if all {
+            return self.finish();
+        }
+        self.keep_part()?.map_or(Ok(true), |kept| Err(CliError::NotAll { kept }))
+    }
+
     /// Keeps the temporary file as `FILE.part`.
     pub fn keep_part(self) -> Result<Option<String>, CliError> {
         let part = |path: &Path| {

@@ -237,6 +237,63 @@ fn a_name_is_never_markup() {
     }
 }
 
+/// What is there stays where there is nothing to write in its place, or not all of it.
+#[test]
+fn what_is_there_is_replaced_by_something_complete_alone() {
+    let broken = PUMP.replace("revolute  B: crank - rod", "revolute  B: crank - - rod");
+    let names = ["old.csv", "old.html", "old.svg", "old.xml", "old"];
+    let fresh = || {
+        let folder =
+            pump().with("bad.mech", &broken).with("none.csv", "r [mm]\n").with("open.csv", "r [mm]\nwide\n");
+        std::fs::create_dir(folder.path("empty")).unwrap();
+        names.into_iter().fold(folder, |folder, name| folder.with(name, "old\n"))
+    };
+    let runs: &[(&[&str], &[&str])] = &[
+        (&["batch", "IN", "--key", "old.csv"], &["old.csv.part"]),
+        (&["batch", "IN", "--out", "old.csv"], &["old.csv.part"]),
+        (
+            &["batch", "IN", "--out", "old", "--format", "json", "--key", "old.csv"],
+            &["old.csv.part", "old.part"],
+        ),
+        (&["report", "IN", "-o", "old.html"], &[]),
+        (&["report", "IN", "--sheet", "-o", "old.html"], &[]),
+        (&["report", "IN", "-o", "made"], &["made"]),
+        (&["draw", "IN", "scheme", "-o", "old.svg"], &[]),
+        (&["draw", "IN", "scheme", "-o", "old.html"], &["old.html.part"]),
+        (&["draw", "IN", "scheme", "-o", "made"], &["made"]),
+        (&["course", "moodle", "IN", "--pose", "1", "-o", "old.xml"], &["old.xml.part"]),
+        (&["course", "prairielearn", "IN", "--pose", "1", "-o", "made"], &["made"]),
+        (&["accuracy", "IN", "--plot", "old.svg"], &[]),
+    ];
+    for (args, parts) in runs {
+        // without a problem, with one that has errors, and with one beside a file that is not there
+        for inputs in [&["missing.mech"][..], &["empty"], &["bad.mech"], &["missing.mech", "g.mech"]] {
+            let folder = fresh();
+            let before = folder.names();
+            let all: Vec<&str> =
+                args.iter().flat_map(|arg| if *arg == "IN" { inputs.to_vec() } else { vec![*arg] }).collect();
+            let said = assur(&folder, &all);
+            assert!(said.status > 0, "{all:?}");
+            for name in names {
+                assert_eq!(folder.read(name), "old\n", "{all:?}: {}", said.stderr);
+            }
+            let new: Vec<String> = folder.names().into_iter().filter(|name| !before.contains(name)).collect();
+            let parts: &[&str] = if inputs.len() > 1 { parts } else { &[] };
+            assert_eq!(new, parts, "{all:?}: {}", said.stderr);
+            let kept = parts.iter().filter(|name| name.ends_with(".part"));
+            assert!(kept.clone().all(|name| said.stderr.contains(*name)), "{all:?}: {}", said.stderr);
+        }
+    }
+    // a table without rows, and a key without a row
+    let folder = fresh();
+    for out in ["--out", "--key"] {
+        let said = assur(&folder, &["batch", "g.mech", "--variants", "none.csv", out, "old.csv"]);
+        assert!(said.status == 1 && folder.read("old.csv") == "old\n", "{out}: {}", said.stderr);
+    }
+    let said = assur(&folder, &["batch", "g.mech", "--variants", "open.csv", "--key", "old.csv"]);
+    assert!(said.status == 1 && folder.read("old.csv") == "old\n", "{}", said.stderr);
+}
+
 /// A signal leaves no temporary file and no half file, and what is written is counted.
 #[test]
 fn a_signal_leaves_no_temporary_file() {

@@ -17,7 +17,7 @@ use super::layout::{ERROR, EVENT};
 use super::rows::{Chunk, Rows};
 use crate::exercise::table::{Fault, Lines, Table};
 use crate::front::{RowLayout, digits_count};
-use crate::pipeline::VariantSolver;
+use crate::pipeline::{Compiled, VariantSolver};
 use crate::report::rows::AnswerColumns;
 use assur_check as check;
 use assur_check::{ColumnUse, Overrides, RowColumn};
@@ -77,7 +77,7 @@ pub fn report(problems: &Problems, source: &Source, screen: &Screen) {
 }
 
 /// Says what is wrong with a table.
-pub fn tell_fault((source, error): Fault, screen: &Screen) {
+fn tell_fault((source, error): Fault, screen: &Screen) {
     let mut problems = Problems::new();
     problems.push(*error);
     report(&problems, &source, screen);
@@ -125,22 +125,28 @@ impl Job {
         let columns = Arc::from(columns);
         let (layout, answered, digits) = (RowLayout::default(), false, digits_count(&document));
         let mut job = Self { source, document, overrides, within, rows, columns, layout, answered, digits };
-        if let Some(layout) = job.first_layout()? {
-            (job.layout, job.answered) = (layout, true);
+        let (has_rows, first) = job.first_row()?;
+        if !has_rows && let Some(fault) = job.without_rows()? {
+            tell_fault(fault, screen);
+            return Ok(Err(Status::Wrong));
+        }
+        if let Some(compiled) = first {
+            (job.layout, job.answered) = (RowLayout::of(&compiled, false), true);
         }
         Ok(Ok(job))
     }
 
-    /// The columns of the first row that has some.
-    fn first_layout(&self) -> Result<Option<RowLayout>, CliError> {
+    /// Whether there are rows, and the first that can be compiled.
+    fn first_row(&self) -> Result<(bool, Option<Compiled>), CliError> {
         let mut family = self.family(None);
-        let mut found = None;
+        let (mut has_rows, mut found) = (false, None);
         self.each_chunk(FIRST_CHUNK, None, &mut |chunk, _| {
+            has_rows |= chunk.len() > 0;
             let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, (&self.columns, false), None).ok());
-            found = inputs.filter_map(|i| family.compile(&i.row).0).map(|c| RowLayout::of(&c, false)).next();
+            found = inputs.filter_map(|i| family.compile(&i.row).0).next();
             Ok(found.is_none() && !stop::wanted())
         })?;
-        Ok(found)
+        Ok((has_rows, found))
     }
 
     /// Solves its rows one after another, for one format or for all.
@@ -261,7 +267,7 @@ impl Job {
     }
 
     /// What is wrong with a table without rows.
-    pub fn without_rows(&self) -> Result<Option<Fault>, CliError> {
+    fn without_rows(&self) -> Result<Option<Fault>, CliError> {
         match &self.rows {
             Rows::Csv(name) => Ok(open_table(name)?.ok().and_then(|table| table.without_rows())),
             Rows::Own(rows) if rows.is_empty() => {

@@ -74,6 +74,10 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     if let Some(name) = args.key.as_ref().filter(|name| has_columns(name)) {
         return Err(CliError::KeyOfColumns { name: name.clone() });
     }
+    if jobs.is_empty() {
+        return Ok(status);
+    }
+    let all = status != Status::Unusable;
     // columns are filled line by line as comma-separated values are
     let format = if args.format().is_columns() { Format::Csv } else { args.format() };
     let layout = Layout::of(&jobs, format);
@@ -105,11 +109,18 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
         screen.complain(&format!("{} files: {}\n", jobs.len(), total.in_short()));
     }
     let out = out.end()?;
-    if stop::wanted() {
+    if total.rows() == total.failed() {
+        // a key without a row
+        key_out = None;
+    }
+    if stop::wanted() || !all {
         let kept = [Some(out), key_out].into_iter().flatten().filter_map(|s| s.keep_part().transpose());
-        let kept = kept.collect::<Result<Vec<_>, _>>()?;
-        let rows = total.rows();
-        screen.complain(&complaint(CliError::Interrupted { rows, kept: kept.join(", ") }, screen));
+        let kept = kept.collect::<Result<Vec<_>, _>>()?.join(", ");
+        if stop::wanted() {
+            screen.complain(&complaint(CliError::Interrupted { rows: total.rows(), kept }, screen));
+        } else if !kept.is_empty() {
+            screen.complain(&complaint(CliError::NotAll { kept }, screen));
+        }
         return Ok(status.max(Status::Wrong));
     }
     let read = out.finish()?;

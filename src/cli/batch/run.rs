@@ -2,7 +2,7 @@
 
 use super::super::{args::Format, error::CliError, screen::Screen, sink::Sink, stop};
 use super::filled::{Filled, Out};
-use super::job::{FIRST_CHUNK, Job, LARGEST_CHUNK, report, tell_fault};
+use super::job::{FIRST_CHUNK, Job, LARGEST_CHUNK, report};
 use super::layout::Layout;
 use super::line::RowMessages;
 use super::piece::SolverPool;
@@ -82,13 +82,6 @@ impl<'r> Run<'r> {
             progress.rows(tally.rows());
             Ok(whole && !out.closed() && !stop::wanted())
         })?;
-        if tally.rows() == 0
-            && !stop::wanted()
-            && let Some(fault) = self.job.without_rows()?
-        {
-            tell_fault(fault, self.screen);
-            tally.failed_row(0, "mech::table::empty");
-        }
         Ok(tally)
     }
 

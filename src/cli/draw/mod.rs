@@ -59,7 +59,8 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
     let overrides = args.overrides();
     let drawing = Drawing { args, screen, pictures, overrides, output, several: inputs.len() > 1 };
     let status = for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source));
-    match drawing.output.finish(args.language.into(), args.theme.into()) {
+    let all = status != Status::Unusable;
+    match drawing.output.finish(args.language.into(), args.theme.into(), all) {
         Ok(()) => status,
         Err(error) => {
             screen.complain(&complaint(error, screen));

@@ -161,7 +161,7 @@ impl Output {
     }
 
     /// Writes the page in a language, where there is one with pictures.
-    pub fn finish(&self, language: Language, theme: Theme) -> Result<(), CliError> {
+    pub fn finish(&self, language: Language, theme: Theme, all: bool) -> Result<(), CliError> {
         let Self::Page(path, body) = self else { return Ok(()) };
         let body = body.borrow();
         if body.chapters.is_empty() {
@@ -174,14 +174,9 @@ impl Output {
             paper(theme),
             page_rules(theme)
         );
-        match path {
-            Some(path) => written(Sink::page(path)?, page.as_bytes()),
-            None => {
-                let mut sink = Sink::stdout();
-                sink.write(page)?;
-                sink.finish().map(|_| ())
-            }
-        }
+        let mut sink = path.as_deref().map_or_else(|| Ok(Sink::stdout()), Sink::page)?;
+        sink.write(page)?;
+        sink.finish_of(all).map(|_| ())
     }
 }
 
