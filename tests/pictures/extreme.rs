@@ -1,7 +1,7 @@
 //! Extreme inputs give a picture or a diagnostic.
 
 use crate::drawn::{faults, sheets, solved};
-use assur::internals::picture::KINDS;
+use assur::internals::picture::{KINDS, Kind};
 
 /// Draws all there is; how many pictures, and what is wrong with them.
 fn drawn(text: &str) -> (usize, Vec<String>) {
@@ -35,6 +35,16 @@ fn every_size_is_drawn() {
         let (count, wrong) = drawn(&text);
         assert!(count > 0 && wrong.is_empty(), "1e{power} m: {count} {}", wrong.join("\n"));
     }
+}
+
+/// The squares of such accelerations are no numbers, and they are.
+#[test]
+fn great_accelerations_are_numbers() {
+    let text = four_bar("m", ["A", "B", "C", "D"]).replace("10 rad/s", "1e99 rad/s") + "find alpha(rocker)\n";
+    let (source, solved) = solved("great.mech", &text).expect("solved");
+    let plans = sheets(&source, &solved, Kind::Accelerations);
+    let words = &plans.first().expect("a plan").drawing.description;
+    assert!(words.contains("a_B = 1e198 m/s²") && !words.contains("inf"), "{words}");
 }
 
 #[test]

@@ -246,7 +246,9 @@ fn magnitudes(
     of: fn(&BodyState, Vec2) -> Vec2,
 ) -> Option<String> {
     let said = |name: &str, link: LinkId, at: Vec2| {
-        let value = scene.figure(of(scene.body(link), at).norm(), dimension);
+        let v = of(scene.body(link), at);
+        // squares of great numbers are none
+        let value = scene.figure(libm::hypot(v.x, v.y), dimension);
         format!("{letter}_{name} = {value} {unit}")
     };
     let joints = nodes.nodes.iter().filter(|node| !node.fixed);
