@@ -2,7 +2,7 @@
 
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
-use super::rows::AnswerColumns;
+use super::rows::{AnswerColumns, ROUNDING};
 use crate::exercise::Outcome;
 use assur_model::model::Value;
 use assur_solve::solve::Pose;
@@ -93,7 +93,7 @@ impl AnswerColumns {
         };
         let of = |(answer, value): (&super::rows::Answer, Option<Value>)| {
             let display = &answer.display;
-            let value = if pose.is_some() { answer.cleared(value, &greatest) } else { value };
+            let value = if pose.is_some() { answer.cleared(value, &greatest, ROUNDING) } else { value };
             let value = value.map(|value| match value {
                 Value::Scalar(x) => Value::Scalar(display.of_si(x)),
                 Value::Vector(v) => Value::Vector(display.of_si_vector(v)),

@@ -93,7 +93,7 @@ impl PoseLines for CsvLines {
             let events = simulation::events_at(answers, pose);
             out.extend_from_slice(field(&events).as_bytes());
         }
-        self.columns.write_beside(answers, pose, &self.whole, (FULL, None), out);
+        self.columns.write_beside(answers, pose, &self.whole, (FULL, false, None), out);
         out.extend_from_slice(LINE_END.as_bytes());
     }
 

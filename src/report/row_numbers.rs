@@ -1,7 +1,7 @@
 //! Answers of a position as a row of numbers, for streams of positions: in CSV, in columns of Arrow, in columns in memory.
 
 use super::answers::Answers;
-use super::rows::{Answer, AnswerColumns, Content};
+use super::rows::{Answer, AnswerColumns, Content, ROUNDING};
 use assur_model::model::{Display, FindKind, Mechanism, Value};
 use assur_solve::solve::{Model, MotionScales, Pose};
 use assur_text::units::{Dimension, Kind};
@@ -116,7 +116,7 @@ impl AnswerColumns {
     ) {
         out.clear();
         self.each_value(0, answers, pose, whole, |answer, value| {
-            let value = greatest.map_or(value, |greatest| answer.cleared(value, greatest));
+            let value = greatest.map_or(value, |greatest| answer.cleared(value, greatest, ROUNDING));
             answer.push_cells(value, out);
         });
     }

@@ -14,7 +14,7 @@ use assur_text::units::{Dimension, push_significant};
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
 pub const FULL: usize = 15;
 /// In a key an answer is 0 below this part of what is large for it.
-const ROUNDING: f64 = 1e-12;
+pub(super) const ROUNDING: f64 = 1e-12;
 
 /// What a column shows, or two for a vector.
 #[derive(Clone, Debug)]
@@ -164,7 +164,7 @@ impl AnswerColumns {
     pub fn write(&self, answers: &Answers<'_>, pose: &Pose, digits: usize, key: bool, out: &mut String) {
         let mut line = Vec::new();
         let greatest = key.then(|| answers.greatest());
-        self.write_beside(answers, pose, &self.whole(answers), (digits, greatest.as_ref()), &mut line);
+        self.write_beside(answers, pose, &self.whole(answers), (digits, key, greatest.as_ref()), &mut line);
         out.push_str(std::str::from_utf8(&line).unwrap_or_default());
     }
 
@@ -185,19 +185,20 @@ impl AnswerColumns {
         self.answers.iter().map(value).collect()
     }
 
-    /// As [`AnswerColumns::write`], with what needs no pose known; a text in bytes. An answer key has what its quantities are large
-    /// against: what is rounding is 0 in it.
+    /// As [`AnswerColumns::write`], with what needs no pose known; a text in bytes. A key has no drives. With what its quantities are
+    /// large against what is rounding is 0.
     pub fn write_beside(
         &self,
         answers: &Answers<'_>,
         pose: &Pose,
         whole: &[Option<Value>],
-        (digits, key): (usize, Option<&MotionScales>),
+        (digits, key, greatest): (usize, bool, Option<&MotionScales>),
         out: &mut Vec<u8>,
     ) {
-        let from = if key.is_some() { self.drives } else { 0 };
+        let from = if key { self.drives } else { 0 };
+        let part = if key { ROUNDING } else { answers.precision.noise };
         self.each_value(from, answers, pose, whole, |answer, value| {
-            let value = key.map_or(value, |greatest| answer.cleared(value, greatest));
+            let value = greatest.map_or(value, |greatest| answer.cleared(value, greatest, part));
             answer.write(value, digits, out);
         });
     }
@@ -333,9 +334,9 @@ impl Answer {
     }
 
     /// Without what is rounding.
-    pub(super) fn cleared(&self, value: Option<Value>, greatest: &MotionScales) -> Option<Value> {
+    pub(super) fn cleared(&self, value: Option<Value>, greatest: &MotionScales, part: f64) -> Option<Value> {
         let large = greatest.in_si(self.display.dimension);
-        let clear = |x: f64| if x.abs() <= ROUNDING * large { 0.0 } else { x };
+        let clear = |x: f64| if x.abs() <= part * large { 0.0 } else { x };
         Some(match value? {
             Value::Scalar(x) => Value::Scalar(clear(x)),
             Value::Vector(v) => Value::Vector(Vec2::new(clear(v.x), clear(v.y))),

@@ -144,3 +144,19 @@ fn the_ending_of_a_file_chooses_its_form() {
         assert!(folder.read(name).starts_with(begins), "{name}: {}", folder.read(name));
     }
 }
+
+/// Rounding is 0 in the tables of `batch` as in those of `solve`; lines of values keep all digits.
+#[test]
+fn tables_of_rows_have_no_rounding() {
+    let text = "given r = 100 mm\nground { A (0, 0); line guide through A along 0 deg }\nlink crank A-B r\n\
+                link rod B-C 350 mm\nlink piston { C (0, 0); mass 2 kg at C }\nrevolute A: ground - crank\n\
+                revolute B: crank - rod\nrevolute C: rod - piston\nprismatic D: piston.C - ground.guide\n\
+                drive crank = 30 deg, 70 deg at 1500 rpm\nassemble C ahead of B\nbalance torque M on crank\n\
+                find v = velocity(C), M, k = reaction(D, piston)\nvariants {\n r [mm]\n 100\n 90\n}\n";
+    let folder = Folder::new("rounding").with("a.mech", text);
+    for format in ["table", "markdown", "latex", "typst"] {
+        let out = assur(&folder, &["batch", "a.mech", "--format", format]).stdout;
+        assert!(!out.contains("e-") && out.contains("-9.81748"), "{format}: {out}");
+    }
+    assert!(assur(&folder, &["batch", "a.mech", "--format", "csv"]).stdout.contains("e-"));
+}

@@ -223,7 +223,7 @@ impl Line<'_> {
         (out, cells): (&mut String, &mut Vec<u8>),
     ) {
         let whole = self.columns.zip(answers).map(|(columns, answers)| columns.whole_if_any(answers));
-        let greatest = answers.filter(|_| self.key).map(Answers::greatest);
+        let greatest = answers.filter(|_| self.key || self.digits < FULL).map(Answers::greatest);
         let mut poses = 0;
         for pose in answers.iter().flat_map(|a| a.asked_for()) {
             poses += 1;
@@ -235,7 +235,7 @@ impl Line<'_> {
             }
             if let (Some(columns), Some(answers), Some(whole)) = (self.columns, answers, &whole) {
                 cells.clear();
-                columns.write_beside(answers, pose, whole, (self.digits, greatest.as_ref()), cells);
+                columns.write_beside(answers, pose, whole, (self.digits, self.key, greatest.as_ref()), cells);
                 out.push_str(std::str::from_utf8(cells).unwrap_or_default());
             }
             let own = answers.zip(pose.outcome.as_ref().err());
