@@ -1,5 +1,6 @@
 //! Errors of the command line and with files.
 
+use assur_model::model::{FindKind, Mechanism};
 use miette::Diagnostic;
 use thiserror::Error;
 
@@ -225,6 +226,10 @@ pub enum CliError {
         /// The words to add.
         how: &'static str,
     },
+    /// A table that has no place in lines of answers.
+    #[error("`{name}` is a table of its own and not in these lines")]
+    #[diagnostic(severity(Advice), help("`assur solve --format table` or `--format json` has it"))]
+    TableLeftOut { name: String },
     /// Several files, one table.
     #[cfg(feature = "arrow")]
     #[error("a table of columns contains the answers of one file")]
@@ -303,6 +308,14 @@ pub enum CliError {
         "report it with the file and this message: it is an error of the program, not of your file"
     ))]
     Internal { file: String, what: String, version: &'static str },
+}
+
+impl CliError {
+    /// What lines of answers leave out.
+    pub fn left_out(mechanism: &Mechanism) -> Option<Self> {
+        let table = mechanism.finds.iter().find(|find| matches!(find.kind, FindKind::Table(_)))?;
+        Some(Self::TableLeftOut { name: table.name.clone() })
+    }
 }
 
 impl assur_text::diagnostic::Problem for CliError {}

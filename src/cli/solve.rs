@@ -1,7 +1,6 @@
 //! `assur solve`
 
 use super::args::{Format, Solve};
-#[cfg(feature = "arrow")]
 use super::error::CliError;
 use super::files;
 use super::motion::MotionProgress;
@@ -78,6 +77,9 @@ impl Printing<'_> {
             _ => {}
         }
         let (compiled, mut problems) = compile_document(source, &document, found, overrides);
+        problems.extend(
+            compiled.as_ref().filter(|_| self.in_lines()).and_then(|c| CliError::left_out(&c.mechanism)),
+        );
         #[cfg(feature = "arrow")]
         let compiled = match compiled {
             Some(compiled) if !problems.has_errors() && self.args.format.is_columns() => {
@@ -117,7 +119,11 @@ impl Printing<'_> {
 
     /// Whether positions are written one after another.
     fn by_position(&self) -> bool {
-        matches!(self.format, Format::Jsonl | Format::Csv) && self.args.within.is_none()
+        self.in_lines() && self.args.within.is_none()
+    }
+
+    fn in_lines(&self) -> bool {
+        matches!(self.format, Format::Jsonl | Format::Csv)
     }
 
     fn answers(&self, source: &Source, answers: &Answers<'_>) -> String {
@@ -169,6 +175,9 @@ impl Printing<'_> {
         let mut count = 0;
         for row in rows.solve(false) {
             count += 1;
+            if let Some(solved) = row.solved.as_ref().filter(|_| count == 1 && self.in_lines()) {
+                problems.extend(CliError::left_out(&solved.compiled.mechanism));
+            }
             let solved = row.solved.as_ref().map(|s| s.answers(PrintedDigits::READABLE));
             match (self.format, &solved) {
                 (Format::Csv, solved) => csv_row(&mut table, &columns, &row, solved.as_ref()),

@@ -160,3 +160,34 @@ fn tables_of_rows_have_no_rounding() {
     }
     assert!(assur(&folder, &["batch", "a.mech", "--format", "csv"]).stdout.contains("e-"));
 }
+
+/// What lines of values leave out is said.
+#[test]
+fn a_table_that_is_not_in_the_lines_is_named() {
+    let gears = "given z = 17\nshaft I { wheel z1 teeth z module 2 mm; }\nshaft II { wheel z2 teeth 40 }\nmesh z12: z1 - z2\n\
+                 find table(z12), r = radius(z1)\n";
+    let rows = format!("{gears}variants {{\n z\n 18\n 19\n}}\n");
+    let folder = Folder::new("left-out").with("a.mech", gears).with("b.mech", &rows);
+    let words = "`table(z12)` is a table of its own and not in these lines";
+    for (args, said) in [
+        (&["solve", "--format", "csv"][..], true),
+        (&["solve", "--format", "csv", "--within", "1e-9"], true),
+        (&["solve", "--format", "jsonl"], true),
+        (&["solve", "--format", "json"], false),
+        (&["solve"], false),
+        (&["batch"], true),
+        (&["batch", "--format", "csv"], true),
+        (&["batch", "--format", "json"], false),
+    ] {
+        for file in ["a.mech", "b.mech"] {
+            let out = assur(&folder, &[args, &[file]].concat());
+            assert_eq!(
+                out.stderr.matches(words).count(),
+                usize::from(said),
+                "{args:?} {file}: {}",
+                out.stderr
+            );
+            assert_eq!(out.status, 0, "{args:?} {file}: {}", out.stderr);
+        }
+    }
+}

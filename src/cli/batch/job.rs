@@ -48,6 +48,8 @@ pub struct Job {
     layout: RowLayout,
     /// There are answers to write: a row could be compiled.
     answered: bool,
+    /// What lines of its rows leave out.
+    pub left_out: Option<CliError>,
     /// The digits of numbers count.
     pub(super) digits: bool,
 }
@@ -124,7 +126,9 @@ impl Job {
         };
         let columns = Arc::from(columns);
         let (layout, answered, digits) = (RowLayout::default(), false, digits_count(&document));
-        let mut job = Self { source, document, overrides, within, rows, columns, layout, answered, digits };
+        let left_out = None;
+        let mut job =
+            Self { source, document, overrides, within, rows, columns, layout, answered, left_out, digits };
         let (has_rows, first) = job.first_row()?;
         if !has_rows && let Some(fault) = job.without_rows()? {
             tell_fault(fault, screen);
@@ -132,6 +136,7 @@ impl Job {
         }
         if let Some(compiled) = first {
             (job.layout, job.answered) = (RowLayout::of(&compiled, false), true);
+            job.left_out = CliError::left_out(&compiled.mechanism);
         }
         Ok(Ok(job))
     }

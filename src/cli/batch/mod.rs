@@ -96,6 +96,10 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     }
     let mut total = Tally::default();
     for job in &jobs {
+        if let Some(table) = job.left_out.clone().filter(|_| !matches!(format, Format::Json | Format::Jsonl))
+        {
+            screen.complain(&complaint(table, screen));
+        }
         let run =
             Run { job, format, layout: &layout, key: key_out.is_some().then_some(&key), columns, screen };
         let tally = run.all(&mut out, &mut key_out)?;
