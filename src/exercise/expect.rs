@@ -1,6 +1,7 @@
 //! Every `expect` of a file against its solution.
 
 use super::error::ExpectError;
+use super::turns;
 use super::undefined::{not_happened, truth, why_undefined, without_cycle};
 use assur_model::model::{
     At, Comparison, Display, DriveId, Expect, Expr, Find, FindKind, Occasion, Query, Relation, Tolerance,
@@ -31,7 +32,7 @@ pub struct Outcome {
     pub within: Option<f64>,
     pub passed: bool,
     /// Compared modulo a turn.
-    pub angle: bool,
+    pub turns_free: bool,
     /// Place of the statement.
     pub span: Span,
     /// How it is printed.
@@ -226,7 +227,7 @@ impl<'a> Key<'a> {
             got,
             within: None,
             passed: got == Value::Bool(true),
-            angle: expect.angle,
+            turns_free: false,
             span: expect.span,
             display: expect.display.clone(),
         };
@@ -243,6 +244,9 @@ impl<'a> Key<'a> {
             Relation::Equal(list) => {
                 let Some(expr) = list.get(case) else { return Ok(outcome) };
                 outcome.expected = equal::shaped_like(got, value(expr)?);
+                outcome.turns_free = expect.angle
+                    && turns::are_free(outcome.expected.magnitude(), expect.display.factor)
+                    && turns::is_direction(self.model.mechanism, &expect.expr);
                 let within = match &expect.tolerance {
                     Tolerance::Relative(r) => r * outcome.expected.magnitude(),
                     Tolerance::Absolute(a) => *a,
@@ -266,10 +270,10 @@ fn values(expect: &Expect) -> usize {
 }
 
 impl Outcome {
-    /// The computed minus the expected value, SI; modulo a turn for angles. A condition has none.
+    /// The computed minus the expected value, SI; without whole turns for directions. A condition has none.
     #[must_use]
     pub fn difference(&self) -> Value {
-        equal::difference(self.got, self.expected, self.angle)
+        equal::difference(self.got, self.expected, self.turns_free)
     }
 
     /// The expectation, as `= 26 N*m`, `> 40 deg`; empty for a condition.
@@ -311,9 +315,9 @@ pub(super) fn bound(
 
 /// Differences between a value and the one expected.
 pub mod equal {
+    use crate::exercise::turns;
     use assur_math::math::Vec2;
     use assur_model::model::Value;
-    use std::f64::consts::TAU;
 
     /// A literal 0 fits any shape.
     pub fn shaped_like(shape: Value, value: Value) -> Value {
@@ -324,17 +328,12 @@ pub mod equal {
     }
 
     /// The first less the second; NaN where their types differ.
-    pub fn difference(got: Value, expected: Value, angle: bool) -> Value {
+    pub fn difference(got: Value, expected: Value, turns_free: bool) -> Value {
         match (got, expected) {
-            (Value::Scalar(a), Value::Scalar(b)) if angle => Value::Scalar(within_half_a_turn(a - b)),
-            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a - b),
+            (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(turns::difference(turns_free, a, b)),
             (Value::Vector(a), Value::Vector(b)) => Value::Vector(a - b),
             (Value::Bool(a), Value::Bool(b)) => Value::Scalar(if a == b { 0.0 } else { 1.0 }),
             _ => Value::Scalar(f64::NAN),
         }
-    }
-
-    fn within_half_a_turn(angle: f64) -> f64 {
-        angle - TAU * (angle / TAU).round()
     }
 }

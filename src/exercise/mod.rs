@@ -5,6 +5,7 @@ pub mod expect;
 pub mod grade;
 mod mismatch;
 pub mod table;
+pub mod turns;
 mod undefined;
 
 pub use error::ExpectError;

@@ -70,6 +70,40 @@ fn answers_are_marked_in_any_unit() {
     assert_eq!(mark("Mb [N*m]", "about 26").0, "unreadable");
 }
 
+/// Whole turns are free of a direction, not of what turns many times or is counted in turns.
+#[test]
+fn whole_turns_count_where_something_turns_many_times() {
+    let right = |key: &str, header: &str, answer: &str| {
+        let key = format!(
+            "row,pose,a [{}]\n1,1,{}\n",
+            key.split_once(' ').unwrap().1,
+            key.split_once(' ').unwrap().0
+        );
+        let said =
+            graded(&key, &format!("row,a [{header}]\n1,{answer}\n"), &["--format", "csv", "--within", "3 %"]);
+        column(&said.stdout, "verdict")[0] == "right"
+    };
+    for (key, header, answer, wanted) in [
+        ("79.58 rev", "rev", "79.6", true),
+        ("79.58 rev", "rev", "5.2", false),
+        ("79.58 rev", "rev", "-7.11", false),
+        ("79.58 rev", "rev", "1000.4", false),
+        ("79.58 rev", "deg", "28648.8", true),
+        ("0.5 rev", "rev", "1.5", false),
+        ("500 rad", "rad", "493.7168", true),
+        ("50 rad", "rad", "43.7168", false),
+        ("400 deg", "deg", "40", false),
+        ("10 deg", "deg", "370", true),
+        ("-350 deg", "deg", "10", true),
+        ("360 deg", "deg", "0", true),
+        // no direction is off by more than half a turn
+        ("350 deg", "deg", "345", true),
+        ("350 deg", "deg", "343", false),
+    ] {
+        assert_eq!(right(key, header, answer), wanted, "{key}: {answer} {header}");
+    }
+}
+
 #[test]
 fn the_usual_slips_are_recognised() {
     for (header, answer, slip) in [

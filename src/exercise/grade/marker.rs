@@ -2,10 +2,11 @@
 
 use super::common_mistake::CommonMistake;
 use super::mark::{Known, Mark, Verdict};
-use super::regions::difference;
 use super::rules::Rules;
 use super::sheet::{Entry, Sheet, Unread};
+use crate::exercise::turns::difference;
 use assur_text::units::Dimension;
+use std::f64::consts::PI;
 
 /// A key below this part of what is next to it is a rounding error of zero.
 const ZERO: f64 = 1e-9;
@@ -97,7 +98,7 @@ impl Marker<'_> {
     }
 
     fn compared(&self, place: usize, given: f64, key: f64) -> (Found, Verdict) {
-        let deviation = difference(self.turns(place), given, key);
+        let deviation = difference(self.turns(place, key), given, key);
         let error = deviation.abs() / self.scale(place, key);
         // equal where there is nothing to compare with
         let error = if error.is_nan() { 0.0 } else { error };
@@ -148,6 +149,8 @@ impl Marker<'_> {
         };
         let other = self.partner(place).and_then(|i| self.number(i)).unwrap_or(0.0);
         let own = libm::hypot(key, other);
+        // no direction is further off than half a turn
+        let own = if self.turns(place, key) { own.min(PI) } else { own };
         if own > ZERO * greatest() { own } else { greatest() }
     }
 

@@ -5,6 +5,7 @@ use super::marker::Marker;
 use super::rules::Rules;
 use super::sheet::Sheet;
 use crate::exercise::expect::is_within;
+use crate::exercise::turns::{self, difference};
 use assur_text::units::Dimension;
 use std::f64::consts::{PI, TAU};
 
@@ -47,12 +48,6 @@ impl Region {
     }
 }
 
-/// A difference; modulo a turn for angles.
-pub(super) fn difference(turns: bool, x: f64, from: f64) -> f64 {
-    let plain = x - from;
-    if turns { plain - TAU * (plain / TAU).round() } else { plain }
-}
-
 /// What answers mean for a quantity in a row of a key: the first region that contains an answer counts. None where the key has no
 /// number there. The values of other rows are not among them.
 #[must_use]
@@ -78,17 +73,19 @@ impl<'k> Marker<'k> {
     /// What answers mean: right first, then slips.
     pub(super) fn regions(&self, place: usize, key: f64) -> impl Iterator<Item = Region> {
         let half = self.rules.within * self.scale(place, key);
-        let right = Region { middle: key, half, turns: self.turns(place), slip: None };
+        let right = Region { middle: key, half, turns: self.turns(place, key), slip: None };
         std::iter::once(right).chain(Self::ORDER.into_iter().flat_map(move |kind| kind(self, place, key)))
     }
 
-    pub(super) fn turns(&self, place: usize) -> bool {
-        self.dimension(place) == Dimension::ANGLE
+    /// Whether whole turns make no difference to a quantity.
+    pub(super) fn turns(&self, place: usize, key: f64) -> bool {
+        let unit = &self.key.quantities[place].unit;
+        unit.dimension == Dimension::ANGLE && turns::are_free(key, unit.factor)
     }
 
     /// Of an angle the opposite sign, the opposite direction and the supplement, each as far as it is the nearest.
     fn of_angle(&self, place: usize, key: f64) -> Vec<Region> {
-        if !self.turns(place) {
+        if !self.turns(place, key) {
             return Vec::new();
         }
         let meant = [
@@ -120,7 +117,7 @@ impl<'k> Marker<'k> {
         }
         let slip = self.other_link(place).unwrap_or(CommonMistake::Sign);
         // a component is small beside its vector: what it would be right for is measured by itself
-        vec![Region::new(-key, self.rules.within * key.abs(), self.turns(place), slip)]
+        vec![Region::new(-key, self.rules.within * key.abs(), self.turns(place, key), slip)]
     }
 
     /// Factors with a name, the sign aside, each as far as it is the nearest: between f₁ and f₂ up to 2k/(1/f₁ + 1/f₂) of the key k.
@@ -129,7 +126,7 @@ impl<'k> Marker<'k> {
             return Vec::new();
         }
         // whole turns are taken off the key alone: a thousandfold angle would come near anything
-        let in_turn = difference(self.turns(place), key, 0.0);
+        let in_turn = difference(self.turns(place, key), key, 0.0);
         let keys = [Some(key), Some(in_turn).filter(|it| *it != key && *it != 0.0)];
         let each = keys.into_iter().flatten().flat_map(|key| factors().map(move |(f, slip)| (f * key, slip)));
         let mut centres: Vec<(f64, CommonMistake)> = each.collect();
@@ -155,7 +152,7 @@ impl<'k> Marker<'k> {
             return Vec::new();
         };
         let of = |at: usize, value: f64, slip| {
-            Region::new(value, self.rules.within * self.scale(at, value), self.turns(place), slip)
+            Region::new(value, self.rules.within * self.scale(at, value), self.turns(place, value), slip)
         };
         let size = libm::hypot(key, other);
         vec![of(partner, other, CommonMistake::Swapped), of(place, size, CommonMistake::Magnitude)]
@@ -177,7 +174,7 @@ impl<'k> Marker<'k> {
 
     fn of_close(&self, place: usize, key: f64) -> Vec<Region> {
         let half = NEAR * self.rules.within * self.scale(place, key);
-        vec![Region::new(key, half, self.turns(place), CommonMistake::Close)]
+        vec![Region::new(key, half, self.turns(place, key), CommonMistake::Close)]
     }
 
     fn other_link(&self, place: usize) -> Option<CommonMistake> {
