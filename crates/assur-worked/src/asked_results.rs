@@ -240,8 +240,8 @@ impl Derivation<'_> {
                 let at_rest = self.given(Name::new("F", &format!("0,{words}")), at_rest, Unit::Force);
                 Some([at_rest.clone() + half.clone(), at_rest - half])
             }
-            FrictionLimit::Belt { ratio, wrap, pretension: None } => {
-                let q = self.ratio_of_pulls(&words, ratio, wrap);
+            FrictionLimit::Belt { ratio, wrap, groove, pretension: None } => {
+                let q = self.ratio_of_pulls(&words, ratio, wrap, groove);
                 let slack = force.clone() / (q - Expr::Int(1));
                 Some([slack.clone() + force, slack])
             }
@@ -250,8 +250,12 @@ impl Derivation<'_> {
     }
 
     /// The ratio of the pulls at which a belt slips: e^(f β), with the friction of a groove over the sine of its half angle.
-    fn ratio_of_pulls(&mut self, words: &str, ratio: f64, wrap: f64) -> Expr {
-        let friction = self.given(Name::new("f", words), libm::log(ratio) / wrap, Unit::One);
+    fn ratio_of_pulls(&mut self, words: &str, ratio: f64, wrap: f64, groove: Option<f64>) -> Expr {
+        let sine = groove.map_or(1.0, libm::sin);
+        let mut friction = self.given(Name::new("f", words), sine * libm::log(ratio) / wrap, Unit::One);
+        if let Some(half) = groove {
+            friction = friction / self.given(Name::new("γ", words), half.to_degrees(), Unit::Angle).sin();
+        }
         let angle = self.given(Name::new("β", words), wrap.to_degrees(), Unit::Angle);
         let right = (Expr::Pi * friction * angle / Expr::Int(180)).of(Function::Exp);
         self.equate(Name::new("q", words), ratio, Unit::One, right)
@@ -260,8 +264,8 @@ impl Derivation<'_> {
     fn capacity(&mut self, pair: PairId) -> Option<Expr> {
         let words = self.scene.mechanism().pair(pair).name.clone();
         match self.transmission(pair)?.grip? {
-            FrictionLimit::Belt { ratio, wrap, pretension: Some(at_rest) } => {
-                let q = self.ratio_of_pulls(&words, ratio, wrap);
+            FrictionLimit::Belt { ratio, wrap, groove, pretension: Some(at_rest) } => {
+                let q = self.ratio_of_pulls(&words, ratio, wrap, groove);
                 let at_rest = self.given(Name::new("F", &format!("0,{words}")), at_rest, Unit::Force);
                 Some(Expr::Int(2) * at_rest * (q.clone() - Expr::Int(1)) / (q + Expr::Int(1)))
             }

@@ -3,7 +3,7 @@
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find};
 use crate::values::format_value::digits;
-use assur_model::model::Friction;
+use assur_model::model::{Friction, MoreFriction, StatedFriction};
 use assur_syntax::document::{Joint, JointKind};
 use assur_text::diagnostic::Diagnosis;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -18,31 +18,40 @@ pub(crate) fn factor_of_fit(word: &str) -> f64 {
     }
 }
 
+/// A law, and the coefficient that is given for it where it has a greater one.
+pub(crate) type Law = (Friction, Option<StatedFriction>);
+
 /// The law of a pair; `None` where it states none. A groove that is wrong is reported.
-pub(crate) fn law(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Friction> {
+pub(crate) fn law(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Law> {
     let number = |name| find(properties, name).map(Read::number);
-    let fit = find(properties, "fit").map_or(1.0, |p| match p.value {
+    let factor = find(properties, "fit").map_or(1.0, |p| match p.value {
         Value::Word(word) => factor_of_fit(word),
         _ => p.number(),
     });
+    let coefficient = number("friction");
+    let stated = |more| Some(StatedFriction { coefficient: coefficient?, more });
+    let of_fit = |radius| {
+        stated(MoreFriction::Fit { factor, radius }).filter(|it| factor != 1.0 && it.coefficient > 0.0)
+    };
     if joint.kind.node == JointKind::Revolute {
         let radius = number("radius").unwrap_or(0.0);
-        return number("friction_circle")
+        let circle = number("friction_circle")
             .or_else(|| Some(number("equivalent_friction")? * radius))
-            .or_else(|| Some(fit * number("friction")? * radius))
-            .map(Friction::Circle);
+            .or_else(|| Some(factor * coefficient? * radius))?;
+        return Some((Friction::Circle(circle), of_fit(Some(radius))));
     }
-    let coefficient = number("friction")?;
-    let equivalent = match find(properties, "groove") {
-        None => coefficient,
-        Some(Read { value: Value::Word(_), .. }) => fit * coefficient,
+    let coefficient = coefficient?;
+    let (equivalent, stated) = match find(properties, "groove") {
+        None => (coefficient, None),
+        Some(Read { value: Value::Word(_), .. }) => (factor * coefficient, of_fit(None)),
         Some(groove) => {
             half_angle(cx, groove)?;
-            coefficient / libm::sin(groove.number())
+            (coefficient / libm::sin(groove.number()), stated(MoreFriction::Groove(groove.number())))
         }
     };
     let both_ends = find(properties, "contacts").is_some();
-    Some(if both_ends { Friction::BothEnds(equivalent) } else { Friction::Coefficient(equivalent) })
+    let law = if both_ends { Friction::BothEnds(equivalent) } else { Friction::Coefficient(equivalent) };
+    Some((law, stated))
 }
 
 /// The law of a pair at rest, where it has one of its own.

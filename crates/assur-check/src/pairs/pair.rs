@@ -28,13 +28,15 @@ pub(crate) fn pairs(cx: &mut Context<'_>) {
         if !is_linkage_pair(joint.kind.node) {
             continue;
         }
-        if let Some((kind, [friction, at_rest])) = pair(cx, joint, &shared, &mut held) {
+        if let Some((kind, law, at_rest)) = pair(cx, joint, &shared, &mut held) {
             let id = PairId::at(cx.builder.mech.pairs.len());
             cx.builder.hinges.enter(&kind, id);
             cx.builder.hinges.enter_guide(&kind, id);
             let (name, span) = (joint.name.node.clone(), joint.name.span);
             cx.names.pairs.entry(name.clone()).or_insert(id);
+            let (friction, stated) = law.unzip();
             cx.builder.mech.pairs.push(Pair { name, span, kind, friction, bearing: None });
+            cx.builder.mech.stated_friction.extend(stated.flatten().map(|stated| (id, stated)));
             cx.builder.mech.friction_at_rest.extend(at_rest.map(|friction| (id, friction)));
         }
     }
@@ -45,7 +47,7 @@ fn pair(
     joint: &Joint,
     shared: &Shared,
     held: &mut Held,
-) -> Option<(PairKind, [Option<Friction>; 2])> {
+) -> Option<(PairKind, Option<friction::Law>, Option<Friction>)> {
     let read = read(cx, joint);
     let ends = ends(cx, joint)?;
     let hinge = if joint.kind.node == JointKind::Revolute { Some(revolute(cx, joint, &ends)?) } else { None };
@@ -59,9 +61,10 @@ fn pair(
     };
     let friction = properties.map(|p| {
         let moving = friction::law(cx, joint, &p);
-        [moving, friction::at_rest(cx, &p, moving)]
+        (moving, friction::at_rest(cx, &p, moving.map(|(law, _)| law)))
     });
-    Some((kind?, friction?))
+    let (moving, at_rest) = friction?;
+    Some((kind?, moving, at_rest))
 }
 
 /// An end of a joint: a link and the name of a part of it.

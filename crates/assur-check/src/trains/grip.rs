@@ -50,7 +50,12 @@ pub(crate) fn belt_grip(
         let message = "the ratio of the pulls at which the belt slips is not a finite number";
         return incomplete(cx, message, "check friction, wrap and groove", friction.span);
     }
-    Some(Some(FrictionLimit::Belt { wrap, ratio, pretension: of("pretension").map(Read::number) }))
+    Some(Some(FrictionLimit::Belt {
+        wrap,
+        ratio,
+        groove: of("groove").map(Read::number),
+        pretension: of("pretension").map(Read::number),
+    }))
 }
 
 /// The angle of contact on the smaller pulley: π − 2 asin((R − r)/a) of an open belt, π + 2 asin((R + r)/a) of a crossed one.

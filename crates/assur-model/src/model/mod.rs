@@ -37,7 +37,10 @@ pub use motion::{
     Drive, DriveTarget, Equilibrium, Hint, HintKind, LinkPoint, Mode, ModePart, NamedPose, Positions, Sought,
     SoughtWay,
 };
-pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape, UnilateralCondition};
+pub use pair::{
+    Bearing, Friction, Guide, MoreFriction, Pair, PairKind, Pin, Profile, ProfileShape, StatedFriction,
+    UnilateralCondition,
+};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 pub use simulation::{Bound, Cycle, CycleFunction, Harmonic, Part};
 pub use simulation::{Event, Occasion, Simulation, Situation, Steady, Stop};
@@ -71,6 +74,8 @@ pub struct Mechanism {
     pub events: Vec<Event>,
     /// Friction at rest, of pairs in which it is more than that of the motion.
     pub friction_at_rest: Vec<(PairId, Friction)>,
+    /// Coefficients as they are given, where the law of the pair has a greater one.
+    pub stated_friction: Vec<(PairId, StatedFriction)>,
     /// Powers whose work since the first instant is asked for.
     pub works: Vec<Expr>,
     /// What springs in pairs store, in the order of their statements.

@@ -39,6 +39,22 @@ pub enum Friction {
     BothEnds(f64),
 }
 
+/// A coefficient of friction as it is given, of a pair whose law has a greater one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StatedFriction {
+    pub coefficient: f64,
+    pub more: MoreFriction,
+}
+
+/// What makes friction more than its coefficient says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MoreFriction {
+    /// f/sin β in a V-groove with half the angle β, rad.
+    Groove(f64),
+    /// k f in a round fit; of a journal with its radius, m.
+    Fit { factor: f64, radius: Option<f64> },
+}
+
 impl Friction {
     /// Whether it is more than nothing.
     #[must_use]

@@ -98,6 +98,8 @@ pub enum FrictionLimit {
         wrap: f64,
         /// Ratio of the pulls T₁/T₂ at which it slips.
         ratio: f64,
+        /// Half the angle of its V-groove, rad.
+        groove: Option<f64>,
         /// Pull on both sides at rest, N.
         pretension: Option<f64>,
     },

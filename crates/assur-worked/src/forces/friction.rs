@@ -6,7 +6,7 @@ use crate::motion::of;
 use crate::words::FrictionMessage;
 use assur_formula::{Expr, Name, Unit};
 use assur_math::math::SAME;
-use assur_model::model::LinkId;
+use assur_model::model::{LinkId, MoreFriction};
 use assur_position::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw};
 use assur_position::position::Origin;
 
@@ -153,17 +153,42 @@ impl Derivation<'_> {
         }
         let Some(size) = self.pressed(element) else { return };
         let (right, unit) = match &element.kind {
-            FrictionLaw::Circle { radius } => {
-                (self.given(Name::new("ρ", &pair), *radius, Unit::Length) * size, Unit::Torque)
-            }
-            FrictionLaw::Guide { coefficient, .. } | FrictionLaw::Contact { coefficient, .. } => {
-                (self.given(Name::new("f", &pair), *coefficient, Unit::One) * size.abs(), Unit::Force)
-            }
+            FrictionLaw::Circle { radius } => (
+                self.times_reaction(element, Name::new("ρ", &pair), *radius, Unit::Length) * size,
+                Unit::Torque,
+            ),
+            FrictionLaw::Guide { coefficient, .. } | FrictionLaw::Contact { coefficient, .. } => (
+                self.times_reaction(element, Name::new("f", &pair), *coefficient, Unit::One) * size.abs(),
+                Unit::Force,
+            ),
             FrictionLaw::BothEnds { .. } => return,
         };
         let right = if sense > 0.0 { -right } else { right };
         let name = self.friction_name(element);
         self.confirm(name, effort, unit, right);
+    }
+
+    /// What the reaction in a pair is multiplied by: a value of the file, or f/sin β of a groove, k f of a fit with its values.
+    fn times_reaction(&mut self, element: &FrictionElement, mut name: Name, value: f64, unit: Unit) -> Expr {
+        let mechanism = self.scene.mechanism();
+        let Some((_, stated)) = mechanism.stated_friction.iter().find(|(pair, _)| *pair == element.pair)
+        else {
+            return self.given(name, value, unit);
+        };
+        let pair = &mechanism.pair(element.pair).name;
+        let given = |letter: &str, value: f64, unit| self.given(Name::new(letter, pair), value, unit);
+        let friction = given("f", stated.coefficient, Unit::One);
+        let right = match stated.more {
+            MoreFriction::Groove(half) => friction / given("β", half.to_degrees(), Unit::Angle).sin(),
+            MoreFriction::Fit { factor, radius } => {
+                let equivalent = given("k", factor, Unit::One) * friction;
+                radius.map_or(equivalent.clone(), |radius| equivalent * given("r", radius, Unit::Length))
+            }
+        };
+        if unit == Unit::One {
+            name.letter.push('′');
+        }
+        self.equate(name, value, unit, right)
     }
 
     /// The reaction that presses in a pair; in a hinge of several links that of all others on its own link.
