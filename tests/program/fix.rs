@@ -27,6 +27,30 @@ fn what_may_mean_several_things_stays() {
     assert!(out.stderr.contains("write `given r = 5 mm`"), "{}", out.stderr);
 }
 
+/// `350 mm` is as likely as `350 m`; a tolerance is not thrown away.
+#[test]
+fn broken_units_and_tolerances_stay() {
+    for line in [
+        "r = 350 m m",
+        "v = 5 m m/s",
+        "F = 5 k N",
+        "n = 10 r pm",
+        "r = 5 c m",
+        "r = 20 mm +- 1 mm",
+        "r = 20 ± 1 mm",
+    ] {
+        let text = format!("given {line}\n");
+        let folder = Folder::new("fix-unit").with("a.mech", &text);
+        let out = assur(&folder, &["check", "--fix", "a.mech"]);
+        assert_eq!((out.status, folder.read("a.mech")), (1, text), "{}", out.stderr);
+    }
+    let folder = Folder::new("fix-unit").with("a.mech", "given r = 350 m m\n");
+    let said = assur(&folder, &["check", "--fix", "a.mech"]).stderr;
+    for meant in ["given r = 350 mm\n", "given r = 350 m\n"] {
+        assert!(said.contains(meant), "{meant}: {said}");
+    }
+}
+
 #[test]
 fn standard_input_cannot_be_fixed() {
     let out = with_input(&Folder::new("fix-stdin"), &["check", "--fix", "-"], WRONG);

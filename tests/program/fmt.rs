@@ -130,3 +130,17 @@ fn a_full_disk_loses_nothing() {
     assert_eq!(folder.read("a.mech"), long, "the file is as it was");
     assert_eq!(folder.names(), ["a.mech"], "no temporary file is left");
 }
+
+/// `+-` is the sign of a tolerance.
+#[test]
+fn a_sum_and_a_sign_stay_apart() {
+    for (written, formatted) in
+        [("2 m+ -3 m", "2 m + -3 m"), ("+ -5 m", "+ -5 m"), ("2 m + (+ -3 m)", "2 m + (+ -3 m)")]
+    {
+        let out = with_input(&Folder::new("fmt-signs"), &["fmt", "-"], &format!("given r = {written}\n"));
+        assert_eq!(
+            (out.status, out.stdout, out.stderr.as_str()),
+            (0, format!("given r = {formatted}\n"), "")
+        );
+    }
+}

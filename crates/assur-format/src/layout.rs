@@ -257,6 +257,8 @@ fn blanks(layout: &Layout<'_>, i: usize, end: usize) -> usize {
         (_, Kind::Comment) => BEFORE_COMMENT,
         (_, Kind::Product) => usize::from(is_apart(i) || is_apart(i + 1)),
         (Kind::Product, _) => usize::from(is_apart(i - 1) || is_apart(i)),
+        // `+ -5` is not `+-5`
+        (Kind::Prefix, Kind::Prefix) => usize::from(is_apart(i)),
         // `5 m ^ 2` is not `5 m^2`: what follows a unit or a number is not joined to it
         (Kind::Unit, Kind::Power | Kind::Dot) | (Kind::Number, Kind::Dot) => usize::from(is_apart(i)),
         (Kind::Power, _) => usize::from(match kind(i - 2) {

@@ -13,8 +13,8 @@ use crate::values::{
     typed::{Dim, Type, Typed, phrase},
 };
 use assur_model::model::{At, Display, Expect, Occasion, Relation, Tolerance};
-use assur_syntax::document::{self, BinaryOp, ExpectAt, Expr, ExprKind, Name, Setting, Statement};
-use assur_text::diagnostic::{Diagnosis, Fix, Help};
+use assur_syntax::document::{self, ExpectAt, Expr, ExprKind, Name, Setting, Statement};
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Kind};
 
@@ -118,7 +118,6 @@ fn unified(a: Type, b: Type) -> Type {
 
 /// `expect Mb = 26 N*m within 1 %`
 fn equality(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
-    plus_minus(cx, expect)?;
     let what = cx.read(&expect.what);
     let values = expect.values.iter().map(|v| (cx.read(v), v)).collect::<Vec<_>>();
     let what = what?;
@@ -164,32 +163,6 @@ fn not_itself(cx: &mut Context<'_>, what: &Expr, t: &Typed, value: &Expr) -> Opt
             .help("write the value that is expected, as in `expect Mb = 26 N*m`"),
     );
     None
-}
-
-/// Reports `+-` in place of `within`.
-fn plus_minus(cx: &mut Context<'_>, expect: &document::Expect) -> Option<()> {
-    for value in &expect.values {
-        if let ExprKind::Chain(first, rest) = &value.kind
-            && let [(plus, Expr { kind: ExprKind::Unary(minus, size), .. })] = &rest[..]
-            && plus.node == BinaryOp::Add
-            && plus.span.end == minus.span.start
-            && let (Some(first), Some(size)) = (written(first), written(size))
-        {
-            let line = format!("{} = {first} within {size}", expect.text);
-            cx.error(
-                Diagnosis::error("mech::expect::no_tolerance", "`+-` is a sum and a sign, not a tolerance")
-                    .primary(plus.span.to(minus.span), "`within` instead of this")
-                    .help(format!("write `expect {line}`"))
-                    .fixes([Fix {
-                        title: format!("write `expect {line}`"),
-                        edits: vec![assur_text::source::Edit::new(plus.span.to(minus.span), " within ")],
-                        certain: false,
-                    }]),
-            );
-            return None;
-        }
-    }
-    Some(())
 }
 
 fn fit_value(

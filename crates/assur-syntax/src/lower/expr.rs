@@ -4,15 +4,19 @@ use super::simulation::Lower;
 use super::walk::{P, Parts, name, nfc, span};
 use crate::document::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, Path, Sensed, Turn, UnaryOp};
 use crate::prepare::too_deep;
-use crate::recover::needless_word;
+use crate::recover::{broken_unit, needless_word, tolerance};
 use crate::trivia::corrected;
 use crate::words::Rule;
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::{Span, Spanned};
 use assur_text::units;
+use std::borrow::Cow;
 
 /// How many signs, powers or parts may follow each other: each is a level of the tree.
 const CHAIN: usize = 16;
+
+/// The signs of a tolerance, as the grammar has them.
+pub(super) const PLUS_MINUS: [&str; 6] = ["±", "+-", "+−", "+–", "+/-", "+/−"];
 
 /// An operator and what stands after it.
 type Link = (Spanned<BinaryOp>, Expr);
@@ -75,13 +79,33 @@ impl Lower<'_> {
     }
 
     fn polar(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
-        let length = self.product(parts)?;
+        let length = self.nominal(parts)?;
         if !parts.word(Rule::p_polar) {
             return Some(length);
         }
-        let angle = self.product(parts)?;
+        let angle = self.nominal(parts)?;
         let at = length.span.to(angle.span);
         Some(Expr { kind: ExprKind::Polar(Box::new(length), Box::new(angle)), span: at })
+    }
+
+    /// A product; of `100 mm +- 0.05 mm` the first alone, with the unit of both where it is written once.
+    fn nominal(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
+        let mut value = self.product(parts)?;
+        while let Some(sign) = parts.take_as(Rule::loose, |op| is_plus_minus(op).then_some(())) {
+            let size = self.product(parts)?;
+            let (start, at) = (value.span, value.span.to(size.span));
+            let mut alone = self.text.get(start.start..start.end)?.to_owned();
+            if let (ExprKind::Number(value), ExprKind::Number(Number { unit: Some(unit), .. })) =
+                (&mut value.kind, size.kind)
+                && value.unit.is_none()
+                && unit.node != "%"
+            {
+                alone = format!("{alone} {}", unit.node);
+                value.unit = Some(unit);
+            }
+            self.problems.push(tolerance(self.text, sign.span, at, &alone));
+        }
+        Some(value)
     }
 
     /// A product; factors that a unit gave back are factors of it.
@@ -96,7 +120,7 @@ impl Lower<'_> {
     }
 
     fn signed(&mut self, parts: &mut Parts<'_>) -> Option<(Expr, Vec<Link>)> {
-        let signs = signs(parts);
+        let signs = self.signs(parts);
         let (power, rest) = self.power(parts)?;
         Some((self.signed_by(signs, power)?, rest))
     }
@@ -110,7 +134,7 @@ impl Lower<'_> {
         let start = base.span;
         let mut levels = vec![(Vec::new(), base)];
         while parts.take_as(Rule::tight, |op| (op == "^").then_some(())).is_some() {
-            let signs = signs(parts);
+            let signs = self.signs(parts);
             let (value, given_back) = self.post(parts.any()?)?;
             levels.push((signs, value));
             rest.extend(given_back);
@@ -199,7 +223,7 @@ impl Lower<'_> {
                 at = at.to(whole);
                 return Some((Expr { kind: ExprKind::Number(value), span: at }, rest));
             }
-            let word = self.once(word, start);
+            let word = &*self.once(word, start);
             let factors = units::factors(word);
             // The first factor is a unit, known or not; the first later one that is none ends it.
             let own = factors.iter().skip(1).position(|f| !units::is_unit(f.symbol));
@@ -219,17 +243,32 @@ impl Lower<'_> {
         Some((Expr { kind: ExprKind::Number(value), span: at }, rest))
     }
 
-    /// `190 mm mm`: a blank makes a product of different units alone. The second is reported; the unit without it.
-    fn once<'w>(&mut self, word: &'w str, start: usize) -> &'w str {
+    /// A blank makes a product of different units alone, and only where no unit is broken by it: `m m` may be `mm` or `m`. That is
+    /// reported, and so is the second of `190 mm mm`.
+    fn once<'w>(&mut self, word: &'w str, start: usize) -> Cow<'w, str> {
         let factors = units::factors(word);
-        let blank = |pair: &&[units::Factor<'_>]| {
-            pair[0].symbol == pair[1].symbol && word.get(pair[0].end..pair[1].start) == Some(" ")
+        let both =
+            |a: &units::Factor<'_>, b: &units::Factor<'_>| units::is_unit(&[a.symbol, b.symbol].concat());
+        let found = factors.windows(2).find_map(|pair| {
+            let [a, b] = pair else { return None };
+            let is_blank = word.get(a.end..b.start) == Some(" ");
+            (is_blank && (a.symbol == b.symbol || both(a, b))).then_some((a, b))
+        });
+        let Some((first, second)) = found else { return word.into() };
+        let behind = Span::new(start + first.end, start + second.start);
+        let at = Span::new(start + second.start, start + second.start + second.symbol.len());
+        let alone = corrected(self.text, Span::new(behind.start, at.end), "");
+        if !both(first, second) {
+            self.problems.push(needless_word(second.symbol, at, alone));
+            return word[..first.end].into();
+        }
+        let other = match first.symbol {
+            symbol if symbol == second.symbol => Some(alone),
+            symbol => units::is_unit(symbol).then(|| corrected(self.text, behind, "*")),
         };
-        let Some([first, again]) = factors.windows(2).find(blank) else { return word };
-        let at = Span::new(start + again.start, start + again.end);
-        let help = corrected(self.text, Span::new(start + first.end, at.end), "");
-        self.problems.push(needless_word(again.symbol, at, help));
-        &word[..first.end]
+        let helps = std::iter::once(corrected(self.text, behind, "")).chain(other).collect();
+        self.problems.push(broken_unit(Span::new(start + first.start, at.end), helps));
+        [&word[..first.end], &word[second.start..]].concat().into()
     }
 
     pub(super) fn number(&mut self, pair: &P<'_>) -> Number {
@@ -248,6 +287,19 @@ impl Lower<'_> {
             return Number { value: f64::MAX, text, unit: None };
         }
         Number { value, text, unit: None }
+    }
+
+    fn signs(&mut self, parts: &mut Parts<'_>) -> Vec<Spanned<UnaryOp>> {
+        let mut found = Vec::new();
+        while let Some(sign) = parts.take(Rule::sign) {
+            let at = span(&sign);
+            if is_plus_minus(sign.as_str()) {
+                self.problems.push(tolerance(self.text, at, at, ""));
+            }
+            let op = if sign.as_str().starts_with(['+', '±']) { UnaryOp::Plus } else { UnaryOp::Minus };
+            found.push(Spanned::new(op, at));
+        }
+        found
     }
 
     fn signed_by(&mut self, signs: Vec<Spanned<UnaryOp>>, value: Expr) -> Option<Expr> {
@@ -290,15 +342,6 @@ fn chain(first: Expr, rest: Vec<Link>) -> Expr {
     Expr { kind: ExprKind::Chain(Box::new(first), rest), span: at }
 }
 
-fn signs(parts: &mut Parts<'_>) -> Vec<Spanned<UnaryOp>> {
-    let mut found = Vec::new();
-    while let Some(sign) = parts.take(Rule::sign) {
-        let op = if sign.as_str() == "+" { UnaryOp::Plus } else { UnaryOp::Minus };
-        found.push(Spanned::new(op, span(&sign)));
-    }
-    found
-}
-
 /// `*r` or `/r^2` of `6 mm*r^2`, where r is no unit.
 fn given_back(word: &str, factor: &units::Factor<'_>, start: usize) -> Option<Link> {
     let op = if factor.divided { BinaryOp::Divide } else { BinaryOp::Multiply };
@@ -322,11 +365,16 @@ fn given_back(word: &str, factor: &units::Factor<'_>, start: usize) -> Option<Li
     Some((Spanned::new(op, op_at), Expr { kind: raised, span: base_at.to(at) }))
 }
 
+/// The sign of a tolerance.
+fn is_plus_minus(op: &str) -> bool {
+    PLUS_MINUS.contains(&op)
+}
+
 /// `+` and what looks like `-`
 fn adding(op: &str) -> Option<BinaryOp> {
     match op {
         "+" => Some(BinaryOp::Add),
-        op if comparing(op).is_some() => None,
+        op if comparing(op).is_some() || is_plus_minus(op) => None,
         _ => Some(BinaryOp::Subtract),
     }
 }

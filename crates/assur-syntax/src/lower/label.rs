@@ -42,6 +42,7 @@ impl Label<'_> {
             ExprKind::Unary(op, of) => {
                 self.out.push_str(match op.node {
                     UnaryOp::Minus => "-",
+                    UnaryOp::Plus if matches!(of.kind, ExprKind::Unary(..)) => "+ ",
                     UnaryOp::Plus => "+",
                     UnaryOp::Not => "not ",
                 });

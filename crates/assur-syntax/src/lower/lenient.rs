@@ -87,7 +87,7 @@ fn missing_brace(text: &str, open: Span, at: Span) -> Diagnosis {
 }
 
 /// A place with the blanks around it.
-fn with_blanks(text: &str, at: Span) -> Span {
+pub(super) fn with_blanks(text: &str, at: Span) -> Span {
     let (before, behind) = (&text[..at.start], &text[at.end..]);
     let blank = [' ', '\t'];
     let start = before.trim_end_matches(blank).len();

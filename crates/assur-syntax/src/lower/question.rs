@@ -1,7 +1,8 @@
 //! Find, expect, variants.
 
-use super::expr::pose_name;
+use super::expr::{PLUS_MINUS, pose_name};
 use super::label::label;
+use super::lenient::with_blanks;
 use super::simulation::Lower;
 use super::walk::{P, Parts, nfc, span, text};
 use crate::document::{
@@ -76,11 +77,11 @@ impl Lower<'_> {
     /// `5 mm +- 1 %` reads as a sum: a tolerance is meant.
     fn plus_minus(&mut self, values: Span) -> bool {
         let written = self.read.get(values.start..values.end).unwrap_or_default();
-        let Some(start) = written.find("+-").map(|at| values.start + at) else { return false };
-        let at = Span::new(start, start + 2);
-        let help = corrected(self.text, at, "within");
-        let (found, wanted) = ("+-".to_owned(), "within".to_owned());
-        self.problems.push(instead(&found, &wanted, at, help));
+        let found = PLUS_MINUS.iter().filter_map(|sign| Some((written.find(sign)?, *sign))).min();
+        let Some((start, sign)) = found else { return false };
+        let at = Span::new(values.start + start, values.start + start + sign.len());
+        let help = corrected(self.text, with_blanks(self.text, at), " within ");
+        self.problems.push(instead(sign, "within", at, help));
         true
     }
 

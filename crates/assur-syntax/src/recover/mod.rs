@@ -191,6 +191,23 @@ pub fn needless_word(found: &str, at: Span, help: Help) -> Diagnosis {
         .help(help.certain())
 }
 
+/// A blank within a unit, and what may be meant.
+pub fn broken_unit(at: Span, mut helps: Vec<Help>) -> Diagnosis {
+    let help = if helps.len() > 1 { Some(Help::one_of(helps)) } else { helps.pop() };
+    Diagnosis::error("mech::syntax::broken_unit", "a unit is written without blanks")
+        .label(at, "a blank within it")
+        .help_if(help)
+}
+
+/// `at` is a value with its tolerance, and `alone` the value without.
+pub fn tolerance(text: &str, sign: Span, at: Span, alone: &str) -> Diagnosis {
+    let found = text.get(sign.start..sign.end).unwrap_or_default();
+    let what = if alone.is_empty() { "the value alone".to_owned() } else { format!("`{alone}`") };
+    Diagnosis::error("mech::syntax::tolerance", format!("`{found}` is the sign of a tolerance, not of a sum"))
+        .label(sign, "a tolerance")
+        .help(corrected(text, at, alone).in_words(format!("tolerances are not supported yet: write {what}")))
+}
+
 pub fn lacking(missing: &str, at: Span, help: Help) -> Diagnosis {
     Diagnosis::error("mech::syntax::missing_word", format!("`{missing}` is missing"))
         .label(at, "before this")

@@ -2,13 +2,15 @@
 
 use super::case::Case;
 use super::phrase::What;
-use crate::recover::{instead, needless_word};
+use crate::recover::{self, instead, needless_word};
 use crate::words::{self, Expected, Rule, is_name_char, is_reserved};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::{Place, words_of};
+use assur_text::units::lookup;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
-    comma_between(case)
+    broken_unit(case)
+        .or_else(|| comma_between(case))
         .or_else(|| without_brackets(case))
         .or_else(|| foreign_operator(case))
         .or_else(|| comma_for_accelerating(case))
@@ -52,6 +54,20 @@ fn comma_between(case: &Case<'_>) -> Option<Diagnosis> {
     )
 }
 
+/// `5 k N`
+fn broken_unit(case: &Case<'_>) -> Option<Diagnosis> {
+    let before = case.slice.get(..case.fail)?.trim_end();
+    let digits = before.rfind(|c: char| c.is_ascii_digit())? + 1;
+    let start = before.len() - before.get(digits..)?.trim_start().len();
+    let words = case.words().into_iter().filter(|(at, _)| *at >= case.fail).take(2);
+    let whole = words.map(|(at, word)| (at + word.len(), case.slice.get(start..at + word.len())));
+    let (end, unit) =
+        whole.filter_map(|(end, unit)| Some((end, unit?.replace(' ', "")))).find(|(end, unit)| {
+            start < before.len() && lookup(unit).is_ok() && case.reads(&case.with(start, *end, unit))
+        })?;
+    Some(recover::broken_unit(case.span(start, end - start), vec![case.help(start, end, &unit)]))
+}
+
 /// `free length 77 mm`
 fn split_word(case: &Case<'_>) -> Option<Diagnosis> {
     let words = case.words();
@@ -78,8 +94,6 @@ const OPERATORS: &[(&str, &str)] = &[
     ("&", "and"),
     ("|", "or"),
     ("!", "not "),
-    ("±", "within"),
-    ("+/-", "within"),
     ("~", "="),
     ("≈", "="),
     ("...", ".."),

@@ -59,6 +59,8 @@ pub static CODES: &[Code] = codes! {
     "syntax" / "unexpected",
     "syntax" / "other_word",
     "syntax" / "needless_sign",
+    "syntax" / "tolerance",
+    "syntax" / "broken_unit",
     "syntax" / "comma_between",
     "syntax" / "without_brackets",
     "syntax" / "digit_first",
