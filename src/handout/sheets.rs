@@ -1,23 +1,21 @@
 //! Exercise sheets and their keys.
 
-use super::texts::{for_all, names_a_column, numbers, used};
+use super::texts::{following, for_all, names_a_column, numbers, used, written_with};
 use super::{Handout, KINDS};
 use crate::pipeline::{self, Compiled, Solved, VariantSolver};
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, PrintedDigits};
-use assur_check::{self as check, FileRow, Overrides};
-use assur_model::model::{Level, Value};
+use assur_check::{self as check, ColumnUse, FileRow, Overrides};
+use assur_model::model::{Level, NamedValue, Value};
 use assur_picture::Scene;
 use assur_position::plan::Effects;
 use assur_solve::solve::Pose;
-use assur_syntax::document;
+use assur_syntax::document::{self, Definition, Expr, Statement};
 use assur_text::diagnostic::Problems;
+use assur_text::source::Spanned;
 use assur_worked::{Document, Exercise, GivenRow, Variants, asks_for_positions, given, key, sheet};
 use std::collections::BTreeSet;
 use std::sync::Arc;
-
-/// Rows that are compared with the first: what is the same in all is given.
-const COMPARED: usize = 3;
 
 /// Sheets of a file.
 pub struct Sheets<'a> {
@@ -28,7 +26,7 @@ pub struct Sheets<'a> {
     pub problems: Problems,
     /// Names that are used outside of the table and of expectations.
     used: BTreeSet<String>,
-    /// Numbers that the file gives outside of expectations and remarks, where it expects something.
+    /// Numbers that the file gives outside of expectations and tables, SI.
     written: Vec<f64>,
 }
 
@@ -84,8 +82,7 @@ impl<'a> Sheets<'a> {
     /// Of a file; `found` is what was wrong in its text.
     #[must_use]
     pub fn of(handout: &'a Handout<'a>, found: Problems) -> Self {
-        let text = &handout.source.text;
-        let (used, written) = (used(text), numbers(text));
+        let (used, written) = (used(&handout.document), numbers(&handout.document));
         let mut sheets = Self { handout, rows: Vec::new(), problems: found, used, written };
         let overrides = &handout.overrides;
         let row = |(i, row): (usize, FileRow)| Row {
@@ -111,8 +108,7 @@ impl<'a> Sheets<'a> {
     /// Of a file with these rows.
     #[must_use]
     pub fn of_rows(handout: &'a Handout<'a>, rows: Vec<Row>) -> Self {
-        let text = &handout.source.text;
-        let (used, written) = (used(text), numbers(text));
+        let (used, written) = (used(&handout.document), numbers(&handout.document));
         Self { handout, rows, problems: Problems::new(), used, written }
     }
 
@@ -182,15 +178,61 @@ impl<'a> Sheets<'a> {
         }
     }
 
-    /// What other rows have under "Given": what differs there is not given by the text.
-    fn given_of(&self, rows: &[Row]) -> Vec<Vec<GivenRow>> {
-        let of = |row: &Row| {
-            let compiled = self.compiled(&row.overrides).0?;
-            let solved = pipeline::solve(pipeline::planned_to_draw(compiled, &KINDS)).0.ok()?;
-            let scene = self.scene(&solved, &mut Problems::new()).ok()??;
-            Some(given(scene, self.handout.language))
+    /// Rows that differ from the first in one column each, where that can be solved, else in more, with what is given in them: what
+    /// follows from a column differs there.
+    fn beside<'r>(&self, rows: &'r [Row]) -> Vec<(&'r str, Overrides, Vec<GivenRow>)> {
+        let Some((first, others)) = rows.split_first() else { return Vec::new() };
+        let first = &first.overrides;
+        let value = |row: &Overrides, i: usize| row.row.entries().nth(i).map_or(0.0, |(_, cell)| cell.value);
+        let entries = first.row.entries().enumerate();
+        let all = entries.filter_map(|(i, (column, cell))| {
+            let off = |row: &&Row| (value(&row.overrides, i) - cell.value).abs();
+            let is_given = column.what == ColumnUse::Given;
+            let furthest = others.iter().max_by(|a, b| off(a).total_cmp(&off(b)))?;
+            let alone = Overrides { row: first.row.with(i, &furthest.overrides.row), ..first.clone() };
+            let whole = others.iter().filter(|row| off(row) > 0.0).map(|row| row.overrides.clone());
+            let mut tried = std::iter::once(alone).chain(whole).filter(|_| is_given && off(&furthest) > 0.0);
+            let (row, given) = tried.find_map(|row| Some((row.clone(), self.given_of(&row)?)))?;
+            Some((column.name.as_str(), row, given))
+        });
+        all.collect()
+    }
+
+    fn given_of(&self, overrides: &Overrides) -> Option<Vec<GivenRow>> {
+        let compiled = self.compiled(overrides).0?;
+        let solved = pipeline::solve(pipeline::planned_to_draw(compiled, &KINDS)).0.ok()?;
+        let scene = self.scene(&solved, &mut Problems::new()).ok()??;
+        Some(given(scene, self.handout.language))
+    }
+
+    /// What the file writes with values that differ, and what it comes to in the first row and in those beside it.
+    fn formulas(
+        &self,
+        first: &Overrides,
+        beside: &[(&str, Overrides, Vec<GivenRow>)],
+    ) -> Vec<(&str, Vec<f64>)> {
+        let (source, document) = (self.handout.source, &*self.handout.document);
+        let columns = beside.iter().map(|(name, ..)| (*name).to_owned()).collect();
+        let written = written_with(document, &following(document, columns));
+        let mut with_lets = document.clone();
+        // no name of a file
+        let name = |i: usize| format!(" {i}");
+        with_lets.statements.extend(written.iter().enumerate().map(|(i, expr)| {
+            let value = Definition { name: Spanned::new(name(i), expr.span), value: (*expr).clone() };
+            Spanned::new(Statement::Let(value), expr.span)
+        }));
+        let rows = std::iter::once(first).chain(beside.iter().map(|(_, row, _)| row));
+        let values: Vec<_> = rows.filter_map(|row| Some(check::check(&with_lets, row).0?.values)).collect();
+        let of = |(i, expr): (usize, &&Expr)| {
+            let number = |values: &Vec<NamedValue>| match values.iter().find(|v| v.name == name(i))?.value {
+                Value::Scalar(x) => Some(x),
+                _ => None,
+            };
+            let text = source.text.get(expr.span.start..expr.span.end)?;
+            let numbers: Option<Vec<f64>> = values.iter().map(number).collect();
+            Some((text, numbers.filter(|numbers| numbers.len() > beside.len())?))
         };
-        rows.iter().take(COMPARED).filter_map(of).collect()
+        written.iter().enumerate().filter_map(of).collect()
     }
 
     fn compiled(&self, overrides: &Overrides) -> (Option<Compiled>, Problems) {
@@ -236,10 +278,11 @@ impl<'a> Sheets<'a> {
         let table = check::table(&self.handout.document);
         let rows = if let (Of::All(rows), Some(_)) = (of, table) { rows } else { &[] };
         let with_table = !rows.is_empty();
-        let varied = |name: &str| {
-            let in_table = table.is_some_and(|t| t.columns.iter().any(|c| c.name.node == name));
-            !self.is_used(name) || with_table && in_table
-        };
+        let in_table = |name: &str| table.is_some_and(|t| t.columns.iter().any(|c| c.name.node == name));
+        let varied = |name: &str| !self.is_used(name) || with_table && in_table(name);
+        let beside = self.beside(rows);
+        let formulas = rows.first().map_or_else(Vec::new, |first| self.formulas(&first.overrides, &beside));
+        let others: Vec<Vec<GivenRow>> = beside.into_iter().map(|(_, _, given)| given).collect();
         let exercise = Exercise {
             mechanism,
             file: &self.handout.source.name,
@@ -247,10 +290,12 @@ impl<'a> Sheets<'a> {
             scene,
             shown,
             asked: AnswerColumns::of(&answers.model).asked(&answers, wanted),
-            hidden: self.hidden(asking),
+            hidden: Self::hidden(asking),
             positions: self.positions(&answers),
             varied: &varied,
-            others: &self.given_of(rows.get(1..).unwrap_or_default()),
+            others: &others,
+            formulas: &formulas,
+            written: &self.written,
             row: if let Of::Row(row) = of { row.map(Row::words) } else { None },
         };
         make(&Made { exercise: &exercise, drawn: &solved, answers: &answers }, problems)
@@ -275,17 +320,17 @@ impl<'a> Sheets<'a> {
         poses.map(|pose| pose.name.clone()).collect()
     }
 
-    /// Expected numbers that the file does not give elsewhere.
-    fn hidden(&self, solved: &Solved) -> Vec<f64> {
-        let numbers = solved.outcomes.iter().flat_map(|outcome| match outcome.expected {
-            Value::Scalar(x) => vec![outcome.display.of_si(x)],
-            Value::Vector(v) => {
-                let v = outcome.display.of_si_vector(v);
-                vec![v.x, v.y]
-            }
-            Value::Bool(_) => Vec::new(),
+    /// Expected numbers, SI, each with its unit.
+    fn hidden(solved: &Solved) -> Vec<(f64, String)> {
+        let numbers = solved.outcomes.iter().flat_map(|outcome| {
+            let numbers = match outcome.expected {
+                Value::Scalar(x) => vec![x],
+                Value::Vector(v) => vec![v.x, v.y],
+                Value::Bool(_) => Vec::new(),
+            };
+            numbers.into_iter().map(|x| (x, outcome.display.unit.clone()))
         });
-        numbers.filter(|x| !self.written.iter().any(|w| (w - x.abs()).abs() <= 1e-9 * w)).collect()
+        numbers.collect()
     }
 
     fn is_wanted(&self, pose: &Pose) -> bool {
@@ -329,6 +374,8 @@ impl<'a> Sheets<'a> {
             positions: Vec::new(),
             varied: &|_| false,
             others: &[],
+            formulas: &[],
+            written: &[],
             row: None,
         };
         Some(key(&exercise, self.handout.language, &lines))

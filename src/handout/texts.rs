@@ -1,7 +1,8 @@
 //! Texts of problems as sheets have them: for all rows of variants, and what they use.
 
 use assur_check as check;
-use assur_syntax::document::{Document, Statement, Variants};
+use assur_syntax::document::{Document, Expr, ExprKind, Statement, Variants};
+use assur_text::units::lookup;
 use assur_worked::in_letters;
 use std::collections::BTreeSet;
 
@@ -44,27 +45,91 @@ pub fn names_a_column(text: &str, table: Option<&Variants>) -> bool {
     found
 }
 
-/// The numbers of a text without expectations and remarks; none where it expects nothing.
-pub fn numbers(text: &str) -> Vec<f64> {
-    let lines = || text.lines().map(str::trim_start);
-    if !lines().any(|line| line.starts_with("expect")) {
-        return Vec::new();
-    }
-    let lines = lines().filter(|line| !line.starts_with("expect") && !line.starts_with("//"));
-    let words = lines.flat_map(|line| line.split(|c: char| !(c.is_ascii_digit() || c == '.')));
-    words.filter_map(|word| word.parse().ok()).collect()
+/// The numbers of a document without its expectations and tables, SI.
+pub fn numbers(document: &Document) -> Vec<f64> {
+    let mut numbers = Vec::new();
+    asking(document).for_each(|statement| {
+        each_part(statement, &mut |part| {
+            if let ExprKind::Number(number) = &part.kind {
+                let unit = number.unit.as_ref().and_then(|unit| lookup(&unit.node).ok());
+                numbers.push(unit.map_or(number.value, |unit| unit.to_si(number.value)));
+            }
+        });
+    });
+    numbers
 }
 
-/// The names that a text uses before its table and outside of expectations; that which a line gives is not used by it.
-pub fn used(text: &str) -> BTreeSet<String> {
-    let before = text.split_once("variants").map_or(text, |(before, _)| before);
+/// The names that statements and the text use, expectations aside, with those that their values use.
+pub fn used(document: &Document) -> BTreeSet<String> {
     let mut used = BTreeSet::new();
-    for line in before.lines().filter(|line| !line.trim_start().starts_with("expect")) {
-        let mut words = line.split_whitespace();
-        let given = words.next().filter(|word| *word == "given").and_then(|_| words.next());
-        let in_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
-        let names = line.split(|c| !in_name(c)).filter(|name| !name.is_empty() && Some(*name) != given);
-        used.extend(names.map(str::to_owned));
+    let is_value = |statement: &&Statement| definition(statement).is_some();
+    asking(document).filter(|statement| !is_value(statement)).for_each(|s| used.append(&mut names(s)));
+    for note in &document.notes {
+        check::with_names(&note.node, |name| {
+            used.insert(name.to_owned());
+            None
+        });
+    }
+    let values = || asking(document).filter_map(|s| Some((definition(s)?, names(s))));
+    while let Some((_, more)) = values().find(|(name, more)| used.contains(*name) && !more.is_subset(&used)) {
+        used.extend(more);
     }
     used
+}
+
+/// These names, and those of values that follow from them.
+pub fn following(document: &Document, mut names: BTreeSet<String>) -> BTreeSet<String> {
+    let values = || asking(document).filter_map(|s| Some((definition(s)?, self::names(s))));
+    while let Some((name, _)) = values().find(|(name, of)| !names.contains(*name) && !of.is_disjoint(&names))
+    {
+        names.insert(name.to_owned());
+    }
+    names
+}
+
+/// What is written with these names, and nothing else that is no value: with its place.
+pub fn written_with<'d>(document: &'d Document, names: &BTreeSet<String>) -> Vec<&'d Expr> {
+    let values: BTreeSet<&str> = asking(document).filter_map(definition).collect();
+    let mut found: Vec<&Expr> = Vec::new();
+    asking(document).filter(|s| !matches!(s, Statement::Find(_))).for_each(|statement| {
+        each_part(statement, &mut |part| {
+            let own = names_of(part);
+            let is_number = !matches!(part.kind, ExprKind::Polar(..) | ExprKind::Vector(..));
+            if is_number && !own.is_disjoint(names) && own.iter().all(|name| values.contains(name.as_str())) {
+                found.push(part);
+            }
+        });
+    });
+    found
+}
+
+fn names_of(expr: &Expr) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    check::parts_of(expr, &mut |part| {
+        if let ExprKind::Name(name) = &part.kind {
+            names.insert(name.clone());
+        }
+    });
+    names
+}
+
+fn names(statement: &Statement) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    check::expressions(statement, &mut |expr| names.append(&mut names_of(expr)));
+    names
+}
+
+fn each_part<'d>(statement: &'d Statement, visit: &mut dyn FnMut(&'d Expr)) {
+    check::expressions(statement, &mut |expr| check::parts_of(expr, visit));
+}
+
+fn asking(document: &Document) -> impl Iterator<Item = &Statement> {
+    document.statements.iter().map(|s| &s.node).filter(|s| !matches!(s, Statement::Expect(_)))
+}
+
+fn definition(statement: &Statement) -> Option<&str> {
+    match statement {
+        Statement::Given(value) | Statement::Let(value) => Some(&value.name.node),
+        _ => None,
+    }
 }

@@ -15,6 +15,14 @@ fn report(text: &str, more: &[&str]) -> String {
     out.stdout
 }
 
+/// The same where the program may warn.
+fn report_warned(text: &str, more: &[&str]) -> String {
+    let folder = Folder::new("sheet").with("a.mech", text);
+    let out = assur(&folder, &[&["report", "a.mech"], more].concat());
+    assert_eq!(out.status, 0, "{}", out.stderr);
+    out.stdout
+}
+
 /// What stands between two headings.
 fn part<'t>(page: &'t str, from: &str, to: &str) -> &'t str {
     let after = page.split_once(&format!("\n{from}\n")).map_or("", |(_, after)| after);
@@ -183,6 +191,126 @@ fn folders_of_problems_become_folders_of_sheets() {
     assert_eq!(out.status, 2, "pictures of several have no place");
     let out = assur(&folder, &["report", "set", "--sheet", "-o", "set/a.mech/x"]);
     assert_eq!(out.status, 2);
+}
+
+/// A block on a guide: loads `F` along it and `G` down, held by H; more lines behind.
+fn block(guide: &str, loads: &str, more: &str) -> String {
+    format!(
+        "mech 1\nmechanism \"A block\"\n// A block is pushed along a guide. Find the holding force.\nground {{ O (0, 0); line way through O along 0 deg }}\nlink block {{ B (0, 0) }}\nprismatic P: block.B - ground.way{guide}\ndrive P = 0 mm at 0.1 m/s\n{loads}balance force H on block at B along 0 deg\nfind H as N, N = normal(P, block) as N\n{more}"
+    )
+}
+
+fn words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn given(text: &str) -> String {
+    let sheet = report(text, &["--sheet"]);
+    words(part(&sheet, "Given", "Find").split("\nVariants\n").next().unwrap_or_default())
+}
+
+const LOADS: &str = "force F on block at B = 120 N @ 0 deg\nforce G on block at B = 80 N @ 270 deg\n";
+
+/// H is −120 N and N is 80 N, as large as the loads.
+#[test]
+fn no_datum_is_left_out_for_its_number() {
+    let given_here = given(&block("", LOADS, ""));
+    assert!(given_here.contains("F = 120 N") && given_here.contains("G = 80 N"), "{given_here}");
+    // two of one number, and one that is in no equation
+    let text = block(
+        "",
+        &LOADS.replace("120 N", "p").replace("80 N", "q"),
+        "given p = 80 N\ngiven q = 80 N\ngiven u = 80 N\nfind T = 2*u as N\n",
+    );
+    let given_here = given(&text);
+    for name in ["p", "q", "u"] {
+        assert!(given_here.contains(&format!("{name} = ")), "{name}: {given_here}");
+    }
+    // the text may say what the file gives, and numbers of other kinds
+    for (sentence, is_kept) in [
+        ("A force of 120 N pushes. ", true),
+        ("It makes 80 strokes of 80 mm. ", true),
+        ("The pressure N is 80.1 N. ", false),
+        ("The answer is 0.0802 kN. ", false),
+    ] {
+        let text = block("", LOADS, "").replace("// A block is", &format!("// {sentence}A block is"));
+        let text = if is_kept { text } else { text.replace("= 80 N", "= (0.08 kN + 0.1 N)") };
+        assert_eq!(words(&report(&text, &["--sheet"])).contains(sentence.trim()), is_kept, "{sentence}");
+    }
+    // where several positions have one number as an answer, all stay
+    let roof = include_str!("../../examples/trusses/roof-of-seven-bars.mech");
+    assert!(given(roof).contains("4000 N"), "{}", given(roof));
+    let swing = report(include_str!("../../examples/simulation/given-swing.mech"), &["--sheet"]);
+    assert!(part(&swing, "Answers", "Solution").contains("\n    2\n"), "{swing}");
+}
+
+/// What is asked for is not given: a dead position, an equilibrium, a mass centre, the end of the period.
+#[test]
+fn what_is_asked_is_not_given() {
+    for (text, answer) in [
+        (include_str!("../../examples/drives/dead-positions.mech"), "198.2"),
+        (include_str!("../../examples/equilibrium/bar-on-a-spring.mech"), "62.9"),
+        (include_str!("../../examples/masses/disc-with-a-hole.mech"), "0.0061"),
+        (include_str!("../../examples/simulation/press-in-its-steady-turn.mech"), "0.357"),
+    ] {
+        let sheet = report(text, &["--sheet"]);
+        assert!(!sheet.contains(answer), "{answer}: {sheet}");
+    }
+}
+
+/// The names that count are those of statements, whatever words a sentence has.
+#[test]
+fn words_of_the_text_are_no_statements() {
+    let rows = "given Q = 60 N\ngiven f = 0.1\ngiven key = 3 N\nexpect H = key within 500 N\nvariants {\n  variant, Q [N], f, key [N]\n  A1, 60, 0.1, 3\n  A2, 70, 0.2, 4\n}\n";
+    let loads = LOADS.replace("120 N", "Q").replace("80 N", "700 N");
+    for sentence in
+        ["There are three variants.", "expect the key of the variants {", "given Q and f: find H."]
+    {
+        let text = block(" { friction f }", &loads, rows).replace("Find the holding force.", sentence);
+        let sheet = words(&report_warned(&text, &["--sheet"]));
+        assert!(sheet.contains("Variant Q, N f A1 60 0.1 A2 70 0.2"), "{sheet}");
+    }
+}
+
+/// What differs follows from the columns, whichever row it differs in, and is given by its formula.
+#[test]
+fn what_follows_from_a_column_is_no_number() {
+    let loads = LOADS.replace("120 N", "2*Q").replace("80 N", "(700 N + d)");
+    let rows = |rows: &str| {
+        format!(
+            "given Q = 60 N\ngiven a = 10 N\ngiven b = 5 N\nlet d = a - b\nvariants {{\n  Q [N], a [N], b [N]\n{rows}}}\n"
+        )
+    };
+    let same = "  60, 10, 5\n".repeat(4);
+    let fifth = given(&block("", &loads, &rows(&format!("{same}  90, 10, 5\n"))));
+    assert!(fifth.contains("F = 2·Q; G = 705 N"), "{fifth}");
+    // a − b is 5 N in every row but one
+    let cancels = given(&block("", &loads, &rows("  60, 10, 5\n  60, 12, 7\n  60, 11, 6\n  60, 10, 6\n")));
+    assert!(cancels.contains("F = 120 N; G = 700 N + d"), "{cancels}");
+    let none = given(&block("", &loads, &rows(&same)));
+    assert!(none.contains("F = 120 N; G = 705 N"), "{none}");
+}
+
+/// The coefficient is that of the file, beside what makes it more.
+#[test]
+fn friction_is_given_as_the_file_has_it() {
+    for (friction, data, not) in [
+        ("friction 0.1; groove 30 deg", &["f_P = 0.1;", "β_P = 30°"][..], "0.2"),
+        ("friction 0.15; groove 45 deg", &["f_P = 0.15;", "β_P = 45°"], "0.212"),
+        ("groove round; friction 0.1; fit even", &["f_P = 0.1;", "k_P = 1.5708"], "0.157"),
+        ("groove round; friction 0.1; fit 1.2", &["f_P = 0.1;", "k_P = 1.2"], "0.12"),
+        ("groove round; friction 0.1", &["f_P = 0.1;"], "k_P"),
+        ("friction 0.1", &["f_P = 0.1;"], "β"),
+    ] {
+        let text = block(&format!(" {{ {friction} }}"), LOADS, "");
+        let given_here = given(&text.replace("120 N", "900 N").replace("80 N", "1000 N"));
+        assert!(data.iter().all(|datum| given_here.contains(datum)), "{friction}: {given_here}");
+        assert!(!given_here.contains(not), "{friction}: {given_here}");
+    }
+    let page = report(&block(" { friction 0.1; groove 30 deg }", LOADS, ""), &[]);
+    assert!(page.contains("sin β_P") && page.contains("0.2"), "{page}");
+    let belt = include_str!("../../examples/trains/belt-with-friction.mech");
+    assert!(!given(belt).contains("0.9213"), "{}", given(belt));
 }
 
 proptest! {

@@ -24,6 +24,7 @@ mod values;
 pub use names::uses::Use;
 pub use requests::variants::{FileRow, file_rows, table};
 pub use row_patch::RowPatches;
+pub use statements::walk::{expressions, parts as parts_of};
 pub use template::Template;
 use values::format_value;
 pub use values::format_value::with_names;

@@ -2,6 +2,7 @@
 
 use crate::course::{Derivation, plain};
 use crate::document::{Block, Figure, Inline, Line, Table, text};
+use crate::sheet::GivenRow;
 use crate::words::{Message, say};
 use assur_formula::{Name, Quantity, Unit, name_node};
 use assur_model::model::{PairKind, Positions};
@@ -20,7 +21,8 @@ impl Derivation<'_> {
 
     /// The given values that the equations use, each once, in the order of use.
     pub fn given_values(&self) -> Vec<Block> {
-        let rows = self.given_rows(&|_| false, Vec::new()).into_iter().map(|(_, row)| row).collect();
+        let rows = self.given_rows(&|_| false, Vec::new());
+        let rows = rows.into_iter().map(|row| [row.letters, row.figures]).collect();
         let headers = [Message::Given, Message::Value].map(|m| vec![text(self.words(m))]);
         let mut blocks: Vec<Block> = two_abreast(headers, rows).into_iter().map(Block::Table).collect();
         blocks.push(Block::Remark(say(self.language, Message::Conventions, &[])));
@@ -71,17 +73,14 @@ impl Derivation<'_> {
     }
 
     /// Their values in the units of equations, letters and figures, without some of them and with more.
-    pub fn given_rows(
-        &self,
-        is_left_out: &dyn Fn(&Quantity) -> bool,
-        more: Vec<Quantity>,
-    ) -> Vec<(f64, [Line; 2])> {
+    pub fn given_rows(&self, is_left_out: &dyn Fn(&Quantity) -> bool, more: Vec<Quantity>) -> Vec<GivenRow> {
         let values = self.used_values().into_iter().filter(|q| !is_left_out(q) && !self.is_assumed(q));
         let values = values.chain(more.into_iter().map(Arc::new));
         let row = |q: Arc<Quantity>| {
             let unit = if q.unit == Unit::Angle { "°".to_owned() } else { format!(" {}", q.unit.text()) };
             let written = format!("{}{}", q.figures(5).text(), unit.trim_end());
-            (q.value, [vec![Inline::Math(name_node(&q.name))], vec![text(written)]])
+            let letters = vec![Inline::Math(name_node(&q.name))];
+            GivenRow { letters, figures: vec![text(written)], value: q.value, unit: q.unit }
         };
         values.map(row).collect()
     }

@@ -1,17 +1,17 @@
 //! Exercise sheets without answers, and their keys.
 
-use crate::asked_formula::letters;
+use crate::asked_formula::{letters, written_in_letters};
 use crate::course::{Derivation, plain};
 use crate::document::{Block, Document, Inline, Line, Table, text};
 use crate::forces::quantity_name;
 use crate::questions::{letters_of, questions};
+use crate::results::unit_of;
 use crate::words::{Language, Message, say};
 use crate::worked::{given_rows, without_empty};
-use assur_formula::{Name, name_node};
-use assur_model::model::{FindKind, Mechanism, Query, Value};
+use assur_formula::{Name, Quantity, Unit, name_node};
+use assur_model::model::{Find, FindKind, Mechanism, Query, Value};
 use assur_picture::Scene;
-use assur_text::units::significant;
-use std::f64::consts::PI;
+use assur_text::units::{Dimension, lookup, significant};
 
 /// The table of all variants.
 pub struct Variants {
@@ -24,8 +24,23 @@ pub struct Variants {
     pub in_text: bool,
 }
 
-/// A given value: its letters, and its figures with the unit.
-pub type GivenRow = [Line; 2];
+/// A given value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenRow {
+    pub letters: Line,
+    /// Its figures with the unit, or what it is by letters of the file.
+    pub figures: Line,
+    /// Its value in the units of equations.
+    pub value: f64,
+    pub unit: Unit,
+}
+
+impl GivenRow {
+    /// Whether it comes to a number of the file, SI.
+    fn is(&self, x: f64) -> bool {
+        is_near(self.value, if self.unit == Unit::Angle { x.to_degrees() } else { x })
+    }
+}
 
 /// A name of the file in letters, as in a text: `φ` for `phi`.
 #[must_use]
@@ -36,7 +51,7 @@ pub fn in_letters(name: &str) -> String {
 /// The given values that the solution of a position uses.
 #[must_use]
 pub fn given(scene: Scene<'_>, language: Language) -> Vec<GivenRow> {
-    given_rows(scene, language, &|_| false, &mut Vec::new())
+    given_rows(scene, language, &|_| false)
 }
 
 /// Digits of a key.
@@ -77,14 +92,18 @@ pub struct Exercise<'a> {
     /// The position of the scheme, another one where positions are asked for.
     pub shown: Option<Scene<'a>>,
     pub asked: Vec<SheetQuestion>,
-    /// Other numbers that are answers, in the units of the file: expected ones that the file does not give.
-    pub hidden: Vec<f64>,
+    /// Other numbers that are answers: expected ones, SI, each with its unit.
+    pub hidden: Vec<(f64, String)>,
+    /// Numbers that the file gives, SI.
+    pub written: &'a [f64],
     /// The positions that answers are asked at, by name.
     pub positions: Vec<String>,
     /// Values that depend on the variant, and what no solution uses.
     pub varied: &'a dyn Fn(&str) -> bool,
-    /// The given values of other variants: those that differ are in the table of variants.
+    /// The given values of other rows: what differs there follows from the table of variants.
     pub others: &'a [Vec<GivenRow>],
+    /// What the file writes with values of the table, and what that comes to, SI, here and in these rows.
+    pub formulas: &'a [(&'a str, Vec<f64>)],
     /// The number and the name of its variant, where it is of one.
     pub row: Option<String>,
 }
@@ -217,43 +236,35 @@ fn table(headers: Vec<String>, rows: Vec<Vec<String>>) -> Table {
     }
 }
 
+/// What a question asks of the solution; nothing where it is a table.
+fn asked_by(mechanism: &Mechanism, find: &Find) -> Option<Vec<Query>> {
+    let FindKind::Value { expr, .. } = &find.kind else { return None };
+    let mut all = Vec::new();
+    crate::prune::queries(mechanism, expr, &mut |query| all.push(*query));
+    Some(all)
+}
+
+fn asks(mechanism: &Mechanism, is: impl Fn(&Query) -> bool) -> bool {
+    mechanism.finds.iter().filter_map(|find| asked_by(mechanism, find)).flatten().any(|query| is(&query))
+}
+
 /// Whether a file asks where something is.
 #[must_use]
 pub fn asks_for_positions(mechanism: &Mechanism) -> bool {
-    let mut positions = false;
-    for find in &mechanism.finds {
-        if let FindKind::Value { expr, .. } = &find.kind {
-            crate::prune::queries(mechanism, expr, &mut |query| {
-                positions |= matches!(
-                    query,
-                    Query::Position(_) | Query::Angle(_) | Query::Displacement(_) | Query::LinkDirection(_)
-                );
-            });
-        }
-    }
-    positions
+    asks(mechanism, |query| {
+        matches!(
+            query,
+            Query::Position(_) | Query::Angle(_) | Query::Displacement(_) | Query::LinkDirection(_)
+        )
+    })
 }
 
 /// Whether a file asks how something moves: a load against the motion shows its sense.
 fn asks_for_motion(mechanism: &Mechanism) -> bool {
-    let mut motion = false;
-    for find in &mechanism.finds {
-        let FindKind::Value { expr, .. } = &find.kind else { continue };
-        crate::prune::queries(mechanism, expr, &mut |query| {
-            motion |= matches!(
-                query,
-                Query::Velocity(_)
-                    | Query::Omega(_)
-                    | Query::RelativeVelocity(_)
-                    | Query::Sliding(_)
-                    | Query::Position(_)
-                    | Query::Angle(_)
-                    | Query::Displacement(_)
-                    | Query::LinkDirection(_)
-            );
-        });
-    }
-    motion
+    let is = |query: &Query| {
+        matches!(query, Query::Velocity(_) | Query::Omega(_) | Query::RelativeVelocity(_) | Query::Sliding(_))
+    };
+    asks_for_positions(mechanism) || asks(mechanism, is)
 }
 
 impl SheetQuestion {
@@ -284,18 +295,6 @@ impl SheetQuestion {
         }
         values.iter().map(|x| assur_formula::with_digits(*x, DIGITS).text()).collect()
     }
-
-    /// Whether a number is one of the answers.
-    fn has(&self, number: f64) -> bool {
-        // the same length in mm and in m, the same angle in degrees and in radians
-        let turn = if matches!(self.unit.as_str(), "deg" | "rad") { 180.0 / PI } else { 1e3 };
-        let telling = significant(number, GIVEN_DIGITS).trim_matches(['0', '.']).len() > 3;
-        let other = |x: f64| telling && (is_within(x * turn, number) || is_within(x / turn, number));
-        let near = |x: f64| is_within(x, number) || other(x);
-        let values = self.values();
-        let size = values.iter().map(|x| x * x).sum::<f64>().sqrt();
-        values.iter().any(|x| near(*x)) || near(size)
-    }
 }
 
 impl Exercise<'_> {
@@ -313,60 +312,124 @@ impl Exercise<'_> {
     /// The text of the problem without the sentences that have an answer in them.
     fn notes_without(&self) -> String {
         let notes = self.mechanism.notes.join(" ");
-        let mut kept = Vec::new();
-        for sentence in notes.split_inclusive(". ") {
-            let number = |word: &str| {
-                let word = word.trim_matches(|c: char| !c.is_ascii_digit());
-                word.parse::<f64>().ok().filter(|x| *x != 0.0)
-            };
-            let words = sentence.split(|c: char| c.is_whitespace() || "(),;:=".contains(c));
-            let hidden = |x: f64| self.hidden.iter().any(|h| is_within(*h, x));
-            if !words.filter_map(number).any(|x| hidden(x) || self.asked.iter().any(|a| a.has(x))) {
-                kept.push(sentence.trim());
-            }
-        }
+        let tells = |sentence: &&str| {
+            let words: Vec<&str> =
+                sentence.split(|c: char| c.is_whitespace() || "(),;:=".contains(c)).collect();
+            let next = words.iter().skip(1).copied().chain([""]);
+            words.iter().zip(next).any(|(word, next)| {
+                let word = word.trim_start_matches(|c: char| !c.is_ascii_digit()).trim_end_matches('.');
+                let end = word.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(word.len());
+                let unit = if end == word.len() { next.trim_end_matches('.') } else { &word[end..] };
+                word[..end].parse().is_ok_and(|number| number != 0.0 && self.is_answer_in_words(number, unit))
+            })
+        };
+        let kept: Vec<&str> = notes.split_inclusive(". ").filter(|s| !tells(s)).map(str::trim).collect();
         kept.join(" ")
     }
 
-    /// The positions without those whose names are answers: the end of the period that is asked for.
-    pub(crate) fn positions_without(&self) -> Vec<&String> {
-        let is = |value: f64, name: &str| name.parse().is_ok_and(|x: f64| x != 0.0 && is_near(x, value));
-        let is_answer = |name: &str| self.asked.iter().any(|a| a.values().iter().any(|x| is(*x, name)));
-        let moves = self.mechanism.simulation.is_some();
-        self.positions.iter().filter(|name| !(moves && is_answer(name))).collect()
+    /// Whether a number of the text, with what is behind it, is an answer and no number that the file gives.
+    fn is_answer_in_words(&self, number: f64, behind: &str) -> bool {
+        let unit = lookup(behind).unwrap_or_else(|_| assur_text::units::Unit::si(Dimension::NUMBER));
+        let x = unit.to_si(number);
+        let given = self.mechanism.values.iter().filter(|v| v.given).filter_map(|v| match v.value {
+            Value::Scalar(x) => Some(x),
+            _ => None,
+        });
+        if self.written.iter().copied().chain(given).any(|given| is_near(given.abs(), x)) {
+            return false;
+        }
+        let fits = |own: &str| match lookup(own) {
+            Ok(own) => own.dimension.fits(unit.dimension),
+            Err(_) => unit.dimension == Dimension::NUMBER,
+        };
+        let asked = self.asked.iter().filter(|a| fits(&a.unit)).flat_map(|a| {
+            let values = a.values();
+            let size = values.iter().map(|x| x * x).sum::<f64>().sqrt();
+            values.into_iter().chain([size]).map(|x| x * a.factor)
+        });
+        let hidden = self.hidden.iter().filter(|(_, own)| fits(own)).map(|(x, _)| *x);
+        asked.chain(hidden).any(|answer| is_within(answer, x))
     }
 
-    /// The given values: those that the solution uses, then those that the file names besides.
+    /// The positions without the end of the period that is asked for.
+    pub(crate) fn positions_without(&self) -> Vec<&String> {
+        let period = asks(self.mechanism, |query| *query == Query::Period);
+        let shown = self.positions.len() - usize::from(period && self.positions.len() > 1);
+        self.positions[..shown].iter().collect()
+    }
+
+    /// The given values: those that the solution uses with the names that the file has for them, then those that it names besides.
     pub(crate) fn given(&self, language: Language) -> Vec<Block> {
-        let is_answer = |x: f64| self.is_answer(x);
-        let mut shown = Vec::new();
-        let mut rows =
-            self.scene.map_or_else(Vec::new, |scene| given_rows(scene, language, &is_answer, &mut shown));
+        let found = |q: &Quantity| self.is_found(q);
+        let mut rows = self.scene.map_or_else(Vec::new, |scene| given_rows(scene, language, &found));
+        rows = rows.into_iter().filter_map(|row| self.told(row, language)).collect();
+        rows.retain(|row| !self.is_of_counterweight(row));
         for value in self.mechanism.values.iter().filter(|v| v.given && !(self.varied)(&v.name)) {
             let Value::Scalar(x) = value.value else { continue };
-            let in_degrees = x.to_degrees();
-            if shown.iter().any(|s| is_near(*s, x) || is_near(*s, in_degrees)) {
+            let letters = vec![Inline::Math(name_node(&quantity_name(&value.name)))];
+            let written = significant(value.display.of_si(x), GIVEN_DIGITS).replace('-', "−");
+            let figures = vec![text(format!("{written}{}", printed_unit(&value.display.unit)))];
+            if rows.iter().any(|row| row.letters == letters && (row.is(x) || row.figures == figures)) {
                 continue;
             }
-            let name = vec![Inline::Math(name_node(&quantity_name(&value.name)))];
-            if rows.iter().any(|[shown, _]| *shown == name) {
-                continue;
+            let unit = unit_of(value.display.dimension);
+            let alike = rows.iter_mut().filter(|row| row.is(x) && unit == Some(row.unit));
+            match alike.min_by_key(|row| row.figures.len()) {
+                Some(row) => {
+                    let behind = if row.figures.len() > 1 { row.figures.clone() } else { figures };
+                    row.figures = [letters, vec![text(" = ")], behind].concat();
+                }
+                None => rows.push(GivenRow { letters, figures, value: x, unit: Unit::One }),
             }
-            let figures = significant(value.display.of_si(x), GIVEN_DIGITS).replace('-', "−");
-            rows.push([name, vec![text(format!("{figures}{}", printed_unit(&value.display.unit)))]]);
         }
-        rows.retain(|row| !self.is_of_counterweight(row));
-        let is_same = |row: &GivenRow| {
-            let of_name = |other: &&Vec<GivenRow>| other.iter().any(|o| o[0] == row[0]);
-            self.others.iter().filter(of_name).all(|other| other.contains(row))
-        };
-        rows.retain(is_same);
-        let one = |[name, value]: GivenRow| {
-            let value = plain(&value).replace(' ', "\u{a0}");
-            [vec![text("; ")], name, vec![text(format!("\u{a0}= {value}"))]].concat()
+        let one = |GivenRow { letters, figures, .. }: GivenRow| {
+            let blank = |part: Inline| match part {
+                Inline::Text(words) => text(words.replace(' ', "\u{a0}")),
+                other => other,
+            };
+            let figures = figures.into_iter().map(blank).collect();
+            [vec![text("; ")], letters, vec![text("\u{a0}=\u{a0}")], figures].concat()
         };
         let line: Line = rows.into_iter().flat_map(one).skip(1).collect();
         if line.is_empty() { Vec::new() } else { vec![Block::Paragraph(line)] }
+    }
+
+    /// A row as it is for all variants: what follows from their table by the formula of the file; nothing where the table has it, or
+    /// where it follows from other rows.
+    fn told(&self, row: GivenRow, language: Language) -> Option<GivenRow> {
+        let alike = |other: &'_ Vec<GivenRow>| other.iter().find(|o| o.letters == row.letters).cloned();
+        let others: Vec<Option<GivenRow>> = self.others.iter().map(alike).collect();
+        if others.iter().flatten().all(|other| other.figures == row.figures) {
+            return Some(row);
+        }
+        let comes_to = |values: &[f64], sign: f64| {
+            let rows = std::iter::once(Some(&row)).chain(others.iter().map(Option::as_ref));
+            rows.zip(values).all(|(row, x)| row.is_none_or(|row| row.is(sign * x)))
+        };
+        let find = |sign| {
+            self.formulas.iter().find(|(_, values)| comes_to(values, sign)).map(|found| (found.0, sign))
+        };
+        let (written, sign) = find(1.0).or_else(|| find(-1.0))?;
+        let words = if sign > 0.0 { written.to_owned() } else { format!("-({written})") };
+        let figures = written_in_letters(self.mechanism, &words, language)?;
+        (figures != row.letters).then_some(GivenRow { figures, ..row })
+    }
+
+    /// Whether a value of the solution is no datum but what is asked for without a position: a dead position, a length of a synthesis, the torque of
+    /// a brake.
+    fn is_found(&self, q: &Quantity) -> bool {
+        let is = |x: f64| {
+            let x = if q.unit == Unit::Angle { x.to_degrees() } else { x };
+            is_near(x.abs(), q.value.abs())
+        };
+        let is_static = |asked: &&SheetQuestion| {
+            let own = self.mechanism.finds.iter().find(|find| find.name == asked.name);
+            let queries = own.and_then(|find| asked_by(self.mechanism, find));
+            queries
+                .is_some_and(|all| all.iter().all(|query| matches!(query, Query::Dead(..) | Query::Load(_))))
+        };
+        let shows = |asked: &SheetQuestion| asked.values().into_iter().any(|x| is(x * asked.factor));
+        !self.written.iter().any(|x| is(*x)) && self.asked.iter().filter(is_static).any(shows)
     }
 
     /// The scheme, where it tells nothing that is asked for.
@@ -442,21 +505,9 @@ impl Exercise<'_> {
 
     /// Whether a row says where a counterweight is.
     fn is_of_counterweight(&self, row: &GivenRow) -> bool {
-        let named = |letter: &str, name: &str| row[0] == [Inline::Math(name_node(&Name::new(letter, name)))];
+        let named =
+            |letter: &str, name: &str| row.letters == [Inline::Math(name_node(&Name::new(letter, name)))];
         self.mechanism.counterweights.iter().any(|w| ["ξ", "η"].iter().any(|letter| named(letter, &w.name)))
-    }
-
-    /// Whether a given value, in the units of equations, is an answer: a drive at a dead position, the torque of a brake.
-    fn is_answer(&self, value: f64) -> bool {
-        let near = |a: f64, b: f64| is_near(a.abs(), b.abs());
-        let named = self.mechanism.values.iter().filter(|v| v.given).any(|v| match v.value {
-            Value::Scalar(x) => near(x, value) || near(x.to_degrees(), value),
-            _ => false,
-        });
-        let is = |asked: &SheetQuestion, x: f64| {
-            near(x, value) || near(x * asked.factor, value) || near((x * asked.factor).to_degrees(), value)
-        };
-        !named && self.asked.iter().any(|a| a.values().iter().any(|x| is(a, *x)))
     }
 }
 

@@ -1,9 +1,10 @@
 //! A worked solution as a whole.
 
 use crate::course::{Counts, Derivation};
-use crate::document::{Block, Document, Figure, Line, cited};
+use crate::document::{Block, Document, Figure, cited};
 use crate::formulas::Formula;
 use crate::motion::Stage;
+use crate::sheet::GivenRow;
 use crate::words::{Language, Message};
 use assur_formula::{Equation, Expr, Name, Quantity, Unit};
 use assur_model::model::{Level, Value};
@@ -146,13 +147,12 @@ pub fn worked_from(
     Worked { document, equations, disagreements, counts, stated }
 }
 
-/// The given values that the solution of a position uses, letters and figures; their values in the units of equations are added to a list.
+/// The given values that the solution of a position uses, without those that are asked for.
 pub fn given_rows(
     scene: Scene<'_>,
     language: Language,
-    is_answer: &dyn Fn(f64) -> bool,
-    values: &mut Vec<f64>,
-) -> Vec<[Line; 2]> {
+    is_found: &dyn Fn(&Quantity) -> bool,
+) -> Vec<GivenRow> {
     let mut course = Derivation::new(scene, language);
     course.shown = false;
     let with_values = |part: &Part| !matches!(part, Part::Structure | Part::Results);
@@ -160,17 +160,22 @@ pub fn given_rows(
     course.asked_besides();
     course.prune();
     course.equations.retain(|(_, equation)| equation.right.value().is_finite());
-    let (touched, places) = course.places_here();
+    let (mut touched, places) = course.places_here();
+    // of several masses each is given, and not where their centre is
+    let links = scene.mechanism().links.iter().enumerate().filter(|(_, link)| link.mass_parts.len() > 1);
+    touched.extend(links.map(|(i, _)| format!("S{}", course.label(i))));
+    let asked = course.asked_values();
     let is_arm = |q: &Quantity| {
         let ends = |name: &String| q.name.sub.ends_with(name) || q.name.sub.starts_with(name);
         matches!(&*q.name.letter, "l" | "γ") && touched.iter().any(ends)
     };
-    let rows = course.given_rows(&|q| is_answer(q.value) || is_arm(q), places).into_iter();
-    rows.map(|(value, row)| {
-        values.push(value);
-        row
-    })
-    .collect()
+    // under loads an acceleration follows from them
+    let moves = scene.mechanism().simulation.is_some();
+    let follows = |q: &Quantity| {
+        let is_rate = matches!(q.unit, Unit::Acceleration | Unit::AngularAcceleration);
+        moves && is_rate && q.name.sup == "∗"
+    };
+    course.given_rows(&|q| asked.contains(&q.name) || is_found(q) || is_arm(q) || follows(q), places)
 }
 
 /// Without headings that nothing follows.

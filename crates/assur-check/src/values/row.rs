@@ -79,6 +79,14 @@ impl Row {
         }
     }
 
+    /// The same row with the cell of another one in a column.
+    #[must_use]
+    pub fn with(&self, column: usize, of: &Self) -> Self {
+        let mut row = self.clone();
+        row.cells.get_mut(column).zip(of.cells.get(column)).into_iter().for_each(|(own, cell)| *own = *cell);
+        row
+    }
+
     /// Whether it replaces nothing.
     #[must_use]
     pub fn is_empty(&self) -> bool {
