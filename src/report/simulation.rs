@@ -4,7 +4,7 @@ use super::accuracy::order_of;
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
 use assur_model::model::{DriveTarget, Mechanism, Value};
-use assur_solve::solve::{Method, NotByEnergy, On, Pose, SimulationReport};
+use assur_solve::solve::{Holder, Method, NotByEnergy, On, Pose, SimulationReport};
 use assur_text::units::{Dimension, significant};
 
 /// A rest that is shorter than this part of the run is no more than a turn.
@@ -66,13 +66,15 @@ fn rests(answers: &Answers<'_>, run: &SimulationReport, section: &mut Section) {
         None => format!("{what} from {} on", instant(begin)),
     };
     let name = |pair| &mechanism.pair(pair).name;
-    let all = run.rests.iter().map(|rest| (*rest, "held at rest by friction".to_owned()));
-    let each = run
-        .held
-        .iter()
-        .map(|(pair, begin, end)| ((*begin, *end), format!("{} held by friction", name(*pair))));
+    let holds = |holder: &Holder| match holder {
+        Holder::Pair(pair) => format!("{} held by friction", name(*pair)),
+        Holder::Load(load) => {
+            format!("{} holds", mechanism.loads[load.index()].name.as_deref().unwrap_or("a load"))
+        }
+    };
+    let held = run.held.iter().map(|(holder, begin, end)| ((*begin, *end), holds(holder)));
     let long = |rest: &(f64, Option<f64>)| rest.1.is_none_or(|end| end - rest.0 > TOUCH * run.end);
-    for (rest, what) in all.chain(each).filter(|(rest, _)| long(rest)).take(MOST) {
+    for (rest, what) in held.filter(|(rest, _)| long(rest)).take(MOST) {
         section.text(lasts(rest, &what));
     }
     for (stop, times) in mechanism.stops.iter().zip(&run.closed) {

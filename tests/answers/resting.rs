@@ -145,7 +145,7 @@ find K = moment(k, two), L_2 = moment(l, two), w = omega(one) as rad/s
 
 #[test]
 fn loads_that_change_places_are_never_both_there() {
-    // the brake could not hold both
+    // the brake could not hold both; at 1.5 s the second one acts
     let text = "shaft one
 shaft two { inertia 0.5 kg*m^2 }
 brake B on two { capacity 60 N*m }
@@ -158,6 +158,8 @@ find B, w = omega(two)
 ";
     let solution = assur::solve(text).unwrap();
     let torques = solution.poses().iter().map(|pose| pose["B"].number().unwrap());
-    assert_eq!(torques.collect::<Vec<_>>(), [37.0, 37.0, 47.0]);
+    for (torque, right) in torques.zip([37.0, 47.0, 47.0]) {
+        assert!((torque - right).abs() < 1e-12 * right, "{torque}, not {right}");
+    }
     assert!(solution.poses().iter().all(|pose| pose["w"].number() == Some(0.0)));
 }

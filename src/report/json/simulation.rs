@@ -4,7 +4,7 @@ use super::entries::{Entries, Number};
 use crate::report::answers::Answers;
 use crate::report::simulation::{coordinates, method, why};
 use assur_model::model::{DriveTarget, Stop};
-use assur_solve::solve::Energy;
+use assur_solve::solve::{Energy, Holder};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -121,11 +121,11 @@ impl SimulationView {
             let name = mechanism.pair(stop.pair).name.as_str();
             times.iter().map(|rest| RestView::of(Some(name), *rest)).collect::<Vec<_>>()
         };
-        let all = report.rests.iter().map(|rest| RestView::of(None, *rest));
-        let pairs = report
-            .held
-            .iter()
-            .map(|(pair, begin, end)| RestView::of(Some(&mechanism.pair(*pair).name), (*begin, *end)));
+        let name = |holder: &Holder| match holder {
+            Holder::Pair(pair) => Some(mechanism.pair(*pair).name.as_str()),
+            Holder::Load(load) => mechanism.loads[load.index()].name.as_deref(),
+        };
+        let held = report.held.iter().map(|(holder, begin, end)| RestView::of(name(holder), (*begin, *end)));
         Some(Self {
             method: method(report.method),
             reason: why(mechanism, report),
@@ -144,7 +144,7 @@ impl SimulationView {
                 time: Number::of(report.worst_condition.1),
             }),
             events: events(answers),
-            rests: all.chain(pairs).collect(),
+            rests: held.collect(),
             stops: stops.flat_map(closed).collect(),
             steady: report.steady.map(|steady| SteadyView {
                 period: Number::of(steady.period),

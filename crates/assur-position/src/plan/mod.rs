@@ -46,7 +46,7 @@ pub use geneva::{geneva_in, is_wheel};
 pub use geneva_step::GenevaStep;
 pub use joint::{Guide, Hinge, OuterJoint};
 pub use load_step::{ForceLine, LoadStep};
-pub use opposing::Opposing;
+pub use opposing::{Opposing, Path};
 pub use planned::Plan;
 pub use settings::{Precision, Settings};
 pub use step::{Anchor, Arm, DrivenJoint, DrivenLeg, Leg, MotionStep, Slide};

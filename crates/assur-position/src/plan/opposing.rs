@@ -1,7 +1,8 @@
-//! Loads against the motion of which a run can say whether they hold: torques, and forces at points that keep to a line of their link.
+//! Loads against the motion of which a run can say whether they hold: torques, and forces at points that keep to a line of their link, or
+//! that one free coordinate alone moves.
 
 use crate::math::Vec2;
-use crate::model::{LoadId, LoadKind, Mechanism, PairId, Place};
+use crate::model::{Drive, LoadId, LoadKind, Mechanism, PairId, Place};
 use crate::structure::{JointKind, Structure};
 use assur_math::math::ROUNDING;
 
@@ -14,8 +15,17 @@ pub struct Opposing {
     pub body: usize,
     /// Of a clutch that slips: the body on its other side, and the clutch.
     pub against: Option<(usize, PairId)>,
-    /// Of a force: its point, m, and the unit direction in which that moves, in the body's frame.
-    pub line: Option<(Vec2, Vec2)>,
+    /// Of a force: its point, m, and how that moves.
+    pub point: Option<(Vec2, Path)>,
+}
+
+/// How a point moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Path {
+    /// In this unit direction in the frame of its body.
+    Line(Vec2),
+    /// On a curve of the mechanism, by the drive that alone moves.
+    Curve(usize),
 }
 
 /// All of them, in the order of the file; forces at points that may move in several directions are none of them.
@@ -23,7 +33,7 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure) -> Vec<Opposing
     let loads = mechanism.loads.iter().enumerate().filter(|(_, load)| load.is_against_motion());
     let opposing = loads.filter_map(|(index, load)| {
         let body_of = |link| structure.replaced.body_of(link).0;
-        let (body, against, line) = match &load.kind {
+        let (body, against, point) = match &load.kind {
             LoadKind::Torque { on, .. } => (body_of(*on), None, None),
             LoadKind::InPair { pair, .. } => {
                 let [first, second] = mechanism.pair(*pair).kind.slipping()?.map(body_of);
@@ -31,13 +41,25 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure) -> Vec<Opposing
             }
             LoadKind::ForceAgainstMotion { on, at: Place::Local(at), .. } => {
                 let (body, at) = structure.replaced.place(*on, *at);
-                (body.0, None, Some((at, direction(structure, body.0, at)?)))
+                let path = direction(structure, body.0, at)
+                    .map(Path::Line)
+                    .or_else(|| only(mechanism).map(Path::Curve))?;
+                (body.0, None, Some((at, path)))
             }
             _ => return None,
         };
-        Some(Opposing { load: LoadId::at(index), body, against, line })
+        Some(Opposing { load: LoadId::at(index), body, against, point })
     });
     opposing.collect()
+}
+
+/// The drive whose coordinate is free, where no other one moves.
+fn only(mechanism: &Mechanism) -> Option<usize> {
+    let rests = |drive: &Drive| !drive.of_time && drive.speed.is_none() && drive.acceleration.is_none();
+    let mut moving =
+        (0..mechanism.drives.len()).filter(|&i| mechanism.drives[i].free || !rests(&mechanism.drives[i]));
+    let only = moving.next().filter(|&i| mechanism.drives[i].free)?;
+    moving.next().is_none().then_some(only)
 }
 
 /// The direction in which a point of a body moves, whatever else moves: across the arm from a hinge on the ground, or along guides

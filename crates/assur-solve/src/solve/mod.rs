@@ -63,8 +63,8 @@ pub use refusal::{Refusal, Unpositioned};
 pub use refusals::{refusals, unplaced_reactions};
 pub use replay::Replay;
 pub use simulate::{
-    Energy, IntegrationOptions, KINDS, Method, NotByEnergy, On, OverTime, Progress, STATES, SimulationReport,
-    SteadyReport, TimeCourse, Trial, Trials, over_time,
+    Energy, Holder, IntegrationOptions, KINDS, Method, NotByEnergy, On, OverTime, Progress, STATES,
+    SimulationReport, SteadyReport, TimeCourse, Trial, Trials, over_time,
 };
 pub use solution::{OpenSizes, Pose, Solution, Solved};
 pub use sweep::{Following, solve, solve_with};

@@ -2,7 +2,7 @@
 //! is none, and a load of zero acts nowhere.
 
 use super::equations::Equations;
-use super::loads::{is_zero, loads_need_angles};
+use super::loads::{all_parts, is_zero, loads_need_angles};
 use crate::answer::switches;
 use crate::model::{BinaryOp, Comparison, Expr, Load, LoadId, Mechanism, Query, Value};
 
@@ -60,7 +60,22 @@ fn either(a: Option<bool>, b: Option<bool>, truth: bool) -> Option<bool> {
     }
 }
 
+/// Whether something changes while all rests: a drive moves, or a load depends on the instant.
+pub(super) fn wakes(equations: &Equations<'_, '_>) -> bool {
+    let mechanism = equations.model.mechanism;
+    let mut timed = false;
+    all_parts(mechanism, equations.acting().flat_map(|(_, _, exprs)| exprs), |part| {
+        timed |= matches!(part, Expr::Query(Query::Time));
+    });
+    timed || mechanism.drives.iter().any(|d| !d.free && (d.speed.is_some() || d.acceleration.is_some()))
+}
+
 impl<'a> Equations<'a, '_> {
+    /// Whether a load acts against the motion.
+    pub fn is_braked(&self) -> bool {
+        self.acting().any(|(_, load, _)| load.is_against_motion())
+    }
+
     /// The run goes on up to an instant, s: what does not act until then needs nothing, and what does not change is no corner.
     pub fn goes_until(&mut self, last: f64) {
         self.last = last;

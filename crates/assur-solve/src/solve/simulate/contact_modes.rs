@@ -6,11 +6,11 @@
 //! are tried. A way fits where what is held lies within friction at rest, what begins to slide accelerates in its sense, closed stops
 //! press, and others are not passed.
 
+use super::acting::wakes;
 use super::dissipative::DissipativeElement;
 use super::drives::moves;
 use super::equations::Equations;
 use super::sliding_sense::{Held, Slipping};
-use super::stick_slip_single::wakes;
 use super::ways::Way;
 use crate::math::Lu;
 use crate::solve::failure::Halt;
@@ -31,7 +31,7 @@ pub(super) const SLOW: f64 = 1e-9;
 const MOST: usize = 6;
 /// Pairs whose speeds depend on those of others but for this part.
 const DEPENDS: f64 = 1e-9;
-/// What drives move has the sense of its speed after the first of these parts of the run after which it has one.
+/// Shortly after an instant: these parts of the run, the first of which decides.
 const SHORTLY: [f64; 3] = [1e-9, 1e-6, 1e-3];
 /// What is chosen anew so often at one instant has no way on.
 const AGAIN: u32 = 40;
@@ -56,8 +56,10 @@ impl Equations<'_, '_> {
     /// There is no way on.
     pub fn begin_slipping(&mut self, t: f64, y: &mut [f64], held: Option<&Held>) -> Result<(), Halt> {
         let mut slipping = Box::new(Slipping::new(self.model, self.still, self.reduced.free()));
-        if let Some(held) = held {
-            slipping.take(held, self.model.plan);
+        match held {
+            Some(held) => slipping.take(held, self.model.plan),
+            // loads may begin at zero
+            None => slipping.again = (t, 0),
         }
         self.slipping = Some(slipping);
         self.choose_slips(t, y)
@@ -77,27 +79,55 @@ impl Equations<'_, '_> {
     }
 
     fn choose_slips_of(&mut self, slipping: &mut Slipping, t: f64, y: &mut [f64]) -> Result<(), Halt> {
-        let count = if slipping.again.0.to_bits() == t.to_bits() { slipping.again.1 + 1 } else { 0 };
+        let here = (t - slipping.again.0).abs() <= NONE * (self.last - self.from);
+        let count = if here { slipping.again.1 + 1 } else { 0 };
         slipping.again = (t, count);
         if count > AGAIN {
             return Err(Halt::Jam);
         }
-        self.set_position(t, y);
+        let (later, state) = self.shortly(slipping, (t, y), count)?;
+        self.set_position(later, &state);
         if !slipping.turning.is_empty() && !slipping.undetermined {
             // in which sense they are let go
             self.slipping_accelerations(slipping)?;
         }
+        self.set_position(t, y);
         self.reduced.run_motion(self.model.plan, &mut self.trial);
         let speeds = self.sliding_speeds(slipping);
         let stops = self.standing_stops(slipping, t, y);
         let (mut open, let_go) = slipping.take_senses(&speeds);
         self.take_driven(slipping, (t, y), &mut open);
         (slipping.rests, slipping.undetermined) = (false, false);
-        self.find_way(slipping, (t, y), (&open, &stops))?;
+        self.find_way(slipping, (later, &state), (&open, &stops))?;
         self.find_still(slipping, &[open, let_go].concat());
         self.find_kept(slipping, &stops);
         slipping.begun = true;
+        if count > 0 {
+            self.set_position(t, y);
+            self.reduced.run_motion(self.model.plan, &mut self.trial);
+            self.find_slopes(slipping);
+        }
         self.stop_held(slipping, y)
+    }
+
+    /// Where it is decided how to go on: where that is undecided at an instant, as of loads that begin at zero, shortly after it.
+    fn shortly(
+        &mut self,
+        slipping: &mut Slipping,
+        (t, y): (f64, &[f64]),
+        count: u32,
+    ) -> Result<(f64, Vec<f64>), Halt> {
+        let mut state = y.to_vec();
+        let Some(last) = (count as usize).checked_sub(1) else { return Ok((t, state)) };
+        let (n, time) = (self.order(), SHORTLY[last.min(SHORTLY.len() - 1)] * (self.last - self.from));
+        self.set_position(t, y);
+        self.slipping_accelerations(slipping)?;
+        for i in 0..n {
+            let a = if slipping.rests { 0.0 } else { slipping.secants.x[i] * slipping.units[i] };
+            state[i] += (y[n + i] + 0.5 * a * time) * time;
+            state[n + i] += a * time;
+        }
+        Ok((t + time, state))
     }
 
     /// Takes out of the open elements those that drives alone move: they have the sense of their speed shortly after.

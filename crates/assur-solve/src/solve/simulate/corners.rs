@@ -5,10 +5,11 @@
 
 use super::equations::Equations;
 use super::records::within_step;
-use super::sliding_sense::Mode;
 use crate::answer::{OF_MOTION, PoseAnswers, Switch};
+use crate::math::Vec2;
 use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Integrator, Undefined};
+use crate::plan::FrictionLaw;
 
 /// Where all are looked at first, parts of the step.
 const PLACES: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
@@ -18,6 +19,8 @@ const CLEAR: f64 = 0.5;
 const MOST: u32 = 3;
 /// Numbers of a switch: a piece of a curve has two ends.
 const ENDS: usize = 2;
+/// Shortly after an instant: this part of the run.
+const SHORTLY: f64 = 1e-6;
 /// The slope of a number is taken over this part of the step.
 const SLOPE: f64 = 1e-3;
 /// Rounding of an instant.
@@ -40,9 +43,7 @@ pub(super) struct Corners {
 
 impl Corners {
     pub fn new(equations: &Equations<'_, '_>, at_once: f64) -> Self {
-        let rubbing = if equations.mode.is_some() { equations.model.plan.friction.len() } else { 0 };
-        // each slides, and presses at two ends
-        let count = ENDS * equations.switches.len() + equations.seams() + 3 * rubbing;
+        let count = ENDS * (equations.switches.len() + equations.pressing()) + equations.seams();
         Self {
             y: equations.start(),
             ranges: vec![(0.0, 0.0); count],
@@ -192,30 +193,55 @@ impl<'a> Equations<'a, '_> {
     pub fn take_sides(&mut self, t: f64, y: &[f64]) {
         let kept = std::mem::replace(&mut self.held, false);
         self.release_seams();
-        // the speeds of what rests are those with which it may begin to move in either sense
-        let rests = self.mode == Some(Mode::Resting);
-        let smooth = self.switches.is_empty() && (self.mode.is_none() || self.model.plan.friction.is_empty());
+        let smooth = self.switches.is_empty() && self.pressing() == 0;
         if (smooth && self.seams() == 0) || !self.observe(t, y, false) {
             return;
         }
         self.look_at_sizes();
-        self.take_senses();
+        self.take_pressing_sides();
         self.take_seams();
-        let rubs = self.mode.is_some() || self.slipping.is_some();
+        let rubs = self.slipping.is_some();
         let mut switches = std::mem::take(&mut self.switches);
-        for switch in &mut switches {
-            if rests && switch.of_speeds {
-                switch.release();
-            } else if !(kept && switch.is_held()) {
+        let mut undecided = Vec::new();
+        for (index, switch) in switches.iter_mut().enumerate() {
+            if !(kept && switch.is_held()) {
                 *switch = self.seen().side_here(switch);
-                if rubs && switch.of_speeds && self.is_at_corner(switch) {
-                    // on which side the speed goes on is not known yet
-                    switch.release();
+                if self.is_at_corner(switch) {
+                    undecided.push(index);
+                    if rubs && switch.of_speeds {
+                        switch.release();
+                    }
                 }
             }
         }
         self.switches = switches;
+        if !undecided.is_empty() || self.sides.iter().flatten().any(|side| *side == 0.0) {
+            self.take_sides_shortly(t, y, &undecided);
+        }
         self.held = true;
+    }
+
+    /// Takes switches that are at a corner, and guides in which nothing presses yet, on the sides where they are shortly after;
+    /// what stays zero has none.
+    fn take_sides_shortly(&mut self, t: f64, y: &[f64], undecided: &[usize]) {
+        let time = SHORTLY * (self.last - self.from);
+        // what is let go at its limit begins without acceleration
+        let later = self.carried_on(t, y, time).and_then(|later| self.carried_on(t + time, &later, time));
+        let Ok(later) = later else { return };
+        if !self.observe(t + 2.0 * time, &later, false) {
+            return;
+        }
+        let mut switches = std::mem::take(&mut self.switches);
+        for &index in undecided {
+            if !self.is_at_corner(&switches[index]) {
+                switches[index] = self.seen().side_here(&switches[index]);
+            }
+        }
+        self.switches = switches;
+        let elements = self.sides.iter_mut().zip(&self.model.plan.friction);
+        for (sides, element) in elements.filter(|(sides, _)| sides.contains(&0.0)) {
+            *sides = sides_of(self.trial.measured(self.model.plan, element));
+        }
     }
 
     /// Whether a number of a switch is zero but for rounding in the state that is observed.
@@ -240,8 +266,7 @@ impl<'a> Equations<'a, '_> {
         match index.checked_sub(switches + seams) {
             None if index < switches => self.seen().room(&self.switches[index / ENDS], index % ENDS),
             None => self.seam_room(index - switches),
-            Some(place) if place % 3 == 0 => self.sliding_room(place / 3),
-            Some(place) => self.pressing_room(place / 3, place % 3 - 1),
+            Some(place) => self.pressing_room(place / ENDS, place % ENDS),
         }
     }
 
@@ -249,11 +274,7 @@ impl<'a> Equations<'a, '_> {
         let other = if releases { 0.0 } else { -1.0 };
         let (switches, seams) = (ENDS * self.switches.len(), self.seams());
         if let Some(place) = index.checked_sub(switches + seams) {
-            let turned = match place % 3 {
-                0 => &mut self.senses[place / 3],
-                end => &mut self.sides[place / 3][end - 1],
-            };
-            *turned *= other;
+            self.sides[place / ENDS][place % ENDS] *= other;
         } else if index >= switches {
             self.turn_seam(index - switches, releases);
         } else if releases {
@@ -263,4 +284,34 @@ impl<'a> Equations<'a, '_> {
             self.switches[index / ENDS] = switch;
         }
     }
+
+    /// How many elements of friction have sides on which they press.
+    const fn pressing(&self) -> usize {
+        if self.slipping.is_some() { self.model.plan.friction.len() } else { 0 }
+    }
+
+    /// On which sides guides press in the state that is observed.
+    fn take_pressing_sides(&mut self) {
+        self.sides.clear();
+        for element in &self.model.plan.friction[..self.pressing()] {
+            self.sides.push(sides_of(self.trial.measured(self.model.plan, element)));
+        }
+    }
+
+    /// What presses in a guide, on the side where the present step begins: magnitudes of forces have corners.
+    fn pressing_room(&self, element: usize, end: usize) -> f64 {
+        let own = &self.model.plan.friction[element];
+        let of = |side: &[f64; 2]| {
+            let Vec2 { x, y } = self.trial.measured(self.model.plan, own);
+            [side[0] * x, side[1] * y][end]
+        };
+        let guides = matches!(own.kind, FrictionLaw::BothEnds { .. })
+            || (end == 0 && matches!(own.kind, FrictionLaw::Guide { .. }));
+        self.sides.get(element).filter(|_| guides).map_or(1.0, of)
+    }
+}
+
+/// The signs of what presses at both ends; 0 where nothing does.
+fn sides_of(Vec2 { x, y }: Vec2) -> [f64; 2] {
+    [x, y].map(|x| if x == 0.0 { 0.0 } else { x.signum() })
 }

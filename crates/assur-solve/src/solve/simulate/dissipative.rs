@@ -1,10 +1,10 @@
-//! What rubs in a motion of several free coordinates, by number: the elements of friction in the pairs, then the transmissions that
+//! What rubs in a motion, by number: the elements of friction in the pairs, then the transmissions that
 //! lose power, then the loads against the motion.
 
-use crate::math::Vec2;
 use crate::model::{PairId, ProfileShape};
-use crate::plan::{FrictionElement, FrictionLaw, LawSite, Opposing, Plan, PlannedLaw};
+use crate::plan::{FrictionElement, FrictionLaw, LawSite, Opposing, Path, Plan, PlannedLaw};
 use crate::position::State;
+use crate::solve::simulate::report::Holder;
 
 #[derive(Clone, Copy)]
 pub(super) enum DissipativeElement<'p> {
@@ -46,11 +46,27 @@ impl<'p> DissipativeElement<'p> {
         match self {
             Self::Pair(element) => state.sliding_speed(element),
             Self::Law(law, _) => state.law_speed(law),
-            Self::Load(Opposing { body, against, line, .. }) => {
+            Self::Load(Opposing { body, against, point, .. }) => {
                 let bodies = &state.motion.bodies;
                 let (body, other) = (&bodies[*body], against.map_or(0.0, |(other, _)| bodies[other].omega));
-                line.map_or(body.omega - other, |(at, along)| body.velocity(at).dot(along.turned(body.u)))
+                match *point {
+                    None => body.omega - other,
+                    Some((at, Path::Line(along))) => body.velocity(at).dot(along.turned(body.u)),
+                    Some((at, Path::Curve(drive))) => {
+                        body.velocity(at).norm().copysign(state.motion.inputs[drive].rate)
+                    }
+                }
             }
+        }
+    }
+
+    /// Its speed where the coordinate that alone is free has the rate 1.
+    pub fn unit_speed(self, state: &State) -> f64 {
+        match self {
+            Self::Load(Opposing { body, point: Some((at, Path::Curve(_))), .. }) => {
+                state.motion.bodies[*body].velocity(*at).norm()
+            }
+            other => other.speed(state),
         }
     }
 
@@ -59,10 +75,16 @@ impl<'p> DissipativeElement<'p> {
         match self {
             Self::Pair(element) => state.sliding_acceleration(element),
             Self::Law(law, _) => state.law_acceleration(law),
-            Self::Load(Opposing { body, against, line, .. }) => {
+            Self::Load(Opposing { body, against, point, .. }) => {
                 let bodies = &state.motion.bodies;
                 let (body, other) = (&bodies[*body], against.map_or(0.0, |(other, _)| bodies[other].alpha));
-                line.map_or(body.alpha - other, |(at, along)| body.acceleration(at).dot(along.turned(body.u)))
+                match *point {
+                    None => body.alpha - other,
+                    Some((at, Path::Line(along))) => body.acceleration(at).dot(along.turned(body.u)),
+                    Some((at, Path::Curve(drive))) => {
+                        body.acceleration(at).norm().copysign(state.motion.inputs[drive].acceleration)
+                    }
+                }
             }
         }
     }
@@ -72,7 +94,7 @@ impl<'p> DissipativeElement<'p> {
         match self {
             Self::Pair(element) => matches!(element.kind, FrictionLaw::Circle { .. }),
             Self::Law(law, _) => matches!(law.terms[0].0, LawSite::Turn(_)),
-            Self::Load(load) => load.line.is_none(),
+            Self::Load(load) => load.point.is_none(),
         }
     }
 
@@ -87,6 +109,16 @@ impl<'p> DissipativeElement<'p> {
         }
     }
 
+    /// What may hold: the pair or the transmission, or the load.
+    pub fn holder(self) -> Holder {
+        match self {
+            Self::Load(load) => self.pair().map_or(Holder::Load(load.load), Holder::Pair),
+            Self::Pair(FrictionElement { pair, .. }) | Self::Law(PlannedLaw { pair, .. }, _) => {
+                Holder::Pair(*pair)
+            }
+        }
+    }
+
     /// The pair, or the transmission.
     pub fn pair(self) -> Option<PairId> {
         match self {
@@ -95,12 +127,4 @@ impl<'p> DissipativeElement<'p> {
             Self::Load(load) => load.against.map(|(_, clutch)| clutch),
         }
     }
-}
-
-/// What a load against the motion does where it acts with this effort in the sense in which its speed counts: of a torque the first
-/// number.
-pub(super) fn acts(load: &Opposing, state: &State, effort: f64) -> Vec2 {
-    let along =
-        load.line.map_or(Vec2::new(1.0, 0.0), |(_, along)| along.turned(state.motion.bodies[load.body].u));
-    along * effort
 }

@@ -7,7 +7,7 @@ use super::loads::{loads_need_angles, sides};
 use super::multi_crossing::MultiCrossing;
 use super::setup::{StartState, is_length};
 use super::singular_crossing::SingularCrossing;
-use super::sliding_sense::{Mode, Slipping};
+use super::sliding_sense::Slipping;
 use super::stages::Stages;
 use super::walk::Walk;
 use crate::answer::{Sizes, Switch, WholeCycle};
@@ -66,17 +66,13 @@ pub(super) struct Equations<'a, 's> {
     pub switches: Vec<Switch<'a>>,
     /// Loads are taken on these sides.
     pub held: bool,
-    /// How the coordinate moves, where something depends on the sense of its motion.
-    pub mode: Option<Mode>,
-    /// The senses of all sliding where the present step begins, with one free coordinate that rubs.
-    pub senses: Vec<f64>,
-    /// On which sides guides press there, at both ends.
+    /// On which sides guides press where the present step begins, at both ends.
     pub sides: Vec<[f64; 2]>,
-    /// How every pair that rubs moves, where several coordinates are free or drives move what rubs.
+    /// How everything that rubs moves.
     pub slipping: Option<Box<Slipping>>,
     /// The stops that are closed.
     pub closed: Vec<usize>,
-    /// The greatest term of the acceleration of the one coordinate that rubs, and the greatest of what is left of all of them.
+    /// The greatest term of the accelerations where something rubs, and the greatest of what is left of all of them.
     pub terms: (f64, f64),
     /// The greatest of what results are made of, so far.
     pub sizes: Sizes,
@@ -137,8 +133,6 @@ impl<'a, 's> Equations<'a, 's> {
             evaluated: Vec::new(),
             switches: Vec::new(),
             held: false,
-            mode: None,
-            senses: Vec::new(),
             sides: Vec::new(),
             slipping: None,
             closed: Vec::new(),
@@ -201,22 +195,12 @@ impl<'a, 's> Equations<'a, 's> {
         let mut dy = std::mem::take(&mut self.quiet);
         let known = self.rates(t, y, &mut dy).is_ok();
         let n = self.order();
-        match self.mode {
-            _ if !known || !deep || self.slipping.is_some() => {}
-            // where something rubs, accelerations and forces are there already; with loads against the motion alone there are no forces
-            Some(Mode::Moving(_)) if self.model.plan.effects.loses() => {}
-            Some(Mode::Moving(_)) => self.force(),
-            Some(Mode::Resting) => {
-                self.take_held();
-                self.place(t, y, &dy[n..2 * n], None);
-            }
-            None => {
-                self.reduced.accelerate(&mut self.trial, &dy[n..2 * n]);
-                self.force();
-            }
+        // where something rubs, accelerations and forces are there already
+        if known && deep && self.slipping.is_none() {
+            self.reduced.accelerate(&mut self.trial, &dy[n..2 * n]);
+            self.force();
         }
         if known {
-            self.take_rates(y);
             self.follow_angles(t);
         }
         self.quiet = dy;
@@ -350,12 +334,8 @@ impl System<f64> for Equations<'_, '_> {
         }
         self.set_position(t, y);
         self.trial.motion.stops.fill(0.0);
-        if self.mode.is_some() || self.slipping.is_some() {
-            let found = match self.mode {
-                Some(mode) => self.rubbing_rates(mode, y, dy),
-                None => self.slipping_rates(y, dy),
-            };
-            self.why = found.err();
+        if self.slipping.is_some() {
+            self.why = self.slipping_rates(y, dy).err();
             self.stages.note(self.trial_condition());
             self.at.0 = t;
             self.at.1.copy_from_slice(y);

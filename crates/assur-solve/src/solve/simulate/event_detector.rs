@@ -344,17 +344,6 @@ impl<'m> EventDetector<'m> {
         ends
     }
 
-    /// All that rubs comes to rest by friction, or leaves it. Returns the event that ends the run.
-    pub fn sticking(&mut self, begins: bool, t: f64) -> Option<usize> {
-        let sticks = |event: &Event| match event.situation {
-            Some((found @ Situation::Sticks(_), wanted)) if wanted == begins => Some(found),
-            _ => None,
-        };
-        let mut found: Vec<Situation> = self.events.iter().filter_map(sticks).collect();
-        found.dedup();
-        found.into_iter().filter_map(|situation| self.situation(situation, begins, t)).min()
-    }
-
     fn too_early(&self, event: usize, t: f64) -> bool {
         self.guard.is_some_and(|(guarded, from)| event == guarded && t < from)
     }

@@ -7,7 +7,6 @@
 
 use super::drives::moves;
 use super::equations::Equations;
-use super::sliding_sense::Mode;
 use super::stop::ROUNDING;
 use crate::math::{Lu, ode::System};
 use crate::model::{Query, Stop, Value};
@@ -67,9 +66,6 @@ impl Equations<'_, '_> {
 
     /// Evaluates everything at an instant.
     pub fn settle(&mut self, t: f64, y: &[f64]) -> Result<(), Halt> {
-        if self.mode.is_some() {
-            self.choose_mode(t, y)?;
-        }
         let mut dy = vec![0.0; y.len()];
         if self.rates(t, y, &mut dy).is_err() {
             return Err(self.halt());
@@ -120,12 +116,6 @@ impl Equations<'_, '_> {
     /// The acceleration of its coordinate away from the stop, where it rests there.
     pub fn pull(&mut self, index: usize, t: f64, y: &[f64]) -> Result<f64, Halt> {
         let n = self.order();
-        if self.mode.is_some() {
-            let slope = self.slopes(index)[0];
-            let away = self.acceleration_from_rest(t, y, slope.signum())? * slope;
-            let back = self.acceleration_from_rest(t, y, -slope.signum())? * slope;
-            return Ok(if away > 0.0 { away } else { back.min(0.0) });
-        }
         let mut dy = vec![0.0; y.len()];
         if self.rates(t, y, &mut dy).is_err() {
             return Err(self.halt());
@@ -144,22 +134,8 @@ impl Equations<'_, '_> {
         y: &[f64],
         (speed, restitution): (f64, f64),
     ) -> Result<Option<Rebounds>, Halt> {
-        let mut still = y.to_vec();
-        let (up, back) = if self.mode.is_some() {
-            still[1] = 0.0;
-            let back = self.pull(index, t, &still)?;
-            let stop = (self.stop(index).side, self.stop(index).pair);
-            if speed > 0.0 {
-                self.settle(t, y)?;
-                (stop.0 * self.of_pair(&Query::RelativeAcceleration(stop.1)), back)
-            } else {
-                (back, back)
-            }
-        } else {
-            let back = self.pull(index, t, y)?;
-            (back, back)
-        };
-        Ok(Rebounds::between(speed, restitution, up, back))
+        let back = self.pull(index, t, y)?;
+        Ok(Rebounds::between(speed, restitution, back, back))
     }
 
     /// Adds to the accelerations what closed stops bear, and leaves their efforts.
@@ -207,9 +183,6 @@ impl Equations<'_, '_> {
 
     /// The closed stop that would have to pull most, where everything was evaluated and no friction holds it.
     pub fn pulling(&self) -> Option<usize> {
-        if self.mode.is_some() {
-            return None;
-        }
         let effort = |index: usize| self.stop(index).side * self.trial.motion.stops[index];
         let greatest = self.closed.iter().map(|index| effort(*index).abs()).fold(0.0, f64::max);
         let pulls = self.closed.iter().copied().filter(|index| effort(*index) < -PULLS * greatest);
@@ -230,16 +203,10 @@ impl Equations<'_, '_> {
         Ok(later)
     }
 
-    /// Whether a closed stop keeps the coordinate from moving in a sense, where everything was evaluated.
-    pub fn is_blocked(&mut self, sense: f64) -> bool {
-        let closed = self.closed.clone();
-        closed.into_iter().any(|index| self.slopes(index)[0] * sense < 0.0)
-    }
-
     /// Whether nothing moves, and nothing but an instant can change that.
     pub fn is_held(&self) -> bool {
         let held = self.slipping.as_ref().is_some_and(|slipping| slipping.rests);
-        held || self.mode == Some(Mode::Resting) || (self.order() == 1 && !self.closed.is_empty())
+        held || (self.order() == 1 && !self.closed.is_empty())
     }
 }
 

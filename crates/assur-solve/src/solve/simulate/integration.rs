@@ -1,5 +1,6 @@
 //! A run on its way: step after step, with what happens and what is wanted within each.
 
+use super::acting::wakes;
 use super::bends::Bends;
 use super::change::CLOSE;
 use super::compare::Kinds;
@@ -9,15 +10,14 @@ use super::equations::Equations;
 use super::event_detector::{AT_ONCE, EventDetector};
 use super::pass::Pass;
 use super::records::{Origin, Recorder};
+use super::report::Holder;
 use super::reversing::Reversals;
 use super::setup::Outputs;
-use super::sliding_sense::Mode;
-use super::stick_slip_single::wakes;
 use super::stop::{Stops, Touch};
 use super::trace::Trace;
 use super::unilateral::UnilateralConditions;
 use crate::math::ode::{Integrator, Step, Stopped, System, Undefined};
-use crate::model::{DriveTarget, PairId};
+use crate::model::DriveTarget;
 use crate::solve::failure::Halt;
 
 /// Below this |σ| of a group the run ends before its dead position is in the way of the digits.
@@ -74,12 +74,8 @@ pub(super) struct Integration<'m, 'o> {
     pub last: f64,
     pub worst_condition: (f64, f64),
     pub ended_by: Option<usize>,
-    /// When the coordinate comes to rest by friction, and when it leaves again, s.
-    pub rests: Vec<(f64, Option<f64>)>,
-    /// From when to when a pair is held by friction, where every pair moves in a way of its own, s.
-    pub held: Vec<(PairId, f64, Option<f64>)>,
-    /// What acts depends on the sense of the motion.
-    pub rubs: bool,
+    /// What holds at rest, from when to when, s.
+    pub held: Vec<(Holder, f64, Option<f64>)>,
     /// Something changes while it rests.
     pub wakes: bool,
     /// The greatest magnitudes of each kind.
@@ -120,7 +116,6 @@ impl<'m, 'o> Integration<'m, 'o> {
         (begin, last): (f64, f64),
         pass: Pass<'o>,
     ) -> Self {
-        let rests = equations.mode == Some(Mode::Resting) && equations.closed.is_empty();
         let mut watch = EventDetector::new(equations, (begin, last), pass.tolerance);
         watch.guard = outputs.guard;
         watch.bare = outputs.conduct.bare;
@@ -141,9 +136,7 @@ impl<'m, 'o> Integration<'m, 'o> {
             last,
             worst_condition: (1.0, begin),
             ended_by: None,
-            rests: if rests { vec![(begin, None)] } else { Vec::new() },
-            held: equations.held_pairs().into_iter().map(|pair| (pair, begin, None)).collect(),
-            rubs: equations.mode.is_some(),
+            held: equations.holders().into_iter().map(|holder| (holder, begin, None)).collect(),
             wakes: wakes(equations),
             kinds: Kinds::default(),
             pass,
@@ -230,7 +223,6 @@ impl Integration<'_, '_> {
             if let Some((_, (pair, bond))) = opened.filter(|_| self.ended_by.is_none()) {
                 return Ended::Halted(Halt::Opens { pair, bond });
             }
-            self.recorder.is_held = turned && equations.mode.is_some();
             let mut y = Vec::new();
             if turned {
                 if !self.keep(equations, method, (by, done)) {
@@ -238,7 +230,7 @@ impl Integration<'_, '_> {
                 }
                 self.watch.begin();
                 y.extend_from_slice(method.y());
-                match self.turn(equations, (method.t(), &mut y), true) {
+                match self.turn(equations, (method.t(), &mut y)) {
                     Ok(ended) => self.ended_by = self.ended_by.or(ended),
                     Err(halt) => return Ended::Halted(halt),
                 }
@@ -250,7 +242,6 @@ impl Integration<'_, '_> {
             if !self.keep(equations, method, (by, done)) {
                 return Ended::Halted(equations.halt());
             }
-            self.recorder.is_held = false;
             if done {
                 return Ended::Done;
             }

@@ -47,7 +47,7 @@ pub(super) fn opening<M: Integrator<f64>>(
 ) -> Option<f64> {
     // it is left as any rest
     let undetermined = equations.slipping.as_ref().is_some_and(|slipping| slipping.undetermined);
-    if equations.mode.is_some() || undetermined {
+    if undetermined {
         return None;
     }
     let step = (method.previous_t(), method.t());

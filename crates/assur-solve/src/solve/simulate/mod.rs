@@ -54,7 +54,6 @@ mod stages;
 mod starting;
 mod steady;
 mod stick_slip;
-mod stick_slip_single;
 mod stop;
 mod stop_modes;
 mod touch;
@@ -70,7 +69,7 @@ mod ways;
 pub use compare::{KINDS, STATES};
 pub use options::{IntegrationOptions, Progress};
 pub use over_time::{OverTime, TimeCourse, over_time};
-pub use report::{Energy, Method, NotByEnergy, On, SimulationReport, SteadyReport};
+pub use report::{Energy, Holder, Method, NotByEnergy, On, SimulationReport, SteadyReport};
 pub use trials::{Trial, Trials};
 
 pub(super) use chart::Given;

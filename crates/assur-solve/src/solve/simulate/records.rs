@@ -3,7 +3,6 @@
 use super::chart::Given;
 use super::equations::Equations;
 use super::report::Energy;
-use super::sliding_sense::Mode;
 use crate::answer::OF_MOTION;
 use crate::math::Vec2;
 use crate::math::ode::{Integrator, System};
@@ -127,8 +126,6 @@ pub(super) struct Recorder {
     /// The length of the last step, s.
     length: f64,
     goes_on: bool,
-    /// The one coordinate that rubs is held where the last step ends.
-    pub is_held: bool,
     /// The first instant, s, and the unknowns there before an impact.
     pub struck: Option<(f64, Vec<f64>)>,
     begin: Option<f64>,
@@ -149,7 +146,6 @@ impl Recorder {
             dy: equations.start(),
             length: 0.0,
             goes_on: equations.model.plan.goes_on(),
-            is_held: false,
             struck: None,
             begin: None,
             end: 0.0,
@@ -170,14 +166,10 @@ impl Recorder {
         if !within_step(equations, method, time.min(end), &mut self.y) {
             return false;
         }
-        if self.is_held && time >= method.t() {
-            self.y[1] = 0.0;
-        }
-        let after = (equations.closed.clone(), equations.mode);
+        let after = equations.closed.clone();
         if let Some((_, before)) = self.struck.as_ref().filter(|struck| struck.0 == time) {
             self.y.copy_from_slice(before);
             equations.closed.clear();
-            equations.mode = after.1.map(|_| Mode::Moving(self.y[1].signum()));
         }
         // at a corner loads are what the file says there
         let held = std::mem::replace(&mut equations.held, false);
@@ -186,7 +178,6 @@ impl Recorder {
         if !known {
             return false;
         }
-        equations.take_rates(&self.y);
         equations.follow_angles(time);
         equations.take_held();
         let (n, records) = (self.records.order, &mut self.records);
@@ -215,7 +206,7 @@ impl Recorder {
             records.poses.extend(equations.trial.motion.bodies.iter().map(BodyPose::of));
         }
         self.energy(equations);
-        (equations.closed, equations.mode) = after;
+        equations.closed = after;
         true
     }
 

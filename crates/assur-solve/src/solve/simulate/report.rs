@@ -44,10 +44,8 @@ pub struct SimulationReport {
     pub coordinates: Vec<usize>,
     /// Instants of every event of the mechanism, s.
     pub events: Vec<Vec<f64>>,
-    /// When the coordinate comes to rest by friction, and when it leaves again, s.
-    pub rests: Vec<(f64, Option<f64>)>,
-    /// From when to when a pair is held by friction, where every pair moves in a way of its own, s.
-    pub held: Vec<(PairId, f64, Option<f64>)>,
+    /// What holds at rest, from when to when, s.
+    pub held: Vec<(Holder, f64, Option<f64>)>,
     /// When other coordinates were taken, since a group came near a dead position of those before, s, and which: by drive.
     pub changes: Vec<(f64, Vec<DriveTarget>)>,
     /// When change points had been passed, s.
@@ -69,13 +67,21 @@ impl SimulationReport {
         let closed = stops.flat_map(|(stop, times)| {
             times.iter().map(|(begin, end)| (Situation::Rests(stop.pair), *begin, *end))
         });
-        let rubbing = mechanism.pairs.iter().enumerate().filter(|(_, pair)| pair.rubs());
-        let held = rubbing.flat_map(|(i, _)| {
-            self.rests.iter().map(move |(begin, end)| (Situation::Sticks(PairId::at(i)), *begin, *end))
+        let held = self.held.iter().filter_map(|(holder, begin, end)| match holder {
+            Holder::Pair(pair) => Some((Situation::Sticks(*pair), *begin, *end)),
+            Holder::Load(_) => None,
         });
-        let pairs = self.held.iter().map(|(pair, begin, end)| (Situation::Sticks(*pair), *begin, *end));
-        closed.chain(held).chain(pairs).collect()
+        closed.chain(held).collect()
     }
+}
+
+/// What keeps something from moving.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Holder {
+    /// Friction in a pair, or the losses of a transmission.
+    Pair(PairId),
+    /// A load against the motion.
+    Load(LoadId),
 }
 
 /// How a motion that comes again was found.

@@ -34,7 +34,7 @@ impl Reversals {
         let apart = |id: LoadId| !plan.opposing.iter().any(|load| load.load == id);
         let mut loads = equations.model.mechanism.loads.iter().enumerate();
         let any = loads.any(|(index, load)| load.is_against_motion() && apart(LoadId::at(index)));
-        if !any || equations.mode.is_some() || !equations.is_braked() {
+        if !any || !equations.is_braked() {
             return None;
         }
         let loads: Vec<_> =

@@ -10,17 +10,16 @@ use super::functions::OverRun;
 use super::integration::{Ended, Integration};
 use super::pass::{Pass, SHORTER};
 use super::records::Records;
+use super::report::Holder;
 use super::report::{Energy, Method, NotByEnergy};
 use super::setup::{Outputs, StartState, allowed, at_rest, scale};
-use super::sliding_sense::Mode;
-use super::stick_slip_single::rubs;
 use super::stop::Stops;
 use super::trace::{Fraction, Trace};
 use super::truncation::TruncationError;
 use super::unilateral::UnilateralConditions;
 use crate::math::lobatto::Short;
 use crate::math::ode::{Counts, Dop853, Energy as ByEnergy, Integrator, Radau, System, Tolerance, Undefined};
-use crate::model::{DriveTarget, PairId};
+use crate::model::DriveTarget;
 use crate::position::Model;
 use crate::solve::failure::Halt;
 
@@ -43,10 +42,8 @@ pub(super) struct Run {
     pub functions: Vec<OverRun>,
     /// Their series, where they are drawn.
     pub courses: Vec<Vec<Short>>,
-    /// When the coordinate comes to rest by friction, and when it leaves again, s.
-    pub rests: Vec<(f64, Option<f64>)>,
-    /// From when to when a pair is held by friction, where every pair moves in a way of its own, s.
-    pub held: Vec<(PairId, f64, Option<f64>)>,
+    /// What holds at rest, from when to when, s.
+    pub held: Vec<(Holder, f64, Option<f64>)>,
     /// When other coordinates were taken, s, and which.
     pub changes: Vec<(f64, Vec<DriveTarget>)>,
     /// When change points were passed, s.
@@ -83,9 +80,6 @@ pub(super) fn run(
     let mut equations = begin.equations();
     equations.goes_until(last);
     let mut y = equations.start();
-    if equations.order() == 1 && rubs(&equations) {
-        equations.mode = Some(Mode::Resting);
-    }
     if let Err(halt) = start(&mut equations, begin.from, &mut y) {
         return Run::halted(begin.from, halt);
     }
@@ -198,7 +192,7 @@ impl Integration<'_, '_> {
         equations.take_sides(t, y);
         let allowed = allowed(equations, (tolerance, works), length);
         let fewest = self.outputs.conduct.steps;
-        let rubs = equations.mode.is_some() || equations.slipping.is_some();
+        let rubs = equations.slipping.is_some();
         let rests = self.wakes && (rubs || !equations.model.mechanism.stops.is_empty());
         let rests = rests || equations.order() == 0;
         let least = if rests { AT_REST.max(fewest) } else { fewest };
@@ -306,12 +300,6 @@ impl Integration<'_, '_> {
         equations.still = still.as_ref();
         equations.goes_until(self.last);
         equations.closed.clone_from(&to.closed);
-        if self.rubs {
-            equations.mode = Some(Mode::Resting);
-            if let Err(halt) = equations.choose_mode(to.t, &to.y) {
-                return Part::halted(to.t, halt);
-            }
-        }
         let mut y = to.y.clone();
         if let Some(held) = &to.held
             && let Err(halt) = equations.begin_slipping(to.t, &mut y, Some(held))
@@ -338,7 +326,6 @@ impl Integration<'_, '_> {
             kinds,
             worst_condition,
             ended_by,
-            rests,
             held,
             stops,
             changes,
@@ -362,7 +349,6 @@ impl Integration<'_, '_> {
             kinds,
             functions,
             courses,
-            rests,
             held,
             changes,
             crossed,
@@ -390,16 +376,10 @@ const fn sum(a: Counts, b: Counts) -> Counts {
     }
 }
 
-/// Chooses how a coordinate that rubs begins.
+/// Chooses how what rubs begins.
 fn start(equations: &mut Equations<'_, '_>, first: f64, y: &mut [f64]) -> Result<(), Halt> {
     if equations.order() == 0 && !equations.model.mechanism.stops.is_empty() {
         return Err(Halt::NothingFree);
-    }
-    if equations.mode.is_some() {
-        if equations.rests_together(first, y) {
-            return equations.choose_mode(first, y);
-        }
-        equations.mode = None;
     }
     let opposing = &equations.model.plan.opposing;
     let held = |id| opposing.iter().any(|load| load.load == id);
@@ -439,7 +419,6 @@ impl Run {
             kinds: Kinds::default(),
             functions: Vec::new(),
             courses: Vec::new(),
-            rests: Vec::new(),
             held: Vec::new(),
             changes: Vec::new(),
             crossed: Vec::new(),

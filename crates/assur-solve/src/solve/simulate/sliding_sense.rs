@@ -1,4 +1,4 @@
-//! How what rubs moves: one free coordinate in a sense, or every pair in its own.
+//! How what rubs moves: every element in a sense of its own, or held.
 
 use super::dissipative::DissipativeElement;
 use super::secants::Secants;
@@ -7,14 +7,6 @@ use crate::model::{LoadId, PairId};
 use crate::plan::{FrictionElement, Plan};
 use crate::position::Model;
 use crate::structure::EffortSource;
-
-/// How a coordinate that rubs moves.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Mode {
-    /// In this sense, ±1.
-    Moving(f64),
-    Resting,
-}
 
 /// How every pair that rubs moves.
 #[derive(Clone, Debug)]

@@ -1,4 +1,4 @@
-//! Friction of several free coordinates, and of links that drives move against each other: every pair has a sense of its own.
+//! Motions in which something rubs: every pair, transmission and load against the motion has a sense of its own.
 //!
 //! A pair slides in a sense, or it is held: its two links do not move against each other, and an effort φ holds them that no law
 //! of sliding gives. The accelerations q̈ and the efforts φ are found together,
@@ -8,11 +8,12 @@
 //! by secants from M q̈ − Jᵀφ = Q, J q̈ = −J̇ q̇ without other friction. What closed stops bear is found with them, as if it
 //! were held. Which pairs are held and which stops are closed changes at events alone (`contact_modes`).
 
-use super::dissipative::{DissipativeElement, acts};
+use super::dissipative::DissipativeElement;
 use super::equations::Equations;
 use super::sliding_sense::Slipping;
 use crate::math::{Lu, Vec2};
 use crate::model::{LoadId, Value};
+use crate::plan::{Opposing, Path};
 use crate::position::{Against, ContactMode};
 use crate::solve::failure::Halt;
 use crate::structure::EffortKind;
@@ -25,6 +26,10 @@ impl Equations<'_, '_> {
         let found = self.slipping_accelerations(&mut slipping);
         if found.is_ok() {
             let rests = slipping.rests;
+            if slipping.held.is_empty() {
+                let left = slipping.secants.x[..n].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+                self.terms = (self.terms.0.max(slipping.greatest), self.terms.1.max(left));
+            }
             for (i, a) in dy[n..2 * n].iter_mut().enumerate() {
                 *a = if rests { 0.0 } else { slipping.secants.x[i] * slipping.units[i] };
             }
@@ -125,9 +130,9 @@ impl Equations<'_, '_> {
             let effort = x[n + k] * units[n + k];
             self.trial.motion.grips[element].effort = effort;
             if let DissipativeElement::Load(load) = DissipativeElement::of(self.model.plan, element) {
-                let held = acts(load, &self.trial, effort);
+                let held = self.acts(load, effort);
                 self.trial.motion.against[load.load.index()].held = held;
-                let value = if load.line.is_some() { Value::Vector(held) } else { Value::Scalar(held.x) };
+                let value = if load.point.is_some() { Value::Vector(held) } else { Value::Scalar(held.x) };
                 self.put_load(load.load, value);
             }
         }
@@ -154,6 +159,21 @@ impl Equations<'_, '_> {
         }
     }
 
+    /// What a load against the motion does where it acts with this effort in the sense in which its speed counts: of a torque the first
+    /// number.
+    fn acts(&self, load: &Opposing, effort: f64) -> Vec2 {
+        let body = &self.trial.motion.bodies[load.body];
+        let along = match load.point {
+            None => Vec2::new(1.0, 0.0),
+            Some((_, Path::Line(along))) => along.turned(body.u),
+            Some((at, Path::Curve(_))) => {
+                let (v, omega) = self.reduced.unit_motion(0, load.body);
+                (v + (body.position(at) - body.p).perp() * omega).unit().unwrap_or_default()
+            }
+        };
+        along * effort
+    }
+
     /// Puts the value of a load that is evaluated at every position.
     pub fn put_load(&mut self, load: LoadId, value: Value) {
         let own = self.evaluated.iter_mut().filter(|(id, _)| *id == load);
@@ -162,7 +182,7 @@ impl Equations<'_, '_> {
 
     /// Speeds of the elements that are held and of closed stops for unit rates, in the state that was moved last, and the units of all
     /// unknowns.
-    fn find_slopes(&mut self, slipping: &mut Slipping) {
+    pub fn find_slopes(&mut self, slipping: &mut Slipping) {
         let n = self.order();
         slipping.units.clear();
         slipping.units.extend((0..n).map(|i| self.reduced.scale(i)));
@@ -185,7 +205,7 @@ impl Equations<'_, '_> {
     pub fn slopes_of_element(&mut self, element: usize, out: &mut Vec<f64>) {
         let rubs = DissipativeElement::of(self.model.plan, element);
         for i in 0..self.order() {
-            out.push(self.reduced.at_unit_rate(i, &mut self.trial, |state| rubs.speed(state)));
+            out.push(self.reduced.at_unit_rate(i, &mut self.trial, |state| rubs.unit_speed(state)));
         }
     }
 
@@ -199,7 +219,7 @@ impl Equations<'_, '_> {
     /// Lets the loads against the motion act in the senses of their elements, others by the velocity, in the state that was moved last.
     pub fn take_against(&mut self) {
         let plan = self.model.plan;
-        if self.mode.is_some() || plan.opposing.is_empty() || self.trial.motion.grips.is_empty() {
+        if plan.opposing.is_empty() || self.trial.motion.grips.is_empty() {
             return;
         }
         let mut against = std::mem::take(&mut self.trial.motion.against);
@@ -208,7 +228,7 @@ impl Equations<'_, '_> {
         against.extend(parts.map(|part| Against { part, held: Vec2::zero() }));
         let grips = &self.trial.motion.grips[DissipativeElement::inner(plan)..];
         for (load, grip) in plan.opposing.iter().zip(grips) {
-            against[load.load.index()].part = acts(load, &self.trial, -grip.sense);
+            against[load.load.index()].part = self.acts(load, -grip.sense);
         }
         self.trial.motion.against = against;
     }

@@ -3,7 +3,6 @@
 use super::equations::Equations;
 use super::impact::Rebounds;
 use super::meeting::{hit, opening};
-use super::sliding_sense::Mode;
 use crate::math::ode::Integrator;
 use crate::solve::failure::Halt;
 
@@ -233,15 +232,6 @@ impl Stops {
                 _ => continue,
             }
             self.left[index] = true;
-        }
-    }
-
-    /// A rest has ended: what moves has left its stops.
-    pub fn left_at_rest(&mut self, equations: &mut Equations<'_, '_>, t: f64) {
-        if equations.mode != Some(Mode::Resting) {
-            for index in equations.closed.clone() {
-                self.open(equations, t, index);
-            }
         }
     }
 

@@ -202,7 +202,6 @@ fn report(
         worst_condition: fine.worst_condition,
         coordinates: free.map(|(i, _)| i).collect(),
         events: fine.events.clone(),
-        rests: fine.rests.clone(),
         held: fine.held.clone(),
         changes: fine.changes.clone(),
         crossed: fine.crossed.clone(),

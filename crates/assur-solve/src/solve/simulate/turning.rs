@@ -6,7 +6,8 @@ use super::dissipative::DissipativeElement;
 use super::equations::Equations;
 use super::integration::Integration;
 use super::records::within_step;
-use super::sliding_sense::{Mode, Slipping};
+use super::report::Holder;
+use super::sliding_sense::Slipping;
 use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Integrator, Undefined};
 use crate::model::{LinkId, PairId, PairKind, Situation};
@@ -25,31 +26,6 @@ const ROUNDING: f64 = 1e-15;
 impl Integration<'_, '_> {
     /// Where, in the last step, what rubs comes to rest, turns or leaves its rest.
     pub fn turning<M: Integrator<f64>>(
-        &self,
-        equations: &mut Equations<'_, '_>,
-        method: &mut M,
-    ) -> Option<f64> {
-        let Some(mode) = equations.mode else { return self.slips_turning(equations, method) };
-        let step = (method.previous_t(), method.t());
-        let mut y = method.y().to_vec();
-        match mode {
-            Mode::Moving(sense) => {
-                let begins_at_rest = (method.previous_y()[1] == 0.0).then_some(true);
-                let rate = |t: f64| {
-                    within_step(equations, method, t, &mut y);
-                    sense * y[1]
-                };
-                first_crossing(step, begins_at_rest, rate).filter(|c| !c.rising).map(|c| c.t)
-            }
-            Mode::Resting if self.wakes => {
-                first_crossing(step, Some(false), |t| equations.leaving(t, &y)).map(|c| c.t)
-            }
-            Mode::Resting => None,
-        }
-    }
-
-    /// The same of pairs that move in ways of their own.
-    fn slips_turning<M: Integrator<f64>>(
         &self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
@@ -96,9 +72,6 @@ impl Integration<'_, '_> {
         end: f64,
     ) -> Result<f64, Undefined> {
         let (from, t) = (method.previous_t(), method.t());
-        if equations.mode == Some(Mode::Resting) {
-            return Ok(t);
-        }
         let before = t - SLOPE * (t - from);
         let [room_0, room_1] = [before, t].map(|t| Self::turning_room(equations, method, t));
         let late = room_1 * (t - before) / (room_1 - room_0);
@@ -118,9 +91,6 @@ impl Integration<'_, '_> {
     fn turning_room<M: Integrator<f64>>(equations: &mut Equations<'_, '_>, method: &mut M, t: f64) -> f64 {
         let mut y = method.y().to_vec();
         within_step(equations, method, t, &mut y);
-        if let Some(Mode::Moving(sense)) = equations.mode {
-            return sense * y[1];
-        }
         let Some(slipping) = &equations.slipping else { return f64::NAN };
         let Some(first) = slipping.turning.iter().copied().reduce(|a, b| if b.0 < a.0 { b } else { a })
         else {
@@ -141,25 +111,15 @@ impl Integration<'_, '_> {
         &mut self,
         equations: &mut Equations<'_, '_>,
         (t, y): (f64, &mut [f64]),
-        pulled: bool,
     ) -> Result<Option<usize>, Halt> {
         equations.release_speeds();
-        if let Some(slipping) = &mut equations.slipping {
-            slipping.turning.retain(|turns| turns.0 <= t + self.at_once());
-            let (was, kept) = (equations.closed.clone(), equations.kept());
-            equations.choose_slips(t, y)?;
-            self.watch.moves_again(equations.model.mechanism, &kept);
-            let ended = self.note_held(equations, t);
-            return Ok(ended.or(self.note_stops(equations, &was, (t, &[], Some(t)))));
-        }
-        y[1] = 0.0;
-        match equations.mode {
-            Some(Mode::Resting) if pulled => equations.leave(t, y)?,
-            _ => equations.choose_mode(t, y)?,
-        }
-        let ended = self.note_rest(equations, t);
-        self.stops.left_at_rest(equations, t);
-        Ok(ended)
+        let Some(slipping) = &mut equations.slipping else { return Ok(None) };
+        slipping.turning.retain(|turns| turns.0 <= t + self.at_once());
+        let (was, kept) = (equations.closed.clone(), equations.kept());
+        equations.choose_slips(t, y)?;
+        self.watch.moves_again(equations.model.mechanism, &kept);
+        let ended = self.note_held(equations, t);
+        Ok(ended.or(self.note_stops(equations, &was, (t, &[], Some(t)))))
     }
 
     /// The loads have gone over a corner: goes on, and whether the motion ends there.
@@ -178,7 +138,7 @@ impl Integration<'_, '_> {
         }
         let mut y = self.corners.state().to_vec();
         self.watch.begin();
-        self.ended_by = self.turn(equations, (t, &mut y), false)?;
+        self.ended_by = self.turn(equations, (t, &mut y))?;
         let ended = self.ended_by.is_some();
         if (ended || self.watch.any_happened()) && !self.keep(equations, method, (t, ended)) {
             return Err(equations.halt());
@@ -203,37 +163,26 @@ impl Integration<'_, '_> {
         method.restart(equations, y, self.last).map_err(|Undefined| equations.halt())
     }
 
-    /// Notes a rest by friction, or its end. Returns the event that ends the motion by it.
-    fn note_rest(&mut self, equations: &Equations<'_, '_>, time: f64) -> Option<usize> {
-        let resting = equations.mode == Some(Mode::Resting);
-        match self.rests.last_mut() {
-            Some(rest) if rest.1.is_none() && !resting => rest.1 = Some(time),
-            Some(rest) if rest.1.is_none() => return None,
-            _ if resting => self.rests.push((time, None)),
-            _ => return None,
-        }
-        self.watch.sticking(resting, time)
-    }
-
     /// Notes what friction holds from now on, and what it does no longer. Returns the event that ends the motion by it.
     pub fn note_held(&mut self, equations: &Equations<'_, '_>, time: f64) -> Option<usize> {
-        let now = equations.held_pairs();
-        let mut changed: Vec<(PairId, bool)> = Vec::new();
-        for (pair, _, end) in self.held.iter_mut().filter(|held| held.2.is_none()) {
-            if !now.contains(pair) {
+        let now = equations.holders();
+        let mut changed: Vec<(Holder, bool)> = Vec::new();
+        for (holder, _, end) in self.held.iter_mut().filter(|held| held.2.is_none()) {
+            if !now.contains(holder) {
                 *end = Some(time);
-                changed.push((*pair, false));
+                changed.push((*holder, false));
             }
         }
-        for pair in now {
-            if !self.held.iter().any(|held| held.0 == pair && held.2.is_none()) {
-                self.held.push((pair, time, None));
-                changed.push((pair, true));
+        for holder in now {
+            if !self.held.iter().any(|held| held.0 == holder && held.2.is_none()) {
+                self.held.push((holder, time, None));
+                changed.push((holder, true));
             }
         }
-        let ended = changed
-            .into_iter()
-            .filter_map(|(pair, begins)| self.watch.situation(Situation::Sticks(pair), begins, time));
+        let ended = changed.into_iter().filter_map(|(holder, begins)| match holder {
+            Holder::Pair(pair) => self.watch.situation(Situation::Sticks(pair), begins, time),
+            Holder::Load(_) => None,
+        });
         ended.min()
     }
 }
@@ -267,7 +216,7 @@ impl Equations<'_, '_> {
     /// Whether something is held at rest.
     pub fn holds(&self) -> bool {
         let held = |slipping: &Slipping| slipping.undetermined || slipping.senses.contains(&0.0);
-        self.mode == Some(Mode::Resting) || self.slipping.as_deref().is_some_and(held)
+        self.slipping.as_deref().is_some_and(held)
     }
 
     /// What does not move: friction holds it, or a load against the motion, or a stop is closed.
@@ -293,14 +242,20 @@ impl Equations<'_, '_> {
         kept
     }
 
-    /// The pairs that friction holds.
-    pub fn held_pairs(&self) -> Vec<PairId> {
+    /// What holds: friction in pairs, losses, and loads against the motion.
+    pub fn holders(&self) -> Vec<Holder> {
         let Some(slipping) = &self.slipping else { return Vec::new() };
         let rubs = DissipativeElement::all(self.model.plan).enumerate();
-        let mut pairs: Vec<PairId> =
-            rubs.filter(|(index, _)| slipping.holds(*index)).filter_map(|(_, rubs)| rubs.pair()).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        pairs
+        let holds = rubs.filter(|(index, _)| slipping.holds(*index));
+        let mut holders: Vec<Holder> = holds.map(|(_, rubs)| rubs.holder()).collect();
+        holders.sort_unstable();
+        holders.dedup();
+        holders
+    }
+
+    /// The pairs that friction holds.
+    pub fn held_pairs(&self) -> Vec<PairId> {
+        let pair = |holder| if let Holder::Pair(pair) = holder { Some(pair) } else { None };
+        self.holders().into_iter().filter_map(pair).collect()
     }
 }

@@ -3,7 +3,6 @@
 
 use super::equations::Equations;
 use super::records::within_step;
-use super::sliding_sense::Mode;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::first_crossing;
 use crate::model::{FrictionLimit, Mechanism, PairId, PairKind, Query, UnilateralCondition, Value};
@@ -23,11 +22,6 @@ impl UnilateralConditions {
         Self { bonds: bonds.collect() }
     }
 
-    /// Whether there is nothing to look at: at rest it is not determined what friction takes.
-    fn rests(&self, equations: &Equations<'_, '_>) -> bool {
-        self.bonds.is_empty() || equations.mode == Some(Mode::Resting)
-    }
-
     /// What is open at an instant, where the motion begins or goes on in another way.
     pub fn at_once(
         &self,
@@ -35,7 +29,7 @@ impl UnilateralConditions {
         t: f64,
         y: &[f64],
     ) -> Option<(PairId, UnilateralCondition)> {
-        let known = !self.rests(equations) && equations.observe(t, y, true);
+        let known = !self.bonds.is_empty() && equations.observe(t, y, true);
         let noise = ROUNDING * equations.greatest_force();
         self.bonds.iter().copied().find(|bond| known && equations.holding_force(*bond) < -noise)
     }
@@ -46,7 +40,7 @@ impl UnilateralConditions {
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) -> Option<(f64, (PairId, UnilateralCondition))> {
-        if self.rests(equations) {
+        if self.bonds.is_empty() {
             return None;
         }
         let step = (method.previous_t(), method.t());
