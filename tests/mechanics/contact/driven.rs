@@ -1,6 +1,7 @@
 //! What drives move rubs in the sense of its speed, through all reversals: alone, and next to something free, against closed forms.
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its text has failed
+#![allow(clippy::disallowed_methods, reason = "an independent computation")]
 
 use assur::Problem;
 use serde_json::Value;
@@ -14,8 +15,11 @@ const EFFICIENCY: f64 = 0.9;
 const RATE: f64 = 5.0;
 const SIZE: f64 = 0.3;
 
-/// Laws of a drive with their speed and acceleration at an instant, of size 1 and rate 1.
-const LAWS: [(&str, fn(f64) -> [f64; 2]); 4] = [
+/// The speed and the acceleration of a law at an instant.
+type Rates = fn(f64) -> [f64; 2];
+
+/// Laws of a drive, of size 1 and rate 1.
+const LAWS: [(&str, Rates); 4] = [
     ("sin(x)", |x| [x.cos(), -x.sin()]),
     ("cos(x)", |x| [-x.sin(), -x.cos()]),
     ("(1 - cos(x))", |x| [x.sin(), x.cos()]),
