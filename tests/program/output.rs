@@ -103,22 +103,13 @@ fn a_closed_pipe_is_quiet_and_no_success() {
     assert!(said.stderr.contains("mech::expect::mismatch"), "{}", said.stderr);
 }
 
-/// Whether this process, and so every program it starts, ignores SIGHUP.
-#[cfg(unix)]
-fn ignores_hangup() -> bool {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0) & 1 == 1
-}
-
 #[cfg(unix)]
 #[test]
 fn a_signal_leaves_whole_rows_and_no_temporary_file() {
     let mut table = "r [mm]\n".to_owned();
     (0..400_000).for_each(|i| writeln!(table, "{}", 90 + i % 20).unwrap());
     for (signal, status) in [("-TERM", 143), ("-HUP", 129), ("-INT", 130)] {
-        // what a test run started by `nohup` hands on
-        if signal == "-HUP" && ignores_hangup() {
+        if signal == "-HUP" && run::ignores_hangup() {
             continue;
         }
         let folder = Folder::new("signal").with("a.mech", ENGINE).with("t.csv", &table);

@@ -193,3 +193,11 @@ pub fn column(text: &str, name: &str) -> Vec<String> {
     let i = rows[0].iter().position(|h| h == name).unwrap_or_else(|| panic!("{name} in {text}"));
     rows[1..].iter().map(|r| r.get(i).cloned().unwrap_or_default()).collect()
 }
+
+/// Whether this process, and so every program it starts, ignores SIGHUP: started by `nohup`.
+#[cfg(unix)]
+pub fn ignores_hangup() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0) & 1 == 1
+}
