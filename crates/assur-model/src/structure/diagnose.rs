@@ -1,7 +1,6 @@
 //! What to report of conditions that do not match freedoms.
 
 use assur_text::diagnostic::{Diagnosis, Fix};
-
 use miette::LabeledSpan;
 
 use super::add_effort::{Adds, efforts_beside, missing_efforts};
@@ -83,8 +82,8 @@ pub(super) fn of_split(mechanism: &Mechanism, replaced: &Replaced, split: Split)
     let pair = replaced.joint(split.joint).pair;
     let links = replaced.links_of(split.body);
     let name = |at: Vec2| {
-        let points = links.iter().flat_map(|l| mechanism.link(*l).points.iter().map(move |p| (*l, p)));
-        let found = points.into_iter().find(|(l, p)| replaced.place(*l, p.at).1 == at);
+        let mut points = links.iter().flat_map(|l| mechanism.link(*l).points.iter().map(move |p| (*l, p)));
+        let found = points.find(|(l, p)| replaced.place(*l, p.at).1 == at);
         found
             .map_or_else(|| "a point".to_owned(), |(l, p)| format!("`{}.{}`", mechanism.link(l).name, p.name))
     };
@@ -265,14 +264,15 @@ fn of_part(repair: Repair<'_>) -> String {
         [one] => ways.push(format!("leave out link {one} with its pairs")),
         some => ways.push(format!("leave out one of the links {} with its pairs", one_of(some))),
     }
-    if ways.is_empty() && changes.efforts.is_empty() {
+    // with the only drive gone nothing moves any more
+    let is_structure = changes.efforts.len() == 1 && part.freedoms == own;
+    if ways.is_empty() && (changes.efforts.is_empty() || is_structure) {
         ways.extend(loosened(repair).or_else(|| together(repair)));
     }
     match (changes.efforts.as_slice(), ways.as_slice()) {
         ([], []) => format!("{sum}; leave out pairs of it until the numbers agree"),
         ([], ways) => format!("{sum}; {}", listed(ways, "or")),
-        // with the only drive gone nothing moves any more
-        ([drive], ways) if part.freedoms == own => {
+        ([drive], ways) if is_structure => {
             let structure = format!("without {drive} this is a structure, and its reactions can be found");
             match ways {
                 [] => format!("{sum}; {structure}"),
