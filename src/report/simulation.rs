@@ -112,11 +112,13 @@ pub(super) fn lines(answers: &Answers<'_>) -> Vec<String> {
         ));
     }
     if let Some(energy) = report.energy {
+        let greatest = energy.begin.max(energy.end).max(energy.work.abs());
+        let joules = |x: f64| significant(if x.abs() <= f64::EPSILON * greatest { 0.0 } else { x }, DIGITS);
         lines.push(format!(
             "kinetic energy {} J at the begin, {} J at the end; work of all loads {} J; missing {} of the greatest",
-            significant(energy.begin, DIGITS),
-            significant(energy.end, DIGITS),
-            significant(energy.work, DIGITS),
+            joules(energy.begin),
+            joules(energy.end),
+            joules(energy.work),
             order(energy.balance)
         ));
     }
