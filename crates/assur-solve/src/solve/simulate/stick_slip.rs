@@ -26,7 +26,7 @@ impl Equations<'_, '_> {
         let found = self.slipping_accelerations(&mut slipping);
         if found.is_ok() {
             let rests = slipping.rests;
-            if slipping.held.is_empty() {
+            if slipping.held.is_empty() && self.model.plan.effects.loses() {
                 let left = slipping.secants.x[..n].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
                 self.terms = (self.terms.0.max(slipping.greatest), self.terms.1.max(left));
             }
