@@ -85,7 +85,7 @@ impl Equations<'_, '_> {
         if count > AGAIN {
             return Err(Halt::Jam);
         }
-        let (later, state) = self.shortly(slipping, (t, y), count)?;
+        let (later, state) = self.shortly(slipping, (t, y), count);
         self.set_position(later, &state);
         if !slipping.turning.is_empty() && !slipping.undetermined {
             // in which sense they are let go
@@ -111,23 +111,19 @@ impl Equations<'_, '_> {
     }
 
     /// Where it is decided how to go on: where that is undecided at an instant, as of loads that begin at zero, shortly after it.
-    fn shortly(
-        &mut self,
-        slipping: &mut Slipping,
-        (t, y): (f64, &[f64]),
-        count: u32,
-    ) -> Result<(f64, Vec<f64>), Halt> {
+    fn shortly(&mut self, slipping: &mut Slipping, (t, y): (f64, &[f64]), count: u32) -> (f64, Vec<f64>) {
         let mut state = y.to_vec();
-        let Some(last) = (count as usize).checked_sub(1) else { return Ok((t, state)) };
+        let Some(last) = (count as usize).checked_sub(1) else { return (t, state) };
         let (n, time) = (self.order(), SHORTLY[last.min(SHORTLY.len() - 1)] * (self.last - self.from));
         self.set_position(t, y);
-        self.slipping_accelerations(slipping)?;
+        // where it jams as it was, it may go on in another way
+        let moves = self.slipping_accelerations(slipping).is_ok() && !slipping.rests;
         for i in 0..n {
-            let a = if slipping.rests { 0.0 } else { slipping.secants.x[i] * slipping.units[i] };
+            let a = if moves { slipping.secants.x[i] * slipping.units[i] } else { 0.0 };
             state[i] += (y[n + i] + 0.5 * a * time) * time;
             state[n + i] += a * time;
         }
-        Ok((t + time, state))
+        (t + time, state)
     }
 
     /// Takes out of the open elements those that drives alone move: they have the sense of their speed shortly after.
