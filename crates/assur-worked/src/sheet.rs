@@ -362,7 +362,7 @@ impl Exercise<'_> {
     pub(crate) fn given(&self, language: Language) -> Vec<Block> {
         let found = |q: &Quantity| self.is_found(q);
         let mut rows = self.scene.map_or_else(Vec::new, |scene| given_rows(scene, language, &found));
-        rows = rows.into_iter().filter_map(|row| self.told(row, language)).collect();
+        rows = rows.into_iter().filter_map(|row| self.as_written(row, language)).collect();
         rows.retain(|row| !self.is_of_counterweight(row));
         for value in self.mechanism.values.iter().filter(|v| v.given && !(self.varied)(&v.name)) {
             let Value::Scalar(x) = value.value else { continue };
@@ -396,7 +396,7 @@ impl Exercise<'_> {
 
     /// A row as it is for all variants: what follows from their table by the formula of the file; nothing where the table has it, or
     /// where it follows from other rows.
-    fn told(&self, row: GivenRow, language: Language) -> Option<GivenRow> {
+    fn as_written(&self, row: GivenRow, language: Language) -> Option<GivenRow> {
         let alike = |other: &'_ Vec<GivenRow>| other.iter().find(|o| o.letters == row.letters).cloned();
         let others: Vec<Option<GivenRow>> = self.others.iter().map(alike).collect();
         if others.iter().flatten().all(|other| other.figures == row.figures) {
