@@ -10,8 +10,7 @@
 //!
 //! s_i the sense of the relative motion, ρ_i the radius of the friction circle or the coefficient, |λ_i| the force in
 //! the hinge, the normal force of the guide, or |N_1| + |N_2| of its two ends. Newton starts without friction, φ = 0,
-//! where the determinant of ∂g/∂φ is 1, and accepts a solution where it is positive. In a motion |λ_i| of a contact goes on
-//! below zero: a motion ends where a contact opens, and is smooth up to there and beyond. Magnitudes have kinks where a force
+//! where the determinant of ∂g/∂φ is 1, and accepts a solution where it is positive. Magnitudes have kinks where a force
 //! changes its sense: where Newton does not settle, all laws of the mechanism are searched (`friction_search`).
 
 use super::friction_steps::FrictionLog;
@@ -53,11 +52,8 @@ impl State {
         }
     }
 
-    /// Senses of all elements: those a motion under loads says, else the sign of the relative velocity, zero where it is nothing but rounding.
+    /// Senses of all elements: the sign of the relative velocity, zero where it is nothing but rounding.
     pub fn set_senses(&mut self, plan: &Plan) {
-        if !self.motion.grips.is_empty() {
-            return self.take_grips();
-        }
         let (mut turn, mut square, mut extent) = (0.0, 0.0, 0.0);
         for b in &self.motion.bodies {
             turn = f64::max(turn, b.omega * b.omega);
@@ -140,18 +136,6 @@ impl State {
         }
     }
 
-    /// The direction in which what presses is measured in a contact in a motion; zero of all else.
-    fn contact_normal(&self, element: &FrictionElement) -> Vec2 {
-        let FrictionLaw::Contact { first, second, internal, presses, .. } = element.kind else {
-            return Vec2::zero();
-        };
-        if self.motion.grips.is_empty() {
-            return Vec2::zero();
-        }
-        let touch = self.touch((element.body, first), (element.base, second), internal);
-        touch.map_or(Vec2::zero(), |(_, n)| n * presses)
-    }
-
     /// A group with friction. Returns the condition figure of its plain step times that of the friction.
     // what it takes from the settings is not computed for plans without friction
     #[inline(never)]
@@ -205,7 +189,6 @@ impl State {
         for unit in 0..group.elements.len() {
             let sense = self.forces.senses[group.elements[unit]];
             work.senses[unit] = sense;
-            work.normals[unit] = self.contact_normal(&plan.friction[group.elements[unit]]);
             if sense != 0.0 {
                 self.respond(plan, plain, group, work, Some(unit));
             }
@@ -286,9 +269,8 @@ fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork, watch: &m
                     (signs, signs.dot(sum))
                 }
                 FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => {
-                    let (size, normal) = (sum.norm(), work.normals[i]);
-                    let sense = if normal.dot(sum) < 0.0 { -1.0 } else { 1.0 };
-                    (if size > 0.0 { sum / size * sense } else { normal }, size * sense)
+                    let size = sum.norm();
+                    (if size > 0.0 { sum / size } else { Vec2::zero() }, size)
                 }
             };
             let weight = work.senses[i] * kind.factor();

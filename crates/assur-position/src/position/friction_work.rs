@@ -12,8 +12,6 @@ pub struct FrictionWork {
     /// What the law of each element measures, two numbers each: a row per element, from the loads and from each unit.
     pub(super) measured: Vec<Vec2>,
     pub(super) senses: Vec<f64>,
-    /// Of contacts in a motion the direction in which they press.
-    pub(super) normals: Vec<Vec2>,
     pub(super) jacobian: Lu,
     pub(super) values: Vec<f64>,
     pub(super) right: Vec<f64>,
@@ -35,7 +33,6 @@ impl FrictionWork {
             saved: vec![Wrench::default(); group.bodies.len() + group.bases.len()],
             measured: vec![Vec2::zero(); count * (count + 1)],
             senses: vec![0.0; count],
-            normals: vec![Vec2::zero(); count],
             jacobian: Lu::new(count),
             values: vec![0.0; count],
             right: vec![0.0; count],

@@ -1,7 +1,8 @@
-//! Friction in a motion under loads, where the run and not the velocity says how a pair moves: it slides in a sense, or is
-//! held at rest by an effort that no law of sliding gives.
+//! Friction in a motion under loads, where the run and not the velocity says how a pair moves, and what its friction is: it slides
+//! in a sense, or is held at rest by an effort that no law of sliding gives.
 
 use super::body::BodyState;
+use super::consistent::Consistent;
 use super::state::State;
 use crate::math::{Vec2, acceleration_at};
 use crate::model::ProfileShape;
@@ -41,7 +42,7 @@ fn centre(shape: ProfileShape) -> Option<Vec2> {
 pub struct ContactMode {
     /// The sense of its relative motion, ±1, or 0 where it is held.
     pub sense: f64,
-    /// The torque or force on the element's body that holds it.
+    /// The torque or force of friction on the element's body.
     pub effort: f64,
     /// How much of what is held it bears is not determined.
     pub open: bool,
@@ -54,33 +55,24 @@ impl State {
         self.motion.grips.iter().any(|grip| grip.open)
     }
 
-    /// Takes the senses from the grips.
-    pub(super) fn take_grips(&mut self) {
-        for (sense, grip) in self.forces.senses.iter_mut().zip(&self.motion.grips) {
-            *sense = grip.sense;
-        }
+    /// Whether the run says what friction and losses are.
+    pub(super) const fn is_gripped(&self) -> bool {
+        !self.motion.grips.is_empty()
     }
 
-    /// Adds what holds to the loads.
-    pub(super) fn apply_grips(&mut self, plan: &Plan) {
+    /// The forces with the friction and the losses that the run says: linear in the loads.
+    pub(super) fn run_gripped_forces(&mut self, plan: &Plan) {
+        (self.forces.locked, self.forces.consistent) = (false, Consistent::One);
         for (index, element) in plan.friction.iter().enumerate() {
-            let Some(ContactMode { sense: 0.0, effort, .. }) = self.motion.grips.get(index).copied() else {
-                continue;
-            };
+            let ContactMode { sense, effort, .. } = self.motion.grips[index];
+            (self.forces.senses[index], self.forces.frictions[index]) = (sense, effort);
             if effort != 0.0 {
                 self.apply_rub(element, effort);
             }
         }
         self.apply_law_grips(plan);
-    }
-
-    /// Leaves what holds with the other efforts of friction.
-    pub(super) fn keep_grips(&mut self) {
-        for (friction, grip) in self.forces.frictions.iter_mut().zip(&self.motion.grips) {
-            if grip.sense == 0.0 {
-                *friction = grip.effort;
-            }
-        }
+        self.run_forces_without_friction(plan);
+        self.take_sides(plan);
     }
 
     /// Acceleration of an element's body against its base where they do not move against each other, in the sense in which
@@ -107,5 +99,19 @@ impl State {
             FrictionLaw::BothEnds { .. } => x.abs() + y.abs(),
             _ => Vec2::new(x, y).norm(),
         }
+    }
+
+    /// The friction of an element that slides in a sense, from what presses in the forces as they stand. What presses in a contact
+    /// that may open goes on below zero: a motion ends where it opens, and is smooth up to there and beyond.
+    #[must_use]
+    pub fn sliding_friction(&self, plan: &Plan, element: &FrictionElement, sense: f64) -> f64 {
+        let pressing = match element.kind {
+            FrictionLaw::Contact { first, second, internal, presses, .. } if presses != 0.0 => {
+                let touch = self.touch((element.body, first), (element.base, second), internal);
+                touch.map_or(f64::NAN, |(_, n)| n.dot(self.measured(plan, element)) * presses)
+            }
+            _ => self.pressing(plan, element),
+        };
+        -sense * element.kind.factor() * pressing
     }
 }

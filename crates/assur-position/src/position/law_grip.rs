@@ -4,6 +4,7 @@
 use super::grip::ContactMode;
 use super::state::State;
 use super::train_losses::sides;
+use super::wrench::LawForce;
 use crate::math::Vec2;
 use crate::plan::{LawSite, Plan, PlannedLaw};
 
@@ -38,10 +39,15 @@ impl State {
         }
     }
 
-    /// Calls `act` with what holds a law at rest: on its first side, and back on the carrier.
+    /// Calls `act` with what holds a law at rest.
     pub(super) fn grip_of_law(&self, law: &PlannedLaw, act: &mut dyn FnMut(usize, Vec2, Vec2, f64)) {
-        let held = self.law_grip(law).filter(|grip| grip.sense == 0.0 && grip.effort != 0.0);
-        let Some(ContactMode { effort, .. }) = held else { return };
+        if let Some(ContactMode { sense: 0.0, effort, .. }) = self.law_grip(law) {
+            self.friction_at_law(law, effort, act);
+        }
+    }
+
+    /// Calls `act` with the friction of a law: on its first side, and back on the carrier.
+    fn friction_at_law(&self, law: &PlannedLaw, effort: f64, act: &mut dyn FnMut(usize, Vec2, Vec2, f64)) {
         for (term, value) in [(0, effort), (2, -effort)] {
             match law.terms.get(term) {
                 Some((LawSite::Turn(body), _)) => {
@@ -59,20 +65,45 @@ impl State {
         }
     }
 
-    /// Adds what holds laws to the loads: they pass on all of their power.
+    /// Adds the friction of laws to the loads: beside it they pass on all of their power.
     pub(super) fn apply_law_grips(&mut self, plan: &Plan) {
-        for (slot, law) in plan.laws.iter().enumerate() {
-            if self.law_grip(law).is_none_or(|grip| grip.sense != 0.0) {
+        for law in &plan.laws {
+            let Some(ContactMode { effort, .. }) = self.law_grip(law).filter(|grip| grip.effort != 0.0)
+            else {
                 continue;
-            }
-            self.forces.law_forces[slot].sides = [1.0, 1.0];
+            };
             let mut wrenches = std::mem::take(&mut self.forces.wrenches);
-            self.grip_of_law(law, &mut |body, p, force, couple| {
+            self.friction_at_law(law, effort, &mut |body, p, force, couple| {
                 wrenches[body].force += force;
                 wrenches[body].moment += (p - self.motion.bodies[body].p).cross(force) + couple;
             });
             self.forces.wrenches = wrenches;
         }
+    }
+
+    /// Takes the forces on the sides of laws that move as parts of one multiplier, by the direction of the power.
+    pub(super) fn take_sides(&mut self, plan: &Plan) {
+        for (slot, law) in plan.laws.iter().enumerate() {
+            let Some(ContactMode { sense, effort, .. }) = self.law_grip(law) else { continue };
+            let LawForce { multiplier, sides, .. } = &mut self.forces.law_forces[slot];
+            let first = *multiplier + effort / law.terms[0].1;
+            let backwards = -law.terms[0].1 * sense * *multiplier < 0.0;
+            if sense != 0.0 && !backwards && *multiplier != 0.0 && first != 0.0 {
+                (*sides, *multiplier) = ([1.0, *multiplier / first], first);
+            } else if sense != 0.0 && backwards {
+                *sides = [first / *multiplier, 1.0];
+            }
+        }
+    }
+
+    /// What the friction of a law is that moves, in the sense in which its speed counts, from what presses: power from the first side
+    /// to the second or back loses its part on the first side.
+    #[must_use]
+    pub fn friction_of_law(&self, law: &PlannedLaw, slot: usize, sense: f64) -> f64 {
+        let [there, back] = law.efficiency.unwrap_or([1.0; 2]);
+        let LawForce { multiplier, sides, .. } = &self.forces.law_forces[slot];
+        let power = -law.terms[0].1 * sense * multiplier * sides[1];
+        -sense * if power >= 0.0 { power * (1.0 / there - 1.0) } else { power * (back - 1.0) }
     }
 
     /// What holds a law over what its losses can hold: the forces on its two sides lie between those with which either drives.

@@ -43,12 +43,14 @@ impl State {
         self.forces.applied.clone_from(&self.forces.wrenches);
         self.bear_loads(plan);
         self.set_lines(plan);
-        if plan.effects.friction {
-            self.set_senses(plan);
+        if self.is_gripped() {
+            self.run_gripped_forces(plan);
+        } else {
+            if plan.effects.friction {
+                self.set_senses(plan);
+            }
+            self.run_forces(plan);
         }
-        self.apply_grips(plan);
-        self.run_forces(plan);
-        self.keep_grips();
         self.find_weld_reactions(plan);
     }
 

@@ -74,12 +74,9 @@ impl State {
         };
         let followed = AbsLinearSystem::follow(|part| self.loss_laws(plan, train, &work.loads, part));
         let left = self.scratch.searched.left();
-        // a motion is looked at so often that others than the one followed are not
-        let others = if plan.effects.simulated { 0.0 } else { left.min(WORK_FOR_OTHERS) };
-        let all = laws.solutions(if followed.is_some() { others } else { left });
+        let all = laws.solutions(if followed.is_some() { left.min(WORK_FOR_OTHERS) } else { left });
         self.scratch.searched.add(all.work);
         let consistent = match (all.found.len(), &followed) {
-            _ if followed.is_some() && plan.effects.simulated => Consistent::One,
             (0 | 1, Some(_)) => Consistent::One,
             (1, None) if all.complete => Consistent::One,
             (0, None) if all.complete => return Consistent::None,
@@ -180,11 +177,8 @@ impl State {
         self.side_rates(law) == [0.0, 0.0]
     }
 
-    /// Rates of the two sides from the carrier; where the run says how they move, a unit of the first.
+    /// Rates of the two sides from the carrier.
     fn side_rates(&self, law: &PlannedLaw) -> [f64; 2] {
-        if let Some(grip) = self.law_grip(law) {
-            return [grip.sense, -grip.sense * law.terms[0].1 / law.terms[1].1];
-        }
         [0, 1].map(|side| self.seen_from_carrier(law, side, &|site| self.site_rate(site)))
     }
 

@@ -55,7 +55,7 @@ impl Equations<'_, '_> {
     /// # Errors
     /// There is no way on.
     pub fn begin_slipping(&mut self, t: f64, y: &mut [f64], held: Option<&Held>) -> Result<(), Halt> {
-        let mut slipping = Box::new(Slipping::new(self.model, self.still, self.reduced.free()));
+        let mut slipping = Box::new(Slipping::new(self.model, self.still));
         match held {
             Some(held) => slipping.take(held, self.model.plan),
             // loads may begin at zero
@@ -119,7 +119,7 @@ impl Equations<'_, '_> {
         // where it jams as it was, it may go on in another way
         let moves = self.slipping_accelerations(slipping).is_ok() && !slipping.rests;
         for i in 0..n {
-            let a = if moves { slipping.secants.x[i] * slipping.units[i] } else { 0.0 };
+            let a = if moves { slipping.accelerations[i] } else { 0.0 };
             state[i] += (y[n + i] + 0.5 * a * time) * time;
             state[n + i] += a * time;
         }
@@ -347,9 +347,9 @@ impl Equations<'_, '_> {
                 effort.abs() / (element.kind.factor() * slipping.at_rest[index] * pressing)
             }
             // where no power flows what holds is rounding
-            DissipativeElement::Law(..) if slipping.share(index, self.order()) <= NOTHING => 0.0,
+            DissipativeElement::Law(..) if slipping.share(index) <= NOTHING => 0.0,
             DissipativeElement::Law(law, slot) => self.trial.part_of_losses(law, slot, effort),
-            DissipativeElement::Load(_) if slipping.share(index, self.order()) <= NOTHING => 0.0,
+            DissipativeElement::Load(_) if slipping.share(index) <= NOTHING => 0.0,
             DissipativeElement::Load(load) => effort.abs() / self.greatest_of_load(load.load).max(0.0),
         }
     }

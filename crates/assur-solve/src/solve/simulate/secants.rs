@@ -1,19 +1,22 @@
 //! The method of secants for several unknowns: C. G. Broyden, A class of methods for solving nonlinear simultaneous equations
-//! (1965), from a first matrix that is nearly right.
+//! (1965), from the matrix of the last solution near by, or from one of differences.
 //!
-//! The equations of friction are broken lines or nearly so. Where the determinant of their matrix has not the sign that it has
-//! without friction, they have no solution or several.
+//! The equations of friction are broken lines or nearly so. Without friction the determinant of their matrix is 1; where it is not
+//! positive they have no solution, or one to which no friction that grows from nothing leads.
 
 use crate::math::Lu;
 use crate::position::STILL;
 use crate::solve::failure::Halt;
 
-/// Steps at most; where nothing breaks as many as there are unknowns nearly suffice.
-const MOST: usize = 40;
-/// What is left of the equations, relative to their terms.
-const ENOUGH: f64 = 1e-13;
+/// Steps at most from a matrix.
+const MOST: usize = 12;
+/// Matrices of differences at most.
+const MATRICES: usize = 8;
 /// Differences are taken over this part of the terms.
 const APART: f64 = 1e-5;
+
+/// What is left of the equations: whether it is nothing, and the greatest of their terms.
+pub(super) type Left = Result<(bool, f64), Halt>;
 
 /// Memory, with the unknowns.
 #[derive(Clone, Debug, Default)]
@@ -24,73 +27,87 @@ pub(super) struct Secants {
     step: Vec<f64>,
     product: Vec<f64>,
     row: Vec<f64>,
+    matrix: Lu,
     /// The inverse of the matrix, by rows.
     inverse: Vec<f64>,
-    /// Its determinant without friction over what it has become.
+    /// The matrix is that of a solution near by.
+    known: bool,
+    /// What its determinant has become over what it was when it was found.
     turned: f64,
 }
 
 impl Secants {
-    /// For so many unknowns, all zero.
-    pub fn resize(&mut self, n: usize) {
-        for list in
-            [&mut self.x, &mut self.left, &mut self.then, &mut self.step, &mut self.product, &mut self.row]
-        {
+    /// For so many unknowns, which begin at zero, and of which no matrix is known.
+    pub fn begin(&mut self, n: usize) {
+        let Self { x, left, then, step, product, row, .. } = self;
+        for list in [x, left, then, step, product, row] {
             list.clear();
             list.resize(n, 0.0);
         }
         self.inverse.resize(n * n, 0.0);
+        if self.matrix.order() != n {
+            self.matrix = Lu::new(n);
+        }
+        self.known = false;
     }
 
-    /// Solves the equations from the unknowns as they are. `first` is factored; `equations` leaves what is left of each and
-    /// returns the greatest of the terms in all.
-    pub fn solve(
-        &mut self,
-        first: &mut Lu,
-        mut equations: impl FnMut(&[f64], &mut [f64]) -> Result<f64, Halt>,
-    ) -> Result<(), Halt> {
-        let sign = first.sign();
-        for exact in [false, true] {
-            if exact && !self.differences(first, sign, &mut equations)? {
-                return Err(Halt::Jam);
-            }
-            self.invert(first);
-            if !self.settles(&mut equations)? {
-                continue;
-            }
-            if self.turned > STILL {
-                return Ok(());
-            }
-            if !self.differences(first, sign, &mut equations)? {
-                return Err(Halt::Jam);
-            }
-            equations(&self.x, &mut self.left)?;
+    /// Solves the equations from the unknowns as they are.
+    ///
+    /// # Errors
+    /// They have no solution with a positive determinant, or one of them is not defined.
+    pub fn solve(&mut self, mut equations: impl FnMut(&[f64], &mut [f64]) -> Left) -> Result<(), Halt> {
+        if std::mem::replace(&mut self.known, false)
+            && self.settles(MOST, &mut equations)?
+            && self.turned > STILL
+        {
+            self.known = true;
             return Ok(());
         }
+        for _ in 0..MATRICES {
+            let positive = self.differences(&mut equations)?;
+            if !self.invert() {
+                break;
+            }
+            // near a corner the matrix is that of one side
+            let settled = self.settles(if positive { MOST } else { 1 }, &mut equations)?;
+            if settled && positive && self.turned > STILL {
+                self.known = true;
+                return Ok(());
+            }
+            if settled && self.differences(&mut equations)? {
+                equations(&self.x, &mut self.left)?;
+                self.known = self.invert();
+                return Ok(());
+            }
+        }
+        self.x.fill(0.0);
         Err(Halt::Jam)
     }
 
-    fn invert(&mut self, matrix: &mut Lu) {
+    /// The inverse of the matrix that was factored last; false where there is none.
+    fn invert(&mut self) -> bool {
         let n = self.x.len();
         self.turned = 1.0;
         for j in 0..n {
             self.row.fill(0.0);
             self.row[j] = 1.0;
-            matrix.solve(&mut self.row);
+            self.matrix.solve(&mut self.row);
             for i in 0..n {
                 self.inverse[i * n + j] = self.row[i];
             }
         }
+        self.inverse.iter().all(|x| x.is_finite())
     }
 
     fn settles(
         &mut self,
-        equations: &mut impl FnMut(&[f64], &mut [f64]) -> Result<f64, Halt>,
+        most: usize,
+        equations: &mut impl FnMut(&[f64], &mut [f64]) -> Left,
     ) -> Result<bool, Halt> {
         let n = self.x.len();
-        let mut greatest = equations(&self.x, &mut self.left)?;
-        for _ in 0..MOST {
-            if self.left.iter().all(|left| left.abs() <= ENOUGH * greatest) {
+        let mut settled = equations(&self.x, &mut self.left)?.0;
+        for _ in 0..most {
+            if settled {
                 return Ok(true);
             }
             let mut moved = false;
@@ -101,17 +118,18 @@ impl Secants {
                 self.step[i] = self.x[i] - before;
                 moved |= self.step[i] != 0.0;
                 if !self.x[i].is_finite() {
+                    self.x.fill(0.0);
                     return Ok(false);
                 }
             }
             if !moved {
                 return Ok(true);
             }
-            greatest = equations(&self.x, &mut self.then)?;
+            settled = equations(&self.x, &mut self.then)?.0;
             self.learn();
             std::mem::swap(&mut self.left, &mut self.then);
         }
-        Ok(false)
+        Ok(settled)
     }
 
     /// Makes the matrix right for the last step.
@@ -140,18 +158,10 @@ impl Secants {
         }
     }
 
-    /// Factors the matrix of differences at the unknowns; whether its determinant has a sign.
-    fn differences(
-        &mut self,
-        matrix: &mut Lu,
-        sign: f64,
-        equations: &mut impl FnMut(&[f64], &mut [f64]) -> Result<f64, Halt>,
-    ) -> Result<bool, Halt> {
+    /// Factors the matrix of differences at the unknowns; whether its determinant is positive.
+    fn differences(&mut self, equations: &mut impl FnMut(&[f64], &mut [f64]) -> Left) -> Result<bool, Halt> {
         let n = self.x.len();
-        if self.x.iter().any(|x| !x.is_finite()) {
-            self.x.fill(0.0);
-        }
-        let apart = APART * equations(&self.x, &mut self.left)?;
+        let apart = APART * equations(&self.x, &mut self.left)?.1;
         for j in 0..n {
             let before = self.x[j];
             self.x[j] += apart;
@@ -159,9 +169,9 @@ impl Secants {
             let over = self.x[j] - before;
             self.x[j] = before;
             for i in 0..n {
-                *matrix.at_mut(i, j) = (self.then[i] - self.left[i]) / over;
+                *self.matrix.at_mut(i, j) = (self.then[i] - self.left[i]) / over;
             }
         }
-        Ok(matrix.factor() && matrix.sign() == sign)
+        Ok(self.matrix.factor() && self.matrix.sign() > 0.0)
     }
 }

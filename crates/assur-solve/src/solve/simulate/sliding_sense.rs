@@ -2,11 +2,10 @@
 
 use super::dissipative::DissipativeElement;
 use super::secants::Secants;
-use crate::math::Lu;
+use crate::math::{Lu, Vec2};
 use crate::model::{LoadId, PairId};
 use crate::plan::{FrictionElement, Plan};
-use crate::position::Model;
-use crate::structure::EffortSource;
+use crate::position::{Model, extent};
 
 /// How every pair that rubs moves.
 #[derive(Clone, Debug)]
@@ -43,26 +42,40 @@ pub(super) struct Slipping {
     pub undetermined: bool,
     /// How often it was chosen anew at one instant, s.
     pub again: (f64, u32),
-    /// Where the efforts of the free coordinates stand.
-    pub efforts_of: Vec<usize>,
-    /// Speeds of the held elements, then of closed stops, for a unit rate of each free coordinate.
+    /// Elements whose friction what presses gives: those that slide, but for loads.
+    pub sliding: Vec<usize>,
+    /// The senses for which the secants are those.
+    senses_of: Vec<f64>,
+    pub secants: Secants,
+    /// Units of the efforts of friction, by element.
+    pub scales: Vec<f64>,
+    /// Accelerations of the bodies where no free coordinate accelerates.
+    pub bias: Vec<(Vec2, f64)>,
+    /// Accelerations of the free coordinates without friction and stops, and with them.
+    pub loaded: Vec<f64>,
+    pub accelerations: Vec<f64>,
+    /// What closed stops bear.
+    pub pressed: Vec<f64>,
+    /// Speeds of the held elements, of closed stops, then of what slides, for a unit rate of each free coordinate; M⁻¹ of them.
     pub slopes: Vec<f64>,
-    /// Units of the unknowns.
+    pub columns: Vec<f64>,
+    /// Units of the free coordinates, then of the efforts of what is held and of closed stops.
     pub units: Vec<f64>,
+    /// What the speeds of these change by where nothing holds.
+    pub left: Vec<f64>,
+    /// Their efforts, in their units.
+    pub bears: Vec<f64>,
+    /// What each of their efforts changes the others' speeds by.
+    pub matrix: Lu,
     /// The greatest term of the equations, in these units.
     pub greatest: f64,
-    pub matrix: Lu,
-    pub secants: Secants,
 }
 
 impl Slipping {
-    /// For the free drives of a model; `still` is it with the friction at rest, where that is another one.
-    pub fn new(model: &Model<'_>, still: Option<&Model<'_>>, free: &[usize]) -> Self {
+    /// For a model; `still` is it with the friction at rest, where that is another one.
+    pub fn new(model: &Model<'_>, still: Option<&Model<'_>>) -> Self {
         let count = DissipativeElement::count(model.plan);
-        let own = |&drive: &usize| {
-            let is_own = |source| matches!(source, EffortSource::Drive(id) if id.index() == drive);
-            model.structure.efforts.iter().position(|effort| is_own(effort.source))
-        };
+        let extent = extent(model);
         Self {
             senses: vec![0.0; count],
             held: Vec::new(),
@@ -80,12 +93,23 @@ impl Slipping {
             rests: false,
             undetermined: false,
             again: (f64::NAN, 0),
-            efforts_of: free.iter().filter_map(own).collect(),
-            slopes: Vec::new(),
-            units: Vec::new(),
-            greatest: 0.0,
-            matrix: Lu::default(),
+            sliding: Vec::new(),
+            senses_of: Vec::new(),
             secants: Secants::default(),
+            scales: DissipativeElement::all(model.plan)
+                .map(|rubs| if rubs.turns() { extent } else { 1.0 })
+                .collect(),
+            bias: Vec::new(),
+            loaded: Vec::new(),
+            accelerations: Vec::new(),
+            pressed: Vec::new(),
+            slopes: Vec::new(),
+            columns: Vec::new(),
+            units: Vec::new(),
+            left: Vec::new(),
+            bears: Vec::new(),
+            matrix: Lu::default(),
+            greatest: 0.0,
         }
     }
 
@@ -103,10 +127,27 @@ impl Slipping {
         (self.begun, self.fastest) = (true, held.fastest);
     }
 
-    /// The effort of a held element, of so many free coordinates, over the greatest term of the equations.
-    pub fn share(&self, element: usize, n: usize) -> f64 {
+    /// Takes what slides, in these senses; another matrix goes with others.
+    pub fn take_sliding(&mut self, plan: &Plan) {
+        if self.senses_of == self.senses {
+            return;
+        }
+        self.senses_of.clone_from(&self.senses);
+        self.sliding.clear();
+        let sliding = (0..DissipativeElement::inner(plan)).filter(|&element| self.senses[element] != 0.0);
+        self.sliding.extend(sliding);
+        self.secants.begin(self.sliding.len());
+    }
+
+    /// The effort of a held element over the greatest term of the equations.
+    pub fn share(&self, element: usize) -> f64 {
         let place = self.held.iter().position(|held| *held == element);
-        place.map_or(0.0, |place| self.secants.x[n + place].abs() / self.greatest)
+        place.map_or(0.0, |place| self.bears[place].abs() / self.greatest)
+    }
+
+    /// The acceleration of a free coordinate in its unit.
+    pub fn share_of(&self, coordinate: usize) -> f64 {
+        (self.accelerations[coordinate] / self.units[coordinate]).abs()
     }
 
     /// Whether an element does not move: it is held, or others keep it from sliding.

@@ -1,22 +1,28 @@
-//! Motions in which something rubs: every pair, transmission and load against the motion has a sense of its own.
+//! Motions in which something rubs or stands at a stop: accelerations and efforts where it is known how everything goes on.
 //!
-//! A pair slides in a sense, or it is held: its two links do not move against each other, and an effort φ holds them that no law
-//! of sliding gives. The accelerations q̈ and the efforts φ are found together,
+//! A pair, a transmission with losses or a load against the motion slides in a sense, or it is held: its speed w q̇ stays as it
+//! is, by an effort φ that no law of sliding gives. A closed stop bears Λ, which keeps its coordinate u q from accelerating. With the
+//! efforts of friction f of what slides
 //!
-//! effort(q̈, φ) = 0 of all free coordinates, relative acceleration(q̈) = 0 of all pairs that are held,
+//! ```text
+//! M q̈ = Q + Wᵀ(f, φ) + UᵀΛ,   w q̈ + ẇ q̇ = 0 of what is held,   u q̈ + u̇ q̇ = 0 of closed stops.
+//! ```
 //!
-//! by secants from M q̈ − Jᵀφ = Q, J q̈ = −J̇ q̇ without other friction. What closed stops bear is found with them, as if it
-//! were held. Which pairs are held and which stops are closed changes at events alone (`contact_modes`).
+//! For given f these are linear, and so are all reactions; what is left is f = −s c(reactions) of what slides, by secants. Its
+//! determinant without friction is 1. How everything goes on changes at events alone (`contact_modes`).
 
 use super::dissipative::DissipativeElement;
 use super::equations::Equations;
+use super::secants::Left;
 use super::sliding_sense::Slipping;
 use crate::math::{Lu, Vec2};
 use crate::model::{LoadId, Value};
 use crate::plan::{Opposing, Path};
 use crate::position::{Against, ContactMode};
 use crate::solve::failure::Halt;
-use crate::structure::EffortKind;
+
+/// What is left of a law of friction, relative to its terms.
+const ENOUGH: f64 = 1e-13;
 
 impl Equations<'_, '_> {
     /// The rates of the unknowns at the position that is set.
@@ -25,13 +31,13 @@ impl Equations<'_, '_> {
         let Some(mut slipping) = self.slipping.take() else { return Err(Halt::NotANumber) };
         let found = self.slipping_accelerations(&mut slipping);
         if found.is_ok() {
-            let rests = slipping.rests;
             if slipping.held.is_empty() && self.model.plan.effects.loses() {
-                let left = slipping.secants.x[..n].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+                let left = (0..n).fold(0.0_f64, |most, i| most.max(slipping.share_of(i)));
                 self.terms = (self.terms.0.max(slipping.greatest), self.terms.1.max(left));
             }
-            for (i, a) in dy[n..2 * n].iter_mut().enumerate() {
-                *a = if rests { 0.0 } else { slipping.secants.x[i] * slipping.units[i] };
+            dy[n..2 * n].copy_from_slice(&slipping.accelerations);
+            if slipping.rests {
+                dy[n..2 * n].fill(0.0);
             }
         }
         self.slipping = Some(slipping);
@@ -46,117 +52,183 @@ impl Equations<'_, '_> {
         Ok(())
     }
 
-    /// Accelerations and efforts of the elements that are held, at the position that is set. Leaves the motion and the forces
-    /// that go with them.
+    /// Accelerations and efforts of all elements at the position that is set. Leaves the motion and the forces that go with them.
     pub fn slipping_accelerations(&mut self, slipping: &mut Slipping) -> Result<(), Halt> {
         self.take_grips(slipping);
         let n = self.order();
-        let closed = self.closed.len();
-        slipping.secants.resize(n + slipping.held.len() + closed);
         self.trial.motion.stops.fill(0.0);
-        self.accelerations_without_friction(&mut slipping.secants.x[..n])?;
+        slipping.loaded.resize(n, 0.0);
+        self.accelerations_without_friction(&mut slipping.loaded)?;
+        slipping.bias.clear();
+        slipping.bias.extend(self.trial.motion.bodies.iter().map(|body| (body.a, body.alpha)));
+        slipping.take_sliding(self.model.plan);
         self.find_slopes(slipping);
-        let Slipping { held, units, slopes, matrix, secants, efforts_of, greatest, .. } = slipping;
-        for (x, unit) in secants.x.iter_mut().zip(&*units) {
-            *x /= unit;
-        }
-        if slipping.undetermined {
-            secants.x.fill(0.0);
-            return self.put((&[], units), &secants.x);
-        }
-        fill(matrix, (n, held.len() + closed), (self.reduced.mass(), slopes), units);
-        if !matrix.factor() {
-            return Err(Halt::Jam);
-        }
-        if self.model.plan.effects.loses() {
-            secants.solve(matrix, |x, left| {
-                *greatest = self.unbalanced((held, units, efforts_of), x, left)?;
-                Ok(*greatest)
-            })?;
-        } else {
-            // loads do not depend on what presses: one step solves the equations
-            if held.len() + closed > 0 {
-                let mut left = vec![0.0; secants.x.len()];
-                self.put((held, units), &secants.x)?;
-                self.speeds_change((held, units), &mut left);
-                matrix.solve(&mut left);
-                *greatest = greatest_of(&secants.x);
-                secants.x.iter_mut().zip(&left).for_each(|(x, left)| *x -= left);
-            }
-            *greatest = greatest.max(greatest_of(&secants.x));
-            self.put((held, units), &secants.x)?;
-        }
         slipping.efforts.fill(0.0);
-        for (k, &element) in slipping.held.iter().enumerate() {
-            slipping.efforts[element] = slipping.secants.x[n + k] * slipping.units[n + k];
+        slipping.pressed.clear();
+        slipping.pressed.resize(self.closed.len(), 0.0);
+        if slipping.undetermined {
+            slipping.accelerations.clear();
+            slipping.accelerations.resize(n, 0.0);
+            return self.put(slipping);
+        }
+        self.find_held(slipping)?;
+        let mut secants = std::mem::take(&mut slipping.secants);
+        let found = if secants.x.is_empty() {
+            self.bear(slipping, &[]);
+            self.put(slipping)
+        } else {
+            secants.solve(|x, left| self.unbalanced(slipping, x, left))
+        };
+        slipping.secants = secants;
+        found?;
+        self.find_greatest(slipping);
+        Ok(())
+    }
+
+    /// What the speeds of the held elements and of closed stops change by where nothing holds, and what each effort changes it by.
+    fn find_held(&mut self, slipping: &mut Slipping) -> Result<(), Halt> {
+        let (n, held) = (self.order(), slipping.held.len());
+        let count = held + self.closed.len();
+        slipping.left.clear();
+        for &element in &slipping.held {
+            let acceleration = DissipativeElement::of(self.model.plan, element).acceleration(&self.trial);
+            slipping.left.push(acceleration);
+        }
+        for &stop in &self.closed {
+            slipping.left.push(self.stop_acceleration(stop));
+        }
+        slipping.columns.clear();
+        slipping.columns.extend_from_slice(&slipping.slopes);
+        slipping.columns.chunks_exact_mut(n.max(1)).for_each(|column| self.reduced.solve(column));
+        if slipping.matrix.order() != count {
+            slipping.matrix = Lu::new(count);
+        }
+        let Slipping { slopes, columns, matrix, units, .. } = slipping;
+        for i in 0..count {
+            for j in 0..count {
+                let (row, column) = (&slopes[i * n..][..n], &columns[j * n..][..n]);
+                *matrix.at_mut(i, j) = dot(row, column) * units[n + i] * units[n + j];
+            }
+        }
+        if count > 0 && !matrix.factor() {
+            return Err(Halt::Jam);
         }
         Ok(())
     }
 
-    /// What is left of the equations in their units, and the greatest of their terms.
-    fn unbalanced(
-        &mut self,
-        (held, units, efforts_of): (&[usize], &[f64], &[usize]),
-        x: &[f64],
-        left: &mut [f64],
-    ) -> Result<f64, Halt> {
-        self.put((held, units), x)?;
-        self.speeds_change((held, units), left);
-        let mut greatest = greatest_of(x);
-        for i in 0..self.order() {
-            let effort = efforts_of[i];
-            left[i] = self.trial.forces.efforts[effort] * self.along_line(effort, i) * units[i];
-            greatest = greatest.max(units[i] * self.reduced.greatest_power(i, self.model.plan, &self.trial));
-        }
-        let known = left.iter().all(|left| left.is_finite()) && greatest.is_finite();
-        if known { Ok(greatest) } else { Err(Halt::NotANumber) }
-    }
-
-    /// How fast the point of an effort moves along its line for a unit rate of a free coordinate; 1 of others, which act along their own.
-    pub fn along_line(&self, effort: usize, coordinate: usize) -> f64 {
-        let EffortKind::Line(body) = self.model.structure.efforts[effort].kind else { return 1.0 };
-        let (at, along) = self.trial.forces.lines[effort];
-        let (v, omega) = self.reduced.unit_motion(coordinate, body.0);
-        (v + (at - self.trial.motion.bodies[body.0].p).perp() * omega).dot(along)
-    }
-
-    /// Puts accelerations and what holds, in their units, with the motion and the forces that go with them.
-    fn put(&mut self, (held, units): (&[usize], &[f64]), x: &[f64]) -> Result<(), Halt> {
+    /// Accelerations and what holds, with these efforts of what slides.
+    fn bear(&self, slipping: &mut Slipping, x: &[f64]) {
         let n = self.order();
-        for ((&drive, x), unit) in self.reduced.free().iter().zip(x).zip(units) {
-            self.trial.motion.inputs[drive].acceleration = x * unit;
+        let Slipping {
+            held,
+            sliding,
+            loaded,
+            accelerations,
+            columns,
+            slopes,
+            units,
+            left,
+            bears,
+            matrix,
+            ..
+        } = slipping;
+        let count = left.len();
+        accelerations.clone_from(loaded);
+        let mut add = |column: &[f64], effort: f64| {
+            accelerations.iter_mut().zip(column).for_each(|(a, c)| *a += c * effort);
+        };
+        for (k, (&element, x)) in sliding.iter().zip(x).enumerate() {
+            let effort = x * slipping.scales[element];
+            slipping.efforts[element] = effort;
+            add(&columns[(count + k) * n..][..n], effort);
         }
-        for (k, &element) in held.iter().enumerate() {
-            let effort = x[n + k] * units[n + k];
-            self.trial.motion.grips[element].effort = effort;
+        bears.clear();
+        for (k, left) in left.iter().enumerate() {
+            bears.push(-(left + dot(&slopes[k * n..][..n], accelerations)) * units[n + k]);
+        }
+        if count > 0 {
+            matrix.solve(bears);
+        }
+        for (k, bears) in bears.iter().enumerate() {
+            let effort = bears * units[n + k];
+            match held.get(k) {
+                Some(&element) => slipping.efforts[element] = effort,
+                None => slipping.pressed[k - held.len()] = effort,
+            }
+            accelerations.iter_mut().zip(&columns[k * n..][..n]).for_each(|(a, c)| *a += c * effort);
+        }
+    }
+
+    /// What is left of the laws of what slides, with these efforts.
+    fn unbalanced(&mut self, slipping: &mut Slipping, x: &[f64], left: &mut [f64]) -> Left {
+        self.bear(slipping, x);
+        self.put(slipping)?;
+        let plan = self.model.plan;
+        let reactions = self.trial.forces.reactions.iter();
+        let force = reactions.map(|r| r.force.dot(r.force)).fold(0.0, f64::max).sqrt();
+        let (mut settled, mut greatest) = (true, f64::MIN_POSITIVE);
+        for ((&element, x), left) in slipping.sliding.iter().zip(x).zip(left) {
+            let (sense, scale) = (slipping.senses[element], slipping.scales[element]);
+            let (friction, size) = match DissipativeElement::of(plan, element) {
+                DissipativeElement::Pair(own) => {
+                    (self.trial.sliding_friction(plan, own, sense), own.kind.factor() * force)
+                }
+                DissipativeElement::Law(law, slot) => {
+                    let multiplier = self.trial.forces.law_forces[slot].multiplier;
+                    (self.trial.friction_of_law(law, slot, sense), multiplier * law.terms[0].1)
+                }
+                DissipativeElement::Load(_) => (0.0, 0.0),
+            };
+            let friction = friction / scale;
+            *left = x - friction;
+            if !left.is_finite() {
+                return Err(Halt::NotANumber);
+            }
+            let size = x.abs() + friction.abs() + size.abs() / scale;
+            settled &= left.abs() <= ENOUGH * size;
+            greatest = greatest.max(size);
+        }
+        Ok((settled, greatest))
+    }
+
+    /// Puts accelerations and efforts, with the motion and the forces that go with them.
+    fn put(&mut self, slipping: &Slipping) -> Result<(), Halt> {
+        for (body, (a, alpha)) in self.trial.motion.bodies.iter_mut().zip(&slipping.bias) {
+            (body.a, body.alpha) = (*a, *alpha);
+        }
+        self.reduced.accelerate(&mut self.trial, &slipping.accelerations);
+        for (grip, effort) in self.trial.motion.grips.iter_mut().zip(&slipping.efforts) {
+            grip.effort = *effort;
+        }
+        for &element in &slipping.held {
             if let DissipativeElement::Load(load) = DissipativeElement::of(self.model.plan, element) {
-                let held = self.acts(load, effort);
+                let held = self.acts(load, slipping.efforts[element]);
                 self.trial.motion.against[load.load.index()].held = held;
                 let value = if load.point.is_some() { Value::Vector(held) } else { Value::Scalar(held.x) };
                 self.put_load(load.load, value);
             }
         }
-        let stopped = n + held.len();
-        for (k, x) in x.iter().enumerate().skip(stopped) {
-            self.press(self.closed[k - stopped], x * units[k]);
+        for (k, &pressed) in slipping.pressed.iter().enumerate() {
+            self.press(self.closed[k], pressed);
         }
-        self.trial.run_motion::<2>(self.model.plan);
         if self.model.plan.effects.forces {
             self.trial.run_loads_and_forces(self.model, &self.evaluated);
         }
         if self.trial.forces.locked { Err(Halt::Jam) } else { Ok(()) }
     }
 
-    /// What the speeds that are held change by, in their units.
-    fn speeds_change(&self, (held, units): (&[usize], &[f64]), left: &mut [f64]) {
+    /// The greatest term of the equations, in the units of the unknowns.
+    fn find_greatest(&self, slipping: &mut Slipping) {
         let n = self.order();
-        for (k, &element) in held.iter().enumerate() {
-            left[n + k] =
-                DissipativeElement::of(self.model.plan, element).acceleration(&self.trial) * units[n + k];
+        let mut greatest = slipping.bears.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        for i in 0..n {
+            let unit = slipping.units[i];
+            greatest = greatest.max((slipping.loaded[i] / unit).abs()).max(slipping.share_of(i));
+            if self.model.plan.effects.loses() {
+                greatest = greatest.max(unit * self.reduced.greatest_power(i, self.model.plan, &self.trial));
+            }
         }
-        for (k, left) in left.iter_mut().enumerate().skip(n + held.len()) {
-            *left = self.stop_acceleration(self.closed[k - n - held.len()]) * units[k];
-        }
+        slipping.greatest = greatest;
     }
 
     /// What a load against the motion does where it acts with this effort in the sense in which its speed counts: of a torque the first
@@ -180,16 +252,15 @@ impl Equations<'_, '_> {
         own.for_each(|(_, known)| *known = value);
     }
 
-    /// Speeds of the elements that are held and of closed stops for unit rates, in the state that was moved last, and the units of all
-    /// unknowns.
+    /// Speeds of the held elements, of closed stops and of what slides for unit rates, in the state that was moved last, and the units
+    /// of the free coordinates and of all efforts that hold.
     pub fn find_slopes(&mut self, slipping: &mut Slipping) {
         let n = self.order();
         slipping.units.clear();
         slipping.units.extend((0..n).map(|i| self.reduced.scale(i)));
         slipping.slopes.clear();
         for k in 0..slipping.held.len() {
-            let element = slipping.held[k];
-            self.slopes_of_element(element, &mut slipping.slopes);
+            self.slopes_of_element(slipping.held[k], &mut slipping.slopes);
         }
         for k in 0..self.closed.len() {
             slipping.slopes.extend(self.slopes(self.closed[k]));
@@ -198,6 +269,9 @@ impl Equations<'_, '_> {
             let slopes = slipping.slopes_of(k, n).iter().zip(&slipping.units);
             let square: f64 = slopes.map(|(slope, unit)| (slope * unit).powi(2)).sum();
             slipping.units.push(1.0 / square.sqrt());
+        }
+        for k in 0..slipping.sliding.len() {
+            self.slopes_of_element(slipping.sliding[k], &mut slipping.slopes);
         }
     }
 
@@ -234,24 +308,6 @@ impl Equations<'_, '_> {
     }
 }
 
-fn greatest_of(x: &[f64]) -> f64 {
-    x.iter().fold(0.0, |most, x| most.max(x.abs()))
-}
-
-/// The matrix of the equations without friction of what slides.
-fn fill(matrix: &mut Lu, (n, held): (usize, usize), (mass, slopes): (&[f64], &[f64]), units: &[f64]) {
-    if matrix.order() != n + held {
-        *matrix = Lu::new(n + held);
-    }
-    matrix.clear();
-    for i in 0..n {
-        for j in 0..n {
-            *matrix.at_mut(i, j) = mass[i * n + j] * units[i] * units[j];
-        }
-        for k in 0..held {
-            let slope = slopes[k * n + i] * units[i] * units[n + k];
-            *matrix.at_mut(i, n + k) = -slope;
-            *matrix.at_mut(n + k, i) = slope;
-        }
-    }
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

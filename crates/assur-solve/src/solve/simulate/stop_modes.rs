@@ -65,9 +65,8 @@ impl Equations<'_, '_> {
 
     /// A stop that would pull, or one that would be passed, and whether it is to be closed, where everything was evaluated.
     pub fn misjudged_stop(&mut self, slipping: &Slipping, stops: &[usize]) -> Option<(usize, bool)> {
-        let first = self.order() + slipping.held.len();
         let least = -SLOW * slipping.greatest;
-        let efforts = self.closed.iter().zip(&slipping.secants.x[first..]);
+        let efforts = self.closed.iter().zip(&slipping.bears[slipping.held.len()..]);
         let pulls = efforts.filter(|(_, effort)| **effort < least).min_by(|a, b| a.1.total_cmp(b.1));
         if let Some((index, _)) = pulls {
             return Some((*index, false));
