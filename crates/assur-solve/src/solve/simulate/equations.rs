@@ -149,6 +149,16 @@ impl<'a, 's> Equations<'a, 's> {
         self.reduced.free().len()
     }
 
+    /// Whether there is something that rubs.
+    pub fn rubs(&self) -> bool {
+        self.slipping.as_ref().is_some_and(|slipping| !slipping.senses.is_empty())
+    }
+
+    /// Whether something rubs, or stands at a stop.
+    fn has_contacts(&self) -> bool {
+        self.rubs() || !self.closed.is_empty()
+    }
+
     /// The unknowns at the first instant.
     pub fn start(&self) -> Vec<f64> {
         let free = self.reduced.free();
@@ -196,7 +206,7 @@ impl<'a, 's> Equations<'a, 's> {
         let known = self.rates(t, y, &mut dy).is_ok();
         let n = self.order();
         // where something rubs, accelerations and forces are there already
-        if known && deep && self.slipping.is_none() {
+        if known && deep && !self.has_contacts() {
             self.reduced.accelerate(&mut self.trial, &dy[n..2 * n]);
             self.force();
         }
@@ -334,7 +344,7 @@ impl System<f64> for Equations<'_, '_> {
         }
         self.set_position(t, y);
         self.trial.motion.stops.fill(0.0);
-        if self.slipping.is_some() {
+        if self.has_contacts() {
             self.why = self.slipping_rates(y, dy).err();
             self.stages.note(self.trial_condition());
             self.at.0 = t;
@@ -358,12 +368,6 @@ impl System<f64> for Equations<'_, '_> {
             return Err(Undefined);
         }
         self.powers(&mut work[1..], 1.0);
-        if !self.closed.is_empty()
-            && let Err(halt) = self.hold(accelerations)
-        {
-            self.why = Some(halt);
-            return Err(Undefined);
-        }
         self.at.0 = t;
         self.at.1.copy_from_slice(y);
         Ok(())

@@ -1,7 +1,6 @@
 //! What stops do to the rates and the accelerations.
 //!
-//! An impact is one linear equation (below). A closed stop bears the effort λ for which its coordinate
-//! does not accelerate, (J M⁻¹ Jᵀ) λ = −(J q̈₀ + J̇ q̇), and opens where λ would have to pull. Rebounds from v under the
+//! An impact is one linear equation (below). Rebounds from v under the
 //! acceleration −a follow each other in a geometric series: where they are lower than what is asked for, the run goes on from
 //! its limit, 2 v / (a (1 − e)) later.
 
@@ -66,11 +65,9 @@ impl Equations<'_, '_> {
 
     /// Evaluates everything at an instant.
     pub fn settle(&mut self, t: f64, y: &[f64]) -> Result<(), Halt> {
-        let mut dy = vec![0.0; y.len()];
-        if self.rates(t, y, &mut dy).is_err() {
+        if !self.observe(t, y, true) {
             return Err(self.halt());
         }
-        self.follow_angles(t);
         Ok(())
     }
 
@@ -113,82 +110,6 @@ impl Equations<'_, '_> {
         all - free.map(|(&drive, slope)| slope * inputs[drive].rate).sum::<f64>()
     }
 
-    /// The acceleration of its coordinate away from the stop, where it rests there.
-    pub fn pull(&mut self, index: usize, t: f64, y: &[f64]) -> Result<f64, Halt> {
-        let n = self.order();
-        let mut dy = vec![0.0; y.len()];
-        if self.rates(t, y, &mut dy).is_err() {
-            return Err(self.halt());
-        }
-        let stop = self.stop(index);
-        let bias = stop.side * self.of_pair(&Query::RelativeAcceleration(stop.pair));
-        let slopes = self.slopes(index);
-        Ok(bias + slopes.iter().zip(&dy[n..2 * n]).map(|(slope, a)| slope * a).sum::<f64>())
-    }
-
-    /// How high the next rebound goes from this speed, and how long all of them last; nothing where nothing pulls it back.
-    pub fn rebounds(
-        &mut self,
-        index: usize,
-        t: f64,
-        y: &[f64],
-        (speed, restitution): (f64, f64),
-    ) -> Result<Option<Rebounds>, Halt> {
-        let back = self.pull(index, t, y)?;
-        Ok(Rebounds::between(speed, restitution, back, back))
-    }
-
-    /// Adds to the accelerations what closed stops bear, and leaves their efforts.
-    pub fn hold(&mut self, accelerations: &mut [f64]) -> Result<(), Halt> {
-        let closed = self.closed.clone();
-        let count = closed.len();
-        let slopes: Vec<Vec<f64>> = closed.iter().map(|index| self.slopes(*index)).collect();
-        let each = slopes.iter().map(|slopes| {
-            let mut each = slopes.clone();
-            self.reduced.solve(&mut each);
-            each
-        });
-        let each: Vec<Vec<f64>> = each.collect();
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let mut factors = Lu::new(count);
-        let mut efforts = vec![0.0; count];
-        for (i, index) in closed.iter().enumerate() {
-            let stop = self.stop(*index);
-            let bias = stop.side * self.of_pair(&Query::RelativeAcceleration(stop.pair));
-            efforts[i] = -(bias + dot(&slopes[i], accelerations));
-            for (j, each) in each.iter().enumerate() {
-                *factors.at_mut(i, j) = dot(&slopes[i], each);
-            }
-        }
-        if !factors.factor() {
-            return Err(Halt::StopsAtOnce { stops: closed });
-        }
-        factors.solve(&mut efforts);
-        let free = accelerations.iter().fold(0.0_f64, |most, a| most.max(a.abs()));
-        for (each, effort) in each.iter().zip(&efforts) {
-            for (a, each) in accelerations.iter_mut().zip(each) {
-                *a += each * effort;
-            }
-        }
-        if let [only] = accelerations
-            && only.abs() <= ROUNDING * free
-        {
-            *only = 0.0;
-        }
-        for (index, effort) in closed.iter().zip(&efforts) {
-            self.trial.motion.stops[*index] = self.stop(*index).side * effort;
-        }
-        Ok(())
-    }
-
-    /// The closed stop that would have to pull most, where everything was evaluated and no friction holds it.
-    pub fn pulling(&self) -> Option<usize> {
-        let effort = |index: usize| self.stop(index).side * self.trial.motion.stops[index];
-        let greatest = self.closed.iter().map(|index| effort(*index).abs()).fold(0.0, f64::max);
-        let pulls = self.closed.iter().copied().filter(|index| effort(*index) < -PULLS * greatest);
-        pulls.min_by(|a, b| effort(*a).total_cmp(&effort(*b)))
-    }
-
     /// The unknowns a short time later, as they go on from here.
     pub fn carried_on(&mut self, t: f64, y: &[f64], time: f64) -> Result<Vec<f64>, Halt> {
         let n = self.order();
@@ -205,8 +126,7 @@ impl Equations<'_, '_> {
 
     /// Whether nothing moves, and nothing but an instant can change that.
     pub fn is_held(&self) -> bool {
-        let held = self.slipping.as_ref().is_some_and(|slipping| slipping.rests);
-        held || (self.order() == 1 && !self.closed.is_empty())
+        self.slipping.as_ref().is_some_and(|slipping| slipping.rests)
     }
 }
 
@@ -222,8 +142,6 @@ impl Equations<'_, '_> {
 
 /// So many stops at most take part in an impact.
 const MOST: usize = 8;
-/// Stops whose impulses change each other's rates by less than this part do not know of each other.
-const APART: f64 = 1e-10;
 
 /// What takes part in an impact.
 struct Impact {
@@ -266,18 +184,6 @@ impl Impact {
 }
 
 impl Equations<'_, '_> {
-    /// Whether stops can be hit at once: their impulses do not know of each other, or nothing rebounds.
-    pub fn may_be_hit_at_once(&mut self, stops: &[usize]) -> bool {
-        let impact = self.impact(&stops.iter().map(|stop| (*stop, 0.0)).collect::<Vec<_>>(), &[]);
-        let knows = |i: usize, j: usize| {
-            let own = impact.change(i, i) * impact.change(j, j);
-            impact.change(i, j).abs() > APART * own.sqrt()
-        };
-        let pairs = (0..stops.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-        stops.iter().all(|stop| self.stop(*stop).restitution == 0.0)
-            || !pairs.into_iter().any(|(i, j)| knows(i, j))
-    }
-
     /// Changes the rates so that stops that are hit have these rates, and closed ones that stand are not passed; the unknown work loses
     /// what the impact takes.
     ///

@@ -93,7 +93,7 @@ impl Equations<'_, '_> {
     pub fn cross(&mut self, y: &[f64]) -> bool {
         if !self.reduced.is_alone() {
             let plan = self.model.plan;
-            let rubs = self.slipping.is_some();
+            let rubs = self.rubs();
             if rubs || plan.goes_on() || self.passage.is_some() {
                 return false;
             }

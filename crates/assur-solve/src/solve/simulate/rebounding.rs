@@ -22,8 +22,8 @@ struct After {
     y: Vec<f64>,
     slipping: Option<Box<Slipping>>,
     closed: Vec<usize>,
-    /// The acceleration of the coordinate of the stop away from it.
-    acceleration: f64,
+    /// The accelerations of the coordinates of what is hit away from their stops.
+    accelerations: Vec<f64>,
     /// Those of all elements of friction.
     sliding: Vec<f64>,
 }
@@ -44,11 +44,11 @@ impl Stops {
         same.then(|| third * ratio / (1.0 - ratio))
     }
 
-    /// Stops are hit, one alone or several that do not rebound.
+    /// Stops are hit.
     ///
     /// # Errors
     /// There are no impulses, or there is no motion afterwards.
-    pub fn strike_slipping(
+    pub fn strike(
         &mut self,
         equations: &mut Equations<'_, '_>,
         (t, y): (f64, &[f64]),
@@ -57,78 +57,101 @@ impl Stops {
         equations.find_masses(t, y)?;
         let mut stand = equations.closed.clone();
         stand.extend(self.touching(equations, y, hit));
-        let before = hit.iter().map(|stop| equations.rate(*stop, y).0).fold(0.0, f64::min);
-        hit.iter().for_each(|stop| self.note_rate(equations, *stop, before));
-        let restitution = match hit {
-            [only] => equations.stop(*only).restitution,
-            _ => 0.0,
-        };
-        let impact = |equations: &mut Equations<'_, '_>, part: f64| {
-            let wanted: Vec<_> = hit.iter().map(|stop| (*stop, -part * before)).collect();
-            let mut after = y.to_vec();
-            equations.find_masses(t, y)?;
-            equations.reflect(&wanted, &stand, &mut after)?;
-            Ok::<_, Halt>(after)
-        };
-        let own = |equations: &Equations<'_, '_>| (equations.slipping.clone(), equations.closed.clone());
-        let was = own(equations);
-        let go_on = |equations: &mut Equations<'_, '_>, part: f64, off: Option<usize>| {
-            let after = impact(equations, part)?;
-            (equations.slipping, equations.closed) = was.clone();
-            if part == 0.0 && off.is_none() {
-                // as long as none would have to pull
-                hit.iter().for_each(|stop| equations.close(*stop));
-            }
-            equations.after_impact((t, y), after, (hit[0], off), ROUNDING * before.abs())
-        };
+        let before: Vec<f64> = hit.iter().map(|stop| equations.rate(*stop, y).0.min(0.0)).collect();
+        hit.iter().zip(&before).for_each(|(stop, rate)| self.note_rate(equations, *stop, *rate));
+        let was = (equations.slipping.clone(), equations.closed.clone());
+        let mut strike = Strike { t, y, hit, before, stand, was };
+        let mut kept: Vec<f64> = hit.iter().map(|stop| equations.stop(*stop).restitution).collect();
         let mut struck = Struck { y: Vec::new(), closed: None, step: f64::INFINITY };
         let mut all = 0.0;
-        let bounces = if restitution > 0.0 {
-            let speed = -restitution * before;
-            let up = go_on(equations, restitution, None)?;
-            let rest = impact(equations, 0.0)?;
-            let back = go_on(equations, 0.0, Some(hit[0]));
-            let rebounds = Rebounds::between(
-                speed,
-                restitution,
-                up.acceleration,
-                match &back {
-                    Ok(back) => back.acceleration,
-                    Err(_) => up.acceleration,
-                },
-            );
-            let lowest = LOWEST * equations.size(hit[0]);
-            match rebounds {
-                Some(Rebounds { height, all: lasting, .. }) if height <= lowest => {
-                    let alike = equations.rebounds_alike((t, &rest), (&up, &back?), (hit[0], lasting))?;
-                    let series = if alike { Some(lasting) } else { self.series(hit[0], t) };
-                    all = series.ok_or(Halt::Shaken { stop: hit[0] })?;
-                    None
-                }
-                None => Some((up, f64::INFINITY)),
-                Some(Rebounds { one, .. }) => Some((up, FLIGHT * one)),
+        let up = loop {
+            if kept.iter().all(|kept| *kept == 0.0) {
+                break None;
             }
-        } else {
-            None
+            let up = strike.go_on(equations, &kept, false)?;
+            let rest = strike.impact(equations, &vec![0.0; hit.len()])?;
+            let back = strike.go_on(equations, &vec![0.0; hit.len()], true);
+            let rebounds = strike.rebounds(&kept, &up, &back);
+            let low = |i: &usize| {
+                let lowest = LOWEST * equations.size(hit[*i]);
+                kept[*i] > 0.0 && rebounds[*i].as_ref().is_some_and(|rebound| rebound.height <= lowest)
+            };
+            let low: Vec<usize> = (0..hit.len()).filter(low).collect();
+            if low.is_empty() {
+                let one = rebounds.iter().flatten().map(|rebound| rebound.one);
+                struck.step = FLIGHT * one.fold(f64::INFINITY, f64::min);
+                break Some(up);
+            }
+            for i in low {
+                kept[i] = 0.0;
+                let lasting = rebounds[i].as_ref().map_or(0.0, |rebound| rebound.all);
+                let both = (&up, back.as_ref().map_err(Clone::clone)?);
+                let alike = equations.rebounds_alike((t, &rest), both, (hit[i], lasting))?;
+                let series = if alike { Some(lasting) } else { self.series(hit[i], t) };
+                all = series.ok_or(Halt::Shaken { stop: hit[i] })?.max(all);
+            }
         };
-        match bounces {
-            Some((up, step)) => {
-                struck.step = step;
+        match up {
+            Some(up) => {
                 struck.y = up.y;
                 (equations.slipping, equations.closed) = (up.slipping, up.closed);
             }
             None => {
-                struck.y = go_on(equations, 0.0, None)?.y;
+                struck.y = strike.go_on(equations, &kept, false)?.y;
                 let closed = hit.iter().any(|stop| equations.closed.contains(stop));
                 struck.closed = closed.then_some(all);
             }
         }
         hit.iter().for_each(|stop| self.note_hit(*stop, t));
-        for stop in stand.into_iter().chain(hit.iter().copied()) {
+        for stop in std::mem::take(&mut strike.stand).into_iter().chain(hit.iter().copied()) {
             self.leave(stop);
         }
         self.reconcile(equations, (t, hit, all));
         Ok(struck)
+    }
+}
+
+/// What is hit at an instant, s, and what else stands at its stop.
+struct Strike<'y> {
+    t: f64,
+    y: &'y [f64],
+    hit: &'y [usize],
+    /// The rates with which they come.
+    before: Vec<f64>,
+    stand: Vec<usize>,
+    was: (Option<Box<Slipping>>, Vec<usize>),
+}
+
+impl Strike<'_> {
+    /// The unknowns after an impact that leaves these parts of the rates.
+    fn impact(&self, equations: &mut Equations<'_, '_>, kept: &[f64]) -> Result<Vec<f64>, Halt> {
+        let rates = self.before.iter().zip(kept).map(|(before, kept)| -kept * before);
+        let wanted: Vec<_> = self.hit.iter().copied().zip(rates).collect();
+        let mut after = self.y.to_vec();
+        equations.find_masses(self.t, self.y)?;
+        equations.reflect(&wanted, &self.stand, &mut after)?;
+        Ok(after)
+    }
+
+    /// How everything goes on then; with all that is hit `off`, as if it were not there.
+    fn go_on(&self, equations: &mut Equations<'_, '_>, kept: &[f64], off: bool) -> Result<After, Halt> {
+        let after = self.impact(equations, kept)?;
+        (equations.slipping, equations.closed) = self.was.clone();
+        // as long as none would have to pull
+        let stay = self.hit.iter().zip(kept).filter(|(_, kept)| !off && **kept == 0.0);
+        stay.for_each(|(stop, _)| equations.close(*stop));
+        let greatest = self.before.iter().fold(0.0_f64, |most, rate| most.max(rate.abs()));
+        equations.after_impact((self.t, self.y), after, (self.hit, off), ROUNDING * greatest)
+    }
+
+    /// The next rebounds from what is hit, of those that keep a part of their rates.
+    fn rebounds(&self, kept: &[f64], up: &After, back: &Result<After, Halt>) -> Vec<Option<Rebounds>> {
+        let one = |i: usize| {
+            let speed = -kept[i] * self.before[i];
+            let back = back.as_ref().map_or(up.accelerations[i], |back| back.accelerations[i]);
+            Rebounds::between(speed, kept[i], up.accelerations[i], back)
+        };
+        (0..kept.len()).map(one).collect()
     }
 }
 
@@ -143,12 +166,12 @@ impl Equations<'_, '_> {
         Ok(())
     }
 
-    /// Goes on from the rates after an impact; a stop that is off is not looked at.
+    /// Goes on from the rates after an impact; stops that are off are not looked at.
     fn after_impact(
         &mut self,
         (t, y): (f64, &[f64]),
         mut after: Vec<f64>,
-        (stop, off): (usize, Option<usize>),
+        (hit, off): (&[usize], bool),
         least: f64,
     ) -> Result<After, Halt> {
         self.find_masses(t, &after)?;
@@ -158,18 +181,18 @@ impl Equations<'_, '_> {
             }
         }
         if let Some(mut slipping) = self.slipping.take() {
-            slipping.off = off;
+            slipping.off.extend(hit.iter().filter(|_| off));
             self.mark_struck(&mut slipping, t, [y, &after]);
             self.slipping = Some(slipping);
         }
         self.choose_slips(t, &mut after)?;
         self.settle(t, &after)?;
-        let acceleration = self.stop_acceleration(stop);
+        let accelerations = hit.iter().map(|stop| self.stop_acceleration(*stop)).collect();
         let sliding =
             DissipativeElement::all(self.model.plan).map(|rubs| rubs.acceleration(&self.trial)).collect();
         let mut slipping = self.slipping.clone();
-        slipping.iter_mut().for_each(|slipping| slipping.off = None);
-        Ok(After { y: after, slipping, closed: self.closed.clone(), acceleration, sliding })
+        slipping.iter_mut().for_each(|slipping| slipping.off.clear());
+        Ok(After { y: after, slipping, closed: self.closed.clone(), accelerations, sliding })
     }
 
     /// Whether friction is the same in all rebounds from a stop, which last so long, s, on the way up and on the way back, given the rates

@@ -94,7 +94,7 @@ pub(super) fn run(
         return Run::halted(begin.from, Halt::Opens { pair, bond });
     }
     let mut going = Integration::new(&equations, (bonds, stops), outputs, (begin.from, last), pass);
-    if before != y && equations.slipping.is_none() {
+    if before != y && !equations.rubs() {
         going.recorder.struck = Some((begin.from, before));
     }
     equations.accepted(begin.from, &y);
@@ -192,9 +192,7 @@ impl Integration<'_, '_> {
         equations.take_sides(t, y);
         let allowed = allowed(equations, (tolerance, works), length);
         let fewest = self.outputs.conduct.steps;
-        let rubs = equations.slipping.is_some();
-        let rests = self.wakes && (rubs || !equations.model.mechanism.stops.is_empty());
-        let rests = rests || equations.order() == 0;
+        let rests = self.wakes && equations.slipping.is_some() || equations.order() == 0;
         let least = if rests { AT_REST.max(fewest) } else { fewest };
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
         self.longest = (least > 0.0).then_some(shorter / SHORTER * length / least);
@@ -376,14 +374,15 @@ const fn sum(a: Counts, b: Counts) -> Counts {
     }
 }
 
-/// Chooses how what rubs begins.
+/// Chooses how what rubs or stands at a stop begins.
 fn start(equations: &mut Equations<'_, '_>, first: f64, y: &mut [f64]) -> Result<(), Halt> {
     if equations.order() == 0 && !equations.model.mechanism.stops.is_empty() {
         return Err(Halt::NothingFree);
     }
     let opposing = &equations.model.plan.opposing;
     let held = |id| opposing.iter().any(|load| load.load == id);
-    if equations.model.plan.effects.loses() || equations.acting().any(|(id, _, _)| held(id)) {
+    let stops = !equations.model.mechanism.stops.is_empty();
+    if stops || equations.model.plan.effects.loses() || equations.acting().any(|(id, _, _)| held(id)) {
         return equations.begin_slipping(first, y, None);
     }
     Ok(())

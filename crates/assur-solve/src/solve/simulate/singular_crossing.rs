@@ -49,7 +49,7 @@ impl SingularCrossing {
     /// Over the change point on this side of where the present step begins, if there is one.
     fn towards(equations: &Equations<'_, '_>, value: f64, ahead: f64) -> Option<Self> {
         let plan = equations.model.plan;
-        let rubs = equations.slipping.is_some();
+        let rubs = equations.rubs();
         if rubs || !equations.reduced.is_alone() || plan.goes_on() {
             return None;
         }

@@ -28,8 +28,8 @@ pub(super) struct Slipping {
     pub struck: Vec<bool>,
     /// Stops that are open, and at which friction holds the coordinate.
     pub kept: Vec<bool>,
-    /// A stop that is as good as touched, but not looked at.
-    pub off: Option<usize>,
+    /// Stops that are as good as touched, but not looked at.
+    pub off: Vec<usize>,
     /// What turns within the last step, s.
     pub turning: Vec<(f64, usize)>,
     /// The greatest sliding speed so far.
@@ -86,7 +86,7 @@ impl Slipping {
             at_rest: DissipativeElement::all(model.plan).map(|rubs| greater_at_rest(still, rubs)).collect(),
             struck: vec![false; count],
             kept: vec![false; model.mechanism.stops.len()],
-            off: None,
+            off: Vec::new(),
             turning: Vec::new(),
             fastest: 0.0,
             begun: false,

@@ -1,7 +1,6 @@
 //! Stops: impacts, and what rests on them.
 
 use super::equations::Equations;
-use super::impact::Rebounds;
 use super::meeting::{hit, opening};
 use crate::math::ode::Integrator;
 use crate::solve::failure::Halt;
@@ -100,12 +99,11 @@ impl Stops {
             }
             let (rate, rounding) = equations.rate(index, y);
             if rate < -rounding {
-                let struck = self.strike(equations, t, y, index)?;
+                let struck = self.strike(equations, (t, y), &[index])?;
                 *y = struck.y;
-            } else if equations.slipping.is_none() && rate <= rounding && equations.pull(index, t, y)? < 0.0 {
-                equations.close(index);
-                self.rests[index].push((t, None));
-                equations.settle(t, y)?;
+                if let Some(lasting) = struck.closed {
+                    *y = equations.carried_on(t, y, lasting)?;
+                }
             }
             self.left[index] = true;
         }
@@ -180,43 +178,6 @@ impl Stops {
         touching
     }
 
-    /// Closes what an impact has brought to stand at its stop, and leaves the rest of these stops.
-    fn close_or_leave(
-        &mut self,
-        equations: &mut Equations<'_, '_>,
-        (t, y): (f64, &[f64]),
-        (touching, least): (&[usize], f64),
-    ) -> Result<(), Halt> {
-        for &other in touching {
-            self.left[other] = true;
-            if equations.rate(other, y).0 <= least && equations.pull(other, t, y)? < 0.0 {
-                equations.close(other);
-                self.rests[other].push((t, None));
-            }
-            equations.settle(t, y)?;
-        }
-        Ok(())
-    }
-
-    /// Opens closed stops that would have to pull after an impact, and evaluates everything.
-    fn release(&mut self, equations: &mut Equations<'_, '_>, t: f64, y: &[f64]) -> Result<(), Halt> {
-        equations.settle(t, y)?;
-        while let Some(index) = equations.pulling() {
-            self.open(equations, t, index);
-            equations.settle(t, y)?;
-        }
-        Ok(())
-    }
-
-    /// A closed stop opens.
-    pub fn open(&mut self, equations: &mut Equations<'_, '_>, t: f64, index: usize) {
-        equations.closed.retain(|closed| *closed != index);
-        self.left[index] = true;
-        if let Some(rest) = self.rests[index].last_mut().filter(|rest| rest.1.is_none()) {
-            rest.1 = Some(t);
-        }
-    }
-
     /// A coordinate leaves its stop.
     pub fn leave(&mut self, index: usize) {
         self.left[index] = true;
@@ -233,114 +194,5 @@ impl Stops {
             }
             self.left[index] = true;
         }
-    }
-
-    /// The coordinate of a stop comes to it.
-    ///
-    /// # Errors
-    /// There are no impulses, or there is no motion afterwards.
-    pub fn strike(
-        &mut self,
-        equations: &mut Equations<'_, '_>,
-        t: f64,
-        y: &[f64],
-        index: usize,
-    ) -> Result<Struck, Halt> {
-        if equations.slipping.is_some() {
-            return self.strike_slipping(equations, (t, y), &[index]);
-        }
-        let restitution = equations.stop(index).restitution;
-        let mut after = y.to_vec();
-        equations.settle(t, y)?;
-        let before = equations.rate(index, y).0;
-        self.note_rate(equations, index, before);
-        let touching = self.touching(equations, y, &[index]);
-        let closed = std::mem::take(&mut equations.closed);
-        let standing = closed.iter().map(|other| (*other, equations.rate(*other, y).0)).collect::<Vec<_>>();
-        let stand = [&closed[..], &touching].concat();
-        equations.reflect(&[(index, -restitution * before)], &stand, &mut after)?;
-        self.left[index] = true;
-        for (other, rate) in standing {
-            let change = equations.rate(other, &after).0 - rate;
-            if change > ROUNDING * before.abs() {
-                self.open(equations, t, other);
-            } else {
-                equations.closed.push(other);
-            }
-        }
-        equations.settle(t, &after)?;
-        self.close_or_leave(equations, (t, &after), (&touching, ROUNDING * before.abs()))?;
-        self.release(equations, t, &after)?;
-        let speed = -restitution * before;
-        let Some(Rebounds { height, one, all }) =
-            equations.rebounds(index, t, &after, (speed, restitution))?
-        else {
-            return Ok(Struck { y: after, closed: None, step: f64::INFINITY });
-        };
-        if height > LOWEST * equations.size(index) {
-            return Ok(Struck { y: after, closed: None, step: FLIGHT * one });
-        }
-        // as without restitution
-        let mut rest = y.to_vec();
-        equations.settle(t, y)?;
-        equations.reflect(&[(index, 0.0)], &stand, &mut rest)?;
-        equations.close(index);
-        self.rests[index].push((t + all, None));
-        self.release(equations, t, &rest)?;
-        Ok(Struck { y: rest, closed: Some(all), step: f64::INFINITY })
-    }
-
-    /// Several stops are hit at once.
-    ///
-    /// # Errors
-    /// What becomes of it depends on their order.
-    pub fn strike_all(
-        &mut self,
-        equations: &mut Equations<'_, '_>,
-        t: f64,
-        y: &[f64],
-        hit: &[usize],
-    ) -> Result<Struck, Halt> {
-        equations.settle(t, y)?;
-        if !equations.may_be_hit_at_once(hit) {
-            return Err(Halt::StopsAtOnce { stops: hit.to_vec() });
-        }
-        let mut all = Struck { y: y.to_vec(), closed: None, step: f64::INFINITY };
-        let plastic = hit.iter().all(|stop| equations.stop(*stop).restitution == 0.0);
-        if !plastic {
-            // none knows of the others
-            for &index in hit {
-                let struck = self.strike(equations, t, &all.y, index)?;
-                let closed = [all.closed, struck.closed].into_iter().flatten().reduce(f64::max);
-                all = Struck { y: struck.y, closed, step: all.step.min(struck.step) };
-            }
-            return Ok(all);
-        }
-        if equations.slipping.is_some() {
-            return self.strike_slipping(equations, (t, y), hit);
-        }
-        let wanted: Vec<(usize, f64)> = hit.iter().map(|stop| (*stop, 0.0)).collect();
-        let closed = std::mem::take(&mut equations.closed);
-        equations.reflect(&wanted, &closed, &mut all.y)?;
-        let greatest = hit.iter().map(|stop| equations.rate(*stop, y).0.abs()).fold(0.0, f64::max);
-        for index in closed.into_iter().chain(hit.iter().copied()) {
-            let stays = equations.rate(index, &all.y).0 <= ROUNDING * greatest;
-            if !stays && hit.contains(&index) {
-                self.left[index] = true;
-            } else if !stays {
-                self.open(equations, t, index);
-            } else {
-                equations.close(index);
-            }
-        }
-        self.release(equations, t, &all.y)?;
-        for &index in hit {
-            // what is pulled away leaves at once
-            if equations.closed.contains(&index) {
-                self.rests[index].push((t, None));
-                all.closed = Some(0.0);
-            }
-        }
-        Ok(all)
     }
 }

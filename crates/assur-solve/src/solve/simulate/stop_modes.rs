@@ -37,7 +37,7 @@ impl Equations<'_, '_> {
         if count > 0 {
             self.follow_angles(t);
         }
-        let all = (0..count).filter(|index| slipping.off != Some(*index));
+        let all = (0..count).filter(|index| !slipping.off.contains(index));
         let mut stops: Vec<usize> = all.collect();
         stops.retain(|index| self.closed.contains(index) || self.stands_at(*index, y));
         stops

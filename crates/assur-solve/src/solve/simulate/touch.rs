@@ -25,7 +25,7 @@ impl Integration<'_, '_> {
         let before = self.watch.values(equations, t, &y);
         let (was, kept) = (equations.closed.clone(), equations.kept());
         let ended = match touch {
-            Touch::Opens(index) if equations.slipping.is_some() => {
+            Touch::Opens(index) => {
                 equations.closed.retain(|closed| *closed != index);
                 // what turns later does so after this
                 equations.slipping.iter_mut().for_each(|slipping| slipping.turning.clear());
@@ -36,19 +36,9 @@ impl Integration<'_, '_> {
                 }
                 self.note_stops(equations, &was, (t, &[], Some(t)))
             }
-            Touch::Opens(index) => {
-                self.stops.open(equations, t, index);
-                if method.restart(equations, &y, last).is_err() {
-                    return Err(equations.halt());
-                }
-                self.note_stops(equations, &was, (t, &[], Some(t)))
-            }
             Touch::Hits(hit) => {
                 equations.held = false;
-                let struck = match hit[..] {
-                    [only] => self.stops.strike(equations, t, &y, only)?,
-                    _ => self.stops.strike_all(equations, t, &y, &hit)?,
-                };
+                let struck = self.stops.strike(equations, (t, &y), &hit)?;
                 let until = struck.closed.map(|lasting| t + lasting).filter(|until| *until < last);
                 let resumed = match until.filter(|until| *until > t) {
                     None => {

@@ -30,8 +30,11 @@ impl Integration<'_, '_> {
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) -> Option<f64> {
-        let count =
-            equations.slipping.as_ref().filter(|slipping| !slipping.rests || self.wakes)?.senses.len();
+        let moves = |slipping: &&Box<Slipping>| !slipping.rests || self.wakes;
+        let count = equations.slipping.as_ref().filter(moves)?.senses.len();
+        if count == 0 {
+            return None;
+        }
         let (from, to) = (method.previous_t(), method.t());
         let mut y = method.y().to_vec();
         let mut rooms = vec![f64::INFINITY; count];
