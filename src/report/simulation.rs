@@ -77,6 +77,11 @@ fn rests(answers: &Answers<'_>, run: &SimulationReport, section: &mut Section) {
     for (rest, what) in held.filter(|(rest, _)| long(rest)).take(MOST) {
         section.text(lasts(rest, &what));
     }
+    for (holder, time) in run.jammed.iter().take(MOST) {
+        let Holder::Pair(pair) = holder else { continue };
+        let what = format!("{} stops at once at {}", name(*pair), instant(*time));
+        section.text(format!("{what}: its friction admits no acceleration (Painlevé)"));
+    }
     for (stop, times) in mechanism.stops.iter().zip(&run.closed) {
         for rest in times.iter().take(MOST) {
             section.text(lasts(*rest, &format!("{} rests on its stop", name(stop.pair))));

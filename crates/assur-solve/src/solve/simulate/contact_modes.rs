@@ -12,7 +12,6 @@ use super::drives::moves;
 use super::equations::Equations;
 use super::sliding_sense::{Held, Slipping};
 use super::ways::Way;
-use crate::math::Lu;
 use crate::solve::failure::Halt;
 
 /// A sliding speed below this part of the greatest so far is none.
@@ -98,7 +97,12 @@ impl Equations<'_, '_> {
         let (mut open, let_go) = slipping.take_senses(&speeds);
         self.take_driven(slipping, (t, y), &mut open);
         (slipping.rests, slipping.undetermined) = (false, false);
-        self.find_way(slipping, (later, &state), (&open, &stops))?;
+        match self.find_way(slipping, (later, &state), (&open, &stops)) {
+            Err(Halt::Jam) if self.stop_sliding(slipping, (t, y))? => {
+                return self.choose_slips_of(slipping, t, y);
+            }
+            found => found?,
+        }
         self.find_still(slipping, &[open, let_go].concat());
         self.find_kept(slipping, &stops);
         slipping.begun = true;
@@ -286,6 +290,9 @@ impl Equations<'_, '_> {
             Err(Halt::Jam) => return Ok(Judged::Jams),
             other => other?,
         }
+        if !self.is_stable(slipping)? {
+            return Ok(Judged::Jams);
+        }
         let mut most = (0.0, None);
         for &element in &slipping.held {
             if !DissipativeElement::of(plan, element).can_hold() {
@@ -355,7 +362,7 @@ impl Equations<'_, '_> {
     }
 
     /// Of all elements that are held, those whose speeds do not depend on closed stops and those before them, from one of them on.
-    fn take_independent(&mut self, slipping: &mut Slipping, (t, y): (f64, &[f64]), first: usize) {
+    pub fn take_independent(&mut self, slipping: &mut Slipping, (t, y): (f64, &[f64]), first: usize) {
         let n = self.order();
         self.set_position(t, y);
         self.reduced.run_motion(self.model.plan, &mut self.trial);
@@ -393,33 +400,11 @@ impl Equations<'_, '_> {
         if count == 0 {
             return Ok(());
         }
-        let each: Vec<Vec<f64>> = (0..count)
-            .map(|k| {
-                let mut each = slipping.slopes_of(k, n).to_vec();
-                self.reduced.solve(&mut each);
-                each
-            })
-            .collect();
-        let mut factors = Lu::new(count);
-        let mut impulses = Vec::with_capacity(count);
-        for k in 0..count {
-            impulses.push(match k.checked_sub(held) {
-                None => DissipativeElement::of(self.model.plan, slipping.held[k]).speed(&self.trial),
-                Some(place) => self.rate(self.closed[place], y).0,
-            });
-            for (j, each) in each.iter().enumerate() {
-                let slopes = slipping.slopes_of(k, n).iter();
-                *factors.at_mut(k, j) = slopes.zip(each).map(|(a, b)| a * b).sum();
-            }
-        }
-        if !factors.factor() {
-            return Err(Halt::Jam);
-        }
-        factors.solve(&mut impulses);
-        for (each, impulse) in each.iter().zip(&impulses) {
-            for (rate, each) in y[n..2 * n].iter_mut().zip(each) {
-                *rate -= each * impulse;
-            }
+        let impulses = self.impulses_of_held(slipping, y).ok_or(Halt::Jam)?;
+        for (k, impulse) in impulses.iter().enumerate() {
+            let mut column = slipping.slopes_of(k, n).to_vec();
+            self.reduced.solve(&mut column);
+            y[n..2 * n].iter_mut().zip(&column).for_each(|(rate, c)| *rate -= c * impulse);
         }
         Ok(())
     }

@@ -76,6 +76,8 @@ pub(super) struct Integration<'m, 'o> {
     pub ended_by: Option<usize>,
     /// What holds at rest, from when to when, s.
     pub held: Vec<(Holder, f64, Option<f64>)>,
+    /// What stopped at once since friction admitted no acceleration, and when, s.
+    pub jammed: Vec<(Holder, f64)>,
     /// Something changes while it rests.
     pub wakes: bool,
     /// The greatest magnitudes of each kind.
@@ -137,6 +139,7 @@ impl<'m, 'o> Integration<'m, 'o> {
             worst_condition: (1.0, begin),
             ended_by: None,
             held: equations.holders().into_iter().map(|holder| (holder, begin, None)).collect(),
+            jammed: Vec::new(),
             wakes: wakes(equations),
             kinds: Kinds::default(),
             pass,

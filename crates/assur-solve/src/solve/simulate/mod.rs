@@ -56,6 +56,7 @@ mod steady;
 mod stick_slip;
 mod stop;
 mod stop_modes;
+mod tangential;
 mod touch;
 mod trace;
 mod trajectory;

@@ -46,6 +46,8 @@ pub struct SimulationReport {
     pub events: Vec<Vec<f64>>,
     /// What holds at rest, from when to when, s.
     pub held: Vec<(Holder, f64, Option<f64>)>,
+    /// What stopped at once since friction admitted no acceleration, and when, s.
+    pub jammed: Vec<(Holder, f64)>,
     /// When other coordinates were taken, since a group came near a dead position of those before, s, and which: by drive.
     pub changes: Vec<(f64, Vec<DriveTarget>)>,
     /// When change points had been passed, s.

@@ -44,6 +44,8 @@ pub(super) struct Run {
     pub courses: Vec<Vec<Short>>,
     /// What holds at rest, from when to when, s.
     pub held: Vec<(Holder, f64, Option<f64>)>,
+    /// What stopped at once, and when, s.
+    pub jammed: Vec<(Holder, f64)>,
     /// When other coordinates were taken, s, and which.
     pub changes: Vec<(f64, Vec<DriveTarget>)>,
     /// When change points were passed, s.
@@ -97,6 +99,7 @@ pub(super) fn run(
     if before != y && !equations.rubs() {
         going.recorder.struck = Some((begin.from, before));
     }
+    going.note_held(&mut equations, begin.from);
     equations.accepted(begin.from, &y);
     let mut part = match going.better(&mut equations, (begin.from, &y), charts) {
         Some(change) => Part::changed(change),
@@ -325,6 +328,7 @@ impl Integration<'_, '_> {
             worst_condition,
             ended_by,
             held,
+            jammed,
             stops,
             changes,
             crossed,
@@ -348,6 +352,7 @@ impl Integration<'_, '_> {
             functions,
             courses,
             held,
+            jammed,
             changes,
             crossed,
             closed: stops.rests,
@@ -419,6 +424,7 @@ impl Run {
             functions: Vec::new(),
             courses: Vec::new(),
             held: Vec::new(),
+            jammed: Vec::new(),
             changes: Vec::new(),
             crossed: Vec::new(),
             closed: Vec::new(),

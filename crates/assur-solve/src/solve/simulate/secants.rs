@@ -64,7 +64,7 @@ impl Secants {
             return Ok(());
         }
         for _ in 0..MATRICES {
-            let positive = self.differences(&mut equations)?;
+            let positive = self.differences((1.0, 0.0), &mut equations)?;
             if !self.invert() {
                 break;
             }
@@ -74,7 +74,7 @@ impl Secants {
                 self.known = true;
                 return Ok(());
             }
-            if settled && self.differences(&mut equations)? {
+            if settled && self.differences((1.0, 0.0), &mut equations)? {
                 equations(&self.x, &mut self.left)?;
                 self.known = self.invert();
                 return Ok(());
@@ -82,6 +82,24 @@ impl Secants {
         }
         self.x.fill(0.0);
         Err(Halt::Jam)
+    }
+
+    /// Whether the determinant is positive on all sides of the solution, where it is a corner; `least` is what the terms are where
+    /// they cancel. Leaves the equations anywhere near it.
+    ///
+    /// # Errors
+    /// One of the equations is not defined.
+    pub fn is_stable(
+        &mut self,
+        least: f64,
+        mut equations: impl FnMut(&[f64], &mut [f64]) -> Left,
+    ) -> Result<bool, Halt> {
+        for side in [1.0, -1.0] {
+            if !self.x.is_empty() && !self.differences((side, least), &mut equations)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// The inverse of the matrix that was factored last; false where there is none.
@@ -158,10 +176,14 @@ impl Secants {
         }
     }
 
-    /// Factors the matrix of differences at the unknowns; whether its determinant is positive.
-    fn differences(&mut self, equations: &mut impl FnMut(&[f64], &mut [f64]) -> Left) -> Result<bool, Halt> {
+    /// Factors the matrix of differences to one side of the unknowns; whether its determinant is positive.
+    fn differences(
+        &mut self,
+        (side, least): (f64, f64),
+        equations: &mut impl FnMut(&[f64], &mut [f64]) -> Left,
+    ) -> Result<bool, Halt> {
         let n = self.x.len();
-        let apart = APART * equations(&self.x, &mut self.left)?.1;
+        let apart = side * APART * equations(&self.x, &mut self.left)?.1.max(least);
         for j in 0..n {
             let before = self.x[j];
             self.x[j] += apart;

@@ -24,6 +24,8 @@ pub(super) struct Slipping {
     pub efforts: Vec<f64>,
     /// Friction at rest over that of sliding, by element.
     pub at_rest: Vec<f64>,
+    /// What has stopped at once since friction admitted no acceleration, and when, s.
+    pub jammed: Vec<(f64, usize)>,
     /// Elements whose speeds the last impact has changed.
     pub struck: Vec<bool>,
     /// Stops that are open, and at which friction holds the coordinate.
@@ -84,6 +86,7 @@ impl Slipping {
             before: vec![true; count],
             efforts: vec![0.0; count],
             at_rest: DissipativeElement::all(model.plan).map(|rubs| greater_at_rest(still, rubs)).collect(),
+            jammed: Vec::new(),
             struck: vec![false; count],
             kept: vec![false; model.mechanism.stops.len()],
             off: Vec::new(),

@@ -85,8 +85,38 @@ impl Equations<'_, '_> {
         Ok(())
     }
 
+    /// Whether what slides, where everything was evaluated, goes on so if it rubs a little more or less.
+    ///
+    /// # Errors
+    /// There is no solution next to it.
+    pub fn is_stable(&mut self, slipping: &mut Slipping) -> Result<bool, Halt> {
+        let least = self.greatest_load();
+        let mut secants = std::mem::take(&mut slipping.secants);
+        let stable = secants.is_stable(least, |x, left| self.unbalanced(slipping, x, left));
+        let x = std::mem::take(&mut secants.x);
+        self.bear(slipping, &x);
+        secants.x = x;
+        slipping.secants = secants;
+        self.put(slipping)?;
+        stable
+    }
+
+    /// The greatest load or inertia force, N, as it acts on the free coordinates, whatever cancels.
+    fn greatest_load(&self) -> f64 {
+        let (extent, bodies) = (self.extent(), self.model.plan.bodies);
+        let of = |i: usize| {
+            let speeds = (0..bodies).map(|body| {
+                let (v, omega) = self.reduced.unit_motion(i, body);
+                v.norm() + extent * omega.abs()
+            });
+            let power = self.reduced.greatest_power(i, self.model.plan, &self.trial);
+            power / speeds.fold(f64::MIN_POSITIVE, f64::max)
+        };
+        (0..self.order()).map(of).fold(0.0, f64::max)
+    }
+
     /// What the speeds of the held elements and of closed stops change by where nothing holds, and what each effort changes it by.
-    fn find_held(&mut self, slipping: &mut Slipping) -> Result<(), Halt> {
+    pub fn find_held(&mut self, slipping: &mut Slipping) -> Result<(), Halt> {
         let (n, held) = (self.order(), slipping.held.len());
         let count = held + self.closed.len();
         slipping.left.clear();
@@ -192,7 +222,7 @@ impl Equations<'_, '_> {
     }
 
     /// Puts accelerations and efforts, with the motion and the forces that go with them.
-    fn put(&mut self, slipping: &Slipping) -> Result<(), Halt> {
+    pub fn put(&mut self, slipping: &Slipping) -> Result<(), Halt> {
         for (body, (a, alpha)) in self.trial.motion.bodies.iter_mut().zip(&slipping.bias) {
             (body.a, body.alpha) = (*a, *alpha);
         }

@@ -203,6 +203,7 @@ fn report(
         coordinates: free.map(|(i, _)| i).collect(),
         events: fine.events.clone(),
         held: fine.held.clone(),
+        jammed: fine.jammed.clone(),
         changes: fine.changes.clone(),
         crossed: fine.crossed.clone(),
         closed: fine.closed.clone(),

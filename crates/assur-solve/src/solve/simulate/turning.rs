@@ -167,7 +167,10 @@ impl Integration<'_, '_> {
     }
 
     /// Notes what friction holds from now on, and what it does no longer. Returns the event that ends the motion by it.
-    pub fn note_held(&mut self, equations: &Equations<'_, '_>, time: f64) -> Option<usize> {
+    pub fn note_held(&mut self, equations: &mut Equations<'_, '_>, time: f64) -> Option<usize> {
+        let jammed = equations.slipping.iter_mut().flat_map(|slipping| std::mem::take(&mut slipping.jammed));
+        let holder = |element| DissipativeElement::of(equations.model.plan, element).holder();
+        self.jammed.extend(jammed.map(|(t, element)| (holder(element), t)));
         let now = equations.holders();
         let mut changed: Vec<(Holder, bool)> = Vec::new();
         for (holder, _, end) in self.held.iter_mut().filter(|held| held.2.is_none()) {
