@@ -373,7 +373,7 @@ pub(super) fn section(model: &Model<'_>, report: &mut Report) {
                 point(model, g.slider, &g.point_name),
                 point(model, g.guide, &g.line_name)
             ),
-            PairKind::Contact { first, second, internal } => contact(model, first, second, *internal),
+            PairKind::Contact { first, second, internal, .. } => contact(model, first, second, *internal),
             PairKind::Revolute(_)
             | PairKind::Prismatic(_)
             | PairKind::Cylinder { .. }

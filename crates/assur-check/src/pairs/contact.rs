@@ -2,6 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find};
+use crate::motion::simulation::{may_be_missing, no_simulation, statement};
 use crate::pairs::pair::{Joined, nothing_to_join};
 use assur_model::model::{PairKind, Profile, ProfileShape};
 use assur_syntax::document::Joint;
@@ -57,7 +58,41 @@ pub(crate) fn contact(
         );
         return None;
     }
-    Some(PairKind::Contact { first: a, second: b, internal: internal.is_some() })
+    let parts = parts(cx, joint, (&a, &b), properties.unwrap_or_default())?;
+    Some(PairKind::Contact { first: a, second: b, internal: internal.is_some(), parts })
+}
+
+/// Whether the contact parts: in a motion, from profiles whose distance is known.
+fn parts(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    (first, second): (&Profile, &Profile),
+    properties: &[Read],
+) -> Option<bool> {
+    let name = &joint.name.node;
+    let Some(parts) = find(properties, "parts") else {
+        let Some(restitution) = find(properties, "restitution") else { return Some(false) };
+        cx.error(
+            Diagnosis::error("mech::geometry::incomplete", "`restitution` has no effect without `parts`")
+                .label(restitution.span, "a contact that does not part is never hit")
+                .help(format!("add `parts`, as in `contact {name}: … {{ parts; restitution 0.6 }}`")),
+        );
+        return None;
+    };
+    if [first, second].iter().any(|profile| matches!(profile.shape, ProfileShape::Rim(_))) {
+        cx.error(
+            Diagnosis::error("mech::geometry::no_contact", "a contact with a designed cam cannot part yet")
+                .label(parts.span, "here")
+                .help("leave `parts` out: the motion ends where the contact would have to pull"),
+        );
+        return None;
+    }
+    if statement(cx).is_none() && may_be_missing(cx) {
+        let help = "add `simulate 0 s .. 1 s`, or leave `parts` out: it then stays closed".to_owned();
+        cx.error(no_simulation("contact that parts", help, parts.span));
+        return None;
+    }
+    Some(true)
 }
 
 fn profile(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Profile> {

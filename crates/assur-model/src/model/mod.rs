@@ -82,6 +82,8 @@ pub struct Mechanism {
     pub torsion_springs: Vec<TorsionSpring>,
     /// Bounds of coordinates in the motion.
     pub stops: Vec<Stop>,
+    /// Starts that no statement gives: contacts that part are closed instead, at the first instant.
+    pub touching: Vec<usize>,
     /// Poses in addition to those of the sweep.
     pub poses: Vec<NamedPose>,
     /// The positions of equilibrium, where they are sought and found: one per position of the sweep.

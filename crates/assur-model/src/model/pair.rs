@@ -102,6 +102,8 @@ pub enum PairKind {
         second: Profile,
         /// One circle lies inside the other.
         internal: bool,
+        /// In a motion it opens and closes: it joins nothing, and presses as a stop does.
+        parts: bool,
     },
     /// Barrel and rod between two points: two links, two revolutes and a prismatic pair.
     Cylinder {
@@ -210,7 +212,7 @@ impl PairKind {
     /// What holds only as long as forces act as it takes them.
     pub fn bonds(&self) -> impl Iterator<Item = UnilateralCondition> {
         let (contact, rope, slips, grips) = match self {
-            Self::Contact { .. } => (true, false, false, false),
+            Self::Contact { parts, .. } => (!parts, false, false, false),
             Self::Transmission(t) => {
                 let grips = t.grip.is_some_and(|grip| !grip.capacity().is_nan()) && t.slipping().is_none();
                 (false, t.kind == TransmissionKind::Rope, t.slip > 0.0, grips)

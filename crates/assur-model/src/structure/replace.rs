@@ -73,7 +73,8 @@ impl Replaced {
                 self.slide(pair, self.place(g.slider, g.point), direction, g, 0.0);
             }
             PairKind::Slot(g) => self.block(pair, self.place(g.slider, g.point), g, 0.0),
-            PairKind::Contact { first, second, internal } => self.contact(pair, first, second, *internal),
+            PairKind::Contact { parts: true, .. } => {}
+            PairKind::Contact { first, second, internal, .. } => self.contact(pair, first, second, *internal),
             PairKind::Cylinder { barrel, rod, from, to } => self.cylinder(pair, *barrel, *rod, from, to),
             PairKind::Transmission(t) => t.laws.iter().for_each(|law| self.law(pair, law)),
             // its joints are there from the start

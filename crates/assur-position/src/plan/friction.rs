@@ -80,6 +80,39 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
         foreign.iter().for_each(|pair| pin(mechanism, structure, plan, *pair));
         together(plan);
     }
+    parting(mechanism, structure, plan);
+}
+
+/// The elements of contacts that part, which stand in no group.
+fn parting(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
+    for (stop, place) in mechanism.stops.iter().enumerate() {
+        let pair = mechanism.pair(place.pair);
+        let coefficient = pair.friction.as_ref().map_or(0.0, Friction::coefficient);
+        let PairKind::Contact { first, second, internal, parts: true } = &pair.kind else { continue };
+        if coefficient == 0.0 {
+            continue;
+        }
+        let [body, base] = [first.link, second.link].map(|link| structure.replaced.body_of(link).0);
+        let profile = |link, shape| structure.replaced.profile(link, shape);
+        let kind = FrictionLaw::Contact {
+            coefficient,
+            first: profile(first.link, first.shape),
+            second: profile(second.link, second.shape),
+            internal: *internal,
+            presses: 1.0,
+        };
+        let (pin, stop) = (None, Some(stop));
+        plan.friction.push(FrictionElement {
+            pair: place.pair,
+            body,
+            base,
+            through: body,
+            slot: 0,
+            kind,
+            pin,
+            stop,
+        });
+    }
 }
 
 /// Hinges of several links with friction where another link than the first carries some of the joints. What turns in
@@ -128,6 +161,7 @@ fn pin(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan, id: PairId
             slot: *slot,
             kind: FrictionLaw::Circle { radius },
             pin: Some((from, plan.pin_slots.len())),
+            stop: None,
         });
     }
 }
@@ -184,6 +218,7 @@ fn element(
         slot,
         kind,
         pin: None,
+        stop: None,
     };
     let body = |link| structure.replaced.body_of(link);
     let profile = |link, shape| structure.replaced.profile(link, shape);
@@ -217,7 +252,7 @@ fn element(
                 ..at(body(guide.slider), body(guide.guide), kind)
             })
         }
-        (PairKind::Contact { first, second, internal }, friction) => {
+        (PairKind::Contact { first, second, internal, .. }, friction) => {
             let kind = FrictionLaw::Contact {
                 coefficient: friction.coefficient(),
                 first: profile(first.link, first.shape),

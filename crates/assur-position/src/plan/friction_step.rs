@@ -20,6 +20,8 @@ pub struct FrictionElement {
     /// Hinge of several links that its own link does not carry: the force on `body` is the sum of these reactions, a range
     /// of [`super::Plan::pin_slots`], instead of the one in `slot`.
     pub pin: Option<(usize, usize)>,
+    /// Contact that parts: what presses is what this stop of the mechanism bears, instead of the reaction in `slot`.
+    pub stop: Option<usize>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,4 +1,4 @@
-//! Where two profiles touch, and along which normal.
+//! Where two profiles touch, along which normal, and how far apart they are.
 
 use super::body::BodyState;
 use super::state::State;
@@ -28,6 +28,11 @@ impl State {
     /// Place where two profiles touch and the unit common normal into the first; `None` where it is not determined.
     #[must_use]
     pub fn touch(&self, first: Side, second: Side, internal: bool) -> Option<(Vec2, Vec2)> {
+        self.touch_on(0.0, first, second, internal)
+    }
+
+    /// The same of profiles that need not touch, a round one on a side of a line: 1 on its left, −1 on its right, or 0 where it is.
+    pub(super) fn touch_on(&self, on: f64, first: Side, second: Side, internal: bool) -> Option<(Vec2, Vec2)> {
         let of = |side: Side| seen(&self.motion.bodies[side.0], side.1);
         match (of(first), of(second)) {
             (Seen::Cam(_), Seen::Cam(_)) => None,
@@ -42,11 +47,11 @@ impl State {
                 Some(if r_1 < r_2 { (c_1 + between * r_1, -between) } else { (c_2 - between * r_2, between) })
             }
             (Seen::Round(c, r), Seen::Straight(p, d)) => {
-                let n = self.side(first, d, c - p, r);
+                let n = if on == 0.0 { self.side(first, d, c - p, r) } else { d.perp() * on };
                 Some((c - n * r, n))
             }
             (Seen::Straight(p, d), Seen::Round(c, r)) => {
-                let n = self.side(second, d, c - p, r);
+                let n = if on == 0.0 { self.side(second, d, c - p, r) } else { d.perp() * on };
                 Some((c - n * r, -n))
             }
             (Seen::Straight(..), Seen::Straight(..)) => None,

@@ -1,6 +1,7 @@
 //! Energy and power at one position.
 
 use super::body::BodyState;
+use super::gap::PartingContact;
 use super::model::Model;
 use super::reduced::Column;
 use super::state::State;
@@ -115,6 +116,9 @@ impl State {
         if let Some(sides) = model.mechanism.pair(pair).kind.slipping() {
             let [first, second] = sides.map(|side| self.motion.bodies[side.index()].omega);
             return second - first;
+        }
+        if let Some(contact) = PartingContact::of_pair(model.mechanism, pair) {
+            return self.gap_rate(&contact);
         }
         let joints = model.structure.replaced.joints_of(pair);
         let mut rates = joints.filter_map(|joint| match &model.structure.replaced.joint(joint).kind {

@@ -1,6 +1,7 @@
 //! What acts on bodies, one by one: the list with which the balance of bodies is computed, and which numbers, pictures and worked
 //! solutions read.
 
+use super::gap::PartingContact;
 use super::model::Model;
 use super::state::State;
 use crate::force::spring::spring;
@@ -189,6 +190,10 @@ impl State {
         if let Some([first, second]) = model.mechanism.pair(pair).kind.slipping() {
             let bodies = [second.index(), first.index()];
             return Some(Action::turning(from, bodies, self.motion.bodies[second.index()].p, effort));
+        }
+        if let Some(contact) = PartingContact::of_pair(model.mechanism, pair) {
+            let (place, normal) = self.parting_touch(&contact)?;
+            return Some(Action::pushing(from, contact.bodies(), place, normal * effort));
         }
         let replaced = &model.structure.replaced;
         let held = |bodies: [BodyId; 2]| bodies.map(|body| replaced.held_by(model.mechanism, pair, body).0);

@@ -34,7 +34,14 @@ impl State {
                 Some((self.motion.bodies[guide.slider].position(guide.point), self.direction(guide)))
             }
             FrictionLaw::Contact { first, second, internal, .. } => {
-                let (p, n) = self.touch((element.body, *first), (element.base, *second), *internal)?;
+                let (first, second) = ((element.body, *first), (element.base, *second));
+                let (p, n) = match element.stop {
+                    Some(stop) => {
+                        let side = self.motion.sides.get(stop).copied().unwrap_or(0.0);
+                        self.touch_on(side, first, second, *internal)?
+                    }
+                    None => self.touch(first, second, *internal)?,
+                };
                 Some((p, n.perp()))
             }
         }
@@ -119,6 +126,9 @@ impl State {
     /// guide; the forces at its two ends.
     #[inline(always)]
     pub fn measured(&self, plan: &Plan, element: &FrictionElement) -> Vec2 {
+        if let Some(stop) = element.stop {
+            return Vec2::new(self.motion.stops.get(stop).copied().unwrap_or(0.0), 0.0);
+        }
         if let Some((from, to)) = element.pin {
             let slots = &plan.pin_slots[from..to];
             return slots

@@ -105,8 +105,9 @@ impl State {
     /// that may open goes on below zero: a motion ends where it opens, and is smooth up to there and beyond.
     #[must_use]
     pub fn sliding_friction(&self, plan: &Plan, element: &FrictionElement, sense: f64) -> f64 {
-        let pressing = match element.kind {
-            FrictionLaw::Contact { first, second, internal, presses, .. } if presses != 0.0 => {
+        let pressing = match (element.kind, element.stop) {
+            (_, Some(_)) => self.measured(plan, element).x,
+            (FrictionLaw::Contact { first, second, internal, presses, .. }, None) if presses != 0.0 => {
                 let touch = self.touch((element.body, first), (element.base, second), internal);
                 touch.map_or(f64::NAN, |(_, n)| n.dot(self.measured(plan, element)) * presses)
             }

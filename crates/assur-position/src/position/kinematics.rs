@@ -90,6 +90,8 @@ pub struct Motion<S = f64> {
     pub works: Vec<f64>,
     /// Efforts of closed stops along their coordinates, N or N m.
     pub stops: Vec<f64>,
+    /// On which sides of lines contacts that part stand, by stop: 1 or -1, and 0 of all else.
+    pub sides: Vec<f64>,
     /// How the elements of friction move there, where such a motion says it.
     pub grips: Vec<ContactMode>,
     /// How the loads against the motion act there, where such a motion says it: by load.
@@ -120,6 +122,7 @@ impl<S: Scalar + Default> Motion<S> {
             work: 0.0,
             works: Vec::new(),
             stops: Vec::new(),
+            sides: Vec::new(),
             grips: Vec::new(),
             against: Vec::new(),
             laws: Vec::new(),
@@ -142,6 +145,7 @@ impl Motion {
             work,
             works,
             stops,
+            sides,
             grips,
             against,
             laws,
@@ -156,6 +160,7 @@ impl Motion {
         (self.time, self.work, self.open) = (*time, *work, *open);
         self.works.clone_from(works);
         self.stops.clone_from(stops);
+        self.sides.clone_from(sides);
         self.grips.clone_from(grips);
         self.against.clone_from(against);
         self.laws.clone_from(laws);

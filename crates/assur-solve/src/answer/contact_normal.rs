@@ -3,6 +3,7 @@
 use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{PairId, PairKind};
+use crate::position::PartingContact;
 
 /// Place of the contact and the unit common normal into the first link. For a slot the normal is the line's left one.
 pub(super) fn normal(view: &PoseAnswers<'_>, pair: PairId) -> Option<(Vec2, Vec2)> {
@@ -11,7 +12,10 @@ pub(super) fn normal(view: &PoseAnswers<'_>, pair: PairId) -> Option<(Vec2, Vec2
             let p = view.body(g.slider).position(g.point);
             Some((p, view.line_of(pair, g).perp()))
         }
-        PairKind::Contact { first, second, internal } => view.state.touch(
+        PairKind::Contact { parts: true, .. } => {
+            view.state.parting_touch(&PartingContact::of_pair(view.mechanism, pair)?)
+        }
+        PairKind::Contact { first, second, internal, .. } => view.state.touch(
             (first.link.index(), first.shape),
             (second.link.index(), second.shape),
             *internal,

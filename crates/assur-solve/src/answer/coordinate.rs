@@ -3,6 +3,7 @@
 use super::pose_answers::{NAN_VECTOR, PoseAnswers};
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, PairId, PairKind, PointRef};
+use crate::position::PartingContact;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
@@ -72,6 +73,9 @@ impl PoseAnswers<'_> {
                 self.angles.get(self.state.motion.bodies.len() + pair.index()).copied().unwrap_or(0.0);
             return self.angles[second.index()] - self.angles[first.index()] + turns;
         }
+        if let Some(contact) = PartingContact::of_pair(self.mechanism, pair) {
+            return self.state.gap(&contact);
+        }
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let from = self.body(g.guide).position(g.through);
         (self.body(g.slider).position(g.point) - from).dot(self.coordinate_line(pair, &g))
@@ -92,6 +96,9 @@ impl PoseAnswers<'_> {
         if let Some((first, second)) = self.hinge(pair) {
             return self.body(second).omega - self.body(first).omega;
         }
+        if let Some(contact) = PartingContact::of_pair(self.mechanism, pair) {
+            return self.state.gap_rate(&contact);
+        }
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let point = PointRef::Fixed(g.slider, g.point);
         let under = PointRef::Under(g.guide, (g.slider, g.point));
@@ -103,6 +110,9 @@ impl PoseAnswers<'_> {
     pub fn relative_acceleration(&self, pair: PairId) -> f64 {
         if let Some((first, second)) = self.hinge(pair) {
             return self.body(second).alpha - self.body(first).alpha;
+        }
+        if let Some(contact) = PartingContact::of_pair(self.mechanism, pair) {
+            return self.state.gap_acceleration(&contact);
         }
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let point = PointRef::Fixed(g.slider, g.point);

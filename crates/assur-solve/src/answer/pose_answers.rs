@@ -358,12 +358,16 @@ impl PoseAnswers<'_> {
         stops.filter(|(stop, _)| stop.pair == pair).map(|(_, effort)| effort).sum()
     }
 
-    /// The force of closed stops on a link of a guide.
+    /// The force of closed stops on a link of a guide, or in a contact that parts.
     fn stop_force(&self, pair: PairId, link: LinkId) -> Vec2 {
         match &self.mechanism.pair(pair).kind {
             PairKind::Prismatic(g) | PairKind::Slot(g) if !self.mechanism.stops.is_empty() => {
                 let sign = if link == g.slider { 1.0 } else { -1.0 };
                 self.line_of(pair, g) * (sign * self.stop_effort(pair))
+            }
+            PairKind::Contact { first, parts: true, .. } => {
+                let Some((_, into_first)) = self.contact_normal(pair) else { return Vec2::zero() };
+                into_first * (if link == first.link { 1.0 } else { -1.0 } * self.stop_effort(pair))
             }
             _ => Vec2::zero(),
         }

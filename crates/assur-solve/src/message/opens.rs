@@ -17,7 +17,7 @@ pub(super) fn opens(
     let pair = model.mechanism.pair(pair);
     let name = &pair.name;
     let (what, text, help) = match (&pair.kind, bond) {
-        (PairKind::Contact { first, second, internal }, _) if at_start => (
+        (PairKind::Contact { first, second, internal, .. }, _) if at_start => (
             format!("contact `{name}` would have to pull from {time} on"),
             "opens here",
             on_other_side(model, (first, second), *internal),

@@ -6,7 +6,7 @@ use super::impossible::spring_at_zero;
 use super::opens::opens;
 use super::parallel::turn_the_face;
 use crate::message::refusal::not_supported_yet;
-use crate::model::{Drive, DriveTarget, LoadId, PairId, Value};
+use crate::model::{Drive, DriveTarget, LoadId, PairId, PairKind, Value};
 use crate::position::{Model, turns};
 use crate::solve::{Clause, Halt, NoCycle};
 use crate::source::Span;
@@ -38,6 +38,7 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
             let at_start = simulation.is_some_and(|s| s.from == at);
             opens(model, (*pair, *bond), (time, at_start))
         }
+        Halt::NothingTouches => nothing_touches(model),
         Halt::Rolls { pair } => rolls(model, *pair, time),
         Halt::NoCycle(why) => no_cycle(*why, span),
         Halt::StopPassed { stop, by } => stop_passed(model, *stop, *by, time),
@@ -258,6 +259,19 @@ fn jam(model: &Model<'_>, time: String) -> Diagnosis {
     )
     .labels(rubbing(model, "rubs"))
     .help("with less friction, or a longer guide, the motion goes on")
+}
+
+fn nothing_touches(model: &Model<'_>) -> Diagnosis {
+    let mechanism = model.mechanism;
+    let parts = mechanism.pairs.iter().filter(|p| matches!(p.kind, PairKind::Contact { parts: true, .. }));
+    let starts: Vec<String> =
+        mechanism.touching.iter().map(|drive| format!("`start {} = …`", mechanism.drives[*drive].name)).collect();
+    Diagnosis::error(
+        "mech::simulate::nothing_touches",
+        format!("{} of the contacts that part must be closed at the first instant, and none can be", starts.len()),
+    )
+    .labels(parts.map(|pair| label("open", pair.span)))
+    .help(format!("add {}, or change the other starts so that profiles touch", starts.join(", ")))
 }
 
 fn rolls(model: &Model<'_>, pair: PairId, time: String) -> Diagnosis {

@@ -147,6 +147,8 @@ pub enum Halt {
     },
     /// A free coordinate moves no mass.
     NoInertia,
+    /// The starts leave freedom, and no contacts that part are closed at the first instant.
+    NothingTouches,
     /// Friction admits no acceleration of a free coordinate, or one in either sense.
     Jam,
     /// A force against the motion holds a point that may move in several directions.

@@ -89,7 +89,19 @@ const SLOT: &[Property] = &[
         "of a Geneva wheel, of which the line is one; an arc locks the wheel in between",
     ),
 ];
-const CONTACT: &[Property] = &[FRICTION, STATIC_FRICTION, INTERNAL];
+const RESTITUTION: Property = row(
+    "restitution",
+    NotNegative(Dimension::NUMBER),
+    "restitution 0.7",
+    "ratio of the speeds after and before an impact",
+);
+const CONTACT: &[Property] = &[
+    FRICTION,
+    STATIC_FRICTION,
+    INTERNAL,
+    row("parts", Flag, "parts", "in a motion it opens where it would have to pull, and closes again"),
+    RESTITUTION,
+];
 
 const MESH: &[Property] = &[
     INTERNAL,
@@ -199,12 +211,7 @@ pub static SPRING: &[Property] = &[
 ];
 
 /// The properties of a stop.
-pub static STOP: &[Property] = &[row(
-    "restitution",
-    NotNegative(Dimension::NUMBER),
-    "restitution 0.7",
-    "ratio of the speeds after and before an impact",
-)];
+pub static STOP: &[Property] = &[RESTITUTION];
 
 /// The properties of a spring in a revolute pair.
 pub static TORSION_SPRING: &[Property] = &[

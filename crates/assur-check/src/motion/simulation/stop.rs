@@ -3,14 +3,14 @@
 use super::{may_be_missing, statement};
 use crate::expr::context::Context;
 use crate::expr::positive::Want;
-use crate::expr::property::{find, read};
+use crate::expr::property::{Read, find, read};
 use crate::motion::drive::{Moves, coordinate};
 use crate::motion::simulation::no_simulation;
 use crate::values::format_value::digits;
-use assur_model::model::{Expr, Load, LoadKind, Query, Stop};
+use assur_model::model::{Expr, Load, LoadKind, PairId, PairKind, Query, Stop};
 use assur_syntax::document::{self, CompareOp, Statement};
 use assur_text::diagnostic::Diagnosis;
-use assur_text::language::STOP;
+use assur_text::language::{STOP, properties_of_pair};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -26,18 +26,54 @@ pub(crate) fn stops(cx: &mut Context<'_>) {
             continue;
         }
         let Some(stop) = stop(cx, written, item.span) else { continue };
-        let value = Expr::Query(Query::StopEffort(cx.builder.mech.stops.len()));
-        let kind = LoadKind::InPair { pair: stop.pair, value, against_motion: false };
-        cx.builder.mech.loads.push(Load {
-            name: None,
-            span: item.span,
-            kind,
-            pin: None,
-            spread: None,
-            when: None,
-        });
-        cx.builder.mech.stops.push(stop);
+        enter(cx, stop);
     }
+    for index in 0..cx.builder.mech.pairs.len() {
+        let pair = &cx.builder.mech.pairs[index];
+        if matches!(pair.kind, PairKind::Contact { parts: true, .. }) {
+            let (pair, span, name) = (PairId::at(index), pair.span, pair.name.clone());
+            let Some(restitution) = restitution_of_contact(cx, &name) else { continue };
+            enter(cx, Stop { pair, span, turns: false, side: 1.0, bound: 0.0, restitution });
+        }
+    }
+}
+
+/// Enters a stop, and what it bears as a load.
+fn enter(cx: &mut Context<'_>, stop: Stop) {
+    let value = Expr::Query(Query::StopEffort(cx.builder.mech.stops.len()));
+    let kind = LoadKind::InPair { pair: stop.pair, value, against_motion: false };
+    let span = stop.span;
+    cx.builder.mech.loads.push(Load { name: None, span, kind, pin: None, spread: None, when: None });
+    cx.builder.mech.stops.push(stop);
+}
+
+/// The restitution that a contact that parts says.
+fn restitution_of_contact(cx: &mut Context<'_>, name: &str) -> Option<f64> {
+    let doc = cx.doc;
+    let joint = doc.statements.iter().find_map(|item| match &item.node {
+        Statement::Joint(joint) if joint.name.node == name => Some(joint),
+        _ => None,
+    })?;
+    let properties = read(cx, "a contact", &joint.properties, properties_of_pair(joint.kind.node))?;
+    restitution(cx, &properties, (&joint.properties, joint.name.span))
+}
+
+/// The restitution among properties: none is that nothing rebounds.
+fn restitution(
+    cx: &mut Context<'_>,
+    properties: &[Read],
+    (written, span): (&[document::Property], Span),
+) -> Option<f64> {
+    let restitution = find(properties, "restitution").map_or(0.0, Read::number);
+    if restitution > 1.0 {
+        let place = written.iter().find(|p| p.name.node == "restitution");
+        let what = format!("the restitution of a stop is between 0 and 1; got {}", digits(restitution));
+        let help = "write the speed after the impact over that before it, as in `restitution 0.7`".to_owned();
+        let span = place.map_or(span, |p| p.name.span);
+        cx.error(Diagnosis::error("mech::simulate::stop", what).primary(span, "here").help(help));
+        return None;
+    }
+    Some(restitution)
 }
 
 fn stop(cx: &mut Context<'_>, stop: &document::Stop, span: Span) -> Option<Stop> {
@@ -46,15 +82,7 @@ fn stop(cx: &mut Context<'_>, stop: &document::Stop, span: Span) -> Option<Stop>
     let turns = moves == Moves::Turning;
     let dimension = if turns { Dimension::ANGLE } else { Dimension::LENGTH };
     let bound = cx.scalar_constant(&stop.bound, &Want(dimension), "the place of a stop")?;
-    let restitution = find(&properties?, "restitution").map_or(0.0, crate::expr::property::Read::number);
-    if restitution > 1.0 {
-        let place = stop.properties.iter().find(|p| p.name.node == "restitution");
-        let what = format!("the restitution of a stop is between 0 and 1; got {}", digits(restitution));
-        let help = "write the speed after the impact over that before it, as in `restitution 0.7`".to_owned();
-        let span = place.map_or(span, |p| p.name.span);
-        cx.error(Diagnosis::error("mech::simulate::stop", what).primary(span, "here").help(help));
-        return None;
-    }
+    let restitution = restitution(cx, &properties?, (&stop.properties, span))?;
     let above = matches!(stop.op.node, CompareOp::Greater | CompareOp::GreaterOrEqual);
     let side = if above { 1.0 } else { -1.0 };
     let found = Stop { pair, span, turns, side, bound, restitution };

@@ -8,7 +8,7 @@ use crate::names::suggestion::suggestion;
 use crate::statements::written::text;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type, Typed};
-use assur_model::model::{BinaryOp, Expr, LoadId, PairId, Query, Situation};
+use assur_model::model::{BinaryOp, Expr, LoadId, PairId, PairKind, Query, Situation};
 use assur_syntax::document::{Drive, DrivePosition, ExprKind, Name, Spring, SpringSite, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::Function;
@@ -117,7 +117,8 @@ impl Context<'_> {
         let pair = self.pair_argument(call, args[0])?;
         let name = self.builder.mech.pair(pair).name.clone();
         let is_stop = |s: &Statement| matches!(s, Statement::Stop(stop) if stop.pair.node == name);
-        if !self.doc.statements.iter().any(|s| is_stop(&s.node)) {
+        let parts = matches!(self.builder.mech.pair(pair).kind, PairKind::Contact { parts: true, .. });
+        if !parts && !self.doc.statements.iter().any(|s| is_stop(&s.node)) {
             let what = format!("`{name}` has no stop to rest on");
             let help = format!("add one, as in `stop {name} > 0 mm {{ restitution 0.7 }}`");
             self.error(Diagnosis::error("mech::simulate::stop", what).primary(call.span, "here").help(help));

@@ -12,6 +12,7 @@ use super::drives::moves;
 use super::equations::Equations;
 use super::sliding_sense::{Held, Slipping};
 use super::ways::Way;
+use crate::plan::FrictionElement;
 use crate::solve::failure::Halt;
 
 /// A sliding speed below this part of the greatest so far is none.
@@ -94,7 +95,8 @@ impl Equations<'_, '_> {
         self.reduced.run_motion(self.model.plan, &mut self.trial);
         let speeds = self.sliding_speeds(slipping);
         let stops = self.standing_stops(slipping, t, y);
-        let (mut open, let_go) = slipping.take_senses(&speeds);
+        let touch: Vec<bool> = (0..speeds.len()).map(|element| self.may_touch(element, &stops)).collect();
+        let (mut open, let_go) = slipping.take_senses(&speeds, &touch);
         self.take_driven(slipping, (t, y), &mut open);
         (slipping.rests, slipping.undetermined) = (false, false);
         match self.find_way(slipping, (later, &state), (&open, &stops)) {
@@ -153,6 +155,19 @@ impl Equations<'_, '_> {
                 }
                 !moves
             });
+        }
+    }
+
+    /// Whether an element is that of a closed contact, or of none that parts.
+    pub fn touches(&self, element: usize) -> bool {
+        self.may_touch(element, &self.closed)
+    }
+
+    /// The same where these stops may be closed.
+    fn may_touch(&self, element: usize, stops: &[usize]) -> bool {
+        match DissipativeElement::of(self.model.plan, element) {
+            DissipativeElement::Pair(FrictionElement { stop: Some(stop), .. }) => stops.contains(stop),
+            _ => true,
         }
     }
 
@@ -417,15 +432,19 @@ impl Equations<'_, '_> {
 }
 
 impl Slipping {
-    /// The senses at these speeds. Returns the elements that may be held or slide in either sense, and those that are let go.
-    fn take_senses(&mut self, speeds: &[f64]) -> (Vec<usize>, Vec<usize>) {
+    /// The senses at these speeds, of elements that are in touch or not. Returns those that may be held or slide in either sense, and
+    /// those that are let go.
+    fn take_senses(&mut self, speeds: &[f64], touch: &[bool]) -> (Vec<usize>, Vec<usize>) {
         let (mut open, mut let_go) = (Vec::new(), Vec::new());
         for (element, speed) in speeds.iter().enumerate() {
             let turns = self.turning.iter().any(|(_, turns)| *turns == element);
             let struck = std::mem::take(&mut self.struck[element]) && speed.abs() > NONE * self.fastest;
             let held = self.begun && self.senses[element] == 0.0 && !struck;
-            self.before[element] = !self.begun || held || self.still[element];
-            if held && turns && !self.driven[element] {
+            self.before[element] = touch[element] && (!self.begun || held || self.still[element]);
+            if !touch[element] {
+                // it bears nothing
+                self.senses[element] = 1.0_f64.copysign(*speed);
+            } else if held && turns && !self.driven[element] {
                 let_go.push(element);
                 self.senses[element] = -self.efforts[element].signum();
             } else if held || turns || self.still[element] || speed.abs() <= NONE * self.fastest {

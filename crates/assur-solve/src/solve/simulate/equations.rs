@@ -103,6 +103,7 @@ impl<'a, 's> Equations<'a, 's> {
         let mut trial = state.clone();
         trial.motion.works.resize(model.mechanism.works.len(), 0.0);
         trial.motion.stops.resize(model.mechanism.stops.len(), 0.0);
+        trial.motion.sides.clone_from(&begin.state.motion.sides);
         Self {
             model,
             chart,

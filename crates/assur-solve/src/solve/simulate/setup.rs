@@ -4,12 +4,12 @@ use super::drives::prescribed;
 use super::equations::Equations;
 use super::options::IntegrationOptions;
 use super::records::Origin;
+use super::touching::assemble_touching;
 use crate::answer::{WholeCycle, first_angles};
 use crate::math::ode::Tolerance;
 use crate::model::{At, Drive, DriveTarget, Mechanism, Occasion, Simulation};
 use crate::plan::{Plan, plan_with};
 use crate::position::{DriveInput, DriveValue, Model, State, turns};
-use crate::solve::assemble::assemble;
 use crate::solve::failure::{Cause, Failure, Halt};
 use crate::solve::inputs::Rates;
 
@@ -113,11 +113,11 @@ pub(super) fn begin<'s>(
     {
         *input = prescribed(drive, input, (from, 0.0), &[]);
     }
-    let first = state.motion.inputs.clone();
     let state = match known {
-        Some(known) => placed(state, known),
-        None => assemble(model, state)?,
+        Some(known) => placed(model, state, known),
+        None => assemble_touching(model, state)?,
     };
+    let first = state.motion.inputs.clone();
     if let Some(spring) = state.first_spring_at_zero(model.mechanism) {
         let cause = Cause::Halted { halt: Halt::SpringAtZero { spring }, time: from };
         return Err(Failure { pose: None, cause });
@@ -127,12 +127,14 @@ pub(super) fn begin<'s>(
 }
 
 /// With the bodies where they stand in a known state.
-fn placed(state: State, known: &State) -> State {
+fn placed(model: &Model<'_>, state: State, known: &State) -> State {
     let mut motion = known.motion.clone();
     motion.inputs = state.motion.inputs;
     (motion.works, motion.stops) = (Vec::new(), Vec::new());
     (motion.grips, motion.against) = (Vec::new(), Vec::new());
-    State { branches: known.branches.clone(), motion, ..state }
+    let mut state = State { branches: known.branches.clone(), motion, ..state };
+    state.take_parting_sides(model);
+    state
 }
 
 /// The errors allowed: of coordinates absolute, since angles and places are read off them whatever their turns; of rates

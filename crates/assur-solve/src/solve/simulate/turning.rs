@@ -202,7 +202,7 @@ impl Equations<'_, '_> {
         self.trial.run_motion::<1>(self.model.plan);
         let speeds = self.sliding_speeds(&mut slipping);
         for (element, room) in rooms.iter_mut().enumerate() {
-            *room = if slipping.still[element] {
+            *room = if slipping.still[element] || !self.touches(element) {
                 f64::INFINITY
             } else if slipping.senses[element] != 0.0 {
                 slipping.senses[element] * speeds[element]
