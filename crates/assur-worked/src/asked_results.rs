@@ -139,7 +139,8 @@ impl Derivation<'_> {
 
     /// The sliding velocity of a pair: of a contact along the tangent.
     fn sliding(&mut self, pair: PairId) -> Option<Expr> {
-        let PairKind::Contact { first, second, internal, .. } = &self.scene.mechanism().pair(pair).kind else {
+        let PairKind::Contact { first, second, internal, .. } = &self.scene.mechanism().pair(pair).kind
+        else {
             return self.scalar_symbol(&Query::RelativeVelocity(pair));
         };
         if [first, second].iter().all(|p| matches!(p.shape, ProfileShape::Line(..) | ProfileShape::Rim(_))) {
@@ -153,7 +154,8 @@ impl Derivation<'_> {
             internal: *internal,
             presses: 0.0,
         };
-        let element = FrictionElement { pair, body, base, through: body, slot: 0, kind, pin: None, stop: None };
+        let element =
+            FrictionElement { pair, body, base, through: body, slot: 0, kind, pin: None, stop: None };
         self.sliding_in_contact(&element)
     }
 

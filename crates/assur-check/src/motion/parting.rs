@@ -59,7 +59,11 @@ fn candidates(mech: &Mechanism) -> Vec<Drive> {
             let (link, at) = (profile.link, place(profile));
             let name = &mech.link(link).name;
             let axes = [(Axis::X, "x"), (Axis::Y, "y")].map(|(axis, letter)| {
-                drive(format!("{name}.{}.{letter}", profile.name), DriveTarget::Place(link, at, axis), pair.span)
+                drive(
+                    format!("{name}.{}.{letter}", profile.name),
+                    DriveTarget::Place(link, at, axis),
+                    pair.span,
+                )
             });
             found.extend(axes);
             found.push(drive(name.clone(), DriveTarget::Link(link), pair.span));

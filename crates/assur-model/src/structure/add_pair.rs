@@ -242,7 +242,12 @@ fn contacts(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> 
                     out.push(Candidate {
                         name: "K".to_owned(),
                         ends: [(one, first.name.clone()), (other, second.name.clone())],
-                        kind: PairKind::Contact { first: first.clone(), second, internal: false, parts: false },
+                        kind: PairKind::Contact {
+                            first: first.clone(),
+                            second,
+                            internal: false,
+                            parts: false,
+                        },
                         used: 1 + used,
                     });
                 }

@@ -32,7 +32,13 @@ impl State {
     }
 
     /// The same of profiles that need not touch, a round one on a side of a line: 1 on its left, −1 on its right, or 0 where it is.
-    pub(super) fn touch_on(&self, on: f64, first: Side, second: Side, internal: bool) -> Option<(Vec2, Vec2)> {
+    pub(super) fn touch_on(
+        &self,
+        on: f64,
+        first: Side,
+        second: Side,
+        internal: bool,
+    ) -> Option<(Vec2, Vec2)> {
         let of = |side: Side| seen(&self.motion.bodies[side.0], side.1);
         match (of(first), of(second)) {
             (Seen::Cam(_), Seen::Cam(_)) => None,

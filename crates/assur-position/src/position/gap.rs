@@ -140,7 +140,8 @@ impl State {
     pub fn take_parting_sides(&mut self, model: &Model<'_>) {
         self.motion.sides.clear();
         for stop in 0..model.mechanism.stops.len() {
-            let side = PartingContact::of_stop(model.mechanism, stop).map_or(0.0, |c| self.side_now(model, &c));
+            let side =
+                PartingContact::of_stop(model.mechanism, stop).map_or(0.0, |c| self.side_now(model, &c));
             self.motion.sides.push(side);
         }
     }

@@ -264,11 +264,17 @@ fn jam(model: &Model<'_>, time: String) -> Diagnosis {
 fn nothing_touches(model: &Model<'_>) -> Diagnosis {
     let mechanism = model.mechanism;
     let parts = mechanism.pairs.iter().filter(|p| matches!(p.kind, PairKind::Contact { parts: true, .. }));
-    let starts: Vec<String> =
-        mechanism.touching.iter().map(|drive| format!("`start {} = …`", mechanism.drives[*drive].name)).collect();
+    let starts: Vec<String> = mechanism
+        .touching
+        .iter()
+        .map(|drive| format!("`start {} = …`", mechanism.drives[*drive].name))
+        .collect();
     Diagnosis::error(
         "mech::simulate::nothing_touches",
-        format!("{} of the contacts that part must be closed at the first instant, and none can be", starts.len()),
+        format!(
+            "{} of the contacts that part must be closed at the first instant, and none can be",
+            starts.len()
+        ),
     )
     .labels(parts.map(|pair| label("open", pair.span)))
     .help(format!("add {}, or change the other starts so that profiles touch", starts.join(", ")))

@@ -105,6 +105,12 @@ impl Equations<'_, '_> {
             }
             found => found?,
         }
+        for element in 0..slipping.senses.len() {
+            if slipping.senses[element] == 0.0 && !self.touches(element) {
+                // what has opened bears nothing
+                slipping.senses[element] = 1.0;
+            }
+        }
         self.find_still(slipping, &[open, let_go].concat());
         self.find_kept(slipping, &stops);
         slipping.begun = true;

@@ -194,8 +194,9 @@ impl Equations<'_, '_> {
         self.bear(slipping, x);
         self.put(slipping)?;
         let plan = self.model.plan;
-        let reactions = self.trial.forces.reactions.iter();
-        let force = reactions.map(|r| r.force.dot(r.force)).fold(0.0, f64::max).sqrt();
+        let forces = self.trial.forces.reactions.iter().map(|reaction| reaction.force);
+        let forces = forces.chain(self.trial.forces.applied.iter().map(|applied| applied.force));
+        let force = forces.map(|force| force.dot(force)).fold(0.0, f64::max).sqrt();
         let (mut settled, mut greatest) = (true, f64::MIN_POSITIVE);
         for ((&element, x), left) in slipping.sliding.iter().zip(x).zip(left) {
             let (sense, scale) = (slipping.senses[element], slipping.scales[element]);
