@@ -359,8 +359,9 @@ impl Equations<'_, '_> {
         let count = basis.len();
         slipping.still.fill(false);
         for &element in slow.iter().filter(|element| slipping.senses[**element] != 0.0) {
-            slipping.still[element] =
-                !self.is_independent(element, &mut basis) && self.begins(slipping, element) == 0.0;
+            slipping.still[element] = self.touches(element)
+                && !self.is_independent(element, &mut basis)
+                && self.begins(slipping, element) == 0.0;
             basis.truncate(count);
         }
     }
