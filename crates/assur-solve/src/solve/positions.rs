@@ -176,6 +176,18 @@ impl Sweep {
         (self.len > 1).then(|| PoseRequest { name: (self.len + 1).to_string(), origin, drives })
     }
 
+    /// The position after whole turns is not the first again.
+    pub fn keep_last(&mut self) {
+        for drive in &mut self.drives {
+            match drive {
+                Values::Range { steps, count, .. } => *count = *steps + 1,
+                Values::Eventful(list, after) => list.extend(after.take()),
+                Values::List(_) | Values::Numbers(_) => {}
+            }
+        }
+        self.len += 1;
+    }
+
     /// Drive values at a position, counted from 0.
     pub fn values(&self, index: usize) -> Vec<DriveValue> {
         self.drives.iter().map(|d| d.at(index)).collect()

@@ -3,7 +3,7 @@
 use super::again::PoseOutputs;
 use super::block::{Block, FreeSweep, is_free};
 use super::centre_notes::CentreNotes;
-use super::closure_after_turn::{FirstPoses, begin};
+use super::closure_after_turn::{AfterTurns, First};
 use super::cycle::{events, loads_name_quantities, never_ended};
 use super::extremes::statics;
 use super::failure::{Cause, Failure};
@@ -56,8 +56,8 @@ pub struct Following<'a, 's> {
     current: Option<Tracker>,
     /// Poses beside the sweep, each followed from the nearest position of the sweep that closed.
     near: VecDeque<SidePose>,
-    /// Where the bodies were at the first position.
-    begin: Option<FirstPoses>,
+    /// The first position.
+    begin: Option<First>,
     /// Why the first position that failed did.
     first_failure: Option<Failure>,
     cycle_notes: Vec<Note>,
@@ -241,17 +241,21 @@ impl<'a, 's> Following<'a, 's> {
         Solution { statics: self.run.statics, notes, unlisted, positions, simulation, ..Solution::default() }
     }
 
-    /// Notes at the end of the sweep where the mechanism does not come back after whole turns.
+    /// Notes at the end of the sweep where the mechanism does not come back after whole turns; where only something is wound up,
+    /// the position after them belongs to the sweep.
     fn look_after_turns(&mut self) {
         let Some(tracker) = self.current.as_ref().filter(|_| self.run.closing.open == 0) else { return };
         if self.next == 1 {
-            self.begin = Some(begin(tracker));
+            self.begin = self.run.begin(tracker, &self.sweep);
         }
         if self.next == self.sweep.len()
             && let Some(begin) = &self.begin
         {
-            let note = self.run.elsewhere(begin, tracker, &self.sweep);
-            self.cycle_notes.extend(note);
+            match self.run.after_turns(begin, tracker, &self.sweep) {
+                Some(AfterTurns::Elsewhere(note)) => self.cycle_notes.push(note),
+                Some(AfterTurns::Wound) => self.sweep.keep_last(),
+                None => {}
+            }
         }
     }
 
