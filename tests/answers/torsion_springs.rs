@@ -182,3 +182,50 @@ find displacement(load)
     let wheels = "shaft one { wheel a teeth 20 }\nshaft two { wheel b teeth 37 }\nmesh m: a - b\ndrive one = 0 deg .. 360 deg in 4 steps\nfind angle(two)\n";
     assert_eq!(values(wheels, "angle(two)").len(), 4);
 }
+
+/// The value of an answer at the first pose.
+fn first(text: &str, name: &str) -> f64 {
+    values(text, name)[0]
+}
+
+#[test]
+fn a_damper_in_a_hinge_at_rest_is_nothing() {
+    let arms = "gravity 9.81 m/s^2
+ground { O (0, 0) }
+link b1 O-A 300 mm { mass 2 kg rod O to A }
+link b2 A-B 250 mm { mass 1.2 kg rod A to B }
+revolute O: ground - b1
+revolute A: b1 - b2
+spring s1 in O { stiffness 12 N*m/rad; free_angle 60 deg; damping 0.1 N*m*s/rad }
+spring s2 in A { stiffness 5 N*m/rad; free_angle -30 deg; damping 0.2 N*m*s/rad }
+";
+    let text = format!(
+        "{arms}equilibrium b1 near 50 deg, b2 near 20 deg\nfind angle(b1), angle(b2), damping_ratio(1)\n"
+    );
+    let [a, b] = ["angle(b1)", "angle(b2)"].map(|name| first(&text, name).to_radians());
+    let elbow = 5.0 * (f64::to_radians(-30.0) - (b - a));
+    let shoulder = 12.0 * (f64::to_radians(60.0) - a) - elbow;
+    assert!((elbow - 1.2 * 9.81 * 0.125 * libm::cos(b)).abs() < 1e-9, "{elbow}");
+    assert!((shoulder - (2.0 * 0.15 + 1.2 * 0.3) * 9.81 * libm::cos(a)).abs() < 1e-9, "{shoulder}");
+    // they still act in the vibrations about it
+    let without = text.replace("; damping 0.2 N*m*s/rad", "").replace("; damping 0.1 N*m*s/rad", "");
+    assert!(first(&text, "damping_ratio(1)") > 0.01);
+    near(first(&without, "angle(b1)"), a.to_degrees());
+    // held by drives, and the file is told that dampers are left out
+    let held = format!("{arms}drive b1 = 25 deg\ndrive b2 = -20 deg\nfind effort(b1)\n");
+    let still = first(
+        &held.replace("; damping 0.2 N*m*s/rad", "").replace("; damping 0.1 N*m*s/rad", ""),
+        "effort(b1)",
+    );
+    near(first(&held, "effort(b1)"), still);
+    let source = assur::internals::source::Source::new("held.mech", held);
+    let (_, problems) = assur::internals::test_source(&source, &assur::internals::check::Overrides::none());
+    let text =
+        assur::internals::diagnostic::render(&problems, &source, assur::internals::diagnostic::Style::PLAIN);
+    assert!(text.contains("mech::request::no_damping"), "{text}");
+    // a load of the file's own that names a speed still needs one
+    let own = format!(
+        "{arms}torque T on b1 = -0.3 N*m*s*omega(b1)\nequilibrium b1 near 50 deg, b2 near 20 deg\nfind angle(b1)\n"
+    );
+    assert!(assur::solve(&own).is_err());
+}

@@ -6,7 +6,7 @@ use crate::loads::load::form;
 use crate::motion::drive::{Moves, coordinate};
 use crate::pairs::pair::{joined_with_itself, link_point};
 use assur_model::model;
-use assur_model::model::{BinaryOp, Expr, LoadKind, Query};
+use assur_model::model::{BinaryOp, Expr, LoadId, LoadKind, Query};
 use assur_syntax::document::{Name, Path, Spring, SpringSite, Statement};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::language::{SPRING, TORSION_SPRING};
@@ -100,7 +100,8 @@ fn in_pair(cx: &mut Context<'_>, spring: &Spring, pair: &Name) -> Option<model::
         scaled(k, Expr::Binary(BinaryOp::Sub, Box::new(Expr::number(free)), angle))
     });
     let (stiffness, free_angle) = (stiffness.unwrap_or(0.0), free.unwrap_or(0.0));
-    cx.builder.mech.torsion_springs.push(model::TorsionSpring { stiffness, free_angle });
+    let load = LoadId::at(cx.builder.mech.loads.len());
+    cx.builder.mech.torsion_springs.push(model::TorsionSpring { load, stiffness, free_angle });
     let viscous = damping.filter(|c| *c > 0.0);
     let viscous = viscous.map(|c| scaled(-c, Expr::Query(Query::RelativeVelocity(pair_id))));
     let value = match (elastic, viscous) {

@@ -1,6 +1,6 @@
 //! Applied loads, springs and unknown efforts.
 
-use super::{Expr, LinkId, PairId};
+use super::{Expr, LinkId, LoadId, PairId};
 use crate::math::Vec2;
 use crate::source::Span;
 
@@ -187,6 +187,7 @@ impl Spring {
 /// What a spring in a revolute pair stores; its torque is a load.
 #[derive(Clone, Copy, Debug)]
 pub struct TorsionSpring {
+    pub load: LoadId,
     /// N m/rad.
     pub stiffness: f64,
     /// Of the pair's coordinate, rad.

@@ -65,7 +65,7 @@ fn note(model: &Model<'_>, note: &Note) -> Option<Diagnosis> {
         Note::NeedlessFlywheel { flywheel, have, needed } => {
             needless_flywheel(model, *flywheel, *have, *needed)
         }
-        Note::NoDamping { drive, springs } => no_damping(mechanism, *drive, springs),
+        Note::NoDamping { drive, springs, loads } => no_damping(mechanism, *drive, (springs, loads)),
         Note::UnitSpeed { drive, springs, loads } => unit_speed(mechanism, *drive, (springs, loads)),
         Note::NoSliding { pair, pose, more } => no_sliding(model, *pair, (pose, *more)),
         Note::Locked(locking) => locked(model, locking),

@@ -96,10 +96,15 @@ pub(super) fn rates(mechanism: &Mechanism, drive: &Drive) -> String {
 }
 
 /// Damping where nothing moves.
-pub(super) fn no_damping(mechanism: &Mechanism, drive: DriveId, springs: &[SpringId]) -> Diagnosis {
+pub(super) fn no_damping(
+    mechanism: &Mechanism,
+    drive: DriveId,
+    (springs, loads): (&[SpringId], &[LoadId]),
+) -> Diagnosis {
     let (_, help) = speed_for(mechanism, &mechanism.drives[drive.index()]);
-    let place = |id: &SpringId| mechanism.springs[id.index()].span;
-    let labels = springs.iter().map(|id| label("against a motion without direction", place(id)));
+    let springs = springs.iter().map(|id| mechanism.springs[id.index()].span);
+    let places = springs.chain(loads.iter().map(|id| mechanism.loads[id.index()].span));
+    let labels = places.map(|place| label("against a motion without direction", place));
     Diagnosis::warning("mech::request::no_damping", "damping is left out: no drive has a speed")
         .labels(labels)
         .help(help)

@@ -93,6 +93,8 @@ pub enum Note {
         drive: DriveId,
         /// The springs with damping.
         springs: Vec<SpringId>,
+        /// The same of springs in pairs.
+        loads: Vec<LoadId>,
     },
     /// Forces depend on speeds, and the drive has a sense alone.
     UnitSpeed {

@@ -28,7 +28,13 @@ pub(in crate::solve) fn missing_speeds(model: &Model<'_>) -> Option<Refusal> {
             places.push(span);
         }
     };
+    // what rests does not act on a damper
+    let dampers: Vec<Span> =
+        mechanism.torsion_springs.iter().map(|s| mechanism.loads[s.load.index()].span).collect();
     every_query(mechanism, &mut |query, span| {
+        if dampers.contains(&span) {
+            return;
+        }
         let facts = query.facts();
         if !(facts.geometric && effects.geometric) {
             ask(facts.level, span);
@@ -57,13 +63,14 @@ pub(in crate::solve) fn unit_speeds(model: &Model<'_>) -> Option<Note> {
     mechanism.drives.first().filter(|_| effects.forces && !effects.timed)?;
     let springs = mechanism.springs.iter().enumerate().filter(|(_, s)| s.damping > 0.0);
     let springs: Vec<SpringId> = springs.map(|(i, _)| SpringId::at(i)).collect();
-    if !effects.moving {
-        // at an equilibrium it acts in the vibrations about it
-        let left_out = !springs.is_empty() && !mechanism.seeks_equilibrium();
-        return left_out.then_some(Note::NoDamping { drive: FIRST, springs });
-    }
     let loads = mechanism.loads.iter().enumerate().filter(|(_, l)| takes_speeds(mechanism, l.value()));
     let loads: Vec<LoadId> = loads.map(|(i, _)| LoadId::at(i)).collect();
+    if !effects.moving {
+        // at an equilibrium it acts in the vibrations about it
+        let damped = !springs.is_empty() || !loads.is_empty();
+        let left_out = damped && !mechanism.seeks_equilibrium();
+        return left_out.then_some(Note::NoDamping { drive: FIRST, springs, loads });
+    }
     (!springs.is_empty() || !loads.is_empty()).then_some(Note::UnitSpeed { drive: FIRST, springs, loads })
 }
 
