@@ -340,3 +340,28 @@ proptest! {
         prop_assert!((cycle - mean).abs() < 2e-3 * peak, "{cycle} {mean}");
     }
 }
+
+#[test]
+fn a_change_point_has_its_own_angle() {
+    // parallelograms and others on grounds of any direction, in steps that do not meet it
+    for (base, lengths, beyond) in
+        [(0.0, [100, 300, 100], 180.0), (37.25, [100, 300, 100], 180.0), (-12.5, [120, 320, 140], 180.0)]
+    {
+        let [crank, coupler, rocker] = lengths;
+        // crank and ground in line, as coupler and rocker are
+        let ground = f64::from(coupler + rocker - crank);
+        let (x, y) = (ground * f64::to_radians(base).cos(), ground * f64::to_radians(base).sin());
+        let text = format!(
+            "ground {{ A (0, 0); D ({x} mm, {y} mm) }}\nlink crank A-B {crank} mm\nlink coupler B-C {coupler} mm\n\
+             link rocker D-C {rocker} mm\nrevolute A: ground - crank\nrevolute B: crank - coupler\n\
+             revolute C: coupler - rocker\nrevolute D: ground - rocker\n\
+             drive crank = {} deg .. {} deg in 5 steps\nassemble C right of B-D\nfind angle(rocker)\n",
+            base + beyond - 91.7,
+            base + beyond + 88.3
+        );
+        let source = Source::new("change.mech", text);
+        let (_, problems) = assur::internals::test_source(&source, &Overrides::none());
+        let told = render(&problems, &source, Style::PLAIN).replace("\n  │", "");
+        assert!(told.contains(&format!("at crank = {} deg", base + beyond)), "{told}");
+    }
+}

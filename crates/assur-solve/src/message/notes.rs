@@ -127,6 +127,9 @@ fn no_curvature(
     .help("choose a pose at which the point moves along a curve")
 }
 
+/// A change point is known to about 1e-8 rad.
+const CHANGE_PER_DEGREE: f64 = 1e4;
+
 fn switched(model: &Model<'_>, group: usize, at: &[DriveValue], (from, to): (&str, &str)) -> Diagnosis {
     let group = &model.structure.motion[group];
     Diagnosis::warning(
@@ -134,7 +137,7 @@ fn switched(model: &Model<'_>, group: usize, at: &[DriveValue], (from, to): (&st
         format!(
             "{} change to their other assembly between poses {from} and {to}, at {}",
             links(model, group),
-            drive_text(model, &rounded(model, at, 1.0))
+            drive_text(model, &rounded(model, at, CHANGE_PER_DEGREE))
         ),
     )
     .labels(labels(model, group, "this group"))

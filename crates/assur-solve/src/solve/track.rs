@@ -41,7 +41,7 @@ struct Place {
 #[derive(Clone, Debug)]
 pub(crate) struct Switch {
     pub group: usize,
-    /// Drive values just behind it.
+    /// Drive values there.
     pub at: Vec<DriveValue>,
 }
 
@@ -55,6 +55,8 @@ pub(crate) struct Tracker {
     /// Continuous angles of the bodies, rad, and the whole turns of the pairs.
     pub angles: Vec<f64>,
     values: Vec<DriveValue>,
+    /// Those before the last step.
+    values_before: Vec<DriveValue>,
     /// Places before the present one, the last first, each well apart from the next.
     history: Vec<Rc<Place>>,
     extent: f64,
@@ -66,8 +68,9 @@ impl Tracker {
     pub(crate) fn new(model: &Model<'_>, state: State, values: &[DriveValue]) -> Self {
         let angles = first_angles(model, &state);
         let spare = state.clone();
-        let (values, history) = (values.to_vec(), Vec::new());
-        Self { state, spare, angles, values, history, extent: extent(model), pace: StepLimit::of(model) }
+        let (values, history, pace) = (values.to_vec(), Vec::new(), StepLimit::of(model));
+        let values_before = values.clone();
+        Self { state, spare, angles, values, values_before, history, extent: extent(model), pace }
     }
 
     /// Puts the tracker at a position that was solved without it.
@@ -106,12 +109,12 @@ impl Tracker {
                 values.clear();
                 values.extend(way);
                 self.step(model, rates, &values, false)?;
-                self.note_switches(&mut switched);
+                self.note_switches(model, rates, &mut switched);
                 done += 1.0;
             }
         }
         self.step(model, rates, target, false)?;
-        self.note_switches(&mut switched);
+        self.note_switches(model, rates, &mut switched);
         // what changed back is as it was
         let times = |group| switched.iter().filter(|s| s.group == group).count();
         let changed: Vec<bool> = switched.iter().map(|s| times(s.group) % 2 == 1).collect();
@@ -121,11 +124,14 @@ impl Tracker {
     }
 
     /// Which assemblies changed in the last step.
-    fn note_switches(&self, switched: &mut Vec<Switch>) {
+    fn note_switches(&self, model: &Model<'_>, rates: &Rates, switched: &mut Vec<Switch>) {
         let branches = self.spare.branches.iter().zip(&self.state.branches);
         for (group, (before, after)) in branches.enumerate() {
             if before.root * after.root < 0.0 {
-                switched.push(Switch { group, at: self.values.clone() });
+                let (from, to) = (&self.values_before, &self.values);
+                let part = change_point(model, rates, (&self.spare, from), to, group).unwrap_or(1.0);
+                let at = from.iter().zip(to).map(|(a, b)| between(*a, *b, part)).collect();
+                switched.push(Switch { group, at });
             }
         }
     }
@@ -175,6 +181,7 @@ impl Tracker {
             self.remember();
             self.follow_angles(model, &next);
             std::mem::swap(&mut self.state, &mut next);
+            std::mem::swap(&mut self.values, &mut self.values_before);
             self.values.clear();
             self.values.extend_from_slice(values);
         }
@@ -209,7 +216,9 @@ impl Tracker {
                 next.branches[group].root = -next.branches[group].root;
                 next.step::<0>(model.plan, step);
                 let other_is_farther = distance(next, predicted, bodies, self.extent) >= kept;
-                if other_is_farther || !self.passes_change_point(model, rates, values, group) {
+                let passes =
+                    || change_point(model, rates, (&self.state, &self.values), values, group).is_some();
+                if other_is_farther || !passes() {
                     next.branches[group].root = -next.branches[group].root;
                     next.step::<0>(model.plan, step);
                 }
@@ -237,50 +246,6 @@ impl Tracker {
         for &body in &model.plan.turning {
             self.angles[body] = next.motion.bodies[body].turned;
         }
-    }
-
-    /// Whether |σ| of a group vanishes on the way to these values: found by golden section.
-    fn passes_change_point(
-        &self,
-        model: &Model<'_>,
-        rates: &Rates,
-        target: &[DriveValue],
-        group: usize,
-    ) -> bool {
-        let mut state = self.state.clone();
-        let mut sigma = |part: f64| {
-            let values: Vec<DriveValue> =
-                self.values.iter().zip(target).map(|(a, b)| between(*a, *b, part)).collect();
-            rates.at(&values, &mut state.motion.inputs);
-            state.start(model.plan);
-            for step in &model.plan.motion[..=group] {
-                state.step::<0>(model.plan, step);
-            }
-            state.motion.conditions[group].abs()
-        };
-        // what falls on to the very end comes near a change point, but does not pass it
-        let vanishes = CHANGES.min(0.5 * sigma(1.0));
-        if sigma(0.0) <= vanishes {
-            return true;
-        }
-        let (mut low, mut high) = (0.0, 1.0);
-        let mut inner = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
-        let mut values = inner.map(&mut sigma);
-        for _ in 0..60 {
-            if values[0].min(values[1]) <= vanishes {
-                return true;
-            }
-            if values[0] < values[1] {
-                (high, inner[1], values[1]) = (inner[1], inner[0], values[0]);
-                inner[0] = low + GOLDEN * (high - low);
-                values[0] = sigma(inner[0]);
-            } else {
-                (low, inner[0], values[0]) = (inner[0], inner[1], values[1]);
-                inner[1] = high - GOLDEN * (high - low);
-                values[1] = sigma(inner[1]);
-            }
-        }
-        false
     }
 
     /// Keeps the present place, if it is well apart from the last one kept.
@@ -340,6 +305,46 @@ impl Tracker {
         self.history.clear();
         self.step(model, rates, target, true)
     }
+}
+
+/// The part of the way to other values at which |σ| of a group vanishes: found by golden section.
+fn change_point(
+    model: &Model<'_>,
+    rates: &Rates,
+    (from, values): (&State, &[DriveValue]),
+    target: &[DriveValue],
+    group: usize,
+) -> Option<f64> {
+    let mut state = from.clone();
+    let mut sigma = |part: f64| {
+        let values: Vec<DriveValue> = values.iter().zip(target).map(|(a, b)| between(*a, *b, part)).collect();
+        rates.at(&values, &mut state.motion.inputs);
+        state.start(model.plan);
+        for step in &model.plan.motion[..=group] {
+            state.step::<0>(model.plan, step);
+        }
+        state.motion.conditions[group].abs()
+    };
+    // what falls on to the very end comes near a change point, but does not pass it
+    let vanishes = CHANGES.min(0.5 * sigma(1.0));
+    if sigma(0.0) <= vanishes {
+        return Some(0.0);
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    let mut inner = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
+    let mut values = inner.map(&mut sigma);
+    for _ in 0..60 {
+        if values[0] < values[1] {
+            (high, inner[1], values[1]) = (inner[1], inner[0], values[0]);
+            inner[0] = low + GOLDEN * (high - low);
+            values[0] = sigma(inner[0]);
+        } else {
+            (low, inner[0], values[0]) = (inner[0], inner[1], values[1]);
+            inner[1] = high - GOLDEN * (high - low);
+            values[1] = sigma(inner[1]);
+        }
+    }
+    (values[0].min(values[1]) <= vanishes).then_some(inner[0])
 }
 
 /// An angle carried on from one direction to the next by the difference between them.
