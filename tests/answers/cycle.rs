@@ -62,6 +62,29 @@ fn a_smooth_mechanism_reaches_thirteen_digits_with_thirty_two_samples() {
 }
 
 #[test]
+fn a_stroke_between_steps_of_the_search_is_found() {
+    // its ends are exactly at 0 and 180 deg, or at other places where the search looks
+    for ahead in [0, 2, 30, 90, 178] {
+        for drive in ["0 deg .. 360 deg in 10 steps", "7 deg .. 367 deg in 9 steps"] {
+            let text = format!(
+                "ground {{ A (0, 0); line way through A along {ahead} deg }}\nlink crank A-B 50 mm\n\
+                 link yoke {{ C (0, 0); line slot through C along 90 deg }}\nrevolute A: ground - crank\n\
+                 slot K: crank.B - yoke.slot\nprismatic D: yoke.C - ground.way\ndrive crank = {drive}\n\
+                 find stroke(D), dead(D, 1), dead(D, 2)\n"
+            );
+            holds(
+                &text,
+                &[
+                    ("stroke(D)/(1 m)", 0.1, 1e-14),
+                    ("dead(D, 1)/(1 deg)", f64::from(180 + ahead), 1e-11),
+                    ("1 + dead(D, 2)/(1 deg)", f64::from(1 + ahead), 1e-11),
+                ],
+            );
+        }
+    }
+}
+
+#[test]
 fn extremes_are_the_true_ones() {
     holds(
         ENGINE,

@@ -5,6 +5,7 @@ use super::failure::Cause;
 use super::inputs::Rates;
 use super::track::Tracker;
 use crate::answer::{Extremes, PoseAnswers, WholeCycle};
+use crate::math::ROUNDING;
 use crate::model::PairId;
 use crate::position::{BodyState, Branch, DriveValue, Model, State};
 use std::f64::consts::TAU;
@@ -71,14 +72,16 @@ impl Turn {
 
     /// Extremes of the coordinate of a pair, by its number; `None` where it does not go to and fro.
     pub(super) fn extremes(&self, model: &Model<'_>, pair: usize) -> Option<Extremes> {
+        let fastest = self.samples.iter().map(|sample| sample.seen[pair].1.abs()).fold(0.0, f64::max);
+        let is_zero = |rate: f64| rate.abs() <= ROUNDING * fastest;
         let mut found: Vec<(f64, f64)> = Vec::new();
         for two in self.samples.windows(2) {
             let [a, b] = two else { continue };
             let (coordinate, rate_a) = a.seen[pair];
             let (_, rate_b) = b.seen[pair];
-            if rate_a == 0.0 {
+            if is_zero(rate_a) {
                 found.push((a.at, coordinate));
-            } else if rate_a * rate_b < 0.0 {
+            } else if rate_a * rate_b < 0.0 && !is_zero(rate_b) {
                 found.push(self.refine(model, a, b.at, [rate_a, rate_b], self.pairs[pair]));
             }
         }
