@@ -52,6 +52,7 @@ mod starts;
 mod sweep_events;
 mod terminal;
 mod torsion_springs;
+mod touches;
 mod trusses;
 mod unit;
 mod unsmooth;

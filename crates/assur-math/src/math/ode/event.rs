@@ -3,17 +3,39 @@
 //! The function is looked at in ten places, denser towards the ends, where nothing beyond is seen; the widest gap is a fifth
 //! of the step. Where the polynomial through them turns towards zero between two, there are three more. Between two that
 //! differ in sign lies a root. Where three have one sign and the one between is nearest to zero the extreme is looked for:
-//! beyond zero, two roots lie beside it. So two roots are found however close they are.
+//! beyond zero, two roots lie beside it. So two roots are found however close they are. Where the extreme is zero but for rounding
+//! the function touches zero, as a magnitude does: that is one place, at the end of a step too.
 
 use super::{Real, epsilon};
 use crate::math::root_within;
 use std::ops::ControlFlow;
 
-/// A function passes zero.
+/// A function passes zero, or comes to zero and turns back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing<S> {
     pub t: S,
+    /// It comes from below.
     pub rising: bool,
+    pub touches: bool,
+}
+
+impl<S> Crossing<S> {
+    /// Whether the function is above zero behind it.
+    pub const fn leads_up(&self) -> bool {
+        self.rising != self.touches
+    }
+}
+
+/// How near to zero an extreme touches it: a part of the greatest magnitude, that of the step or one that is known.
+#[derive(Clone, Copy, Debug)]
+pub struct Touching {
+    pub part: f64,
+    pub greatest: f64,
+}
+
+impl Touching {
+    /// What turns before zero does not count.
+    pub const NEVER: Self = Self { part: 0.0, greatest: 0.0 };
 }
 
 const PLACES: usize = 10;
@@ -51,6 +73,18 @@ const fn weights() -> [[[f64; PLACES]; INSIDE]; PLACES - 1] {
 /// Evaluations for an extreme: with those of the parabola eight are usual.
 const MOST: usize = 100;
 
+/// What comes to zero within a gap is no greater where that begins, of the greatest.
+const COMES_NEAR: f64 = 1.0 / 16.0;
+
+/// A place this part of the step behind an end is the end: polynomials of neighbouring steps differ by more.
+const AT_END: f64 = 1e-8;
+
+/// What touches zero is, as found first, no more than this part of what it is at the ends of its gap.
+const NEARLY: f64 = 1e-3;
+
+/// A touch is refined from places this part of its gap beside it.
+const BESIDE: f64 = 1e-3;
+
 /// Golden section: the lesser part of 1.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
@@ -60,31 +94,60 @@ type Point<S> = (S, S);
 /// Tells of every change of sign of `g` between two places, in order, to 4 ε of the number. A zero at the last place is one,
 /// at the first none; where the step began at a root, `passed` says that it was rising, and its sign is not read from what is left of it.
 pub fn crossings<S: Real, B>(
+    step: (S, S),
+    passed: Option<bool>,
+    g: impl FnMut(S) -> S,
+    found: impl FnMut(Crossing<S>) -> ControlFlow<B>,
+) -> ControlFlow<B> {
+    crossings_and_touches(step, passed, Touching::NEVER, g, found)
+}
+
+/// As [`crossings`], and of places where `g` touches zero. For these it is looked at a little beyond the step.
+pub fn crossings_and_touches<S: Real, B>(
     (from, to): (S, S),
     passed: Option<bool>,
+    touching: Touching,
     mut g: impl FnMut(S) -> S,
     mut found: impl FnMut(Crossing<S>) -> ControlFlow<B>,
 ) -> ControlFlow<B> {
     let mut points = PARTS.map(|part| point_at((from, to), part, &mut g));
+    let greatest = points.iter().fold(S::of(touching.greatest), |most, point| most.max(point.1.abs()));
+    let near = S::of(touching.part) * greatest;
     if let Some(rising) = passed {
         points[0].1 = passed_value(points[0].1, rising);
     }
     let (points, count) = with_more((from, to), points, &mut g);
     let points = &points[..count];
     let mut last = points[0];
+    if passed.is_none() && S::zero().lt(near) {
+        let before = beyond_end(from, from - to, &mut g);
+        if let Turn::Touches(t) = extreme(before, last, points[1], near, &mut g)
+            && ahead(t, from + S::of(AT_END) * (to - from), to - from)
+        {
+            found(Crossing { t, rising: sign(before.1) < 0, touches: true })?;
+        }
+    }
+    let touch = if S::zero().lt(near) { touch_at_end(points, greatest, near, &mut g) } else { None };
     for i in 1..count {
+        if i + 1 == count && touch.is_some() {
+            break;
+        }
         if opposite(last, points[i]) {
             found(crossing(last, points[i], &mut g))?;
-        } else if let Some(&after) = points.get(i + 1)
-            && let Some(beyond) = extreme(last, points[i], after, &mut g)
-        {
-            found(crossing(last, beyond, &mut g))?;
-            // from there on as between any two places
-            last = beyond;
-            if opposite(last, points[i]) && !ahead(beyond.0, points[i].0, to - from) {
-                found(crossing(last, points[i], &mut g))?;
-            } else {
-                continue;
+        } else if let Some(&after) = points.get(i + 1) {
+            match extreme(last, points[i], after, near, &mut g) {
+                Turn::Passes(beyond) => {
+                    found(crossing(last, beyond, &mut g))?;
+                    // from there on as between any two places
+                    last = beyond;
+                    if opposite(last, points[i]) && !ahead(beyond.0, points[i].0, to - from) {
+                        found(crossing(last, points[i], &mut g))?;
+                    } else {
+                        continue;
+                    }
+                }
+                Turn::Touches(t) => found(Crossing { t, rising: sign(last.1) < 0, touches: true })?,
+                Turn::None => {}
             }
         }
         if sign(points[i].1) != 0 {
@@ -92,10 +155,40 @@ pub fn crossings<S: Real, B>(
         }
     }
     let end = points[count - 1];
-    if sign(end.1) == 0 && sign(last.1) != 0 {
-        found(Crossing { t: end.0, rising: sign(last.1) < 0 })?;
+    if touch.is_some() || (sign(end.1) == 0 && sign(last.1) != 0) {
+        let t = touch.filter(|t| ahead(end.0, *t, to - from)).unwrap_or(end.0);
+        found(Crossing { t, rising: sign(points[count - 2].1) < 0, touches: touch.is_some() })?;
     }
     ControlFlow::Continue(())
+}
+
+/// Where a function touches zero in the last gap.
+fn touch_at_end<S: Real>(points: &[Point<S>], greatest: S, near: S, g: &mut impl FnMut(S) -> S) -> Option<S> {
+    let &[from, .., before, end] = points else { return None };
+    let comes = near.lt(before.1.abs()) && end.1.abs().lt(before.1.abs());
+    let passes = sign(end.1) * sign(before.1) <= 0;
+    // of what is far from zero there is nothing to see beyond
+    if !comes || S::of(COMES_NEAR).lt(before.1.abs() / greatest) || (passes && near.lt(end.1.abs())) {
+        return None;
+    }
+    let beyond = beyond_end(end.0, end.0 - from.0, g);
+    if !beyond.1.abs().lt(S::of(f64::INFINITY)) {
+        return (!passes && !near.lt(end.1.abs())).then_some(end.0);
+    }
+    if passes {
+        return (sign(beyond.1) == sign(before.1)).then_some(end.0);
+    }
+    let slack = S::of(AT_END) * (end.0 - from.0);
+    match extreme(before, end, beyond, near, g) {
+        Turn::Touches(t) if !ahead(t, end.0 + slack, end.0 - from.0) => Some(t),
+        _ => None,
+    }
+}
+
+/// The value a little beyond an end of the step.
+fn beyond_end<S: Real>(end: S, step: S, g: &mut impl FnMut(S) -> S) -> Point<S> {
+    let t = end + S::of(PARTS[1]) * step;
+    (t, g(t))
 }
 
 /// The value at a part of the step; where that is a root by chance, beside it, as there is more to see.
@@ -150,6 +243,16 @@ fn hides<S: Real>(a: S, between: [S; INSIDE], b: S) -> bool {
     turns
 }
 
+/// The first change of sign or touch.
+pub fn first_crossing_or_touch<S: Real>(
+    step: (S, S),
+    passed: Option<bool>,
+    touching: Touching,
+    g: impl FnMut(S) -> S,
+) -> Option<Crossing<S>> {
+    crossings_and_touches(step, passed, touching, g, ControlFlow::Break).break_value()
+}
+
 /// The first change of sign.
 pub fn first_crossing<S: Real>(
     step: (S, S),
@@ -183,27 +286,40 @@ fn ahead<S: Real>(a: S, b: S, direction: S) -> bool {
 
 fn crossing<S: Real>(a: Point<S>, b: Point<S>, g: &mut impl FnMut(S) -> S) -> Crossing<S> {
     let tolerance = if S::EXTENDED { 2e-31 } else { 4.0 * f64::EPSILON };
-    Crossing { t: root_within(tolerance, (a.0, b.0), (a.1, b.1), g), rising: sign(a.1) < 0 }
+    let t = root_within(tolerance, (a.0, b.0), (a.1, b.1), g);
+    Crossing { t, rising: sign(a.1) < 0, touches: false }
 }
 
-/// A place between a and c beyond zero, where all three have one sign and b is nearest to zero: the least of |g| by
-/// parabolas, by golden section where they do not serve (R. P. Brent, Algorithms for Minimization Without Derivatives, 1973).
+/// What a function does between two places of one sign.
+enum Turn<S> {
+    /// It is beyond zero at a place.
+    Passes(Point<S>),
+    Touches(S),
+    None,
+}
+
+/// Where a and c have one sign and b is nearest to zero: the least of ±g by parabolas, by golden section where they do not serve
+/// (R. P. Brent, Algorithms for Minimization Without Derivatives, 1973).
 fn extreme<S: Real>(
     mut a: Point<S>,
     mut b: Point<S>,
     mut c: Point<S>,
+    near: S,
     g: &mut impl FnMut(S) -> S,
-) -> Option<Point<S>> {
-    let side = sign(b.1);
+) -> Turn<S> {
+    let side = sign(a.1);
     let farther = |p: Point<S>| sign(p.1) == side && !p.1.abs().lt(b.1.abs());
-    if side == 0 || !farther(a) || !farther(c) {
-        return None;
+    let known = sign(b.1) == side || (S::zero().lt(near) && sign(b.1) == 0);
+    if side == 0 || !known || !farther(a) || !farther(c) {
+        return Turn::None;
     }
     let same = |p: Point<S>| !p.1.abs().lt(b.1.abs()) && !b.1.abs().lt(p.1.abs());
     if same(a) && same(c) {
         // what stands still
-        return None;
+        return Turn::None;
     }
+    let from_sign = if side < 0 { -S::one() } else { S::one() };
+    let (begin, end) = (a, c);
     let least = epsilon::<S>().sqrt() * (c.0 - a.0).abs();
     for turn in 0..MOST {
         let x = if turn % 4 == 3 { None } else { vertex(a, b, c) };
@@ -213,10 +329,10 @@ fn extreme<S: Real>(
             b.0 + part * if to_a.abs().lt(to_c.abs()) { to_c } else { to_a }
         });
         let new = (x, g(x));
-        if sign(new.1) * side < 0 {
-            return Some(new);
+        if (new.1 * from_sign).lt(-near) {
+            return Turn::Passes(new);
         }
-        let nearer = new.1.abs().lt(b.1.abs());
+        let nearer = (new.1 * from_sign).lt(b.1 * from_sign);
         if between(a.0, x, b.0) {
             (a, b, c) = if nearer { (a, new, b) } else { (new, b, c) };
         } else {
@@ -226,7 +342,32 @@ fn extreme<S: Real>(
             break;
         }
     }
-    None
+    // what stays so small all the time comes from nowhere
+    let least = begin.1.abs().min(end.1.abs());
+    let may_touch = S::zero().lt(near) && near.lt(least) && b.1.abs().lt(near.max(S::of(NEARLY) * least));
+    if !may_touch {
+        return Turn::None;
+    }
+    let t = touched(b.0, S::of(BESIDE) * (end.0 - begin.0), g);
+    if near.lt(g(t).abs().min(b.1.abs())) { Turn::None } else { Turn::Touches(t) }
+}
+
+/// The place of a touch from one near it, by what |g| is beside it: it grows as the distance or as its square, and so as a smooth
+/// function of the distance, whose inverse passes zero there.
+fn touched<S: Real>(t: S, beside: S, g: &mut impl FnMut(S) -> S) -> S {
+    let places = [-2.0, -1.0, 1.0, 2.0].map(|part| t + S::of(part) * beside);
+    let values = places.map(|place| g(place).abs());
+    let square = (values[1] + values[2]).lt(S::of(0.35) * (values[0] + values[3]));
+    let unfolded = values.map(|value| if square { value.sqrt() } else { value });
+    let [a, b, c, d] = unfolded;
+    let (x, mut y) = ([-a, -b, c, d], places);
+    // Neville's scheme at zero
+    for order in 1..4 {
+        for i in 0..4 - order {
+            y[i] = y[i] + (y[i + 1] - y[i]) * x[i] / (x[i] - x[i + order]);
+        }
+    }
+    if (y[0] - t).abs().lt(beside) { y[0] } else { t }
 }
 
 fn between<S: Real>(a: S, x: S, b: S) -> bool {

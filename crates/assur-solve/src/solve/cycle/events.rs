@@ -8,7 +8,8 @@ use super::sampler::{Sample, Sampler};
 use super::switches::APART;
 use super::within_curves;
 use crate::answer::{Nearest, ROUNDING, Swept, WholeCycle, constant};
-use crate::math::ode::event::crossings;
+use crate::math::ROUNDING as OF_GREATEST;
+use crate::math::ode::event::{Touching, crossings_and_touches};
 use crate::model::{Event, Expr, Value};
 use crate::position::{DriveValue, Model};
 use crate::solve::failure::Cause;
@@ -30,7 +31,8 @@ pub(crate) fn events(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     let mut places = Vec::new();
     let mut seen = Vec::new();
     for event in &mechanism.events {
-        let mut search = Search { statics, sampler: &mut sampler, expr: &event.value, seen: Vec::new() };
+        let Event { value: expr, strict, .. } = event;
+        let mut search = Search { statics, sampler: &mut sampler, expr, strict: *strict, seen: Vec::new() };
         places.push(search.places(event));
         seen.push(search.seen);
     }
@@ -87,6 +89,8 @@ struct Search<'f, 'a> {
     statics: &'f WholeCycle,
     sampler: &'f mut Sampler<'a>,
     expr: &'f Expr,
+    /// At a touch it does not happen.
+    strict: bool,
     /// Magnitudes, and where.
     seen: Vec<(f64, f64)>,
 }
@@ -135,17 +139,24 @@ impl Search<'_, '_> {
             return;
         }
         let mut inner = Vec::new();
-        let _ = crossings(
+        let touching = Touching { part: OF_GREATEST, greatest: 0.0 };
+        // what was touched there is not touched again
+        let passed = parts.last().filter(|part| **part == (from, 0)).map(|_| between > 0);
+        let _ = crossings_and_touches(
             (from, to),
-            None,
-            |s| self.value(s, if s == from || s == to { ROUNDING } else { NEAR }),
+            passed,
+            touching,
+            |s| match (0.0..=1.0).contains(&s) {
+                true => self.value(s, if s == from || s == to { ROUNDING } else { NEAR }),
+                false => f64::NAN,
+            },
             |crossing| {
                 inner.push(crossing);
                 ControlFlow::<()>::Continue(())
             },
         );
         // a zero at the end begins the next part, or none
-        inner.retain(|crossing| crossing.t < to);
+        inner.retain(|crossing| if crossing.touches { !self.strict } else { crossing.t < to });
         let sign = |rising: bool| if rising { 1 } else { -1 };
         let first = inner.first().map_or_else(
             || [between, begin, end].into_iter().find(|sign| *sign != 0).unwrap_or(0),
@@ -155,7 +166,11 @@ impl Search<'_, '_> {
             Some((_, 0)) => self.end_of_zero(from, if between == 0 { to } else { middle }),
             _ => from,
         };
-        for (since, sign) in [(since, first)].into_iter().chain(inner.iter().map(|c| (c.t, sign(c.rising)))) {
+        let behind = inner.iter().flat_map(|c| {
+            let touched = c.touches.then_some((c.t, 0));
+            touched.into_iter().chain((c.t < to).then_some((c.t, sign(c.leads_up()))))
+        });
+        for (since, sign) in [(since, first)].into_iter().chain(behind) {
             if parts.last().is_none_or(|part| part.1 != sign) {
                 parts.push((since, sign));
             }

@@ -9,7 +9,7 @@ use super::records::within_step;
 use crate::answer::{OF_FORCES, OF_MOTION};
 use crate::math::lobatto::Extremes;
 use crate::math::ode::Integrator;
-use crate::math::ode::event::{Crossing, first_crossing};
+use crate::math::ode::event::{Crossing, Touching, first_crossing_or_touch};
 use crate::model::{Event, Expr, Mechanism, Situation};
 
 /// Events nearer to each other than this part of the run happen at once.
@@ -62,6 +62,8 @@ pub(super) struct EventDetector<'m> {
     crossed: Vec<f64>,
     /// Below this part values and times are those of the same event.
     again: f64,
+    /// What values are known to, of the greatest.
+    known: f64,
     pub(super) y: Vec<f64>,
     pub(super) memory: Memory,
     /// Further halvings of the parts of a step: a term of a high order turns within them.
@@ -77,7 +79,7 @@ pub(super) struct EventDetector<'m> {
 pub(super) struct Happened {
     /// The instant, s.
     pub time: f64,
-    /// The events that happen there.
+    /// The events that happen there, and whether their values are above zero behind it.
     events: Vec<(usize, bool)>,
 }
 
@@ -113,6 +115,7 @@ impl<'m> EventDetector<'m> {
             greatest: vec![0.0; count],
             crossed: vec![f64::NEG_INFINITY; count],
             again: AT_ONCE.max(AGAIN * tolerance),
+            known: ROUNDING.max(tolerance),
             y: equations.start(),
             memory: Memory::default(),
             finer: finest.checked_ilog2().unwrap_or(0),
@@ -165,7 +168,9 @@ impl<'m> EventDetector<'m> {
             let (mut counted, mut tries) = (crossing, 0);
             while let Some(crossing) = counted {
                 let known = self.is_known(equations, method, index, (step.0, crossing.t));
-                let other = way.is_some_and(|rising| rising != crossing.rising);
+                // at a touch a strict condition becomes true nowhere
+                let other = way.is_some_and(|rising| rising != crossing.rising)
+                    || (crossing.touches && self.events[index].strict);
                 if !known && !other && !self.too_early(index, crossing.t) {
                     break;
                 }
@@ -175,16 +180,25 @@ impl<'m> EventDetector<'m> {
                 let rest = (crossing.t, step.1);
                 tries += 1;
                 counted = if tries < MOST_TRIES && rest.0 < rest.1 {
-                    self.crossing(equations, method, index, rest, Some(crossing.rising))
+                    self.crossing(equations, method, index, rest, Some(crossing.leads_up()))
                 } else {
                     None
                 };
             }
             found.extend(counted.map(|crossing| (index, crossing)));
         }
-        let time = found.iter().map(|(_, crossing)| crossing.t).fold(f64::INFINITY, f64::min);
-        let at_once = |crossing: &Crossing<f64>| crossing.t - time <= AT_ONCE * self.length;
-        let events = found.iter().filter(|(_, c)| at_once(c)).map(|(i, c)| (*i, c.rising)).collect();
+        let earliest =
+            |of: &mut dyn Iterator<Item = &Crossing<f64>>| of.map(|c| c.t).fold(f64::INFINITY, f64::min);
+        let first = earliest(&mut found.iter().map(|(_, c)| c));
+        // a touch is found to fewer digits: it has the time of a crossing so near
+        let near = self.again * self.length;
+        let crossed =
+            earliest(&mut found.iter().map(|(_, c)| c).filter(|c| !c.touches && c.t - first <= near));
+        let time = if crossed.is_finite() { crossed } else { first };
+        let at_once = |crossing: &Crossing<f64>| {
+            crossing.t - time <= if crossing.touches { near } else { AT_ONCE * self.length }
+        };
+        let events = found.iter().filter(|(_, c)| at_once(c)).map(|(i, c)| (*i, c.leads_up())).collect();
         time.is_finite().then_some(Happened { time, events })
     }
 
@@ -238,7 +252,8 @@ impl<'m> EventDetector<'m> {
         passed: Option<bool>,
     ) -> Option<Crossing<f64>> {
         let value = &self.events[index].value;
-        first_crossing(step, passed, |t| {
+        let touching = Touching { part: self.known, greatest: self.greatest[index] };
+        first_crossing_or_touch(step, passed, touching, |t| {
             let value = self.value(equations, method, t, value);
             self.greatest[index] = self.greatest[index].max(value.abs());
             value

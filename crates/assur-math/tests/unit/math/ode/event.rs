@@ -1,7 +1,7 @@
 //! Roots within a step.
 
 use super::{kepler, orbit, perihelion};
-use assur_math::math::ode::event::{Crossing, crossings, first_crossing};
+use assur_math::math::ode::event::{Crossing, Touching, crossings, crossings_and_touches, first_crossing};
 use assur_math::math::ode::{Dop853, Integrator, Step, Tolerance};
 use assur_math::math::{Double, Scalar};
 use std::ops::ControlFlow;
@@ -58,13 +58,55 @@ fn pairs_are_found_however_close() {
     assert!(all((0.0, 1.0), None, |t| -(t - 0.4) * (t - 0.4) - 1e-9).is_empty());
 }
 
+/// Places where a function touches zero, over steps of one length from 0 to 1.
+fn touches(steps: u32, g: impl Fn(f64) -> f64) -> Vec<f64> {
+    let (mut found, mut passed, step) = (Vec::new(), None, 1.0 / f64::from(steps));
+    for i in 0..steps {
+        let touching = Touching { part: 1e-11, greatest: 1.0 };
+        let step = (f64::from(i) * step, f64::from(i + 1) * step);
+        let _ = crossings_and_touches::<_, ()>(step, passed.take(), touching, &g, |crossing| {
+            assert!(crossing.touches && !crossing.leads_up() == crossing.rising, "{crossing:?}");
+            found.push(crossing.t);
+            passed = (crossing.t == step.1).then_some(crossing.leads_up());
+            ControlFlow::Continue(())
+        });
+    }
+    found
+}
+
+#[test]
+fn a_touch_is_one_place_wherever_it_lies() {
+    let bend = |t: f64| 1.0 + 0.4 * libm::sin(5.0 * t);
+    let step = 0.125;
+    let parts =
+        [0.5, 0.17, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 0.0, 1.0 - 1e-3, 1.0 - 1e-5, 1.0 - 1e-7, 1.0 - 1e-9];
+    let more = (1..400).map(|i| f64::from(i) / 400.0);
+    for place in parts.into_iter().chain(more).map(|part| step * (3.0 + part)) {
+        let shapes: [(&str, &dyn Fn(f64) -> f64); 4] = [
+            ("magnitude", &|t| (libm::sin(t - place) * bend(t)).abs()),
+            ("below", &|t| -(libm::sin(t - place) * bend(t)).abs()),
+            ("square", &|t| 3.0 * (t - place) * (t - place) * bend(t)),
+            ("extreme", &|t| libm::cos(2.0 * (t - place)) - 1.0),
+        ];
+        for (name, g) in shapes {
+            let found = touches(8, g);
+            assert!(found.len() == 1 && (found[0] - place).abs() < 3e-9, "{name} {place}: {found:?}");
+        }
+    }
+    // what turns before zero, rests in it or begins there touches nothing
+    assert!(touches(8, |t| (t - 0.4).abs() + 1e-9).is_empty());
+    assert!(touches(8, |t| (t - 0.4) * (t - 0.4) + 1e-9).is_empty());
+    assert!(touches(8, |t| 1e-13 * libm::sin(40.0 * t).abs()).is_empty());
+    assert!(touches(8, |t| t * t).is_empty() && touches(8, f64::abs).is_empty());
+}
+
 #[test]
 fn zeros_at_the_ends_and_in_a_place() {
     let found = all((0.0, 1.0), None, |t| t - 0.5);
-    assert_eq!(found, [Crossing { t: 0.5, rising: true }]);
+    assert_eq!(found, [Crossing { t: 0.5, rising: true, touches: false }]);
     // the first place does not count, the last does
     assert!(all((0.0, 1.0), None, |t| t).is_empty());
-    assert_eq!(all((0.0, 1.0), None, |t| t - 1.0), [Crossing { t: 1.0, rising: true }]);
+    assert_eq!(all((0.0, 1.0), None, |t| t - 1.0), [Crossing { t: 1.0, rising: true, touches: false }]);
     assert!(all((0.0, 1.0), None, |_| 0.0).is_empty());
     // what is left of a root that was passed does not count
     let left = |t: f64| t - 1e-17;
