@@ -4,13 +4,13 @@
 
 use assur_math::math::Vec2;
 use assur_model::model::{
-    Display, Drive, DriveTarget, Expr, Find, FindKind, Hint, HintKind, LinkId, Mechanism, PairKind, PointRef,
-    Positions, Query, Value,
+    Display, Drive, DriveTarget, Expr, Find, FindKind, Hint, HintKind, LinkId, Mechanism, Pair, PairKind,
+    PointRef, Positions, Query, Value,
 };
 use assur_model::structure;
 use assur_position::plan;
 use assur_position::position::{BodyState, extent};
-use assur_solve::solve::{self, Model};
+use assur_solve::solve::{self, Cause, Failure, Model};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
@@ -58,13 +58,9 @@ pub(super) fn leave_out(mechanism: &mut Mechanism) -> Result<(), Diagnosis> {
     Ok(())
 }
 
-/// The started coordinates of points of links that are in contact.
+/// The started coordinates of points of links that are in contact, themselves or by what they are joined to.
 fn coordinates(mechanism: &Mechanism) -> Vec<Coordinate> {
-    let touches = |link| {
-        let is_contact =
-            |kind: &PairKind| matches!(kind, PairKind::Contact { .. }) && kind.links().contains(&link);
-        mechanism.pairs.iter().any(|pair| is_contact(&pair.kind))
-    };
+    let touches = |link| contacts(mechanism, link).next().is_some();
     let drives = mechanism.drives.iter().enumerate().filter(|(_, drive)| drive.free);
     // what is no number is not compared with the contact: the starts are then too many
     let is_number = |expr: Option<&Expr>| matches!(expr, Some(Expr::Constant(Value::Scalar(_))));
@@ -78,8 +74,29 @@ fn coordinates(mechanism: &Mechanism) -> Vec<Coordinate> {
     places.take(MOST).collect()
 }
 
-/// The best first position without as few starts as possible. Where none has a position, the first that is determined at all has no
-/// bodies.
+/// The contacts of a link, or else of what it is joined to.
+fn contacts(mechanism: &Mechanism, link: LinkId) -> impl Iterator<Item = &Pair> {
+    let mut joined = vec![link];
+    let touching = |joined: &[LinkId], pair: &Pair| {
+        let links = pair.kind.links();
+        matches!(pair.kind, PairKind::Contact { .. }) && links.iter().any(|link| joined.contains(link))
+    };
+    let mut next = 0;
+    while next < joined.len() && !mechanism.pairs.iter().any(|pair| touching(&joined, pair)) {
+        let links = mechanism.pairs.iter().map(|pair| pair.kind.links());
+        let beside = links.filter(|links| links.contains(&joined[next])).flatten().collect::<Vec<_>>();
+        for link in beside {
+            if link != LinkId::GROUND && !joined.contains(&link) {
+                joined.push(link);
+            }
+        }
+        next += 1;
+    }
+    mechanism.pairs.iter().filter(move |pair| touching(&joined, pair))
+}
+
+/// The best first position without as few starts as possible. Where none has a position, one of several assemblies of which the file
+/// chooses none, or the first that is determined at all: it has no bodies.
 fn first_position(mechanism: &Mechanism, all: &[Coordinate]) -> Option<First> {
     for count in 1..=all.len() {
         let sets = (1..1_usize << all.len()).filter(|set| set.count_ones() as usize == count);
@@ -103,11 +120,16 @@ fn position(mechanism: &Mechanism, all: &[Coordinate], left_out: Vec<usize>) -> 
     let plan = plan::plan(&still, &structure);
     let model = Model { mechanism: &still, structure: &structure, plan: &plan };
     let size = extent(&model);
-    let pose = solve::solve(&model).ok().and_then(|mut solution| solution.poses.pop());
-    let solved = pose.and_then(|pose| pose.outcome.ok());
-    Some(match solved {
-        None => First { left_out, bodies: Vec::new(), condition: 0.0, size },
-        Some(one) => First { left_out, bodies: one.state.motion.bodies, condition: one.condition, size },
+    let outcome = match solve::solve(&model) {
+        Ok(mut solution) => solution.poses.pop().map(|pose| pose.outcome),
+        Err(mut failures) => failures.pop().map(Err),
+    };
+    Some(match outcome {
+        Some(Ok(one)) => First { left_out, bodies: one.state.motion.bodies, condition: one.condition, size },
+        Some(Err(Failure { cause: Cause::Ambiguous { .. }, .. })) => {
+            First { left_out, bodies: Vec::new(), condition: f64::MIN_POSITIVE, size }
+        }
+        _ => First { left_out, bodies: Vec::new(), condition: 0.0, size },
     })
 }
 
@@ -211,10 +233,7 @@ fn misfit(
     let unit = |x: f64| display.text(Value::Scalar(rounded(x)), DIGITS);
     let vector = format!("({}, {})", unit(found.x), unit(found.y));
     let apart = text(Value::Scalar((found - said).norm()), 4);
-    let touching = mechanism.pairs.iter().filter(|pair| {
-        matches!(pair.kind, PairKind::Contact { .. }) && pair.kind.links().contains(&one.link)
-    });
-    let contacts: Vec<_> = touching.collect();
+    let contacts: Vec<_> = contacts(mechanism, one.link).collect();
     let names: Vec<String> = contacts.iter().map(|pair| format!("`{}`", pair.name)).collect();
     let names = names.join(" and ");
     let (message, line) = if dimension == Dimension::LENGTH {

@@ -347,3 +347,59 @@ fn a_free_shaft_of_which_nothing_is_asked_is_solved() {
         assert_eq!(solution.poses()[0]["x"].number(), Some(3.0));
     }
 }
+
+/// A motorcycle, and where it starts.
+fn motorcycle(start: &str) -> String {
+    format!(
+        "gravity 9.81 m/s^2\nground {{ O (0, 0); line road through O along 0 deg }}\n\
+         link body {{ R (0, 0); F (1.4 m, 0); S (0.65 m, 0.35 m); mass 230 kg at S; inertia 30 kg*m^2 }}\n\
+         link rear {{ R (0, 0); circle tyre centre R radius 300 mm; mass 12 kg at R; inertia 0.6 kg*m^2 }}\n\
+         link front {{ F (0, 0); circle tyre centre F radius 300 mm; mass 12 kg at F; inertia 0.6 kg*m^2 }}\n\
+         revolute R: body - rear\nrevolute F: body - front\n\
+         contact cr: rear.tyre - ground.road {{ friction 0.9 }}\ncontact cf: front.tyre - ground.road {{ friction 0.9 }}\n\
+         torque T in R = -300 N*m\nstart rear = 0 deg\nstart front = 0 deg\n{start}\n\
+         simulate 0 s .. 2 s in 2 steps\nfind velocity(body.S).x\n"
+    )
+}
+
+/// A crate on two feet.
+fn crate_on_feet(assemble: &str) -> String {
+    format!(
+        "gravity 9.81 m/s^2\nground {{ O (0, 0); line road through O along 0 deg }}\n\
+         link body {{ R (0, 0); F (1.4 m, 0); S (0.65 m, 0.35 m); mass 230 kg at S; inertia 30 kg*m^2 }}\n\
+         contact cr: body.R - ground.road\ncontact cf: body.F - ground.road\n\
+         start body.R = (0, 0) at (5 m/s, 0)\n{assemble}\nsimulate 0 s .. 2 s in 2 steps\nfind velocity(body.S).x\n"
+    )
+}
+
+fn last(text: &str) -> f64 {
+    let solution = assur::solve(text).unwrap_or_else(|e| panic!("{text}\n{e}"));
+    solution.poses().last().and_then(|pose| pose["velocity(body.S).x"].number()).unwrap_or(f64::NAN)
+}
+
+#[test]
+fn a_repeated_start_whose_assembly_is_open_lists_places_that_work() {
+    let open = assur::solve(crate_on_feet("")).expect_err("two assemblies").to_string();
+    assert!(open.contains("2 assemblies") && open.contains("assemble body.F near (1.4 m, 0 m)"), "{open}");
+    assert!((last(&crate_on_feet("assemble body.F near (1.4 m, 0 m)")) - 5.0).abs() < 1e-9);
+    let open = assur::solve(motorcycle("start body.R = (0, 300 mm)")).expect_err("several").to_string();
+    assert!(open.contains("assemble body.F near (1.4 m, 0.3 m)"), "{open}");
+}
+
+#[test]
+fn a_body_on_wheels_starts_at_any_of_its_points() {
+    let wanted = last(&motorcycle("start rear.R = (0, 300 mm)\nassemble body.F near (1.4 m, 300 mm)"));
+    let forward = "assemble body.F near (1.4 m, 300 mm)";
+    for (start, assemble) in [
+        ("body.R = (0, 300 mm)", forward),
+        ("body.S = (0.65 m, 0.65 m)", forward),
+        ("body.F = (1.4 m, 300 mm)", "assemble body.R near (0 m, 300 mm)"),
+    ] {
+        let found = last(&motorcycle(&format!("start {start}\n{assemble}")));
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{start}: {found} {wanted}");
+    }
+    // one that does not fit says where it is
+    let off = motorcycle("start body.R = (0, 310 mm)\nassemble body.F near (1.4 m, 300 mm)");
+    let off = assur::solve(off).expect_err("10 mm above").to_string();
+    assert!(off.contains("starts 0.01 m from") && off.contains("`cr`"), "{off}");
+}
