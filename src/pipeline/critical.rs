@@ -1,9 +1,9 @@
 //! `critical(al)`: the value of a `given` at which locking begins.
 //!
 //! The file is checked again with other values of the `given`, and its first pose solved. From the file's value the search
-//! goes outwards to both sides in growing steps until the verdict changes, and bisects that step to the last digit. A side
-//! ends where the file has an error or no pose, and where the ideal power changes its sign: there the balance no longer
-//! drives where it drove, or resists where it resisted, which is another question.
+//! goes outwards to both sides in growing steps until the verdict changes, and bisects that step to the last digit. The verdict changes
+//! too where the ideal power changes its sign: friction is then all that has to be overcome, so the mechanism locks on one side. A side
+//! ends where the file has an error or no pose, or where the ideal power changes its sign and nothing locks.
 
 use super::compile::Origin;
 use assur_check as check;
@@ -59,69 +59,71 @@ impl Search<'_> {
         let Some(verdict) = self.verdict(here) else { return f64::NAN };
         let first = if here == 0.0 { FIRST_FROM_ZERO } else { FIRST * here.abs() };
         let mut sides = [Some(here), Some(here)];
+        let mut turns: Option<f64> = None;
         for step in 0..STEPS {
             let reach = first * libm::pow(GROWTH, f64::from(step));
             let mut found: Option<f64> = None;
             for (side, sign) in sides.iter_mut().zip([1.0, -1.0]) {
                 let Some(from) = *side else { continue };
                 let to = here + sign * reach;
-                let change = match self.same(to, verdict) {
-                    Some(true) => {
-                        *side = Some(to);
-                        None
-                    }
-                    Some(false) => Some((from, to)),
-                    None => {
-                        *side = None;
-                        self.before_the_end(from, to, verdict)
-                    }
+                let there = self.verdict(to);
+                if there == Some(verdict) {
+                    *side = Some(to);
+                    continue;
+                }
+                *side = None;
+                let change =
+                    if there.is_some() { Some((from, to)) } else { self.before_the_end(from, to, verdict) };
+                let Some((at, turned)) = change.and_then(|(from, to)| self.bisected(from, to, verdict))
+                else {
+                    continue;
                 };
-                if let Some((from, to)) = change {
-                    let at = self.bisected(from, to, verdict);
-                    if found.is_none_or(|other| (at - here).abs() < (other - here).abs()) {
-                        found = Some(at);
-                    }
+                // from where it moves, locking under a load that resists comes first
+                let found = if turned && !verdict.locked { &mut turns } else { &mut found };
+                if found.is_none_or(|other| (at - here).abs() < (other - here).abs()) {
+                    *found = Some(at);
                 }
             }
             if let Some(at) = found {
                 return at;
             }
         }
-        f64::NAN
-    }
-
-    /// Whether the verdict at a value is the same as that given; `None` where there is none, or on another question.
-    fn same(&self, value: f64, verdict: Verdict) -> Option<bool> {
-        let there = self.verdict(value).filter(|v| v.drives == verdict.drives)?;
-        Some(there.locked == verdict.locked)
+        turns.unwrap_or(f64::NAN)
     }
 
     /// The side ends somewhere in this step: the part before its end where the verdict changes, if any.
     fn before_the_end(&self, mut from: f64, mut to: f64, verdict: Verdict) -> Option<(f64, f64)> {
         for _ in 0..TO_THE_END {
             let middle = 0.5 * (from + to);
-            match self.same(middle, verdict) {
-                Some(true) => from = middle,
-                Some(false) => return Some((from, middle)),
+            match self.verdict(middle) {
+                Some(there) if there == verdict => from = middle,
+                Some(_) => return Some((from, middle)),
                 None => to = middle,
             }
         }
         None
     }
 
-    fn bisected(&self, mut from: f64, mut to: f64, verdict: Verdict) -> f64 {
+    /// Where the verdict changes between two values, if locking does just behind it, and whether the ideal power changes its sign.
+    fn bisected(&self, mut from: f64, mut to: f64, verdict: Verdict) -> Option<(f64, bool)> {
+        let unlike = self.verdict(to)?;
+        let is_like = |there: Verdict| match unlike.locked == verdict.locked {
+            true => there.drives == verdict.drives,
+            false => there.locked == verdict.locked,
+        };
         for _ in 0..HALVINGS {
             let middle = 0.5 * (from + to);
             if middle == from || middle == to {
                 break;
             }
-            if self.same(middle, verdict) == Some(true) {
+            if self.verdict(middle).is_some_and(is_like) {
                 from = middle;
             } else {
                 to = middle;
             }
         }
-        0.5 * (from + to)
+        let behind = self.verdict(to)?;
+        (behind.locked != verdict.locked).then_some((0.5 * (from + to), behind.drives != verdict.drives))
     }
 
     /// The first pose with this value of the given.
@@ -138,8 +140,10 @@ impl Search<'_> {
         let solved = solution.poses.first()?.outcome.as_ref().ok()?;
         let view = solution.view(&model, solved);
         let (ideal, efficiency) = (view.without_friction().power_of_efforts(), view.efficiency());
-        let known = ideal != 0.0 && !efficiency.is_nan();
-        known.then_some(Verdict { locked: efficiency <= 0.0, drives: ideal > 0.0 })
+        (!efficiency.is_nan()).then_some(Verdict {
+            locked: efficiency <= 0.0,
+            drives: ideal > 0.0 && !view.overcomes_friction_alone(),
+        })
     }
 }
 

@@ -31,6 +31,7 @@ mod honest_runs;
 mod jerks;
 mod jumps;
 mod large;
+mod locking;
 mod mass_shapes;
 mod masses;
 mod methods;

@@ -22,6 +22,8 @@ use crate::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw, Plan};
 
 /// Newton's steps are at most this many; with a solution four suffice.
 pub(super) const STEPS: u32 = 25;
+/// A step below this part of the efforts may be rounding.
+const RESTLESS: f64 = 1e-2;
 /// Velocities below this part of the greatest are none.
 pub const STILL: f64 = 1e-11;
 
@@ -260,6 +262,7 @@ fn presses(plan: &Plan, group: &FrictionGroup, work: &FrictionWork) -> Vec<f64> 
 /// Newton's method; on success the efforts are in `work.values` and the motion is possible.
 fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork, watch: &mut impl FrictionLog) -> bool {
     let count = group.elements.len();
+    let mut last = f64::INFINITY;
     work.values.fill(0.0);
     watch.begin(|| presses(plan, group, work));
     for _ in 0..STEPS {
@@ -301,10 +304,12 @@ fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork, watch: &m
             step = step.max(dx.abs());
         }
         watch.step(|| presses(plan, group, work));
-        // the error left is of the order of the square of the step
-        if step <= plan.settings.friction_step * scale {
+        // the error left is of the order of the square of the step; near locking rounding makes steps that do not fall any more
+        let is_rounding = step >= 0.5 * last && step <= RESTLESS * scale;
+        if step <= plan.settings.friction_step * scale || is_rounding {
             return work.jacobian.sign() > 0.0;
         }
+        last = step;
     }
     false
 }

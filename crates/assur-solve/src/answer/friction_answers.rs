@@ -152,8 +152,13 @@ impl PoseAnswers<'_> {
     /// The efforts drive, and without friction they would have nothing to do: a shaft that turns under a load at rest.
     #[must_use]
     pub fn overcomes_friction_alone(&self) -> bool {
-        let (ideal, actual) = (self.without_friction().power_of_efforts(), self.power_of_efforts());
-        !self.state.forces.locked && actual > 0.0 && ideal.abs() <= NOTHING * actual
+        let ideal = self.without_friction();
+        let (power, actual) = (ideal.power_of_efforts(), self.power_of_efforts());
+        // near locking all forces grow, but not what rounding leaves of those without friction
+        let most =
+            |view: &Self| view.state.forces.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
+        let growth = (most(self) / most(&ideal)).max(1.0);
+        !self.state.forces.locked && actual > 0.0 && power.abs() * growth <= NOTHING * actual
     }
 
     /// Power of all unknown efforts, W.
