@@ -373,7 +373,7 @@ fn a_change_point_has_its_own_angle() {
         let [crank, coupler, rocker] = lengths;
         // crank and ground in line, as coupler and rocker are
         let ground = f64::from(coupler + rocker - crank);
-        let (x, y) = (ground * f64::to_radians(base).cos(), ground * f64::to_radians(base).sin());
+        let (x, y) = (ground * libm::cos(f64::to_radians(base)), ground * libm::sin(f64::to_radians(base)));
         let text = format!(
             "ground {{ A (0, 0); D ({x} mm, {y} mm) }}\nlink crank A-B {crank} mm\nlink coupler B-C {coupler} mm\n\
              link rocker D-C {rocker} mm\nrevolute A: ground - crank\nrevolute B: crank - coupler\n\

@@ -65,7 +65,7 @@ fn touches(steps: u32, g: impl Fn(f64) -> f64) -> Vec<f64> {
         let touching = Touching { part: 1e-11, greatest: 1.0 };
         let step = (f64::from(i) * step, f64::from(i + 1) * step);
         let _ = crossings_and_touches::<_, ()>(step, passed.take(), touching, &g, |crossing| {
-            assert!(crossing.touches && !crossing.leads_up() == crossing.rising, "{crossing:?}");
+            assert!(crossing.touches && crossing.leads_up() != crossing.rising, "{crossing:?}");
             found.push(crossing.t);
             passed = (crossing.t == step.1).then_some(crossing.leads_up());
             ControlFlow::Continue(())
