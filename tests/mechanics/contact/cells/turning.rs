@@ -7,6 +7,7 @@ use super::build::{
 use super::{Column, Kind};
 use crate::support::random::Random;
 use std::fmt::Write;
+use std::rc::Rc;
 
 /// A bar and the hinge in which it turns.
 struct Bar<'a> {
@@ -151,12 +152,25 @@ fn coupled(scene: &mut Scene, random: &mut Random, kind: Kind) {
         let play = [0, 1].map(|_| rounded(random.within(0.05, 0.3)));
         let restitution = if random.chance(0.5) { 0.0 } else { rounded(random.within(0.1, 1.0)) };
         scene.stop("E", "rad", apart.clone(), [1.0, -play[0], restitution]);
-        scene.stop("E", "rad", apart, [-1.0, play[1], restitution]);
+        if random.chance(0.6) {
+            scene.stop("E", "rad", apart, [-1.0, play[1], restitution]);
+        }
         rates = rates.map(|rate| rate / 4.0);
     }
     scene.start_link("a", single(m), [0.0, rates[0]]);
     scene.start_link("b", single(n), [0.0, rates[1]]);
     let size = capacity * random.within(0.3, 3.0);
+    if random.chance(0.3) {
+        // both move on without a force, until it comes
+        let (size, late) = (rounded(size * random.sign()), rounded(random.within(0.3, 0.6)));
+        line!(scene, "torque P1 on a = {size} N*m when time > {late} s");
+        scene.system.breaks.push(late);
+        scene
+            .system
+            .loads
+            .push((single(m), Rc::new(move |_, within, _| if within > late { size } else { 0.0 })));
+        return;
+    }
     let how = Loaded { unit: "N*m", coordinate: "angle(a)", length: "rad" };
     scene.load(random, &single(m), size, &how, |name, value, ending| {
         format!("torque {name} on a = {value}{ending}\n")

@@ -3,7 +3,7 @@
 use super::states::{Ends, RESTS, Stage};
 use super::{Point, Row, Rub, State, System};
 
-const STEP: f64 = 5e-4;
+const STEP: f64 = 1e-3;
 
 /// An instant that was asked for: its point, its stage, whether an event is near.
 pub struct Seen {
@@ -50,14 +50,18 @@ impl System {
         Some(moved(h, &mean(&from.v, &second.v, &third.v, &last.v), &mean(&a, &b, &c, &d)))
     }
 
-    /// Where drives alone carry what they move: as a step without any friction.
-    pub fn carried(&self, from: &Point, h: f64) -> Point {
-        let free = State {
+    /// Nothing rubs, is held or closed.
+    fn loose(&self) -> State {
+        State {
             rubs: vec![Rub::Stands; self.elements.len()],
             sides: self.elements.iter().map(|e| vec![1.0; e.parts.len()]).collect(),
             closed: vec![false; self.stops.len()],
-        };
-        self.step(from, &free, h).unwrap_or_else(|| from.clone())
+        }
+    }
+
+    /// Where drives alone carry what they move: as a step without any friction.
+    pub fn carried(&self, from: &Point, h: f64) -> Point {
+        self.step(from, &self.loose(), h).unwrap_or_else(|| from.clone())
     }
 
     /// Positions and rates that satisfy all constraints, with started scalars at their values and rates.
@@ -144,11 +148,7 @@ impl System {
         let end = asked.last().copied().unwrap_or(0.0);
         let mut point = self.start(guess, starts).ok_or("start")?;
         let mut fastest = self.fastest(&point);
-        let mut state = State {
-            rubs: vec![Rub::Slides(1); self.elements.len()],
-            sides: self.elements.iter().map(|e| vec![1.0; e.parts.len()]).collect(),
-            closed: vec![false; self.stops.len()],
-        };
+        let mut state = self.loose();
         let (mut seen, mut events, mut rested) = (Vec::new(), 0, Vec::new());
         loop {
             events += 1;
@@ -158,6 +158,7 @@ impl System {
             let next = self.breaks.iter().copied().find(|at| *at > point.time + 1e-12).unwrap_or(end + 1.0);
             point.within = f64::midpoint(point.time, next);
             fastest = self.fastest(&point).max(fastest);
+            self.settle(&mut point, &self.loose());
             state = self
                 .choose(&point, &state, &rested, fastest)
                 .ok_or_else(|| Failure::Unknown(format!("jams at {} from {state:?}", point.time)))?;
