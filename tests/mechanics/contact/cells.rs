@@ -71,6 +71,9 @@ const WRONG: &[(Kind, Column, &[u64], &str)] = &[
     ),
 ];
 
+/// What the program does not get done in a million steps: tried with all tests only.
+const ENDLESS: [(Kind, Column, u64); 2] = [(Kind::Stop, Column::Two, 23), (Kind::Stop, Column::Two, 57)];
+
 const INSTANTS: u8 = 8;
 const END: f64 = 0.8;
 
@@ -168,14 +171,15 @@ fn tried(kind: Kind, column: Column, seed: u64) -> (Scene, Outcome) {
 fn check(kind: Kind) {
     let mut failures = Vec::new();
     for column in COLUMNS {
-        let known = |seed: u64| {
+        let listed = |seed: u64| {
             WRONG.iter().any(|(k, c, seeds, _)| (*k, *c) == (kind, column) && seeds.contains(&seed))
         };
+        let known = |seed: u64| listed(seed) || ENDLESS.contains(&(kind, column, seed));
         let seeds = if share::all() { 0..100 } else { 0..3 };
-        for seed in (0..100).filter(|seed| seeds.contains(seed) || known(*seed)) {
+        for seed in (0..100).filter(|seed| seeds.contains(seed) || listed(*seed)) {
             let (scene, outcome) = tried(kind, column, seed);
             let why = match outcome {
-                Outcome::Right if known(seed) => "right now: leave it out of WRONG".to_owned(),
+                Outcome::Right if known(seed) => "right now: leave it out of what is wrong".to_owned(),
                 Outcome::Right => continue,
                 Outcome::Wrong(_) | Outcome::Ended(_) if known(seed) => continue,
                 Outcome::Wrong(why) | Outcome::Ended(why) => why,

@@ -53,6 +53,12 @@ pub fn scene(random: &mut Random, kind: Kind, seed: u64) -> Scene {
             [sense, rounded(angle - sense * gap), restitution],
         );
     }
+    if kind == Kind::Guide && seed % 3 == 2 {
+        // both hold the crank, and what each of them bears is not determined
+        let capacity = rounded(effort * arm * random.within(0.1, 1.0));
+        line!(scene, "brake T on crank {{ capacity {capacity} N*m }}");
+        scene.rub(turned(crank[0], fixed([0.0; 2])), Vec::new(), capacity, 1.0);
+    }
     scene.start_link("crank", turned(crank[0], fixed([0.0; 2])), [angle, rate]);
     let size =
         effort * arm * if random.chance(0.4) { random.within(0.3, 0.9) } else { random.within(1.5, 6.0) };

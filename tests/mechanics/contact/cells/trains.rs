@@ -3,8 +3,8 @@
 use super::super::oracle::{Element, Part, Scalar};
 use super::Column;
 use super::build::{
-    Asked, BEGINS, Begins, GRAVITY, Loaded, Place, Scene, drive_law, first_rate, fixed, line, linear,
-    rounded, scalar, single, turned,
+    Asked, BEGINS, GRAVITY, Loaded, Place, Scene, drive_law, first_rate, fixed, line, linear, rounded,
+    scalar, single, turned,
 };
 use crate::support::random::Random;
 use std::fmt::Write;

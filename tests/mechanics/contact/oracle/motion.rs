@@ -158,7 +158,6 @@ impl System {
             let next = self.breaks.iter().copied().find(|at| *at > point.time + 1e-12).unwrap_or(end + 1.0);
             point.within = f64::midpoint(point.time, next);
             fastest = self.fastest(&point).max(fastest);
-            self.settle(&mut point, &self.loose());
             state = self
                 .choose(&point, &state, &rested, fastest)
                 .ok_or_else(|| Failure::Unknown(format!("jams at {} from {state:?}", point.time)))?;
@@ -218,7 +217,8 @@ impl System {
 
     /// The point a step later, and what has ended by then.
     fn past(&self, from: &Point, state: &State, h: f64, fastest: f64) -> Result<(Point, Vec<Ends>), Failure> {
-        let after = self.step(from, state, h).ok_or("no stage on the way")?;
+        let mut after = self.step(from, state, h).ok_or("no stage on the way")?;
+        self.settle(&mut after, &self.loose());
         let rows = self.rows(&after);
         let stage = self.stage(&after, &rows, state).ok_or("no stage after a step")?;
         let rooms = self.rooms(&after, &rows, state, &stage, fastest);
