@@ -137,7 +137,7 @@ impl Scalar {
         }
         let value = (self.value)(&q);
         let mut bias = 0.0;
-        if fastest > 0.0 && !self.linear {
+        if fastest > 1e-30 && !self.linear {
             let step = 10.0 * DIFFERENCE / fastest;
             let mut moved = |by: f64| {
                 for &i in &self.on {
