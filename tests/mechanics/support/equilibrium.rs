@@ -116,7 +116,7 @@ impl Outside {
     pub fn new(mechanism: &Mechanism, bodies: &[Body], rates: &[Rates]) -> Self {
         let mut system = System { mechanism, bodies, rates, unknowns: Vec::new(), doubtful: false };
         let touching = mechanism.pairs.iter().map(|p| match &p.kind {
-            PairKind::Contact { first, second, internal } => Some(system.touch(first, second, *internal)),
+            PairKind::Contact { first, second, internal, .. } => Some(system.touch(first, second, *internal)),
             _ => None,
         });
         let (touching, units, applied) = (touching.collect(), system.efforts(), system.applied());
@@ -174,7 +174,7 @@ impl System<'_> {
             PairKind::Slot(g) => {
                 self.force(id, g.slider, g.guide, self.at(g.slider, g.point), self.normal_of(g));
             }
-            PairKind::Contact { first, second, internal } => {
+            PairKind::Contact { first, second, internal, .. } => {
                 let (p, n) = self.touch(first, second, *internal);
                 self.force(id, first.link, second.link, p, n);
             }

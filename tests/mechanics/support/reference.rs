@@ -157,7 +157,7 @@ pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driv
                 }
             }
             PairKind::Slot(g) => out.push(height(g, bodies)),
-            PairKind::Contact { first, second, internal } => {
+            PairKind::Contact { first, second, internal, .. } => {
                 out.push(contact(first, second, *internal, bodies));
             }
             PairKind::Cylinder { barrel, rod: end, from, to } => {

@@ -25,6 +25,8 @@ const SHORTLY: f64 = 1e-6;
 const SLOPE: f64 = 1e-3;
 /// Rounding of an instant.
 const ROUNDING: f64 = 1e-15;
+/// What presses by less than this part of the greatest force is at its corner.
+const NOTHING: f64 = 1e-9;
 
 /// The corners of a run.
 pub(super) struct Corners {
@@ -163,7 +165,7 @@ impl Corners {
     /// All that end at one instant turn together: between them the loads would be those of no side.
     pub fn turn<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &M) -> bool {
         let t = method.t();
-        if t < self.ends {
+        if t + self.at_once < self.ends {
             return false;
         }
         self.y.copy_from_slice(method.y());
@@ -198,7 +200,7 @@ impl<'a> Equations<'a, '_> {
             return;
         }
         self.look_at_sizes();
-        self.take_pressing_sides();
+        self.take_pressing_sides(kept);
         self.take_seams();
         let rubs = self.slipping.is_some();
         let mut switches = std::mem::take(&mut self.switches);
@@ -290,11 +292,19 @@ impl<'a> Equations<'a, '_> {
         if self.slipping.is_some() { self.model.plan.friction.len() } else { 0 }
     }
 
-    /// On which sides guides press in the state that is observed.
-    fn take_pressing_sides(&mut self) {
-        self.sides.clear();
-        for element in &self.model.plan.friction[..self.pressing()] {
-            self.sides.push(sides_of(self.trial.measured(self.model.plan, element)));
+    /// On which sides guides press in the state that is observed; what has just turned, and is nothing but rounding, is kept.
+    fn take_pressing_sides(&mut self, kept: bool) {
+        let nothing = if kept { NOTHING * self.greatest_force() } else { 0.0 };
+        self.sides.resize(self.pressing(), [0.0; ENDS]);
+        let plan = self.model.plan;
+        for (sides, element) in self.sides.iter_mut().zip(&plan.friction) {
+            let pressing = self.trial.measured(plan, element);
+            let now = sides_of(pressing);
+            for (end, x) in [pressing.x, pressing.y].into_iter().enumerate() {
+                if x.abs() > nothing || sides[end] == 0.0 {
+                    sides[end] = now[end];
+                }
+            }
         }
     }
 
@@ -307,7 +317,8 @@ impl<'a> Equations<'a, '_> {
         };
         let guides = matches!(own.kind, FrictionLaw::BothEnds { .. })
             || (end == 0 && matches!(own.kind, FrictionLaw::Guide { .. }));
-        self.sides.get(element).filter(|_| guides).map_or(1.0, of)
+        let sided = |side: &&[f64; 2]| guides && side[end] != 0.0;
+        self.sides.get(element).filter(sided).map_or(1.0, of)
     }
 }
 

@@ -232,6 +232,8 @@ impl Integration<'_, '_> {
                     return Ended::Halted(equations.halt());
                 }
                 self.watch.begin();
+                // a corner at the same instant is one with it
+                self.corners.turn(equations, method);
                 y.extend_from_slice(method.y());
                 match self.turn(equations, (method.t(), &mut y)) {
                     Ok(ended) => self.ended_by = self.ended_by.or(ended),

@@ -93,7 +93,7 @@ impl Equations<'_, '_> {
     }
 
     /// The greatest force in a pair or a transmission in the state that is observed, N.
-    fn greatest_force(&self) -> f64 {
+    pub fn greatest_force(&self) -> f64 {
         let forces = &self.trial.forces;
         let reactions = forces.reactions.iter().map(|r| r.force.norm());
         let pulls = forces.law_forces.iter().zip(&self.model.plan.laws);
