@@ -311,3 +311,31 @@ fn means_of_a_free_motion_are_divided_at_corners() {
         tested(&format!("{text}expect mean(mag(velocity(B))) = {:?} m/s within 1e-11", path / end));
     assert!(words.is_empty(), "{words}");
 }
+
+/// What nearly touches or just passes the farthest place of a slider in every turn, after many steps in which nothing happens.
+#[test]
+fn events_at_the_very_reach_of_a_motion_are_found() {
+    for (at, each_turn) in [("399.999", 2), ("400.001", 0), ("200.001", 2), ("199.999", 0)] {
+        let text = format!(
+            "mech 1\nground {{ A (0, 0); line guide through A along 0 deg }}
+link crank A-B 100 mm {{ mass 1 kg at B; inertia 0.02 kg*m^2 }}
+link rod B-C 300 mm {{ S (70 mm, 0); mass 0.7 kg at S; inertia 0.006 kg*m^2 }}
+link piston {{ C (0, 0); mass 1.3 kg at C }}
+curve unused linear held {{\n x [m], y [N]\n 0, 0\n 1, 1\n}}
+revolute A: ground - crank\nrevolute B: crank - rod\nrevolute C: rod - piston
+prismatic D: piston.C - ground.guide\nassemble C ahead of B
+torque M on crank = 3 N*m - 0.1 N*m*s*omega(crank)\nstop D < 2 m
+start crank = 80 deg at 5 rad/s\nsimulate 20 s in 2 steps
+event e: displacement(D) = {at} mm\nfind angle(crank)\n"
+        );
+        let (solved, words) = tested(&text);
+        assert!(words.is_empty() && !solved.compiled.mechanism.has_curves, "{words}");
+        let report = solved.solution.simulation.as_ref().unwrap();
+        let last = solved.solution.poses.last().unwrap().outcome.as_ref().unwrap();
+        let turned = last.angles[1] / std::f64::consts::TAU;
+        // the farthest place is at whole turns, the nearest at half ones
+        let far = at.starts_with('3') || at.starts_with('4');
+        let passed = if far { turned.floor() } else { (turned + 0.5).floor() };
+        assert_eq!(report.events[0].len() as f64, f64::from(each_turn) * passed, "{at} mm, {turned} turns");
+    }
+}

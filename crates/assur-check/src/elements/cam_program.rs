@@ -24,6 +24,7 @@ pub(crate) fn curve(cx: &mut Context<'_>, name: &Name, way: Dimension) -> Option
         return None;
     }
     let checked = cx.values.curves.get(&name.node)?.clone();
+    cx.builder.mech.has_curves = true;
     for (what, found, want) in
         [("arguments", checked.argument, Dimension::ANGLE), ("values", checked.value, way)]
     {

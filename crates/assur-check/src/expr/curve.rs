@@ -23,7 +23,6 @@ pub fn curves(cx: &mut Context<'_>) {
     let all: Vec<&document::Curve> = cx.names.quantities.values().filter_map(|d| curve_of(d.what)).collect();
     for curve in all {
         if let Some(checked) = checked(cx, curve) {
-            cx.builder.mech.has_curves = true;
             cx.values.curves.insert(curve.name.node.clone(), checked);
         }
     }
@@ -206,6 +205,7 @@ impl Context<'_> {
         let args = self.arguments(call, 1, 1)?;
         let argument = self.read(args[0]);
         let checked = self.values.curves.get(&call.name.node)?.clone();
+        self.builder.mech.has_curves = true;
         let what = format!("the argument of curve `{}`", call.name.node);
         let t = self.fit(argument?, checked.argument, &what, args[0])?;
         let curve = &checked.curve;

@@ -112,7 +112,7 @@ pub struct Mechanism {
     pub powers: Option<(usize, usize)>,
     /// The expectations of the answer key.
     pub expects: Vec<Expect>,
-    /// Whether any value comes from a curve: then every position is looked at for one that is left.
+    /// Whether anything names a curve: then every position is looked at for one that is left.
     pub has_curves: bool,
     /// Links of two hinges whose axial force is asked for.
     pub bars: Vec<Bar>,

@@ -4,6 +4,7 @@
 //! ends the step ends, and the next one begins on the other side.
 
 use super::equations::Equations;
+use super::lookout::Lookout;
 use super::records::within_step;
 use crate::answer::{OF_MOTION, PoseAnswers, Switch};
 use crate::math::Vec2;
@@ -33,6 +34,8 @@ pub(super) struct Corners {
     y: Vec<f64>,
     /// The least and the greatest value of each number in a step.
     ranges: Vec<(f64, f64)>,
+    /// Which of them are far from the ends of their sides.
+    lookouts: Vec<Lookout>,
     /// Where each ends in the last step, s; infinite where it does not.
     crossings: Vec<f64>,
     /// Where the present step ends by one, s; infinite where none does.
@@ -49,6 +52,7 @@ impl Corners {
         Self {
             y: equations.start(),
             ranges: vec![(0.0, 0.0); count],
+            lookouts: vec![Lookout::NEW; count],
             crossings: vec![f64::INFINITY; count],
             ends: f64::INFINITY,
             turned: vec![(f64::NAN, 0); count],
@@ -72,6 +76,14 @@ impl Corners {
         let step = (method.previous_t(), method.t());
         // those of cams are far in most steps
         if self.ranges.len() == equations.seams() && !equations.may_pass_seams() {
+            return Ok(());
+        }
+        let far = |(index, lookout): (usize, &mut Lookout)| {
+            lookout.is_far(equations, method, |equations, t, y| {
+                if equations.observe_again(t, y, false) { equations.room(index) } else { f64::NAN }
+            })
+        };
+        if self.lookouts.iter_mut().enumerate().all(far) {
             return Ok(());
         }
         self.take_ranges(equations, method, step);
@@ -131,6 +143,7 @@ impl Corners {
                 within_step(equations, method, t, &mut self.y) && equations.observe(t, &self.y, false);
             for (index, range) in self.ranges.iter_mut().enumerate() {
                 let room = if known { equations.room(index) } else { f64::NEG_INFINITY };
+                self.lookouts[index].note(part, room);
                 *range = (range.0.min(room), range.1.max(room));
             }
         }
@@ -240,9 +253,10 @@ impl<'a> Equations<'a, '_> {
             }
         }
         self.switches = switches;
-        let elements = self.sides.iter_mut().zip(&self.model.plan.friction);
-        for (sides, element) in elements.filter(|(sides, _)| sides.contains(&0.0)) {
-            *sides = sides_of(self.trial.measured(self.model.plan, element));
+        for index in 0..self.sides.len() {
+            if self.sides[index].contains(&0.0) {
+                self.sides[index] = sides_of(self.pressing_force(index));
+            }
         }
     }
 
@@ -287,38 +301,54 @@ impl<'a> Equations<'a, '_> {
         }
     }
 
-    /// How many elements of friction have sides on which they press.
+    /// How many elements of friction and transmissions with losses have sides on which they press.
     const fn pressing(&self) -> usize {
-        if self.slipping.is_some() { self.model.plan.friction.len() } else { 0 }
+        let plan = self.model.plan;
+        if self.slipping.is_some() { plan.friction.len() + plan.losing.len() } else { 0 }
     }
 
-    /// On which sides guides press in the state that is observed; what has just turned, and is nothing but rounding, is kept.
+    /// On which sides they press in the state that is observed; what has just turned, and is nothing but rounding, is kept.
     fn take_pressing_sides(&mut self, kept: bool) {
         let nothing = if kept { NOTHING * self.greatest_force() } else { 0.0 };
         self.sides.resize(self.pressing(), [0.0; ENDS]);
-        let plan = self.model.plan;
-        for (sides, element) in self.sides.iter_mut().zip(&plan.friction) {
-            let pressing = self.trial.measured(plan, element);
+        for index in 0..self.sides.len() {
+            let pressing = self.pressing_force(index);
             let now = sides_of(pressing);
             for (end, x) in [pressing.x, pressing.y].into_iter().enumerate() {
-                if x.abs() > nothing || sides[end] == 0.0 {
-                    sides[end] = now[end];
+                if x.abs() > nothing || self.sides[index][end] == 0.0 {
+                    self.sides[index][end] = now[end];
                 }
             }
         }
     }
 
-    /// What presses in a guide, on the side where the present step begins: magnitudes of forces have corners.
-    fn pressing_room(&self, element: usize, end: usize) -> f64 {
-        let own = &self.model.plan.friction[element];
-        let of = |side: &[f64; 2]| {
-            let Vec2 { x, y } = self.trial.measured(self.model.plan, own);
-            [side[0] * x, side[1] * y][end]
+    /// What presses in a guide, in a slot or between teeth: its magnitude has corners where it passes zero, the friction and the losses
+    /// with it.
+    fn pressing_force(&self, index: usize) -> Vec2 {
+        let plan = self.model.plan;
+        let Some(element) = plan.friction.get(index) else {
+            let law = plan.losing[index - plan.friction.len()];
+            return Vec2::new(self.trial.forces.law_forces[law].multiplier, 0.0);
         };
-        let guides = matches!(own.kind, FrictionLaw::BothEnds { .. })
-            || (end == 0 && matches!(own.kind, FrictionLaw::Guide { .. }));
-        let sided = |side: &&[f64; 2]| guides && side[end] != 0.0;
-        self.sides.get(element).filter(sided).map_or(1.0, of)
+        let force = self.trial.measured(plan, element);
+        match element.kind {
+            FrictionLaw::Guide { .. } | FrictionLaw::BothEnds { .. } => force,
+            FrictionLaw::Contact { first, second, internal, presses: 0.0, .. } => {
+                let touch = self.trial.touch((element.body, first), (element.base, second), internal);
+                touch.map_or(Vec2::zero(), |(_, normal)| Vec2::new(force.dot(normal), 0.0))
+            }
+            FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => Vec2::zero(),
+        }
+    }
+
+    /// The same on the side where the present step begins.
+    fn pressing_room(&self, index: usize, end: usize) -> f64 {
+        let side = self.sides.get(index).map_or(0.0, |sides| sides[end]);
+        if side == 0.0 {
+            return 1.0;
+        }
+        let Vec2 { x, y } = self.pressing_force(index);
+        side * [x, y][end]
     }
 }
 

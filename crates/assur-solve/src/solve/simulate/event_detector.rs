@@ -4,6 +4,7 @@ use super::depends::{Kept, comes_again, is_deep, is_kept, is_linkage};
 use super::equations::Equations;
 use super::functions::{Function, Memory, OF_TOLERANCE, SMOOTH};
 use super::kinks::Kinks;
+use super::lookout::Lookout;
 use super::options::Drawn;
 use super::records::within_step;
 use crate::answer::{OF_FORCES, OF_MOTION};
@@ -60,6 +61,8 @@ pub(super) struct EventDetector<'m> {
     greatest: Vec<f64>,
     /// When the value of every event passed zero last, in whatever way, s.
     crossed: Vec<f64>,
+    /// Which values are far from zero.
+    lookouts: Vec<Lookout>,
     /// Below this part values and times are those of the same event.
     again: f64,
     /// What values are known to, of the greatest.
@@ -114,6 +117,7 @@ impl<'m> EventDetector<'m> {
             guard: None,
             greatest: vec![0.0; count],
             crossed: vec![f64::NEG_INFINITY; count],
+            lookouts: vec![Lookout::NEW; count],
             again: AT_ONCE.max(AGAIN * tolerance),
             known: ROUNDING.max(tolerance),
             y: equations.start(),
@@ -158,6 +162,9 @@ impl<'m> EventDetector<'m> {
             }
             let stands = is_kept(equations.model.mechanism, &kept, &self.events[index].value);
             if stands || (!kept.is_empty() && self.stays(equations, method, index)) {
+                continue;
+            }
+            if passed.is_none() && self.is_far(equations, method, index) {
                 continue;
             }
             let crossing = self.crossing(equations, method, index, step, passed);
@@ -253,10 +260,25 @@ impl<'m> EventDetector<'m> {
     ) -> Option<Crossing<f64>> {
         let value = &self.events[index].value;
         let touching = Touching { part: self.known, greatest: self.greatest[index] };
+        let (from, length) = (method.previous_t(), method.t() - method.previous_t());
         first_crossing_or_touch(step, passed, touching, |t| {
             let value = self.value(equations, method, t, value);
             self.greatest[index] = self.greatest[index].max(value.abs());
+            self.lookouts[index].note((t - from) / length, value);
             value
+        })
+    }
+
+    /// Whether a value stays far from zero in the last step.
+    fn is_far<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &M,
+        index: usize,
+    ) -> bool {
+        let (expr, deep) = (&self.events[index].value, self.deep);
+        self.lookouts[index].is_far(equations, method, |equations, t, y| {
+            if equations.observe_again(t, y, deep) { equations.value(expr) } else { f64::NAN }
         })
     }
 

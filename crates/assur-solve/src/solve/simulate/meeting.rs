@@ -2,6 +2,7 @@
 
 use super::equations::Equations;
 use super::impact::PULLS;
+use super::lookout::Lookout;
 use super::records::within_step;
 use crate::math::ode::Integrator;
 use crate::math::ode::event::first_crossing;
@@ -12,8 +13,10 @@ pub(super) fn hit<M: Integrator<f64>>(
     method: &mut M,
     index: usize,
     (left, at_once): (bool, f64),
+    lookout: &mut Lookout,
 ) -> Option<f64> {
-    let (mut from, to) = (method.previous_t(), method.t());
+    let (begin, to) = (method.previous_t(), method.t());
+    let mut from = begin;
     let mut y = method.y().to_vec();
     let mut observed = |equations: &mut Equations<'_, '_>, t: f64, rate: bool| {
         let known = within_step(equations, method, t, &mut y) && equations.observe(t, &y, false);
@@ -34,7 +37,11 @@ pub(super) fn hit<M: Integrator<f64>>(
         // rebounds elsewhere that are not followed have brought it there
         return Some((from + at_once).min(to));
     }
-    let crossing = first_crossing((from, to), None, |t| observed(equations, t, false));
+    let crossing = first_crossing((from, to), None, |t| {
+        let distance = observed(equations, t, false);
+        lookout.note((t - begin) / (to - begin), distance);
+        distance
+    });
     crossing.filter(|c| !c.rising).map(|c| c.t)
 }
 

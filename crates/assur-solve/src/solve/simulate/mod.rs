@@ -29,6 +29,7 @@ mod impulses;
 mod integration;
 mod kinks;
 mod loads;
+mod lookout;
 mod meeting;
 mod multi_crossing;
 mod options;

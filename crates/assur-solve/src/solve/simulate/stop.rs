@@ -1,6 +1,7 @@
 //! Stops: impacts, and what rests on them.
 
 use super::equations::Equations;
+use super::lookout::Lookout;
 use super::meeting::{hit, opening};
 use crate::math::ode::Integrator;
 use crate::solve::failure::Halt;
@@ -46,6 +47,8 @@ pub(super) struct Stops {
     pub shift: f64,
     /// The greatest effort of each since it was closed.
     pressed: Vec<f64>,
+    /// Which coordinates are far from their stops.
+    lookouts: Vec<Lookout>,
 }
 
 /// What an impact leads to.
@@ -68,6 +71,7 @@ impl Stops {
             rests: vec![Vec::new(); count],
             shift: 0.0,
             pressed: vec![0.0; count],
+            lookouts: vec![Lookout::NEW; count],
         }
     }
 
@@ -112,7 +116,7 @@ impl Stops {
 
     /// What happens first within the last step.
     pub fn first<M: Integrator<f64>>(
-        &self,
+        &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) -> Option<(f64, Touch)> {
@@ -127,7 +131,14 @@ impl Stops {
             let found = if equations.closed.contains(&index) {
                 opening(equations, method, index, self.pressed[index]).map(|t| (t, Touch::Opens(index)))
             } else {
-                hit(equations, method, index, (self.left[index], self.at_once))
+                let lookout = &mut self.lookouts[index];
+                let distance = |equations: &mut Equations<'_, '_>, t: f64, y: &[f64]| {
+                    if equations.observe_again(t, y, false) { equations.distance(index) } else { f64::NAN }
+                };
+                if !self.left[index] && lookout.is_far(equations, method, distance) {
+                    continue;
+                }
+                hit(equations, method, index, (self.left[index], self.at_once), lookout)
                     .map(|t| (t, Touch::Hits(vec![index])))
             };
             let Some((t, touch)) = found else { continue };
