@@ -116,11 +116,36 @@ pub fn of_runs(title: &str, study: &RunStudy) -> Option<String> {
     let mut below = 15.5;
     let note = "At each point: the value of --within. Hollow: that was not kept. Circles: the method that solve chooses.";
     paragraph(&mut drawing, note, (NUMBERS, Role::Grey), -SIDE, &mut below);
+    if let Some(note) = left_out(&frame) {
+        paragraph(&mut drawing, &note, (NUMBERS, Role::Grey), -SIDE, &mut below);
+    }
     Some(drawing.placed().svg(Theme::Auto))
 }
 
-/// What the picture shows, in one sentence.
+/// The settings without a point: those that another beats in error and time, and those without an error.
+fn left_out(frame: &Frame<'_>) -> Option<String> {
+    let of_method = |(method, study): (usize, &MethodStudy)| {
+        let shown = |row: usize| frame.shown[method].contains(&Choice { method, row });
+        let rows = study.rows.iter().enumerate().filter(|(row, _)| !shown(*row));
+        let rows: Vec<String> = rows.map(|(_, row)| size(row.within)).collect();
+        (!rows.is_empty()).then(|| format!("{}: {}", name_of(study), rows.join(", ")))
+    };
+    let all: Vec<String> = frame.study.methods.iter().enumerate().filter_map(of_method).collect();
+    (!all.is_empty())
+        .then(|| format!("Not drawn, since another is better or no error is known: {}.", all.join("; ")))
+}
+
+/// What the picture shows.
 fn sentence(study: &RunStudy) -> String {
+    match study.own().map(|own| study.row(own)) {
+        Some(own) if own.missed => {
+            format!("This file does not keep its `within {}`. {}", size(study.asked), finding(study))
+        }
+        _ => finding(study),
+    }
+}
+
+fn finding(study: &RunStudy) -> String {
     let most = study.front(|_, row| !row.missed).last().copied();
     let end = most.map_or_else(String::new, |most| {
         format!("no setting goes beyond {:.1} digits", study.row(most).digits())

@@ -33,7 +33,7 @@ impl Random {
 type Write1 = fn(&mut Random) -> String;
 
 /// All kinds by name.
-pub const KINDS: [(&str, Write1); 20] = [
+pub const KINDS: [(&str, Write1); 27] = [
     ("pendulum", pendulum),
     ("slider-crank by energy", slider_crank),
     ("four-bar by energy", four_bar),
@@ -54,6 +54,13 @@ pub const KINDS: [(&str, Write1); 20] = [
     ("curve of time", curve_of_time),
     ("shaken", shaken),
     ("cam", cam),
+    ("slot friction", slot_friction),
+    ("against motion on a line", against_on_line),
+    ("against motion of a point", against_of_point),
+    ("lossy mesh", lossy_mesh),
+    ("three pendulums", three_pendulums),
+    ("elastic impacts", elastic),
+    ("plastic impacts", plastic),
 ];
 
 fn pendulum(r: &mut Random) -> String {
@@ -535,5 +542,152 @@ find angle(disk), omega(disk), alpha(disk), normal(K, pl)
         r.between(-180.0, 180.0),
         r.between(10.0, 25.0),
         r.between(0.2, 0.6)
+    )
+}
+
+fn slot_friction(r: &mut Random) -> String {
+    format!(
+        "ground {{ O (0, 0); line guide through O along 0 deg }}
+link a O-B {} m {{ mass 1 kg at O inertia {} kg*m^2 }}
+link yoke {{ C (0, 0); line slot through C along 90 deg; mass {} kg at C }}
+revolute O: ground - a
+slot K: a.B - yoke.slot {{ friction {} }}
+prismatic D: yoke.C - ground.guide
+force F on yoke at C = (-{} N/m*displacement(D), 0)
+torque M on a = {} N*m
+start a = {} deg at {} rad/s
+simulate {} s in 6 steps
+find angle(a), omega(a), alpha(a)
+",
+        r.between(0.04, 0.1),
+        r.between(0.05, 0.2),
+        r.between(1.0, 5.0),
+        r.between(0.05, 0.2),
+        r.between(0.0, 400.0),
+        r.between(-3.0, 3.0),
+        r.between(0.0, 360.0),
+        r.between(6.0, 15.0),
+        r.between(0.3, 0.8)
+    )
+}
+
+fn against_on_line(r: &mut Random) -> String {
+    format!(
+        "{}prismatic D: piston.C - ground.guide
+force F on piston at C = {} N against motion
+torque M on crank = {} N*m
+start crank = {} deg at {} rad/s
+simulate {} s in 6 steps
+find angle(crank), omega(crank), work(F)
+",
+        crank_and_slider(r),
+        r.between(2.0, 30.0),
+        r.between(-2.0, 5.0),
+        r.between(20.0, 160.0),
+        r.between(8.0, 15.0),
+        r.between(0.2, 0.8)
+    )
+}
+
+fn against_of_point(r: &mut Random) -> String {
+    against_on_line(r).replace("force F on piston at C", "force F on crank at B")
+}
+
+/// The torque of the spring makes the power turn round.
+fn lossy_mesh(r: &mut Random) -> String {
+    format!(
+        "shaft S {{ wheel a teeth 20 module 4 mm; inertia {} kg*m^2 }}
+shaft T {{ wheel b teeth {} module 4 mm; inertia {} kg*m^2 }}
+mesh m: a - b {{ efficiency {} }}
+torque M on S = {} N*m - 0.1 N*m*s*omega(S)
+torque Q on T = -{} N*m*sin(angle(T))
+start S = 0 deg at {} rad/s
+simulate {} s in 6 steps
+find angle(S), omega(S), alpha(T)
+",
+        r.between(0.02, 0.2),
+        r.between(25.0, 60.0).round(),
+        r.between(0.05, 0.5),
+        r.between(0.85, 0.99),
+        r.between(0.5, 4.0),
+        r.between(3.0, 20.0),
+        r.between(10.0, 40.0),
+        r.between(0.5, 2.0)
+    )
+}
+
+fn three_pendulums(r: &mut Random) -> String {
+    format!(
+        "gravity 9.81 m/s^2
+ground {{ O (0, 0) }}
+link a O-A {} m {{ mass {} kg at A; inertia 0.02 kg*m^2 }}
+link b A-B {} m {{ mass {} kg at B; inertia 0.01 kg*m^2 }}
+link c B-C {} m {{ mass {} kg at C; inertia 0.01 kg*m^2 }}
+revolute O: ground - a
+revolute A: a - b
+revolute B: b - c
+start a = {} rad
+start b = {} rad
+start c = {} rad
+simulate {} s in 6 steps
+find angle(a), angle(b), angle(c), alpha(c)
+",
+        r.between(0.3, 0.6),
+        r.between(0.5, 2.0),
+        r.between(0.3, 0.6),
+        r.between(0.5, 2.0),
+        r.between(0.3, 0.6),
+        r.between(0.5, 2.0),
+        r.between(-3.0, 3.0),
+        r.between(-3.0, 3.0),
+        r.between(-3.0, 3.0),
+        r.between(1.0, 6.0)
+    )
+}
+
+fn elastic(r: &mut Random) -> String {
+    format!(
+        "gravity 9.81 m/s^2
+ground {{ O (0, 0); line up through O along 90 deg }}
+link b {{ B (0, 0); mass 1 kg at B }}
+prismatic P: b.B - ground.up
+stop P > 0 m {{ restitution 1 }}
+force F on b at B = (0, -{} N*s/m*relative_velocity(P) + {} N*sin({} rad/m*displacement(P)))
+start P = {} m
+simulate {} s in 6 steps
+find displacement(P), relative_velocity(P)
+",
+        r.one_of(&[0.0, 0.1, 0.5]),
+        r.between(0.0, 3.0),
+        r.between(1.0, 20.0),
+        r.between(0.3, 2.0),
+        r.between(1.0, 6.0)
+    )
+}
+
+fn plastic(r: &mut Random) -> String {
+    format!(
+        "gravity 9.81 m/s^2
+ground {{ O (0, 0); line way through O along {} deg }}
+link w {{ A (0, 0); mass {} kg at A }}
+link p A-B {} m {{ mass {} kg at B; inertia 0.01 kg*m^2 }}
+prismatic P: w.A - ground.way
+revolute A: w - p
+stop P < 0.2 m {{ restitution {} }}
+spring s: ground.O - w.A {{ stiffness {} N/m; free_length 0.1 m }}
+start P = 0.1 m at {} m/s
+start p = {} deg
+simulate {} s in 6 steps
+find displacement(P), angle(p), omega(p)
+",
+        r.between(-30.0, 30.0),
+        r.between(1.0, 3.0),
+        r.between(0.2, 0.6),
+        r.between(0.3, 1.0),
+        r.one_of(&[0.0, 0.5, 1.0]),
+        r.between(20.0, 200.0),
+        r.between(1.0, 3.0),
+        r.between(-150.0, 60.0),
+        r.between(0.5, 2.0)
     )
 }

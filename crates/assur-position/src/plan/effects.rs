@@ -9,6 +9,9 @@ use crate::model::{
 pub struct Effects {
     /// How far motion is followed.
     pub level: Level,
+    /// How far results are asked for; the motion may take more.
+    pub asked: Level,
+    pub asks_forces: bool,
     /// Rates beyond accelerations: jerks.
     pub beyond: bool,
     /// Velocities are there to be asked for: a drive has a speed, or a sense (then they are ratios).
@@ -65,6 +68,7 @@ impl Effects {
         // where the motion follows from the loads, friction takes part in it
         let forces = wanted.forces || (simulated && (rubs || loses(mechanism) || may_open(mechanism)));
         let loaded = forces || simulated;
+        let (asked, asks_forces) = (wanted.level, wanted.forces);
         let inertia = loaded && timed && has_mass && !mechanism.ignore_inertia;
         let friction = forces && moving && rubs;
         let losses = forces && moving && loses(mechanism);
@@ -90,6 +94,8 @@ impl Effects {
         }
         Self {
             level,
+            asked,
+            asks_forces,
             beyond: wanted.beyond && timed,
             moving,
             timed,

@@ -4,6 +4,8 @@ use super::equations::Equations;
 use super::functions::OverRun;
 use super::records::Records;
 use crate::answer::{LEAST_CONDITION, ROUNDING, Sizes};
+use crate::model::Level;
+use crate::plan::Effects;
 use crate::position::BodyState;
 
 /// Kinds of results whose errors are judged apart.
@@ -53,6 +55,8 @@ pub(in crate::solve) struct Outcome<'r> {
 pub(super) struct Compared {
     /// Relative to the greatest magnitude of its kind.
     pub error: f64,
+    /// What both runs differ by, before an error is made of it.
+    pub difference: f64,
     pub worst: &'static str,
     /// The differences of every kind.
     pub each: [f64; KINDS.len()],
@@ -61,8 +65,13 @@ pub(super) struct Compared {
 }
 
 impl Compared {
-    pub const UNKNOWN: Self =
-        Self { error: f64::INFINITY, worst: KINDS[0], each: [1.0; KINDS.len()], is_rounding: false };
+    pub const UNKNOWN: Self = Self {
+        error: f64::INFINITY,
+        difference: f64::INFINITY,
+        worst: KINDS[0],
+        each: [1.0; KINDS.len()],
+        is_rounding: false,
+    };
 
     /// Compares two runs at the instants that both have reached, each kind over the greatest magnitudes that were measured.
     pub fn of(
@@ -94,7 +103,7 @@ impl Compared {
         let differ = coarse.count != fine.count || events.clone().any(|(a, b)| a.len() != b.len());
         // where both come to a halt, they do so at instants that differ a little
         let missing = differ && !(coarse_run.halted && fine_run.halted);
-        let mut found = kinds.worst(equations.extent(), missing);
+        let mut found = kinds.worst(equations.extent(), missing, equations.model.plan.effects);
         let length = fine_run.end - equations.from;
         for (a, b) in events.flat_map(|(a, b)| a.iter().zip(b)) {
             found.update_max((a - b).abs() / length, STATES);
@@ -254,12 +263,15 @@ impl Kinds {
         }
     }
 
-    fn worst(&self, extent: f64, missing: bool) -> Compared {
+    /// Positions and velocities are the motion itself; accelerations and forces count where they are asked for.
+    fn worst(&self, extent: f64, missing: bool, effects: Effects) -> Compared {
+        let deep = effects.asks_forces || effects.asked >= Level::Accelerations;
+        let asked = |kind: usize| ORDERS[kind] < 2 || if kind < 6 { deep } else { effects.asks_forces };
         let error = if missing { f64::INFINITY } else { 0.0 };
-        let mut found = Compared { error, worst: KINDS[0], each: [0.0; KINDS.len()], is_rounding: false };
+        let mut found = Compared { error, each: [0.0; KINDS.len()], ..Compared::UNKNOWN };
         for kind in 0..STATES {
             let scale = if kind == 0 { extent.max(self.magnitude[0]) } else { self.magnitude[kind] };
-            let counts = self.beyond[kind] && self.difference[kind] > 0.0;
+            let counts = asked(kind) && self.beyond[kind] && self.difference[kind] > 0.0;
             found.update_max(if counts { self.difference[kind] / scale } else { 0.0 }, kind);
         }
         found

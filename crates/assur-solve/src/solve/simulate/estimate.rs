@@ -43,39 +43,54 @@ const OF_EVENT: f64 = 30.0;
 const OF_CHANGE: f64 = 2e5;
 /// Rounding differs in two runs of other steps: of DOP853 it is not said to be more than so many times the difference.
 const APART: f64 = 3.0;
+/// Above this difference two runs are so unlike that it is the error of either.
+const UNLIKE: f64 = 2e-3;
+/// A difference that is so many times as much beside what steps leave off as one before does not fall with the step: then it is the
+/// error of either run.
+const MORE: f64 = 5.0;
 /// A difference of no more than so many roundings is taken as it is.
 const ROUNDINGS: f64 = 10.0;
 
-/// The error of the finer of two runs. `scales` are what is much for each free coordinate; `conserved` where no drive that is
-/// prescribed moves.
+/// The error of the finer of two runs. `least` is how many times what the steps of the coarser run leave off two runs have differed by
+/// so far, at least; `scales` are what is much for each free coordinate; `conserved` where no drive that is prescribed moves.
 pub(super) fn estimate(
     compared: Compared,
     (coarse, fine): (&Run, &Run),
+    least: &mut f64,
     scales: &[f64],
     conserved: bool,
 ) -> Compared {
     let difference = compared.error;
+    let greatest = greatest(fine, scales);
+    let rounding = rounding(fine, scales, greatest);
     let (finer, works) = match (coarse.method, fine.method) {
         (Method::Radau, _) | (_, Method::Radau) => (IMPLICIT, 1.0),
         (_, Method::Dop853) => (BY_CHANCE * shorter((coarse, fine), difference, conserved), OF_WORKS),
         (_, Method::Energy) => (BY_ENERGY * by_energy((coarse, fine), conserved), 1.0),
     };
-    let compared = compared.reduced(finer.min(1.0), works);
-    let reduced = compared.error;
+    let by_steps = coarse.method == Method::Dop853 && fine.method == Method::Dop853;
+    // chaos makes rounding grow as it does what steps leave off
+    let grows = difference / coarse.left_off.all;
+    let stays = by_steps && grows > MORE * *least && difference.is_finite();
+    if by_steps {
+        *least = least.min(grows);
+    }
+    let same = stays || difference > UNLIKE;
+    let compared = compared.reduced(if same { 1.0 } else { finer.min(1.0) }, works);
+    let grown = if by_steps { (*least * rounding).min(APART * difference) } else { 0.0 };
+    let reduced = compared.error.max(grown);
     let left_off = if fine.method == Method::Energy {
         (LEAST * fine.left_off.worst).max(BETWEEN * fine.energy.balance)
     } else {
         0.0
     };
-    let greatest = greatest(fine, scales);
-    let rounding = rounding(fine, scales, greatest);
     // what of it shows, if not by chance less than the last digit
     let shown = if fine.method == Method::Dop853 { APART * difference } else { rounding };
     let shown = shown.max(f64::EPSILON * greatest);
     let floor = rounding.min(shown.max(fine.shift)).max(left_off);
     let error = reduced.max(floor).max(difference.min(ROUNDINGS * rounding));
     let is_rounding = error.max(shown) <= rounding;
-    Compared { error, is_rounding, ..compared }
+    Compared { error, difference, is_rounding, ..compared }
 }
 
 /// The error of the finer run over that of the coarser one, in shorter steps.

@@ -82,14 +82,14 @@ pub(super) fn until_kept(
         let ended = match runs[coarse].stopped {
             Some((_, Halt::Interrupted)) => true,
             // a finer run takes more
-            Some((_, Halt::TooManySteps)) => best.is_none(),
+            Some((_, Halt::TooManySteps { .. })) => best.is_none(),
             _ => alone.is_some(),
         };
         if ended {
             let compared = Compared { error: 1.0, ..Compared::UNKNOWN };
             return (Found { run: runs.swap_remove(coarse), kinds: Kinds::default(), compared }, spent);
         }
-        let hopeless = matches!(runs[coarse].stopped, Some((_, Halt::TooManySteps)));
+        let hopeless = matches!(runs[coarse].stopped, Some((_, Halt::TooManySteps { .. })));
         if hopeless || spent + runs[coarse].counts.evaluations > EVALUATIONS {
             break;
         }
@@ -106,6 +106,10 @@ pub(super) fn until_kept(
         let fine = &runs[coarse + 1];
         spent += fine.counts.evaluations;
         let compared = compare((&runs[coarse], fine), &kinds);
+        if let Some((_, found)) = best.as_mut().filter(|best| best.0 == coarse) {
+            // the finer run of the pair before is the coarser one of this
+            found.error = found.error.max(compared.difference);
+        }
         let error = compared.error;
         let interrupted = matches!(fine.stopped, Some((_, Halt::Interrupted)));
         if error <= within || interrupted {

@@ -134,9 +134,10 @@ pub(crate) fn trajectory(
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
     let scales = scales(&begin.equations());
     let conserved = is_conserved(model.mechanism);
+    let mut least = f64::INFINITY;
     let compare = |(coarse, fine): (&Run, &Run), kinds: &Kinds| {
         let difference = Compared::of(&mut begin.equations(), coarse.outcome(), fine.outcome(), kinds);
-        let mut compared = estimate(difference, (coarse, fine), &scales, conserved);
+        let mut compared = estimate(difference, (coarse, fine), &mut least, &scales, conserved);
         if let Some(found) = &steady {
             compared.steady(found.error);
         }

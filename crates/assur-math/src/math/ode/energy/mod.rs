@@ -79,7 +79,7 @@ pub struct Energy {
     out: Vec<f64>,
     /// The most that a series has left off.
     worst: f64,
-    /// The integral over time of what the series of mass and force leave off, and the time.
+    /// The integral over time of what the series of mass, force and time leave off, and the time.
     left_off: f64,
     passed: f64,
     /// By how much rounding of the kinetic energy may shift the instants, where it is small.
@@ -247,11 +247,17 @@ impl Energy {
             }
             (one, other) => one.or(other),
         };
+        // what each step leaves off its time adds up to the end
+        let (left, enough) = (self.progress.end - self.progress.t0, OF_TIME * self.tolerance);
+        let mut before = f64::INFINITY;
         for _ in 0..HALVED {
             let stretch = Stretch::new(&self.nodes, way, (q, target), rest);
-            if stretch.left_off() <= (OF_TIME * self.tolerance).max(4.0 * FINEST) {
+            let (left_off, part) = (stretch.left_off(), (stretch.duration() / left).min(1.0));
+            let rounding = left_off <= enough && left_off > LESS * before;
+            if rounding || left_off <= (enough * part).max(4.0 * FINEST) {
                 return Some((stretch, ahead.filter(|r| *r == target)));
             }
+            before = left_off;
             target = q + 0.5 * (target - q);
         }
         None
@@ -378,7 +384,7 @@ impl Integrator<f64> for Energy {
         let (passed, gone) = (t - self.progress.t0, &self.ways[way]);
         let rounding = f64::EPSILON * gone.energies_at_most();
         self.late_by_rounding += 0.5 * rounding / stretch.slowest * passed;
-        self.left_off += gone.left_off * passed;
+        self.left_off += (gone.left_off + stretch.left_off()) * passed;
         self.passed += passed;
         self.current = Some((way, stretch));
         self.end_at(system, (t, q), sense).map_err(|Undefined| self.undone(Stopped::Undefined))?;
