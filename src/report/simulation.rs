@@ -93,6 +93,16 @@ fn rests(answers: &Answers<'_>, run: &SimulationReport, section: &mut Section) {
 pub(super) fn lines(answers: &Answers<'_>) -> Vec<String> {
     let Some(report) = &answers.solution.simulation else { return Vec::new() };
     let order = |x: f64| order_of(x, answers.precision);
+    let wanted = significant(report.within, DIGITS);
+    let estimated = if report.error < SimulationReport::NOTHING {
+        format!(
+            "estimated error {} of the greatest of its kind ({}); wanted {wanted}",
+            order(report.error),
+            report.worst
+        )
+    } else {
+        format!("the error is not known; wanted {wanted}")
+    };
     let mut lines = vec![
         format!(
             "integrated by {}: {} steps, {} rejected, {} evaluations in all runs",
@@ -101,12 +111,7 @@ pub(super) fn lines(answers: &Answers<'_>) -> Vec<String> {
             report.rejected,
             report.evaluations
         ),
-        format!(
-            "estimated error {} of the greatest of its kind ({}); wanted {}",
-            order(report.error),
-            report.worst,
-            significant(report.within, DIGITS)
-        ),
+        estimated,
     ];
     if let Some(steady) = report.steady {
         lines.push(format!(

@@ -8,15 +8,13 @@ use super::parallel::turn_the_face;
 use crate::message::refusal::not_supported_yet;
 use crate::model::{Drive, DriveTarget, LoadId, PairId, PairKind, Value};
 use crate::position::{Model, turns};
-use crate::solve::{Clause, Halt, NoCycle};
+use crate::solve::{Clause, Halt, NoCycle, SimulationReport};
 use crate::source::Span;
 use crate::units::Dimension;
 use assur_text::diagnostic::Diagnosis;
 
-/// Two runs that differ by more say nothing of the motion.
-const NOTHING: f64 = 0.05;
-/// Steps of a run at most.
-const MOST_STEPS: usize = 1_000_000;
+/// What changes faster than this, 1/s, is no motion of a machine.
+const FAST: f64 = 1e4;
 
 pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
     let instant = |t: f64| with_unit(model, t, Dimension::TIME);
@@ -56,20 +54,17 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
                      is left: the loads are expressions of time, positions and velocities",
                 )
         }
-        Halt::TooManySteps => Diagnosis::error(
+        Halt::TooManySteps { steps, rate } => too_many(model, (*steps, *rate), (time, end), span),
+        Halt::NoStep => Diagnosis::error(
             "mech::simulate::too_many_steps",
-            format!(
-                "the steps of the motion are too short: it has reached {time} of {end}, \
-                 and at most {} steps are done",
-                MOST_STEPS
-            ),
+            format!("no step of the motion is short enough at {time}"),
         )
         .label(span, format!("only to {time}"))
         .help(
-            "let `simulate` end earlier, ask for less accuracy with `within`, or look \
-             for a spring or damper that is far stiffer than the motion, or a `start` \
-             so large that its last digit is longer than a step",
+            "look for a `start` so large that its last digit is longer than a step, or for a \
+             load that changes without bound there",
         ),
+        Halt::Unbounded { drive } => unbounded(model, *drive, time),
         Halt::Interrupted => Diagnosis::error(
             "",
             format!(
@@ -81,6 +76,46 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
         .help("let `simulate` end earlier, or ask for less accuracy with `within`"),
         Halt::Accuracy { wanted, reached } => accuracy(*wanted, *reached, span),
     }
+}
+
+/// A run that is long, or made of steps that something fast makes short.
+fn too_many(
+    model: &Model<'_>,
+    (steps, rate): (usize, f64),
+    (time, end): (String, String),
+    span: Span,
+) -> Diagnosis {
+    let mechanism = model.mechanism;
+    let damped = mechanism.springs.iter().any(|spring| spring.damping > 0.0);
+    let mut help = "let `simulate` end earlier, or ask for less accuracy with `within`".to_owned();
+    if !mechanism.springs.is_empty() && rate > FAST {
+        help += &format!(
+            "; something changes at a rate of {} 1/s: look for a spring or damper that is far stiffer than the motion",
+            four(rate)
+        );
+    } else if damped || mechanism.loads.iter().any(|load| load.expressions().next().is_some()) {
+        help += "; where the motion comes again, `simulate steady` follows one period";
+    }
+    Diagnosis::error(
+        "mech::simulate::too_many_steps",
+        format!("the motion takes too many steps: {steps} have reached {time} of {end}"),
+    )
+    .label(span, format!("only to {time}"))
+    .help(help)
+}
+
+fn unbounded(model: &Model<'_>, drive: usize, time: String) -> Diagnosis {
+    let drive = &model.mechanism.drives[drive];
+    let loads = model.mechanism.loads.iter().filter(|load| load.expressions().next().is_some());
+    Diagnosis::error(
+        "mech::simulate::too_many_steps",
+        format!("`{}` grows without bound at {time}", drive.written_name()),
+    )
+    .label(drive.span, "started here")
+    .labels(loads.map(|load| label("a load", load.span)))
+    .help(format!(
+        "let `simulate` end before {time}, or look for a load that grows with the motion it drives"
+    ))
 }
 
 /// An end that does not come.
@@ -107,7 +142,7 @@ pub(super) fn never_ended(model: &Model<'_>, event: usize, at: f64) -> Diagnosis
 }
 
 fn accuracy(wanted: f64, reached: f64, span: Span) -> Diagnosis {
-    let known = reached < NOTHING;
+    let known = reached < SimulationReport::NOTHING;
     let wanted = power(wanted);
     let (known, help) = if known {
         let enough = power(enough(reached));
@@ -120,8 +155,8 @@ fn accuracy(wanted: f64, reached: f64, span: Span) -> Diagnosis {
         )
     } else {
         (
-            format!("runs of different tolerance do not agree, so that the motion is not known to {wanted}"),
-            "let `simulate` end earlier, or look for an instant from which the motion may go on in two ways, or for a coordinate whose last \
+            format!("nothing is known of the motion at its end: runs in different steps do not agree; wanted was {wanted}"),
+            "let `simulate` end earlier, as where the least change of a start grows to another motion, or look for an instant from which the motion may go on in two ways, or for a coordinate whose last \
              digit is greater than that"
                 .to_owned(),
         )

@@ -187,8 +187,17 @@ pub enum Halt {
     },
     /// A load is not a number.
     NotANumber,
-    /// The most steps are done.
-    TooManySteps,
+    /// The most steps are done, or the run would never come to its end.
+    TooManySteps {
+        /// Those that were tried.
+        steps: usize,
+        /// The greatest rate at which something in it changes, as the last step shows, 1/s.
+        rate: f64,
+    },
+    /// No step is short enough.
+    NoStep,
+    /// A coordinate and its rate grow without bound.
+    Unbounded { drive: usize },
     /// It was asked to end.
     Interrupted,
     /// The accuracy is not reached with the digits there are.

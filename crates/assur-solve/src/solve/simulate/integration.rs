@@ -12,7 +12,7 @@ use super::pass::Pass;
 use super::records::{Origin, Recorder};
 use super::report::Holder;
 use super::reversing::Reversals;
-use super::setup::Outputs;
+use super::setup::{Outputs, scales};
 use super::stop::{Stops, Touch};
 use super::trace::Trace;
 use super::unilateral::UnilateralConditions;
@@ -38,6 +38,9 @@ const CANCELS: f64 = 1e3;
 const ENDLESS: f64 = 2e7;
 /// Nor are so many, where a tenth of them are done.
 const TOO_MANY: f64 = 2e6;
+
+/// So many radians or extents of the mechanism are more than a bounded motion passes.
+const UNBOUNDED: f64 = 1e9;
 
 /// How a method ended.
 pub(super) enum Ended {
@@ -323,7 +326,7 @@ impl Integration<'_, '_> {
     ) -> Result<(), Ended> {
         self.step(equations, method, exactly)?;
         if is_endless(method, self.begin, self.last) || method.counts().evaluations > self.pass.most {
-            return Err(Ended::Halted(Halt::TooManySteps));
+            return Err(Ended::Halted(too_many(equations, method)));
         }
         if !self.outputs.conduct.goes_on(method.t(), self.last) {
             return Err(Ended::Halted(Halt::Interrupted));
@@ -351,11 +354,17 @@ impl Integration<'_, '_> {
             return Err(Ended::Stiff);
         }
         self.bound(method);
-        match method.step(equations) {
+        let step = method.step(equations);
+        if matches!(step, Err(Stopped::Undefined | Stopped::StepTooSmall))
+            && let Some(drive) = unbounded(equations, method.y(), method.t() - self.begin)
+        {
+            return Err(Ended::Halted(Halt::Unbounded { drive }));
+        }
+        match step {
             Ok(Step::Within | Step::Last) => Ok(()),
             Err(Stopped::Stiff) if exactly => Ok(()),
             Err(Stopped::Stiff) => Err(Ended::Stiff),
-            Err(Stopped::TooManySteps) => Err(Ended::Halted(Halt::TooManySteps)),
+            Err(Stopped::TooManySteps) => Err(Ended::Halted(too_many(equations, method))),
             Err(Stopped::Undefined) => Err(Ended::Stuck(equations.halt())),
             Err(Stopped::StepTooSmall) => Err(Ended::Stuck(too_small(equations))),
         }
@@ -488,9 +497,29 @@ impl Integration<'_, '_> {
 /// Why no step is short enough where everything has a value.
 fn too_small(equations: &mut Equations<'_, '_>) -> Halt {
     match equations.halt() {
-        Halt::NotANumber => Halt::TooManySteps,
+        Halt::NotANumber => Halt::NoStep,
         halt => halt,
     }
+}
+
+/// The drive of a coordinate that passes in this time, s, a multiple of what is much for it that no motion does.
+fn unbounded(equations: &Equations<'_, '_>, y: &[f64], passed: f64) -> Option<usize> {
+    let rates = y[equations.order()..].iter().zip(scales(equations));
+    let mut rates = rates.zip(equations.reduced.free());
+    rates.find(|((rate, scale), _)| rate.abs() * passed > UNBOUNDED * scale).map(|(_, drive)| *drive)
+}
+
+/// How far it has come, and at which rate something changes: of the coordinates that of a vibration, of the rates that of a decay.
+fn too_many<M: Integrator<f64>>(equations: &Equations<'_, '_>, method: &M) -> Halt {
+    let (n, counts) = (equations.order(), method.counts());
+    let change = |list: &[f64], before: &[f64], i: usize| (list[i] - before[i]).abs();
+    let over = |a: f64, b: f64| if b > 0.0 { a / b } else { 0.0 };
+    let rate = (0..n).map(|i| {
+        let acceleration = change(method.rates(), method.previous_rates(), n + i);
+        let [way, speed] = [i, n + i].map(|i| change(method.y(), method.previous_y(), i));
+        over(acceleration, way).sqrt().max(over(acceleration, speed))
+    });
+    Halt::TooManySteps { steps: counts.steps + counts.rejected, rate: rate.fold(0.0, f64::max) }
 }
 
 /// Whether the steps are so short that the run would never come to its end.

@@ -63,6 +63,9 @@ pub struct SimulationReport {
 }
 
 impl SimulationReport {
+    /// Two runs that differ by more of the greatest of a kind say nothing of the motion.
+    pub const NOTHING: f64 = 1e-2;
+
     /// What the motion is in, and from when to when, s.
     pub(super) fn situations(&self, mechanism: &Mechanism) -> Vec<(Situation, f64, Option<f64>)> {
         let stops = mechanism.stops.iter().zip(&self.closed);

@@ -83,7 +83,7 @@ impl Equations<'_, '_> {
         while walk.q.to_bits() != q.to_bits() {
             walk.parts += 1;
             if walk.parts > MOST_PARTS {
-                return Err(Halt::TooManySteps);
+                return Err(Halt::TooManySteps { steps: walk.parts, rate: 0.0 });
             }
             let left = q - walk.q;
             let to = if left.abs() <= part { q } else { walk.q + part.copysign(left) };
