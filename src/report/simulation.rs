@@ -3,7 +3,7 @@
 use super::accuracy::order_of;
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
-use assur_model::model::{DriveTarget, Mechanism, Value};
+use assur_model::model::{DriveTarget, Mechanism, PairKind, Value};
 use assur_solve::solve::{Holder, Method, NotByEnergy, On, Pose, SimulationReport};
 use assur_text::units::{Dimension, significant};
 
@@ -84,7 +84,9 @@ fn rests(answers: &Answers<'_>, run: &SimulationReport, section: &mut Section) {
     }
     for (stop, times) in mechanism.stops.iter().zip(&run.closed) {
         for rest in times.iter().take(MOST) {
-            section.text(lasts(*rest, &format!("{} rests on its stop", name(stop.pair))));
+            let is_contact = matches!(mechanism.pair(stop.pair).kind, PairKind::Contact { .. });
+            let what = if is_contact { "closed" } else { "rests on its stop" };
+            section.text(lasts(*rest, &format!("{} {what}", name(stop.pair))));
         }
     }
 }

@@ -207,7 +207,7 @@ impl Draft {
 
     pub fn contact(&mut self, a: Profile, b: Profile, internal: bool) -> PairId {
         let (first, second) = if self.random.chance(0.5) { (a, b) } else { (b, a) };
-        self.pair(PairKind::Contact { first, second, internal, .. })
+        self.pair(PairKind::Contact { first, second, internal, parts: false })
     }
 
     pub fn drive(&mut self, target: DriveTarget, value: f64) {

@@ -4,7 +4,7 @@
 use crate::expr::context::Context;
 use assur_math::math::Vec2;
 use assur_model::model::{
-    Axis, Drive, DriveTarget, Expr, LinkId, Mechanism, PairKind, Positions, Profile, ProfileShape,
+    Axis, Drive, DriveTarget, Expr, LinkId, Mechanism, PairId, PairKind, Positions, Profile, ProfileShape,
 };
 use assur_model::structure::structure;
 use assur_text::source::Span;
@@ -50,7 +50,8 @@ fn combination(mech: &Mechanism, candidates: &[Drive], count: usize) -> Option<V
     }
 }
 
-/// Coordinates of the links that carry such contacts, as far as nothing gives them: where a profile is, then the angle.
+/// Coordinates of the links that carry such contacts, as far as nothing gives them: those of their guides and hinges, then where a
+/// profile is and the angle.
 fn candidates(mech: &Mechanism) -> Vec<Drive> {
     let mut found: Vec<Drive> = Vec::new();
     for pair in &mech.pairs {
@@ -58,6 +59,18 @@ fn candidates(mech: &Mechanism) -> Vec<Drive> {
         for profile in [first, second].into_iter().filter(|profile| profile.link != LinkId::GROUND) {
             let (link, at) = (profile.link, place(profile));
             let name = &mech.link(link).name;
+            for (index, own) in mech.pairs.iter().enumerate() {
+                match &own.kind {
+                    PairKind::Prismatic(guide) if [guide.slider, guide.guide].contains(&link) => {
+                        let target = DriveTarget::Pair(PairId::at(index));
+                        found.push(drive(own.name.clone(), target, pair.span));
+                    }
+                    PairKind::Revolute(pins) if pins.iter().any(|pin| pin.link == link) => {
+                        found.push(drive(name.clone(), DriveTarget::Link(link), pair.span));
+                    }
+                    _ => {}
+                }
+            }
             let axes = [(Axis::X, "x"), (Axis::Y, "y")].map(|(axis, letter)| {
                 drive(
                     format!("{name}.{}.{letter}", profile.name),

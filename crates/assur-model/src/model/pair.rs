@@ -275,7 +275,9 @@ impl PairKind {
     #[must_use]
     pub fn higher(&self) -> usize {
         match self {
-            Self::Slot(_) | Self::Contact { .. } => 1,
+            Self::Slot(_) => 1,
+            // one that parts joins nothing
+            Self::Contact { parts, .. } => usize::from(!parts),
             Self::Transmission(t) => t.laws.len(),
             Self::Revolute(_) | Self::Prismatic(_) | Self::Cylinder { .. } | Self::Weld { .. } => 0,
         }

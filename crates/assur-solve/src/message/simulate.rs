@@ -43,7 +43,7 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
         Halt::StopsAtOnce { stops } => stops_at_once(model, stops, time),
         Halt::Shaken { stop } => shaken(model, *stop, time),
         Halt::RestsUnder { load } => rests_under(model, *load),
-        Halt::NothingFree => nothing_free(model),
+        Halt::NothingFree { stop } => nothing_free(model, *stop),
         Halt::SpringAtZero { spring } => spring_at_zero(model, *spring, &format!(" at {time}")),
         Halt::NotANumber => {
             let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
@@ -287,13 +287,10 @@ fn rubbing(model: &Model<'_>, text: &str) -> Vec<miette::LabeledSpan> {
 fn jam(model: &Model<'_>, time: String) -> Diagnosis {
     Diagnosis::error(
         "mech::simulate::jam",
-        format!(
-            "friction jams the motion at {time}: no acceleration satisfies its laws, \
-             or several do"
-        ),
+        format!("friction jams the motion at {time}: no acceleration satisfies its law (Painlevé)"),
     )
     .labels(rubbing(model, "rubs"))
-    .help("with less friction, or a longer guide, the motion goes on")
+    .help("with less friction, or from another position, the motion goes on")
 }
 
 fn nothing_touches(model: &Model<'_>) -> Diagnosis {
@@ -368,13 +365,10 @@ fn stops_at_once(model: &Model<'_>, stops: &[usize], time: String) -> Diagnosis 
     let labels = stops.iter().map(|stop| label("hit", model.mechanism.stops[*stop].span));
     Diagnosis::error(
         "mech::simulate::stops_at_once",
-        format!("the stops of {names} are hit at once at {time}"),
+        format!("the stops of {names} are hit at once at {time}: too many for one impact"),
     )
     .labels(labels)
-    .help(
-        "let the starts differ a little, or let `simulate` end before: the motion \
-         after several impacts at once depends on their order",
-    )
+    .help(format!("let the starts differ a little, so that no more than 8 are hit at once, or let `simulate` end before {time}"))
 }
 
 fn shaken(model: &Model<'_>, stop: usize, time: String) -> Diagnosis {
@@ -402,10 +396,9 @@ fn rests_under(model: &Model<'_>, load: LoadId) -> Diagnosis {
     not_supported_yet(what, vec![label("its point comes to rest", place)])
 }
 
-fn nothing_free(model: &Model<'_>) -> Diagnosis {
-    let stops = model.mechanism.stops.iter();
-    let labels = stops.map(|stop| label("bounds what is driven", stop.span)).collect();
-    not_supported_yet("a stop in a motion that drives give alone", labels)
+fn nothing_free(model: &Model<'_>, stop: usize) -> Diagnosis {
+    let labels = vec![label("bounds what is driven", model.mechanism.stops[stop].span)];
+    not_supported_yet("a stop of what drives alone move", labels)
 }
 
 fn no_inertia(model: &Model<'_>, time: String) -> Diagnosis {

@@ -157,7 +157,10 @@ pub enum Halt {
         load: LoadId,
     },
     /// Nothing is free, and something rubs or there is a stop.
-    NothingFree,
+    NothingFree {
+        /// The stop.
+        stop: usize,
+    },
     /// Friction would hold a cam on its follower, so that they roll on each other.
     Rolls { pair: PairId },
     /// Forces act as a pair does not take them: a contact would have to pull, a rope to push.

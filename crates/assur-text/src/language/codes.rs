@@ -285,6 +285,7 @@ pub static CODES: &[Code] = codes! {
     "simulate" / "tolerance",
     "simulate" / "never_ended",
     "simulate" / "jam",
+    "simulate" / "nothing_touches",
     "simulate" / "rolls",
     "simulate" / "opens",
     "simulate" / "no_cycle",

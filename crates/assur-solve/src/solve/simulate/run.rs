@@ -381,14 +381,16 @@ const fn sum(a: Counts, b: Counts) -> Counts {
 
 /// Chooses how what rubs or stands at a stop begins.
 fn start(equations: &mut Equations<'_, '_>, first: f64, y: &mut [f64]) -> Result<(), Halt> {
-    if equations.order() == 0 && !equations.model.mechanism.stops.is_empty() {
-        return Err(Halt::NothingFree);
-    }
     let opposing = &equations.model.plan.opposing;
     let held = |id| opposing.iter().any(|load| load.load == id);
     let stops = !equations.model.mechanism.stops.is_empty();
     if stops || equations.model.plan.effects.loses() || equations.acting().any(|(id, _, _)| held(id)) {
-        return equations.begin_slipping(first, y, None);
+        equations.begin_slipping(first, y, None)?;
+    }
+    for stop in 0..equations.model.mechanism.stops.len() {
+        if equations.slopes(stop).iter().all(|slope| *slope == 0.0) {
+            return Err(Halt::NothingFree { stop });
+        }
     }
     Ok(())
 }
