@@ -213,7 +213,6 @@ impl<'a> Equations<'a, '_> {
             return;
         }
         self.look_at_sizes();
-        self.take_pressing_sides(kept);
         self.take_seams();
         let rubs = self.slipping.is_some();
         let mut switches = std::mem::take(&mut self.switches);
@@ -230,22 +229,29 @@ impl<'a> Equations<'a, '_> {
             }
         }
         self.switches = switches;
-        if !undecided.is_empty() || self.sides.iter().flatten().any(|side| *side == 0.0) {
-            self.take_sides_shortly(t, y, &undecided);
+        if !undecided.is_empty() && self.observe_shortly(t, y) {
+            self.take_switches(&undecided);
         }
         self.held = true;
+        // guides press as the loads and drives do on these sides
+        if self.pressing() > 0 && self.observe(t, y, false) {
+            self.take_pressing_sides(kept);
+            if self.sides.iter().flatten().any(|side| *side == 0.0) && self.observe_shortly(t, y) {
+                self.take_pressing_sides(true);
+            }
+        }
     }
 
-    /// Takes switches that are at a corner, and guides in which nothing presses yet, on the sides where they are shortly after;
-    /// what stays zero has none.
-    fn take_sides_shortly(&mut self, t: f64, y: &[f64], undecided: &[usize]) {
+    /// Observes the state shortly after an instant.
+    fn observe_shortly(&mut self, t: f64, y: &[f64]) -> bool {
         let time = SHORTLY * (self.last - self.from);
         // what is let go at its limit begins without acceleration
         let later = self.carried_on(t, y, time).and_then(|later| self.carried_on(t + time, &later, time));
-        let Ok(later) = later else { return };
-        if !self.observe(t + 2.0 * time, &later, false) {
-            return;
-        }
+        later.is_ok_and(|later| self.observe(t + 2.0 * time, &later, false))
+    }
+
+    /// Takes switches that are at a corner on the sides where they are in the state that is observed; what stays zero has none.
+    fn take_switches(&mut self, undecided: &[usize]) {
         let mut switches = std::mem::take(&mut self.switches);
         for &index in undecided {
             if !self.is_at_corner(&switches[index]) {
@@ -253,11 +259,6 @@ impl<'a> Equations<'a, '_> {
             }
         }
         self.switches = switches;
-        for index in 0..self.sides.len() {
-            if self.sides[index].contains(&0.0) {
-                self.sides[index] = sides_of(self.pressing_force(index));
-            }
-        }
     }
 
     /// Whether a number of a switch is zero but for rounding in the state that is observed.
