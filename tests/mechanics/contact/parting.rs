@@ -38,14 +38,14 @@ proptest! {
     /// As long as it presses, a contact that parts is one that does not.
     #[test]
     fn a_ladder_slides_as_on_contacts_that_cannot_part(
-        angle in 100.0..130.0_f64, friction in 0.0..0.2_f64, mass in 5.0..40.0_f64,
+        angle in 110.0..130.0_f64, friction in 0.0..0.1_f64, mass in 5.0..40.0_f64,
     ) {
         let text = |parts: &str| format!("gravity 9.81 m/s^2
 ground {{ O (0, 0); line floor through O along 0 deg; line wall through O along 90 deg }}
 link ladder A-B 3 m {{ mass {mass} kg rod A to B }}
 contact F: ladder.A - ground.floor {{ {parts} friction {friction} }}
 contact W: ladder.B - ground.wall {{ {parts} friction {friction} }}
-start ladder = {angle} deg at -0.1 rad/s
+start ladder = {angle} deg at 0.2 rad/s
 simulate 0 s .. 0.4 s in 8 steps
 find omega(ladder), normal(W, ladder), friction(F, ladder)
 ");

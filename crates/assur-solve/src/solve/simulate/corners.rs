@@ -92,8 +92,7 @@ impl Corners {
         for index in 0..self.ranges.len() {
             let (least, greatest) = self.ranges[index];
             if least > CLEAR * (greatest - least)
-                || (index < ENDS * equations.switches.len()
-                    && greatest.max(-least) <= self.nothing(equations, method, index))
+                || greatest.max(-least) <= self.nothing(equations, method, index)
             {
                 continue;
             }
@@ -160,14 +159,21 @@ impl Corners {
         if known { equations.room(index) } else { f64::NAN }
     }
 
-    /// What is zero but for rounding of a number of a switch.
+    /// What is zero but for rounding of a number of a switch, or of what presses.
     fn nothing<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
         method: &mut M,
         index: usize,
     ) -> f64 {
+        let switches = ENDS * equations.switches.len();
+        if (switches..switches + equations.seams()).contains(&index) {
+            return f64::NEG_INFINITY;
+        }
         self.room(equations, method, index, method.t());
+        if index >= switches {
+            return NOTHING * equations.greatest_force();
+        }
         equations.look_at_sizes();
         let size = equations.seen().room_size(&equations.switches[index / ENDS]);
         equations.rounding_of(size, OF_MOTION)
@@ -329,7 +335,7 @@ impl<'a> Equations<'a, '_> {
         let plan = self.model.plan;
         let Some(element) = plan.friction.get(index) else {
             let law = plan.losing[index - plan.friction.len()];
-            return Vec2::new(self.trial.forces.law_forces[law].multiplier, 0.0);
+            return Vec2::new(self.trial.forces.law_forces[law].multiplier * plan.laws[law].force, 0.0);
         };
         let force = self.trial.measured(plan, element);
         match element.kind {
