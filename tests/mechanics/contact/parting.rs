@@ -105,3 +105,38 @@ find angle(box)
         prop_assert!(same.as_ref().is_ok_and(|count| *count >= 10), "{same:?}");
     }
 }
+
+/// A block of 2 kg falls by 1 m on a stop, a ball on a floor: each gives m (1 + e) v, at the event alone.
+#[test]
+fn an_impulse_is_given_at_its_event() {
+    let block = "gravity 9.81 m/s^2
+ground { O (0, 0); line up through O along 90 deg }
+link block { C (0, 0); mass 2 kg at C }
+prismatic G: block.C - ground.up
+start G = 1 m
+stop G > 0 m { restitution 0.5 }
+event hits: displacement(G) = 0 m
+simulate 0 s .. 0.8 s
+find impulse(G)
+";
+    let ball = "gravity 9.81 m/s^2
+ground { O (0, 0); line floor through O along 0 deg }
+link ball { C (0, 0); circle rim centre C radius 100 mm; mass 2 kg sphere centre C radius 100 mm }
+contact G: ball.rim - ground.floor { parts; restitution 0.5 }
+start ball.C = (0, 1.1 m)
+start ball = 0 deg
+event hits: position(ball.C).y = 100 mm
+simulate 0 s .. 0.8 s
+find impulse(G)
+";
+    let right = 2.0 * 1.5 * (2.0 * 9.81_f64).sqrt();
+    for text in [block, ball] {
+        let found = values(text, "impulse(G)").unwrap();
+        let hits: Vec<f64> =
+            found.iter().map(|(_, impulse)| *impulse).filter(|impulse| *impulse != 0.0).collect();
+        assert!(
+            matches!(hits[..], [impulse] if (impulse - right).abs() < 1e-8),
+            "{found:?}, not {right}\n{text}"
+        );
+    }
+}

@@ -90,6 +90,8 @@ pub struct Motion<S = f64> {
     pub works: Vec<f64>,
     /// Efforts of closed stops along their coordinates, N or N m.
     pub stops: Vec<f64>,
+    /// Impulses of stops along their coordinates, in an impact at this instant, N s or N m s.
+    pub impulses: Vec<f64>,
     /// On which sides of lines contacts that part stand, by stop: 1 or -1, and 0 of all else.
     pub sides: Vec<f64>,
     /// How the elements of friction move there, where such a motion says it.
@@ -122,6 +124,7 @@ impl<S: Scalar + Default> Motion<S> {
             work: 0.0,
             works: Vec::new(),
             stops: Vec::new(),
+            impulses: Vec::new(),
             sides: Vec::new(),
             grips: Vec::new(),
             against: Vec::new(),
@@ -145,6 +148,7 @@ impl Motion {
             work,
             works,
             stops,
+            impulses,
             sides,
             grips,
             against,
@@ -160,6 +164,7 @@ impl Motion {
         (self.time, self.work, self.open) = (*time, *work, *open);
         self.works.clone_from(works);
         self.stops.clone_from(stops);
+        self.impulses.clone_from(impulses);
         self.sides.clone_from(sides);
         self.grips.clone_from(grips);
         self.against.clone_from(against);

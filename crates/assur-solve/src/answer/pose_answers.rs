@@ -118,6 +118,7 @@ impl PoseAnswers<'_> {
             Query::StopEffort(stop) => {
                 Value::Scalar(self.state.motion.stops.get(*stop).copied().unwrap_or(0.0))
             }
+            Query::Impulse(pair) => Value::Scalar(self.of_stops(*pair, &self.state.motion.impulses)),
             Query::KineticEnergy => Value::Scalar(self.state.kinetic_energy(self.mechanism)),
             Query::PotentialEnergy => Value::Scalar(self.state.potential_energy(self.mechanism)),
             Query::TorsionEnergy(spring, pair) => {
@@ -354,7 +355,12 @@ impl PoseAnswers<'_> {
 
     /// What closed stops of a pair bear along its coordinate, N or N m.
     fn stop_effort(&self, pair: PairId) -> f64 {
-        let stops = self.mechanism.stops.iter().zip(&self.state.motion.stops);
+        self.of_stops(pair, &self.state.motion.stops)
+    }
+
+    /// The sum of what the stops of a pair have, of a list of all.
+    fn of_stops(&self, pair: PairId, all: &[f64]) -> f64 {
+        let stops = self.mechanism.stops.iter().zip(all);
         stops.filter(|(stop, _)| stop.pair == pair).map(|(_, effort)| effort).sum()
     }
 

@@ -156,6 +156,7 @@ impl PoseAnswers<'_> {
                 let force = spring.stiffness * (length + spring.free_length);
                 (force + spring.damping * sizes.speed()) * sizes.speed()
             }
+            Query::Impulse(_) => itself(),
             Query::Work(_) => sizes.all_moment() + itself(),
             Query::Flywheel(..) => itself(),
             Query::Cycle(which) => self.statics.cycles.get(*which).map_or(0.0, |c| c.size).max(itself()),

@@ -356,6 +356,11 @@ functions! {
         [form(&[J], Condition, "the pair is held by friction")],
     Rests "rests" Simulation "rests(G)"
         [form(&[J], Condition, "a stop of the pair is closed")],
+    Impulse "impulse" Simulation "impulse(G)" [form(
+        &[J],
+        Varies("force or torque × time"),
+        "what stops of the pair, or a contact that parts, give in an impact at this instant",
+    )],
     Fluctuation "fluctuation" Flywheel "fluctuation(J)"
         [form(&[F], Number(Dimension::TORQUE), "of a flywheel: greatest minus least work")],
     Rim "rim" Flywheel "rim(J).width" [form(

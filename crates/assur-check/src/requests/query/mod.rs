@@ -159,7 +159,7 @@ impl Context<'_> {
             F::Power => self.power(call),
             F::Efficiency => self.verdict(call, Query::Efficiency, Type::number(Dimension::NUMBER)),
             F::Locked => self.verdict(call, Query::Locked, Type::Bool),
-            F::FrictionWork | F::Period | F::Sticks | F::Rests => self.of_motion(call, function),
+            F::FrictionWork | F::Period | F::Sticks | F::Rests | F::Impulse => self.of_motion(call, function),
             F::Time | F::Drive | F::Count | F::KineticEnergy | F::PotentialEnergy | F::Energy => {
                 self.of_motion(call, function)
             }

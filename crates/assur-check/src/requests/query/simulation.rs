@@ -54,6 +54,7 @@ impl Context<'_> {
             Function::Drive => self.event_drive(call),
             Function::Count => self.event_count(call),
             Function::Rests => self.rests(call),
+            Function::Impulse => self.impulse(call),
             Function::FrictionWork => self.friction_work(call),
             Function::Period => self.period(call),
             Function::Sticks => self.sticks(call),
@@ -113,6 +114,21 @@ impl Context<'_> {
 
     /// `rests(G)`
     fn rests(&mut self, call: Call<'_>) -> Option<Typed> {
+        let pair = self.stopped(call)?;
+        Some(Typed::new(Expr::Query(Query::In(Situation::Rests(pair))), Type::Bool))
+    }
+
+    /// `impulse(G)`
+    fn impulse(&mut self, call: Call<'_>) -> Option<Typed> {
+        let pair = self.stopped(call)?;
+        let turns = matches!(self.builder.mech.pair(pair).kind, PairKind::Revolute(_));
+        let effort = if turns { Dimension::TORQUE } else { Dimension::FORCE };
+        let dimension = effort.times(Dimension::TIME);
+        Some(Typed::new(Expr::Query(Query::Impulse(pair)), Type::number(dimension)))
+    }
+
+    /// A pair that has a stop, or a contact that parts.
+    fn stopped(&mut self, call: Call<'_>) -> Option<PairId> {
         let args = self.arguments(call, 1, 1)?;
         let pair = self.pair_argument(call, args[0])?;
         let name = self.builder.mech.pair(pair).name.clone();
@@ -124,7 +140,7 @@ impl Context<'_> {
             self.error(Diagnosis::error("mech::simulate::stop", what).primary(call.span, "here").help(help));
             return None;
         }
-        Some(Typed::new(Expr::Query(Query::In(Situation::Rests(pair))), Type::Bool))
+        Some(pair)
     }
 
     /// `period()`

@@ -18,6 +18,8 @@ pub(crate) struct Instant {
     pub works: Vec<f64>,
     /// What closed stops bear.
     pub stops: Vec<f64>,
+    /// What stops gave in an impact at the instant.
+    pub impulses: Vec<f64>,
     /// On which sides contacts that part stand.
     pub sides: Vec<f64>,
     /// How the elements of friction move, where the run says it.
@@ -32,6 +34,7 @@ impl Instant {
         (motion.time, motion.work) = (self.time, self.work);
         motion.works.clone_from(&self.works);
         motion.stops.clone_from(&self.stops);
+        motion.impulses.clone_from(&self.impulses);
         motion.sides.clone_from(&self.sides);
         motion.grips.clone_from(&self.grips);
         motion.against.clone_from(&self.against);

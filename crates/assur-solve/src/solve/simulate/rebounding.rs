@@ -26,6 +26,7 @@ struct After {
     accelerations: Vec<f64>,
     /// Those of all elements of friction.
     sliding: Vec<f64>,
+    impulses: Vec<(usize, f64)>,
 }
 
 impl Stops {
@@ -62,14 +63,14 @@ impl Stops {
         let was = (equations.slipping.clone(), equations.closed.clone());
         let mut strike = Strike { t, y, hit, before, stand, was };
         let mut kept: Vec<f64> = hit.iter().map(|stop| equations.stop(*stop).restitution).collect();
-        let mut struck = Struck { y: Vec::new(), closed: None, step: f64::INFINITY };
+        let mut struck = Struck { y: Vec::new(), closed: None, step: f64::INFINITY, impulses: Vec::new() };
         let mut all = 0.0;
         let up = loop {
             if kept.iter().all(|kept| *kept == 0.0) {
                 break None;
             }
             let up = strike.go_on(equations, &kept, false)?;
-            let rest = strike.impact(equations, &vec![0.0; hit.len()])?;
+            let rest = strike.impact(equations, &vec![0.0; hit.len()])?.0;
             let back = strike.go_on(equations, &vec![0.0; hit.len()], true);
             let rebounds = strike.rebounds(&kept, &up, &back);
             let low = |i: &usize| {
@@ -93,11 +94,12 @@ impl Stops {
         };
         match up {
             Some(up) => {
-                struck.y = up.y;
+                (struck.y, struck.impulses) = (up.y, up.impulses);
                 (equations.slipping, equations.closed) = (up.slipping, up.closed);
             }
             None => {
-                struck.y = strike.go_on(equations, &kept, false)?.y;
+                let rest = strike.go_on(equations, &kept, false)?;
+                (struck.y, struck.impulses) = (rest.y, rest.impulses);
                 let closed = hit.iter().any(|stop| equations.closed.contains(stop));
                 struck.closed = closed.then_some(all);
             }
@@ -123,25 +125,31 @@ struct Strike<'y> {
 }
 
 impl Strike<'_> {
-    /// The unknowns after an impact that leaves these parts of the rates.
-    fn impact(&self, equations: &mut Equations<'_, '_>, kept: &[f64]) -> Result<Vec<f64>, Halt> {
+    /// The unknowns after an impact that leaves these parts of the rates, and the impulses along the coordinates of stops.
+    fn impact(
+        &self,
+        equations: &mut Equations<'_, '_>,
+        kept: &[f64],
+    ) -> Result<(Vec<f64>, Vec<(usize, f64)>), Halt> {
         let rates = self.before.iter().zip(kept).map(|(before, kept)| -kept * before);
         let wanted: Vec<_> = self.hit.iter().copied().zip(rates).collect();
         let mut after = self.y.to_vec();
         equations.find_masses(self.t, self.y)?;
-        equations.reflect(&wanted, &self.stand, &mut after)?;
-        Ok(after)
+        let mut impulses = equations.reflect(&wanted, &self.stand, &mut after)?;
+        impulses.iter_mut().for_each(|(stop, impulse)| *impulse *= equations.stop(*stop).side);
+        Ok((after, impulses))
     }
 
     /// How everything goes on then; with all that is hit `off`, as if it were not there.
     fn go_on(&self, equations: &mut Equations<'_, '_>, kept: &[f64], off: bool) -> Result<After, Halt> {
-        let after = self.impact(equations, kept)?;
+        let (after, impulses) = self.impact(equations, kept)?;
         (equations.slipping, equations.closed) = self.was.clone();
         // as long as none would have to pull
         let stay = self.hit.iter().zip(kept).filter(|(_, kept)| !off && **kept == 0.0);
         stay.for_each(|(stop, _)| equations.close(*stop));
         let greatest = self.before.iter().fold(0.0_f64, |most, rate| most.max(rate.abs()));
-        equations.after_impact((self.t, self.y), after, (self.hit, off), ROUNDING * greatest)
+        let after = equations.after_impact((self.t, self.y), after, (self.hit, off), ROUNDING * greatest)?;
+        Ok(After { impulses, ..after })
     }
 
     /// The next rebounds from what is hit, of those that keep a part of their rates.
@@ -192,7 +200,14 @@ impl Equations<'_, '_> {
             DissipativeElement::all(self.model.plan).map(|rubs| rubs.acceleration(&self.trial)).collect();
         let mut slipping = self.slipping.clone();
         slipping.iter_mut().for_each(|slipping| slipping.off.clear());
-        Ok(After { y: after, slipping, closed: self.closed.clone(), accelerations, sliding })
+        Ok(After {
+            y: after,
+            slipping,
+            closed: self.closed.clone(),
+            accelerations,
+            sliding,
+            impulses: Vec::new(),
+        })
     }
 
     /// Whether friction is the same in all rebounds from a stop, which last so long, s, on the way up and on the way back, given the rates

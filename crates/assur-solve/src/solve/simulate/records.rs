@@ -54,6 +54,8 @@ pub(crate) struct Records {
     pub nothing: Vec<f64>,
     /// What closed stops bear, as many numbers each as there are stops.
     pub stops: Vec<f64>,
+    /// What stops gave in impacts, as many numbers each.
+    pub impulses: Vec<f64>,
     /// How the elements of friction move, where that is known.
     pub grips: Vec<Vec<ContactMode>>,
     /// How the loads against the motion act.
@@ -92,6 +94,12 @@ impl Records {
         &self.stops[each * index..][..each]
     }
 
+    /// What stops gave in an impact at an instant.
+    pub fn impulses(&self, index: usize) -> &[f64] {
+        let each = self.impulses.len() / self.count.max(1);
+        &self.impulses[each * index..][..each]
+    }
+
     /// How the elements of friction move at an instant.
     pub fn grips(&self, index: usize) -> &[ContactMode] {
         &self.grips[index]
@@ -128,6 +136,8 @@ pub(super) struct Recorder {
     goes_on: bool,
     /// The first instant, s, and the unknowns there before an impact.
     pub struck: Option<(f64, Vec<f64>)>,
+    /// When the last impact was, s, and the impulses by stop.
+    last_impact: (f64, Vec<f64>),
     begin: Option<f64>,
     end: f64,
     work: f64,
@@ -147,6 +157,7 @@ impl Recorder {
             length: 0.0,
             goes_on: equations.model.plan.goes_on(),
             struck: None,
+            last_impact: (f64::NAN, vec![0.0; equations.model.mechanism.stops.len()]),
             begin: None,
             end: 0.0,
             work: 0.0,
@@ -199,6 +210,9 @@ impl Recorder {
         records.work.push(self.y[2 * n]);
         records.works.extend(self.y[2 * n + 1..].iter().zip(nothing).map(known));
         records.stops.extend_from_slice(&equations.trial.motion.stops);
+        let (at, impulses) = &self.last_impact;
+        let now = |impulse: &f64| if time == *at { *impulse } else { 0.0 };
+        records.impulses.extend(impulses.iter().map(now));
         records.grips.push(equations.grips());
         records.against.push(equations.trial.motion.against.clone());
         records.angles.extend_from_slice(&equations.angles);
@@ -208,6 +222,18 @@ impl Recorder {
         self.energy(equations);
         equations.closed = after;
         true
+    }
+
+    /// An impact at an instant, s, by these stops: what was kept so shortly before it has its impulses.
+    pub fn strike(&mut self, (t, at_once): (f64, f64), impulses: &[(usize, f64)]) {
+        let (at, all) = &mut self.last_impact;
+        *at = t;
+        all.fill(0.0);
+        impulses.iter().for_each(|(stop, impulse)| all[*stop] = *impulse);
+        let kept = self.records.times.iter().rev().take_while(|time| (**time - t).abs() <= at_once).count();
+        let from = all.len() * (self.records.count - kept);
+        let places = self.records.impulses[from..].iter_mut().zip(all.iter().cycle());
+        places.for_each(|(place, impulse)| *place = *impulse);
     }
 
     fn energy(&mut self, equations: &Equations<'_, '_>) {

@@ -59,6 +59,8 @@ pub(super) struct Struck {
     pub closed: Option<f64>,
     /// No step is longer that begins here, s: it may come back.
     pub step: f64,
+    /// What the stops gave along their coordinates, N s or N m s.
+    pub impulses: Vec<(usize, f64)>,
 }
 
 impl Stops {

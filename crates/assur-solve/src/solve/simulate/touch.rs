@@ -39,6 +39,7 @@ impl Integration<'_, '_> {
             Touch::Hits(hit) => {
                 equations.held = false;
                 let struck = self.stops.strike(equations, (t, &y), &hit)?;
+                self.recorder.strike((t, self.at_once()), &struck.impulses);
                 let until = struck.closed.map(|lasting| t + lasting).filter(|until| *until < last);
                 let resumed = match until.filter(|until| *until > t) {
                     None => {
