@@ -40,8 +40,9 @@ impl EffortEntry {
     }
 
     /// Its value, N m or N.
-    pub fn value(&self, solved: &Solved) -> Option<f64> {
-        solved.state.forces.efforts.get(self.slot).copied().filter(|x| x.is_finite())
+    pub fn value(&self, answers: &Answers<'_>, solved: &Solved) -> Option<f64> {
+        let value = answers.solution.view(&answers.model, solved).effort(self.slot);
+        Some(value).filter(|x| x.is_finite())
     }
 }
 
@@ -63,7 +64,7 @@ impl<'a> Answers<'a> {
             if !wanted || quantities.iter().any(|q| effort.is_named(&q.name)) {
                 continue;
             }
-            let value = |p: &&Pose| p.outcome.as_ref().ok().and_then(|s| effort.value(s)).map(Value::Scalar);
+            let value = |p: &&Pose| p.outcome.as_ref().ok().and_then(|s| effort.value(self, s)).map(Value::Scalar);
             quantities.push(Quantity {
                 values: poses.iter().map(value).collect(),
                 name: effort.name,

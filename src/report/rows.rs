@@ -7,7 +7,7 @@ use super::simulation;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
 use assur_solve::solve::{
-    DriveValue, JointReaction, Model, MotionScales, Pose, PoseAnswers, Solved, State, unplaced_reactions,
+    DriveValue, JointReaction, Model, MotionScales, Pose, PoseAnswers, State, unplaced_reactions,
 };
 use assur_text::units::{Dimension, push_significant};
 
@@ -244,7 +244,7 @@ impl AnswerColumns {
             Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
             Content::Find { index, poseless: false } => view.as_ref().and_then(|view| view.found(*index)),
             Content::Find { poseless: true, .. } => whole.get(from + i).copied().flatten(),
-            Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
+            Content::Effort(slot) => view.as_ref().map(|view| view.effort(*slot)).filter(|x| x.is_finite()).map(Value::Scalar),
             Content::Reaction(pair, on, joints) => pressing(*pair).map(|view| {
                 Value::Vector(match joints {
                     Some(joints) => joints.force(view.state),
@@ -320,10 +320,6 @@ fn all_reactions(model: &Model<'_>, of_transmissions: bool, answers: &mut Vec<An
             }
         }
     }
-}
-
-fn effort(solved: &Solved, slot: usize) -> Option<Value> {
-    solved.state.forces.efforts.get(slot).copied().filter(|x| x.is_finite()).map(Value::Scalar)
 }
 
 impl Answer {

@@ -141,7 +141,7 @@ fn torques(view: &PoseAnswers<'_>, pair: PairId, t: &Transmission) -> Vec<(LinkI
             links.push(link);
         }
     }
-    links.into_iter().map(|l| (l, view.transmission_moment(pair, l))).collect()
+    links.into_iter().map(|l| (l, view.moment(pair, l))).collect()
 }
 
 /// Forces and torques of all transmissions, where all reactions are asked for.

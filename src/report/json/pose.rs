@@ -147,7 +147,7 @@ impl<'a> PoseView<'a> {
             self.transmissions.0 = transmissions(answers, solved);
             let efforts = answers.efforts().into_iter();
             self.balances.0 =
-                efforts.filter_map(|e| Some((e.name.clone(), Number::of(e.value(solved)?)?))).collect();
+                efforts.filter_map(|e| Some((e.name.clone(), Number::of(e.value(answers, solved)?)?))).collect();
         }
         let quantity = |expr| answers.value(expr, pose).and_then(Reading::of);
         self.quantities.0 =

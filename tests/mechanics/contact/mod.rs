@@ -1,6 +1,7 @@
 //! What rubs, holds, stops and parts in motions, against closed forms and motions that were integrated apart.
 
 mod cells;
+mod determined;
 mod driven;
 mod oracle;
 mod parting;

@@ -15,7 +15,7 @@ fn values(text: &str, quantity: &str) -> Result<Vec<(f64, f64)>, String> {
     let poses = solution["poses"].as_array().cloned().unwrap_or_default();
     let of = |pose: &Value| Some((pose["time"].as_f64()?, pose["quantities"][quantity].as_f64()?));
     let found: Vec<(f64, f64)> = poses.iter().filter_map(of).collect();
-    if found.len() < 2 { Err(format!("{text}{}", solution["diagnostics"])) } else { Ok(found) }
+    if found.is_empty() { Err(format!("{text}{}", solution["diagnostics"])) } else { Ok(found) }
 }
 
 /// Whether two texts have the same values up to an instant.
@@ -50,9 +50,10 @@ simulate 0 s .. 0.4 s in 8 steps
 find omega(ladder), normal(W, ladder), friction(F, ladder)
 ");
         let (parting, closed) = (text("parts;"), text(""));
-        for quantity in ["omega(ladder)", "normal(W, ladder)", "friction(F, ladder)"] {
+        for (quantity, least) in [("omega(ladder)", 2), ("normal(W, ladder)", 1), ("friction(F, ladder)", 1)] {
             let same = agree([(&parting, quantity), (&closed, quantity)], 0.41);
-            prop_assert!(same.as_ref().is_ok_and(|count| *count >= 2), "{same:?}");
+            // a ladder that comes to rest is held at both ends, in unknown shares
+            prop_assert!(same.as_ref().is_ok_and(|count| *count >= least), "{same:?}");
         }
     }
 

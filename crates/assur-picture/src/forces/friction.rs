@@ -56,7 +56,7 @@ pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Diagnosis> 
         .pair_frictions()
         .into_iter()
         .filter(|f| scene.is_placed(f.on) && scene.is_placed(f.from))
-        .filter(|f| !scene.view().shares_friction(f.pair))
+        .filter(|f| f.effort.is_finite() && f.normal.is_finite() && !scene.view().shares_friction(f.pair))
         .collect();
     if frictions.is_empty() {
         return Err(error::nothing_placed(scene, "friction is drawn at its pairs"));

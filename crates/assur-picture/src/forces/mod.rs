@@ -18,7 +18,7 @@ use crate::shape::shapes;
 use actions::FreeBody;
 pub use actions::{letters, place};
 use assur_drawing::Drawing;
-use assur_model::model::{LinkId, PairId};
+use assur_model::model::{LinkId, LoadId, PairId, Query};
 use assur_model::structure::BodyId;
 use assur_solve::solve::Model;
 use assur_text::diagnostic::Diagnosis;
@@ -105,7 +105,14 @@ fn is_loaded(model: &Model<'_>) -> bool {
 
 /// Whether the forces on a link depend on how pairs share what friction holds.
 fn is_held(scene: &Scene<'_>, link: LinkId) -> bool {
-    scene.view().shares_friction_on(link.index())
+    let (view, mechanism) = (scene.view(), scene.mechanism());
+    let mut pairs = (0..mechanism.pairs.len()).map(PairId::at);
+    let mut loads = (0..mechanism.loads.len()).map(LoadId::at);
+    pairs.any(|id| mechanism.pair(id).kind.links().contains(&link) && view.shares_friction(id))
+        || loads.any(|id| {
+            let load = &mechanism.loads[id.index()];
+            load.link() == Some(link) && !view.query(&Query::Load(id)).is_defined()
+        })
 }
 
 /// The groups in the order in which forces are found; of those that are not dyads of links every link alone. What is welded to

@@ -44,15 +44,13 @@ pub struct ContactMode {
     pub sense: f64,
     /// The torque or force of friction on the element's body.
     pub effort: f64,
-    /// How much of what is held it bears is not determined.
-    pub open: bool,
 }
 
 impl State {
-    /// Whether several pairs share by friction what one of them could hold: forces within their chain of links are not determined.
+    /// Whether several pairs share by friction what one of them could hold: some forces are not determined.
     #[must_use]
-    pub fn friction_shares(&self) -> bool {
-        self.motion.grips.iter().any(|grip| grip.open)
+    pub const fn friction_shares(&self) -> bool {
+        self.other.is_some()
     }
 
     /// Whether the run says what friction and losses are.

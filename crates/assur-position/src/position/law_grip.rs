@@ -120,14 +120,12 @@ impl State {
         if sum == 0.0 { 0.0 } else { 1.0 - 2.0 * (sign * of_there).min(sign * of_back) / sum }
     }
 
-    /// The forces on both sides of a law with losses, per unit of their coefficients, with what holds it; NaN where that is shared
-    /// with others.
+    /// The forces on both sides of a law with losses, per unit of their coefficients, with what holds it.
     #[must_use]
     pub fn on_sides(&self, law: &PlannedLaw, slot: usize) -> [f64; 2] {
         let force = &self.forces.law_forces[slot];
         let [one, other] = force.sides.map(|side| force.multiplier * side);
         match self.law_grip(law) {
-            Some(ContactMode { open: true, .. }) => [f64::NAN; 2],
             Some(ContactMode { sense: 0.0, effort, .. }) => [one + effort / law.terms[0].1, other],
             _ => [one, other],
         }

@@ -36,6 +36,8 @@ pub struct State<S = f64> {
     pub forces: Forces<S>,
     /// Memory for the steps that have no closed form.
     pub scratch: Scratch,
+    /// The same with other forces that are as possible, where pairs share by friction what one of them could hold.
+    pub other: Option<Box<Self>>,
 }
 
 impl<S: Scalar + Default> State<S> {
@@ -47,6 +49,7 @@ impl<S: Scalar + Default> State<S> {
             motion: Motion::at_rest(plan),
             forces: Forces::none(plan),
             scratch: Scratch::default(),
+            other: None,
         }
     }
 }
@@ -64,14 +67,15 @@ impl State {
         Self { scratch: Scratch::of(plan), ..self }
     }
 
-    /// A copy without that memory.
+    /// A copy without that memory, and with these forces alone.
     pub fn answer(&self) -> Self {
         let (branches, motion, forces) = (self.branches.clone(), self.motion.clone(), self.forces.clone());
-        Self { branches, motion, forces, scratch: Scratch::default() }
+        Self { branches, motion, forces, scratch: Scratch::default(), other: None }
     }
 
-    /// The same in the memory of another state.
+    /// The same copy in the memory of another state.
     pub fn answer_in(&self, other: &mut Self) {
+        other.other = None;
         other.branches.clone_from(&self.branches);
         other.motion.copy(&self.motion);
         other.forces.copy(&self.forces);

@@ -2,7 +2,7 @@
 
 use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
-use crate::model::{BalanceKind, Expr, LinkId, LoadId, LoadKind, Place, Value};
+use crate::model::{BalanceKind, Expr, LinkId, LoadId, LoadKind, Place, Query, Value};
 use crate::position::{Action, Against, STILL};
 use crate::structure::EffortSource;
 
@@ -11,9 +11,18 @@ impl PoseAnswers<'_> {
         self.structure.efforts.iter().position(|e| e.source == source)
     }
 
-    /// Value of an unknown effort.
+    /// Value of an unknown effort, by its place; NaN where it is not determined.
     #[must_use]
-    pub fn effort(&self, source: EffortSource) -> f64 {
+    pub fn effort(&self, slot: usize) -> f64 {
+        self.structure.efforts.get(slot).map_or(f64::NAN, |effort| {
+            self.scalar(&Expr::Query(match effort.source {
+                EffortSource::Balance(id) => Query::Balance(id),
+                EffortSource::Drive(id) => Query::Effort(id),
+            }))
+        })
+    }
+
+    pub(super) fn effort_of(&self, source: EffortSource) -> f64 {
         self.effort_slot(source).map_or(f64::NAN, |slot| self.state.forces.efforts[slot])
     }
 

@@ -1,6 +1,7 @@
 //! What friction makes of a position: forces along the sliding, powers lost, efficiency.
 
 use super::pose_answers::PoseAnswers;
+use super::sharing::{common, sizes};
 use crate::model::{LinkId, PairId, PairKind};
 use crate::plan::{FrictionElement, FrictionLaw};
 use crate::structure::BodyId;
@@ -30,9 +31,21 @@ pub struct PairFriction {
 }
 
 impl PoseAnswers<'_> {
-    /// Friction of all pairs that have any, in the order in which forces are found.
+    /// Friction of all pairs that have any, in the order in which forces are found; NaN what is not determined.
     #[must_use]
     pub fn pair_frictions(&self) -> Vec<PairFriction> {
+        let Some(both) = self.both() else { return self.frictions() };
+        let sizes = sizes(&both);
+        let [mut here, there] = both.map(|view| view.frictions());
+        for (own, other) in here.iter_mut().zip(there) {
+            let size = if own.turns { sizes.all_moment() } else { sizes.all_force() };
+            own.effort = common([own.effort, other.effort], size);
+            own.normal = common([own.normal, other.normal], sizes.all_force());
+        }
+        here
+    }
+
+    fn frictions(&self) -> Vec<PairFriction> {
         let one = |(i, element): (usize, &FrictionElement)| {
             let (effort, speed) = (self.state.forces.frictions[i], self.state.sliding_speed(element));
             let still = self.state.forces.senses[i] == 0.0;
@@ -62,13 +75,6 @@ impl PoseAnswers<'_> {
         places.filter_map(|&i| Some((&self.plan.friction[i], *self.state.forces.frictions.get(i)?)))
     }
 
-    /// The same; where friction holds and how much is not determined, NaN.
-    fn determined(&self, pair: PairId) -> impl Iterator<Item = (&FrictionElement, f64)> + '_ {
-        let open = |i: usize| self.state.motion.grips.get(i).is_some_and(|grip| grip.open);
-        let places = self.plan.friction_of.places(pair).iter().map(move |&i| open(i));
-        self.elements(pair).zip(places).map(|((e, x), open)| (e, if open { f64::NAN } else { x }))
-    }
-
     /// The link by which a pair holds a body.
     fn held_by(&self, pair: PairId, body: usize) -> LinkId {
         LinkId::at(self.structure.replaced.held_by(self.mechanism, pair, BodyId(body)).0)
@@ -96,7 +102,7 @@ impl PoseAnswers<'_> {
     pub(super) fn friction_force(&self, pair: PairId, link: LinkId) -> crate::math::Vec2 {
         let mut sum = crate::math::Vec2::zero();
         let body = self.structure.replaced.body_of(link).0;
-        for (element, value) in self.determined(pair) {
+        for (element, value) in self.elements(pair) {
             let Some(line) = self.state.friction_line(element) else { continue };
             if element.body == body {
                 sum += line.1 * value;
@@ -110,7 +116,7 @@ impl PoseAnswers<'_> {
     /// Friction couple on a link in a revolute, N m.
     pub(super) fn friction_couple(&self, pair: PairId, link: LinkId) -> f64 {
         let body = self.structure.replaced.body_of(link).0;
-        let couples = self.determined(pair).filter(|(e, _)| matches!(e.kind, FrictionLaw::Circle { .. }));
+        let couples = self.elements(pair).filter(|(e, _)| matches!(e.kind, FrictionLaw::Circle { .. }));
         couples
             .map(|(e, x)| {
                 if e.body == body {
@@ -171,6 +177,6 @@ impl PoseAnswers<'_> {
     #[must_use]
     pub fn without_friction(&self) -> Self {
         let (state, quantities) = self.frictionless.unwrap_or((self.state, self.quantities));
-        Self { state, quantities, ideal: true, ..*self }
+        Self { state, quantities, ideal: true, other: self.other.filter(|_| self.frictionless.is_none()), ..*self }
     }
 }

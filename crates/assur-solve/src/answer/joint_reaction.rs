@@ -10,10 +10,11 @@ use crate::position::State;
 pub struct JointReaction(Vec<(usize, f64)>);
 
 impl JointReaction {
-    /// As any position of a mechanism shows it: of a pair without friction that is no transmission, not the contact or the hinge of a cam's roller, and no pin with a load on its first link; else `None`.
+    /// As any position of a mechanism shows it: of a pair without friction that is no transmission, not the contact or the hinge of a cam's roller, and no pin with a load on its first link; else `None`. In a motion stops may press in a pair, and others may share what holds it.
     #[must_use]
     pub fn of(view: &PoseAnswers<'_>, pair: PairId, link: LinkId) -> Option<Self> {
-        let plain = !matches!(view.mechanism.pair(pair).kind, PairKind::Transmission(_))
+        let plain = view.mechanism.simulation.is_none()
+            && !matches!(view.mechanism.pair(pair).kind, PairKind::Transmission(_))
             && view.roller_of(pair).is_none()
             && view.on_pin(pair, link).next().is_none()
             && view.plan.friction_of.places(pair).is_empty();

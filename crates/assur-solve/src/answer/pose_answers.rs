@@ -5,7 +5,7 @@ use super::switch::Switch;
 use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
 use crate::model::{
-    BalanceKind, CamContact, Equilibrium, FindKind, LinkId, Mechanism, ModePart, PairId, PairKind, PointRef,
+    BalanceKind, CamContact, Equilibrium, Expr, FindKind, LinkId, Mechanism, ModePart, PairId, PairKind, PointRef,
     QuantityId, Query, Value,
 };
 use crate::plan::Plan;
@@ -28,6 +28,8 @@ pub struct PoseAnswers<'a> {
     /// The same position without friction and its quantities, where the file declares any.
     pub frictionless: Option<(&'a State, &'a [Value])>,
     pub ideal: bool,
+    /// The same position with other forces that are as possible.
+    pub other: Option<&'a State>,
     /// Parts of expressions that are taken on one side of their corners.
     pub switches: &'a [Switch<'a>],
     /// What differs by rounding of these is equal in a comparison.
@@ -50,6 +52,7 @@ impl<'a> PoseAnswers<'a> {
             quantities: &[],
             frictionless: None,
             ideal: false,
+            other: state.other.as_deref(),
             switches: &[],
             sizes: &statics.sizes,
         }
@@ -97,9 +100,8 @@ impl PoseAnswers<'_> {
         }
     }
 
-    /// The answer to a question. NaN where there is none.
-    #[must_use]
-    pub fn query(&self, query: &Query) -> Value {
+    /// The answer to a question as the state has it. NaN where there is none.
+    pub(super) fn queried(&self, query: &Query) -> Value {
         match query {
             Query::Position(p) => Value::Vector(self.position(p)),
             Query::Velocity(p) => Value::Vector(self.velocity(p)),
@@ -141,10 +143,10 @@ impl PoseAnswers<'_> {
             Query::RelativeAcceleration(pair) => Value::Scalar(self.relative_acceleration(*pair)),
             Query::RelativeJerk(pair) => Value::Scalar(self.relative_jerk(*pair)),
             Query::Coriolis(pair) => Value::Vector(self.coriolis(*pair)),
-            Query::Reaction(pair, link) => Value::Vector(self.reaction(*pair, *link)),
+            Query::Reaction(pair, link) => Value::Vector(self.whole_force(*pair, *link)),
             Query::Axial(link) => Value::Scalar(self.axial(*link)),
             Query::Internal(asked) => Value::Scalar(self.internal(*asked)),
-            Query::Moment(pair, link) => Value::Scalar(self.moment(*pair, *link)),
+            Query::Moment(pair, link) => Value::Scalar(self.couple(*pair, *link)),
             Query::Normal(pair, link) => Value::Scalar(self.normal(*pair, *link)),
             Query::Friction(pair, link) => Value::Scalar(self.friction(*pair, *link)),
             Query::FrictionPower(pair) => Value::Scalar(self.friction_power(*pair)),
@@ -171,8 +173,8 @@ impl PoseAnswers<'_> {
             }
             Query::TransmissionAngle(group) => Value::Scalar(self.transmission_angle(*group)),
             Query::PressureAngle(pair) => Value::Scalar(self.pressure_angle(*pair)),
-            Query::Balance(id) => Value::Scalar(self.effort(EffortSource::Balance(*id))),
-            Query::Effort(id) => Value::Scalar(self.effort(EffortSource::Drive(*id))),
+            Query::Balance(id) => Value::Scalar(self.effort_of(EffortSource::Balance(*id))),
+            Query::Effort(id) => Value::Scalar(self.effort_of(EffortSource::Drive(*id))),
             Query::Load(id) => self.load(id.index()),
             Query::BalancePower(id) => Value::Scalar(self.effort_power(EffortSource::Balance(*id))),
             Query::EffortPower(id) => Value::Scalar(self.effort_power(EffortSource::Drive(*id))),
@@ -183,7 +185,7 @@ impl PoseAnswers<'_> {
             Query::Dead(pair, which) => Value::Scalar(self.statics.dead(*pair, *which)),
             Query::TangentialForce(pair, on) => Value::Scalar(self.force_on(*pair, *on)),
             Query::ToothForce(pair, on) => Value::Scalar(self.tooth_force(*pair, *on)),
-            Query::Tension(pair, part, end) => Value::Scalar(self.tension(*pair, *part, *end)),
+            Query::Tension(pair, part, end) => Value::Scalar(self.pull_at(*pair, *part, *end)),
             Query::TightSide(pair) => Value::Scalar(self.belt_pulls(*pair)[0]),
             Query::SlackSide(pair) => Value::Scalar(self.belt_pulls(*pair)[1]),
             Query::Capacity(pair) => Value::Scalar(self.capacity(*pair)),
@@ -295,9 +297,17 @@ impl PoseAnswers<'_> {
         Some([0, 1].map(|i| legs[i].direction.turned(self.state.motion.bodies[bodies[i].0].u)))
     }
 
-    /// The reaction's force on a link in a pair: all joints that stand for the pair.
+    /// The reaction's force on a link in a pair; NaN where it is not determined.
     #[must_use]
     pub fn reaction(&self, pair: PairId, link: LinkId) -> Vec2 {
+        match self.query(&Query::Reaction(pair, link)) {
+            Value::Vector(force) => force,
+            Value::Scalar(_) | Value::Bool(_) => NAN_VECTOR,
+        }
+    }
+
+    /// The force of all joints that stand for a pair on a link.
+    fn whole_force(&self, pair: PairId, link: LinkId) -> Vec2 {
         if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
             return self.mesh_force(pair, link);
         }
@@ -345,9 +355,6 @@ impl PoseAnswers<'_> {
 
     /// The force on a link of all joints that stand for the pair.
     fn joint_force(&self, pair: PairId, link: LinkId) -> Vec2 {
-        if self.shares_friction(pair) {
-            return Vec2::new(f64::NAN, f64::NAN);
-        }
         let rubbing = self.friction_force(pair, link) + self.stop_force(pair, link);
         self.slots(pair, link)
             .fold(rubbing, |sum, (slot, sign)| sum + self.state.forces.reactions[slot].force * sign)
@@ -393,7 +400,11 @@ impl PoseAnswers<'_> {
     /// The couple on a link in a pair about the pair's reference point; NaN where it is not determined.
     #[must_use]
     pub fn moment(&self, pair: PairId, link: LinkId) -> f64 {
-        if self.structure.undetermined_couples.binary_search(&pair).is_ok() || self.shares_friction(pair) {
+        self.scalar(&Expr::Query(Query::Moment(pair, link)))
+    }
+
+    fn couple(&self, pair: PairId, link: LinkId) -> f64 {
+        if self.structure.undetermined_couples.binary_search(&pair).is_ok() {
             return f64::NAN;
         }
         if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {

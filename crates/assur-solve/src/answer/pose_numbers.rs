@@ -66,7 +66,7 @@ fn read(source: &Source, view: &PoseAnswers<'_>, beside: &PoseExtras<'_>, out: &
                 out.push(normal);
             }
         }
-        Source::Effort(slot) => out.push(*view.state.forces.efforts.get(*slot)?),
+        Source::Effort(slot) => out.push(view.effort(*slot)),
         Source::Find(index) => value(view.found(*index)?, out)?,
         Source::Equilibrium => out.push(beside.residuals.equilibrium?),
         Source::Power => out.push(beside.residuals.power?),

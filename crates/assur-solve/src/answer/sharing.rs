@@ -1,100 +1,77 @@
-//! Which reactions are open where pairs share by friction what one of them could hold: those of links that hang together with
-//! such a pair. The ground bears whatever comes, so that chains which only the ground joins have nothing to do with each other.
+//! What is determined where pairs share by friction what one of them could hold: the state has two ways to share it, and what both
+//! have in common no other way changes.
 
 use super::PoseAnswers;
-use crate::model::PairId;
-use crate::structure::{BodyId, BodyRate, EffortKind, JointKind, Structure};
+use super::pose_answers::NAN_VECTOR;
+use super::sizes::Sizes;
+use crate::model::{PairId, Query, Value};
+use crate::position::Action;
+
+/// What two ways have in common differs by less than this part of its size.
+const COMMON: f64 = 1e-8;
 
 impl PoseAnswers<'_> {
+    /// The position with one way to share and with another, if there are several.
+    pub(super) fn both(&self) -> Option<[Self; 2]> {
+        let other = self.other?;
+        Some([self.state, other].map(|state| Self { state, other: None, ..*self }))
+    }
+
+    /// The answer to a question; NaN where it is not determined, or there is none.
+    #[must_use]
+    pub fn query(&self, query: &Query) -> Value {
+        let Some(both) = self.both() else { return self.queried(query) };
+        match both[0].queried(query) {
+            Value::Scalar(_) if differ(&both, query) => Value::Scalar(f64::NAN),
+            Value::Vector(_) if differ(&both, query) => Value::Vector(NAN_VECTOR),
+            same => same,
+        }
+    }
+
     /// Whether the reaction of a pair depends on how others share what friction holds.
     #[must_use]
     pub fn shares_friction(&self, pair: PairId) -> bool {
-        if !self.state.friction_shares() {
-            return false;
-        }
-        let joints = self.structure.replaced.joints_of(pair);
-        let bodies: Vec<usize> = joints
-            .flat_map(|joint| bodies_of(self.structure, &self.structure.replaced.joint(joint).kind))
-            .collect();
-        self.shares_friction_among(&bodies)
+        let Some(both) = self.both() else { return false };
+        self.mechanism.pair(pair).kind.links().into_iter().any(|link| {
+            differ(&both, &Query::Reaction(pair, link)) || differ(&both, &Query::Moment(pair, link))
+        })
     }
 
-    /// Whether the forces on a body do.
+    /// Whether one of the forces on a body does.
     #[must_use]
     pub fn shares_friction_on(&self, body: usize) -> bool {
-        self.state.friction_shares() && self.shares_friction_among(&[body])
-    }
-
-    fn shares_friction_among(&self, bodies: &[usize]) -> bool {
-        let chains = Chains::of(self.structure);
-        let elements = self.plan.friction.iter().zip(&self.state.motion.grips).filter(|(_, grip)| grip.open);
-        let open: Vec<usize> = elements
-            .flat_map(|(e, _)| [e.body, e.base, e.through])
-            .filter_map(|b| chains.of_body(b))
-            .collect();
-        bodies.iter().filter_map(|b| chains.of_body(*b)).any(|chain| open.contains(&chain))
+        let Some(both) = self.both() else { return false };
+        let (sizes, [here, there]) = (sizes(&both), both.map(|view| view.actions(&[body])));
+        let differs = |(a, b): (&Action, &Action)| {
+            let apart = (a.force - b.force).norm();
+            common([0.0, apart], sizes.all_force()).is_nan()
+                || common([a.couple, b.couple], sizes.all_moment()).is_nan()
+        };
+        here.len() != there.len() || here.iter().zip(&there).any(differs)
     }
 }
 
-/// Bodies that pairs and efforts join without the ground: one number for each chain.
-struct Chains {
-    above: Vec<usize>,
+/// The greatest of what the numbers of both are made of.
+pub(super) fn sizes(both: &[PoseAnswers<'_>; 2]) -> Sizes {
+    let mut sizes = Sizes::new(both[0].mechanism.quantities.len());
+    both.iter().for_each(|view| sizes.update_max(view));
+    sizes
 }
 
-impl Chains {
-    fn of(structure: &Structure) -> Self {
-        let mut chains = Self { above: (0..structure.replaced.bodies.len()).collect() };
-        for joint in &structure.replaced.joints {
-            chains.join(&bodies_of(structure, &joint.kind));
-        }
-        for effort in &structure.efforts {
-            let bodies: Vec<usize> =
-                effort.places().flat_map(|kind| bodies_of_effort(structure, kind)).collect();
-            chains.join(&bodies);
-        }
-        chains
-    }
-
-    fn join(&mut self, bodies: &[usize]) {
-        let mut chains = bodies.iter().filter_map(|body| self.of_body(*body)).collect::<Vec<_>>().into_iter();
-        let Some(first) = chains.next() else { return };
-        chains.for_each(|chain| self.above[chain] = first);
-    }
-
-    /// The chain of a body; the ground has none.
-    fn of_body(&self, body: usize) -> Option<usize> {
-        let mut chain = body;
-        while self.above[chain] != chain {
-            chain = self.above[chain];
-        }
-        (body != 0).then_some(chain)
-    }
+/// Whether two ways to share have other answers to a question.
+fn differ(both: &[PoseAnswers<'_>; 2], query: &Query) -> bool {
+    let numbers = match both.each_ref().map(|view| view.queried(query)) {
+        [here, there] if here == there || !(here.is_defined() || there.is_defined()) => return false,
+        [Value::Scalar(here), Value::Scalar(there)] => [here, there],
+        [Value::Vector(here), Value::Vector(there)] => [0.0, (here - there).norm()],
+        _ => return false,
+    };
+    let sizes = sizes(both);
+    let size = both.iter().map(|view| view.query_size(query, &sizes)).fold(0.0, f64::max);
+    common(numbers, size).is_nan()
 }
 
-fn bodies_of(structure: &Structure, kind: &JointKind) -> Vec<usize> {
-    match kind {
-        JointKind::Revolute(members) => members.iter().map(|(body, _)| body.0).collect(),
-        JointKind::Prismatic { slider, guide, .. } => vec![slider.0, guide.0],
-        JointKind::Weld { part, base, .. } => vec![part.0, base.0],
-        JointKind::Law(terms) => terms
-            .iter()
-            .flat_map(|(rate, _)| match rate {
-                BodyRate::Turn(body) => vec![body.0],
-                BodyRate::Slide(joint) => bodies_of(structure, &structure.replaced.joint(*joint).kind),
-            })
-            .collect(),
-    }
-}
-
-fn bodies_of_effort(structure: &Structure, kind: EffortKind) -> Vec<usize> {
-    match kind {
-        EffortKind::Angle(BodyId(body))
-        | EffortKind::Line(BodyId(body))
-        | EffortKind::Point(BodyId(body))
-        | EffortKind::Place(BodyId(body), ..) => {
-            vec![body]
-        }
-        EffortKind::RelativeAngle { first, second, .. } => vec![first.0, second.0],
-        EffortKind::Coordinate(joint) => bodies_of(structure, &structure.replaced.joint(joint).kind),
-    }
+/// What two ways have in common of a number of this size; NaN where they differ, or one was not found.
+pub(super) fn common([here, there]: [f64; 2], size: f64) -> f64 {
+    if (here - there).abs() <= COMMON * size { here } else { f64::NAN }
 }

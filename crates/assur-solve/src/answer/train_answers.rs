@@ -2,7 +2,7 @@
 
 use super::pose_answers::{NAN_VECTOR, PoseAnswers};
 use crate::math::Vec2;
-use crate::model::{FrictionLimit, LinkId, Load, LoadKind, PairId, PairKind, Transmission, Value};
+use crate::model::{Expr, FrictionLimit, LinkId, Load, LoadKind, PairId, PairKind, Query, Transmission, Value};
 use crate::plan::{LawSite, PlannedLaw};
 
 impl PoseAnswers<'_> {
@@ -25,16 +25,20 @@ impl PoseAnswers<'_> {
         law.force * if other.abs() < one.abs() || one.is_nan() { other } else { one }
     }
 
-    /// Tangential force of a transmission, N, ≥ 0; NaN where there is none.
+    /// Tangential force of a transmission, N, ≥ 0; NaN where there is none, or it is not determined.
     #[must_use]
     pub fn tangential_force(&self, pair: PairId) -> f64 {
+        self.scalar(&Expr::Query(Query::TangentialForce(pair, None)))
+    }
+
+    fn force_of_laws(&self, pair: PairId) -> f64 {
         self.laws(pair).next().map_or(f64::NAN, |(slot, law)| self.pull(slot, law).abs())
     }
 
     /// Tangential force on a link of a transmission, N, ≥ 0: its torque over the radius of its wheel. The side that drives
     /// has what is lost as well.
     pub(super) fn force_on(&self, pair: PairId, on: Option<LinkId>) -> f64 {
-        let Some(link) = on else { return self.tangential_force(pair) };
+        let Some(link) = on else { return self.force_of_laws(pair) };
         let of_side = |(slot, law): (usize, &PlannedLaw)| {
             let t = self.transmission(pair)?;
             let side = t.links.iter().position(|l| *l == link)?;
@@ -55,6 +59,10 @@ impl PoseAnswers<'_> {
     /// Pull in one part of a rope at one of its ends, N, or what the driven side gets; negative where it would have to push.
     #[must_use]
     pub fn tension(&self, pair: PairId, part: usize, end: Option<usize>) -> f64 {
+        self.scalar(&Expr::Query(Query::Tension(pair, part, end)))
+    }
+
+    pub(super) fn pull_at(&self, pair: PairId, part: usize, end: Option<usize>) -> f64 {
         self.laws(pair).nth(part).map_or(f64::NAN, |(slot, law)| match end {
             Some(end) => law.force * self.state.on_sides(law, slot)[end],
             None => self.pull(slot, law),
@@ -99,25 +107,14 @@ impl PoseAnswers<'_> {
         self.mechanism.loads.iter().position(is_own)
     }
 
-    /// Whether a load against the motion holds together with what could hold in its place.
-    fn is_shared(&self, load: usize) -> bool {
-        let first = self.plan.friction.len() + self.plan.losing.len();
-        let place = self.plan.opposing.iter().position(|opposing| opposing.load.index() == load);
-        place.and_then(|place| self.state.motion.grips.get(first + place)).is_some_and(|grip| grip.open)
-    }
-
     fn grip(&self, pair: PairId) -> Option<FrictionLimit> {
         self.transmission(pair).and_then(|t| t.grip)
     }
 
     /// Torque of a transmission on a link about its axis, N m.
-    #[must_use]
-    pub fn transmission_moment(&self, pair: PairId, link: LinkId) -> f64 {
+    pub(super) fn transmission_moment(&self, pair: PairId, link: LinkId) -> f64 {
         if let Some(load) = self.load_of_clutch(pair) {
             let Value::Scalar(on_second) = self.load(load) else { return f64::NAN };
-            if self.is_shared(load) {
-                return f64::NAN;
-            }
             let second = self.mechanism.pair(pair).kind.slipping().is_some_and(|[_, side]| side == link);
             return if second { on_second } else { -on_second };
         }

@@ -107,6 +107,7 @@ impl Run<'_, '_> {
             return Err(Cause::Lost(lost));
         }
         state.answer_in(&mut solved.state);
+        solved.state.other = self.instant.as_ref().and_then(|instant| instant.other(&state));
         self.memory = Some(state);
         solved.angles.clear();
         solved.angles.extend_from_slice(angles);

@@ -71,12 +71,17 @@ impl Chart {
     pub fn grips(&self, here: &[ContactMode]) -> Vec<ContactMode> {
         let each = self.back.friction.iter().map(|at| {
             at.map_or_else(ContactMode::default, |(i, sign)| {
-                let ContactMode { sense, effort, open } = here[i];
-                ContactMode { sense: sign * sense, effort: sign * effort, open }
+                let ContactMode { sense, effort } = here[i];
+                ContactMode { sense: sign * sense, effort: sign * effort }
             })
         });
         // losses have the same order in both
         each.chain(here[self.plan.friction.len().min(here.len())..].iter().copied()).collect()
+    }
+
+    /// Forces of this plan, as the mechanism as it is written has them.
+    pub fn forces(&self, here: &Forces) -> Forces {
+        self.back.forces(here)
     }
 
     /// Whether every group has a closed form.
@@ -93,10 +98,10 @@ impl Chart {
         let (mut forces, mut ideal) = (None, None);
         if self.plan.effects.forces {
             condition = state.forces.conditions.iter().fold(condition, |least, c| least.min(c.abs()));
-            forces = Some(self.back.forces(&state.forces));
+            forces = Some(self.forces(&state.forces));
             if self.plan.effects.loses() {
                 state.run_again_without_friction(&self.plan);
-                ideal = Some(self.back.forces(&state.forces));
+                ideal = Some(self.forces(&state.forces));
             }
         }
         Given { bodies: state.motion.bodies.clone(), forces, ideal, condition }

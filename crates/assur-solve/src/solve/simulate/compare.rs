@@ -161,10 +161,7 @@ impl Compared {
 impl Equations<'_, '_> {
     /// The position of a record.
     fn place_record(&mut self, records: &Records, index: usize) {
-        self.trial.motion.stops.copy_from_slice(records.stops(index));
-        self.trial.motion.grips.clear();
-        self.trial.motion.grips.extend_from_slice(records.grips(index));
-        self.trial.motion.against.clone_from(&records.against[index]);
+        records.bearings[index].set(&mut self.trial.motion);
         if let Some(given) = &records.given[index] {
             given.put(&mut self.trial);
             return;

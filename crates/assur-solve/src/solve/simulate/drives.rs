@@ -1,10 +1,11 @@
 //! What drives say at an instant.
 
 use super::derivatives::Derivatives;
+use super::held_efforts::{Bearing, Spread};
 use crate::answer::Switch;
 use crate::math::Vec2;
 use crate::model::{Axis, Drive, DriveTarget, Positions};
-use crate::position::{Against, ContactMode, DriveInput, Motion};
+use crate::position::{DriveInput, Motion, State};
 
 /// What the drives of one instant say beside their positions.
 #[derive(Clone, Debug, Default)]
@@ -16,16 +17,14 @@ pub(crate) struct Instant {
     pub work: f64,
     /// Works since then, J.
     pub works: Vec<f64>,
-    /// What closed stops bear.
-    pub stops: Vec<f64>,
+    /// What bears the loads beside reactions.
+    pub bearing: Bearing,
+    /// A second way to share it, where there is one.
+    pub spread: Spread,
     /// What stops gave in an impact at the instant.
     pub impulses: Vec<f64>,
     /// On which sides contacts that part stand.
     pub sides: Vec<f64>,
-    /// How the elements of friction move, where the run says it.
-    pub grips: Vec<ContactMode>,
-    /// How the loads against the motion act, where the run says it.
-    pub against: Vec<Against>,
 }
 
 impl Instant {
@@ -33,14 +32,21 @@ impl Instant {
     pub fn set(&self, motion: &mut Motion) {
         (motion.time, motion.work) = (self.time, self.work);
         motion.works.clone_from(&self.works);
-        motion.stops.clone_from(&self.stops);
+        self.bearing.set(motion);
         motion.impulses.clone_from(&self.impulses);
         motion.sides.clone_from(&self.sides);
-        motion.grips.clone_from(&self.grips);
-        motion.against.clone_from(&self.against);
         for (input, said) in motion.inputs.iter_mut().zip(&self.rates) {
             *input = DriveInput { place: input.place, value: input.value, ..*said };
         }
+    }
+
+    /// The state that was found with the other way to share.
+    pub fn other(&self, state: &State) -> Option<Box<State>> {
+        let (bearing, forces) = self.spread.as_deref()?;
+        let mut other = state.answer();
+        bearing.set(&mut other.motion);
+        other.forces.clone_from(forces);
+        Some(Box::new(other))
     }
 }
 

@@ -93,11 +93,10 @@ impl Trajectory {
                 rates,
                 work: self.records.work.get(index).copied().unwrap_or(f64::NAN),
                 works: self.records.works(index).to_vec(),
-                stops: self.records.stops(index).to_vec(),
+                bearing: self.records.bearings[index].clone(),
+                spread: self.records.spreads[index].clone(),
                 impulses: self.records.impulses(index).to_vec(),
                 sides: self.start.motion.sides.clone(),
-                grips: self.records.grips(index).to_vec(),
-                against: self.records.against[index].clone(),
             },
         )
     }

@@ -2,11 +2,12 @@
 
 use super::chart::Given;
 use super::equations::Equations;
+use super::held_efforts::{Bearing, Spread};
 use super::report::Energy;
 use crate::answer::OF_MOTION;
 use crate::math::Vec2;
 use crate::math::ode::{Integrator, System};
-use crate::position::{Against, BodyState, Branch, ContactMode};
+use crate::position::{BodyState, Branch};
 
 /// What wants an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,14 +53,12 @@ pub(crate) struct Records {
     pub works: Vec<f64>,
     /// What is zero but for rounding of each of them over the whole run, J.
     pub nothing: Vec<f64>,
-    /// What closed stops bear, as many numbers each as there are stops.
-    pub stops: Vec<f64>,
-    /// What stops gave in impacts, as many numbers each.
+    /// What bears the loads beside reactions.
+    pub bearings: Vec<Bearing>,
+    /// A second way to share it, where there is one.
+    pub spreads: Vec<Spread>,
+    /// What stops gave in impacts, as many numbers each as there are stops.
     pub impulses: Vec<f64>,
-    /// How the elements of friction move, where that is known.
-    pub grips: Vec<Vec<ContactMode>>,
-    /// How the loads against the motion act.
-    pub against: Vec<Vec<Against>>,
     /// Angles of the bodies, rad, continuous over the run.
     pub angles: Vec<f64>,
     /// Where the bodies stand, for steps of motion that start from there.
@@ -88,21 +87,10 @@ impl Records {
         &self.works[each * index..][..each]
     }
 
-    /// What closed stops bear at an instant.
-    pub fn stops(&self, index: usize) -> &[f64] {
-        let each = self.stops.len() / self.count.max(1);
-        &self.stops[each * index..][..each]
-    }
-
     /// What stops gave in an impact at an instant.
     pub fn impulses(&self, index: usize) -> &[f64] {
         let each = self.impulses.len() / self.count.max(1);
         &self.impulses[each * index..][..each]
-    }
-
-    /// How the elements of friction move at an instant.
-    pub fn grips(&self, index: usize) -> &[ContactMode] {
-        &self.grips[index]
     }
 
     /// Angles of the bodies at an instant.
@@ -185,12 +173,12 @@ impl Recorder {
         // at a corner loads are what the file says there
         let held = std::mem::replace(&mut equations.held, false);
         let known = equations.rates(time, &self.y, &mut self.dy).is_ok();
+        let spread = if known { equations.spread((time, &self.y)) } else { None };
         equations.held = held;
         if !known {
             return false;
         }
         equations.follow_angles(time);
-        equations.take_held();
         let (n, records) = (self.records.order, &mut self.records);
         let given = equations.given((time, &self.y), &self.dy[n..2 * n]);
         records.count += 1;
@@ -209,12 +197,11 @@ impl Recorder {
         let known = |(work, nothing): (&f64, f64)| if work.abs() <= nothing { 0.0 } else { *work };
         records.work.push(self.y[2 * n]);
         records.works.extend(self.y[2 * n + 1..].iter().zip(nothing).map(known));
-        records.stops.extend_from_slice(&equations.trial.motion.stops);
+        records.bearings.push(equations.bearing());
+        records.spreads.push(spread);
         let (at, impulses) = &self.last_impact;
         let now = |impulse: &f64| if time == *at { *impulse } else { 0.0 };
         records.impulses.extend(impulses.iter().map(now));
-        records.grips.push(equations.grips());
-        records.against.push(equations.trial.motion.against.clone());
         records.angles.extend_from_slice(&equations.angles);
         if self.goes_on {
             records.poses.extend(equations.trial.motion.bodies.iter().map(BodyPose::of));

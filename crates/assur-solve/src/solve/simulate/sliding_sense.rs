@@ -22,6 +22,8 @@ pub(super) struct Slipping {
     pub before: Vec<bool>,
     /// Efforts that hold, by element.
     pub efforts: Vec<f64>,
+    /// Efforts that are given of some that hold beside those.
+    pub given: Vec<(usize, f64)>,
     /// Friction at rest over that of sliding, by element.
     pub at_rest: Vec<f64>,
     /// What has stopped at once since friction admitted no acceleration, and when, s.
@@ -85,6 +87,7 @@ impl Slipping {
             driven: vec![false; count],
             before: vec![true; count],
             efforts: vec![0.0; count],
+            given: Vec::new(),
             at_rest: DissipativeElement::all(model.plan).map(|rubs| greater_at_rest(still, rubs)).collect(),
             jammed: Vec::new(),
             struck: vec![false; count],

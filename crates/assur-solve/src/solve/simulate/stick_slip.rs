@@ -64,6 +64,7 @@ impl Equations<'_, '_> {
         slipping.take_sliding(self.model.plan);
         self.find_slopes(slipping);
         slipping.efforts.fill(0.0);
+        self.take_given(slipping);
         slipping.pressed.clear();
         slipping.pressed.resize(self.closed.len(), 0.0);
         if slipping.undetermined {
@@ -222,6 +223,17 @@ impl Equations<'_, '_> {
         Ok((settled, greatest))
     }
 
+    /// Adds efforts that are given to the loads.
+    fn take_given(&mut self, slipping: &mut Slipping) {
+        for &(element, effort) in &slipping.given {
+            slipping.efforts[element] = effort;
+            let mut column = Vec::with_capacity(self.order());
+            self.slopes_of_element(element, &mut column);
+            self.reduced.solve(&mut column);
+            slipping.loaded.iter_mut().zip(&column).for_each(|(a, c)| *a += c * effort);
+        }
+    }
+
     /// Puts accelerations and efforts, with the motion and the forces that go with them.
     pub fn put(&mut self, slipping: &Slipping) -> Result<(), Halt> {
         for (body, (a, alpha)) in self.trial.motion.bodies.iter_mut().zip(&slipping.bias) {
@@ -231,7 +243,8 @@ impl Equations<'_, '_> {
         for (grip, effort) in self.trial.motion.grips.iter_mut().zip(&slipping.efforts) {
             grip.effort = *effort;
         }
-        for &element in &slipping.held {
+        let given = slipping.given.iter().map(|(element, _)| element);
+        for &element in slipping.held.iter().chain(given) {
             if let DissipativeElement::Load(load) = DissipativeElement::of(self.model.plan, element) {
                 let held = self.acts(load, slipping.efforts[element]);
                 self.trial.motion.against[load.load.index()].held = held;
