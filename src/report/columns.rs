@@ -64,7 +64,8 @@ impl<'a> Answers<'a> {
             if !wanted || quantities.iter().any(|q| effort.is_named(&q.name)) {
                 continue;
             }
-            let value = |p: &&Pose| p.outcome.as_ref().ok().and_then(|s| effort.value(self, s)).map(Value::Scalar);
+            let value =
+                |p: &&Pose| p.outcome.as_ref().ok().and_then(|s| effort.value(self, s)).map(Value::Scalar);
             quantities.push(Quantity {
                 values: poses.iter().map(value).collect(),
                 name: effort.name,

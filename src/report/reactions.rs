@@ -316,14 +316,15 @@ fn locked(answers: &Answers<'_>) -> Vec<String> {
     };
     let locked = at(&|solved| solved.state.forces.locked)
         .map(|at| format!("no reactions at {at}: friction locks the mechanism"));
-    let shares = |solved: &Solved| !solved.state.forces.locked && solved.state.friction_shares();
-    let all = |solved: &Solved| {
+    let pairs = answers.model.mechanism.pairs.len();
+    let open = |solved: &Solved| {
         let view = answers.solution.view(&answers.model, solved);
-        (0..answers.model.mechanism.pairs.len()).all(|pair| view.shares_friction(PairId::at(pair)))
+        (0..pairs).filter(|pair| view.shares_friction(PairId::at(*pair))).count()
     };
     let why = "how pairs share what friction holds is not determined";
-    let none = at(&|solved| shares(solved) && all(solved)).map(|at| format!("no reactions at {at}: {why}"));
-    let some = at(&|solved| shares(solved) && !all(solved));
+    let none = at(&|solved| pairs > 0 && open(solved) == pairs);
+    let none = none.map(|at| format!("no reactions at {at}: {why}"));
+    let some = at(&|solved| (1..pairs).contains(&open(solved)));
     let some = some.map(|at| format!("some reactions are open at {at}: {why}"));
     locked.into_iter().chain(none).chain(some).collect()
 }

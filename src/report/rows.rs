@@ -244,7 +244,9 @@ impl AnswerColumns {
             Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
             Content::Find { index, poseless: false } => view.as_ref().and_then(|view| view.found(*index)),
             Content::Find { poseless: true, .. } => whole.get(from + i).copied().flatten(),
-            Content::Effort(slot) => view.as_ref().map(|view| view.effort(*slot)).filter(|x| x.is_finite()).map(Value::Scalar),
+            Content::Effort(slot) => {
+                view.as_ref().map(|view| view.effort(*slot)).filter(|x| x.is_finite()).map(Value::Scalar)
+            }
             Content::Reaction(pair, on, joints) => pressing(*pair).map(|view| {
                 Value::Vector(match joints {
                     Some(joints) => joints.force(view.state),

@@ -146,8 +146,9 @@ impl<'a> PoseView<'a> {
             self.reactions.0 = all_reactions(answers, solved);
             self.transmissions.0 = transmissions(answers, solved);
             let efforts = answers.efforts().into_iter();
-            self.balances.0 =
-                efforts.filter_map(|e| Some((e.name.clone(), Number::of(e.value(answers, solved)?)?))).collect();
+            self.balances.0 = efforts
+                .filter_map(|e| Some((e.name.clone(), Number::of(e.value(answers, solved)?)?)))
+                .collect();
         }
         let quantity = |expr| answers.value(expr, pose).and_then(Reading::of);
         self.quantities.0 =

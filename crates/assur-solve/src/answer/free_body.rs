@@ -37,7 +37,7 @@ impl PoseAnswers<'_> {
 
     fn in_balance(&self) -> Vec<Action> {
         let mut actions = Vec::new();
-        let value = |load| self.queried(&Query::Load(load));
+        let value = |load| self.first_way().query(&Query::Load(load));
         self.state.loads_act(&self.model(), &value, &mut |action| actions.push(action));
         actions.sort_by_key(|action| !matches!(action.from, Origin::Load(_)));
         self.state.acts(self.plan, &mut |action| actions.push(action));
@@ -47,7 +47,7 @@ impl PoseAnswers<'_> {
     /// What a load of the file does; none where it has no value.
     #[must_use]
     pub fn load_action(&self, load: LoadId) -> Option<Action> {
-        self.state.load_act(&self.model(), load, self.queried(&Query::Load(load)))
+        self.state.load_act(&self.model(), load, self.first_way().query(&Query::Load(load)))
     }
 
     pub(super) const fn model(&self) -> Model<'_> {

@@ -177,6 +177,12 @@ impl PoseAnswers<'_> {
     #[must_use]
     pub fn without_friction(&self) -> Self {
         let (state, quantities) = self.frictionless.unwrap_or((self.state, self.quantities));
-        Self { state, quantities, ideal: true, other: self.other.filter(|_| self.frictionless.is_none()), ..*self }
+        Self {
+            state,
+            quantities,
+            ideal: true,
+            other: self.other.filter(|_| self.frictionless.is_none()),
+            ..*self
+        }
     }
 }

@@ -5,8 +5,8 @@ use super::switch::Switch;
 use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
 use crate::model::{
-    BalanceKind, CamContact, Equilibrium, Expr, FindKind, LinkId, Mechanism, ModePart, PairId, PairKind, PointRef,
-    QuantityId, Query, Value,
+    BalanceKind, CamContact, Equilibrium, Expr, FindKind, LinkId, Mechanism, ModePart, PairId, PairKind,
+    PointRef, QuantityId, Query, Value,
 };
 use crate::plan::Plan;
 use crate::position::{Model, State};

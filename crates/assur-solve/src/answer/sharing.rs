@@ -17,6 +17,11 @@ impl PoseAnswers<'_> {
         Some([self.state, other].map(|state| Self { state, other: None, ..*self }))
     }
 
+    /// The position with the way to share that its state has.
+    pub(super) const fn first_way(&self) -> Self {
+        Self { other: None, ..*self }
+    }
+
     /// The answer to a question; NaN where it is not determined, or there is none.
     #[must_use]
     pub fn query(&self, query: &Query) -> Value {

@@ -2,7 +2,9 @@
 
 use super::pose_answers::{NAN_VECTOR, PoseAnswers};
 use crate::math::Vec2;
-use crate::model::{Expr, FrictionLimit, LinkId, Load, LoadKind, PairId, PairKind, Query, Transmission, Value};
+use crate::model::{
+    Expr, FrictionLimit, LinkId, Load, LoadKind, PairId, PairKind, Query, Transmission, Value,
+};
 use crate::plan::{LawSite, PlannedLaw};
 
 impl PoseAnswers<'_> {
