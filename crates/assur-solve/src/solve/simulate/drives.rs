@@ -1,7 +1,7 @@
 //! What drives say at an instant.
 
+use super::bearing::{Bearing, Spread};
 use super::derivatives::Derivatives;
-use super::held_efforts::{Bearing, Spread};
 use crate::answer::Switch;
 use crate::math::Vec2;
 use crate::model::{Axis, Drive, DriveTarget, Positions};

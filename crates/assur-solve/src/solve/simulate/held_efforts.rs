@@ -1,34 +1,12 @@
 //! What friction, losses and closed stops bear where they hold. What holds alone bears what is left of the loads. Where several share
 //! it that depend on each other, a second way to share it tells what is determined: what both ways have.
 
+use super::bearing::{Bearing, Spread};
 use super::equations::Equations;
 use super::sliding_sense::Slipping;
-use crate::position::{Against, ContactMode, Forces, Motion};
 
 /// What elements bear on the second way that are left out on the first, of the greatest force.
 const PART: f64 = 0.1;
-
-/// What bears the loads at an instant of a motion, beside reactions.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Bearing {
-    /// What closed stops bear.
-    pub stops: Vec<f64>,
-    /// How the elements of friction move, where that is known.
-    pub grips: Vec<ContactMode>,
-    /// How the loads against the motion act.
-    pub against: Vec<Against>,
-}
-
-impl Bearing {
-    pub fn set(&self, motion: &mut Motion) {
-        motion.stops.clone_from(&self.stops);
-        motion.grips.clone_from(&self.grips);
-        motion.against.clone_from(&self.against);
-    }
-}
-
-/// The same with the forces that go with it.
-pub(crate) type Spread = Option<Box<(Bearing, Forces)>>;
 
 impl Equations<'_, '_> {
     /// What bears the loads where everything was evaluated, as the mechanism as it is written has it.

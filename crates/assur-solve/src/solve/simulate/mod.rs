@@ -5,6 +5,7 @@
 //! side by side: what they differ by, and how much finer the finer one is, tell its error; it is what comes out.
 
 mod acting;
+mod bearing;
 mod bends;
 mod by_energy;
 mod change;

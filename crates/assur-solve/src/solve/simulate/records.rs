@@ -1,8 +1,8 @@
 //! What a run leaves at the instants wanted.
 
+use super::bearing::{Bearing, Spread};
 use super::chart::Given;
 use super::equations::Equations;
-use super::held_efforts::{Bearing, Spread};
 use super::report::Energy;
 use crate::answer::OF_MOTION;
 use crate::math::Vec2;

@@ -30,8 +30,8 @@ impl Integration<'_, '_> {
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) -> Option<f64> {
-        let moves = |slipping: &&Box<Slipping>| !slipping.rests || self.wakes;
-        let count = equations.slipping.as_ref().filter(moves)?.senses.len();
+        let moves = |slipping: &&Slipping| !slipping.rests || self.wakes;
+        let count = equations.slipping.as_deref().filter(moves)?.senses.len();
         if count == 0 {
             return None;
         }
