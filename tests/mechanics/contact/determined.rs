@@ -137,3 +137,25 @@ find F = friction(K, cart), N = normal(K, cart), E = friction(H, two)
     assert!(is(value("F"), &[-3.924]) && is(value("N"), &[39.24]), "{:?}", value("F"));
     assert_eq!(value("E"), None);
 }
+
+/// A drive that rests and the friction of what it moves share the load, in the effort of the drive too.
+#[test]
+fn a_drive_at_rest_has_no_effort_of_its_own() {
+    let text = |until: &str| {
+        format!(
+            "gravity 9.81 m/s^2
+ground {{ O (0, 0); line way through O along 30 deg }}
+link block {{ A (0, 0); mass 2 kg at A }}
+prismatic G: block.A - ground.way {{ friction 0.2 }}
+drive G = 0.1 m/s*max(0 s, time - 0.5 s)
+simulate 0 s .. {until} in 2 steps
+find N = normal(G, block), F = friction(G, block), E = effort(G)
+"
+        )
+    };
+    let normal = 19.62 * 0.75_f64.sqrt();
+    let (rests, moves) = (last(&text("0.4 s")), last(&text("1 s")));
+    assert!(is(rests("N"), &[normal]) && is(moves("N"), &[normal]));
+    assert_eq!((rests("F"), rests("E")), (None, None));
+    assert!(is(moves("F"), &[-0.2 * normal]) && is(moves("E"), &[9.81 + 0.2 * normal]), "{:?}", moves("E"));
+}
