@@ -97,7 +97,8 @@ impl Corners {
                 continue;
             }
             let crossing = first_crossing(step, Some(true), |t| self.room(equations, method, index, t));
-            if let Some(crossing) = crossing {
+            // where a value has none nothing is known
+            if let Some(crossing) = crossing.filter(|crossing| crossing.t.is_finite()) {
                 self.crossings[index] = crossing.t;
                 if first.is_none_or(|(earliest, _)| crossing.t < earliest) {
                     first = Some((crossing.t, index));

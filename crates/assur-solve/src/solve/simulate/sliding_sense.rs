@@ -51,6 +51,8 @@ pub(super) struct Slipping {
     /// The senses for which the secants are those.
     senses_of: Vec<f64>,
     pub secants: Secants,
+    /// The size of the mechanism, m.
+    pub extent: f64,
     /// Units of the efforts of friction, by element.
     pub scales: Vec<f64>,
     /// Accelerations of the bodies where no free coordinate accelerates.
@@ -102,6 +104,7 @@ impl Slipping {
             sliding: Vec::new(),
             senses_of: Vec::new(),
             secants: Secants::default(),
+            extent,
             scales: DissipativeElement::all(model.plan)
                 .map(|rubs| if rubs.turns() { extent } else { 1.0 })
                 .collect(),

@@ -198,6 +198,8 @@ impl Equations<'_, '_> {
         let forces = self.trial.forces.reactions.iter().map(|reaction| reaction.force);
         let forces = forces.chain(self.trial.forces.applied.iter().map(|applied| applied.force));
         let force = forces.map(|force| force.dot(force)).fold(0.0, f64::max).sqrt();
+        let applied = self.trial.forces.applied.iter();
+        let moment = applied.fold(force * slipping.extent, |most, applied| most.max(applied.moment.abs()));
         let (mut settled, mut greatest) = (true, f64::MIN_POSITIVE);
         for ((&element, x), left) in slipping.sliding.iter().zip(x).zip(left) {
             let (sense, scale) = (slipping.senses[element], slipping.scales[element]);
@@ -207,7 +209,12 @@ impl Equations<'_, '_> {
                 }
                 DissipativeElement::Law(law, slot) => {
                     let multiplier = self.trial.forces.law_forces[slot].multiplier;
-                    (self.trial.friction_of_law(law, slot, sense), multiplier * law.terms[0].1)
+                    // of losses a part of what is passed on is rounding, and of what it is the sum of
+                    let [there, back] = law.efficiency.unwrap_or([1.0; 2]);
+                    let lost = (1.0 / there - 1.0).abs().max((back - 1.0).abs());
+                    let own = (multiplier * law.terms[0].1).abs();
+                    let all = if scale == 1.0 { force } else { moment };
+                    (self.trial.friction_of_law(law, slot, sense), lost * own.max(all))
                 }
                 DissipativeElement::Load(_) => (0.0, 0.0),
             };
