@@ -80,6 +80,8 @@ pub(super) struct Equations<'a, 's> {
     pub rough: [f64; 3],
     /// What was seen of change points since the present step began.
     pub stages: Stages,
+    /// Memory for unknowns within a step.
+    pub within: Vec<f64>,
     /// Memory for rates that nobody looks at.
     quiet: Vec<f64>,
     /// Why the last evaluation has no value.
@@ -141,6 +143,7 @@ impl<'a, 's> Equations<'a, 's> {
             sizes: Sizes::new(model.mechanism.quantities.len()),
             rough: [0.0; 3],
             stages: Stages::default(),
+            within: Vec::new(),
             quiet: vec![0.0; unknowns],
             why: None,
         }

@@ -81,10 +81,12 @@ impl Lookout {
         if !is_clear(ends, ends.1 - ends.0 + beyond) {
             return false;
         }
-        let mut y = method.y().to_vec();
         let middle = 0.5 * (from + to);
+        let mut y = std::mem::take(&mut equations.within);
+        y.resize(method.y().len(), 0.0);
         method.dense(middle, &mut y);
         let value = value(equations, middle, &y);
+        equations.within = y;
         let three = with(ends, value);
         self.widest = self.widest.max(three.1 - three.0);
         value.is_finite() && is_clear(three, three.1 - three.0 + beyond)

@@ -91,14 +91,14 @@ impl Stops {
     pub fn begin(&mut self, equations: &mut Equations<'_, '_>, t: f64, y: &mut Vec<f64>) -> Result<(), Halt> {
         for index in 0..self.left.len() {
             equations.settle(t, y)?;
-            if equations.closed.contains(&index) {
-                self.reconcile(equations, (t, &[], 0.0));
-                continue;
-            }
             let distance = equations.distance(index);
             let near = ROUNDING * equations.size(index);
             if distance < -near {
                 return Err(Halt::StopPassed { stop: index, by: -distance });
+            }
+            if equations.closed.contains(&index) {
+                self.reconcile(equations, (t, &[], 0.0));
+                continue;
             }
             if distance > near {
                 continue;
