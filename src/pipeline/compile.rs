@@ -189,6 +189,7 @@ pub(super) fn plan_mechanism(
         problems.extend([misfit]);
         return (None, problems);
     }
+    structure::start_what_parts(&mut mechanism);
     let found = known.map_or_else(|| structure::structure(&mechanism), |known| Ok((known, Vec::new())));
     match found {
         Ok((structure, warnings)) => {

@@ -291,7 +291,7 @@ fn a_drive_by_time_passes_change_points_smoothly() {
 fn a_stop_needs_something_free() {
     let text = include_str!("../cases/use3/numbers/driven-by-time-alone.mech");
     let (values, words) = solved(&text.replace("find", "stop D > 355 mm { restitution 0.5 }\nfind"));
-    assert!(values.is_empty() && words.contains("a stop in a motion that drives give alone"), "{words}");
+    assert!(values.is_empty() && words.contains("a stop of what drives alone move"), "{words}");
 }
 
 /// A slider that a drive by time moves to its dead centre and back: the run ends there, wherever its steps and its end are.

@@ -4,7 +4,7 @@ use crate::elements::{cam, cam_contact, flywheel, geneva};
 use crate::expr::context::Context;
 use crate::links::link;
 use crate::loads::{balance, counterweight, gravity, load, mass, slipping, spring};
-use crate::motion::{assemble, drive, equilibrium, no_motion, parting, pose, simulation, spacing};
+use crate::motion::{assemble, drive, equilibrium, no_motion, pose, simulation, spacing};
 use crate::pairs::pair;
 use crate::requests::definitions;
 use crate::trains::{shaft, size, transmission};
@@ -35,7 +35,6 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     slipping::loads(cx);
     assemble::hints(cx);
     flywheel::flywheels(cx);
-    parting::starts(cx);
     simulation::simulation(cx);
     no_motion::no_motion(cx);
     spacing::spacing(cx);

@@ -5,7 +5,6 @@ pub mod drive;
 pub mod drive_kind;
 pub mod equilibrium;
 pub mod no_motion;
-pub mod parting;
 pub mod place;
 pub mod pose;
 pub mod simulation;

@@ -2,7 +2,6 @@
 
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find};
-use crate::motion::simulation::{may_be_missing, no_simulation, statement};
 use crate::pairs::pair::{Joined, nothing_to_join};
 use assur_model::model::{PairKind, Profile, ProfileShape};
 use assur_syntax::document::Joint;
@@ -85,11 +84,6 @@ fn parts(
                 .label(parts.span, "here")
                 .help("leave `parts` out: the motion ends where the contact would have to pull"),
         );
-        return None;
-    }
-    if statement(cx).is_none() && may_be_missing(cx) {
-        let help = "add `simulate 0 s .. 1 s`, or leave `parts` out: it then stays closed".to_owned();
-        cx.error(no_simulation("contact that parts", help, parts.span));
         return None;
     }
     Some(true)

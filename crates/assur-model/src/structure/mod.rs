@@ -20,6 +20,7 @@ mod leave_out;
 mod lines;
 #[doc(hidden)]
 pub mod matching;
+mod parting;
 mod place;
 mod renumber;
 mod repeated;
@@ -36,6 +37,7 @@ pub use effort::{Effort, EffortKind, EffortSource};
 pub use group::{Dyad, Group, GroupKind};
 pub use joint::GroupJoint;
 pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Part, Replaced};
+pub use parting::start_what_parts;
 
 use crate::model::Mechanism;
 use assur_text::diagnostic::Diagnosis;

@@ -31,6 +31,12 @@ pub(crate) fn stops(cx: &mut Context<'_>) {
     for index in 0..cx.builder.mech.pairs.len() {
         let pair = &cx.builder.mech.pairs[index];
         if matches!(pair.kind, PairKind::Contact { parts: true, .. }) {
+            if statement(cx).is_none() && may_be_missing(cx) {
+                let help = "add `simulate 0 s .. 1 s`, or leave `parts` out: it then stays closed".to_owned();
+                let span = pair.span;
+                cx.error(no_simulation("contact that parts", help, span));
+                continue;
+            }
             let (pair, span, name) = (PairId::at(index), pair.span, pair.name.clone());
             let Some(restitution) = restitution_of_contact(cx, &name) else { continue };
             enter(cx, Stop { pair, span, turns: false, side: 1.0, bound: 0.0, restitution });

@@ -1,20 +1,18 @@
 //! Coordinates of what parts: a motion has the freedom that it has with all such contacts open, and those that are closed at the first
 //! instant say where it begins.
 
-use crate::expr::context::Context;
-use assur_math::math::Vec2;
-use assur_model::model::{
+use super::structure;
+use crate::math::Vec2;
+use crate::model::{
     Axis, Drive, DriveTarget, Expr, LinkId, Mechanism, PairId, PairKind, Positions, Profile, ProfileShape,
 };
-use assur_model::structure::structure;
 use assur_text::source::Span;
 
 /// So many starts at most are found.
 const MOST: usize = 3;
 
 /// Enters a start for each freedom that no statement gives and that contacts which part take away while they are closed.
-pub(crate) fn starts(cx: &mut Context<'_>) {
-    let mech = &mut cx.builder.mech;
+pub fn start_what_parts(mech: &mut Mechanism) {
     let parts = |kind: &PairKind| matches!(kind, PairKind::Contact { parts: true, .. });
     let parting = mech.pairs.iter().filter(|pair| parts(&pair.kind)).count();
     if parting == 0 || structure(mech).is_ok() {
