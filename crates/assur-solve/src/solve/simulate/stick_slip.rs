@@ -188,6 +188,10 @@ impl Equations<'_, '_> {
             }
             accelerations.iter_mut().zip(&columns[k * n..][..n]).for_each(|(a, c)| *a += c * effort);
         }
+        // what is held in every direction does not creep by rounding
+        if count == n && left.iter().all(|left| *left == 0.0) {
+            accelerations.fill(0.0);
+        }
     }
 
     /// What is left of the laws of what slides, with these efforts.

@@ -48,7 +48,9 @@ fn an_oscillator_keeps_its_time_and_its_energy() {
     let [q, rate, work] = method.y() else { panic!("three unknowns") };
     assert!((q - 0.3 * libm::cos(1000.0)).abs() < 1e-11, "{q}");
     assert!((rate + 0.3 * libm::sin(1000.0)).abs() < 1e-11, "{rate}");
-    assert!((work - 0.5 * rate * rate).abs() < 1e-15);
+    // every stretch rounds its work, and there are some hundreds: 10 to 20 times the rounding of the energy
+    let apart = work - 0.5 * rate * rate;
+    assert!(apart.abs() < 5e-15, "{apart}");
     // what was gone once is not evaluated again
     assert!(spring.places < 100, "{}", spring.places);
 }
