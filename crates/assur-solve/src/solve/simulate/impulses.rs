@@ -20,6 +20,9 @@ use crate::solve::failure::Halt;
 /// So many stops at most take part in an impact.
 const MOST: usize = 8;
 
+/// Impulses by stop, N s or N m s.
+pub(super) type Impulses = Vec<(usize, f64)>;
+
 /// What an impulse acts along: the coordinate of a stop, or the tangent of its contact.
 struct Row {
     slopes: Vec<f64>,
@@ -131,7 +134,7 @@ impl Equations<'_, '_> {
         hit: &[(usize, f64)],
         standing: &[usize],
         y: &mut [f64],
-    ) -> Result<Vec<(usize, f64)>, Halt> {
+    ) -> Result<Impulses, Halt> {
         let n = self.order();
         let impact = self.impact(hit, standing, y);
         let count = impact.stops.len();

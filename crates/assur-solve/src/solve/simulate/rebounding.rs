@@ -8,6 +8,7 @@ use super::contact_modes::joins;
 use super::dissipative::DissipativeElement;
 use super::equations::Equations;
 use super::impact::Rebounds;
+use super::impulses::Impulses;
 use super::sliding_sense::Slipping;
 use super::stop::{FLIGHT, LOWEST, ROUNDING, Stops, Struck};
 use crate::solve::failure::Halt;
@@ -26,7 +27,7 @@ struct After {
     accelerations: Vec<f64>,
     /// Those of all elements of friction.
     sliding: Vec<f64>,
-    impulses: Vec<(usize, f64)>,
+    impulses: Impulses,
 }
 
 impl Stops {
@@ -126,11 +127,7 @@ struct Strike<'y> {
 
 impl Strike<'_> {
     /// The unknowns after an impact that leaves these parts of the rates, and the impulses along the coordinates of stops.
-    fn impact(
-        &self,
-        equations: &mut Equations<'_, '_>,
-        kept: &[f64],
-    ) -> Result<(Vec<f64>, Vec<(usize, f64)>), Halt> {
+    fn impact(&self, equations: &mut Equations<'_, '_>, kept: &[f64]) -> Result<(Vec<f64>, Impulses), Halt> {
         let rates = self.before.iter().zip(kept).map(|(before, kept)| -kept * before);
         let wanted: Vec<_> = self.hit.iter().copied().zip(rates).collect();
         let mut after = self.y.to_vec();

@@ -1,6 +1,7 @@
 //! Stops: impacts, and what rests on them.
 
 use super::equations::Equations;
+use super::impulses::Impulses;
 use super::lookout::Lookout;
 use super::meeting::{hit, opening};
 use crate::math::ode::Integrator;
@@ -60,7 +61,7 @@ pub(super) struct Struck {
     /// No step is longer that begins here, s: it may come back.
     pub step: f64,
     /// What the stops gave along their coordinates, N s or N m s.
-    pub impulses: Vec<(usize, f64)>,
+    pub impulses: Impulses,
 }
 
 impl Stops {
