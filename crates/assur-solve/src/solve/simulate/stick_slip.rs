@@ -202,12 +202,14 @@ impl Equations<'_, '_> {
         let forces = self.trial.forces.reactions.iter().map(|reaction| reaction.force);
         let forces = forces.chain(self.trial.forces.applied.iter().map(|applied| applied.force));
         let force = forces.map(|force| force.dot(force)).fold(0.0, f64::max).sqrt();
-        let applied = self.trial.forces.applied.iter();
-        let moment = applied.fold(force * slipping.extent, |most, applied| most.max(applied.moment.abs()));
+        // where nothing presses loads and inertia cancel
+        let force = force.max(self.greatest_load());
+        let moment = force * slipping.extent;
         let (mut settled, mut greatest) = (true, f64::MIN_POSITIVE);
         for ((&element, x), left) in slipping.sliding.iter().zip(x).zip(left) {
             let (sense, scale) = (slipping.senses[element], slipping.scales[element]);
-            let (friction, size) = match DissipativeElement::of(plan, element) {
+            let rubs = DissipativeElement::of(plan, element);
+            let (friction, size) = match rubs {
                 DissipativeElement::Pair(own) => {
                     (self.trial.sliding_friction(plan, own, sense), own.kind.factor() * force)
                 }
@@ -217,7 +219,7 @@ impl Equations<'_, '_> {
                     let [there, back] = law.efficiency.unwrap_or([1.0; 2]);
                     let lost = (1.0 / there - 1.0).abs().max((back - 1.0).abs());
                     let own = (multiplier * law.terms[0].1).abs();
-                    let all = if scale == 1.0 { force } else { moment };
+                    let all = if rubs.turns() { moment } else { force };
                     (self.trial.friction_of_law(law, slot, sense), lost * own.max(all))
                 }
                 DissipativeElement::Load(_) => (0.0, 0.0),
