@@ -5,4 +5,5 @@ mod determined;
 mod driven;
 mod oracle;
 mod parting;
+mod rolling_resistance;
 mod scenes;

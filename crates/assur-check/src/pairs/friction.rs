@@ -40,7 +40,11 @@ pub(crate) fn law(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> O
             .or_else(|| Some(factor * coefficient? * radius))?;
         return Some((Friction::Circle(circle), of_fit(Some(radius))));
     }
-    let coefficient = coefficient?;
+    let rolling = number("rolling").filter(|_| joint.kind.node == JointKind::Contact);
+    let coefficient = coefficient.or_else(|| rolling.map(|_| 0.0))?;
+    if let Some(arm) = rolling {
+        return Some((Friction::Rolling { coefficient, arm }, None));
+    }
     let (equivalent, stated) = match find(properties, "groove") {
         None => (coefficient, None),
         Some(Read { value: Value::Word(_), .. }) => (factor * coefficient, of_fit(None)),
@@ -81,7 +85,7 @@ pub(crate) fn at_rest(
         );
         return None;
     }
-    friction.filter(|_| most > least).map(|friction| friction.times(most / least))
+    friction.filter(|_| most > least).map(|friction| friction.at_rest(most / least))
 }
 
 /// Half the angle of a V-groove is at most a right angle, which is a flat guide.

@@ -16,6 +16,9 @@ impl Mechanism {
             of_pair(&mut pair.kind, visit);
             match &mut pair.friction {
                 Some(Friction::Circle(x) | Friction::Coefficient(x) | Friction::BothEnds(x)) => visit(x),
+                Some(Friction::Rolling { coefficient, arm }) => {
+                    [coefficient, arm].into_iter().for_each(&mut *visit)
+                }
                 None => {}
             }
         }

@@ -37,6 +37,8 @@ pub enum Friction {
     Coefficient(f64),
     /// Guide with two contact points: both ends rub, f (|N_1| + |N_2|).
     BothEnds(f64),
+    /// Contact that also resists the rolling of its profiles: a torque of this arm δ, m, times the normal force.
+    Rolling { coefficient: f64, arm: f64 },
 }
 
 /// A coefficient of friction as it is given, of a pair whose law has a greater one.
@@ -62,6 +64,7 @@ impl Friction {
         match self {
             Self::Circle(rho) => *rho > 0.0,
             Self::Coefficient(f) | Self::BothEnds(f) => *f > 0.0,
+            Self::Rolling { coefficient, arm } => *coefficient > 0.0 || *arm > 0.0,
         }
     }
 
@@ -72,6 +75,27 @@ impl Friction {
             Self::Circle(rho) => Self::Circle(factor * rho),
             Self::Coefficient(f) => Self::Coefficient(factor * f),
             Self::BothEnds(f) => Self::BothEnds(factor * f),
+            Self::Rolling { coefficient, arm } => {
+                Self::Rolling { coefficient: factor * coefficient, arm: factor * arm }
+            }
+        }
+    }
+
+    /// The same law at rest, where its coefficient is so many times greater.
+    #[must_use]
+    pub fn at_rest(self, ratio: f64) -> Self {
+        match self {
+            Self::Rolling { coefficient, arm } => Self::Rolling { coefficient: ratio * coefficient, arm },
+            other => other.times(ratio),
+        }
+    }
+
+    /// Arm of the rolling resistance of a contact, m.
+    #[must_use]
+    pub const fn arm(&self) -> f64 {
+        match self {
+            Self::Rolling { arm, .. } => *arm,
+            _ => 0.0,
         }
     }
 
@@ -80,7 +104,7 @@ impl Friction {
     pub const fn coefficient(&self) -> f64 {
         match self {
             Self::Circle(_) => 0.0,
-            Self::Coefficient(f) | Self::BothEnds(f) => *f,
+            Self::Coefficient(f) | Self::BothEnds(f) | Self::Rolling { coefficient: f, .. } => *f,
         }
     }
 }

@@ -29,7 +29,7 @@ fn reduced(step: &ForceStep, elements: &[FrictionElement], from: usize) -> Optio
         let fits = match element.kind {
             FrictionLaw::Circle { .. } => !joints[joint].1,
             FrictionLaw::Guide { .. } => joints[joint].1,
-            FrictionLaw::BothEnds { .. } | FrictionLaw::Contact { .. } => false,
+            FrictionLaw::BothEnds { .. } | FrictionLaw::Contact { .. } | FrictionLaw::Rolling { .. } => false,
         };
         if !fits || element.pin.is_some() || found[joint].is_some() {
             return None;
@@ -51,15 +51,14 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
             if foreign.contains(&structure.replaced.joint(joint.joint).pair) {
                 continue;
             }
-            let element = element(mechanism, structure, joint, slot);
+            let pair = structure.replaced.joint(joint.joint).pair;
             // a replaced contact has two joints and rubs once
-            let fresh = |e: &FrictionElement| {
-                !matches!(e.kind, FrictionLaw::Contact { .. })
-                    || !plan.friction.iter().any(|o| o.pair == e.pair)
-            };
-            if let Some(element) = element.filter(fresh) {
-                plan.friction.push(element);
+            let replaced = matches!(mechanism.pair(pair).kind, PairKind::Contact { .. } | PairKind::Slot(_));
+            if replaced && plan.friction.iter().any(|other| other.pair == pair) {
+                continue;
             }
+            plan.friction.extend(element(mechanism, structure, joint, slot));
+            plan.friction.extend(rolling(mechanism, structure, pair, slot));
         }
         if plan.friction.len() == from || !foreign.is_empty() {
             continue;
@@ -89,9 +88,6 @@ fn parting(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
         let pair = mechanism.pair(place.pair);
         let coefficient = pair.friction.as_ref().map_or(0.0, Friction::coefficient);
         let PairKind::Contact { first, second, internal, parts: true } = &pair.kind else { continue };
-        if coefficient == 0.0 {
-            continue;
-        }
         let [body, base] = [first.link, second.link].map(|link| structure.replaced.body_of(link).0);
         let profile = |link, shape| structure.replaced.profile(link, shape);
         let kind = FrictionLaw::Contact {
@@ -102,17 +98,27 @@ fn parting(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
             presses: 1.0,
         };
         let (pin, stop) = (None, Some(stop));
-        plan.friction.push(FrictionElement {
-            pair: place.pair,
-            body,
-            base,
-            through: body,
-            slot: 0,
-            kind,
-            pin,
-            stop,
-        });
+        let slides =
+            FrictionElement { pair: place.pair, body, base, through: body, slot: 0, kind, pin, stop };
+        plan.friction.extend((coefficient > 0.0).then_some(slides));
+        let rolling = rolling(mechanism, structure, place.pair, 0);
+        plan.friction.extend(rolling.map(|element| FrictionElement { stop, ..element }));
     }
+}
+
+/// The resistance of a contact against rolling, pressed by the reaction of this slot.
+fn rolling(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    contact: PairId,
+    slot: usize,
+) -> Option<FrictionElement> {
+    let pair = mechanism.pair(contact);
+    let PairKind::Contact { first, second, .. } = &pair.kind else { return None };
+    let arm = pair.friction.as_ref().map(Friction::arm).filter(|arm| *arm > 0.0)?;
+    let [body, base] = [first.link, second.link].map(|link| structure.replaced.body_of(link).0);
+    let kind = FrictionLaw::Rolling { arm };
+    Some(FrictionElement { pair: contact, body, base, through: body, slot, kind, pin: None, stop: None })
 }
 
 /// Hinges of several links with friction where another link than the first carries some of the joints. What turns in
@@ -233,7 +239,7 @@ fn element(
                 Friction::BothEnds(coefficient) => {
                     FrictionLaw::BothEnds { coefficient, guide, contacts: of.contacts? }
                 }
-                Friction::Circle(_) => return None,
+                Friction::Circle(_) | Friction::Rolling { .. } => return None,
             };
             (friction.coefficient() > 0.0).then(|| at(joint.body, joint.base, kind))
         }

@@ -53,6 +53,11 @@ pub enum FrictionLaw {
         /// 0 of a slot, which also holds on its other side.
         presses: f64,
     },
+    /// A torque δ |N| against the rolling of two profiles. `slot` holds the normal force of their contact.
+    Rolling {
+        /// Arm δ of rolling resistance, m.
+        arm: f64,
+    },
 }
 
 impl FrictionLaw {
@@ -63,9 +68,16 @@ impl FrictionLaw {
             Self::Circle { radius: factor }
             | Self::Guide { coefficient: factor, .. }
             | Self::BothEnds { coefficient: factor, .. }
-            | Self::Contact { coefficient: factor, .. } => *factor *= by,
+            | Self::Contact { coefficient: factor, .. }
+            | Self::Rolling { arm: factor } => *factor *= by,
         }
         self
+    }
+
+    /// Whether its effort is a torque, against a relative rotation.
+    #[must_use]
+    pub const fn turns(&self) -> bool {
+        matches!(self, Self::Circle { .. } | Self::Rolling { .. })
     }
 }
 

@@ -31,7 +31,7 @@ impl State {
     /// Line along which an element's force acts, and a point of it; `None` for a torque.
     pub fn friction_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
         match &element.kind {
-            FrictionLaw::Circle { .. } => None,
+            FrictionLaw::Circle { .. } | FrictionLaw::Rolling { .. } => None,
             FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
                 Some((self.motion.bodies[guide.slider].position(guide.point), self.direction(guide)))
             }
@@ -83,7 +83,7 @@ impl State {
         // where nothing turns, what is left of an angular velocity is a rounded velocity over a length
         let (unit, turn) = if extent > 0.0 { (extent, f64::max(turn * extent, square)) } else { (1.0, turn) };
         for (sense, element) in self.forces.senses.iter_mut().zip(&plan.friction) {
-            let turns = matches!(element.kind, FrictionLaw::Circle { .. });
+            let turns = element.kind.turns();
             let (unit, most) = if turns { (unit, turn) } else { (1.0, square) };
             let still = *sense * *sense * unit <= STILL * STILL * most;
             *sense = if still { 0.0 } else { sense.signum() };
@@ -139,7 +139,7 @@ impl State {
         }
         let Reaction { force, couple } = self.forces.reactions[element.slot];
         match &element.kind {
-            FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => force,
+            FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } | FrictionLaw::Rolling { .. } => force,
             FrictionLaw::Guide { guide, .. } => Vec2::new(self.direction(guide).cross(force), 0.0),
             FrictionLaw::BothEnds { guide, contacts: [a, b], .. } => {
                 let normal = self.direction(guide).cross(force);
@@ -253,7 +253,9 @@ fn presses(plan: &Plan, group: &FrictionGroup, work: &FrictionWork) -> Vec<f64> 
         match plan.friction[*element].kind {
             FrictionLaw::BothEnds { .. } => sum.x.abs() + sum.y.abs(),
             FrictionLaw::Guide { .. } => sum.x.abs(),
-            FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => sum.norm(),
+            FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } | FrictionLaw::Rolling { .. } => {
+                sum.norm()
+            }
         }
     };
     group.elements.iter().enumerate().map(one).collect()
@@ -281,7 +283,7 @@ fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork, watch: &m
                     let signs = Vec2::new(sum.x.signum(), sum.y.signum());
                     (signs, signs.dot(sum))
                 }
-                FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => {
+                FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } | FrictionLaw::Rolling { .. } => {
                     let size = sum.norm();
                     (if size > 0.0 { sum / size } else { Vec2::zero() }, size)
                 }
@@ -315,11 +317,11 @@ fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork, watch: &m
 }
 
 impl FrictionLaw {
-    /// Radius of the friction circle, m, or coefficient.
+    /// Radius of the friction circle or arm of rolling resistance, m, or coefficient.
     #[must_use]
     pub const fn factor(&self) -> f64 {
         match self {
-            Self::Circle { radius } => *radius,
+            Self::Circle { radius: length } | Self::Rolling { arm: length } => *length,
             Self::Guide { coefficient, .. }
             | Self::BothEnds { coefficient, .. }
             | Self::Contact { coefficient, .. } => *coefficient,

@@ -96,7 +96,7 @@ impl State {
             };
             let number = |x: f64| Vec2::new(x, 0.0);
             match &element.kind {
-                FrictionLaw::Circle { .. } => part(true, &|v| v),
+                FrictionLaw::Circle { .. } | FrictionLaw::Rolling { .. } => part(true, &|v| v),
                 FrictionLaw::Guide { .. } => part(false, &|v| number(v.x)),
                 FrictionLaw::BothEnds { .. } => {
                     part(false, &|v| number(v.x));

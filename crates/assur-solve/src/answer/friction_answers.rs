@@ -55,7 +55,7 @@ impl PoseAnswers<'_> {
                 pair: element.pair,
                 on: self.held_by(element.pair, element.body),
                 from: self.held_by(element.pair, element.base),
-                turns: matches!(element.kind, FrictionLaw::Circle { .. }),
+                turns: element.kind.turns(),
                 factor,
                 speed: if still { 0.0 } else { speed },
                 normal: match element.kind {
@@ -113,10 +113,10 @@ impl PoseAnswers<'_> {
         sum
     }
 
-    /// Friction couple on a link in a revolute, N m.
+    /// Friction couple on a link in a revolute, or against the rolling of a contact, N m.
     pub(super) fn friction_couple(&self, pair: PairId, link: LinkId) -> f64 {
         let body = self.structure.replaced.body_of(link).0;
-        let couples = self.elements(pair).filter(|(e, _)| matches!(e.kind, FrictionLaw::Circle { .. }));
+        let couples = self.elements(pair).filter(|(e, _)| e.kind.turns());
         couples
             .map(|(e, x)| {
                 if e.body == body {

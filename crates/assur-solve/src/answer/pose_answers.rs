@@ -410,6 +410,10 @@ impl PoseAnswers<'_> {
         if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
             return self.transmission_moment(pair, link);
         }
+        // what replaces a contact bears no couple
+        if matches!(self.mechanism.pair(pair).kind, PairKind::Contact { .. }) {
+            return self.friction_couple(pair, link);
+        }
         let couples =
             self.slots(pair, link).map(|(slot, sign)| self.state.forces.reactions[slot].couple * sign);
         couples.sum::<f64>() + self.friction_couple(pair, link) + self.stop_torque(pair, link)

@@ -136,7 +136,7 @@ fn limit_of_pair(mechanism: &Mechanism, id: PairId, part: f64) -> Option<String>
                 text(rho)
             )
         }
-        Friction::Coefficient(f) | Friction::BothEnds(f) => {
+        Friction::Coefficient(f) | Friction::BothEnds(f) | Friction::Rolling { coefficient: f, .. } => {
             let text = |f: f64| {
                 let angle = significant(libm::atan(f).to_degrees(), DIGITS);
                 format!("{} (friction angle {angle} deg)", significant(f, DIGITS))

@@ -16,7 +16,7 @@ pub(super) fn friction_line(
     motion: &Motion<'_>,
 ) -> Option<Option<(V2<D>, V2<D>)>> {
     match &element.kind {
-        FrictionLaw::Circle { .. } => Some(None),
+        FrictionLaw::Circle { .. } | FrictionLaw::Rolling { .. } => Some(None),
         FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
             let slider = &motion.bodies[guide.slider];
             Some(Some((slider.position(guide.point), unit(guide.direction).turned(slider.u))))

@@ -189,7 +189,7 @@ functions! {
     Reaction "reaction" Force "reaction(B, rod)"
         [form(&[J, ON], Vector(Dimension::FORCE), "force on L")],
     Moment "moment" Force "moment(D, piston)"
-        [form(&[J, ON], Number(Dimension::TORQUE), "couple on L about the pair's reference point")],
+        [form(&[J, ON], Number(Dimension::TORQUE), "couple on L about the pair's reference point; in a contact that of its rolling resistance")],
     Axial "axial" Force "axial(bar)"
         [form(&[L], Number(Dimension::FORCE), "force along a link of two hinges; tension is positive")],
     Internal "internal" Force "internal(beam, 1.2 m).M" [

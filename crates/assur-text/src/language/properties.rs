@@ -98,6 +98,12 @@ const RESTITUTION: Property = row(
 const CONTACT: &[Property] = &[
     FRICTION,
     STATIC_FRICTION,
+    row(
+        "rolling",
+        NotNegative(Dimension::LENGTH),
+        "rolling 0.5 mm",
+        "arm of the rolling resistance: its couple is this arm times the normal force",
+    ),
     INTERNAL,
     row("parts", Flag, "parts", "in a motion it opens where it would have to pull, and closes again"),
     RESTITUTION,

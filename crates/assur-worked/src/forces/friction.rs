@@ -52,7 +52,7 @@ impl Derivation<'_> {
     /// The friction of an element; what holds nothing but rounding is nothing.
     pub(super) fn friction_in(&self, slot: usize) -> f64 {
         let forces = &self.state().forces;
-        let turns = matches!(self.scene.model.plan.friction[slot].kind, FrictionLaw::Circle { .. });
+        let turns = self.scene.model.plan.friction[slot].kind.turns();
         let size = if turns { self.tiny / SAME } else { 1.0 } * self.greatest_force();
         let held = forces.senses[slot] == 0.0 && forces.frictions[slot].abs() <= super::NOTHING * size;
         if held { 0.0 } else { forces.frictions[slot] }
@@ -61,7 +61,7 @@ impl Derivation<'_> {
     /// The letters of the friction in a pair.
     pub(super) fn friction_name(&self, element: &FrictionElement) -> Name {
         let pair = self.scene.mechanism().pair(element.pair);
-        let letter = if matches!(element.kind, FrictionLaw::Circle { .. }) { "M" } else { "F" };
+        let letter = if element.kind.turns() { "M" } else { "F" };
         let several = pair.kind.links().len() > 2;
         let more = if several { self.label(element.body) } else { String::new() };
         Name::new(letter, &format!("f{}{more}", pair.name))
@@ -117,7 +117,7 @@ impl Derivation<'_> {
     /// The friction of a pair as a known load on both bodies.
     fn rub(&mut self, slot: usize, element: &FrictionElement) -> Expr {
         let name = self.friction_name(element);
-        let turns = matches!(element.kind, FrictionLaw::Circle { .. });
+        let turns = element.kind.turns();
         let unit = if turns { Unit::Torque } else { Unit::Force };
         let leaf = match self.friction_to_find(slot, element, unit) {
             Some(sought) => sought,
@@ -160,6 +160,10 @@ impl Derivation<'_> {
             FrictionLaw::Guide { coefficient, .. } | FrictionLaw::Contact { coefficient, .. } => (
                 self.times_reaction(element, Name::new("f", &pair), *coefficient, Unit::One) * size.abs(),
                 Unit::Force,
+            ),
+            FrictionLaw::Rolling { arm } => (
+                self.times_reaction(element, Name::new("δ", &pair), *arm, Unit::Length) * size.abs(),
+                Unit::Torque,
             ),
             FrictionLaw::BothEnds { .. } => return,
         };

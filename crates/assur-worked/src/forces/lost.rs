@@ -46,7 +46,7 @@ impl Derivation<'_> {
         let mut headers: Vec<Line> = vec![vec![text(self.words(Message::Step))]];
         for &i in moving {
             let element = &elements[i].1;
-            let unit = if matches!(element.kind, FrictionLaw::Circle { .. }) { "N·m" } else { "N" };
+            let unit = if element.kind.turns() { "N·m" } else { "N" };
             headers.push(vec![Inline::Math(name_node(&self.presses_name(element))), text(", N")]);
             if both {
                 let friction = name_node(&self.friction_name(element));

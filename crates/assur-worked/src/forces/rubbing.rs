@@ -16,7 +16,7 @@ impl Derivation<'_> {
         let speed = self.state().sliding_speed(element);
         let index = format!("{},{}", self.label(element.body), self.label(element.base));
         let right = match &element.kind {
-            FrictionLaw::Circle { .. } => {
+            FrictionLaw::Circle { .. } | FrictionLaw::Rolling { .. } => {
                 let [of, against] = [element.body, element.base].map(|body| self.turning(body));
                 return self.component(Name::new("ω", &index), speed, Unit::AngularVelocity, of - against);
             }

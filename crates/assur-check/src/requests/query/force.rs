@@ -12,7 +12,7 @@ use crate::names::{
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{
-    BinaryOp, DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind,
+    BinaryOp, DriveId, Expr as ModelExpr, LinkId, Pair, PairId, PairKind, Query, TransmissionKind,
 };
 use assur_syntax::document::{Expr, Member, Name, Statement};
 use assur_text::diagnostic::{Diagnosis, Fix};
@@ -45,7 +45,7 @@ impl Context<'_> {
     pub(crate) fn reaction(
         &mut self,
         call: Call<'_>,
-        has: fn(&PairKind) -> bool,
+        has: fn(&Pair) -> bool,
         query: fn(PairId, LinkId) -> Query,
         ty: Type,
     ) -> Option<Typed> {
@@ -59,7 +59,7 @@ impl Context<'_> {
             None => None,
         };
         let pair = pair?;
-        if !has(&self.builder.mech.pair(pair).kind) {
+        if !has(self.builder.mech.pair(pair)) {
             self.not_of_this_pair(call, pair, Some("`reaction(…)` is defined for every pair"));
             return None;
         }

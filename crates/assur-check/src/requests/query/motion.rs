@@ -9,7 +9,7 @@ use crate::trains::bevel;
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{
-    CamPart, Expr as ModelExpr, Function as ModelFunction, LinkId, PairId, PairKind, PointRef, Query,
+    CamPart, Expr as ModelExpr, Function as ModelFunction, LinkId, Pair, PairId, PairKind, PointRef, Query,
 };
 use assur_syntax::document::{Arg, Drive, Expr, ExprKind, JointKind, Statement};
 use assur_text::diagnostic::{Diagnosis, Fix};
@@ -161,7 +161,7 @@ impl Context<'_> {
     /// Whether the one argument is a pair in which a point slides along a line, and no point has its name.
     pub(super) fn asks_guide(&self, args: &[Arg]) -> bool {
         let [Arg { value: Expr { kind: ExprKind::Name(name), .. }, .. }] = args else { return false };
-        let slides = |pair| (ALONG_LINE.0)(&self.builder.mech.pair(pair).kind);
+        let slides = |pair| (ALONG_LINE.0)(self.builder.mech.pair(pair));
         self.bearers_as_declared(name).next().is_none() && self.find_pair(name).is_some_and(slides)
     }
 
@@ -199,13 +199,13 @@ impl Context<'_> {
     pub(crate) fn of_pair(
         &mut self,
         call: Call<'_>,
-        (has, help): (fn(&PairKind) -> bool, Option<&str>),
+        (has, help): (fn(&Pair) -> bool, Option<&str>),
         query: fn(PairId) -> Query,
         ty: Type,
     ) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let pair = self.pair_argument(call, args[0])?;
-        if has(&self.builder.mech.pair(pair).kind) {
+        if has(self.builder.mech.pair(pair)) {
             return Some(Typed::new(ModelExpr::Query(query(pair)), ty));
         }
         self.not_of_this_pair(call, pair, help);

@@ -195,11 +195,14 @@ impl Back {
         let efforts = written.structure.efforts.iter();
         let efforts = efforts.map(|e| structure.efforts.iter().position(|other| other.source == e.source));
         let friction = written.plan.friction.iter().map(|element| {
+            let alike = |other: &FrictionElement| {
+                other.pair == element.pair && other.kind.turns() == element.kind.turns()
+            };
             let same = |other: &FrictionElement| {
-                other.pair == element.pair && (other.body, other.base) == (element.body, element.base)
+                alike(other) && (other.body, other.base) == (element.body, element.base)
             };
             let turned = |other: &FrictionElement| {
-                other.pair == element.pair && (other.body, other.base) == (element.base, element.body)
+                alike(other) && (other.body, other.base) == (element.base, element.body)
             };
             let find = |how: &dyn Fn(&FrictionElement) -> bool| plan.friction.iter().position(how);
             find(&same).map(|i| (i, 1.0)).or_else(|| find(&turned).map(|i| (i, -1.0)))

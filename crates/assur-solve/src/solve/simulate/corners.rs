@@ -345,7 +345,9 @@ impl<'a> Equations<'a, '_> {
                 let touch = self.trial.touch((element.body, first), (element.base, second), internal);
                 touch.map_or(Vec2::zero(), |(_, normal)| Vec2::new(force.dot(normal), 0.0))
             }
-            FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => Vec2::zero(),
+            FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } | FrictionLaw::Rolling { .. } => {
+                Vec2::zero()
+            }
         }
     }
 

@@ -92,7 +92,7 @@ impl<'p> DissipativeElement<'p> {
     /// Whether its speed is an angular one.
     pub fn turns(self) -> bool {
         match self {
-            Self::Pair(element) => matches!(element.kind, FrictionLaw::Circle { .. }),
+            Self::Pair(element) => element.kind.turns(),
             Self::Law(law, _) => matches!(law.terms[0].0, LawSite::Turn(_)),
             Self::Load(load) => load.point.is_none(),
         }

@@ -178,7 +178,7 @@ impl Equations<'_, '_> {
             let slopes = self.slopes(stop);
             normals.push(self.row(slopes, before));
             let plan = self.model.plan;
-            let own = |element: &FrictionElement| element.stop == Some(stop);
+            let own = |element: &FrictionElement| element.stop == Some(stop) && !element.kind.turns();
             if let Some(index) = plan.friction.iter().position(own) {
                 let mut slopes = Vec::new();
                 self.slopes_of_element(index, &mut slopes);

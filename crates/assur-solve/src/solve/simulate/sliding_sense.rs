@@ -177,23 +177,23 @@ pub(super) struct Held {
     fastest: f64,
 }
 
-/// Where something rubs: a pair with its bodies, a transmission with its law, or a load.
+/// Where something rubs: a pair with its bodies, sliding or turning, a transmission with its law, or a load.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
-    Pair(PairId, [usize; 2]),
+    Pair(PairId, [usize; 2], bool),
     Load(LoadId),
 }
 
 /// An element by its pair and its bodies.
 fn bodies(element: &FrictionElement) -> Place {
     let (one, other) = (element.body, element.base);
-    Place::Pair(element.pair, [one.min(other), one.max(other)])
+    Place::Pair(element.pair, [one.min(other), one.max(other)], element.kind.turns())
 }
 
 fn place(rubs: DissipativeElement<'_>) -> Place {
     match rubs {
         DissipativeElement::Pair(element) => bodies(element),
-        DissipativeElement::Law(law, _) => Place::Pair(law.pair, [law.index; 2]),
+        DissipativeElement::Law(law, _) => Place::Pair(law.pair, [law.index; 2], false),
         DissipativeElement::Load(load) => Place::Load(load.load),
     }
 }
