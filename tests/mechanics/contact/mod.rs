@@ -3,6 +3,7 @@
 mod cells;
 mod determined;
 mod driven;
+mod freewheel;
 mod oracle;
 mod parting;
 mod rolling_resistance;

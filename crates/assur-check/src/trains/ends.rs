@@ -71,10 +71,13 @@ pub(crate) fn turning(cx: &mut Context<'_>, path: &Path) -> Option<LinkId> {
 
 // Clutches.
 
-/// Both sides have one speed, but where it slips.
-pub(crate) fn clutch(cx: &mut Context<'_>, joint: &Joint, slips: bool) -> Option<Runs> {
+/// Both sides have one speed, but where it slips. A freewheel may hold a shaft at the ground.
+pub(crate) fn clutch(cx: &mut Context<'_>, joint: &Joint, (slips, freewheel): (bool, bool)) -> Option<Runs> {
     let [first, second] = two(cx, joint)?;
-    let (a, b) = (turning(cx, first), turning(cx, second));
+    let is_ground =
+        freewheel && first.tail.is_none() && cx.find_link(&first.head.node) == Some(LinkId::GROUND);
+    let first = if is_ground { Some(LinkId::GROUND) } else { turning(cx, first) };
+    let (a, b) = (first, turning(cx, second));
     let (a, b) = (a?, b?);
     if a == b {
         let message = "both sides of the clutch are on the same shaft";

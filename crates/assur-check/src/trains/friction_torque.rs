@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub(crate) fn friction_torque(cx: &mut Context<'_>, name: &Name, properties: &[Read]) -> Option<f64> {
     let of = |name| find(properties, name);
     if let Some(capacity) = of("capacity") {
-        let other = properties.iter().find(|p| !matches!(p.name, "capacity" | "slipping"));
+        let other = properties.iter().find(|p| !matches!(p.name, "capacity" | "slipping" | "freewheel"));
         return match other {
             None => Some(capacity.number()),
             Some(other) => {

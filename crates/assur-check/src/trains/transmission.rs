@@ -67,8 +67,8 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
 /// The properties in its braces. A capacity of the instant, of a clutch that slips, is read with the loads: here it is not a number.
 fn own_properties(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Read>> {
     let (what, specs) = (phrase(joint.kind.node), properties_of_pair(joint.kind.node));
-    let slips =
-        joint.kind.node == JointKind::Clutch && joint.properties.iter().any(|p| p.name.node == "slipping");
+    let slips = joint.kind.node == JointKind::Clutch
+        && joint.properties.iter().any(|p| matches!(p.name.node.as_str(), "slipping" | "freewheel"));
     let Some(varies) = varying(cx, joint).filter(|_| slips) else {
         return read(cx, &what, &joint.properties, specs);
     };
@@ -103,7 +103,10 @@ fn transmission(
         TransmissionKind::Rack => rack(cx, joint, find(properties, "efficiency").map(|e| e.span)),
         TransmissionKind::Worm => worm(cx, joint, properties),
         TransmissionKind::Screw => screw(cx, joint, properties),
-        TransmissionKind::Clutch => clutch(cx, joint, find(properties, "slipping").is_some()),
+        TransmissionKind::Clutch => {
+            let has = |name| find(properties, name).is_some();
+            clutch(cx, joint, (has("slipping") || has("freewheel"), has("freewheel")))
+        }
     }?;
     if efficiency.is_some() {
         if kind == TransmissionKind::Rope {
@@ -129,6 +132,8 @@ fn transmission(
         pressure_angle,
         grip,
         slip: slip(properties),
+        freewheel: find(properties, "freewheel")
+            .map_or(0.0, |p| if p.value == Value::Flag { 1.0 } else { -1.0 }),
     })
 }
 

@@ -224,6 +224,15 @@ impl Pair {
 }
 
 impl PairKind {
+    /// The sense, ±1, in which the second side of a freewheel may turn ahead of the first; 0 of all else.
+    #[must_use]
+    pub fn freewheel(&self) -> f64 {
+        match self {
+            Self::Transmission(transmission) => transmission.freewheel,
+            _ => 0.0,
+        }
+    }
+
     /// The two sides of a clutch that slips.
     #[must_use]
     pub fn slipping(&self) -> Option<[LinkId; 2]> {

@@ -81,6 +81,8 @@ pub struct Transmission {
     pub grip: Option<FrictionLimit>,
     /// The part of the speed that a belt loses, with its first wheel driving.
     pub slip: f64,
+    /// The sense, ±1, in which the second side of a clutch may turn ahead of the first; 0 where it may not.
+    pub freewheel: f64,
 }
 
 /// On which side of its planet a bevel wheel is: those on both sides turn in opposite senses, seen from the carrier.

@@ -17,6 +17,8 @@ pub struct Opposing {
     pub against: Option<(usize, PairId)>,
     /// Of a force: its point, m, and how that moves.
     pub point: Option<(Vec2, Path)>,
+    /// Of a freewheel: the sense of its speed in which it does nothing; else 0.
+    pub free: f64,
 }
 
 /// How a point moves.
@@ -48,7 +50,8 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure) -> Vec<Opposing
             }
             _ => return None,
         };
-        Some(Opposing { load: LoadId::at(index), body, against, point })
+        let free = against.map_or(0.0, |(_, clutch)| mechanism.pair(clutch).kind.freewheel());
+        Some(Opposing { load: LoadId::at(index), body, against, point, free })
     });
     opposing.collect()
 }

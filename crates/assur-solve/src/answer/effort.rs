@@ -121,13 +121,14 @@ impl PoseAnswers<'_> {
             }
             LoadKind::Torque { on, against_motion: true, .. } => self.against_rate(self.body(*on).omega),
             LoadKind::InPair { pair, against_motion: true, .. } => {
-                self.against_rate(self.state.coordinate_rate(&self.model(), *pair))
+                let against = self.against_rate(self.state.coordinate_rate(&self.model(), *pair));
+                if self.runs_free(*pair) { Vec2::zero() } else { against }
             }
             _ => Vec2::zero(),
         }
     }
 
-    fn against_rate(&self, omega: f64) -> Vec2 {
+    pub(super) fn against_rate(&self, omega: f64) -> Vec2 {
         let rests = omega.abs() <= STILL * self.fastest().1;
         Vec2::new(if rests { 0.0 } else { -omega.signum() }, 0.0)
     }

@@ -96,9 +96,15 @@ impl PoseAnswers<'_> {
     #[must_use]
     pub fn slips(&self, pair: PairId) -> bool {
         match self.load_of_clutch(pair) {
-            Some(load) => self.part_against(load).part != Vec2::zero(),
+            Some(load) => self.part_against(load).part != Vec2::zero() || self.runs_free(pair),
             None => self.tangential_force(pair) > self.capacity(pair) * (1.0 + 1e-9),
         }
+    }
+
+    /// Whether the second side of a freewheel turns ahead of the first.
+    pub(super) fn runs_free(&self, pair: PairId) -> bool {
+        let rate = self.state.coordinate_rate(&self.model(), pair);
+        self.against_rate(rate).x * self.mechanism.pair(pair).kind.freewheel() < 0.0
     }
 
     /// The load that a clutch is which slips, by its place.

@@ -190,6 +190,12 @@ const CLUTCH: &[Property] = &[
         "slipping",
         "friction alone joins the sides: it slips until their speeds are equal",
     ),
+    row(
+        "freewheel",
+        FlagOr(&["clockwise"]),
+        "freewheel",
+        "it slips, and the second side may turn ahead of the first, counterclockwise or clockwise",
+    ),
 ];
 
 const WELD: &[Property] =

@@ -12,7 +12,7 @@ use super::drives::moves;
 use super::equations::Equations;
 use super::sliding_sense::{Held, Slipping};
 use super::ways::Way;
-use crate::plan::FrictionElement;
+use crate::plan::{FrictionElement, Opposing};
 use crate::solve::failure::Halt;
 
 /// A sliding speed below this part of the greatest so far is none.
@@ -91,12 +91,14 @@ impl Equations<'_, '_> {
             // in which sense they are let go
             self.slipping_accelerations(slipping)?;
         }
+        let released: Vec<f64> =
+            (0..slipping.senses.len()).map(|element| self.released(slipping, element)).collect();
         self.set_position(t, y);
         self.reduced.run_motion(self.model.plan, &mut self.trial);
         let speeds = self.sliding_speeds(slipping);
         let stops = self.standing_stops(slipping, t, y);
         let touch: Vec<bool> = (0..speeds.len()).map(|element| self.may_touch(element, &stops)).collect();
-        let (mut open, let_go) = slipping.take_senses(&speeds, &touch);
+        let (mut open, let_go) = slipping.take_senses(&speeds, &touch, &released);
         self.take_driven(slipping, (t, y), &mut open);
         (slipping.rests, slipping.undetermined) = (false, false);
         match self.find_way(slipping, (later, &state), (&open, &stops)) {
@@ -326,7 +328,7 @@ impl Equations<'_, '_> {
             }
         }
         if let Some(element) = most.1 {
-            return Ok(Judged::LetGo(element, -slipping.efforts[element].signum()));
+            return Ok(Judged::LetGo(element, self.released(slipping, element)));
         }
         for (&element, &sense) in open.iter().zip(senses) {
             if slipping.held.contains(&element) {
@@ -379,7 +381,24 @@ impl Equations<'_, '_> {
             DissipativeElement::Law(..) if slipping.share(index) <= NOTHING => 0.0,
             DissipativeElement::Law(law, slot) => self.trial.part_of_losses(law, slot, effort),
             DissipativeElement::Load(_) if slipping.share(index) <= NOTHING => 0.0,
+            // between nothing and its capacity
+            DissipativeElement::Load(Opposing { load, free, .. }) if *free != 0.0 => {
+                (2.0 * effort * free / self.greatest_of_load(*load).max(0.0) - 1.0).abs()
+            }
             DissipativeElement::Load(load) => effort.abs() / self.greatest_of_load(load.load).max(0.0),
+        }
+    }
+
+    /// The sense in which an element slides that needs more than what holds it.
+    fn released(&self, slipping: &Slipping, index: usize) -> f64 {
+        let effort = slipping.efforts[index];
+        match DissipativeElement::of(self.model.plan, index) {
+            DissipativeElement::Load(Opposing { load, free, .. })
+                if *free != 0.0 && 2.0 * effort * free < self.greatest_of_load(*load) =>
+            {
+                *free
+            }
+            _ => -effort.signum(),
         }
     }
 
@@ -441,7 +460,7 @@ impl Equations<'_, '_> {
 impl Slipping {
     /// The senses at these speeds, of elements that are in touch or not. Returns those that may be held or slide in either sense, and
     /// those that are let go.
-    fn take_senses(&mut self, speeds: &[f64], touch: &[bool]) -> (Vec<usize>, Vec<usize>) {
+    fn take_senses(&mut self, speeds: &[f64], touch: &[bool], released: &[f64]) -> (Vec<usize>, Vec<usize>) {
         let (mut open, mut let_go) = (Vec::new(), Vec::new());
         for (element, speed) in speeds.iter().enumerate() {
             let turns = self.turning.iter().any(|(_, turns)| *turns == element);
@@ -453,7 +472,7 @@ impl Slipping {
                 self.senses[element] = 1.0_f64.copysign(*speed);
             } else if held && turns && !self.driven[element] {
                 let_go.push(element);
-                self.senses[element] = -self.efforts[element].signum();
+                self.senses[element] = released[element];
             } else if held || turns || self.still[element] || speed.abs() <= NONE * self.fastest {
                 open.push(element);
             } else {

@@ -359,7 +359,8 @@ impl Equations<'_, '_> {
         against.extend(parts.map(|part| Against { part, held: Vec2::zero() }));
         let grips = &self.trial.motion.grips[DissipativeElement::inner(plan)..];
         for (load, grip) in plan.opposing.iter().zip(grips) {
-            against[load.load.index()].part = self.acts(load, -grip.sense);
+            let sense = if load.free * grip.sense > 0.0 { 0.0 } else { grip.sense };
+            against[load.load.index()].part = self.acts(load, -sense);
         }
         self.trial.motion.against = against;
     }
