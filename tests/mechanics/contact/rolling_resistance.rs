@@ -38,7 +38,7 @@ proptest! {
     fn a_wheel_on_a_slope_rolls_by_what_is_above_its_resistance(
         slope in 0.5..12.0_f64, arm in 1.0..40.0_f64, parts: bool,
     ) {
-        let (sin, cos) = slope.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(slope.to_radians());
         let pull = sin - arm / 200.0 * cos;
         prop_assume!(pull.abs() > 1e-3);
         let text = wheel(slope, arm, if parts { "; parts" } else { "" }, "\nstart wheel = 0 deg", 0.5);
