@@ -6,6 +6,7 @@ mod brackets;
 mod case;
 mod commas;
 mod first_word;
+mod foreign;
 mod harmonic;
 mod meant;
 mod of_pair;
@@ -34,9 +35,11 @@ const EXPLAINED: usize = 200;
 
 /// The correction, if it reads.
 fn explain(case: &Case<'_>) -> Option<Diagnosis> {
-    first_word::explain(case)
+    foreign::comment_of_semicolon(case)
+        .or_else(|| first_word::explain(case))
         .or_else(|| unnamed::explain(case))
         .or_else(|| within::equals_of_expect(case))
+        .or_else(|| foreign::explain(case))
         .or_else(|| commas::explain(case))
         .or_else(|| separator::statements(case))
         .or_else(|| range::explain(case))
