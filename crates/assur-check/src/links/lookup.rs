@@ -9,6 +9,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{Circle, Guide, Line, LinkId, Pair, PairId, PairKind, Point};
 use assur_syntax::document::{End, JointKind, Name, Statement};
 use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
+use assur_text::language::Function;
 use assur_text::source::Span;
 use indexmap::IndexSet;
 
@@ -174,7 +175,13 @@ impl Context<'_> {
             _ => &inside.circles,
         };
         let all = list.keys().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&name.node, name.span, &all, &format!("{kind}s of {owner}"));
+        let asks = Function::named(&name.node).is_some_and(|f| f.row().is_result());
+        let help = match kind {
+            "point" if asks && !matches!(owner.as_str(), "ground") => {
+                Some(format!("a quantity is a function: write `{}({owner})`", name.node).into())
+            }
+            _ => suggestion(&name.node, name.span, &all, &format!("{kind}s of {owner}")),
+        };
         if self.problems.reported.insert((kind, format!("{owner}.{}", name.node))) {
             let (name, span, owner) = (name.node.clone(), name.span, Some(owner));
             self.error(not_declared(kind, &name, owner, span, help));
@@ -193,8 +200,13 @@ impl Context<'_> {
         self.names.note_thing(name);
         if let Some(declared) = self.names.things.get(&name.node) {
             if !fits(declared.what) && !self.names.bad.contains(&name.node) {
+                if self.follows_wrong_end(name, &fits) {
+                    return;
+                }
                 let (is, declared) = (declared.what.phrase(), Some(declared.span));
-                let help = if kind == "pair" { self.pairs_of(&name.node) } else { None };
+                let of_link = if kind == "pair" { self.pairs_of(&name.node) } else { None };
+                let slider = if kind == "slider or link" { self.as_slider(&name.node) } else { None };
+                let help = of_link.or(slider).or_else(|| self.fitting(name, kind, &fits));
                 self.error(wrong_kind(&name.node, &is, wanted, name.span, declared, help));
             }
             return;

@@ -9,6 +9,28 @@ use assur_text::diagnostic::{Help, did_you_mean};
 use assur_text::language::Function;
 use assur_text::units::{Dimension, lookup};
 
+/// Greek letters as they are called.
+pub(crate) const GREEK: &[(&str, &str)] = &[
+    ("π", "pi"),
+    ("α", "alpha"),
+    ("β", "beta"),
+    ("γ", "gamma"),
+    ("δ", "delta"),
+    ("ε", "epsilon"),
+    ("η", "eta"),
+    ("θ", "theta"),
+    ("λ", "lambda"),
+    ("μ", "mu"),
+    ("µ", "mu"),
+    ("ρ", "rho"),
+    ("σ", "sigma"),
+    ("τ", "tau"),
+    ("φ", "phi"),
+    ("ϕ", "phi"),
+    ("ψ", "psi"),
+    ("ω", "omega"),
+];
+
 impl Context<'_> {
     /// The line that makes a name an unknown effort, where the file has none and the name is usual for one.
     fn no_balance(&self, name: &str) -> Option<String> {
@@ -102,8 +124,13 @@ impl Context<'_> {
                 [] => beside_a_list(&help, name),
                 _ => help,
             });
+            let greek = |name: &Name| {
+                let latin = GREEK.iter().find(|(letter, _)| *letter == name.node)?.1;
+                let known = latin == "pi" || self.names.quantities.contains_key(latin);
+                known.then(|| Help::write(name.span, &[latin.to_owned()]))
+            };
             let time = || if alone { self.time_by_other_name(name) } else { None };
-            let help = pi().or_else(time);
+            let help = greek(name).or_else(pi).or_else(time);
             let help = help.or_else(|| unit().or_else(effort).or_else(results).map(Help::from));
             let alone = || self.function_alone(&name.node, name.span).map(Help::from);
             let help = help.or_else(alone).or(listed);

@@ -291,6 +291,10 @@ impl Context<'_> {
         self.note_names(args[0]);
         let (index, drive) = self.drive(&names)?;
         let target = &self.drive_statements()[index].target;
+        // what it drives could not be read
+        if self.names.bad.contains(&target.head.node) && !self.names.things.contains_key(&target.head.node) {
+            return None;
+        }
         let (is_point, is_place) = (target.tail.is_some(), place::is_place(self, target));
         if is_point && !is_place {
             self.wrong_argument(call, "a link or a pair that is driven", args[0].span);
