@@ -60,14 +60,26 @@ impl Context<'_> {
     /// `0.02 N*m*s^2*omega(fan)^2`: the product with what the unit of its first number lacks.
     fn completed_number(&self, want: Dimension, found: Dimension, expr: &Expr) -> Option<String> {
         let ExprKind::Chain(first, rest) = &expr.kind else { return None };
-        let ExprKind::Number(Number { text, unit: Some(unit), .. }) = &first.kind else { return None };
         let lacks = want.over(found).si_text();
+        let positive = match &first.kind {
+            ExprKind::Unary(op, inner) if op.node != UnaryOp::Not => inner,
+            _ => first,
+        };
+        let given = match &positive.kind {
+            ExprKind::Name(name) => self.given_as_written(name).map(|value| (Some(name), value)),
+            _ => None,
+        };
+        let (name, literal) = given.unwrap_or((None, positive));
+        let ExprKind::Number(Number { text, unit: Some(unit), .. }) = &literal.kind else { return None };
         let product = rest.iter().all(|(op, _)| matches!(op.node, BinaryOp::Multiply | BinaryOp::Divide));
         if !product || correction(want, found).is_some() || lacks.is_empty() || lacks.contains(['/', '(']) {
             return None;
         }
         let completed = format!("{text} {}*{lacks}", unit.node);
-        let whole = written(expr)?.replacen(&written(first)?, &completed, 1);
+        if let Some(name) = name {
+            return Some(format!("write `given {name} = {completed}`"));
+        }
+        let whole = written(expr)?.replacen(&written(positive)?, &completed, 1);
         let whole = whole.replace(" * ", "*").replace(" / ", "/");
         Some(format!("write `{whole}`"))
     }
@@ -130,6 +142,11 @@ fn extended(expr: &Expr, want: Dimension) -> Option<String> {
     // `5 deg/s` is no velocity times a length
     let turns = lookup(word).is_ok_and(|u| u.dimension.kind == Kind::Angle);
     let units = ["^2", "*m", "/s"].map(|rest| format!("{word}{rest}"));
+    // `N/mm^2` for `N/mm`
+    let without = word.strip_suffix("^2").filter(|unit| lookup(unit).is_ok_and(|u| u.dimension == want));
+    if let Some(unit) = without {
+        return Some(unit.to_owned());
+    }
     units.into_iter().filter(|_| !turns).find(|unit| lookup(unit).is_ok_and(|u| u.dimension == want))
 }
 

@@ -72,6 +72,9 @@ const USUAL: &[(&str, &str)] = &[
     ("stages", "starts"),
     ("x", "shift"),
     ("slots_number", "slots"),
+    ("position", "plane"),
+    ("free_length", "free_angle"),
+    ("free_angle", "free_length"),
 ];
 
 /// Properties of textbooks that another one follows from: of the value, and the words for it.

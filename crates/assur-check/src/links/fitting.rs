@@ -25,7 +25,7 @@ impl Context<'_> {
         match best.as_slice() {
             [] => None,
             [one] if only => Some(format!("write `{one}`: the only {kind}")),
-            [one] => Some(format!("write `{one}`: the {kind} of `{}`", name.node)),
+            [one] => Some(format!("write `{one}`: the {kind} that belongs to it")),
             [..] if best.len() <= MOST => {
                 let names = best.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>();
                 Some(format!("the {kind}s are {}", names.join(", ")))

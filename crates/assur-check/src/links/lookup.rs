@@ -204,8 +204,12 @@ impl Context<'_> {
                     return;
                 }
                 let (is, declared) = (declared.what.phrase(), Some(declared.span));
-                let of_link = if kind == "pair" { self.pairs_of(&name.node) } else { None };
+                let of_link = if kind == "pair" { self.pair_meant(name, &fits) } else { None };
                 let slider = if kind == "slider or link" { self.as_slider(&name.node) } else { None };
+                // a shaft that should be a slider is meant everywhere
+                if slider.is_some() {
+                    self.names.bad.insert(name.node.clone());
+                }
                 let help = of_link.or(slider).or_else(|| self.fitting(name, kind, &fits));
                 self.error(wrong_kind(&name.node, &is, wanted, name.span, declared, help));
             }
@@ -224,6 +228,15 @@ impl Context<'_> {
         let help = mesh.map(Help::from).or_else(listed);
         let (name, span) = (name.node.clone(), name.span);
         self.error(not_declared(kind, &name, None, span, help));
+    }
+
+    /// The pair that may be meant by another thing: of a wheel its transmission, of a link that of its links.
+    fn pair_meant(&self, name: &Name, fits: &impl Fn(ThingKind) -> bool) -> Option<String> {
+        let is = self.names.things.get(&name.node).map(|d| d.what);
+        match is {
+            Some(ThingKind::Wheel | ThingKind::Group | ThingKind::Cam) => self.fitting(name, "pair", fits),
+            _ => self.pairs_of(&name.node),
+        }
     }
 
     /// The pairs of a link where one of them is due: the only one in which it slides, else all.

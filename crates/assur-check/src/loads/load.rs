@@ -113,6 +113,9 @@ pub(crate) fn of_open_shaft(cx: &mut Context<'_>, name: &Name, what: &str) -> Op
     if cx.find_link(&name.node).is_none_or(|link| cx.builder.mech.is_placed(link)) {
         return Some(());
     }
+    if cx.names.bad.contains(&name.node) {
+        return None;
+    }
     let message = format!("the position of `{}` is not given, so {what} on it has no lever arm", name.node);
     form(
         cx,
@@ -163,6 +166,17 @@ fn on_slider(
 fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::Place>) -> Option<LoadKind> {
     if slider(cx, link).is_some() {
         return on_slider(cx, load, link, at);
+    }
+    if let Some(line) = as_torque(cx, load, link)
+        .filter(|_| cx.find_link(&link.node).is_some_and(|l| !cx.builder.mech.is_placed(l)))
+    {
+        form(
+            cx,
+            "the value of this force is a torque".to_owned(),
+            &format!("write `{line}`"),
+            load.value.value.span,
+        );
+        return None;
     }
     of_open_shaft(cx, link, "a force")?;
     let on = moving(cx, link, "a force");

@@ -9,6 +9,7 @@ use crate::names::{
     suggestion::{not_declared, suggestion, wrong_kind},
 };
 use crate::requests::tolerance;
+use crate::statements::comma::decimal_comma;
 use crate::values::{
     definition::Settled,
     row::{ColumnUse, Row, RowCell, RowColumn},
@@ -316,27 +317,6 @@ fn named_twice(cx: &mut Context<'_>, table: &Variants) {
     }
 }
 
-/// The row with a decimal point for a comma between digits, where one too many is written so: `313,7`.
-fn decimal_comma(_cx: &Context<'_>, table: &Variants, row: &assur_syntax::document::Row) -> Option<Help> {
-    let next = |pair: &[Spanned<Cell>]| match pair {
-        [a, b] => {
-            let digits =
-                |cell: &Cell| !cell.text().is_empty() && cell.text().bytes().all(|c| c.is_ascii_digit());
-            digits(&a.node) && digits(&b.node) && b.span.start == a.span.end + 1
-        }
-        _ => false,
-    };
-    let places =
-        row.cells.windows(2).enumerate().filter(|(_, pair)| next(pair)).map(|(i, _)| i).collect::<Vec<_>>();
-    let [at] = places[..] else { return None };
-    if row.cells.len() != table.columns.len() + 1 {
-        return None;
-    }
-    let (whole, part) = (row.cells[at].node.text(), row.cells[at + 1].node.text());
-    let span = row.cells[at].span.to(row.cells[at + 1].span);
-    Some(Help::write(span, &[format!("{whole}.{part}")]))
-}
-
 /// Reports rows that are longer or shorter than the header.
 pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
     let columns = table.columns.len();
@@ -346,7 +326,6 @@ pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
     }
     let header = table.columns.iter().map(|c| c.name.span).reduce(|a, b| a.to(b));
     for row in table.rows.iter().filter(|row| row.cells.len() != columns) {
-        let cx = &mut *cx;
         let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
         let (found, columns) = (count(row.cells.len(), "number"), count(columns, "column"));
         cx.error(
@@ -357,7 +336,7 @@ pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
             .primary(row.span, &found)
             .label(header, &columns)
             .help(
-                decimal_comma(cx, table, row)
+                decimal_comma(table.columns.len(), row)
                     .unwrap_or_else(|| "write one number per column, separated by commas".into()),
             ),
         );

@@ -10,7 +10,7 @@ use crate::names::declared::ThingKind;
 use crate::statements::written::{end_text, line_of};
 use crate::trains::size::label;
 use assur_model::model::{Law, LinkId, Rate, Wheel};
-use assur_syntax::document::{End, Joint, Name};
+use assur_syntax::document::{End, Joint, Name, Statement};
 use assur_text::diagnostic::Diagnosis;
 
 /// Part of a rope's path.
@@ -35,8 +35,8 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
             _ => continue,
         };
         let help = match end {
-            End::Over(_) => match cx.names.things.iter().find(|(name, d)| ends_rope(joint, name, d.what)) {
-                Some((end, _)) => format!("continue the rope: write `{}`", continued(joint, i == 0, end)),
+            End::Over(_) => match rope_end(cx, joint) {
+                Some(end) => format!("continue the rope: write `{}`", continued(joint, i == 0, end)),
                 None => format!(
                     "continue the rope to a wheel or a slider, as in `{}`",
                     continued(joint, i == 0, "w1")
@@ -96,6 +96,27 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
         return None;
     }
     Some((laws, links))
+}
+
+/// Where a rope may end: a thing that no joint names, else any wheel or slider.
+fn rope_end<'c>(cx: &'c Context<'_>, joint: &Joint) -> Option<&'c str> {
+    let joints = cx.doc.statements.iter().filter_map(|s| match &s.node {
+        Statement::Joint(joint) => Some(joint),
+        _ => None,
+    });
+    let named = joints.flat_map(|j| &j.ends).filter_map(|end| match end {
+        End::At(path) => Some(path.head.node.as_str()),
+        _ => None,
+    });
+    let named = named.collect::<Vec<_>>();
+    let fits = cx
+        .names
+        .things
+        .iter()
+        .filter(|(name, d)| ends_rope(joint, name, d.what))
+        .map(|(name, _)| name.as_str());
+    let fits = fits.collect::<Vec<_>>();
+    fits.iter().copied().find(|name| !named.contains(name)).or_else(|| fits.first().copied())
 }
 
 /// Whether a rope may end at a thing that is not in it.

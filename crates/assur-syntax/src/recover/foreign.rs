@@ -3,7 +3,7 @@
 use super::case::Case;
 use super::phrase::What;
 use super::unnamed::points_of;
-use crate::recover::{comment_sign, instead, lacking};
+use crate::recover::{comment_sign, instead, lacking, needless_word};
 use crate::trivia::{Line, corrected};
 use crate::words::is_name_char;
 use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
@@ -15,6 +15,10 @@ pub(super) fn explain(case: &Case<'_>) -> Option<Diagnosis> {
         .or_else(|| sign_of(case))
         .or_else(|| sense(case))
         .or_else(|| both_conditions(case))
+        .or_else(|| phrase(case))
+        .or_else(|| count_of_steps(case))
+        .or_else(|| name_of_speed(case))
+        .or_else(|| in_hinge(case))
         .or_else(|| segment_of(case))
         .or_else(|| word(case))
         .or_else(|| property(case))
@@ -46,11 +50,111 @@ const WORDS: &[(&str, &[&str], &[&str])] = &[
     ("backwards", &["back"], &["drive"]),
     ("forwards", &["forward"], &["drive"]),
     ("parallel", &["along"], &[]),
-    ("above", &["left of", "ahead of"], &["assemble"]),
+    ("above", &["left of"], &["assemble"]),
     ("towards", &["to"], &["link", "ground"]),
     ("joining", &["-"], &[]),
     ("tolerance", &["within"], &["expect"]),
+    ("in", &["at"], &["mass", "weight"]),
+    ("on", &["at"], &["mass", "weight"]),
+    ("z", &["teeth"], &["wheel"]),
+    ("Z", &["teeth"], &["wheel"]),
+    ("m", &["module"], &["wheel"]),
+    ("r", &["radius"], &["wheel", "circle"]),
+    ("R", &["radius"], &["wheel", "circle"]),
+    ("d", &["diameter"], &["wheel"]),
+    ("sine", &["cycloidal"], &["rise", "fall"]),
+    ("cycloid", &["cycloidal"], &["rise", "fall"]),
+    ("cosine", &["harmonic"], &["rise", "fall"]),
+    ("shm", &["harmonic"], &["rise", "fall"]),
+    ("simple_harmonic", &["harmonic"], &["rise", "fall"]),
+    ("constant_velocity", &["uniform"], &["rise", "fall"]),
+    ("linear", &["uniform"], &["rise", "fall"]),
+    ("constant_acceleration", &["parabolic"], &["rise", "fall"]),
+    ("parabola", &["parabolic"], &["rise", "fall"]),
+    ("polynomial", &["poly345", "poly4567"], &["rise", "fall"]),
+    ("sinusoidal", &["cycloidal", "harmonic"], &["rise", "fall"]),
 ];
+
+/// Several words for one.
+const PHRASES: &[(&str, &str)] = &[
+    ("in front of", "ahead of"),
+    ("in back of", "behind"),
+    ("to the left of", "left of"),
+    ("to the right of", "right of"),
+    ("on the left of", "left of"),
+    ("on the right of", "right of"),
+    ("counter clockwise", "ccw"),
+    ("counter-clockwise", "ccw"),
+    ("anti-clockwise", "ccw"),
+    ("against the motion", "against motion"),
+    ("opposite to motion", "against motion"),
+    ("in direction of", "along"),
+    ("in the direction of", "along"),
+    ("as long as", "when"),
+    ("simulate until", "simulate"),
+    ("simulate up to", "simulate"),
+    ("simulate to", "simulate"),
+];
+
+fn phrase(case: &Case<'_>) -> Option<Diagnosis> {
+    PHRASES.iter().find_map(|(found, wanted)| {
+        let at = case.slice.find(found)?;
+        case.instead((at, at + found.len()), wanted, wanted)
+    })
+}
+
+/// `with 5 positions`: `in 5 steps`
+fn count_of_steps(case: &Case<'_>) -> Option<Diagnosis> {
+    let words = case.words();
+    let steps = |word: &str| {
+        WORDS.iter().any(|(other, wanted, _)| *other == word && *wanted == ["steps"]) || word == "steps"
+    };
+    let run = words.windows(3).find(|run| {
+        let number = run[1].1.bytes().all(|b| b.is_ascii_digit());
+        number
+            && steps(run[2].1)
+            && matches!(run[0].1, "with" | "by" | "using" | "at" | "over" | "for" | "of")
+    })?;
+    let (start, end) = (run[0].0, run[2].0 + run[2].1.len());
+    let wanted = format!("in {} steps", run[1].1);
+    case.instead((start, end), &wanted, &wanted)
+}
+
+/// `at n = 1450 rpm`: a speed has no name of its own in a statement.
+fn name_of_speed(case: &Case<'_>) -> Option<Diagnosis> {
+    let words = case.words();
+    let at = words.windows(2).find(|pair| pair[0].1 == "at" && case.fail >= pair[1].0)?;
+    let (name_at, name) = at[1];
+    let rest = case.slice.get(name_at + name.len()..)?;
+    let value = rest.trim_start().strip_prefix('=')?.trim_start();
+    let end = case.slice.len() - value.len();
+    let is_speed = ["rpm", "/s", "/min", "rev"].iter().any(|unit| value.contains(unit));
+    let drives = matches!(case.token(0), "drive" | "start") && is_speed;
+    let reads = drives && case.reads(&case.with(name_at, end, ""));
+    reads.then(|| {
+        let found = case.slice.get(name_at..end).unwrap_or_default().trim();
+        needless_word(found, case.span(name_at, found.len()), case.help(name_at, end, ""))
+    })
+}
+
+/// `spring k: O`: a spring in a hinge.
+fn in_hinge(case: &Case<'_>) -> Option<Diagnosis> {
+    let colon = case.slice.find(':').filter(|_| case.token(0) == "spring")?;
+    let end =
+        colon + 1 + case.slice.get(colon + 1..)?.len() - case.slice.get(colon + 1..)?.trim_start().len();
+    let reads = case.reads(&case.with(colon, end, " in "));
+    reads.then(|| instead(":", "in", case.span(colon, 1), case.help(colon, end, " in ")))
+}
+
+/// `hydraulic cylinder c: …`: a word before a statement that reads without it.
+pub(super) fn adjective(case: &Case<'_>) -> Option<Diagnosis> {
+    let words = case.words();
+    let [(0, first), (at, second), ..] = words.as_slice() else { return None };
+    let is_word = crate::words::is_statement(second) && !crate::words::is_statement(first);
+    let joined = case.slice.get(first.len()..*at)?.trim().is_empty();
+    (case.what == What::Statement && is_word && joined && case.reads(case.slice.get(*at..)?))
+        .then(|| needless_word(first, case.span(0, first.len()), case.help(0, *at, "")))
+}
 
 /// `in 12 points`: the word where reading stopped, or the one before, which was read as a unit or a name.
 fn word(case: &Case<'_>) -> Option<Diagnosis> {
@@ -60,8 +164,12 @@ fn word(case: &Case<'_>) -> Option<Diagnosis> {
         let wanted = WORDS.iter().filter(|(other, _, of)| {
             *other == found.to_lowercase() && (of.is_empty() || of.contains(&case.token(0)))
         });
-        let mut wanted = wanted.flat_map(|(_, wanted, _)| wanted.iter());
-        wanted.find_map(|wanted| case.instead((*at, at + found.len()), wanted, wanted))
+        let wanted = wanted.flat_map(|(_, wanted, _)| wanted.iter().copied()).collect::<Vec<_>>();
+        let place = (*at, at + found.len());
+        let help = one_of(case, place, &wanted)?;
+        let named = wanted.iter().filter(|word| case.reads(&case.with(place.0, place.1, word)));
+        let named = named.copied().collect::<Vec<_>>().join("` or `");
+        Some(instead(found, &named, case.span(place.0, found.len()), help))
     })
 }
 
@@ -78,6 +186,12 @@ fn bars(case: &Case<'_>) -> Option<Diagnosis> {
         new.replace_range(open..=open, "abs(");
     }
     let [open, close] = pairs[0];
+    let inner = case.slice.get(open + 1..close)?.trim();
+    // the magnitude of a vector
+    let vector = ["velocity(", "acceleration(", "position(", "reaction(", "inertia_force("];
+    if inner.ends_with(')') && vector.iter().any(|call| inner.starts_with(call)) {
+        new = new.replace("abs(", "mag(");
+    }
     case.reads(&new).then(|| {
         instead("|…|", "abs(…)", case.span(open, close + 1 - open), case.help(0, case.slice.len(), &new))
     })
@@ -92,25 +206,40 @@ fn one_of(case: &Case<'_>, (start, end): (usize, usize), words: &[&str]) -> Opti
 
 /// `assemble s = 0`: an assembly has a coordinate on one side of a value, not at it.
 fn sign_of(case: &Case<'_>) -> Option<Diagnosis> {
-    if case.token(0) != "assemble" || case.token(case.fail) != "=" {
+    let before = case.slice.get(..case.fail)?;
+    let compares = case.token(0) == "assemble" || before.contains(" when ");
+    if !compares || case.token(case.fail) != "=" {
         return None;
     }
     let end = case.fail + if case.slice.get(case.fail + 1..)?.starts_with('=') { 2 } else { 1 };
     let help = one_of(case, (case.fail, end), &[">", "<"])?;
-    Some(instead("=", "> or <", case.span(case.fail, end - case.fail), help))
+    Some(instead("=", ">` or `<", case.span(case.fail, end - case.fail), help))
 }
 
 /// `drive P = 0 m moving up`: along the line of the guide, or against it.
 fn sense(case: &Case<'_>) -> Option<Diagnosis> {
     let word = case.token(case.fail);
     let before = case.slice.get(..case.fail)?.trim_end();
-    let place = matches!(word, "up" | "down" | "left" | "right" | "out" | "in" | "inwards" | "outwards");
+    let place = matches!(
+        word,
+        "up" | "down"
+            | "left"
+            | "right"
+            | "out"
+            | "in"
+            | "inwards"
+            | "outwards"
+            | "upwards"
+            | "downwards"
+            | "upward"
+            | "downward"
+    );
     if case.token(0) != "drive" || !before.ends_with(" moving") || !place {
         return None;
     }
     let end = case.fail + word.len();
     let help = one_of(case, (case.fail, end), &["forward", "back"])?;
-    Some(instead(word, "forward or back", case.span(case.fail, word.len()), help))
+    Some(instead(word, "forward` or `back", case.span(case.fail, word.len()), help))
 }
 
 /// `when a > b, c > 0`

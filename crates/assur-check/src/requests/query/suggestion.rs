@@ -32,6 +32,7 @@ const ALSO: &[(Function, &[&str])] = &[
     (Function::Min, &["minimum", "amin"]),
     (Function::Sqrt, &["root", "√"]),
     (Function::Efficiency, &["η", "eta"]),
+    (Function::Stable, &["stability", "is_stable"]),
     (Function::Distance, &["dist", "gap"]),
     (Function::CurvatureRadius, &["curvature", "radius_of_curvature", "rho"]),
     (Function::CurvatureCentre, &["curvature_center", "centre_of_curvature", "center_of_curvature"]),
