@@ -22,7 +22,8 @@ fn in_texts(cx: &Context<'_>) -> Vec<InText> {
         for (open, _) in text.match_indices('{') {
             let before = text[..open].chars().next_back();
             let formula = before.is_some_and(|c| c.is_alphanumeric() || "\\_^}$".contains(c));
-            let Some((name, _)) = text[open + 1..].split_once('}') else { continue };
+            let Some((name, behind)) = text[open + 1..].split_once('}') else { continue };
+            let formula = formula || behind.starts_with(['_', '^', '{']);
             let name = name.trim();
             let letters = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\'');
             if !formula && name.starts_with(char::is_alphabetic) && name.chars().all(letters) {
