@@ -234,20 +234,36 @@ fn every_code() -> Result<(), Failed> {
         if !code.page.starts_with(&format!("# {}\n", code.code)) {
             return Err(format!("the page of {} does not begin with its code", code.code).into());
         }
-        if example(code.page, "```mech wrong\n").is_some_and(|text| !reports(text, code.code)) {
-            return Err(format!("the wrong example of {} is not wrong", code.code).into());
+        if let Some(text) = examples(code.page, " wrong").find(|text| !reports(text, code.code)) {
+            return Err(format!("this example of {} is not wrong:\n{text}", code.code).into());
         }
-        let mended = example(code.page, "```mech\n").ok_or(format!("{} has no mended example", code.code))?;
-        if reports(mended, code.code) {
-            return Err(format!("the mended example of {} is wrong", code.code).into());
+        if examples(code.page, "").next().is_none() {
+            return Err(format!("{} has no right example", code.code).into());
+        }
+        for text in examples(code.page, "") {
+            if reports(text, code.code) {
+                return Err(format!("this example of {} is wrong:\n{text}", code.code).into());
+            }
+            let (_, problems) =
+                assur::internals::solve_source(&Source::new("page.mech", text), &Overrides::none());
+            if problems.has_errors() {
+                let shown = render(&problems, &Source::new("page.mech", text), Style::PLAIN);
+                return Err(
+                    format!("the right example of {} is not solved:\n{text}\n{shown}", code.code).into()
+                );
+            }
         }
     }
     Ok(())
 }
 
-/// The first block of a page behind that fence.
-fn example<'a>(page: &'a str, fence: &str) -> Option<&'a str> {
-    page.split_once(fence)?.1.split_once("```").map(|(text, _)| text)
+/// The blocks of a page whose fence ends so.
+fn examples<'a>(page: &'a str, kind: &'static str) -> impl Iterator<Item = &'a str> {
+    let blocks = page.split("```mech").skip(1).filter_map(|block| block.split("```").next());
+    blocks
+        .filter_map(|block| block.split_once('\n'))
+        .filter(move |(head, _)| *head == kind)
+        .map(|(_, text)| text)
 }
 
 fn reports(text: &str, code: &str) -> bool {

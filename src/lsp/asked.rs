@@ -43,7 +43,10 @@ impl<'a> TextRequest<'a> {
 impl TextRequest<'_> {
     /// What is wrong with the text, with what its answers show where it is solved; then what nothing depends on, where it is shown faded.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        // editors show it faded
+        let is_faded = |code: String| code == "mech::name::unused";
         let all = self.analysis.problems_with(self.results).into_iter();
+        let all = all.filter(|problem| !problem.code().is_some_and(|code| is_faded(code.to_string())));
         let unused = if self.client.fades { self.analysis.unused() } else { Vec::new() };
         all.map(|problem| self.diagnostic(problem))
             .chain(unused.into_iter().map(|one| self.unused(one)))

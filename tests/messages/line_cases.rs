@@ -186,7 +186,7 @@ const LINES: &[(&str, &str, &str)] = &[
     (
         "force F on coupler at S = 20 N @ 270 deg",
         "force F on coupler at S = 20 N downwards",
-        "write: force F on coupler at S = 20 N @ 270 deg",
+        "write: force F on coupler at S = 20 N down",
     ),
     (
         "force F on coupler at S = 20 N @ 270 deg",

@@ -81,7 +81,10 @@ fn a_locked_pose_fits_and_has_no_reactions() {
     }
     let told: Vec<&str> =
         value["diagnostics"].as_array().unwrap().iter().filter_map(|d| d["code"].as_str()).collect();
-    assert_eq!(told, ["mech::friction::locked", "mech::friction::no_effort"]);
+    assert_eq!(
+        told,
+        ["mech::friction::locked", "mech::geometry::unusual_value", "mech::friction::no_effort"]
+    );
 }
 
 /// One object per position, of which the poses are those of `solution-1.json`.

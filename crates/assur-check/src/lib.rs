@@ -10,6 +10,7 @@ mod loads;
 mod machine;
 mod motion;
 mod names;
+mod notes;
 mod output;
 mod pairs;
 mod requests;
@@ -195,4 +196,5 @@ fn meaning(cx: &mut Context<'_>) {
     at_rest(cx);
     variants::variants(cx);
     load_cycle::load_cycles(cx);
+    notes::notes(cx);
 }

@@ -40,6 +40,7 @@ pub(super) fn expected(rule: Rule) -> Vec<Expected> {
         Rule::frame => &["in"],
         Rule::against => &["against"],
         Rule::within => &["within"],
+        Rule::compare => &["<", ">"],
         Rule::p_comma => &[","],
         Rule::p_dash => &["-"],
         Rule::p_dots => &[".."],
@@ -78,9 +79,7 @@ fn kind(rule: Rule) -> Option<Expected> {
         Rule::place => Expected::Kind("a point"),
         Rule::property => Expected::Kind("a property"),
         Rule::header => Expected::Kind("a header of names"),
-        Rule::tight | Rule::loose | Rule::joining | Rule::compare | Rule::compared | Rule::p_polar => {
-            Expected::Operator
-        }
+        Rule::tight | Rule::loose | Rule::joining | Rule::compared | Rule::p_polar => Expected::Operator,
         Rule::EOI => Expected::End,
         _ => return None,
     })

@@ -11,7 +11,7 @@ use assur_math::element::cam::{Cam, Follower, Law, Shape};
 use assur_model::model::{Curve, PlateCam};
 use assur_syntax::document;
 use assur_syntax::document::{CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn};
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::language::{CAM, FOLLOWER, Place, words_of};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
@@ -144,9 +144,49 @@ fn incomplete<T>(cx: &mut Context<'_>, message: String, help: String, span: Span
     None
 }
 
+const MOTIONS: &[&str] = &["oscillating", "translating"];
+const SHAPES: &[&str] = &["roller", "knife", "flat"];
+/// What others call them.
+const OTHER_SHAPES: &[(&str, &str)] = &[
+    ("flat_faced", "flat"),
+    ("flat_face", "flat"),
+    ("mushroom", "flat"),
+    ("pointed", "knife"),
+    ("knife_edge", "knife"),
+    ("point", "knife"),
+    ("tip", "knife"),
+];
+const OTHER_MOTIONS: &[(&str, &str)] = &[
+    ("rocking", "oscillating"),
+    ("swinging", "oscillating"),
+    ("rotating", "oscillating"),
+    ("reciprocating", "translating"),
+    ("sliding", "translating"),
+    ("linear", "translating"),
+];
+
+/// Reports `follower roller translating`: the motion comes first.
+fn swapped(cx: &mut Context<'_>, follower: &document::Follower) -> Option<()> {
+    let (first, second) = (&follower.motion, &follower.shape);
+    if !SHAPES.contains(&first.node.as_str()) || !MOTIONS.contains(&second.node.as_str()) {
+        return Some(());
+    }
+    let at = first.span.to(second.span);
+    let line = format!("follower {} {}", second.node, first.node);
+    let words = format!("write `{line}`: how it moves, then its end");
+    let help = Help::write(at, &[format!("{} {}", second.node, first.node)]).in_words(words).certain();
+    cx.error(
+        Diagnosis::error("mech::name::unknown", format!("there is no follower motion `{}`", first.node))
+            .primary(at, "in the other order")
+            .help(help),
+    );
+    None
+}
+
 fn follower_of(cx: &mut Context<'_>, follower: &document::Follower) -> Option<Follower> {
-    let motion = one_of(cx, &follower.motion, "follower motion", &["oscillating", "translating"]);
-    let shape = one_of(cx, &follower.shape, "follower", &["roller", "knife", "flat"]);
+    swapped(cx, follower)?;
+    let motion = one_of(cx, &follower.motion, "follower motion", MOTIONS);
+    let shape = one_of(cx, &follower.shape, "follower", SHAPES);
     let properties = read(cx, "a follower", &follower.properties, FOLLOWER);
     let (motion, shape, properties) = (motion?, shape?, properties?);
     let oscillates = motion == "oscillating";
@@ -209,7 +249,14 @@ fn one_of(
     if let Some(known) = words.iter().find(|w| **w == word.node) {
         return Some(known);
     }
-    let help = suggestion(&word.node, word.span, words, &format!("{kind}s"));
+    let other = OTHER_SHAPES
+        .iter()
+        .chain(OTHER_MOTIONS)
+        .find(|(other, ours)| *other == word.node && words.contains(ours));
+    let help = match other {
+        Some((_, ours)) => Some(Help::write(word.span, &[(*ours).to_owned()])),
+        None => suggestion(&word.node, word.span, words, &format!("{kind}s")),
+    };
     let (name, span) = (word.node.clone(), word.span);
     cx.error(not_declared(kind, &name, None, span, help));
     None

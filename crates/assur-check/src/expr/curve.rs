@@ -4,6 +4,7 @@ use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::names::declared::QuantityKind;
 use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
+use crate::statements::comma::decimal_comma;
 use crate::values::fold;
 use crate::values::store::CheckedCurve;
 use crate::values::typed::{Dim, Type, Typed};
@@ -117,7 +118,8 @@ fn points(cx: &mut Context<'_>, curve: &document::Curve) -> Option<Vec<(f64, f64
     for row in &curve.table.rows {
         let [x, y] = row.cells.as_slice() else {
             let message = format!("this row has {} numbers, not two", row.cells.len());
-            let help = "a row is an argument and its value, as in `90, 4.2`".to_owned();
+            let help = decimal_comma(2, row)
+                .unwrap_or_else(|| "a row is an argument and its value, as in `90, 4.2`".into());
             cx.error(
                 Diagnosis::error("mech::curve::table", format!("curve `{}`: {message}", curve.name.node))
                     .primary(row.span, "here")

@@ -75,10 +75,46 @@ impl Context<'_> {
         }
         let help = self
             .by_time(want, expr)
+            .or_else(|| self.other_derivative(want, expr))
+            .or_else(|| self.by_turn(want, found, expr))
             .or_else(|| self.column_without_unit(want, found, expr))
             .or_else(|| self.in_its_place(want, found, &what, expr));
         self.error(unit_mismatch(&what, &phrase(want), &phrase(found), span, help));
         false
+    }
+
+    /// `omega(rotor)` for `angle(rotor)`: the derivative that has the dimension.
+    fn other_derivative(&mut self, want: Dimension, expr: &Expr) -> Option<String> {
+        use Function::{
+            Acceleration, Alpha, Angle, Displacement, Omega, Position, RelativeAcceleration,
+            RelativeVelocity, Velocity,
+        };
+        const LADDERS: [&[Function]; 3] = [
+            &[Angle, Omega, Alpha],
+            &[Displacement, RelativeVelocity, RelativeAcceleration],
+            &[Position, Velocity, Acceleration],
+        ];
+        let ExprKind::Call { function, args } = &expr.kind else { return None };
+        let own = Function::named(&function.node)?;
+        let ladder = LADDERS.into_iter().find(|ladder| ladder.contains(&own))?;
+        ladder.iter().filter(|other| **other != own).find_map(|other| {
+            let function = assur_text::source::Spanned::new(other.name().to_owned(), function.span);
+            let new = Expr { kind: ExprKind::Call { function, args: args.clone() }, span: expr.span };
+            let read = self.quietly(|cx| cx.read(&new))?;
+            let fits = matches!(read.ty, Type::Number(dim) | Type::Vector(dim) if dim.unify(Dim::Of(want)).is_some());
+            let text = written(&new).filter(|_| fits)?;
+            Some(format!("write `{text}`"))
+        })
+    }
+
+    /// `180 deg/6` for `pi/6`.
+    fn by_turn(&self, want: Dimension, found: Dimension, expr: &Expr) -> Option<String> {
+        let ExprKind::Chain(first, _) = &expr.kind else { return None };
+        let is_pi = matches!(&first.kind, ExprKind::Name(name) if name == "pi")
+            && !self.names.quantities.contains_key("pi");
+        let angle = want == Dimension::ANGLE && found == Dimension::NUMBER && is_pi;
+        let text = written(expr).filter(|_| angle)?.replacen("pi", "180 deg", 1);
+        Some(format!("write `{text}`"))
     }
 
     /// The header of a curve in the expression whose values have no unit, with the one that is missing.

@@ -89,6 +89,20 @@ pub fn with_unit(expr: &Expr, unit: &str) -> Option<String> {
         },
         ExprKind::Vector(x, y) => Some(format!("({}, {})", with_unit(x, unit)?, with_unit(y, unit)?)),
         ExprKind::Polar(r, phi) => Some(format!("{} @ {}", with_unit(r, unit)?, in_words(phi))),
+        // `180/6`: the unit belongs to the first number
+        ExprKind::Chain(first, rest) => {
+            rest.iter().try_fold(with_unit(first, unit)?, |text, (op, operand)| {
+                let sign = match op.node {
+                    BinaryOp::Multiply => "*",
+                    BinaryOp::Divide => "/",
+                    _ => return None,
+                };
+                let ExprKind::Number(Number { text: number, unit: None, .. }) = &operand.kind else {
+                    return None;
+                };
+                Some(format!("{text}{sign}{number}"))
+            })
+        }
         _ => None,
     }
 }

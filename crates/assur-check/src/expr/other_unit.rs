@@ -34,6 +34,10 @@ impl Context<'_> {
             let bare = without_units(expr).filter(|_| !(angle && argument));
             return bare.map(|text| format!("write `{text}`")).or_else(|| correction(want, found));
         }
+        if want == Dimension::VELOCITY && found == Dimension::ANGULAR_VELOCITY {
+            let lines = [in_unit(expr, "mm/s")?, in_unit(expr, "m/s")?];
+            return Some(format!("write `{}` or `{}`: this moves along a line", lines[0], lines[1]));
+        }
         let angles = || self.names_of(want).map(|names| format!("write an angle, as {names}"));
         weight(expr, want)
             .or_else(|| self.mass_of_weight(want, found, expr))
@@ -43,6 +47,7 @@ impl Context<'_> {
             })
             .or_else(|| self.same_number(want, expr).map(|text| format!("write `{text}`")))
             .or_else(|| self.definition_of(want, expr))
+            .or_else(|| self.completed_number(want, found, expr))
             .or_else(|| if argument && want == Dimension::ANGLE { angles() } else { correction(want, found) })
     }
 
@@ -50,6 +55,33 @@ impl Context<'_> {
     pub(crate) fn same_number(&self, want: Dimension, expr: &Expr) -> Option<String> {
         let unit = extended(expr, want).unwrap_or_else(|| self.values.usual_unit(want));
         in_unit(expr, &unit).filter(|_| !unit.is_empty())
+    }
+
+    /// `0.02 N*m*s^2*omega(fan)^2`: the product with what the unit of its first number lacks.
+    fn completed_number(&self, want: Dimension, found: Dimension, expr: &Expr) -> Option<String> {
+        let ExprKind::Chain(first, rest) = &expr.kind else { return None };
+        let lacks = want.over(found).si_text();
+        let positive = match &first.kind {
+            ExprKind::Unary(op, inner) if op.node != UnaryOp::Not => inner,
+            _ => first,
+        };
+        let given = match &positive.kind {
+            ExprKind::Name(name) => self.given_as_written(name).map(|value| (Some(name), value)),
+            _ => None,
+        };
+        let (name, literal) = given.unwrap_or((None, positive));
+        let ExprKind::Number(Number { text, unit: Some(unit), .. }) = &literal.kind else { return None };
+        let product = rest.iter().all(|(op, _)| matches!(op.node, BinaryOp::Multiply | BinaryOp::Divide));
+        if !product || correction(want, found).is_some() || lacks.is_empty() || lacks.contains(['/', '(']) {
+            return None;
+        }
+        let completed = format!("{text} {}*{lacks}", unit.node);
+        if let Some(name) = name {
+            return Some(format!("write `given {name} = {completed}`"));
+        }
+        let whole = written(expr)?.replacen(&written(positive)?, &completed, 1);
+        let whole = whole.replace(" * ", "*").replace(" / ", "/");
+        Some(format!("write `{whole}`"))
     }
 
     /// `2 N` for a mass, in a file with gravity.
@@ -107,8 +139,15 @@ impl Context<'_> {
 /// The unit of the first number with what it lacks: `kg*m^2` for `kg*m`.
 fn extended(expr: &Expr, want: Dimension) -> Option<String> {
     let word = first_unit(expr)?;
+    // `5 deg/s` is no velocity times a length
+    let turns = lookup(word).is_ok_and(|u| u.dimension.kind == Kind::Angle);
     let units = ["^2", "*m", "/s"].map(|rest| format!("{word}{rest}"));
-    units.into_iter().find(|unit| lookup(unit).is_ok_and(|u| u.dimension == want))
+    // `N/mm^2` for `N/mm`
+    let without = word.strip_suffix("^2").filter(|unit| lookup(unit).is_ok_and(|u| u.dimension == want));
+    if let Some(unit) = without {
+        return Some(unit.to_owned());
+    }
+    units.into_iter().filter(|_| !turns).find(|unit| lookup(unit).is_ok_and(|u| u.dimension == want))
 }
 
 /// The unit of the first number of what consists of numbers alone.

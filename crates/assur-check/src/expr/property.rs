@@ -5,6 +5,7 @@ use crate::expr::{
     positive::{Want, not_negative, positive},
 };
 use crate::names::suggestion::suggestion;
+use crate::statements::written::written;
 use assur_syntax::document::{Definition, Expr, ExprKind, Property, Statement};
 use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Span;
@@ -16,14 +17,113 @@ use assur_text::units::Dimension;
 /// Other usual words and symbols for properties.
 const USUAL: &[(&str, &str)] = &[
     ("mu", "friction"),
+    ("µ", "friction"),
+    ("μ", "friction"),
+    ("f", "friction"),
     ("coefficient", "friction"),
     ("friction_coefficient", "friction"),
+    ("mu0", "static_friction"),
     ("k", "stiffness"),
+    ("c", "stiffness"),
     ("rate", "stiffness"),
     ("spring_rate", "stiffness"),
+    ("constant", "stiffness"),
+    ("b", "damping"),
+    ("damper", "damping"),
+    ("rest_length", "free_length"),
+    ("natural_length", "free_length"),
+    ("unstretched", "free_length"),
+    ("l0", "free_length"),
+    ("length", "free_length"),
+    ("rest_angle", "free_angle"),
     ("eta", "efficiency"),
+    ("η", "efficiency"),
     ("pitch", "lead"),
+    ("inner", "internal"),
+    ("inside", "internal"),
+    ("intern", "internal"),
+    ("ring", "internal"),
+    ("alpha", "pressure_angle"),
+    ("α", "pressure_angle"),
+    ("r", "radius"),
+    ("R", "radius"),
+    ("e", "restitution"),
+    ("bounce", "restitution"),
+    ("delta", "fluctuation"),
+    ("δ", "fluctuation"),
+    ("irregularity", "fluctuation"),
+    ("rho", "density"),
+    ("ρ", "density"),
+    ("contact_angle", "wrap"),
+    ("wrap_angle", "wrap"),
+    ("axis_distance", "centre_distance"),
+    ("center_distance", "centre_distance"),
+    ("distance", "centre_distance"),
+    ("preload", "pretension"),
+    ("tension", "pretension"),
+    ("torque", "capacity"),
+    ("max_torque", "capacity"),
+    ("force", "load"),
+    ("pull", "load"),
+    ("base_circle", "base_radius"),
+    ("eccentricity", "offset"),
+    ("cross", "crossed"),
+    ("threads", "starts"),
+    ("stages", "starts"),
+    ("x", "shift"),
+    ("slots_number", "slots"),
+    ("position", "plane"),
+    ("free_length", "free_angle"),
+    ("free_angle", "free_length"),
 ];
+
+/// Properties of textbooks that another one follows from: of the value, and the words for it.
+const CONVERTED: &[(&str, &str, Convert)] = &[
+    ("friction_angle", "friction", |value| format!("tan({value})")),
+    ("diameter", "radius", |value| format!("{value}/2")),
+    ("outer_diameter", "outer", |value| format!("{value}/2")),
+    ("inner_diameter", "inner", |value| format!("{value}/2")),
+    ("loss", "efficiency", |value| format!("1 - {value}")),
+    ("losses", "efficiency", |value| format!("1 - {value}")),
+];
+
+type Convert = fn(&str) -> String;
+
+/// The property that others write in other words, with its value.
+fn converted(property: &Property, known: &[&str]) -> Option<Help> {
+    let name = property.name.node.as_str();
+    let (_, ours, convert) =
+        CONVERTED.iter().find(|(other, ours, _)| *other == name && known.contains(ours))?;
+    let value = written(property.values.first()?)?;
+    let line = format!("{ours} {}", convert(&value));
+    Some(Help::write(property.span, &[line]))
+}
+
+/// What is said in another place of the language, or not at all.
+fn elsewhere(cx: &Context<'_>, what: &str, property: &Property, properties: &[Property]) -> Option<String> {
+    let value = property.values.first().and_then(written);
+    Some(match property.name.node.as_str() {
+        "preload" | "pretension" | "initial_force" if what == "a spring" => {
+            let stiffness = properties.iter().find(|p| p.name.node == "stiffness")?;
+            let stiffness = written(stiffness.values.first()?)?;
+            format!(
+                "a spring has a length without force: write `free_length` with its length in the position of that \
+                 force plus {}/({stiffness}) under pressure, minus it under tension",
+                value?
+            )
+        }
+        "stiffness" | "damping" if what.ends_with("pair") => {
+            "a spring or damper is a statement of its own, as in `spring k in B { stiffness 2 N*m }`, with the pair's \
+             own name"
+                .into()
+        }
+        "freewheel" | "one_way" => "there is no freewheel: leave the clutch out of a file in which it runs free".into(),
+        "backlash" | "play" => "pairs and gears have no play: leave it out".into(),
+        "external" | "outer" if what == "a mesh" => "leave it out: wheels mesh from outside without `internal`".into(),
+        "mass" | "inertia" if cx.names.things.is_empty() => return None,
+        _ => return None,
+    })
+}
 
 /// A property that is as it should be.
 #[derive(Clone, Debug)]
@@ -84,7 +184,7 @@ pub(crate) fn read_beside(
             all = None;
             continue;
         }
-        let one = one(cx, what, property, specs, others);
+        let one = one(cx, what, (property, properties), specs, others);
         all = all.zip(one).map(|(mut all, one)| {
             all.push(one);
             all
@@ -96,7 +196,7 @@ pub(crate) fn read_beside(
 fn one(
     cx: &mut Context<'_>,
     what: &str,
-    property: &Property,
+    (property, properties): (&Property, &[Property]),
     specs: &[Spec],
     others: &[&str],
 ) -> Option<Read> {
@@ -104,8 +204,16 @@ fn one(
     let Some(spec) = specs.iter().find(|s| s.name == name.as_str()) else {
         let known = specs.iter().map(|s| s.name).chain(others.iter().copied()).collect::<Vec<_>>();
         let usual = USUAL.iter().find(|(other, ours)| *other == name.as_str() && known.contains(ours));
-        let help = usual
-            .map(|(_, ours)| Help::did_you_mean(name, property.name.span, &[(*ours).to_owned()]))
+        // what `all` says is read for every kind of pair
+        if !cx.problems.reported.insert(("property", property.name.span.start.to_string())) {
+            return None;
+        }
+        let said = elsewhere(cx, what, property, properties).map(Help::from);
+        let help = said.or_else(|| converted(property, &known));
+        let help = help
+            .or_else(|| {
+                usual.map(|(_, ours)| Help::did_you_mean(name, property.name.span, &[(*ours).to_owned()]))
+            })
             .or_else(|| suggestion(name, property.name.span, &known, "properties"))
             .unwrap_or_else(|| format!("leave the braces out: {what} has no properties").into());
         let (what, name, span) = (what.to_owned(), name.clone(), property.name.span);
@@ -143,6 +251,20 @@ fn one(
             let a = cx.scalar_constant(a, &Want(d), &phrase);
             let b = cx.scalar_constant(b, &Want(d), &phrase);
             Value::Two([a?, b?])
+        }
+        (Takes::Two(_), [only]) if written(only).is_some() => {
+            let value = written(only)?;
+            let second = match spec.name {
+                "contacts" => vec![format!("-{value}, {value}")],
+                _ => vec![format!("{value}, 0"), format!("{value}, -{value}")],
+            };
+            let lines = second.iter().map(|two| format!("{name} {two}")).collect::<Vec<_>>();
+            cx.error(
+                Diagnosis::error("mech::geometry::property_value", format!("`{name}` takes two values"))
+                    .label(property.span, "one value")
+                    .help(Help::write(property.span, &lines)),
+            );
+            return None;
         }
         (Takes::Two(_), values) => {
             return wrong(cx, property, spec, "two values", &count(values));

@@ -12,7 +12,8 @@ use crate::values::{
 };
 use assur_model::model::{self, Axis, Comparison, Value};
 use assur_syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::{Diagnosis, Help};
+use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Kind};
 
@@ -77,7 +78,23 @@ impl Context<'_> {
     }
 
     /// `.x` and `.y` of vectors, and the parts of a mass substitution.
+    /// Reports `C.velocity`: a quantity of a thing is a function of it.
+    fn function_as_part(&mut self, base: &Expr, part: &Name) -> Option<()> {
+        let ExprKind::Name(thing) = &base.kind else { return Some(()) };
+        let asks = Function::named(&part.node).is_some_and(|f| f.row().is_result());
+        let is_thing = self.names.things.contains_key(thing) && !self.names.quantities.contains_key(thing);
+        if !asks || !is_thing {
+            return Some(());
+        }
+        let at = base.span.to(part.span);
+        let message = format!("`{thing}` has no part `{}`: a quantity is a function", part.node);
+        let help = Help::write(at, &[format!("{}({thing})", part.node)]);
+        self.error(Diagnosis::error("mech::request::part", message).primary(at, "not a part").help(help));
+        None
+    }
+
     fn part(&mut self, whole: &Expr, base: &Expr, part: &Name, sign: Sign) -> Option<Typed> {
+        self.function_as_part(base, part)?;
         if let Some(result) = (self.results.part)(self, whole, base, part) {
             return result;
         }

@@ -1,8 +1,9 @@
 //! Functions of results, as expressions see them: they stand above, since they ask for links, pairs and loads.
 
 use crate::expr::context::Context;
+use crate::statements::written::written;
 use crate::values::typed::Typed;
-use assur_syntax::document::{Arg, Expr, Name};
+use assur_syntax::document::{Arg, Expr, ExprKind, Name};
 use assur_text::diagnostic::Diagnosis;
 use assur_text::source::Span;
 
@@ -40,7 +41,18 @@ impl Context<'_> {
     ) -> Option<Vec<&'c Expr>> {
         let named = call.args.iter().find_map(|a| a.name.as_ref());
         if let Some(name) = named {
-            let usage = (self.results.usage)(self, call);
+            let without = |a: &Arg| {
+                Some(match (&a.name, &a.value.kind) {
+                    (_, ExprKind::Compare(..)) => return None,
+                    _ => written(&a.value)?,
+                })
+            };
+            let plain = call.args.iter().map(without).collect::<Option<Vec<_>>>();
+            let plain = plain.filter(|all| (least..=most).contains(&all.len()));
+            let usage = match plain {
+                Some(all) => format!("{}({})", call.name.node, all.join(", ")),
+                None => (self.results.usage)(self, call),
+            };
             let wanted = "a value without a name".to_owned();
             self.error(wrong_argument(&call.name.node, &wanted, name.span, &usage));
             return None;

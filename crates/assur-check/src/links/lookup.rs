@@ -9,6 +9,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{Circle, Guide, Line, LinkId, Pair, PairId, PairKind, Point};
 use assur_syntax::document::{End, JointKind, Name, Statement};
 use assur_text::diagnostic::{Diagnosis, Help, did_you_mean};
+use assur_text::language::Function;
 use assur_text::source::Span;
 use indexmap::IndexSet;
 
@@ -174,7 +175,13 @@ impl Context<'_> {
             _ => &inside.circles,
         };
         let all = list.keys().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&name.node, name.span, &all, &format!("{kind}s of {owner}"));
+        let asks = Function::named(&name.node).is_some_and(|f| f.row().is_result());
+        let help = match kind {
+            "point" if asks && !matches!(owner.as_str(), "ground") => {
+                Some(format!("a quantity is a function: write `{}({owner})`", name.node).into())
+            }
+            _ => suggestion(&name.node, name.span, &all, &format!("{kind}s of {owner}")),
+        };
         if self.problems.reported.insert((kind, format!("{owner}.{}", name.node))) {
             let (name, span, owner) = (name.node.clone(), name.span, Some(owner));
             self.error(not_declared(kind, &name, owner, span, help));
@@ -193,8 +200,17 @@ impl Context<'_> {
         self.names.note_thing(name);
         if let Some(declared) = self.names.things.get(&name.node) {
             if !fits(declared.what) && !self.names.bad.contains(&name.node) {
+                if self.follows_wrong_end(name, &fits) {
+                    return;
+                }
                 let (is, declared) = (declared.what.phrase(), Some(declared.span));
-                let help = if kind == "pair" { self.pairs_of(&name.node) } else { None };
+                let of_link = if kind == "pair" { self.pair_meant(name, &fits) } else { None };
+                let slider = if kind == "slider or link" { self.as_slider(&name.node) } else { None };
+                // a shaft that should be a slider is meant everywhere
+                if slider.is_some() {
+                    self.names.bad.insert(name.node.clone());
+                }
+                let help = of_link.or(slider).or_else(|| self.fitting(name, kind, &fits));
                 self.error(wrong_kind(&name.node, &is, wanted, name.span, declared, help));
             }
             return;
@@ -212,6 +228,15 @@ impl Context<'_> {
         let help = mesh.map(Help::from).or_else(listed);
         let (name, span) = (name.node.clone(), name.span);
         self.error(not_declared(kind, &name, None, span, help));
+    }
+
+    /// The pair that may be meant by another thing: of a wheel its transmission, of a link that of its links.
+    fn pair_meant(&self, name: &Name, fits: &impl Fn(ThingKind) -> bool) -> Option<String> {
+        let is = self.names.things.get(&name.node).map(|d| d.what);
+        match is {
+            Some(ThingKind::Wheel | ThingKind::Group | ThingKind::Cam) => self.fitting(name, "pair", fits),
+            _ => self.pairs_of(&name.node),
+        }
     }
 
     /// The pairs of a link where one of them is due: the only one in which it slides, else all.

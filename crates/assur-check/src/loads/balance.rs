@@ -6,12 +6,13 @@ use crate::expr::positive::Want;
 use crate::loads::load::{
     effort, example, form, frame, moving, no_place, of_open_shaft, place, slider, whole_link,
 };
+use crate::names::suggestion::not_declared;
 use assur_math::math::Vec2;
 use assur_model::model;
 use assur_model::model::BalanceKind;
 use assur_syntax::document;
 use assur_syntax::document::{Balance, Expr, ExprKind, LoadKind, Name, Site, Statement};
-use assur_text::diagnostic::Diagnosis;
+use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::Spanned;
 
 /// Enters all unknown efforts into the mechanism.
@@ -152,9 +153,32 @@ fn along(
     if let Some((along, frame)) = along_line(cx, balance, along, on) {
         return Some(BalanceKind::Force { on, at, along, frame });
     }
+    no_line(cx, along, on)?;
     let along = cx.scalar_constant(along, &Want::ANGLE, &format!("the direction of the force `{name}`"));
     let frame = frame(cx, balance.frame.as_ref());
     Some(BalanceKind::Force { on, at, along: Vec2::direction(along?), frame: frame? })
+}
+
+/// Reports a name after `along` that is neither a quantity nor a line, where there are lines.
+fn no_line(cx: &mut Context<'_>, along: &Expr, on: model::LinkId) -> Option<()> {
+    let ExprKind::Name(name) = &along.kind else { return Some(()) };
+    let unknown = !cx.names.quantities.contains_key(name) && !cx.names.bad.contains(name) && name != "pi";
+    let of = |link: model::LinkId| cx.names.inside.get(link.index()).into_iter().flat_map(|i| i.lines.keys());
+    let lines = of(model::LinkId::GROUND).chain(of(on)).cloned().collect::<Vec<_>>();
+    let span = along.span;
+    if !unknown || lines.is_empty() || lines.contains(name) {
+        return Some(());
+    }
+    let help = match lines.as_slice() {
+        [only] => Help::write(span, std::slice::from_ref(only))
+            .in_words(format!("write `{only}`: the only line there is")),
+        _ => {
+            format!("the lines are {}", lines.iter().map(|l| format!("`{l}`")).collect::<Vec<_>>().join(", "))
+                .into()
+        }
+    };
+    cx.error(not_declared("line or angle", name, None, span, Some(help)));
+    None
 }
 
 /// The direction of a line that is named in place of an angle, of the ground or of the link itself, with the link whose axes it is

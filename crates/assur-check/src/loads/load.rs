@@ -8,6 +8,7 @@ use crate::output::behind;
 use crate::statements::written::written;
 use crate::trains::friction_torque::friction_torque;
 use crate::values::format_value::format_value;
+use crate::values::typed::Type;
 use assur_model::model::{self, Expr, Level, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use assur_syntax::document::{self, Brake, Load, Name, Site, Statement, Turn};
 use assur_text::diagnostic::Diagnosis;
@@ -112,6 +113,9 @@ pub(crate) fn of_open_shaft(cx: &mut Context<'_>, name: &Name, what: &str) -> Op
     if cx.find_link(&name.node).is_none_or(|link| cx.builder.mech.is_placed(link)) {
         return Some(());
     }
+    if cx.names.bad.contains(&name.node) {
+        return None;
+    }
     let message = format!("the position of `{}` is not given, so {what} on it has no lever arm", name.node);
     form(
         cx,
@@ -163,11 +167,34 @@ fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::P
     if slider(cx, link).is_some() {
         return on_slider(cx, load, link, at);
     }
+    if let Some(line) = as_torque(cx, load, link)
+        .filter(|_| cx.find_link(&link.node).is_some_and(|l| !cx.builder.mech.is_placed(l)))
+    {
+        form(
+            cx,
+            "the value of this force is a torque".to_owned(),
+            &format!("write `{line}`"),
+            load.value.value.span,
+        );
+        return None;
+    }
     of_open_shaft(cx, link, "a force")?;
     let on = moving(cx, link, "a force");
     let place = match at {
         Some(at) => on.and_then(|on| place(cx, on, at)),
         None => {
+            if let Some(line) = as_torque(cx, load, link) {
+                let help = format!("a torque needs no point: write `{line}`");
+                cx.error(
+                    Diagnosis::error(
+                        "mech::geometry::force_without_place",
+                        format!("a force on `{}` has no point, and its value is a torque", link.node),
+                    )
+                    .label(load.value.value.span, "a torque")
+                    .help(help),
+                );
+                return None;
+            }
             let example = example(cx, Some(on?), &link.node);
             let name = load.name.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
             let value = match written(&load.value.value) {
@@ -376,6 +403,17 @@ fn named_pair(cx: &mut Context<'_>, name: &Name) -> Option<()> {
     let help = format!("what acts between its links is `in {0}`, not `on {0}`", name.node);
     cx.error(wrong_kind(&name.node, &is, "a link", name.span, declared, Some(help)));
     None
+}
+
+/// The line of a force whose value is a torque, as that of a torque.
+fn as_torque(cx: &mut Context<'_>, load: &Load, link: &Name) -> Option<String> {
+    let value = &load.value.value;
+    let read = cx.quietly(|cx| cx.read(value))?;
+    let name = load.name.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
+    let sense = load.value.sense.as_ref().map_or("", |s| if s.node == Turn::Cw { " cw" } else { " ccw" });
+    let is_torque = matches!(read.ty, Type::Number(_)) && read.ty.dimension() == Dimension::TORQUE;
+    let line = format!("torque {name}on {} = {}{sense}", link.node, written(value)?);
+    is_torque.then_some(line)
 }
 
 /// The point of a link at which a force acts.

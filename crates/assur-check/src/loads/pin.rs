@@ -28,6 +28,12 @@ impl LoadedPin {
             form(cx, message, &format!("a point of a link: write `on {link} at {}`", name.node), name.span);
             return None;
         }
+        if cx.find_pair(&name.node).is_none() && cx.find_link(&name.node).is_some() {
+            let message = format!("`{}` is a link: a load `at` a name acts on a pin", name.node);
+            let example = if kind == LoadKind::Torque { String::new() } else { " at B".to_owned() };
+            form(cx, message, &format!("write `on {}{example}`", name.node), name.span);
+            return None;
+        }
         let pair = cx.pair(name)?;
         let declared = cx.builder.mech.pair(pair);
         let PairKind::Revolute(pins) = &declared.kind else {

@@ -7,8 +7,9 @@ use crate::links::lookup::is_linkage_pair;
 use crate::motion::{place, step_size};
 use crate::names::declared::ThingKind;
 use crate::pairs::pair::link_point;
-use crate::statements::written::text;
+use crate::statements::written::{text, written};
 use crate::values::format_value::{digits, format_value};
+use crate::values::typed::{Dim, Type};
 use assur_math::math::Vec2;
 use assur_model::model;
 use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, Positions, Value};
@@ -247,7 +248,13 @@ pub(super) fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: 
     let Some((first, moves)) = first.map(|d| (d.span, d.free || d.sought.is_some())) else {
         return true;
     };
-    let help = if moves {
+    let other = |s: &Statement| matches!(s, Statement::Equilibrium(_) | Statement::Start(_));
+    let again = cx
+        .doc
+        .statements
+        .iter()
+        .any(|s| other(&s.node) && s.span.start <= span.start && span.end <= s.span.end);
+    let help = if moves || again {
         "keep one of them: `equilibrium` is where it stays at rest, `start` is where a motion begins, and \
          a `drive` gives the motion"
             .to_owned()
@@ -272,6 +279,9 @@ fn positions(
     match &drive.position {
         None => Some(Positions::None),
         Some(DrivePosition::Values(values)) if values.len() == 1 => {
+            if moves == Moves::Freely {
+                number_for_point(cx, drive, &values[0])?;
+            }
             timed(cx, &values[0], moves, name).map(|value| Positions::List(vec![value]))
         }
         Some(DrivePosition::Values(values)) => {
@@ -280,6 +290,35 @@ fn positions(
         }
         Some(DrivePosition::Range(course)) => range(cx, (drive, course, span), moves, name),
     }
+}
+
+/// Reports numbers of a driven point, once: it has two coordinates.
+fn number_for_point(cx: &mut Context<'_>, drive: &Drive, position: &Sensed) -> Option<()> {
+    let is_number = |cx: &mut Context<'_>, sensed: &Sensed| {
+        let read = cx.quietly(|cx| cx.read(&sensed.value));
+        read.is_some_and(|t| matches!(t.ty, Type::Number(Dim::Of(_)) if !t.pending))
+    };
+    if !is_number(cx, position) {
+        return Some(());
+    }
+    let path = text(&drive.target);
+    let value = written(&position.value).unwrap_or_else(|| "…".to_owned());
+    cx.problems.reported.insert(("vector", path.clone()));
+    let mut line = format!("drive {path} = ({value}, 0 m)");
+    if let Some(rate) = &drive.rate {
+        let value = written(&rate.value).unwrap_or_else(|| "…".to_owned());
+        let both = if is_number(cx, rate) { format!("({value}, 0 m/s)") } else { value };
+        line.push_str(&format!(" at {both}"));
+    }
+    cx.error(
+        Diagnosis::error(
+            "mech::unit::shape",
+            format!("the position of `{path}` should be a vector, but this is a number"),
+        )
+        .primary(position.value.span, "a number")
+        .help(format!("a point has two coordinates: write `{line}`, with its own second one")),
+    );
+    None
 }
 
 /// A position that may depend on the instant where the file follows a motion.
@@ -344,6 +383,9 @@ pub(crate) fn value(
     name: &str,
 ) -> Option<Expr> {
     let what = format!("the {} of `{name}`", ["position", "speed", "acceleration"][order.min(2)]);
+    if order > 0 && cx.problems.reported.contains(&("vector", name.to_owned())) {
+        return None;
+    }
     let value = plain(cx, &sensed.value, moves, order, &what);
     let Some(sense) = &sensed.sense else { return value };
     if moves == Moves::Turning {

@@ -64,13 +64,20 @@ fn equilibrium(cx: &mut Context<'_>, one: &Balanced, several: bool) -> Option<Dr
     let simulates = cx.names.simulates;
     let speed = match &one.rate {
         Some(rate) if !simulates => {
-            let message = format!("`{name}` is at rest: a speed is for the begin of a motion");
-            refuse(
-                cx,
-                message,
-                rate.value.span,
-                "leave the speed out, or add `simulate 0 s .. 2 s`".to_owned(),
-            );
+            let want = Want(moves.dimension(0));
+            let place = cx.quietly(|cx| cx.scalar_constant(&rate.value, &want, "").is_some());
+            let near = crate::statements::written::written(&rate.value).filter(|_| place);
+            let (message, help) = match near {
+                Some(value) => (
+                    format!("the position of `{name}` is found: `at` is for a speed"),
+                    format!("write `{name} near {value}`"),
+                ),
+                None => (
+                    format!("`{name}` is at rest: a speed is for the begin of a motion"),
+                    "leave the speed out, or add `simulate 0 s .. 2 s`".to_owned(),
+                ),
+            };
+            refuse(cx, message, rate.value.span, help);
             return None;
         }
         Some(rate) => Some(value(cx, rate, moves, 1, &name)?),

@@ -95,6 +95,7 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
         );
         return None;
     }
+    points_for_links(cx, joint)?;
     let joined = joint.ends.iter().map(|end| joined(cx, joint, end)).collect::<Vec<_>>();
     let joined = joined.into_iter().collect::<Option<Vec<_>>>()?;
     for (i, end) in joined.iter().enumerate() {
@@ -113,6 +114,45 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
         }
     }
     Some(joined)
+}
+
+/// Reports points where links are due, once, with the line that has their links.
+fn points_for_links(cx: &mut Context<'_>, joint: &Joint) -> Option<()> {
+    let point = |end: &End| match end {
+        End::At(path) if path.tail.is_none() => {
+            let name = &path.head.node;
+            let unknown = cx.find_link(name).is_none()
+                && !cx.names.things.contains_key(name)
+                && !cx.names.bad.contains(name);
+            let owners = cx.names.bearers.get(name).filter(|_| unknown)?;
+            Some((path.head.clone(), owners.clone()))
+        }
+        _ => None,
+    };
+    let found = joint.ends.iter().filter_map(point).collect::<Vec<_>>();
+    let Some((first, owners)) = found.first() else { return Some(()) };
+    let others = |end: &End| match end {
+        End::At(path) if point(end).is_none() => cx.find_link(&path.head.node),
+        _ => None,
+    };
+    let taken = joint.ends.iter().filter_map(others).collect::<Vec<_>>();
+    let owner = |end: &End| {
+        let (name, owners) = point(end)?;
+        let mut free = owners.iter().filter(|link| !taken.contains(link));
+        let only = free.next().filter(|_| free.next().is_none())?;
+        Some(format!("{}.{}", cx.builder.mech.link(*only).name, name.node))
+    };
+    let known = joint.ends.iter().all(|end| point(end).is_none() || owner(end).is_some());
+    let line = line_of(joint, |end| owner(end).unwrap_or_else(|| end_text(end)));
+    let of = cx.spelled(owners).iter().map(|link| format!("`{link}`")).collect::<Vec<_>>().join(" and ");
+    let help = if known {
+        format!("write `{line}`")
+    } else {
+        format!("write its link before it: it is a point of {of}")
+    };
+    let error = wrong_kind(&first.node, &format!("a point of {of}"), "a link", first.span, None, Some(help));
+    cx.error(error);
+    None
 }
 
 /// The line of a hinge between a link that is named twice and the only other one that has the point of its name.

@@ -1,13 +1,39 @@
 //! Names that stand for no quantity, and what may be meant.
 
 use crate::expr::context::Context;
+use crate::names::declared::QuantityKind;
 use crate::names::suggestion::{not_declared, suggestion, wrong_kind};
+use crate::statements::walk;
 use crate::statements::written::text;
 use assur_model::model::{LinkId, PairKind};
-use assur_syntax::document::{Name, Statement};
+use assur_syntax::document::{ExprKind, Name, Statement};
+use assur_syntax::skeleton;
 use assur_text::diagnostic::{Help, did_you_mean};
 use assur_text::language::Function;
 use assur_text::units::{Dimension, lookup};
+use std::collections::BTreeSet;
+
+/// Greek letters as they are called.
+pub(crate) const GREEK: &[(&str, &str)] = &[
+    ("π", "pi"),
+    ("α", "alpha"),
+    ("β", "beta"),
+    ("γ", "gamma"),
+    ("δ", "delta"),
+    ("ε", "epsilon"),
+    ("η", "eta"),
+    ("θ", "theta"),
+    ("λ", "lambda"),
+    ("μ", "mu"),
+    ("µ", "mu"),
+    ("ρ", "rho"),
+    ("σ", "sigma"),
+    ("τ", "tau"),
+    ("φ", "phi"),
+    ("ϕ", "phi"),
+    ("ψ", "psi"),
+    ("ω", "omega"),
+];
 
 impl Context<'_> {
     /// The line that makes a name an unknown effort, where the file has none and the name is usual for one.
@@ -68,6 +94,36 @@ impl Context<'_> {
         }
     }
 
+    /// The only `given` that nothing uses, where its name and this one are both short.
+    fn only_unused_given(&self, name: &Name) -> Option<Help> {
+        /// The letters of a symbol.
+        const SHORT: usize = 2;
+        let mut used = BTreeSet::new();
+        for statement in &self.doc.statements {
+            walk::expressions(&statement.node, &mut |expr| {
+                walk::parts(expr, &mut |part| {
+                    if let ExprKind::Name(name) = &part.kind {
+                        used.insert(name.as_str());
+                    }
+                });
+            });
+        }
+        let given = self.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
+        let mut idle = given.map(|(name, _)| name).filter(|name| !used.contains(name.as_str()));
+        let only = idle.next().filter(|_| idle.next().is_none())?;
+        // a name that looks the same is reported as that
+        let alike = self.names.quantities.keys().any(|known| skeleton(known) == skeleton(&name.node));
+        if alike {
+            return None;
+        }
+        let short = |name: &str| name.chars().count() <= SHORT;
+        (short(only) && short(&name.node)).then(|| {
+            let words =
+                format!("write `{only}`, which nothing uses yet, or declare `given {} = …`", name.node);
+            Help::write(name.span, std::slice::from_ref(only)).in_words(words)
+        })
+    }
+
     /// Reports a name that stands for no quantity.
     pub(crate) fn no_quantity(&mut self, name: &Name) {
         self.names.note_thing(name);
@@ -102,8 +158,14 @@ impl Context<'_> {
                 [] => beside_a_list(&help, name),
                 _ => help,
             });
+            let greek = |name: &Name| {
+                let latin = GREEK.iter().find(|(letter, _)| *letter == name.node)?.1;
+                let known = latin == "pi" || self.names.quantities.contains_key(latin);
+                known.then(|| Help::write(name.span, &[latin.to_owned()]))
+            };
             let time = || if alone { self.time_by_other_name(name) } else { None };
-            let help = pi().or_else(time);
+            let unused = || self.only_unused_given(name);
+            let help = greek(name).or_else(unused).or_else(pi).or_else(time);
             let help = help.or_else(|| unit().or_else(effort).or_else(results).map(Help::from));
             let alone = || self.function_alone(&name.node, name.span).map(Help::from);
             let help = help.or_else(alone).or(listed);

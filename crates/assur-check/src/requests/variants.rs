@@ -9,6 +9,7 @@ use crate::names::{
     suggestion::{not_declared, suggestion, wrong_kind},
 };
 use crate::requests::tolerance;
+use crate::statements::comma::decimal_comma;
 use crate::values::{
     definition::Settled,
     row::{ColumnUse, Row, RowCell, RowColumn},
@@ -18,7 +19,7 @@ use assur_model::model::{Expr, Value};
 use assur_syntax::document::{Cell, Column, Document, ExprKind, Statement, Variants};
 use assur_text::diagnostic::{Diagnosis, Help};
 use assur_text::source::{Span, Spanned};
-use assur_text::units::{Dimension, Unit};
+use assur_text::units::{Dimension, Unit, lookup};
 use indexmap::IndexSet;
 use std::collections::{HashMap, hash_map::Entry};
 use std::sync::Arc;
@@ -81,6 +82,7 @@ pub(crate) fn variants(cx: &mut Context<'_>) {
         first = Some(statement.span);
         columns(cx, table);
         rows(cx, table);
+        named_twice(cx, table);
     }
 }
 
@@ -213,11 +215,32 @@ fn unknown(cx: &mut Context<'_>, column: &Column) {
             let words = format!("call the column that names the rows `{LABEL}`");
             Some(Help::write(name.span, &[LABEL.to_owned()]).in_words(words))
         }
-        _ => suggestion(&name.node, name.span, &given, "`given` of this file")
+        _ => unused_given(cx, column)
+            .or_else(|| suggestion(&name.node, name.span, &given, "`given` of this file"))
             .or_else(|| given_line(cx, column).map(Help::from)),
     };
     let (name, span) = (name.node.clone(), name.span);
     cx.error(not_declared("given", &name, None, span, help));
+}
+
+/// The only `given` of the column's dimension that no column has, where none is near by its letters.
+fn unused_given(cx: &Context<'_>, column: &Column) -> Option<Help> {
+    let wanted = cx.doc.statements.iter().find_map(|_| table(cx.doc))?;
+    let unit = lookup(&column.unit.as_ref()?.node).ok()?;
+    let is_given =
+        |name: &str| matches!(cx.names.quantities.get(name).map(|d| d.what), Some(QuantityKind::Given(_)));
+    let has = |name: &str| wanted.columns.iter().any(|c| c.name.node == name);
+    let fits = |name: &&String| {
+        let t = cx.values.definitions.settled.get(*name);
+        is_given(name)
+            && !has(name)
+            && matches!(t, Some(Settled::Constant(t)) if t.ty.dimension() == unit.dimension)
+    };
+    let found = cx.names.quantities.keys().filter(fits).cloned().collect::<Vec<_>>();
+    let [only] = found.as_slice() else { return None };
+    let line = given_line(cx, column).map(|line| format!(", or {line}")).unwrap_or_default();
+    let words = format!("write `{only}`, which no column has yet{line}");
+    Some(Help::write(column.name.span, std::slice::from_ref(only)).in_words(words))
 }
 
 /// Whether a column is reported as one without a `given`.
@@ -275,6 +298,25 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
     None
 }
 
+/// Notes two rows of one name.
+fn named_twice(cx: &mut Context<'_>, table: &Variants) {
+    let Some(label) = table.columns.iter().position(|c| c.name.node == LABEL) else { return };
+    let mut firsts: HashMap<&str, Span> = HashMap::new();
+    for cell in table.rows.iter().filter_map(|row| row.cells.get(label)) {
+        let name = cell.node.text();
+        if let Some(first) = firsts.get(name) {
+            cx.error(
+                Diagnosis::advice("mech::request::variant_row", format!("two rows have the name `{name}`"))
+                    .primary(cell.span, "again here")
+                    .label(*first, "first here")
+                    .help("give each row a name of its own"),
+            );
+        } else {
+            firsts.insert(name, cell.span);
+        }
+    }
+}
+
 /// Reports rows that are longer or shorter than the header.
 pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
     let columns = table.columns.len();
@@ -293,7 +335,10 @@ pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
             )
             .primary(row.span, &found)
             .label(header, &columns)
-            .help("write one number per column, separated by commas"),
+            .help(
+                decimal_comma(table.columns.len(), row)
+                    .unwrap_or_else(|| "write one number per column, separated by commas".into()),
+            ),
         );
     }
     // a column of which an `expect` takes its values has numbers

@@ -23,8 +23,14 @@ pub(crate) fn friction_torque(cx: &mut Context<'_>, name: &Name, properties: &[R
     }
     let (Some(load), Some(friction)) = (of("load"), of("friction")) else {
         let message = format!("the torque of `{}` is not given", name.node);
-        let help = "write `{ capacity 40 N*m }` or `{ load 2 kN; friction 0.3; radius 150 mm }`";
-        return incomplete(cx, &message, help, name.span);
+        let lacks = [("load", "load 2 kN"), ("friction", "friction 0.3")];
+        let lacks = lacks.into_iter().filter(|(name, _)| of(name).is_none()).map(|(_, example)| example);
+        let lacks = lacks.collect::<Vec<_>>();
+        let help = match lacks.as_slice() {
+            [only] => format!("add `{only}`, with its own value, to its braces"),
+            _ => "write `{ capacity 40 N*m }` or `{ load 2 kN; friction 0.3; radius 150 mm }`".to_owned(),
+        };
+        return incomplete(cx, &message, &help, name.span);
     };
     let radius = radius(cx, name, properties)?;
     // the list of a clutch has no `wrap`

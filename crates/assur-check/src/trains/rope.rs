@@ -7,9 +7,10 @@
 
 use crate::expr::context::Context;
 use crate::names::declared::ThingKind;
+use crate::statements::written::{end_text, line_of};
 use crate::trains::size::label;
 use assur_model::model::{Law, LinkId, Rate, Wheel};
-use assur_syntax::document::{End, Joint, Name};
+use assur_syntax::document::{End, Joint, Name, Statement};
 use assur_text::diagnostic::Diagnosis;
 
 /// Part of a rope's path.
@@ -34,10 +35,14 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
             _ => continue,
         };
         let help = match end {
-            End::Over(name) => format!("continue the rope: `… - over({}) - w1`", name.node),
-            End::Under(name) => {
-                format!("fasten its end: `ground - under({}) - w1`", name.node)
-            }
+            End::Over(_) => match rope_end(cx, joint) {
+                Some(end) => format!("continue the rope: write `{}`", continued(joint, i == 0, end)),
+                None => format!(
+                    "continue the rope to a wheel or a slider, as in `{}`",
+                    continued(joint, i == 0, "w1")
+                ),
+            },
+            End::Under(_) => format!("fasten its end: write `{}`", continued(joint, i == 0, "ground")),
             End::At(path) if outer => format!("name the slider itself: `{}`", path.head.node),
             End::At(path) => format!(
                 "write `under({})` for a pulley on the slider, or two ropes that end there",
@@ -91,6 +96,44 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
         return None;
     }
     Some((laws, links))
+}
+
+/// Where a rope may end: a thing that no joint names, else any wheel or slider.
+fn rope_end<'c>(cx: &'c Context<'_>, joint: &Joint) -> Option<&'c str> {
+    let joints = cx.doc.statements.iter().filter_map(|s| match &s.node {
+        Statement::Joint(joint) => Some(joint),
+        _ => None,
+    });
+    let named = joints.flat_map(|j| &j.ends).filter_map(|end| match end {
+        End::At(path) => Some(path.head.node.as_str()),
+        _ => None,
+    });
+    let named = named.collect::<Vec<_>>();
+    let fits = cx
+        .names
+        .things
+        .iter()
+        .filter(|(name, d)| ends_rope(joint, name, d.what))
+        .map(|(name, _)| name.as_str());
+    let fits = fits.collect::<Vec<_>>();
+    fits.iter().copied().find(|name| !named.contains(name)).or_else(|| fits.first().copied())
+}
+
+/// Whether a rope may end at a thing that is not in it.
+fn ends_rope(joint: &Joint, name: &str, kind: ThingKind) -> bool {
+    let used = joint.ends.iter().any(|end| match end {
+        End::At(path) => path.head.node == name,
+        End::Over(other) | End::Under(other) => other.node == name,
+    });
+    !used && matches!(kind, ThingKind::Wheel | ThingKind::Slider)
+}
+
+/// The line of a rope with one more end before its first one, or after its last one.
+fn continued(joint: &Joint, first: bool, end: &str) -> String {
+    let line = line_of(joint, end_text);
+    let ends = joint.ends.iter().map(end_text).collect::<Vec<_>>().join(" - ");
+    let longer = if first { format!("{end} - {ends}") } else { format!("{ends} - {end}") };
+    line.replacen(&ends, &longer, 1)
 }
 
 /// Terms of one rate are added up; what adds up to nothing is left out.

@@ -60,6 +60,9 @@ pub(crate) fn screw(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) ->
 fn sliding(cx: &mut Context<'_>, path: &Path) -> Option<(PairId, LinkId, f64)> {
     let kinds = &[ThingKind::Slider, ThingKind::Link];
     known(cx, &path.head, "slider or link", kinds);
+    if cx.names.things.get(&path.head.node).is_some_and(|d| !kinds.contains(&d.what)) {
+        return None;
+    }
     let link = cx.find_link(&path.head.node)?;
     let line = match &path.tail {
         Some(part) => Some(cx.line(link, part)?),

@@ -12,6 +12,7 @@ mod motion;
 mod plane;
 mod question;
 mod simulation;
+mod table;
 mod walk;
 
 use super::document::{Bad, Definition, Statement};

@@ -107,6 +107,12 @@ impl Lower<'_> {
     /// The header and the rows of `variants` or of a curve.
     pub(super) fn rows<'i>(&mut self, pairs: impl Iterator<Item = Pair<'i, Rule>>) -> Variants {
         let mut variants = Variants::default();
+        let pairs = pairs.collect::<Vec<_>>();
+        if super::table::units_in_rows(self, &pairs) {
+            let header = pairs.iter().find(|p| matches!(p.as_rule(), Rule::header | Rule::bad_header));
+            variants.bad.extend(header.into_iter().flat_map(|p| crate::recover::names(p.as_str())));
+            return variants;
+        }
         for pair in pairs {
             let at = span(&pair);
             match pair.as_rule() {

@@ -1,6 +1,7 @@
 //! Pieces that begin with a wrong word.
 
 use super::case::Case;
+use super::foreign;
 use super::phrase::What;
 use crate::recover::{comment_sign, misplaced, misspelling};
 use crate::trivia::{Line, corrected};
@@ -72,11 +73,35 @@ fn displaced(case: &Case<'_>, word: &str) -> Option<Diagnosis> {
         _ if point || words::is_member(word) => ("this goes inside the braces of a link", "link"),
         _ => return None,
     };
+    let written = case.slice.trim();
     let help = of_link(case, word)
         .or_else(|| link_with_point(case))
-        .unwrap_or_else(|| format!("put it there: {owner} NAME {{ {} }}", case.slice.trim()));
+        .map(Help::from)
+        .or_else(|| if word == "wheel" { on_a_shaft(case, written) } else { None })
+        .unwrap_or_else(|| format!("put it there: {owner} NAME {{ {written} }}").into());
     let found = word.to_owned();
-    Some(misplaced(&found, case.span(0, word.len()), place, help.into()))
+    Some(misplaced(&found, case.span(0, word.len()), place, help))
+}
+
+/// A wheel in the braces of a shaft: of the shafts that have none, else of any; only where they are few.
+fn on_a_shaft(case: &Case<'_>, member: &str) -> Option<Help> {
+    /// The most shafts that are proposed.
+    const MOST: usize = 3;
+    let names = case.text.lines().filter_map(|line| line.trim().strip_prefix("shaft "));
+    let names = names.filter_map(|rest| rest.split([' ', '{']).next());
+    let all = names.filter_map(|name| line_of(case, name)).collect::<Vec<_>>();
+    let bare = all.iter().copied().filter(|line| !line.contains("wheel ")).collect::<Vec<_>>();
+    let fits = if bare.is_empty() { all } else { bare };
+    let lines = || fits.iter().map(|line| with_member(line, member));
+    match fits.len() {
+        0 => None,
+        1 => lines().next().map(Help::from),
+        2..=MOST => {
+            let lines = lines().map(|line| line.replacen("put it there: ", "", 1)).collect::<Vec<_>>();
+            Some(format!("put it in the braces of its shaft:\n  {}", lines.join("\nor\n  ")).into())
+        }
+        _ => None,
+    }
 }
 
 /// What other programs call a wheel.
@@ -195,20 +220,23 @@ const SYNONYMS: &[(&[&str], &[&str])] = &[
         ],
         &["weld"],
     ),
-    (&["gear", "gears", "gearing", "teeth"], &["mesh"]),
-    (&["piston", "hydraulic", "actuator"], &["cylinder"]),
+    (&["gear", "gears", "gearing", "teeth", "engage"], &["mesh"]),
+    (&["cable", "string", "cord"], &["rope"]),
+    (&["freewheel", "overrunning", "ratchet", "coupling"], &["clutch"]),
+    (&["spindle", "leadscrew", "ballscrew"], &["screw"]),
+    (&["piston", "hydraulic", "hydraulics", "jack", "actuator"], &["cylinder"]),
     (&["body", "bar", "rod", "member", "element", "part", "beam", "crank", "lever"], &["link"]),
     (&["frame", "base", "fixed", "earth", "fixed_link"], &["ground"]),
     (&["input", "motor", "driver", "sweep"], &["drive"]),
     (&["unknown", "reaction", "effort"], &["balance"]),
-    (&["load", "apply"], &["force", "torque"]),
+    (&["load", "apply", "weight_force"], &["force", "torque"]),
     (&["moment", "couple"], &["torque"]),
     (&["print", "output", "calculate", "compute", "solve", "show", "determine", "report", "get"], &["find"]),
     (&["title", "name", "model", "problem"], &["mechanism"]),
     (&["var", "const", "param", "parameter", "set", "def", "input"], &["given", "let"]),
     (&["assert", "verify", "answer", "result"], &["expect"]),
     (&["table", "data", "rows"], &["variants"]),
-    (&["damper", "dashpot"], &["spring"]),
+    (&["damper", "dashpot", "shock_absorber"], &["spring"]),
     (&["initial", "init", "ic"], &["start"]),
     (&["integrate", "run", "transient"], &["simulate"]),
     (&["position", "configuration", "assembly"], &["assemble"]),
@@ -283,13 +311,18 @@ fn lines_meant(case: &Case<'_>) -> Option<Help> {
         ("revolute", true),
         ("given", true),
         ("let", true),
-        ("expect", true),
+        ("expect", !foreign::is_prose(case.slice) || asked),
         ("link", bar),
         ("find", asked),
     ];
     let reads = |(before, may): &(&str, bool)| *may && case.reads(&format!("{before} {}", case.slice));
     if let Some((before, _)) = tried.into_iter().find(reads) {
         return Some(case.help(0, 0, &format!("{before} ")));
+    }
+    if foreign::is_prose(case.slice) && !asked {
+        return Some(
+            case.help(0, 0, "// ").in_words(format!("if it is a remark, write: // {}", case.slice.trim())),
+        );
     }
     // a word of another language
     let length = case.token(0).len();

@@ -6,6 +6,7 @@ mod brackets;
 mod case;
 mod commas;
 mod first_word;
+mod foreign;
 mod harmonic;
 mod meant;
 mod of_pair;
@@ -34,9 +35,12 @@ const EXPLAINED: usize = 200;
 
 /// The correction, if it reads.
 fn explain(case: &Case<'_>) -> Option<Diagnosis> {
-    first_word::explain(case)
+    foreign::comment_of_semicolon(case)
+        .or_else(|| foreign::adjective(case))
+        .or_else(|| first_word::explain(case))
         .or_else(|| unnamed::explain(case))
         .or_else(|| within::equals_of_expect(case))
+        .or_else(|| foreign::explain(case))
         .or_else(|| commas::explain(case))
         .or_else(|| separator::statements(case))
         .or_else(|| range::explain(case))
@@ -102,7 +106,28 @@ pub(super) fn unreadable(at: Span) -> Diagnosis {
 pub(super) fn point_without_coordinates(text: &str, name: &Name, at: Span) -> Diagnosis {
     match did_you_mean(&name.node, words_of(Place::Member)).first() {
         Some(wanted) => misspelling(&name.node, name.span, wanted, Some(corrected(text, name.span, wanted))),
-        None => without_coordinates(&name.node, at),
+        None => match letter_of_mass(text, name) {
+            Some(wanted) => {
+                misspelling(&name.node, name.span, wanted, Some(corrected(text, name.span, wanted)))
+            }
+            None => without_coordinates(&name.node, at),
+        },
+    }
+}
+
+/// `J 0.04 kg*m^2`: the word for a letter, by the unit after it.
+fn letter_of_mass(text: &str, name: &Name) -> Option<&'static str> {
+    let line = Line::around(text, name.span.end);
+    let rest = text.get(name.span.end..line.end)?.split([';', '}', '/']).next()?.trim();
+    let unit = rest.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | ' ' | 'e' | '-'));
+    let first = unit.split(' ').next()?;
+    match (name.node.as_str(), first) {
+        ("J" | "I" | "Theta" | "moment_of_inertia", "kg*m^2" | "kg" | "g*mm^2" | "kg*mm^2" | "kg*cm^2") => {
+            Some("inertia")
+        }
+        ("m" | "M", "kg" | "g" | "t") => Some("mass"),
+        ("G" | "W" | "Q", "N" | "kN") => Some("weight"),
+        _ => None,
     }
 }
 

@@ -5,6 +5,9 @@ use crate::source::Span;
 use miette::{Diagnostic, Severity};
 use std::sync::Arc;
 
+/// Errors about something that the whole file lacks, which a part of it that was not read may have.
+const OF_WHOLE: &[&str] = &["mech::request::no_mass", "mech::request::which_drive"];
+
 /// A diagnostic that can offer fixes.
 pub trait Problem: Diagnostic + Send + Sync + 'static {
     /// What can be changed in the text; each fix alone makes the problem go.
@@ -75,9 +78,17 @@ impl Problems {
         self.more_warnings += other.more_warnings;
     }
 
-    /// Adds the diagnostics of a later stage, except at spans where this collection has an error: one mistake is reported
-    /// once.
-    pub fn append_later(&mut self, later: Self) {
+    /// Adds the diagnostics of a later stage, except at spans where this collection has an error, and except those that a part
+    /// that was not read may cause: one mistake is reported once.
+    pub fn append_later(&mut self, mut later: Self) {
+        if self.has_errors() {
+            let follows = |p: &AnyDiagnostic| {
+                let lacks = p.code().is_some_and(|code| OF_WHOLE.contains(&code.to_string().as_str()));
+                lacks || !is_error(p.as_ref())
+            };
+            later.items.retain(|p| !follows(p));
+            later.more_warnings = 0;
+        }
         let reported = self.items.iter().filter(|p| is_error(p.as_ref())).filter_map(|p| primary(p.as_ref()));
         let mut reported = reported.collect::<Vec<_>>();
         reported.sort_unstable();

@@ -8,7 +8,10 @@ use crate::language::{Symbol, UNITS, symbol};
 const WHOLE: &[(&str, &str)] = &[
     ("U/min", "rpm"),
     ("u/min", "rpm"),
+    ("U/m", "rpm"),
+    ("u/m", "rpm"),
     ("r/min", "rpm"),
+    ("r/m", "rpm"),
     ("rot/min", "rpm"),
     ("tr/min", "rpm"),
     ("rps", "rev/s"),

@@ -74,7 +74,12 @@ fn restitution(
     if restitution > 1.0 {
         let place = written.iter().find(|p| p.name.node == "restitution");
         let what = format!("the restitution of a stop is between 0 and 1; got {}", digits(restitution));
-        let help = "write the speed after the impact over that before it, as in `restitution 0.7`".to_owned();
+        let help = match place.and_then(|p| crate::statements::written::written(p.values.first()?)) {
+            Some(value) if (2.0..=100.0).contains(&restitution) && !value.contains('%') => {
+                format!("write `restitution {value} %`, if percent is meant")
+            }
+            _ => "write the speed after the impact over that before it, as in `restitution 0.7`".to_owned(),
+        };
         let span = place.map_or(span, |p| p.name.span);
         cx.error(Diagnosis::error("mech::simulate::stop", what).primary(span, "here").help(help));
         return None;

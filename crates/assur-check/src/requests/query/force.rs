@@ -4,7 +4,9 @@ use crate::expr::{
     context::Context,
     results::{Call, Sign, wrong_argument},
 };
+use crate::links::lookup::is_linkage_pair;
 use crate::motion::place;
+use crate::names::declared::ThingKind;
 use crate::names::{
     declared::QuantityKind,
     suggestion::{suggestion, wrong_kind},
@@ -14,9 +16,10 @@ use crate::values::typed::{Type, Typed};
 use assur_model::model::{
     BinaryOp, DriveId, Expr as ModelExpr, LinkId, Pair, PairId, PairKind, Query, TransmissionKind,
 };
-use assur_syntax::document::{Expr, Member, Name, Statement};
+use assur_syntax::document::{Expr, ExprKind, Member, Name, Statement};
 use assur_text::diagnostic::{Diagnosis, Fix};
 use assur_text::language::Function;
+use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 
 fn number(query: Query, dimension: Dimension) -> Typed {
@@ -241,7 +244,17 @@ impl Context<'_> {
     pub(super) fn transmission(&mut self, call: Call<'_>, expr: &Expr) -> Option<(PairId, TransmissionKind)> {
         let pair = self.pair_argument(call, expr)?;
         let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else {
-            self.not_of_this_pair(call, pair, Some("it is defined for meshes, ropes and their like"));
+            let meant = match &expr.kind {
+                ExprKind::Name(name) => {
+                    let name = Spanned::new(name.clone(), expr.span);
+                    let fits =
+                        |kind: ThingKind| matches!(kind, ThingKind::Joint(kind) if !is_linkage_pair(kind));
+                    self.fitting(&name, "transmission", &fits)
+                }
+                _ => None,
+            };
+            let help = meant.unwrap_or_else(|| "it is defined for meshes, ropes and their like".to_owned());
+            self.not_of_this_pair(call, pair, Some(&help));
             return None;
         };
         Some((pair, t.kind))
@@ -291,6 +304,10 @@ impl Context<'_> {
         self.note_names(args[0]);
         let (index, drive) = self.drive(&names)?;
         let target = &self.drive_statements()[index].target;
+        // what it drives could not be read
+        if self.names.bad.contains(&target.head.node) && !self.names.things.contains_key(&target.head.node) {
+            return None;
+        }
         let (is_point, is_place) = (target.tail.is_some(), place::is_place(self, target));
         if is_point && !is_place {
             self.wrong_argument(call, "a link or a pair that is driven", args[0].span);

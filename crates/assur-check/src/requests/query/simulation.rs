@@ -132,7 +132,9 @@ impl Context<'_> {
         let args = self.arguments(call, 1, 1)?;
         let pair = self.pair_argument(call, args[0])?;
         let name = self.builder.mech.pair(pair).name.clone();
-        let is_stop = |s: &Statement| matches!(s, Statement::Stop(stop) if stop.pair.node == name);
+        // a stop of what is no pair is reported, and may be meant
+        let known = |name: &str| self.find_pair(name).is_some();
+        let is_stop = |s: &Statement| matches!(s, Statement::Stop(stop) if stop.pair.node == name || !known(&stop.pair.node));
         let parts = matches!(self.builder.mech.pair(pair).kind, PairKind::Contact { parts: true, .. });
         if !parts && !self.doc.statements.iter().any(|s| is_stop(&s.node)) {
             let what = format!("`{name}` has no stop to rest on");
