@@ -117,7 +117,6 @@ fn elsewhere(cx: &Context<'_>, what: &str, property: &Property, properties: &[Pr
              own name"
                 .into()
         }
-        "freewheel" | "one_way" => "there is no freewheel: leave the clutch out of a file in which it runs free".into(),
         "backlash" | "play" => "pairs and gears have no play: leave it out".into(),
         "external" | "outer" if what == "a mesh" => "leave it out: wheels mesh from outside without `internal`".into(),
         "mass" | "inertia" if cx.names.things.is_empty() => return None,
