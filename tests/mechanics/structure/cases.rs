@@ -13,8 +13,8 @@ const CASES: &[Case] = &[
     ("03-six-bar-without-guide", "underconstrained", &["  prismatic G: ram.F - ground.way"]),
     ("04-floating-link", "floating_link", &["  revolute Q: ground - idle\n  drive idle = 45 deg"]),
     ("05-chain-mobility2-one-drive", "underconstrained", &["  drive d = 45 deg"]),
-    ("06-one-drive-too-many", "overconstrained", &["leave out `drive crank` or `drive G`"]),
-    ("07-truss-redundant-bar", "overconstrained", &["one of the links `bc`, `ad`, `cd`, `bd` or `ac`"]),
+    ("06-one-drive-too-many", "overconstrained", &["leave out `drive G` or `drive crank`"]),
+    ("07-truss-redundant-bar", "overconstrained", &["one of the links `bd`, `ad`, `cd` or `bc`"]),
     ("08-over-here-under-there", "unbalanced", &["leave out link `brace`", "  drive tip = 45 deg"]),
     ("10-higher-pair-twice", "overconstrained", &["`K2` repeats `K`: leave out one of them"]),
     ("11-parallel-crank-3", "repeated", &["`crank3` repeats", "leave out `crank3`"]),
@@ -25,16 +25,16 @@ const CASES: &[Case] = &[
         "not_grounded",
         &["  revolute A: ground - crank\n  revolute D: ground - rocker\n  prismatic G: ram.F - ground.way"],
     ),
-    ("17-extra-coupler-bar", "overconstrained", &["one of the links `coupler` or `strut`"]),
+    ("17-extra-coupler-bar", "overconstrained", &["one of the links `strut` or `coupler`"]),
     ("18-wrong-link-hinge", "immobile", &["`rod` and `ram` do not move", "`E`, `F` and `G`"]),
     ("19-two-balances", "efforts", &["leave out `balance M` or `balance N`"]),
     ("20-double-rocker-drive-inner", "underconstrained", &["  revolute G: ground - f"]),
-    ("23-weld-as-two-hinges", "overconstrained", &["leave out `revolute E` or `revolute W`"]),
+    ("23-weld-as-two-hinges", "overconstrained", &["leave out `revolute W` or `revolute E`"]),
     ("24-gear-five-bar-no-mesh", "underconstrained", &["  drive c = 45 deg"]),
     (
         "25-floating-part-held-too-often",
         "unbalanced",
-        &["`s1`, `s2`, `s3`, `s4`, `d1` or `d2`", "  drive r2"],
+        &["`d2`, `d1`, `s4`, `s3`, `s2` or `s1`", "  drive r2"],
     ),
     (
         "26-two-hinges-and-a-free-end",
@@ -53,10 +53,23 @@ const CASES: &[Case] = &[
         "unbalanced",
         &["write `slot Q: a.Q - b.l` in place of `prismatic Q`", "  drive e"],
     ),
-    ("33-ring-hidden", "unbalanced", &["one of the links `w` or `w2`", "  drive e = 45 deg"]),
+    ("33-ring-hidden", "unbalanced", &["one of the links `w2` or `w`", "  drive e = 45 deg"]),
     ("bad-1", "unbalanced", &["leave out `revolute P6` or `revolute P7`", "  drive L1 = 45 deg"]),
     ("bad-120", "unbalanced", &["leave out `revolute P1` or `revolute P6`", "  drive L3 = 45 deg"]),
-    ("four-bar-pinned-again", "overconstrained", &["leave out `revolute K` or leave out `revolute A` or"]),
+    ("brace-beside-a-weld", "overconstrained", &["leave out one of the links `zz` or `rod`"]),
+    ("brace-early-return", "overconstrained", &["leave out link `zz` with its pairs"]),
+    ("cylinder-of-no-length", "unbalanced", &["leave out `revolute Z`"]),
+    ("moved-pin", "unbalanced", &["write `revolute C: rod - arm` in place of `revolute Z`"]),
+    ("truss-pin-lost-bends", "underconstrained", &["  revolute A: ground - ac - ad"]),
+    ("two-links-on-one-line", "unbalanced", &["leave out `revolute Z`"]),
+    (
+        "two-points-at-one-pin",
+        "overconstrained",
+        &["it would bring `rod.B` and `rod.C`", "leave out `revolute Z`"],
+    ),
+    ("wheel-pin-lost", "underconstrained", &["  revolute A: ground - one"]),
+    ("wrong-end", "unbalanced", &["write `revolute C: rod - arm` in place of `revolute C`"]),
+    ("four-bar-pinned-again", "overconstrained", &["leave out `revolute K`, or leave out `revolute B` or"]),
 ];
 
 /// Sound, or wrong in another way than by structure: what was right stays right.
@@ -66,7 +79,8 @@ const OTHERS: &[(&str, Option<&str>)] = &[
     ("12-free-roller", None),
     ("13-two-guides-same-slider", Some("mech::geometry::held_twice")),
     ("21-balance-where-known", None),
-    ("22-pin-without-shared-point", None),
+    ("wrong-end-accepted", Some("mech::determinacy::two_letters")),
+    ("22-pin-without-shared-point", Some("mech::determinacy::two_letters")),
 ];
 
 fn problems(name: &str) -> Vec<(String, String)> {

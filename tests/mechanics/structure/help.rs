@@ -35,13 +35,11 @@ pub fn removals(help: &str) -> Vec<Proposal> {
 fn way(text: &str) -> Vec<Proposal> {
     let loosens = text.contains("after which");
     let text = text.split([';']).next().unwrap_or_default();
-    if let Some(written) = text.strip_prefix('+') {
-        let of = |word: &str| written.strip_prefix(word)?.split(':').next();
-        if let Some(name) = of("`prismatic ") {
-            return vec![Proposal { removals: vec![Removal::AsPrismatic(number(name))], loosens }];
-        }
-        let name = of("`slot ").unwrap_or_default();
-        return vec![Proposal { removals: vec![Removal::AsSlot(number(name))], loosens }];
+    if text.starts_with('+') {
+        return written(text)
+            .into_iter()
+            .map(|removal| Proposal { removals: vec![removal], loosens })
+            .collect();
     }
     let text = text.trim_start_matches('-');
     let links = text.starts_with("link") || text.starts_with("one of the links");
@@ -63,6 +61,28 @@ fn way(text: &str) -> Vec<Proposal> {
         return vec![Proposal { removals: found, loosens }];
     }
     found.into_iter().map(|r| Proposal { removals: vec![r], loosens }).collect()
+}
+
+/// A prismatic pair as a slot or a slot as a prismatic pair: what the equations can judge. Others are judged as text.
+fn written(text: &str) -> Option<Removal> {
+    let words = quoted(text);
+    let (word, rest) = words.first()?.split_once(' ')?;
+    let name = rest.split(':').next()?;
+    match (words.get(1).and_then(|old| old.split_once(' ')), word) {
+        (None, "prismatic") => Some(Removal::AsPrismatic(number(name))),
+        (Some(("prismatic", old)), "slot") if old == name => Some(Removal::AsSlot(number(name))),
+        _ => None,
+    }
+}
+
+/// Lines with the statements in whose place they would be.
+pub fn replacements(help: &str) -> Vec<(&str, &str)> {
+    let parts = help.split("write `").skip(1).filter_map(|part| {
+        let (line, rest) = part.split_once('`')?;
+        let old = rest.strip_prefix(" in place of `")?.split('`').next()?;
+        Some((line, old))
+    });
+    parts.collect()
 }
 
 fn quoted(text: &str) -> Vec<&str> {

@@ -1,7 +1,7 @@
 //! 3,000 random linkages: no sound one is refused, none is accepted that is over- or underconstrained anywhere, and what a
 //! help proposes does what it says.
 
-use super::help::{Removal, apply, pastes, removals};
+use super::help::{Removal, apply, pastes, removals, replacements};
 use super::linkage::{Kind, Linkage, Pair, link_name};
 use super::oracle::{Truth, truth};
 use crate::support::random::Random;
@@ -266,8 +266,28 @@ fn fixes(seed: u64, (linkage, text): (&Linkage, &str), real: &Truth, found: &Ver
             tally.wrong_fixes.push(shown);
         }
     }
-    let lacks = real.surplus > 0 && proposals.is_empty() && !islands || real.missing > 0 && pastes.is_empty();
+    let swaps = swaps(&found.help, text, real, tally);
+    let lacks = swaps == 0
+        && (real.surplus > 0 && proposals.is_empty() && !islands || real.missing > 0 && pastes.is_empty());
     if lacks && !islands {
         tally.without_fix.push(format!("{real:?}\n{}\n{text}", found.help));
     }
+}
+
+/// Pairs written in place of others: each makes all determined. How many there are.
+fn swaps(help: &str, text: &str, real: &Truth, tally: &mut Tally) -> usize {
+    let swaps = replacements(help);
+    let are_whole = real.surplus > 0 && real.missing > 0 && !help.contains("can still move");
+    for (line, old) in swaps.iter().filter(|_| are_whole) {
+        tally.fixes += 1;
+        let is_old = |written: &&str| written.strip_prefix(old).is_some_and(|rest| rest.starts_with(':'));
+        let kept: String = text.lines().filter(|l| !is_old(l)).map(|l| format!("{l}\n")).collect();
+        let now = verdict(&format!("{kept}{line}\n"));
+        if now.codes.iter().any(|c| !c.ends_with("immobile") && !c.ends_with("two_letters")) {
+            tally
+                .wrong_fixes
+                .push(format!("{line} for {old}: {:?} {}\n{help}\n{text}", now.codes, now.message));
+        }
+    }
+    if are_whole { swaps.len() } else { 0 }
 }

@@ -386,6 +386,8 @@ fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin]) -> Option<()
         let again = pins.iter().filter(|p| others.iter().any(|o| same(o, p))).collect::<Vec<_>>();
         if let [a, b, ..] = again[..] {
             let spelled = |pin: &Pin| format!("{}.{}", cx.builder.mech.link(pin.link).name, pin.name);
+            // the pin of more links joins others too
+            let lesser = if pins.len() > others.len() { &pair.name } else { &joint.name.node };
             let error = Diagnosis::error(
                 "mech::geometry::joined_twice",
                 format!("`{}` and `{}` are joined twice", spelled(a), spelled(b)),
@@ -395,7 +397,7 @@ fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin]) -> Option<()
             .help(format!(
                 "remove `{}`, or name other points: the two hinges coincide, so their reactions cannot \
                  be separated",
-                joint.name.node
+                lesser
             ));
             cx.error(error);
             return None;

@@ -3,8 +3,8 @@
 use super::defect::{Defect, Fit};
 use super::effort::{EffortKind, in_pair};
 use super::joint::BodyId;
-use super::leave_out::links;
 use super::trial::Trial;
+use super::words::links;
 use crate::model::{
     Drive, Expr, FindKind, Level, LinkId, Mechanism, Pair, PairId, PairKind, Positions, Rate,
     TransmissionKind,

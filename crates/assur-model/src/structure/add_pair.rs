@@ -4,11 +4,11 @@ use std::collections::HashMap;
 
 use super::defect::{Defect, Fit};
 use super::joint::BodyId;
-use super::leave_out::{links, pairs_of};
 use super::trial::Trial;
+use super::words::{links, pairs_of};
 use crate::math::Vec2;
 use crate::model::{
-    Circle, Guide, Line, LinkId, Mechanism, PairKind, Pin, Point, Profile, ProfileShape, Wheel,
+    Circle, Guide, Line, LinkId, Mechanism, PairId, PairKind, Pin, Point, Profile, ProfileShape, Wheel,
 };
 
 const MOST_TRIED: usize = 96;
@@ -23,14 +23,14 @@ const MOST_USED: usize = 2;
 
 /// A pair that might be missing.
 #[derive(Clone)]
-struct Candidate {
+pub(super) struct Candidate {
     /// The name that the point or line suggests.
-    name: String,
+    pub name: String,
     /// Its ends with the names of their points.
-    ends: [(LinkId, String); 2],
-    kind: PairKind,
+    ends: Vec<(LinkId, String)>,
+    pub kind: PairKind,
     /// How unlikely it is: places that other pairs use already.
-    used: usize,
+    pub used: usize,
 }
 
 pub(super) enum Missing {
@@ -43,7 +43,7 @@ pub(super) enum Missing {
 /// Pairs between the loose links and others that make nothing overconstrained. `None` where no points or lines suggest any.
 pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId]) -> Option<Missing> {
     let loose: Vec<LinkId> = links(trial.replaced, among).collect();
-    let mut candidates = candidates(trial, &loose);
+    let mut candidates = candidates(trial, &loose, None);
     let (mut chosen, mut lines) = (Vec::new(), Vec::new());
     let mut now = defect.fit;
     loop {
@@ -93,28 +93,38 @@ fn line(mechanism: &Mechanism, candidate: &Candidate, others: &[String]) -> Stri
             || others.iter().any(|line| line.split([' ', ':']).nth(1) == Some(name))
     };
     let name = free_name(wish, taken);
-    let link = |i: usize| &mechanism.link(ends[i].0).name;
     // the name of a hinge stands for the points it joins
-    if matches!(kind, PairKind::Revolute(_)) && name == ends[0].1 && name == ends[1].1 {
-        return format!("{word} {name}: {} - {}", link(0), link(1));
-    }
-    format!("{word} {name}: {}.{} - {}.{}", link(0), ends[0].1, link(1), ends[1].1)
+    let short = matches!(kind, PairKind::Revolute(_)) && ends.iter().all(|end| end.1 == name);
+    let end = |(link, point): &(LinkId, String)| match &mechanism.link(*link).name {
+        link if short => link.clone(),
+        link => format!("{link}.{point}"),
+    };
+    format!("{word} {name}: {}", ends.iter().map(end).collect::<Vec<_>>().join(" - "))
+}
+
+/// Whether a statement other than a pair has a name already.
+pub(super) fn is_taken(mechanism: &Mechanism, name: &str, but: PairId) -> bool {
+    let pairs = mechanism.pairs.iter().enumerate().filter(|(i, _)| PairId::at(*i) != but);
+    mechanism.links.iter().any(|l| l.name == name)
+        || pairs.into_iter().any(|(_, p)| p.name == name)
+        || mechanism.groups.iter().any(|g| g.name == name)
 }
 
 /// The name wished, else a letter, else the name with a number.
-fn free_name(wish: &str, taken: impl Fn(&str) -> bool) -> String {
+pub(super) fn free_name(wish: &str, taken: impl Fn(&str) -> bool) -> String {
     let letters = ('A'..='Z').map(String::from);
     let numbered = (1..).map(|i| format!("{wish}{i}"));
     let mut names = std::iter::once(wish.to_owned()).chain(letters).chain(numbered);
     names.find(|n| !taken(n)).unwrap_or_else(|| wish.to_owned())
 }
 
-/// The likeliest first: at places that no other pair uses, of links that have the fewest pairs.
-fn candidates(trial: Trial<'_>, loose: &[LinkId]) -> Vec<Candidate> {
+/// Pairs of some links, in place of one that is there or in addition: the likeliest first, at places that no other pair uses, of links that have the fewest pairs.
+pub(super) fn candidates(trial: Trial<'_>, loose: &[LinkId], but: Option<PairId>) -> Vec<Candidate> {
     let mechanism = trial.mechanism;
     let couples = couples(mechanism, loose);
-    let uses = Uses::of(mechanism);
-    let mut all = hinges(mechanism, &uses, &couples);
+    let uses = Uses::of(mechanism, but);
+    let mut all = pins(mechanism, &uses, loose);
+    all.extend(hinges(mechanism, &uses, &couples));
     if couples.len() <= MOST_COUPLES {
         all.extend(guides(mechanism, &uses, &couples));
         all.extend(contacts(mechanism, &uses, &couples));
@@ -152,11 +162,31 @@ fn hinges(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Ve
             let pin = |link, at| Pin { link, name: point.name.clone(), at };
             out.push(Candidate {
                 name: point.name.clone(),
-                ends: [(a, point.name.clone()), (b, twin.name.clone())],
+                ends: vec![(a, point.name.clone()), (b, twin.name.clone())],
                 kind: PairKind::Revolute(vec![pin(a, point.at), pin(b, twin.at)]),
                 used: uses.count(a, &point.name) + uses.count(b, &twin.name),
             });
         }
+    }
+    out
+}
+
+/// Pins at points of one name that three links or more have, where no two of them are joined.
+fn pins(mechanism: &Mechanism, uses: &Uses<'_>, loose: &[LinkId]) -> Vec<Candidate> {
+    let mut out: Vec<Candidate> = Vec::new();
+    for point in loose.iter().flat_map(|link| &mechanism.link(*link).points) {
+        let name = &point.name;
+        let at = |link: LinkId| mechanism.link(link).points.iter().find(|p| p.name == *name);
+        let ids = (0..mechanism.links.len()).map(LinkId::at);
+        let pins: Vec<Pin> = ids
+            .filter_map(|link| at(link).map(|p| Pin { link, name: name.clone(), at: p.at }))
+            .filter(|pin| uses.count(pin.link, name) == 0)
+            .collect();
+        if pins.len() < 3 || out.iter().any(|other| other.name == *name) {
+            continue;
+        }
+        let ends = pins.iter().map(|pin| (pin.link, name.clone())).collect();
+        out.push(Candidate { name: name.clone(), ends, kind: PairKind::Revolute(pins), used: 0 });
     }
     out
 }
@@ -183,7 +213,7 @@ fn guides(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Ve
                         continue;
                     }
                     let guide = guide((slider, &point.name, point.at), (base, line));
-                    let ends = [(slider, point.name.clone()), (base, line.name.clone())];
+                    let ends = vec![(slider, point.name.clone()), (base, line.name.clone())];
                     let used = of_point + 2 * of_line;
                     let offer = |kind| {
                         let (name, ends) = (point.name.clone(), ends.clone());
@@ -241,7 +271,7 @@ fn contacts(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> 
                     let used = uses.count(one, &first.name) + uses.count(other, &second.name);
                     out.push(Candidate {
                         name: "K".to_owned(),
-                        ends: [(one, first.name.clone()), (other, second.name.clone())],
+                        ends: vec![(one, first.name.clone()), (other, second.name.clone())],
                         kind: PairKind::Contact {
                             first: first.clone(),
                             second,
@@ -258,17 +288,21 @@ fn contacts(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> 
 }
 
 /// How many pairs use a point, line or circle of a link.
-struct Uses<'a> {
+pub(super) struct Uses<'a> {
     mechanism: &'a Mechanism,
     counts: HashMap<(LinkId, &'a str), usize>,
 }
 
 impl<'a> Uses<'a> {
-    fn of(mechanism: &'a Mechanism) -> Self {
+    /// Of all pairs but one.
+    pub(super) fn of(mechanism: &'a Mechanism, but: Option<PairId>) -> Self {
         let mut this = Self { mechanism, counts: HashMap::new() };
-        for pair in &mechanism.pairs {
+        for (i, pair) in mechanism.pairs.iter().enumerate() {
             match &pair.kind {
-                PairKind::Revolute(pins) => pins.iter().for_each(|p| this.add(p.link, &p.name)),
+                _ if but == Some(PairId::at(i)) => {}
+                PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
+                    pins.iter().for_each(|p| this.add(p.link, &p.name))
+                }
                 PairKind::Prismatic(g) | PairKind::Slot(g) => {
                     this.add(g.guide, &g.line_name);
                     this.add(g.slider, &g.point_name);
@@ -282,7 +316,7 @@ impl<'a> Uses<'a> {
                 PairKind::Cylinder { from, to, .. } => {
                     [from, to].iter().for_each(|p| this.add(p.link, &p.name));
                 }
-                PairKind::Transmission(_) | PairKind::Weld { .. } => {}
+                PairKind::Transmission(_) => {}
             }
         }
         this
@@ -292,7 +326,7 @@ impl<'a> Uses<'a> {
         *self.counts.entry((link, name)).or_default() += 1;
     }
 
-    fn count(&self, link: LinkId, name: &str) -> usize {
+    pub(super) fn count(&self, link: LinkId, name: &str) -> usize {
         self.counts.get(&(link, name)).copied().unwrap_or(0)
     }
 

@@ -6,16 +6,18 @@ use miette::LabeledSpan;
 use super::add_effort::{Adds, efforts_beside, missing_efforts};
 use super::add_pair::{Missing, missing_meshes, missing_pairs};
 use super::count::Count;
-use super::defect::{Defect, Part};
+use super::defect::{Defect, Fit, Part};
 use super::effort::{Effort, EffortSource};
 use super::generic::Split;
+use super::incidence::Incidence;
 use super::joint::{BodyId, JointKind, Replaced};
-use super::leave_out::{Repair, links, one_of, statement};
+use super::leave_out::{Mend, Repair, Sort};
 use super::place;
 use super::repeated::repeated;
 use super::ring::locked;
 use super::roller::{MOST_LABELS, counted, label, listed, names, with_lines};
-use super::trial::Trial;
+use super::trial::{Change, Trial};
+use super::words::{is_structure, links, one_of, statement};
 use crate::math::Vec2;
 use crate::model::{
     DriveTarget, Expr, FrictionLimit, LinkId, Mechanism, PairId, PairKind, TransmissionKind, Value,
@@ -63,7 +65,13 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Dia
             } else {
                 drives
             };
-            let help = format!("{};\n{}", to_leave_out(trial, defect), to_add(trial, count, defect));
+            let swapped = || super::swaps::swapped(trial, defect);
+            let help = healing(trial, defect, true)
+                .or_else(swapped)
+                .or_else(|| healing(trial, defect, false))
+                .unwrap_or_else(|| {
+                    format!("{};\n{}", to_leave_out(trial, defect), to_add(trial, count, defect))
+                });
             Diagnosis::error(
                 "mech::determinacy::unbalanced",
                 format!(
@@ -78,8 +86,20 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Dia
 }
 
 /// The totals agree, but a pin would bring two points of one link together.
-pub(super) fn of_split(mechanism: &Mechanism, replaced: &Replaced, split: Split) -> Diagnosis {
+pub(super) fn of_split(trial: Trial<'_>, split: Split) -> Diagnosis {
+    let Trial { mechanism, replaced, .. } = trial;
     let pair = replaced.joint(split.joint).pair;
+    let (what, why) = (statement(mechanism, pair), together_words(mechanism, replaced, split));
+    let pairs = (0..mechanism.pairs.len()).map(|i| (PairId::at(i), 0)).collect();
+    let over = vec![Part { pairs, ..Part::default() }];
+    let swapped = super::swaps::swapped(trial, &Defect { over, loose: Vec::new(), fit: Fit::default() });
+    Diagnosis::error("mech::determinacy::unbalanced", format!("{what} cannot hold: {why}"))
+        .label(mechanism.pair(pair).span, "joins them, by other pins")
+        .help(swapped.unwrap_or_else(|| format!("join other points by {what}")))
+}
+
+/// `` it would bring `rod.B` and `rod.C`, 250 mm apart, together ``
+fn together_words(mechanism: &Mechanism, replaced: &Replaced, split: Split) -> String {
     let links = replaced.links_of(split.body);
     let name = |at: Vec2| {
         let mut points = links.iter().flat_map(|l| mechanism.link(*l).points.iter().map(move |p| (*l, p)));
@@ -87,14 +107,9 @@ pub(super) fn of_split(mechanism: &Mechanism, replaced: &Replaced, split: Split)
         found
             .map_or_else(|| "a point".to_owned(), |(l, p)| format!("`{}.{}`", mechanism.link(l).name, p.name))
     };
-    let ([a, b], statement) = (split.points.map(name), statement(mechanism, pair));
+    let [a, b] = split.points.map(name);
     let apart = significant(1e3 * (split.points[0] - split.points[1]).norm(), 6);
-    Diagnosis::error(
-        "mech::determinacy::unbalanced",
-        format!("{statement} cannot hold: it would bring {a} and {b}, {apart} mm apart, together"),
-    )
-    .label(mechanism.pair(pair).span, "joins them, by other pins")
-    .help(format!("join other points by {statement}"))
+    format!("it would bring {a} and {b}, {apart} mm apart, together")
 }
 
 /// How many drives are declared, and starts where the motion follows from the loads.
@@ -186,6 +201,14 @@ fn sum(trial: Trial<'_>, part: &Part) -> String {
     if let Some(why) = locked(trial.mechanism, part) {
         return why;
     }
+    let split = Incidence::new(trial.replaced, trial.efforts).split();
+    let pair = split.map(|split| trial.replaced.joint(split.joint).pair);
+    if let (Some(split), Some(pair)) = (split, pair)
+        && part.pairs.iter().any(|p| p.0 == pair)
+    {
+        let why = together_words(trial.mechanism, trial.replaced, split);
+        return format!("{} cannot hold: {why}", statement(trial.mechanism, pair));
+    }
     if !is_rigid(part) {
         let surplus = counted(part.surplus, "condition");
         let why = if part.pairs.is_empty() { ": two drives or starts give one coordinate" } else { "" };
@@ -196,6 +219,13 @@ fn sum(trial: Trial<'_>, part: &Part) -> String {
     }
     let (has, lose) = if moving.len() == 1 { ("has", "loses") } else { ("have", "lose") };
     format!("{names} {has} {free} and {lose} {taken} at the marked joints")
+}
+
+/// What makes all determined by being left out, though something can move with it.
+fn healing(trial: Trial<'_>, defect: &Defect, by_statement: bool) -> Option<String> {
+    let [part] = defect.over.as_slice() else { return None };
+    let repair = Repair { trial, defect, part };
+    repair.heals(by_statement).then(|| of_part(repair))
 }
 
 fn to_leave_out(trial: Trial<'_>, defect: &Defect) -> String {
@@ -243,49 +273,37 @@ fn of_part(repair: Repair<'_>) -> String {
         let name = |p| &trial.mechanism.pair(p).name;
         return format!("`{}` repeats `{}`: leave out one of them", name(second), name(first));
     }
-    let changes = repair.changes();
-    let own: usize = part.pairs.iter().map(|p| p.1).sum();
     let mut ways = Vec::new();
-    let least = changes.pairs.first().map_or(0, |c| c.unmoved);
-    let (best, rest): (Vec<_>, Vec<_>) = changes.pairs.iter().partition(|c| c.unmoved == least);
-    let texts =
-        |changes: &[&super::leave_out::Change]| changes.iter().map(|c| c.text.clone()).collect::<Vec<_>>();
-    if !best.is_empty() {
-        ways.push(format!("leave out {}", one_of(&texts(&best))));
+    let mut structure = None;
+    for (sort, mends) in repair.sorted() {
+        let texts = |mends: &[&Mend]| mends.iter().map(|m| m.text.clone()).collect::<Vec<_>>();
+        match sort {
+            Sort::Statement => {
+                let least = mends.iter().map(|m| m.unmoved).min().unwrap_or(0);
+                let (best, rest): (Vec<_>, Vec<_>) = mends.iter().partition(|m| m.unmoved == least);
+                ways.push(format!("leave out {}", one_of(&texts(&best))));
+                if !rest.is_empty() {
+                    ways.push(format!("leave out {}, but then fewer links move", one_of(&texts(&rest))));
+                }
+            }
+            Sort::Link => match texts(&mends.iter().collect::<Vec<_>>()).as_slice() {
+                [one] => ways.push(format!("leave out link {one} with its pairs")),
+                some => ways.push(format!("leave out one of the links {} with its pairs", one_of(some))),
+            },
+            Sort::Written => ways.extend(mends.iter().map(|m| format!("write {}", m.text))),
+            Sort::OnlyDrive => structure = mends.into_iter().next().map(|m| m.text),
+        }
     }
-    if !rest.is_empty() {
-        ways.push(format!("leave out {}, but then fewer links move", one_of(&texts(&rest))));
-    }
-    ways.extend(
-        changes.slots.iter().map(|(name, line)| format!("write `{line}` in place of `prismatic {name}`")),
-    );
-    match changes.links.as_slice() {
-        [] => {}
-        [one] => ways.push(format!("leave out link {one} with its pairs")),
-        some => ways.push(format!("leave out one of the links {} with its pairs", one_of(some))),
-    }
-    // with the only drive gone nothing moves any more
-    let is_structure = changes.efforts.len() == 1 && part.freedoms == own;
-    if ways.is_empty() && (changes.efforts.is_empty() || is_structure) {
+    if ways.is_empty() {
         ways.extend(loosened(repair).or_else(|| together(repair)));
     }
-    match (changes.efforts.as_slice(), ways.as_slice()) {
-        ([], []) => format!("{sum}; leave out pairs of it until the numbers agree"),
-        ([], ways) => format!("{sum}; {}", listed(ways, "or")),
-        ([drive], ways) if is_structure => {
-            let structure = format!("without {drive} this is a structure, and its reactions can be found");
-            match ways {
-                [] => format!("{sum}; {structure}"),
-                ways => format!("{sum}; {}; {structure}", listed(ways, "or")),
-            }
-        }
-        (drives, ways) => {
-            let drives = [format!("leave out {}", one_of(drives))];
-            // where another drive is left the machine still moves
-            let first = part.freedoms > own && trial.efforts.len() > 1;
-            let all = if first { [&drives, ways].concat() } else { [ways, &drives].concat() };
-            format!("{sum}; {}", listed(&all, "or"))
-        }
+    let structure =
+        structure.map(|drive| format!("without {drive} this is a structure, and its reactions can be found"));
+    match (ways.as_slice(), structure) {
+        ([], None) => format!("{sum}; leave out pairs of it until the numbers agree"),
+        ([], Some(structure)) => format!("{sum}; {structure}"),
+        (ways, None) => format!("{sum}; {}", ways.join(", or ")),
+        (ways, Some(structure)) => format!("{sum}; {}; {structure}", ways.join(", or ")),
     }
 }
 
@@ -328,7 +346,8 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     } else {
         format!("{loose} can still move with {}; ", counted(missing, "freedom"))
     };
-    let meshes = missing_meshes(trial, defect);
+    // a mesh takes one freedom
+    let meshes = if missing == 1 { missing_meshes(trial, defect) } else { Vec::new() };
     if !meshes.is_empty() {
         text +=
             &with_lines(&format!("a wheel meshes with nothing; add {}", add_words(&meshes, true)), &meshes);
@@ -340,7 +359,7 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     }
     let drive = if trial.mechanism.simulation.is_some() { "start" } else { "drive" };
     // a truss or a beam has no drive
-    let of_statics = !trial.mechanism.bars.is_empty() || !trial.mechanism.asked_inside().is_empty();
+    let of_statics = is_structure(trial.mechanism);
     let is_structure = count.drives == 0 && of_statics;
     let looks = count.drives > 0 || missing > 2 || is_structure;
     let pairs = looks.then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
@@ -367,10 +386,11 @@ fn guide_of_slot(trial: Trial<'_>, defect: &Defect) -> Option<(String, String)> 
     mechanism.pairs.iter().enumerate().find_map(|(i, pair)| {
         let PairKind::Slot(g) = &pair.kind else { return None };
         let loose = defect.loose.contains(&trial.replaced.body_of(g.slider)) && !g.point_name.is_empty();
-        let fit = trial.as_prismatic(PairId::at(i)).filter(|_| loose)?.fit();
+        let as_guide = || Change::writing(PairId::at(i), PairKind::Prismatic(g.clone()));
+        let fits = loose && trial.after(&as_guide()).is_sound();
         let (slider, base) = (&mechanism.link(g.slider).name, &mechanism.link(g.guide).name);
         let line = format!("prismatic {}: {slider}.{} - {base}.{}", pair.name, g.point_name, g.line_name);
-        (fit.missing == 0 && fit.surplus == 0).then(|| (pair.name.clone(), line))
+        fits.then(|| (pair.name.clone(), line))
     })
 }
 

@@ -4,11 +4,12 @@ use super::add_pair::missing_pairs;
 use super::defect::Defect;
 use super::diagnose::pairs_to_add;
 use super::incidence::Incidence;
+use super::islands::floating_islands;
 use super::joint::{Body, BodyId};
-use super::leave_out::{links, pairs_of};
 use super::roller::{MOST_LABELS, label, listed, names};
 use super::trial::Trial;
-use crate::model::{DriveTarget, Link, LinkId, Mechanism, PairId, PairKind};
+use super::words::{links, pairs_of};
+use crate::model::{DriveTarget, Link, LinkId, Mechanism, PairId};
 use crate::source::Span;
 use assur_text::diagnostic::Diagnosis;
 
@@ -49,50 +50,6 @@ fn by_name(mechanism: &Mechanism, alone: LinkId) -> Option<String> {
         Some(format!("revolute {}: {} - {}", point.name, other.name, own.name))
     };
     others.into_iter().find_map(shared)
-}
-
-/// Links that no pair joins to the ground. The ground and links driven or started at a point are firm.
-pub(super) fn floating_islands(mechanism: &Mechanism) -> Vec<Vec<LinkId>> {
-    let island = islands(mechanism);
-    let mut firm = vec![false; mechanism.links.len()];
-    let roots = mechanism.drives.iter().filter_map(|d| match d.target {
-        DriveTarget::Point(link, _) | DriveTarget::Place(link, ..) => Some(link.index()),
-        _ => None,
-    });
-    for root in roots.chain([0]) {
-        firm[island[root]] = true;
-    }
-    let mut members: Vec<Vec<LinkId>> = vec![Vec::new(); mechanism.links.len()];
-    for (i, &island) in island.iter().enumerate().filter(|(_, island)| !firm[**island]) {
-        members[island].push(LinkId::at(i));
-    }
-    members.into_iter().filter(|links| !links.is_empty()).collect()
-}
-
-/// The island of every link, named by one of its links.
-fn islands(mechanism: &Mechanism) -> Vec<usize> {
-    let mut parent: Vec<usize> = (0..mechanism.links.len()).collect();
-    let mut join = |a: LinkId, b: LinkId| {
-        let (a, b) = (root(&mut parent, a.index()), root(&mut parent, b.index()));
-        parent[a.max(b)] = a.min(b);
-    };
-    for pair in &mechanism.pairs {
-        let links = pair.kind.links();
-        links.windows(2).for_each(|two| join(two[0], two[1]));
-        if let PairKind::Cylinder { barrel, rod, from, to } = &pair.kind {
-            join(*barrel, from.link);
-            join(*rod, to.link);
-        }
-    }
-    (0..parent.len()).map(|i| root(&mut parent, i)).collect()
-}
-
-fn root(parent: &mut [usize], mut at: usize) -> usize {
-    while parent[at] != at {
-        parent[at] = parent[parent[at]];
-        at = parent[at];
-    }
-    at
 }
 
 fn describe(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> Diagnosis {

@@ -1,48 +1,42 @@
-//! What to leave out of an overconstrained part: each change tried before a help speaks of it.
+//! What to leave out of an overconstrained part, and what to write in place of a statement: each change tried before a help speaks of
+//! it.
 
 use super::defect::{Defect, Fit, Part};
 use super::effort::{Effort, EffortKind, EffortSource};
-use super::incidence::Incidence;
-use super::joint::{BodyId, BodyOrigin, Replaced};
-use super::roller::listed;
-use super::trial::Trial;
-use crate::model::{LinkId, Mechanism, PairId, PairKind};
+use super::order::{Named, Order, Rank};
+use super::trial::{Change, Outcome, Statement, Trial};
+use super::words::{is_structure, line, pairs_of, statement};
+use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Pin, Rate};
 
 /// Changes tried of each sort.
 const MOST_TRIED: usize = 48;
-const MOST_NAMED: usize = 12;
+const MOST_NAMED: usize = 8;
 
 /// A change after which the part is sound.
-pub(super) struct Change {
+pub(super) struct Mend {
+    pub what: Sort,
     /// As a help says it: `` `slot E` ``.
     pub text: String,
     /// Links that no drive moves any more.
     pub unmoved: usize,
+    /// Everything is determined with it.
+    heals: bool,
+    /// Another statement names what it leaves out.
+    is_needed: bool,
+    rank: Rank,
 }
 
-/// The changes that make a part sound, each by itself, those that keep most links moving first.
-pub(super) struct Changes {
-    pub pairs: Vec<Change>,
-    /// Prismatic pairs by name that may be slots, with the statement of the slot.
-    pub slots: Vec<(String, String)>,
-    /// Links with their pairs.
-    pub links: Vec<String>,
-    /// Drives or unknown efforts.
-    pub efforts: Vec<String>,
-}
-
-/// The links of a list of bodies.
-pub(super) fn links<'a>(replaced: &'a Replaced, bodies: &'a [BodyId]) -> impl Iterator<Item = LinkId> + 'a {
-    bodies.iter().filter_map(|b| match replaced.bodies[b.0].origin {
-        BodyOrigin::Link(id) => Some(id),
-        BodyOrigin::Imaginary(_) => None,
-    })
-}
-
-/// A pair as its statement begins: `slot E`.
-pub(super) fn statement(mechanism: &Mechanism, pair: PairId) -> String {
-    let pair = mechanism.pair(pair);
-    format!("`{} {}`", pair.kind.word(), pair.name)
+/// What a change does, in the words of a help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sort {
+    /// Leaves out a pair or a drive.
+    Statement,
+    /// Leaves out the only drive.
+    OnlyDrive,
+    /// Leaves out a link with its pairs.
+    Link,
+    /// Writes another line in place of a pair.
+    Written,
 }
 
 /// An effort as its statement begins: `drive crank`, `start crank`, `balance Mb`.
@@ -65,78 +59,150 @@ pub(super) struct Repair<'a> {
 }
 
 impl Repair<'_> {
-    pub(super) fn changes(&self) -> Changes {
-        Changes { pairs: self.pairs(), slots: self.slots(), links: self.links(), efforts: self.efforts() }
+    /// The changes that make the part sound, each by itself, the likeliest first; where some make the whole sound, those alone.
+    pub(super) fn mends(&self) -> Vec<Mend> {
+        let mut mends: Vec<Mend> = Vec::new();
+        for (mut mend, change) in self.tried() {
+            let now = self.trial.after(&change);
+            if self.is_sound(&now) {
+                mend.heals = now.is_sound();
+                mend.unmoved = if mend.heals { now.incidence.unmoved().len() } else { 0 };
+                mends.push(mend);
+            }
+        }
+        let heals = mends.iter().any(|mend| mend.heals);
+        mends.retain(|mend| mend.heals == heals);
+        // questions and loads that name a statement would have errors without it
+        let is_free = mends.iter().any(|mend| !mend.is_needed);
+        mends.retain(|mend| mend.is_needed != is_free);
+        // another pin in place of one is more than leaving out a pair
+        let is_pin = |mend: &Mend| mend.what == Sort::Written && mend.text.starts_with("`revolute");
+        if mends.iter().any(|mend| mend.what == Sort::Statement) {
+            mends.retain(|mend| !is_pin(mend));
+        }
+        mends.sort_by_key(|mend| mend.rank);
+        mends.dedup_by(|a, b| a.text == b.text);
+        mends
+    }
+
+    /// What may make the part sound, with the change that it is.
+    fn tried(&self) -> Vec<(Mend, Change)> {
+        let order = Order::of(self.trial);
+        let named = Named::of(self.trial.mechanism);
+        let most = self.trial.most_tried(MOST_TRIED);
+        let mend =
+            |what, text, rank, is_needed| Mend { what, text, unmoved: 0, heals: false, is_needed, rank };
+        let mut statements = self.statements();
+        statements.sort_by_key(|statement| (named.has(*statement), order.rank(*statement)));
+        let left_out = statements.into_iter().take(2 * most).map(|one| {
+            let (sort, text) = self.words(one);
+            (mend(sort, text, order.rank(one), named.has(one)), Change::without(one))
+        });
+        let written = self.rewritten().into_iter().take(most).map(|(pair, kind, line)| {
+            let text = format!("`{line}` in place of {}", statement(self.trial.mechanism, pair));
+            let rank = order.rank(Statement::Pair(pair));
+            (mend(Sort::Written, text, rank, false), Change::writing(pair, kind))
+        });
+        left_out.chain(written).collect()
+    }
+
+    /// Whether one of them, without a pair or drive that is left out or with any, makes the whole sound.
+    pub(super) fn heals(&self, by_statement: bool) -> bool {
+        let is_one = |mend: &Mend| mend.heals && (!by_statement || mend.what == Sort::Statement);
+        self.mends().iter().any(is_one)
+    }
+
+    /// Some mends of each sort, the sorts in the order of their likeliest.
+    pub(super) fn sorted(&self) -> Vec<(Sort, Vec<Mend>)> {
+        let mut sorts: Vec<(Sort, Vec<Mend>)> = Vec::new();
+        for mend in self.mends() {
+            match sorts.iter_mut().find(|sort| sort.0 == mend.what) {
+                Some((_, mends)) if mends.len() == MOST_NAMED => {}
+                Some((_, mends)) => mends.push(mend),
+                None => sorts.push((mend.what, vec![mend])),
+            }
+        }
+        // a line written anew is the lesser change of two, and the less likely one
+        sorts.sort_by_key(|sort| sort.0 == Sort::Written);
+        sorts
     }
 
     /// The part has no condition too many any more, and nothing is made loose; or all is determined.
-    fn is_sound(&self, now: Fit) -> bool {
-        let of_part = now.surplus + self.part.surplus == self.defect.fit.surplus;
-        now == Fit::default() || of_part && now.missing == self.defect.fit.missing
+    fn is_sound(&self, now: &Outcome) -> bool {
+        let of_part = now.fit.surplus + self.part.surplus == self.defect.fit.surplus;
+        now.is_sound() || now.is_whole && of_part && now.fit.missing == self.defect.fit.missing
     }
 
-    fn undriven_pairs(&self) -> impl Iterator<Item = PairId> + '_ {
-        let pairs = self.part.pairs.iter().map(|p| p.0);
-        pairs.filter(|&p| !is_driven(self.trial, p)).take(self.trial.most_tried(MOST_TRIED))
+    /// Pairs, links and drives that are statements of their own.
+    fn statements(&self) -> Vec<Statement> {
+        let trial = self.trial;
+        let pairs = self.undriven_pairs().map(Statement::Pair);
+        let links = self.part.bodies.iter().flat_map(|body| trial.replaced.links_of(*body));
+        let links = links.filter(|&link| {
+            let is_shaft = |pair: &PairId| trial.mechanism.pair(*pair).bearing.is_some();
+            let pairs = pairs_of(trial.mechanism, link);
+            let is_free = !drives_link(trial, link) && !pairs.iter().any(|p| is_driven(trial, *p));
+            link != LinkId::GROUND && is_free && !pairs.iter().any(is_shaft)
+        });
+        let efforts = self.part.efforts.iter().copied().map(Statement::Effort);
+        pairs.chain(links.map(Statement::Link)).chain(efforts).collect()
     }
 
-    fn pairs(&self) -> Vec<Change> {
-        let mut found = Vec::new();
-        for pair in self.undriven_pairs() {
-            let mut offer = |now: Incidence, text: String| {
-                if self.is_sound(now.fit()) {
-                    found.push(Change { text, unmoved: now.unmoved().len() });
-                }
-            };
-            let text = statement(self.trial.mechanism, pair);
-            offer(self.trial.without(&[pair], &[]), text.clone());
-            if let PairKind::Revolute(pins) = &self.trial.mechanism.pair(pair).kind
-                && pins.len() > 2
-            {
-                for pin in
-                    pins.iter().filter(|p| self.part.bodies.contains(&self.trial.replaced.body_of(p.link)))
-                {
-                    let name = &self.trial.mechanism.link(pin.link).name;
-                    offer(self.trial.without_member(pair, pin.link), format!("`{name}` in {text}"));
-                }
+    fn words(&self, statement_of: Statement) -> (Sort, String) {
+        let Trial { mechanism, efforts, .. } = self.trial;
+        match statement_of {
+            Statement::Pair(pair) => (Sort::Statement, statement(mechanism, pair)),
+            Statement::Link(link) => (Sort::Link, format!("`{}`", mechanism.link(link).name)),
+            Statement::Effort(effort) => {
+                let is_machine = efforts.len() == 1 && !is_structure(mechanism);
+                let sort = if is_machine { Sort::OnlyDrive } else { Sort::Statement };
+                (sort, effort_statement(mechanism, efforts[effort].source))
             }
         }
-        found.sort_by_key(|c| c.unmoved);
-        found.truncate(MOST_NAMED);
-        found
     }
 
-    fn slots(&self) -> Vec<(String, String)> {
+    pub(super) fn undriven_pairs(&self) -> impl Iterator<Item = PairId> + '_ {
+        let pairs = self.part.pairs.iter().map(|p| p.0);
+        pairs.filter(|&p| !is_driven(self.trial, p) && is_spare(self.trial.mechanism, p))
+    }
+
+    /// Prismatic pairs as slots, and pins of several links without one of them.
+    fn rewritten(&self) -> Vec<(PairId, PairKind, String)> {
         let mechanism = self.trial.mechanism;
-        let slot = |p: PairId| {
-            let pair = mechanism.pair(p);
-            let PairKind::Prismatic(g) = &pair.kind else { return None };
-            let (slider, base) = (&mechanism.link(g.slider).name, &mechanism.link(g.guide).name);
-            let line = format!("slot {}: {slider}.{} - {base}.{}", pair.name, g.point_name, g.line_name);
-            let fits = || self.trial.as_slot(p).is_some_and(|now| self.is_sound(now.fit()));
-            (!g.point_name.is_empty() && fits()).then(|| (pair.name.clone(), line))
+        let kinds = self.undriven_pairs().flat_map(|p| {
+            let kinds = match &mechanism.pair(p).kind {
+                PairKind::Prismatic(guide) => {
+                    vec![PairKind::Slot(Guide { own_line: None, ..guide.clone() })]
+                }
+                PairKind::Revolute(pins) if pins.len() > 2 => {
+                    let but = |i: usize| {
+                        pins.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, pin)| pin.clone()).collect()
+                    };
+                    let of_part =
+                        |pin: &Pin| self.part.bodies.contains(&self.trial.replaced.body_of(pin.link));
+                    (0..pins.len())
+                        .filter(|i| of_part(&pins[*i]))
+                        .map(|i| PairKind::Revolute(but(i)))
+                        .collect()
+                }
+                _ => Vec::new(),
+            };
+            kinds.into_iter().map(move |kind| (p, kind))
+        });
+        let with_line = |(p, kind): (PairId, PairKind)| {
+            let line = line(mechanism, &mechanism.pair(p).name, &kind)?;
+            Some((p, kind, line))
         };
-        self.undriven_pairs().filter_map(slot).collect()
-    }
-
-    /// Links without loads first: what acts on a link goes with it.
-    fn links(&self) -> Vec<String> {
-        let mechanism = self.trial.mechanism;
-        let bodies = self.part.bodies.iter();
-        let tried = bodies
-            .flat_map(|body| self.trial.replaced.links_of(*body))
-            .filter(|l| *l != LinkId::GROUND)
-            .take(self.trial.most_tried(MOST_TRIED))
-            .filter(|&l| !drives_link(self.trial, l))
-            .filter(|&l| self.is_sound(self.trial.without_links(&[l]).fit()));
-        let mut links: Vec<LinkId> = tried.collect();
-        links.sort_by_key(|l| mechanism.loads.iter().filter(|load| load.link() == Some(*l)).count());
-        links.iter().take(MOST_NAMED).map(|l| format!("`{}`", mechanism.link(*l).name)).collect()
+        kinds.filter_map(with_line).collect()
     }
 
     pub(super) fn efforts(&self) -> Vec<String> {
         let tried = self.part.efforts.iter().take(self.trial.most_tried(MOST_TRIED));
-        let needless = tried.filter(|&&e| self.is_sound(self.trial.without(&[], &[e]).fit()));
+        let of_part = |now: Fit| {
+            now.surplus + self.part.surplus == self.defect.fit.surplus
+                && now.missing == self.defect.fit.missing
+        };
+        let needless = tried.filter(|&&e| of_part(self.trial.without(&[], &[e]).fit()));
         let mechanism = self.trial.mechanism;
         let mut lines: Vec<String> =
             needless.map(|&e| effort_statement(mechanism, self.trial.efforts[e].source)).collect();
@@ -149,10 +215,12 @@ impl Repair<'_> {
     /// freedoms that they make loose: as few as can be found one after another.
     pub(super) fn together(&self) -> Option<(Vec<String>, usize)> {
         let mechanism = self.trial.mechanism;
+        let most = self.trial.most_tried(MOST_TRIED);
         let (mut pairs, mut efforts, mut texts) = (Vec::new(), Vec::new(), Vec::new());
         let mut now = self.defect.fit;
         while now.surplus + self.part.surplus > self.defect.fit.surplus {
-            let of_pair = self.undriven_pairs().filter(|p| !pairs.contains(p)).map(|p| (Some(p), None));
+            let of_pair =
+                self.undriven_pairs().take(most).filter(|p| !pairs.contains(p)).map(|p| (Some(p), None));
             let of_effort =
                 self.part.efforts.iter().filter(|e| !efforts.contains(*e)).map(|&e| (None, Some(e)));
             let fits = of_pair.chain(of_effort).map(|(pair, effort)| {
@@ -175,7 +243,7 @@ impl Repair<'_> {
     pub(super) fn loosening(&self) -> Vec<(String, usize)> {
         let (part, defect) = (self.part, self.defect);
         let mut found = Vec::new();
-        for pair in self.undriven_pairs() {
+        for pair in self.undriven_pairs().take(self.trial.most_tried(MOST_TRIED)) {
             let now = self.trial.without(&[pair], &[]).fit();
             if now.surplus + part.surplus == defect.fit.surplus {
                 found.push((
@@ -198,7 +266,7 @@ impl Repair<'_> {
             let (a, b) = (&self.trial.mechanism.pair(a).kind, &self.trial.mechanism.pair(b).kind);
             a.statement() == b.statement()
         };
-        let is_needless = |p: PairId| self.is_sound(self.trial.without(&[p], &[]).fit());
+        let is_needless = |p: PairId| self.is_sound(&self.trial.after(&Change::without(Statement::Pair(p))));
         (self.part.efforts.is_empty()
             && alike(*first, *second)
             && is_needless(*first)
@@ -207,7 +275,7 @@ impl Repair<'_> {
     }
 }
 
-fn is_driven(trial: Trial<'_>, pair: PairId) -> bool {
+pub(super) fn is_driven(trial: Trial<'_>, pair: PairId) -> bool {
     trial.efforts.iter().flat_map(Effort::places).any(|kind| match kind {
         EffortKind::RelativeAngle { joint, .. } | EffortKind::Coordinate(joint) => {
             trial.replaced.joint(joint).pair == pair
@@ -216,17 +284,36 @@ fn is_driven(trial: Trial<'_>, pair: PairId) -> bool {
     })
 }
 
+/// Whether a pair is a statement of its own that no transmission needs: none of a shaft or slider, no slide of a rack, and no pin
+/// on which a wheel turns that runs.
+pub(super) fn is_spare(mechanism: &Mechanism, pair: PairId) -> bool {
+    let laws = mechanism.pairs.iter().filter_map(|pair| match &pair.kind {
+        PairKind::Transmission(t) => Some(t),
+        _ => None,
+    });
+    let terms = || laws.clone().flat_map(|t| &t.laws).map(|law| law.terms.as_slice());
+    let is_slide = terms().flatten().any(|(rate, _)| *rate == Rate::Slide(pair));
+    let turns = |term: Option<&(Rate, f64)>, link| term.is_some_and(|(rate, _)| *rate == Rate::Turn(link));
+    let links = mechanism.pair(pair).kind.links();
+    // the link on which both wheels of a law turn is its third term, or the ground
+    let carries = |wheel: LinkId, law: &[(Rate, f64)]| {
+        let is_wheel = law.iter().take(2).any(|term| turns(Some(term), wheel));
+        let on = links.iter().any(|&link| match law.get(2) {
+            None => link == LinkId::GROUND,
+            carrier => turns(carrier, link),
+        });
+        is_wheel && on
+    };
+    let bears = |pin: &Pin| {
+        let wheels = mechanism.wheels.iter().filter(|wheel| wheel.link == pin.link);
+        wheels.into_iter().any(|wheel| wheel.centre == Some(pin.at))
+            && terms().any(|law| carries(pin.link, law))
+    };
+    let borne = matches!(&mechanism.pair(pair).kind, PairKind::Revolute(pins) if pins.iter().any(bears));
+    mechanism.pair(pair).bearing.is_none() && !is_slide && !borne
+}
+
 fn drives_link(trial: Trial<'_>, link: LinkId) -> bool {
     let body = trial.replaced.body_of(link);
     trial.efforts.iter().any(|e| e.bodies(trial.replaced).contains(&body))
-}
-
-pub(super) fn pairs_of(mechanism: &Mechanism, link: LinkId) -> Vec<PairId> {
-    let pairs = mechanism.pairs.iter().enumerate();
-    pairs.filter(|(_, p)| p.kind.links().contains(&link)).map(|(i, _)| PairId::at(i)).collect()
-}
-
-/// `` `a`, `b` or `c` ``
-pub(super) fn one_of(items: &[String]) -> String {
-    listed(items, "or")
 }

@@ -15,11 +15,14 @@ mod floating;
 mod generic;
 mod group;
 mod incidence;
+mod islands;
 mod joint;
 mod leave_out;
+mod letters;
 mod lines;
 #[doc(hidden)]
 pub mod matching;
+mod order;
 mod parting;
 mod place;
 mod renumber;
@@ -27,9 +30,11 @@ mod repeated;
 mod replace;
 mod ring;
 mod roller;
+mod swaps;
 mod trial;
 mod weld;
 mod weld_defects;
+mod words;
 
 pub use count::Count;
 pub use count::Structure;
@@ -67,7 +72,7 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
     let driven = joints.clone().with_efforts(&replaced, &drives);
     let motion = match decompose::decompose(&replaced, &driven, &drives, decompose::Side::Motion) {
         Ok(groups) => match driven.split() {
-            Some(split) => return Err(vec![diagnose::of_split(mechanism, &replaced, split)]),
+            Some(split) => return Err(vec![diagnose::of_split(trial, split)]),
             None => groups,
         },
         Err(defect) => {
@@ -98,6 +103,7 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<Diagnosis>), V
     };
     let (assertion_errors, mut warnings) = assertion::check(mechanism, &mut structure);
     warnings.extend(immobile);
+    warnings.extend(letters::wrong_ends(mechanism));
     if assertion_errors.is_empty() { Ok((structure, warnings)) } else { Err(assertion_errors) }
 }
 
@@ -111,7 +117,7 @@ impl Structure {
         if self.force_defect.is_some()
             || points
             || self.replaced.has_parts()
-            || !floating::floating_islands(mechanism).is_empty()
+            || !islands::floating_islands(mechanism).is_empty()
         {
             return None;
         }

@@ -5,10 +5,10 @@
 use super::count::Count;
 use super::defect::Defect;
 use super::joint::{BodyId, BodyOrigin, JointKind, Replaced};
-use super::leave_out::{pairs_of, statement};
 use super::ring::repeated_mesh;
 use super::roller::{label, listed};
-use super::trial::Trial;
+use super::trial::{Change, Statement, Trial};
+use super::words::{pairs_of, statement};
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId};
 use assur_math::math::SAME;
@@ -87,7 +87,7 @@ fn repeated_link(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Dia
         }) else {
             continue;
         };
-        let now = trial.without_links(&[bar.link]).fit();
+        let now = trial.after(&Change::without(Statement::Link(bar.link))).fit;
         if now.surplus < defect.fit.surplus && now.missing == defect.fit.missing {
             return Some(describe(trial, count, bar, others));
         }

@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 
 use super::count::Count;
 use super::defect::{Defect, Part};
-use super::leave_out::statement;
 use super::roller::{label, listed};
 use super::trial::Trial;
+use super::words::statement;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, Rate};
 
 /// A transmission that closes a ring of others.

@@ -1,11 +1,15 @@
 //! Changes of a mechanism, tried before a help speaks of them.
 
+use super::defect::Fit;
 use super::effort::{self, Effort, EffortKind, EffortSource, X_AXES};
 use super::incidence::Incidence;
-use super::joint::{BodyOrigin, Joint, JointKind, Replaced};
+use super::islands::floating_islands;
+use super::joint::{BodyOrigin, JointKind, Replaced};
 use super::lines;
 use super::replace;
 use super::replace::mark_chains;
+use super::roller::turned;
+use super::weld_defects;
 use crate::model::{DriveId, LinkId, Mechanism, PairId, PairKind};
 
 /// A mechanism to be changed.
@@ -15,6 +19,46 @@ pub(super) struct Trial<'a> {
     pub replaced: &'a Replaced,
     /// Drives, or unknown efforts on the side of forces.
     pub efforts: &'a [Effort],
+}
+
+/// A statement that may be left out; a drive or an unknown effort by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Statement {
+    Pair(PairId),
+    Link(LinkId),
+    Effort(usize),
+}
+
+/// Statements that go, and pairs as they would be written.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Change {
+    pub out: Vec<Statement>,
+    pub written: Vec<(PairId, PairKind)>,
+}
+
+impl Change {
+    pub(super) fn without(statement: Statement) -> Self {
+        Self { out: vec![statement], written: Vec::new() }
+    }
+
+    pub(super) fn writing(pair: PairId, kind: PairKind) -> Self {
+        Self { out: Vec::new(), written: vec![(pair, kind)] }
+    }
+}
+
+/// What a change makes of a mechanism.
+pub(super) struct Outcome {
+    pub fit: Fit,
+    /// No link is loose of the ground, and no weld, line or roller is wrong.
+    pub is_whole: bool,
+    pub incidence: Incidence,
+}
+
+impl Outcome {
+    /// Nothing is too many and nothing loose.
+    pub(super) fn is_sound(&self) -> bool {
+        self.is_whole && self.fit == Fit::default() && self.incidence.split().is_none()
+    }
 }
 
 /// Bodies times changes tried for one help: a help comes at once in a long file too.
@@ -35,56 +79,39 @@ impl Trial<'_> {
         Incidence::new(&replaced, &left.map(|(_, e)| e.clone()).collect::<Vec<_>>())
     }
 
-    /// Takes one link out of a pin of several.
-    pub(super) fn without_member(&self, pair: PairId, link: LinkId) -> Incidence {
-        let mut replaced = self.replaced.clone();
-        remove_member(&mut replaced, pair, link);
-        self.after(replaced)
-    }
-
-    /// Leaves out links with their pairs; a pin of several links keeps the others.
-    pub(super) fn without_links(&self, links: &[LinkId]) -> Incidence {
-        let mut replaced = self.replaced.clone();
-        for &link in links {
-            for (i, pair) in self.mechanism.pairs.iter().enumerate() {
-                match &pair.kind {
-                    kind if !kind.links().contains(&link) => {}
-                    PairKind::Revolute(pins) if pins.len() > 2 => {
-                        remove_member(&mut replaced, PairId::at(i), link);
-                    }
-                    _ => remove_pairs(&mut replaced, &[PairId::at(i)]),
-                }
-            }
-            let body = self.replaced.body_of(link);
-            replaced.bodies[body.0].known |= self.replaced.links_of(body).len() == 1;
-        }
-        self.after(replaced)
-    }
-
-    fn after(&self, mut replaced: Replaced) -> Incidence {
-        mark_chains(&mut replaced);
-        Incidence::new(&replaced, self.efforts)
-    }
-
-    /// Makes a prismatic pair a slot. `None` where something is driven: its joint is counted anew.
-    pub(super) fn as_slot(&self, pair: PairId) -> Option<Incidence> {
-        let PairKind::Prismatic(guide) = &self.mechanism.pair(pair).kind else { return None };
-        self.with_kind(pair, PairKind::Slot(guide.clone()))
-    }
-
-    /// Makes a slot a prismatic pair.
-    pub(super) fn as_prismatic(&self, pair: PairId) -> Option<Incidence> {
-        let PairKind::Slot(guide) = &self.mechanism.pair(pair).kind else { return None };
-        self.with_kind(pair, PairKind::Prismatic(guide.clone()))
-    }
-
-    /// Makes a pair one of another kind.
-    fn with_kind(&self, pair: PairId, kind: PairKind) -> Option<Incidence> {
+    /// The mechanism with statements left out or written anew. Pairs keep their numbers: one that goes joins nothing.
+    pub(super) fn after(&self, change: &Change) -> Outcome {
         let mut mechanism = self.mechanism.clone();
-        mechanism.pairs[pair.index()].kind = kind;
-        let replaced = replace::replace(&mechanism);
+        let mut gone = Vec::new();
+        let mut drives = Vec::new();
+        for statement in &change.out {
+            match *statement {
+                Statement::Pair(pair) => gone.extend(leave_out(&mut mechanism.pairs[pair.index()].kind)),
+                Statement::Link(link) => {
+                    gone.push(link);
+                    leave_out_link(&mut mechanism, link);
+                }
+                Statement::Effort(effort) => drives.extend(match self.efforts[effort].source {
+                    EffortSource::Drive(id) => Some(id.index()),
+                    EffortSource::Balance(_) => None,
+                }),
+            }
+        }
+        for (pair, kind) in &change.written {
+            mechanism.pairs[pair.index()].kind = kind.clone();
+        }
+        let mut index = 0..;
+        mechanism.drives.retain(|_| index.next().is_some_and(|i| !drives.contains(&i)));
+        let mut replaced = replace::replace(&mechanism);
+        gone.iter().for_each(|link| replaced.bodies[link.index()].known = true);
         let efforts = effort::of_drives(&mechanism, &replaced);
-        (efforts.len() == self.efforts.len()).then(|| Incidence::new(&replaced, &efforts))
+        let incidence = Incidence::new(&replaced, &efforts);
+        let islands = floating_islands(&mechanism);
+        let is_whole = islands.iter().flatten().all(|link| gone.contains(link))
+            && lines::agree(&mechanism, &replaced)
+            && weld_defects::defects(&mechanism, &replaced).is_empty()
+            && turned(&mechanism, &replaced.passive).is_empty();
+        Outcome { fit: incidence.fit(), is_whole, incidence }
     }
 
     /// Whether added pairs lay no lines on each other that cannot be parallel.
@@ -122,12 +149,22 @@ fn remove_pairs(replaced: &mut Replaced, pairs: &[PairId]) {
     }
 }
 
-fn remove_member(replaced: &mut Replaced, pair: PairId, link: LinkId) {
-    let body = replaced.body_of(link);
-    let of_pair = |j: &&mut Joint| j.pair == pair;
-    for joint in replaced.joints.iter_mut().filter(of_pair) {
-        if let JointKind::Revolute(members) = &mut joint.kind {
-            members.retain(|m| m.0 != body);
+/// Makes a pair one that joins nothing. The links that it brought along go too.
+fn leave_out(kind: &mut PairKind) -> Vec<LinkId> {
+    match std::mem::replace(kind, PairKind::Revolute(Vec::new())) {
+        PairKind::Cylinder { barrel, rod, .. } => vec![barrel, rod],
+        _ => Vec::new(),
+    }
+}
+
+/// Leaves out the pairs of a link; a pin of several links keeps the others.
+fn leave_out_link(mechanism: &mut Mechanism, link: LinkId) {
+    for pair in mechanism.pairs.iter_mut().filter(|pair| pair.kind.links().contains(&link)) {
+        match &mut pair.kind {
+            PairKind::Revolute(pins) if pins.len() > 2 => pins.retain(|pin| pin.link != link),
+            kind => {
+                leave_out(kind);
+            }
         }
     }
 }

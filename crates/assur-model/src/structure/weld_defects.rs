@@ -1,9 +1,9 @@
 //! What welds cannot be.
 
 use super::joint::{BodyId, Replaced};
-use super::leave_out::statement;
 use super::roller::{MOST_LABELS, label, names};
 use super::weld::{Welds, is_law, spoken_of, weld};
+use super::words::statement;
 use crate::model::{Drive, DriveTarget, LinkId, Mechanism, PairId, PairKind, Pin};
 use assur_text::diagnostic::Diagnosis;
 

@@ -244,6 +244,7 @@ pub static CODES: &[Code] = codes! {
     "determinacy" / "underconstrained",
     "determinacy" / "overconstrained",
     "determinacy" / "immobile",
+    "determinacy" / "two_letters",
     "determinacy" / "repeated",
     "determinacy" / "unbalanced",
     "determinacy" / "not_parallel",

@@ -1,0 +1,69 @@
+//! Statements and what they join, as helps name them.
+
+use super::joint::{BodyId, BodyOrigin, Replaced};
+use super::roller::listed;
+use crate::model::{LinkId, Mechanism, PairId, PairKind};
+
+/// The links of a list of bodies.
+pub(super) fn links<'a>(replaced: &'a Replaced, bodies: &'a [BodyId]) -> impl Iterator<Item = LinkId> + 'a {
+    bodies.iter().filter_map(|b| match replaced.bodies[b.0].origin {
+        BodyOrigin::Link(id) => Some(id),
+        BodyOrigin::Imaginary(_) => None,
+    })
+}
+
+/// A pair as its statement begins: `slot E`.
+pub(super) fn statement(mechanism: &Mechanism, pair: PairId) -> String {
+    let pair = mechanism.pair(pair);
+    format!("`{} {}`", pair.kind.word(), pair.name)
+}
+
+/// The line that writes a pair of this kind, with points of its own name left out. `None` for those that take more than their ends.
+pub(super) fn line(mechanism: &Mechanism, name: &str, kind: &PairKind) -> Option<String> {
+    let short = match kind {
+        PairKind::Revolute(_) => true,
+        PairKind::Prismatic(g) | PairKind::Slot(g) if g.own_line.is_none() && !g.point_name.is_empty() => {
+            false
+        }
+        PairKind::Contact { .. } => false,
+        _ => return None,
+    };
+    let end = |(link, point): &(LinkId, &str)| {
+        let link = &mechanism.link(*link).name;
+        if short && *point == name { link.clone() } else { format!("{link}.{point}") }
+    };
+    let ends: Vec<String> = ends(kind).iter().map(end).collect();
+    Some(format!("{} {name}: {}", kind.word(), ends.join(" - ")))
+}
+
+/// The points, lines and circles that a pair joins, by link and name.
+pub(super) fn ends(kind: &PairKind) -> Vec<(LinkId, &str)> {
+    match kind {
+        PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
+            pins.iter().map(|pin| (pin.link, pin.name.as_str())).collect()
+        }
+        PairKind::Prismatic(g) | PairKind::Slot(g) => {
+            vec![(g.slider, g.point_name.as_str()), (g.guide, g.line_name.as_str())]
+        }
+        PairKind::Contact { first, second, .. } => {
+            [first, second].map(|profile| (profile.link, profile.name.as_str())).to_vec()
+        }
+        PairKind::Cylinder { from, to, .. } => [from, to].map(|pin| (pin.link, pin.name.as_str())).to_vec(),
+        PairKind::Transmission(_) => Vec::new(),
+    }
+}
+
+/// A truss or a beam: forces inside links are asked for, and nothing has to move.
+pub(super) fn is_structure(mechanism: &Mechanism) -> bool {
+    !mechanism.bars.is_empty() || !mechanism.asked_inside().is_empty()
+}
+
+pub(super) fn pairs_of(mechanism: &Mechanism, link: LinkId) -> Vec<PairId> {
+    let pairs = mechanism.pairs.iter().enumerate();
+    pairs.filter(|(_, p)| p.kind.links().contains(&link)).map(|(i, _)| PairId::at(i)).collect()
+}
+
+/// `` `a`, `b` or `c` ``
+pub(super) fn one_of(items: &[String]) -> String {
+    listed(items, "or")
+}
