@@ -69,6 +69,10 @@ impl Equations<'_, '_> {
         }
         slipping.pressed.clear();
         slipping.pressed.extend(impulses[slipping.held.len()..].iter().map(|impulse| -impulse / SHORT));
+        let bears = impulses.iter().zip(&slipping.units[n..]).map(|(impulse, unit)| -impulse / SHORT / unit);
+        slipping.bears = bears.collect();
+        slipping.greatest =
+            slipping.bears.iter().fold(f64::MIN_POSITIVE, |most, bears| most.max(bears.abs()));
         slipping.accelerations = jump.iter().map(|rate| rate / SHORT).collect();
         self.put(slipping)?;
         let holds = |element: &usize| self.part_held(slipping, *element) <= NEARLY;
