@@ -268,7 +268,8 @@ fn fixes(seed: u64, (linkage, text): (&Linkage, &str), real: &Truth, found: &Ver
     }
     let swaps = swaps(&found.help, text, real, tally);
     let lacks = swaps == 0
-        && (real.surplus > 0 && proposals.is_empty() && !islands || real.missing > 0 && pastes.is_empty());
+        && (real.surplus > 0 && proposals.is_empty() && replacements(&found.help).is_empty() && !islands
+            || real.missing > 0 && pastes.is_empty());
     if lacks && !islands {
         tally.without_fix.push(format!("{real:?}\n{}\n{text}", found.help));
     }
