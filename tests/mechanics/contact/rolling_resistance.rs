@@ -79,3 +79,29 @@ find Mb, omega(disc), omega(lever), normal(N, lever){moment}
     // the lever is turned by the couple, so that the normal force is not that of the plain contact
     assert!((of(&rolling, "Mb") - of(&plain, "Mb")).abs() > 1e-3 * couple.abs());
 }
+
+/// A wheel whose resistance keeps it from turning slides: the contact does not stick while it does.
+#[test]
+fn a_wheel_that_does_not_turn_slides() {
+    let text = "gravity 9.81 m/s^2
+ground { F (0, 0); line floor through F along 0 deg }
+link disc { C (0, 0); circle rim centre C radius 0.2 m; mass 3 kg disc centre C radius 0.2 m }
+contact K: disc.rim - ground.floor { friction 0.1; rolling 60 mm }
+start disc.C = (0, 0.2 m) at (1 m/s, 0)
+start disc = 0 deg
+event halts: sticks(K)
+simulate 0 s .. 0.5 s in 1 steps
+find velocity(disc.C).x, omega(disc), moment(K, disc), friction(K, disc), sticks(K)
+";
+    let solution: Value = serde_json::from_str(&Problem::new("rolling", text).solve_json()).unwrap();
+    let last = solution["poses"].as_array().and_then(|poses| poses.last()).unwrap();
+    let of = |quantity: &str| last["quantities"][quantity].as_f64().unwrap();
+    let weight = 3.0 * G;
+    let near =
+        |found: f64, right: f64| assert!((found - right).abs() <= SAME * right.abs(), "{found} {right}");
+    assert_eq!(last["quantities"]["sticks(K)"].as_bool(), Some(false));
+    assert!(of("omega(disc)") == 0.0);
+    near(of("velocity(disc.C).x"), 1.0 - 0.1 * G * 0.5);
+    near(of("friction(K, disc)"), -0.1 * weight);
+    near(of("moment(K, disc)"), 0.1 * weight * 0.2);
+}

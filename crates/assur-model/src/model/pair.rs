@@ -81,7 +81,7 @@ impl Friction {
         }
     }
 
-    /// The same law at rest, where its coefficient is so many times greater.
+    /// The law at rest: its coefficient is greater by this ratio.
     #[must_use]
     pub fn at_rest(self, ratio: f64) -> Self {
         match self {
@@ -224,7 +224,7 @@ impl Pair {
 }
 
 impl PairKind {
-    /// The sense, ±1, in which the second side of a freewheel may turn ahead of the first; 0 of all else.
+    /// The sense, ±1, in which the second side of a freewheel may turn ahead of the first; 0 for all other pairs.
     #[must_use]
     pub fn freewheel(&self) -> f64 {
         match self {

@@ -136,7 +136,19 @@ fn limit_of_pair(mechanism: &Mechanism, id: PairId, part: f64) -> Option<String>
                 text(rho)
             )
         }
-        Friction::Coefficient(f) | Friction::BothEnds(f) | Friction::Rolling { coefficient: f, .. } => {
+        Friction::Rolling { coefficient, arm } => {
+            let length = mechanism.display_of(Dimension::LENGTH);
+            let text = |x: f64| length.text(Value::Scalar(x), DIGITS);
+            let rolling = format!("an arm of rolling resistance below {}", text(part * arm));
+            match coefficient {
+                0.0 => format!("it moves with {rolling} in `{name}`: {} is too much", text(arm)),
+                f => format!(
+                    "it moves with a coefficient below {} and {rolling} in `{name}`",
+                    significant(part * f, DIGITS)
+                ),
+            }
+        }
+        Friction::Coefficient(f) | Friction::BothEnds(f) => {
             let text = |f: f64| {
                 let angle = significant(libm::atan(f).to_degrees(), DIGITS);
                 format!("{} (friction angle {angle} deg)", significant(f, DIGITS))

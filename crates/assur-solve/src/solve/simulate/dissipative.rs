@@ -109,12 +109,13 @@ impl<'p> DissipativeElement<'p> {
         }
     }
 
-    /// What may hold: the pair or the transmission, or the load.
-    pub fn holder(self) -> Holder {
+    /// What may hold: the pair or the transmission, or the load. A contact whose rolling alone is held may slide.
+    pub fn holder(self) -> Option<Holder> {
         match self {
-            Self::Load(load) => self.pair().map_or(Holder::Load(load.load), Holder::Pair),
+            Self::Pair(FrictionElement { kind: FrictionLaw::Rolling { .. }, .. }) => None,
+            Self::Load(load) => Some(self.pair().map_or(Holder::Load(load.load), Holder::Pair)),
             Self::Pair(FrictionElement { pair, .. }) | Self::Law(PlannedLaw { pair, .. }, _) => {
-                Holder::Pair(*pair)
+                Some(Holder::Pair(*pair))
             }
         }
     }

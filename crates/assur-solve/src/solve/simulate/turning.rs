@@ -170,7 +170,7 @@ impl Integration<'_, '_> {
     pub fn note_held(&mut self, equations: &mut Equations<'_, '_>, time: f64) -> Option<usize> {
         let jammed = equations.slipping.iter_mut().flat_map(|slipping| std::mem::take(&mut slipping.jammed));
         let holder = |element| DissipativeElement::of(equations.model.plan, element).holder();
-        self.jammed.extend(jammed.map(|(t, element)| (holder(element), t)));
+        self.jammed.extend(jammed.filter_map(|(t, element)| Some((holder(element)?, t))));
         let now = equations.holders();
         let mut changed: Vec<(Holder, bool)> = Vec::new();
         for (holder, _, end) in self.held.iter_mut().filter(|held| held.2.is_none()) {
@@ -253,7 +253,7 @@ impl Equations<'_, '_> {
         let Some(slipping) = &self.slipping else { return Vec::new() };
         let rubs = DissipativeElement::all(self.model.plan).enumerate();
         let holds = rubs.filter(|(index, _)| slipping.holds(*index));
-        let mut holders: Vec<Holder> = holds.map(|(_, rubs)| rubs.holder()).collect();
+        let mut holders: Vec<Holder> = holds.filter_map(|(_, rubs)| rubs.holder()).collect();
         holders.sort_unstable();
         holders.dedup();
         holders
