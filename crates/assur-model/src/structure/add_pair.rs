@@ -1,14 +1,13 @@
 //! Pairs that may be missing where something can still move: lines to paste, each of them tried.
 
-use std::collections::HashMap;
-
 use super::defect::{Defect, Fit};
 use super::joint::BodyId;
 use super::trial::Trial;
-use super::words::{links, pairs_of};
+use super::uses::Uses;
+use super::words::{ends, free_name, is_taken, line, links, pairs_of};
 use crate::math::Vec2;
 use crate::model::{
-    Circle, Guide, Line, LinkId, Mechanism, PairId, PairKind, Pin, Point, Profile, ProfileShape, Wheel,
+    Circle, Guide, Line, LinkId, Mechanism, PairId, PairKind, Pin, Profile, ProfileShape, Wheel,
 };
 
 const MOST_TRIED: usize = 96;
@@ -26,8 +25,6 @@ const MOST_USED: usize = 2;
 pub(super) struct Candidate {
     /// The name that the point or line suggests.
     pub name: String,
-    /// Its ends with the names of their points.
-    ends: Vec<(LinkId, String)>,
     pub kind: PairKind,
     /// How unlikely it is: places that other pairs use already.
     pub used: usize,
@@ -62,7 +59,7 @@ pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId])
                 if alone.len() == MOST_SHOWN || candidate.used > likeliest + 1 {
                     break;
                 }
-                alone.push(line(trial.mechanism, candidate, &lines));
+                alone.extend(written(trial.mechanism, candidate, &lines));
             }
             if best.is_none_or(|(_, b)| fit.missing < b.missing) {
                 best = Some((i, fit));
@@ -76,49 +73,24 @@ pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId])
         }
         let Some((i, fit)) = best else { break };
         let candidate = candidates.remove(i);
-        lines.push(line(trial.mechanism, &candidate, &lines));
+        lines.extend(written(trial.mechanism, &candidate, &lines));
         chosen.push(candidate.kind);
         now = fit;
     }
     (!lines.is_empty()).then_some(Missing::Together { lines, pairs: chosen, left: now })
 }
 
-fn line(mechanism: &Mechanism, candidate: &Candidate, others: &[String]) -> String {
-    let Candidate { name: wish, ends, kind, .. } = candidate;
-    let word = kind.word();
+/// The line of a candidate, under a name that nothing has, the lines before it included.
+fn written(mechanism: &Mechanism, candidate: &Candidate, others: &[String]) -> Option<String> {
     let taken = |name: &str| {
-        mechanism.links.iter().any(|l| l.name == name)
-            || mechanism.pairs.iter().any(|p| p.name == name)
-            || mechanism.groups.iter().any(|g| g.name == name)
+        is_taken(mechanism, name, None)
             || others.iter().any(|line| line.split([' ', ':']).nth(1) == Some(name))
     };
-    let name = free_name(wish, taken);
-    // the name of a hinge stands for the points it joins
-    let short = matches!(kind, PairKind::Revolute(_)) && ends.iter().all(|end| end.1 == name);
-    let end = |(link, point): &(LinkId, String)| match &mechanism.link(*link).name {
-        link if short => link.clone(),
-        link => format!("{link}.{point}"),
-    };
-    format!("{word} {name}: {}", ends.iter().map(end).collect::<Vec<_>>().join(" - "))
+    line(mechanism, &free_name(&candidate.name, taken), &candidate.kind)
 }
 
-/// Whether a statement other than a pair has a name already.
-pub(super) fn is_taken(mechanism: &Mechanism, name: &str, but: PairId) -> bool {
-    let pairs = mechanism.pairs.iter().enumerate().filter(|(i, _)| PairId::at(*i) != but);
-    mechanism.links.iter().any(|l| l.name == name)
-        || pairs.into_iter().any(|(_, p)| p.name == name)
-        || mechanism.groups.iter().any(|g| g.name == name)
-}
-
-/// The name wished, else a letter, else the name with a number.
-pub(super) fn free_name(wish: &str, taken: impl Fn(&str) -> bool) -> String {
-    let letters = ('A'..='Z').map(String::from);
-    let numbered = (1..).map(|i| format!("{wish}{i}"));
-    let mut names = std::iter::once(wish.to_owned()).chain(letters).chain(numbered);
-    names.find(|n| !taken(n)).unwrap_or_else(|| wish.to_owned())
-}
-
-/// Pairs of some links, in place of one that is there or in addition: the likeliest first, at places that no other pair uses, of links that have the fewest pairs.
+/// Pairs of some links, in addition or in place of one: the likeliest first, at points that no other pair uses, of links that have the
+/// fewest pairs.
 pub(super) fn candidates(trial: Trial<'_>, loose: &[LinkId], but: Option<PairId>) -> Vec<Candidate> {
     let mechanism = trial.mechanism;
     let couples = couples(mechanism, loose);
@@ -131,8 +103,11 @@ pub(super) fn candidates(trial: Trial<'_>, loose: &[LinkId], but: Option<PairId>
     }
     // a slider is seldom the ground
     let pairs = |l: LinkId| if l == LinkId::GROUND { GROUNDED } else { pairs_of(mechanism, l).len() };
-    let named_alike = |c: &Candidate| c.ends[1].1.contains(&c.ends[0].1);
-    all.sort_by_cached_key(|c| (c.used, !named_alike(c), pairs(c.ends[0].0)));
+    all.sort_by_cached_key(|c| {
+        let ends = ends(&c.kind);
+        let alike = ends[1].1.contains(ends[0].1);
+        (c.used, !alike, pairs(ends[0].0))
+    });
     all.truncate(trial.most_tried(MOST_TRIED));
     all
 }
@@ -162,7 +137,6 @@ fn hinges(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Ve
             let pin = |link, at| Pin { link, name: point.name.clone(), at };
             out.push(Candidate {
                 name: point.name.clone(),
-                ends: vec![(a, point.name.clone()), (b, twin.name.clone())],
                 kind: PairKind::Revolute(vec![pin(a, point.at), pin(b, twin.at)]),
                 used: uses.count(a, &point.name) + uses.count(b, &twin.name),
             });
@@ -185,8 +159,7 @@ fn pins(mechanism: &Mechanism, uses: &Uses<'_>, loose: &[LinkId]) -> Vec<Candida
         if pins.len() < 3 || out.iter().any(|other| other.name == *name) {
             continue;
         }
-        let ends = pins.iter().map(|pin| (pin.link, name.clone())).collect();
-        out.push(Candidate { name: name.clone(), ends, kind: PairKind::Revolute(pins), used: 0 });
+        out.push(Candidate { name: name.clone(), kind: PairKind::Revolute(pins), used: 0 });
     }
     out
 }
@@ -213,12 +186,8 @@ fn guides(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Ve
                         continue;
                     }
                     let guide = guide((slider, &point.name, point.at), (base, line));
-                    let ends = vec![(slider, point.name.clone()), (base, line.name.clone())];
                     let used = of_point + 2 * of_line;
-                    let offer = |kind| {
-                        let (name, ends) = (point.name.clone(), ends.clone());
-                        Candidate { name, ends, kind, used: 1 + used }
-                    };
+                    let offer = |kind| Candidate { name: point.name.clone(), kind, used: 1 + used };
                     out.push(offer(PairKind::Prismatic(guide.clone())));
                     out.push(offer(PairKind::Slot(guide)));
                 }
@@ -271,7 +240,6 @@ fn contacts(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> 
                     let used = uses.count(one, &first.name) + uses.count(other, &second.name);
                     out.push(Candidate {
                         name: "K".to_owned(),
-                        ends: vec![(one, first.name.clone()), (other, second.name.clone())],
                         kind: PairKind::Contact {
                             first: first.clone(),
                             second,
@@ -287,56 +255,6 @@ fn contacts(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> 
     out
 }
 
-/// How many pairs use a point, line or circle of a link.
-pub(super) struct Uses<'a> {
-    mechanism: &'a Mechanism,
-    counts: HashMap<(LinkId, &'a str), usize>,
-}
-
-impl<'a> Uses<'a> {
-    /// Of all pairs but one.
-    pub(super) fn of(mechanism: &'a Mechanism, but: Option<PairId>) -> Self {
-        let mut this = Self { mechanism, counts: HashMap::new() };
-        for (i, pair) in mechanism.pairs.iter().enumerate() {
-            match &pair.kind {
-                _ if but == Some(PairId::at(i)) => {}
-                PairKind::Revolute(pins) | PairKind::Weld { pins, .. } => {
-                    pins.iter().for_each(|p| this.add(p.link, &p.name))
-                }
-                PairKind::Prismatic(g) | PairKind::Slot(g) => {
-                    this.add(g.guide, &g.line_name);
-                    this.add(g.slider, &g.point_name);
-                    let lines = mechanism.link(g.slider).lines.iter();
-                    let own = lines.filter(|l| l.through == g.point && l.along == g.direction);
-                    own.for_each(|l| this.add(g.slider, &l.name));
-                }
-                PairKind::Contact { first, second, .. } => {
-                    [first, second].iter().for_each(|f| this.add(f.link, &f.name));
-                }
-                PairKind::Cylinder { from, to, .. } => {
-                    [from, to].iter().for_each(|p| this.add(p.link, &p.name));
-                }
-                PairKind::Transmission(_) => {}
-            }
-        }
-        this
-    }
-
-    fn add(&mut self, link: LinkId, name: &'a str) {
-        *self.counts.entry((link, name)).or_default() += 1;
-    }
-
-    pub(super) fn count(&self, link: LinkId, name: &str) -> usize {
-        self.counts.get(&(link, name)).copied().unwrap_or(0)
-    }
-
-    /// How many use the lines that begin at a point.
-    fn of_lines(&self, link: LinkId, point: &Point) -> usize {
-        let lines = self.mechanism.link(link).lines.iter().filter(|l| l.through == point.at);
-        lines.map(|l| self.count(link, &l.name)).sum()
-    }
-}
-
 /// Gear pairs of wheels that nothing runs on yet: each with such a wheel of what is loose, else with any wheel of that.
 pub(super) fn missing_meshes(trial: Trial<'_>, defect: &Defect) -> Vec<String> {
     let wheels = &trial.mechanism.wheels;
@@ -349,9 +267,7 @@ pub(super) fn missing_meshes(trial: Trial<'_>, defect: &Defect) -> Vec<String> {
 }
 
 fn meshes(mechanism: &Mechanism, loose: &[LinkId], wheels: &[&Wheel], idle: &[&Wheel]) -> Vec<String> {
-    let taken = |name: &str| {
-        mechanism.links.iter().any(|l| l.name == name) || mechanism.pairs.iter().any(|p| p.name == name)
-    };
+    let taken = |name: &str| is_taken(mechanism, name, None);
     let mut lines = Vec::new();
     for wheel in loose.iter().flat_map(|l| wheels.iter().filter(move |w| w.link == *l)) {
         for other in idle.iter().filter(|other| other.link != wheel.link) {

@@ -323,8 +323,7 @@ fn loosened(repair: Repair<'_>) -> Option<String> {
     let found = repair.loosening();
     let (_, freedoms) = found.first()?;
     let pairs: Vec<String> = found.iter().map(|f| f.0.clone()).collect();
-    let more =
-        if *freedoms == 1 { "one more drive is".to_owned() } else { format!("{freedoms} more drives are") };
+    let more = drives_more(*freedoms);
     let one_link = match repair.part.bodies.as_slice() {
         [a, b] if repair.part.efforts.is_empty() => {
             let names = names(repair.trial.mechanism, links(repair.trial.replaced, &[*a, *b]));

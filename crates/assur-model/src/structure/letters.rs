@@ -1,8 +1,8 @@
 //! Pins whose ends have two letters, though a point of one of their letters is free on the other link: most often a wrong end.
 
-use super::add_pair::Uses;
 use super::order::Named;
 use super::roller::label;
+use super::uses::Uses;
 use super::words::{line, statement};
 use crate::model::{LinkId, Mechanism, Pair, PairId, PairKind, Pin, Point};
 use assur_text::diagnostic::Diagnosis;

@@ -32,6 +32,7 @@ mod ring;
 mod roller;
 mod swaps;
 mod trial;
+mod uses;
 mod weld;
 mod weld_defects;
 mod words;

@@ -1,10 +1,10 @@
 //! What a person would have meant: the order of statements that may be too many. A pair with two letters at one pin, a name of no
 //! point, or ends that other pairs use, is rather too many; so is what is written last.
 
-use super::add_pair::Uses;
 use super::effort::{Effort, EffortSource};
 use super::incidence::Incidence;
 use super::trial::{Statement, Trial};
+use super::uses::Uses;
 use super::words::{ends, is_structure, pairs_of};
 use crate::math::Vec2;
 use crate::model::{

@@ -1,11 +1,12 @@
 //! A pair with a wrong end, or at a wrong place: another one written in its place makes all determined.
 
-use super::add_pair::{Uses, candidates, free_name, is_taken};
+use super::add_pair::candidates;
 use super::defect::Defect;
 use super::leave_out::{is_driven, is_spare};
 use super::order::{Order, Rank};
 use super::trial::{Change, Statement, Trial};
-use super::words::{ends, line, links, statement};
+use super::uses::Uses;
+use super::words::{ends, free_name, is_taken, line, links, statement};
 use crate::model::{Link, LinkId, Mechanism, PairId, PairKind, Pin};
 
 /// Pairs that may be wrong, and lines tried in their place.
@@ -103,7 +104,7 @@ fn swaps(trial: Trial<'_>, defect: &Defect) -> Vec<Swap> {
         loose.sort_unstable();
         loose.dedup();
         for candidate in candidates(trial, &loose, Some(pair)) {
-            let name = free_name(&candidate.name, |name| is_taken(mechanism, name, pair));
+            let name = free_name(&candidate.name, |name| is_taken(mechanism, name, Some(pair)));
             offer(&name, candidate.kind, candidate.used, true);
         }
     }

@@ -67,3 +67,19 @@ pub(super) fn pairs_of(mechanism: &Mechanism, link: LinkId) -> Vec<PairId> {
 pub(super) fn one_of(items: &[String]) -> String {
     listed(items, "or")
 }
+
+/// Whether a statement has a name already, the pair `but` left aside.
+pub(super) fn is_taken(mechanism: &Mechanism, name: &str, but: Option<PairId>) -> bool {
+    let mut pairs = mechanism.pairs.iter().enumerate().filter(|(i, _)| Some(PairId::at(*i)) != but);
+    mechanism.links.iter().any(|l| l.name == name)
+        || pairs.any(|(_, p)| p.name == name)
+        || mechanism.groups.iter().any(|g| g.name == name)
+}
+
+/// The name wished, else a letter, else the name with a number.
+pub(super) fn free_name(wish: &str, taken: impl Fn(&str) -> bool) -> String {
+    let letters = ('A'..='Z').map(String::from);
+    let numbered = (1..).map(|i| format!("{wish}{i}"));
+    let mut names = std::iter::once(wish.to_owned()).chain(letters).chain(numbered);
+    names.find(|n| !taken(n)).unwrap_or_else(|| wish.to_owned())
+}
