@@ -106,7 +106,7 @@ module.exports = grammar({
     all: ($) => seq('all', $.kind, $.properties),
     group: ($) => seq('group', field('name', $.identifier), ':', nl($), list($, $.identifier)),
     properties: ($) => braces($, $.property),
-    property: ($) => seq(field('name', choice($.identifier, 'module')), optional(list($, $.expression)), optional($.properties)),
+    property: ($) => seq(field('name', choice($.identifier, 'module')), optional(choice(list($, $.expression), $.turn)), optional($.properties)),
 
     // ---------------------------------------------------------------------------------------- drives and assemblies
 

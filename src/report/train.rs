@@ -27,7 +27,10 @@ pub(super) fn laws(model: &Model<'_>, report: &mut Report) {
     let mut table = Table::of_words(&["transmission", "kind", "joins", "law"]);
     for pair in &model.mechanism.pairs {
         let PairKind::Transmission(t) = &pair.kind else { continue };
-        let law = if t.slipping().is_some() {
+        let law = if t.freewheel != 0.0 {
+            let sense = if t.freewheel > 0.0 { "counterclockwise" } else { "clockwise" };
+            format!("the second side may turn ahead of the first {sense}")
+        } else if t.slipping().is_some() {
             "slips until both sides have one speed".to_owned()
         } else if model.mechanism.open_sizes.is_empty() {
             let each = t.laws.iter().map(|l| law_text(model.mechanism, &l.terms) + &phase_text(l));

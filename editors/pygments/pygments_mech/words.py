@@ -21,7 +21,7 @@ COLLECTIONS = "reactions powers axial positions velocities accelerations".split(
 # words: properties
 PROPERTIES = "addendum against_cam angle arm base_radius bevel capacity centre_distance clearance cone contacts crossed damping density diameter efficiency equivalent_friction faces fit flank fluctuation free_angle free_length freewheel friction friction_angle friction_circle groove height_to_width inner internal lead load mass offset outer parts phase pivot_distance plane pressure_angle pretension radius ratio restitution rim rolling shift slip slipping slots speed starts static_friction stiffness weight_density with_cam with_links worn wrap".split()
 # words: values of properties
-VALUES = "clockwise even far line round worn".split()
+VALUES = "ccw cw even far line round worn".split()
 # words: units
 UNITS = "m mm um µm cm dm km inch ft kg g t lb slug s ms min h rad deg ° gon rev rpm Hz N daN kN MN lbf kgf kp J kJ W kW MW hp PS Pa kPa MPa GPa bar psi %".split()
 # words: units after a blank

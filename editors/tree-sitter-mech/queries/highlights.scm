@@ -36,7 +36,7 @@
 ((name) @constant.builtin (#eq? @constant.builtin "pi"))
 (property ((name) @constant.builtin
   ; words: values of properties
-  (#any-of? @constant.builtin "clockwise" "even" "far" "line" "round" "worn")))
+  (#any-of? @constant.builtin "ccw" "cw" "even" "far" "line" "round" "worn")))
 
 (link name: (identifier) @type)
 (shaft name: (identifier) @type)

@@ -29,7 +29,7 @@ proptest! {
         let passed = torque * two / (one + two);
         let capacity = part * passed;
         prop_assume!((part - 1.0).abs() > 1e-3);
-        let (sign, word) = if clockwise { (-1.0, " clockwise") } else { (1.0, "") };
+        let (sign, word) = if clockwise { (-1.0, " cw") } else { (1.0, "") };
         let drive = sign * torque;
         let text = format!(
             "shaft I {{ inertia {one} kg*m^2 }}
@@ -83,7 +83,7 @@ fn a_backstop_holds_a_load_that_has_come_to_rest() {
 shaft D { wheel d radius 100 mm; inertia 0.2 kg*m^2 }
 slider L { mass 20 kg }
 rope r: d - L
-clutch k: ground - D { capacity 100 N*m; freewheel clockwise }
+clutch k: ground - D { capacity 100 N*m; freewheel cw }
 start D = 0 deg at -3 rad/s
 simulate 0 s .. 1 s in 2 steps
 find omega(D), moment(k, D)
@@ -93,4 +93,26 @@ find omega(D), moment(k, D)
     let moment = values(text, "moment(k, D)").unwrap();
     assert!(omega[0] == -3.0 && moment[0] == 0.0 && omega[2] == 0.0, "{omega:?} {moment:?}");
     assert!((moment[2].abs() - torque).abs() <= SAME * torque, "{moment:?}");
+}
+
+/// Two shafts at given speeds: the capacity where the first would be ahead, nothing where the second is.
+#[test]
+fn a_freewheel_between_driven_shafts_transmits_in_one_sense() {
+    let text = |speed: f64| {
+        format!(
+            "shaft I {{ inertia 0.1 kg*m^2 }}
+shaft II {{ inertia 0.4 kg*m^2 }}
+clutch k: I - II {{ capacity 100 N*m; freewheel }}
+drive I = 0 deg at 10 rad/s
+drive II = 0 deg at {speed} rad/s
+balance torque M on I
+balance torque N on II
+find M, N, moment(k, II)
+"
+        )
+    };
+    for (speed, right) in [(8.0, 100.0), (10.0, 0.0), (12.0, 0.0)] {
+        let of = |quantity: &str| values(&text(speed), quantity).unwrap()[0];
+        assert_eq!((of("M"), of("N"), of("moment(k, II)")), (right, -right, right));
+    }
 }

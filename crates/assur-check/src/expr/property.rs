@@ -107,14 +107,14 @@ fn elsewhere(cx: &Context<'_>, what: &str, property: &Property, properties: &[Pr
             let stiffness = properties.iter().find(|p| p.name.node == "stiffness")?;
             let stiffness = written(stiffness.values.first()?)?;
             format!(
-                "a spring has a length without force: write `free_length` with its length in the position of that \
-                 force plus {}/({stiffness}) under pressure, minus it under tension",
+                "write `free_length`: the length of the spring under this force, plus {0}/({stiffness}) if it is \
+                 pressed, minus {0}/({stiffness}) if it is pulled",
                 value?
             )
         }
         "stiffness" | "damping" if what.ends_with("pair") => {
-            "a spring or damper is a statement of its own, as in `spring k in B { stiffness 2 N*m }`, with the pair's \
-             own name"
+            "write a spring or damper as a statement, as in `spring k in B { stiffness 2 N*m }`, with the name of the \
+             pair"
                 .into()
         }
         "backlash" | "play" => "pairs and gears have no play: leave it out".into(),

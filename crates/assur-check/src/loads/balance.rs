@@ -170,8 +170,9 @@ fn no_line(cx: &mut Context<'_>, along: &Expr, on: model::LinkId) -> Option<()> 
         return Some(());
     }
     let help = match lines.as_slice() {
-        [only] => Help::write(span, std::slice::from_ref(only))
-            .in_words(format!("write `{only}`: the only line there is")),
+        [only] => {
+            Help::write(span, std::slice::from_ref(only)).in_words(format!("write `{only}`: the only line"))
+        }
         _ => {
             format!("the lines are {}", lines.iter().map(|l| format!("`{l}`")).collect::<Vec<_>>().join(", "))
                 .into()

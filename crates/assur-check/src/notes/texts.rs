@@ -52,10 +52,10 @@ pub(super) fn texts(cx: &mut Context<'_>) {
         let all =
             cx.names.quantities.iter().filter(|(_, d)| is_constant(d.what)).map(|(name, _)| name.as_str());
         let near = did_you_mean(&name, all);
-        let why = if kind.is_some() { "is no constant" } else { "is not declared" };
+        let why = if kind.is_some() { "is not a constant" } else { "is not declared" };
         let help = match near.first() {
             Some(near) => Help::from(format!("did you mean `{{{near}}}`?")),
-            None => "in braces goes the name of a `given` or of a constant `let`".into(),
+            None => "write the name of a `given` or of a constant `let` in the braces".into(),
         };
         let message = format!("`{{{name}}}` is printed as it is: `{name}` {why}");
         cx.error(Diagnosis::advice("mech::name::not_in_text", message).label(at, "in this text").help(help));

@@ -23,7 +23,7 @@ pub(super) fn converted_twice(cx: &mut Context<'_>) {
     }
     for (expr, name) in found {
         let Some(whole) = written(expr) else { continue };
-        let message = format!("`{name}` has its unit already: {whole} converts it once more");
+        let message = format!("`{name}` has its unit already: `{whole}` converts it again");
         cx.error(
             Diagnosis::advice("mech::unit::converted_twice", message)
                 .label(expr.span, "a conversion of units")

@@ -133,7 +133,7 @@ fn transmission(
         grip,
         slip: slip(properties),
         freewheel: find(properties, "freewheel")
-            .map_or(0.0, |p| if p.value == Value::Flag { 1.0 } else { -1.0 }),
+            .map_or(0.0, |p| if p.value == Value::Word("cw") { -1.0 } else { 1.0 }),
     })
 }
 

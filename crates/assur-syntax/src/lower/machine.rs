@@ -4,8 +4,8 @@ use super::expr::turn;
 use super::simulation::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{
-    AllJoints, Brake, Cam, CamLaw, CamMember, Counterweight, End, Flywheel, Follower, Group, Joint,
-    JointKind, Phase, PhaseKind, Property, Spring, SpringSite,
+    AllJoints, Brake, Cam, CamLaw, CamMember, Counterweight, End, Expr, ExprKind, Flywheel, Follower, Group,
+    Joint, JointKind, Phase, PhaseKind, Property, Spring, SpringSite,
 };
 use crate::recover::What;
 use crate::words::Rule;
@@ -79,7 +79,8 @@ impl Lower<'_> {
         let name = super::walk::name(&parts.any()?);
         let values = match parts.take(Rule::list) {
             Some(list) => self.list(list)?,
-            None => Vec::new(),
+            // `cw` names a sense
+            None => parts.take(Rule::turn).map(sense).into_iter().collect(),
         };
         Some(Property { name, values, properties: self.properties(&mut parts), span: at })
     }
@@ -164,6 +165,11 @@ impl Lower<'_> {
         let torque = parts.name_behind(Rule::w_for);
         Some(Flywheel { name, on, torque, properties: self.properties(&mut parts) })
     }
+}
+
+/// A sense of rotation as the word that it is.
+fn sense(pair: P<'_>) -> Expr {
+    Expr { kind: ExprKind::Name(pair.as_str().trim().to_owned()), span: span(&pair) }
 }
 
 fn kind(pair: &P<'_>) -> Option<Spanned<JointKind>> {

@@ -42,16 +42,22 @@ fn comma_between(case: &Case<'_>) -> Option<Diagnosis> {
     if !line_ends && !ends.into_iter().any(fits) {
         return None;
     }
+    let each: Vec<&str> = second.split(',').map(str::trim).collect();
+    if again && each.iter().all(|one| one.contains('=') && case.reads(&format!("{before}{one}"))) {
+        let new: String = each.iter().map(|one| format!("; {before}{one}")).collect();
+        return Some(comma(case).help(case.help(case.fail, case.slice.len(), &new)));
+    }
     let new = match case.token(0) {
         _ if line_ends => String::new(),
         word if again => format!("; {word}"),
         _ => ";".to_owned(),
     };
-    Some(
-        Diagnosis::error("mech::syntax::comma_between", "a comma does not separate statements or members")
-            .label(case.span(case.fail, 1), "`;` or a new line instead of this")
-            .help(case.help(case.fail, case.fail + 1, &new)),
-    )
+    Some(comma(case).help(case.help(case.fail, case.fail + 1, &new)))
+}
+
+fn comma(case: &Case<'_>) -> Diagnosis {
+    Diagnosis::error("mech::syntax::comma_between", "a comma does not separate statements or members")
+        .label(case.span(case.fail, 1), "`;` or a new line instead of this")
 }
 
 /// `5 k N`

@@ -192,9 +192,9 @@ const CLUTCH: &[Property] = &[
     ),
     row(
         "freewheel",
-        FlagOr(&["clockwise"]),
+        FlagOr(&["ccw", "cw"]),
         "freewheel",
-        "it slips, and the second side may turn ahead of the first, counterclockwise or clockwise",
+        "it slips, and the second side may turn ahead of the first, in this sense",
     ),
 ];
 
