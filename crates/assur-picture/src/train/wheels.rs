@@ -143,7 +143,7 @@ fn screw(layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec
     Some(shaft.spindle() + Vec2::new(SCREW, 0.0))
 }
 
-/// Two discs that face each other.
+/// Two discs that face each other; the second of a backstop is of the ground.
 fn clutch(layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
     let shafts: Vec<_> = layout.shafts.iter().filter(|s| t.links.contains(&s.link)).collect();
     let level = shafts.first()?.level;
@@ -151,8 +151,14 @@ fn clutch(layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Ve
         [a, b, ..] => (a.ends.1.min(b.ends.1) + a.ends.0.max(b.ends.0)) / 2.0,
         _ => shafts[0].ends.1 + 3.0,
     };
-    for side in [-0.8, 0.8] {
-        drawing.line(Style::Link, Vec2::new(x + side, -level - 4.5), Vec2::new(x + side, -level + 4.5));
+    let ends = |side: f64| [-4.5, 4.5].map(|half| Vec2::new(x + side, -level + half));
+    for [a, b] in [-0.8, 0.8].map(ends) {
+        drawing.line(Style::Link, a, b);
+    }
+    if let [only] = shafts.as_slice() {
+        drawing.line(Style::Link, Vec2::new(only.ends.1, -level), Vec2::new(x - 0.8, -level));
+        let [a, b] = ends(0.8);
+        hinge::hatch(drawing, a, b, Vec2::new(1.0, 0.0));
     }
     Some(Vec2::new(x, -level - 4.5))
 }
