@@ -6,5 +6,6 @@ mod driven;
 mod freewheel;
 mod oracle;
 mod parting;
+mod plane;
 mod rolling_resistance;
 mod scenes;

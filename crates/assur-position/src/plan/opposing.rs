@@ -1,5 +1,5 @@
-//! Loads against the motion of which a run can say whether they hold: torques, and forces at points that keep to a line of their link, or
-//! that one free coordinate alone moves.
+//! Loads against the motion, of which a run can say whether they hold: torques, and forces at points that keep to a line of their link,
+//! that one free coordinate alone moves, or that move in the plane, with two elements.
 
 use crate::math::Vec2;
 use crate::model::{Drive, LoadId, LoadKind, Mechanism, PairId, Place};
@@ -28,32 +28,44 @@ pub enum Path {
     Line(Vec2),
     /// On a curve of the mechanism, by the drive that alone moves.
     Curve(usize),
+    /// In the plane: by its velocity along x (0) or y (1).
+    Plane(usize),
 }
 
-/// All of them, in the order of the file; forces at points that may move in several directions are none of them.
+/// All of them, in the order of the file.
 pub(super) fn plan(mechanism: &Mechanism, structure: &Structure) -> Vec<Opposing> {
-    let loads = mechanism.loads.iter().enumerate().filter(|(_, load)| load.is_against_motion());
-    let opposing = loads.filter_map(|(index, load)| {
+    let mut opposing = Vec::new();
+    for (index, load) in mechanism.loads.iter().enumerate().filter(|(_, load)| load.is_against_motion()) {
+        let id = LoadId::at(index);
         let body_of = |link| structure.replaced.body_of(link).0;
-        let (body, against, point) = match &load.kind {
-            LoadKind::Torque { on, .. } => (body_of(*on), None, None),
+        let turns = |body, against, free| Opposing { load: id, body, against, point: None, free };
+        match &load.kind {
+            LoadKind::Torque { on, .. } => opposing.push(turns(body_of(*on), None, 0.0)),
             LoadKind::InPair { pair, .. } => {
-                let [first, second] = mechanism.pair(*pair).kind.slipping()?.map(body_of);
-                (second, Some((first, *pair)), None)
+                let kind = &mechanism.pair(*pair).kind;
+                if let Some([first, second]) = kind.slipping().map(|sides| sides.map(body_of)) {
+                    opposing.push(turns(second, Some((first, *pair)), kind.freewheel()));
+                }
             }
             LoadKind::ForceAgainstMotion { on, at: Place::Local(at), .. } => {
                 let (body, at) = structure.replaced.place(*on, *at);
-                let path = direction(structure, body.0, at)
-                    .map(Path::Line)
-                    .or_else(|| only(mechanism).map(Path::Curve))?;
-                (body.0, None, Some((at, path)))
+                let paths = paths(mechanism, structure, (body.0, at));
+                opposing.extend(
+                    paths
+                        .into_iter()
+                        .map(|path| Opposing { point: Some((at, path)), ..turns(body.0, None, 0.0) }),
+                );
             }
-            _ => return None,
-        };
-        let free = against.map_or(0.0, |(_, clutch)| mechanism.pair(clutch).kind.freewheel());
-        Some(Opposing { load: LoadId::at(index), body, against, point, free })
-    });
-    opposing.collect()
+            _ => {}
+        }
+    }
+    opposing
+}
+
+/// How a point moves: one way, or two where it moves in the plane.
+fn paths(mechanism: &Mechanism, structure: &Structure, (body, at): (usize, Vec2)) -> Vec<Path> {
+    let one = direction(structure, body, at).map(Path::Line).or_else(|| only(mechanism).map(Path::Curve));
+    one.map_or_else(|| vec![Path::Plane(0), Path::Plane(1)], |path| vec![path])
 }
 
 /// The drive whose coordinate is free, where no other one moves.

@@ -44,6 +44,8 @@ pub struct ContactMode {
     pub sense: f64,
     /// The torque or force of friction on the element's body.
     pub effort: f64,
+    /// Of a force at a point in the plane that begins to slide: against this velocity it acts while the point is slower, m/s.
+    pub along: Vec2,
 }
 
 impl State {

@@ -6,7 +6,7 @@ use super::impossible::spring_at_zero;
 use super::opens::opens;
 use super::parallel::turn_the_face;
 use crate::message::refusal::not_supported_yet;
-use crate::model::{Drive, DriveTarget, LoadId, PairId, PairKind, Value};
+use crate::model::{Drive, DriveTarget, PairId, PairKind, Value};
 use crate::position::{Model, turns};
 use crate::solve::{Clause, Halt, NoCycle, SimulationReport};
 use crate::source::Span;
@@ -42,7 +42,6 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> Diagnosis {
         Halt::StopPassed { stop, by } => stop_passed(model, *stop, *by, time),
         Halt::StopsAtOnce { stops } => stops_at_once(model, stops, time),
         Halt::Shaken { stop } => shaken(model, *stop, time),
-        Halt::RestsUnder { load } => rests_under(model, *load),
         Halt::NothingFree { stop } => nothing_free(model, *stop),
         Halt::SpringAtZero { spring } => spring_at_zero(model, *spring, &format!(" at {time}")),
         Halt::NotANumber => {
@@ -388,12 +387,6 @@ fn shaken(model: &Model<'_>, stop: usize, time: String) -> Diagnosis {
         "leave out `restitution` of the stop: it then stays closed after its \
          first impact; or let `simulate` end before {time}"
     ))
-}
-
-fn rests_under(model: &Model<'_>, load: LoadId) -> Diagnosis {
-    let what = "a motion in which a force `against motion` holds a point that may move in several directions";
-    let place = model.mechanism.loads[load.index()].span;
-    not_supported_yet(what, vec![label("its point comes to rest", place)])
 }
 
 fn nothing_free(model: &Model<'_>, stop: usize) -> Diagnosis {

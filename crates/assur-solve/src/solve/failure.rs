@@ -5,7 +5,7 @@ use super::gap::GroupGap;
 use super::refusal::Refusal;
 use crate::answer::{LeftCurve, NoExtreme, NoFlywheel, NoSweep};
 use crate::language::Function;
-use crate::model::{DriveTarget, LoadId, PairId, UnilateralCondition};
+use crate::model::{DriveTarget, PairId, UnilateralCondition};
 use crate::position::PoseRequest;
 use crate::structure::{BodyId, Group, Structure};
 
@@ -151,11 +151,6 @@ pub enum Halt {
     NothingTouches,
     /// Friction admits no acceleration of a free coordinate, or one in either sense.
     Jam,
-    /// A force against the motion holds a point that may move in several directions.
-    RestsUnder {
-        /// The load.
-        load: LoadId,
-    },
     /// Nothing is free, and something rubs or there is a stop.
     NothingFree {
         /// The stop.

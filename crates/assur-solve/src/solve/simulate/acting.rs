@@ -71,11 +71,6 @@ pub(super) fn wakes(equations: &Equations<'_, '_>) -> bool {
 }
 
 impl<'a> Equations<'a, '_> {
-    /// Whether a load acts against the motion.
-    pub fn is_braked(&self) -> bool {
-        self.acting().any(|(_, load, _)| load.is_against_motion())
-    }
-
     /// The run goes on up to an instant, s: what does not act until then needs nothing, and what does not change is no corner.
     pub fn goes_until(&mut self, last: f64) {
         self.last = last;

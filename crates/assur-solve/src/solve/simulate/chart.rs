@@ -71,8 +71,8 @@ impl Chart {
     pub fn grips(&self, here: &[ContactMode]) -> Vec<ContactMode> {
         let each = self.back.friction.iter().map(|at| {
             at.map_or_else(ContactMode::default, |(i, sign)| {
-                let ContactMode { sense, effort } = here[i];
-                ContactMode { sense: sign * sense, effort: sign * effort }
+                let ContactMode { sense, effort, along } = here[i];
+                ContactMode { sense: sign * sense, effort: sign * effort, along }
             })
         });
         // losses have the same order in both

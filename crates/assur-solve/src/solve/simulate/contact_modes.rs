@@ -10,8 +10,10 @@ use super::acting::wakes;
 use super::dissipative::DissipativeElement;
 use super::drives::moves;
 use super::equations::Equations;
+use super::plane::{rows, together};
 use super::sliding_sense::{Held, Slipping};
 use super::ways::Way;
+use crate::math::Vec2;
 use crate::plan::{FrictionElement, Opposing};
 use crate::solve::failure::Halt;
 
@@ -91,6 +93,9 @@ impl Equations<'_, '_> {
             // in which sense they are let go
             self.slipping_accelerations(slipping)?;
         }
+        for element in 0..slipping.senses.len() {
+            self.aim(slipping, element);
+        }
         let released: Vec<f64> =
             (0..slipping.senses.len()).map(|element| self.released(slipping, element)).collect();
         self.set_position(t, y);
@@ -98,7 +103,9 @@ impl Equations<'_, '_> {
         let speeds = self.sliding_speeds(slipping);
         let stops = self.standing_stops(slipping, t, y);
         let touch: Vec<bool> = (0..speeds.len()).map(|element| self.may_touch(element, &stops)).collect();
-        let (mut open, let_go) = slipping.take_senses(&speeds, &touch, &released);
+        let slow: Vec<bool> =
+            (0..speeds.len()).map(|element| self.may_rest(slipping, element, &speeds)).collect();
+        let (mut open, let_go) = slipping.take_senses(&speeds, (&touch, &slow), &released);
         self.take_driven(slipping, (t, y), &mut open);
         (slipping.rests, slipping.undetermined) = (false, false);
         match self.find_way(slipping, (later, &state), (&open, &stops)) {
@@ -179,10 +186,23 @@ impl Equations<'_, '_> {
         }
     }
 
+    /// Whether an element may be held: it turns, or has no speed.
+    fn may_rest(&self, slipping: &Slipping, element: usize, speeds: &[f64]) -> bool {
+        match DissipativeElement::of(self.model.plan, element) {
+            DissipativeElement::Load(load) if rows(self.model.plan, element).is_some() => {
+                self.is_slow(slipping, load)
+            }
+            _ => {
+                let turns = slipping.turning.iter().any(|(_, turns)| *turns == element);
+                turns || speeds[element].abs() <= NONE * slipping.fastest
+            }
+        }
+    }
+
     /// Whether drives alone move an element.
     fn is_driven(&mut self, element: usize) -> bool {
         let mut slopes = Vec::with_capacity(self.order());
-        self.slopes_of_element(element, &mut slopes);
+        together(self.model.plan, element).for_each(|row| self.slopes_of_element(row, &mut slopes));
         slopes.iter().all(|slope| *slope == 0.0)
     }
 
@@ -217,9 +237,13 @@ impl Equations<'_, '_> {
             match self.judge(slipping, at, may, &way)? {
                 Judged::Fits => return Ok(()),
                 Judged::LetGo(element, sense) => {
-                    place(element).into_iter().for_each(|i| way.senses[i] = sense);
+                    let all = together(self.model.plan, element).filter_map(place);
+                    all.for_each(|i| way.senses[i] = sense);
                 }
-                Judged::Held(element) => place(element).into_iter().for_each(|i| way.senses[i] = 0.0),
+                Judged::Held(element) => {
+                    let all = together(self.model.plan, element).filter_map(place);
+                    all.for_each(|i| way.senses[i] = 0.0);
+                }
                 Judged::Closed(stop, closed) => {
                     if closed {
                         // what moved towards it may be held there
@@ -282,6 +306,9 @@ impl Equations<'_, '_> {
         }
         self.close_those(stops, &way.closed);
         let mut judged = Judged::Jams;
+        if !open.iter().all(|&element| self.is_whole(slipping, element)) {
+            return Ok(judged);
+        }
         // which of those that depend on each other hold is not known: any will do
         for first in 0..open.len().max(1) {
             self.take_independent(slipping, at, first);
@@ -328,6 +355,7 @@ impl Equations<'_, '_> {
             }
         }
         if let Some(element) = most.1 {
+            self.aim(slipping, element);
             return Ok(Judged::LetGo(element, self.released(slipping, element)));
         }
         for (&element, &sense) in open.iter().zip(senses) {
@@ -348,7 +376,14 @@ impl Equations<'_, '_> {
 
     /// The sense in which an element accelerates, where everything was evaluated; 0 for rounding.
     fn begins(&mut self, slipping: &Slipping, element: usize) -> f64 {
-        let acceleration = DissipativeElement::of(self.model.plan, element).acceleration(&self.trial);
+        let plan = self.model.plan;
+        let along = |row: usize| DissipativeElement::of(plan, row).acceleration(&self.trial);
+        let acceleration = match rows(plan, element) {
+            Some([x, y]) if slipping.senses[x] != 0.0 => {
+                Vec2::new(along(x), along(y)).dot(slipping.along[x].unit().unwrap_or_default())
+            }
+            _ => along(element),
+        };
         let mut slopes = Vec::with_capacity(self.order());
         self.slopes_of_element(element, &mut slopes);
         let unit: f64 = slopes.iter().zip(&slipping.units).map(|(slope, unit)| (slope * unit).abs()).sum();
@@ -385,7 +420,11 @@ impl Equations<'_, '_> {
             DissipativeElement::Load(Opposing { load, free, .. }) if *free != 0.0 => {
                 (2.0 * effort * free / self.greatest_of_load(*load).max(0.0) - 1.0).abs()
             }
-            DissipativeElement::Load(load) => effort.abs() / self.greatest_of_load(load.load).max(0.0),
+            DissipativeElement::Load(load) => {
+                let all = together(self.model.plan, index).map(|row| slipping.efforts[row]);
+                let effort = all.fold(0.0, f64::hypot);
+                effort / self.greatest_of_load(load.load).max(0.0)
+            }
         }
     }
 
@@ -398,6 +437,7 @@ impl Equations<'_, '_> {
             {
                 *free
             }
+            _ if rows(self.model.plan, index).is_some() => 1.0,
             _ => -effort.signum(),
         }
     }
@@ -460,7 +500,12 @@ impl Equations<'_, '_> {
 impl Slipping {
     /// The senses at these speeds, of elements that are in touch or not. Returns those that may be held or slide in either sense, and
     /// those that are let go.
-    fn take_senses(&mut self, speeds: &[f64], touch: &[bool], released: &[f64]) -> (Vec<usize>, Vec<usize>) {
+    fn take_senses(
+        &mut self,
+        speeds: &[f64],
+        (touch, slow): (&[bool], &[bool]),
+        released: &[f64],
+    ) -> (Vec<usize>, Vec<usize>) {
         let (mut open, mut let_go) = (Vec::new(), Vec::new());
         for (element, speed) in speeds.iter().enumerate() {
             let turns = self.turning.iter().any(|(_, turns)| *turns == element);
@@ -473,7 +518,7 @@ impl Slipping {
             } else if held && turns && !self.driven[element] {
                 let_go.push(element);
                 self.senses[element] = released[element];
-            } else if held || turns || self.still[element] || speed.abs() <= NONE * self.fastest {
+            } else if held || self.still[element] || slow[element] {
                 open.push(element);
             } else {
                 self.senses[element] = speed.signum();

@@ -1,10 +1,15 @@
 //! What rubs in a motion, by number: the elements of friction in the pairs, then the transmissions that
 //! lose power, then the loads against the motion.
 
+use crate::math::Vec2;
 use crate::model::{PairId, ProfileShape};
 use crate::plan::{FrictionElement, FrictionLaw, LawSite, Opposing, Path, Plan, PlannedLaw};
 use crate::position::State;
 use crate::solve::simulate::report::Holder;
+
+const fn component(v: Vec2, axis: usize) -> f64 {
+    if axis == 0 { v.x } else { v.y }
+}
 
 #[derive(Clone, Copy)]
 pub(super) enum DissipativeElement<'p> {
@@ -55,16 +60,20 @@ impl<'p> DissipativeElement<'p> {
                     Some((at, Path::Curve(drive))) => {
                         body.velocity(at).norm().copysign(state.motion.inputs[drive].rate)
                     }
+                    Some((at, Path::Plane(_))) => body.velocity(at).norm(),
                 }
             }
         }
     }
 
-    /// Its speed where the coordinate that alone is free has the rate 1.
+    /// Its speed where one free coordinate has the rate 1: what is held keeps this one.
     pub fn unit_speed(self, state: &State) -> f64 {
         match self {
             Self::Load(Opposing { body, point: Some((at, Path::Curve(_))), .. }) => {
                 state.motion.bodies[*body].velocity(*at).norm()
+            }
+            Self::Load(Opposing { body, point: Some((at, Path::Plane(axis))), .. }) => {
+                component(state.motion.bodies[*body].velocity(*at), *axis)
             }
             other => other.speed(state),
         }
@@ -84,6 +93,7 @@ impl<'p> DissipativeElement<'p> {
                     Some((at, Path::Curve(drive))) => {
                         body.acceleration(at).norm().copysign(state.motion.inputs[drive].acceleration)
                     }
+                    Some((at, Path::Plane(axis))) => component(body.acceleration(at), axis),
                 }
             }
         }

@@ -404,6 +404,10 @@ impl System<f64> for Equations<'_, '_> {
             }
         }
         self.follow_angles(t);
+        if let Some(mut slipping) = self.slipping.take() {
+            self.let_go_on(&mut slipping);
+            self.slipping = Some(slipping);
+        }
         self.accepted.0 = t;
         self.accepted.1.start_from(&self.trial);
         self.accepted.2.clone_from(&self.angles);

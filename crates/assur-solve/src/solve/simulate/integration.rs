@@ -11,7 +11,6 @@ use super::event_detector::{AT_ONCE, EventDetector};
 use super::pass::Pass;
 use super::records::{Origin, Recorder};
 use super::report::Holder;
-use super::reversing::Reversals;
 use super::setup::{Outputs, scales};
 use super::stop::{Stops, Touch};
 use super::trace::Trace;
@@ -98,8 +97,6 @@ pub(super) struct Integration<'m, 'o> {
     pub by_energy: bool,
     /// By how much rounding of the energy may shift the instants, s.
     pub late: f64,
-    /// When points reverse that forces act on by the velocity.
-    reversals: Reversals,
     /// No first step of that is longer, s: what was hit may come back.
     pub first: f64,
     /// The condition at which other coordinates were looked for in vain.
@@ -152,7 +149,6 @@ impl<'m, 'o> Integration<'m, 'o> {
             place: None,
             by_energy: false,
             late: 0.0,
-            reversals: Reversals::default(),
             first: f64::INFINITY,
             looked_at: CAREFUL / AGAIN,
             changes: Vec::new(),
@@ -179,9 +175,6 @@ impl Integration<'_, '_> {
             let condition = equations.condition();
             if condition < self.worst_condition.0 {
                 self.worst_condition = (condition, method.previous_t());
-            }
-            if let Some(load) = self.reversals.detect(equations, method, last - self.begin) {
-                return Ended::Halted(Halt::RestsUnder { load });
             }
             let mut happened = self.watch.first(equations, method);
             let mut turned = self.turning(equations, method);

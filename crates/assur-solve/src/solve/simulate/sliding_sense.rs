@@ -20,6 +20,8 @@ pub(super) struct Slipping {
     pub driven: Vec<bool>,
     /// Elements that were held before.
     pub before: Vec<bool>,
+    /// Of points in the plane, by element: the velocity up to which they keep the direction in which they begin to slide, m/s.
+    pub along: Vec<Vec2>,
     /// Efforts that hold, by element.
     pub efforts: Vec<f64>,
     /// Efforts that are given of some that hold beside those.
@@ -88,6 +90,7 @@ impl Slipping {
             still: vec![false; count],
             driven: vec![false; count],
             before: vec![true; count],
+            along: vec![Vec2::zero(); count],
             efforts: vec![0.0; count],
             given: Vec::new(),
             at_rest: DissipativeElement::all(model.plan).map(|rubs| greater_at_rest(still, rubs)).collect(),

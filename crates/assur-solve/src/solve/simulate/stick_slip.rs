@@ -13,6 +13,7 @@
 
 use super::dissipative::DissipativeElement;
 use super::equations::Equations;
+use super::plane::rows;
 use super::secants::Left;
 use super::sliding_sense::Slipping;
 use crate::math::{Lu, Vec2};
@@ -259,7 +260,7 @@ impl Equations<'_, '_> {
         let given = slipping.given.iter().map(|(element, _)| element);
         for &element in slipping.held.iter().chain(given) {
             if let DissipativeElement::Load(load) = DissipativeElement::of(self.model.plan, element) {
-                let held = self.acts(load, slipping.efforts[element]);
+                let held = self.holds_by(load, (slipping, element));
                 self.trial.motion.against[load.load.index()].held = held;
                 let value = if load.point.is_some() { Value::Vector(held) } else { Value::Scalar(held.x) };
                 self.put_load(load.load, value);
@@ -288,6 +289,14 @@ impl Equations<'_, '_> {
         slipping.greatest = greatest;
     }
 
+    /// What a load against the motion does that holds.
+    fn holds_by(&self, load: &Opposing, (slipping, element): (&Slipping, usize)) -> Vec2 {
+        match rows(self.model.plan, element) {
+            Some([x, y]) => Vec2::new(slipping.efforts[x], slipping.efforts[y]),
+            None => self.acts(load, slipping.efforts[element]),
+        }
+    }
+
     /// What a load against the motion does where it acts with this effort in the sense in which its speed counts: of a torque the first
     /// number.
     fn acts(&self, load: &Opposing, effort: f64) -> Vec2 {
@@ -299,6 +308,7 @@ impl Equations<'_, '_> {
                 let (v, omega) = self.reduced.unit_motion(0, load.body);
                 (v + (body.position(at) - body.p).perp() * omega).unit().unwrap_or_default()
             }
+            Some((_, Path::Plane(_))) => return Vec2::zero(),
         };
         along * effort
     }
@@ -344,7 +354,8 @@ impl Equations<'_, '_> {
     fn take_grips(&mut self, slipping: &Slipping) {
         let grips = &mut self.trial.motion.grips;
         grips.clear();
-        grips.extend(slipping.senses.iter().map(|&sense| ContactMode { sense, ..ContactMode::default() }));
+        let each = slipping.senses.iter().zip(&slipping.along);
+        grips.extend(each.map(|(&sense, &along)| ContactMode { sense, effort: 0.0, along }));
     }
 
     /// Lets the loads against the motion act in the senses of their elements, others by the velocity, in the state that was moved last.
@@ -359,6 +370,12 @@ impl Equations<'_, '_> {
         against.extend(parts.map(|part| Against { part, held: Vec2::zero() }));
         let grips = &self.trial.motion.grips[DissipativeElement::inner(plan)..];
         for (load, grip) in plan.opposing.iter().zip(grips) {
+            if let (Some((at, Path::Plane(_))), 1.0) = (load.point, grip.sense) {
+                let v = self.trial.motion.bodies[load.body].velocity(at);
+                let v = if v.norm() > grip.along.norm() { v } else { grip.along };
+                against[load.load.index()].part = -v.unit().unwrap_or_default();
+                continue;
+            }
             let sense = if load.free * grip.sense > 0.0 { 0.0 } else { grip.sense };
             against[load.load.index()].part = self.acts(load, -sense);
         }

@@ -5,13 +5,14 @@ use super::depends::Kept;
 use super::dissipative::DissipativeElement;
 use super::equations::Equations;
 use super::integration::Integration;
+use super::plane::rows;
 use super::records::within_step;
 use super::report::Holder;
 use super::sliding_sense::Slipping;
 use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Integrator, Undefined};
 use crate::model::{LinkId, PairId, PairKind, Situation};
-use crate::plan::Opposing;
+use crate::plan::{Opposing, Path};
 use crate::solve::failure::Halt;
 
 /// Places within a step at which all sliding speeds are looked at, as parts of it.
@@ -205,7 +206,12 @@ impl Equations<'_, '_> {
             *room = if slipping.still[element] || !self.touches(element) {
                 f64::INFINITY
             } else if slipping.senses[element] != 0.0 {
-                slipping.senses[element] * speeds[element]
+                match DissipativeElement::of(self.model.plan, element) {
+                    DissipativeElement::Load(load) if rows(self.model.plan, element).is_some() => {
+                        self.plane_room(&slipping, element, load)
+                    }
+                    _ => slipping.senses[element] * speeds[element],
+                }
             } else if !known {
                 f64::NAN
             } else if slipping.held.contains(&element) {
@@ -234,6 +240,7 @@ impl Equations<'_, '_> {
             .enumerate()
             .filter(|(element, _)| slipping.holds(*element));
         kept.links.extend(held.filter_map(|(_, rubs)| match rubs {
+            DissipativeElement::Load(Opposing { point: Some((_, Path::Plane(_))), .. }) => None,
             DissipativeElement::Load(Opposing { body, against: None, .. }) => Some(LinkId::at(*body)),
             _ => None,
         }));
