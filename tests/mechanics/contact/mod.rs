@@ -6,6 +6,7 @@ mod driven;
 mod freewheel;
 mod oracle;
 mod parting;
+mod parting_cams;
 mod plane;
 mod rolling_resistance;
 mod scenes;

@@ -78,11 +78,16 @@ fn parts(
         );
         return None;
     };
-    if [first, second].iter().any(|profile| matches!(profile.shape, ProfileShape::Rim(_))) {
+    let rim = [first, second].iter().any(|profile| matches!(profile.shape, ProfileShape::Rim(_)));
+    if let Some(friction) = find(properties, "friction").filter(|_| rim) {
         cx.error(
-            Diagnosis::error("mech::geometry::no_contact", "a contact with a designed cam cannot part yet")
-                .label(parts.span, "here")
-                .help("leave `parts` out: the motion ends where the contact would have to pull"),
+            Diagnosis::error(
+                "mech::geometry::no_contact",
+                "a contact with a designed cam that parts has no friction yet",
+            )
+            .primary(friction.span, "here")
+            .label(parts.span, "it parts")
+            .help("leave one of both out"),
         );
         return None;
     }

@@ -3,7 +3,7 @@
 use super::cam_step::CamStep;
 use super::planned::Plan;
 use super::step::MotionStep;
-use crate::model::{CamContact, Mechanism, PairId};
+use crate::model::{CamContact, Mechanism, PairId, PairKind};
 use crate::structure::{BodyOrigin, Group, Structure};
 
 /// The contact of a designed cam whose block belongs to a group.
@@ -18,6 +18,19 @@ pub fn contact_in<'m>(
     });
     let of = |pair: PairId| mechanism.cam_contacts.iter().enumerate().find(move |(_, c)| c.pair == pair);
     blocks.into_iter().find_map(|(block, pair)| of(pair).map(|(index, contact)| (block, index, contact)))
+}
+
+/// Designed cams from which their followers part: no group has them.
+pub(super) fn parting(mechanism: &Mechanism) -> Vec<CamStep> {
+    let contacts = mechanism.cam_contacts.iter().enumerate();
+    let parting = contacts.filter(|(_, contact)| {
+        matches!(mechanism.pair(contact.pair).kind, PairKind::Contact { parts: true, .. })
+    });
+    let step = |(index, contact): (usize, &CamContact)| {
+        let cam = mechanism.cams.get(contact.cam)?.cam.clone();
+        Some(CamStep { cam, contact: contact.clone(), index, block: 0, flanks: Vec::new() })
+    };
+    parting.filter_map(step).collect()
 }
 
 /// Whether a group is the follower of a cam that moves already: the follower and the block, nothing else.

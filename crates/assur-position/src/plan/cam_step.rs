@@ -11,7 +11,7 @@ pub struct CamStep {
     pub contact: CamContact,
     /// Index of the contact in the mechanism.
     pub index: usize,
-    /// Slot of the block.
+    /// Slot of the block; none where they part.
     pub block: usize,
     /// The flanks on which the follower can turn the cam; a branch has the number of one. Empty where the cam moves the
     /// follower.

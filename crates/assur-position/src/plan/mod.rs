@@ -93,6 +93,7 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
         loads::plan(mechanism, &plan.effects, &mut plan.loads);
     }
     if plan.effects.simulated {
+        plan.parting_cams = cam::parting(mechanism);
         plan.opposing = opposing::plan(mechanism, structure);
     }
     if plan.effects.forces && determinate {

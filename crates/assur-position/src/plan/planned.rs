@@ -31,6 +31,8 @@ pub struct Plan {
     pub parts: Vec<PlannedPart>,
     /// Designed cams with their followers.
     pub cams: Vec<CamStep>,
+    /// Designed cams from which their followers part.
+    pub parting_cams: Vec<CamStep>,
     pub genevas: Vec<GenevaStep>,
     /// Number of contacts of designed cams.
     pub cam_contacts: usize,
@@ -82,6 +84,11 @@ pub struct Plan {
 }
 
 impl Plan {
+    /// All designed cams, those last from which followers part.
+    pub fn all_cams(&self) -> impl Iterator<Item = &CamStep> {
+        self.cams.iter().chain(&self.parting_cams)
+    }
+
     /// Whether every step has a closed form and every load is a number, so that several positions go side by side.
     #[must_use]
     pub const fn is_batchable(&self) -> bool {

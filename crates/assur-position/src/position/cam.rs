@@ -96,7 +96,7 @@ impl State {
     }
 
     /// All that belongs to a cam angle, rad, by the part of the law that is held, if one is.
-    fn cam_point(&self, step: &CamStep, phi: f64) -> CamPoint {
+    pub(super) fn cam_point(&self, step: &CamStep, phi: f64) -> CamPoint {
         let part = self.motion.laws.get(step.index).and_then(Option::as_ref);
         part.map_or_else(|| step.cam.at(phi), |part| step.cam.beyond(part, phi))
     }
@@ -150,7 +150,7 @@ impl State {
     }
 
     /// Its derivatives by time.
-    fn cam_lift_rates<const LEVEL: u8>(&self, step: &CamStep) -> [f64; 2] {
+    pub(super) fn cam_lift_rates<const LEVEL: u8>(&self, step: &CamStep) -> [f64; 2] {
         let (cam, contact) = (&step.cam, &step.contact);
         let frame = &self.motion.bodies[contact.frame.index()];
         let follower = &self.motion.bodies[contact.follower.index()];

@@ -117,7 +117,7 @@ impl State {
             let [first, second] = sides.map(|side| self.motion.bodies[side.index()].omega);
             return second - first;
         }
-        if let Some(contact) = PartingContact::of_pair(model.mechanism, pair) {
+        if let Some(contact) = PartingContact::of_pair(model, pair) {
             return self.gap_rate(&contact);
         }
         let joints = model.structure.replaced.joints_of(pair);

@@ -191,9 +191,10 @@ impl State {
             let bodies = [second.index(), first.index()];
             return Some(Action::turning(from, bodies, self.motion.bodies[second.index()].p, effort));
         }
-        if let Some(contact) = PartingContact::of_pair(model.mechanism, pair) {
+        if let Some(contact) = PartingContact::of_pair(model, pair) {
             let (place, normal) = self.parting_touch(&contact)?;
-            return Some(Action::pushing(from, contact.bodies(), place, normal * effort));
+            let force = normal * (effort * self.pressed_by_effort(&contact));
+            return Some(Action::pushing(from, contact.bodies(), place, force));
         }
         let replaced = &model.structure.replaced;
         let held = |bodies: [BodyId; 2]| bodies.map(|body| replaced.held_by(model.mechanism, pair, body).0);

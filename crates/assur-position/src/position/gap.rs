@@ -1,18 +1,23 @@
 //! Contacts that part: how far apart the profiles are, and how that changes.
+//!
+//! The gap of a designed cam is measured along the way of its follower (`cam_gap`).
 
 use super::body::BodyState;
 use super::model::Model;
 use super::state::State;
 use crate::math::{Vec2, acceleration_at};
-use crate::model::{Mechanism, PairId, PairKind, ProfileShape, Stop};
+use crate::model::{PairId, PairKind, ProfileShape, Stop};
+use crate::plan::CamStep;
 
 /// A contact that parts, with its place among the stops of the mechanism.
 #[derive(Clone, Copy, Debug)]
-pub struct PartingContact {
+pub struct PartingContact<'p> {
     first: (usize, ProfileShape),
     second: (usize, ProfileShape),
     internal: bool,
     stop: usize,
+    /// Of a designed cam.
+    cam: Option<&'p CamStep>,
 }
 
 /// A round profile at its centre and what it is seen from: a line on another body, or the centre of another round one.
@@ -22,27 +27,32 @@ struct Centre {
     radius: f64,
 }
 
-impl PartingContact {
+impl<'p> PartingContact<'p> {
     /// The contact that a stop of a mechanism is.
     #[must_use]
-    pub fn of_stop(mechanism: &Mechanism, stop: usize) -> Option<Self> {
+    pub fn of_stop(model: &Model<'p>, stop: usize) -> Option<Self> {
         let PairKind::Contact { first, second, internal, parts: true } =
-            &mechanism.pair(mechanism.stops.get(stop)?.pair).kind
+            &model.mechanism.pair(model.mechanism.stops.get(stop)?.pair).kind
         else {
             return None;
         };
         let side = |profile: &crate::model::Profile| (profile.link.index(), profile.shape);
-        Some(Self { first: side(first), second: side(second), internal: *internal, stop })
+        let rim = [first.shape, second.shape].into_iter().find_map(|shape| match shape {
+            ProfileShape::Rim(contact) => Some(contact),
+            _ => None,
+        });
+        let cam = rim.and_then(|index| model.plan.parting_cams.iter().find(|step| step.index == index));
+        Some(Self { first: side(first), second: side(second), internal: *internal, stop, cam })
     }
 
     /// The same by its pair; nothing for another pair.
     #[must_use]
-    pub fn of_pair(mechanism: &Mechanism, pair: PairId) -> Option<Self> {
-        if !matches!(mechanism.pair(pair).kind, PairKind::Contact { parts: true, .. }) {
+    pub fn of_pair(model: &Model<'p>, pair: PairId) -> Option<Self> {
+        if !matches!(model.mechanism.pair(pair).kind, PairKind::Contact { parts: true, .. }) {
             return None;
         }
         let own = |stop: &Stop| stop.pair == pair;
-        mechanism.stops.iter().position(own).and_then(|stop| Self::of_stop(mechanism, stop))
+        model.mechanism.stops.iter().position(own).and_then(|stop| Self::of_stop(model, stop))
     }
 
     /// Its bodies, the first profile's first.
@@ -70,14 +80,22 @@ impl Centre {
 impl State {
     /// The place of a contact that parts, on its round profile, and the unit normal into the first.
     #[must_use]
-    pub fn parting_touch(&self, contact: &PartingContact) -> Option<(Vec2, Vec2)> {
+    pub fn parting_touch(&self, contact: &PartingContact<'_>) -> Option<(Vec2, Vec2)> {
+        if let Some(step) = contact.cam {
+            let (place, normal) = self.cam_place(step);
+            let rim_first = matches!(contact.first.1, ProfileShape::Rim(_));
+            return Some((place, if rim_first { -normal } else { normal }));
+        }
         let on = self.motion.sides.get(contact.stop).copied().unwrap_or(0.0);
         self.touch_on(on, contact.first, contact.second, contact.internal)
     }
 
     /// How far apart the profiles are, m: negative where they would lie in each other.
     #[must_use]
-    pub fn gap(&self, contact: &PartingContact) -> f64 {
+    pub fn gap(&self, contact: &PartingContact<'_>) -> f64 {
+        if let Some(step) = contact.cam {
+            return self.cam_opening(step)[0];
+        }
         let (round, straight) = Self::parts_of(contact);
         match (round, straight) {
             ([Some(round), None] | [None, Some(round)], Some((body, through))) => {
@@ -99,7 +117,10 @@ impl State {
 
     /// The rate of the gap, m/s.
     #[must_use]
-    pub fn gap_rate(&self, contact: &PartingContact) -> f64 {
+    pub fn gap_rate(&self, contact: &PartingContact<'_>) -> f64 {
+        if let Some(step) = contact.cam {
+            return self.cam_opening(step)[1];
+        }
         let Some((p, n)) = self.parting_touch(contact) else { return f64::NAN };
         let at = |body: usize| {
             let body = &self.motion.bodies[body];
@@ -110,7 +131,10 @@ impl State {
 
     /// The second derivative of the gap, m/s².
     #[must_use]
-    pub fn gap_acceleration(&self, contact: &PartingContact) -> f64 {
+    pub fn gap_acceleration(&self, contact: &PartingContact<'_>) -> f64 {
+        if let Some(step) = contact.cam {
+            return self.cam_opening(step)[2];
+        }
         let (round, straight) = Self::parts_of(contact);
         match (round, straight) {
             ([Some(round), None] | [None, Some(round)], Some((base, _))) => {
@@ -136,17 +160,22 @@ impl State {
         }
     }
 
+    /// The normal force over the effort that belongs to the gap: 1 but for designed cams, whose gap is not along the normal.
+    #[must_use]
+    pub fn pressed_by_effort(&self, contact: &PartingContact<'_>) -> f64 {
+        contact.cam.map_or(1.0, |step| 1.0 / self.cam_steepness(step))
+    }
+
     /// Takes the sides on which contacts that part stand: at a line that of the profile, or of the mass centre of its link.
     pub fn take_parting_sides(&mut self, model: &Model<'_>) {
         self.motion.sides.clear();
         for stop in 0..model.mechanism.stops.len() {
-            let side =
-                PartingContact::of_stop(model.mechanism, stop).map_or(0.0, |c| self.side_now(model, &c));
+            let side = PartingContact::of_stop(model, stop).map_or(0.0, |c| self.side_now(model, &c));
             self.motion.sides.push(side);
         }
     }
 
-    fn side_now(&self, model: &Model<'_>, contact: &PartingContact) -> f64 {
+    fn side_now(&self, model: &Model<'_>, contact: &PartingContact<'_>) -> f64 {
         let ([round, other], Some((base, through))) = Self::parts_of(contact) else { return 0.0 };
         let Some(round) = round.or(other) else { return 0.0 };
         let line = if contact.first.0 == base { contact.first.1 } else { contact.second.1 };
@@ -163,7 +192,7 @@ impl State {
     }
 
     /// Its round profiles, and its line by body and a point of it.
-    fn parts_of(contact: &PartingContact) -> ([Option<Centre>; 2], Option<(usize, Vec2)>) {
+    fn parts_of(contact: &PartingContact<'_>) -> ([Option<Centre>; 2], Option<(usize, Vec2)>) {
         let straight = |(body, shape): (usize, ProfileShape)| match shape {
             ProfileShape::Line(through, _) => Some((body, through)),
             _ => None,
@@ -173,7 +202,7 @@ impl State {
     }
 
     /// The normal of its line into the round profile.
-    fn normal_into_round(&self, contact: &PartingContact) -> Option<(Vec2, Vec2)> {
+    fn normal_into_round(&self, contact: &PartingContact<'_>) -> Option<(Vec2, Vec2)> {
         let (p, n) = self.parting_touch(contact)?;
         Some((p, if matches!(contact.first.1, ProfileShape::Line(..)) { -n } else { n }))
     }

@@ -4,6 +4,7 @@
 mod against;
 mod body;
 mod cam;
+mod cam_gap;
 mod check;
 mod closed;
 mod consistent;

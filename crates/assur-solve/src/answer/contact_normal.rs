@@ -13,7 +13,7 @@ pub(super) fn normal(view: &PoseAnswers<'_>, pair: PairId) -> Option<(Vec2, Vec2
             Some((p, view.line_of(pair, g).perp()))
         }
         PairKind::Contact { parts: true, .. } => {
-            view.state.parting_touch(&PartingContact::of_pair(view.mechanism, pair)?)
+            view.state.parting_touch(&PartingContact::of_pair(&view.model(), pair)?)
         }
         PairKind::Contact { first, second, internal, .. } => view.state.touch(
             (first.link.index(), first.shape),

@@ -73,7 +73,7 @@ impl PoseAnswers<'_> {
                 self.angles.get(self.state.motion.bodies.len() + pair.index()).copied().unwrap_or(0.0);
             return self.angles[second.index()] - self.angles[first.index()] + turns;
         }
-        if let Some(contact) = PartingContact::of_pair(self.mechanism, pair) {
+        if let Some(contact) = PartingContact::of_pair(&self.model(), pair) {
             return self.state.gap(&contact);
         }
         let Some(g) = self.guide(pair) else { return f64::NAN };
@@ -96,7 +96,7 @@ impl PoseAnswers<'_> {
         if let Some((first, second)) = self.hinge(pair) {
             return self.body(second).omega - self.body(first).omega;
         }
-        if let Some(contact) = PartingContact::of_pair(self.mechanism, pair) {
+        if let Some(contact) = PartingContact::of_pair(&self.model(), pair) {
             return self.state.gap_rate(&contact);
         }
         let Some(g) = self.guide(pair) else { return f64::NAN };
@@ -111,7 +111,7 @@ impl PoseAnswers<'_> {
         if let Some((first, second)) = self.hinge(pair) {
             return self.body(second).alpha - self.body(first).alpha;
         }
-        if let Some(contact) = PartingContact::of_pair(self.mechanism, pair) {
+        if let Some(contact) = PartingContact::of_pair(&self.model(), pair) {
             return self.state.gap_acceleration(&contact);
         }
         let Some(g) = self.guide(pair) else { return f64::NAN };

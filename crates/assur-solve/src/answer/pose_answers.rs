@@ -9,7 +9,7 @@ use crate::model::{
     PointRef, QuantityId, Query, Value,
 };
 use crate::plan::Plan;
-use crate::position::{Model, State};
+use crate::position::{Model, PartingContact, State};
 use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 
 /// One position, seen from the language. Angles are those followed over the sweep.
@@ -368,7 +368,9 @@ impl PoseAnswers<'_> {
     /// The sum of what the stops of a pair have, of a list of all.
     fn of_stops(&self, pair: PairId, all: &[f64]) -> f64 {
         let stops = self.mechanism.stops.iter().zip(all);
-        stops.filter(|(stop, _)| stop.pair == pair).map(|(_, effort)| effort).sum()
+        let sum: f64 = stops.filter(|(stop, _)| stop.pair == pair).map(|(_, effort)| effort).sum();
+        let contact = PartingContact::of_pair(&self.model(), pair);
+        contact.map_or(sum, |contact| sum * self.state.pressed_by_effort(&contact))
     }
 
     /// The force of closed stops on a link of a guide, or in a contact that parts.

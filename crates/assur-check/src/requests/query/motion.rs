@@ -239,6 +239,7 @@ impl Context<'_> {
             }
             PairKind::Revolute(_) => Some(Dimension::ANGLE),
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => Some(Dimension::LENGTH),
+            PairKind::Contact { parts: true, .. } => Some(Dimension::LENGTH),
             PairKind::Contact { .. } | PairKind::Weld { .. } | PairKind::Transmission(_) => {
                 self.not_of_this_pair(call, pair, Some("it has no coordinate"));
                 None

@@ -124,11 +124,27 @@ impl Equations<'_, '_> {
         self.find_kept(slipping, &stops);
         slipping.begun = true;
         if count > 0 {
-            self.set_position(t, y);
-            self.reduced.run_motion(self.model.plan, &mut self.trial);
-            self.find_slopes(slipping);
+            self.find_slopes_at(slipping, (t, y));
         }
         self.stop_held(slipping, y)
+    }
+
+    /// Takes what is left of the speeds of what is held and closed from the rates at an instant.
+    ///
+    /// # Errors
+    /// No impulses do so.
+    pub fn keep_held(&mut self, t: f64, y: &mut [f64]) -> Result<(), Halt> {
+        let Some(mut slipping) = self.slipping.take() else { return Ok(()) };
+        self.find_slopes_at(&mut slipping, (t, y));
+        let kept = self.stop_held(&slipping, y);
+        self.slipping = Some(slipping);
+        kept
+    }
+
+    fn find_slopes_at(&mut self, slipping: &mut Slipping, (t, y): (f64, &[f64])) {
+        self.set_position(t, y);
+        self.reduced.run_motion(self.model.plan, &mut self.trial);
+        self.find_slopes(slipping);
     }
 
     /// Where it is decided how to go on: where that is undecided at an instant, as of loads that begin at zero, shortly after it.

@@ -47,7 +47,8 @@ impl Integration<'_, '_> {
                         method.restart(equations, &struck.y, last)
                     }
                     Some(until) => {
-                        let y = equations.carried_on(t, &struck.y, until - t)?;
+                        let mut y = equations.carried_on(t, &struck.y, until - t)?;
+                        equations.keep_held(until, &mut y)?;
                         equations.take_sides(until, &y);
                         method.start(equations, until, &y, last)
                     }

@@ -27,10 +27,10 @@ pub(super) fn assemble_touching(model: &Model<'_>, mut state: State) -> Result<S
         return Ok(found);
     }
     let stops = 0..model.mechanism.stops.len();
-    let contacts: Vec<PartingContact> =
-        stops.filter_map(|stop| PartingContact::of_stop(model.mechanism, stop)).collect();
+    let contacts: Vec<PartingContact<'_>> =
+        stops.filter_map(|stop| PartingContact::of_stop(model, stop)).collect();
     for set in sets(contacts.len(), sought.len()) {
-        let closed: Vec<PartingContact> = set.iter().map(|i| contacts[*i]).collect();
+        let closed: Vec<PartingContact<'_>> = set.iter().map(|i| contacts[*i]).collect();
         let Some(found) = close(model, &state, &closed) else { continue };
         let near = ROUNDING * extent(model);
         if contacts.iter().all(|contact| found.gap(contact) > -near) {
@@ -55,7 +55,7 @@ fn sets(of: usize, some: usize) -> Vec<Vec<usize>> {
 }
 
 /// With these contacts closed, at rates that keep them so.
-fn close(model: &Model<'_>, begin: &State, closed: &[PartingContact]) -> Option<State> {
+fn close(model: &Model<'_>, begin: &State, closed: &[PartingContact<'_>]) -> Option<State> {
     let (drives, size) = (&model.mechanism.touching, extent(model));
     let unit = |drive: usize| if turns(model, &model.mechanism.drives[drive]) { 1.0 } else { size };
     let mut inputs = begin.motion.inputs.clone();
@@ -99,7 +99,7 @@ fn put(input: &mut DriveInput, value: f64) {
 }
 
 /// The rates of the starts that no statement gives, with which the contacts stay closed.
-fn with_rates(model: &Model<'_>, mut state: State, closed: &[PartingContact]) -> Option<State> {
+fn with_rates(model: &Model<'_>, mut state: State, closed: &[PartingContact<'_>]) -> Option<State> {
     let drives = &model.mechanism.touching;
     state.run_motion::<1>(model.plan);
     let mut left: Vec<f64> = closed.iter().map(|contact| state.gap_rate(contact)).collect();
