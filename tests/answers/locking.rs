@@ -112,3 +112,32 @@ fn locking_begins_where_the_ideal_effort_changes_its_sign() {
     let smooth = smooth.replace("friction 0.15", "friction 0").replace("friction 0.1;", "friction 0;");
     assert!(critical(&smooth).is_nan());
 }
+
+/// Where the ideal power passes zero the efficiency has a pole: its least value is not bounded, its greatest is that of fine sweeps.
+#[test]
+fn the_greatest_efficiency_is_found_beside_a_pole() {
+    let text = |steps: usize, find: &str| {
+        format!(
+            "ground {{ O (0, 0); line way through O along 0 deg }}
+link crank O-A 100 mm
+link rod A-B 300 mm
+link slider {{ B (0, 0) }}
+revolute O: ground - crank
+revolute A: crank - rod {{ friction 0.1; radius 20 mm }}
+revolute B: rod - slider {{ friction 0.1; radius 20 mm }}
+prismatic G: slider.B - ground.way {{ friction 0.15 }}
+drive crank = 0 deg .. 360 deg in {steps} steps at 100 rpm
+assemble B ahead of A
+force F on slider at B = (-1000 N, 0)
+balance torque M on crank
+find {find}
+"
+        )
+    };
+    let whole = assur::solve(&text(24, "max(efficiency())")).unwrap();
+    let most = whole.poses()[0]["max(efficiency())"].number().unwrap();
+    let swept = assur::solve(&text(3600, "efficiency()")).unwrap();
+    let values = swept.poses().iter().map(|pose| pose["efficiency()"].number().unwrap());
+    let greatest = values.fold(0.0, f64::max);
+    assert!((0.0..1e-6).contains(&(most - greatest)), "{most} {greatest}");
+}

@@ -163,3 +163,30 @@ find B, w = omega(two)
     }
     assert!(solution.poses().iter().all(|pose| pose["w"].number() == Some(0.0)));
 }
+
+/// What a closed stop bears is the effort of its free coordinate, 0 while it is open, for slides and hinges.
+#[test]
+fn the_effort_of_a_bounded_coordinate_is_that_of_its_stop() {
+    let text = "gravity 10 m/s^2
+ground { O (0, 0); line way through O along 90 deg; H (5 m, 0) }
+link b { P (0, 0); mass 2 kg at P }
+prismatic G: b.P - ground.way
+stop G > 0 mm
+link bar H-E 2 m { mass 3 kg rod H to E }
+revolute J: ground.H - bar.H
+stop J > 0 deg
+start G = 190 mm
+start bar = 30 deg
+simulate 0 s .. 1 s in 10 steps
+find e = effort(G), m = effort(J)
+";
+    let solution = assur::solve(text).unwrap();
+    for (index, pose) in solution.poses().iter().enumerate() {
+        let [e, m] = ["e", "m"].map(|name| pose[name].number().unwrap());
+        let falls = index < 2;
+        let right = if falls { [0.0, 0.0] } else { [20.0, m.clamp(0.0, 30.0)] };
+        assert!((e - right[0]).abs() < 1e-9 && (m - right[1]).abs() < 1e-9, "{index}: {e} N, {m} N m");
+    }
+    let last = solution.poses().last().unwrap();
+    assert!((last["m"].number().unwrap() - 30.0).abs() < 1e-9);
+}

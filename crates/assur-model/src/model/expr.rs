@@ -192,6 +192,8 @@ pub enum Query {
     In(super::Situation),
     /// Force, N, or torque, N m, of a closed stop along its coordinate: index into [`super::Mechanism::stops`].
     StopEffort(usize),
+    /// Force, N, or torque, N m, of the closed stops of a pair along its coordinate, or of a contact that parts.
+    StopsEffort(PairId),
     /// Impulse, N s, or angular impulse, N m s, of the stops of a pair along its coordinate, in an impact at the instant.
     Impulse(PairId),
     /// Work since the first instant, J: index into [`super::Mechanism::works`].

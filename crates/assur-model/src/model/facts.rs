@@ -135,6 +135,7 @@ impl Query {
                 Facts { placed: Some((about, "an angle")), turned: Some(about), ..VECTOR }
             }
             Self::Period | Self::EventTime(..) | Self::EventDrive(..) | Self::EventCount(_) => EVENT,
+            Self::StopsEffort(_) => Facts { from_loads: Some("the force of a stop"), ..SECOND_RATE },
             Self::Impulse(_) => Facts { from_loads: Some("an impulse"), ..RATE },
             Self::In(_) => of_motion("what rests or sticks", Answer::Condition),
             Self::Time | Self::PotentialEnergy | Self::StopEffort(_) => NUMBER,

@@ -120,6 +120,7 @@ impl PoseAnswers<'_> {
             Query::StopEffort(stop) => {
                 Value::Scalar(self.state.motion.stops.get(*stop).copied().unwrap_or(0.0))
             }
+            Query::StopsEffort(pair) => Value::Scalar(self.stop_effort(*pair)),
             Query::Impulse(pair) => Value::Scalar(self.of_stops(*pair, &self.state.motion.impulses)),
             Query::KineticEnergy => Value::Scalar(self.state.kinetic_energy(self.mechanism)),
             Query::PotentialEnergy => Value::Scalar(self.state.potential_energy(self.mechanism)),

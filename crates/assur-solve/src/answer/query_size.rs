@@ -145,6 +145,10 @@ impl PoseAnswers<'_> {
                 Some(stop) if stop.turns => sizes.all_moment(),
                 _ => sizes.all_force(),
             },
+            Query::StopsEffort(pair) => {
+                let own = self.mechanism.stops.iter().find(|stop| stop.pair == *pair);
+                if own.is_some_and(|stop| stop.turns) { sizes.all_moment() } else { sizes.all_force() }
+            }
             Query::Balance(id) => self.effort_size(EffortSource::Balance(*id), sizes),
             Query::Effort(id) => self.effort_size(EffortSource::Drive(*id), sizes),
             Query::Load(id) => self.load_size(*id, sizes),

@@ -11,6 +11,8 @@ pub enum Undefined {
     Open(SweepPlace),
     /// It has none at this instant of a motion, s.
     Then(f64),
+    /// It grows without bound there.
+    Unbounded(SweepPlace),
     /// It changes too often.
     Unresolved,
 }

@@ -29,6 +29,7 @@ pub fn undefined(model: &Model<'_>, why: Undefined) -> String {
             let shown = model.mechanism.display_of(Dimension::TIME);
             format!("the quantity is not defined at {} {}", four(t / shown.factor), shown.unit)
         }
+        Undefined::Unbounded(s) => format!("the quantity grows without bound{}", place(s)),
         Undefined::Unresolved => "the quantity changes too often over the sweep".to_owned(),
     }
 }

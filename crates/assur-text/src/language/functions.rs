@@ -269,7 +269,7 @@ functions! {
     Effort "effort" Force "effort(crank)" [form(
         &[arg("D", Takes::Drive)],
         Varies("force or torque"),
-        "effort of a drive if the file has no balance",
+        "effort of a drive if the file has no balance; of a free coordinate what its closed stops bear",
     )],
     Power "power" Force "power(Mb)"
         [form(&[arg("M", Takes::Effort)], Number(Dimension::POWER), "power of a load, balance or drive")],

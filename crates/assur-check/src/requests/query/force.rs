@@ -302,6 +302,11 @@ impl Context<'_> {
             return None;
         };
         self.note_names(args[0]);
+        if let [name] = names.as_slice()
+            && self.is_bounded(&name.node)
+        {
+            return self.effort_of_stops(call);
+        }
         let (index, drive) = self.drive(&names)?;
         let target = &self.drive_statements()[index].target;
         // what it drives could not be read

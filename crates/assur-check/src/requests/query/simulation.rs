@@ -127,6 +127,22 @@ impl Context<'_> {
         Some(Typed::new(Expr::Query(Query::Impulse(pair)), Type::number(dimension)))
     }
 
+    /// Whether a name is that of a free coordinate that a stop bounds.
+    pub(crate) fn is_bounded(&self, name: &str) -> bool {
+        let bounds = |s: &Statement| matches!(s, Statement::Stop(stop) if stop.pair.node == name);
+        let driven = self.drive_names().iter().any(|drive| drive == name);
+        !driven && self.doc.statements.iter().any(|s| bounds(&s.node))
+    }
+
+    /// `effort(G)` of a free coordinate: what its stops bear.
+    pub(crate) fn effort_of_stops(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let pair = self.pair_argument(call, args[0])?;
+        let turns = matches!(self.builder.mech.pair(pair).kind, PairKind::Revolute(_));
+        let dimension = if turns { Dimension::TORQUE } else { Dimension::FORCE };
+        Some(Typed::new(Expr::Query(Query::StopsEffort(pair)), Type::number(dimension)))
+    }
+
     /// A pair that has a stop, or a contact that parts.
     fn stopped(&mut self, call: Call<'_>) -> Option<PairId> {
         let args = self.arguments(call, 1, 1)?;

@@ -137,7 +137,7 @@ fn of_set(
     breaks.sort_by(f64::total_cmp);
     breaks.dedup_by(|a, b| *a - *b <= switches::APART);
     let all: Vec<&Expr> = exprs.iter().collect();
-    let found = piecewise(sampler, statics, &all, &breaks)?;
+    let found = piecewise(sampler, statics, (&all, None), &breaks)?;
     let (first, length) = (sampler.interval.value(0.0), sampler.interval.length());
     let interval = if first.is_finite() && length.is_finite() { (first, length) } else { (0.0, 1.0) };
     let course = |(expr, piecewise): (&Expr, Piecewise)| {

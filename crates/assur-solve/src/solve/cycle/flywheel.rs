@@ -52,7 +52,7 @@ pub(super) fn flywheel(
     let both = [&torque, &links];
     sampler.begin();
     let found = breaks(model, statics, sampler, &torque)
-        .and_then(|breaks| Ok((piecewise(sampler, statics, &both, &breaks)?, breaks)));
+        .and_then(|breaks| Ok((piecewise(sampler, statics, (&both, None), &breaks)?, breaks)));
     let (all, breaks) = found.map_err(NoFlywheel::Undefined)?;
     let [torque, links] = all.as_slice() else {
         return Err(NoFlywheel::Undefined(Undefined::Unresolved));

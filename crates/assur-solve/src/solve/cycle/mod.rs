@@ -153,13 +153,14 @@ fn found(
         let scales = [mean.scale, size].map(|x| x * factor.abs());
         return Ok(answer(mean.value * factor, mean.error * factor.abs(), scales));
     }
-    let all = panels::piecewise(sampler, statics, &[expr], &breaks)?;
+    let sign = if how == CycleFunction::Min { -1.0 } else { 1.0 };
+    let sought = factor.is_none().then_some(sign);
+    let all = panels::piecewise(sampler, statics, (&[expr], sought), &breaks)?;
     let [piecewise] = all.as_slice() else { return Err(Undefined::Unresolved) };
     if let Some(factor) = factor {
         let scales = [piecewise.scale, piecewise.size].map(|x| x * factor.abs());
         return Ok(answer(piecewise.integral() * factor, piecewise.error * factor.abs(), scales));
     }
-    let sign = if how == CycleFunction::Min { -1.0 } else { 1.0 };
     let (s, value) = extreme(statics, sampler, expr, piecewise, sign)?;
     Ok(match how {
         CycleFunction::Argmax => {

@@ -18,6 +18,9 @@ const VERY_COARSE: f64 = 1e-5;
 const NOISE: f64 = 16.0 * f64::EPSILON;
 const HALVED: u32 = 3;
 const MOST: usize = 2000;
+/// On panels that are narrower than this part of the sweep what is so many times greater than at the start is not bounded.
+const NARROW: f64 = 1e-6;
+const FAR: f64 = 1e3;
 
 /// A quantity over the sweep.
 #[derive(Clone, Debug)]
@@ -80,11 +83,12 @@ impl Piecewise {
     }
 }
 
-/// Numbers over the sweep that are smooth between the breaks.
+/// Numbers over the sweep that are smooth between the breaks. Where the greatest (1) or the least (−1) of a number is sought it may grow
+/// without bound the other way.
 pub(super) fn piecewise(
     sampler: &mut Sampler<'_>,
     statics: &WholeCycle,
-    exprs: &[&Expr],
+    (exprs, sought): (&[&Expr], Option<f64>),
     breaks: &[f64],
 ) -> Result<Vec<Piecewise>, Undefined> {
     let nodes = Nodes::new();
@@ -128,6 +132,18 @@ pub(super) fn piecewise(
                 out.error += panel.series.tail() * length;
                 out.panels.push(panel.series);
             }
+            continue;
+        }
+        let far = |(panel, of): (&Panel, &Piecewise)| {
+            let greatest =
+                panel.values.iter().copied().fold(0.0, |a: f64, x| if x.abs() > a.abs() { x } else { a });
+            (greatest.abs() > FAR * of.scale).then_some(greatest)
+        };
+        if let Some(greatest) = panel.iter().zip(&done).find_map(far).filter(|_| length < NARROW) {
+            if sought.is_none_or(|sign| sign * greatest > 0.0) {
+                return Err(Undefined::Unbounded(sampler.interval.place(from)));
+            }
+            panel.into_iter().zip(&mut done).for_each(|(panel, out)| out.panels.push(panel.series));
             continue;
         }
         if is_rounding || done.first().map_or(0, |d| d.panels.len()) + waiting.len() > MOST {
